@@ -48,7 +48,7 @@ class Belief:
         believed: Accepted: score above 0.5 and converged.
         right: Whether the pose found is the true one; never of different scenes.
         pose: T_target_source that was found.
-        reason: As the result says it.
+        warnings: Of the result.
     """
 
     source: str
@@ -62,7 +62,7 @@ class Belief:
     believed: bool
     right: bool
     pose: list[list[float]]
-    reason: str
+    warnings: tuple[str, ...]
 
 
 def is_for_fitting(scene: str) -> bool:
@@ -156,7 +156,7 @@ class Judge:
             believed,
             hit,
             T.tolist(),
-            found.reason,
+            found.warnings,
         )
 
 

@@ -41,7 +41,10 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     odometry, camera = loom.odometry, loom.PinholeCameraIntrinsic(*scene["camera"])
 
     def prepare() -> list[Any]:
-        return [odometry.OdometryFrame(depth, camera, color, device=device) for color, depth in scene["frames"]]
+        return [
+            odometry.OdometryFrame(depth, camera, color, depth_max=6.0, device=device)
+            for color, depth in scene["frames"]
+        ]
 
     frames = prepare()
     return lambda: odometry.align_frames(*(frames if scene["is_prepared"] else prepare())).transformation

@@ -68,9 +68,9 @@ def main() -> None:
         for count in options.sizes:
             source, target = body(count, 0), moved(body(count, 1), kind)
             clouds = loom.PointCloud(source), loom.PointCloud(target)
-            reg.coherent_point_drift(*clouds, kind=kind, max_iteration=1, **drift)  # compiled
+            reg.coherent_point_drift(*clouds, kind=kind, max_iterations=1, **drift)  # compiled
             start = time.perf_counter()
-            found = reg.coherent_point_drift(*clouds, kind=kind, max_iteration=options.steps, **drift)
+            found = reg.coherent_point_drift(*clouds, kind=kind, max_iterations=options.steps, **drift)
             ours = time.perf_counter() - start
             theirs, places = (np.nan, np.nan) if options.alone else peer(source, target, kind, options.steps)
             apart, truth = np.abs(found.warped.points - places).max(), moved(source, kind)

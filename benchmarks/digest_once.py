@@ -469,7 +469,7 @@ def graph_file(d: Scenes) -> Any:
 def bent(d: Scenes) -> list[Any]:
     """A thinned room bent onto the other one, and what the bend makes of points and volumes."""
     found = reg().register_nonrigid(
-        *d.thinned, node_spacing=0.6, init=np.eye(4), stiffness=[10.0, 1.0], max_iteration=3
+        *d.thinned, node_spacing=0.6, init=np.eye(4), stiffness=[10.0, 1.0], max_iterations=3
     )
     T, points = found.deformation, d.thinned[0].points[:50]
     return [found.warped, found.correspondences, found.residuals, T.transform(points), T.volumes(points)]
@@ -479,7 +479,7 @@ def drifted(d: Scenes) -> list[Any]:
     """A part of a room brought onto the other one without pairs, in each way."""
     source, target = (cloud.select_by_index(np.arange(0, len(cloud), len(cloud) // 80)) for cloud in d.thinned)
     found = [
-        reg().coherent_point_drift(source, target, kind=kind, max_iteration=8)
+        reg().coherent_point_drift(source, target, kind=kind, max_iterations=8)
         for kind in ("rigid", "affine", "deformable")
     ]
     return [[one.warped, one.transformation, one.deviation, one.matched] for one in found]

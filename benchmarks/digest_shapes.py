@@ -36,7 +36,7 @@ def numbers(shape: Any) -> list[Any]:
     """All that is known of a shape, as numbers; NaN stands for what it has not."""
     values = (getattr(shape, field.name) for field in fields(shape) if field.name not in ("kind", "reasons"))
     told = [np.nan_to_num(np.asarray(value, np.float64), nan=-9.0) for value in values]
-    return [*told, np.frombuffer("".join((shape.kind, *shape.reasons)).encode(), np.uint8)]
+    return [*told, np.frombuffer("".join((shape.kind, *shape.warnings)).encode(), np.uint8)]
 
 
 def segmented(d: Any, kind: str) -> list[Any]:

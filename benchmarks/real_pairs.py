@@ -184,9 +184,9 @@ def table(rows: Sequence[Errors]) -> str:
 
 
 def keep(name: str, content: dict[str, object]) -> None:
-    """Write a JSON file among the results."""
+    """Write a JSON file among the results, in place of that of the run before."""
     about = describe(argparse.Namespace(device="cpu", quick=False, cold=False))
-    path = FOLDER / "results" / f"cpu-{about['date'][:10]}-{name}.json"
+    path = FOLDER / "results" / f"{name}-cpu.json"
     path.write_text(json.dumps({"about": about, **content}, indent=1) + "\n")
 
 

@@ -23,6 +23,7 @@ from PIL import Image
 import pointloom as loom
 
 STEPS, PAIRS, FRAMES = (1, 5, 10, 20), 40, 300
+DEPTH_MAX = 6.0  # [m] of the figures in docs/odometry.md
 RIGHT = (5.0, 200.0)  # [deg, mm] a success farther off is false; the truth itself drifts by some centimeters
 
 
@@ -35,7 +36,7 @@ class Kitchen:
 
     def _prepare(self, i: int) -> Any:
         frame = self.frames.read(i)
-        return loom.odometry.OdometryFrame(frame.depth, self.frames.intrinsic, frame.color)
+        return loom.odometry.OdometryFrame(frame.depth, self.frames.intrinsic, frame.color, depth_max=DEPTH_MAX)
 
     def errors(self, pose: np.ndarray, i: int, j: int) -> tuple[float, float]:
         """Angle [deg] and distance [mm] from the truth."""

@@ -233,13 +233,13 @@ def _git(*arguments: str) -> str:
 
 
 def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, Any]) -> None:
-    """Write the document, whole or not at all; a quick or partial run does so where `--output` says alone."""
+    """Write the document atomically: to `--output`, else in place of the device's runs, if the run is a whole one."""
     path = options.output
     if path is None:
         if options.quick or options.only:
             return
         device = about["device"].replace(":", "")
-        path = FOLDER / "results" / f"{device}-{about['date'][:10]}-{about['commit'][:7]}.json"
+        path, content = FOLDER / "results" / f"operations-{device}.json", {"schema": 1, "runs": [content]}
         path.parent.mkdir(exist_ok=True)
     from pointloom.core.atomic import atomic_write
 

@@ -49,7 +49,7 @@ def trial(noise: float, outliers: float, seed: int) -> tuple[list, list, list]:
         part = int(np.bincount(of[of >= 0], minlength=len(parts)).argmax()) if (of >= 0).any() else -1
         right = part >= 0 and shape.kind == parts[part][0]
         right = right and (of == part).mean() >= 0.5 and (of == part).sum() >= 0.5 * (truth == part).sum()
-        shapes.append((right, shape.is_sure))
+        shapes.append((right, shape.reliable))
         if right and not has[part]:
             has[part] = True
             if shape.kind != "cone":

@@ -107,7 +107,7 @@ def line(name: str, slam: Any, truth: list[Any], seconds: float, is_room: bool =
     error = loom.registration.evaluate_trajectory(
         loom.Trajectory(path.poses), loom.Trajectory(np.array(truth)[path.ids[:, 0]])
     ).absolute_translation
-    counts = slam.verdict_counts
+    counts = slam.status_counts
     text = f"{name:32} {len(truth):4} frames: {counts['tracked']:4} tracked {counts['uncertain']:3} uncertain "
     text += f"{counts['lost']:3} lost | ATE {1000 * error.rmse:5.1f} mm, at most {1000 * error.max:5.1f}"
     if is_room:

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
 from ..cameras.depth_doubts import warn_of_scale
+from ..cameras.depth_range import OPEN3D_DEPTH_MAX
 from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
 from ..core.argument_errors import told_arguments
 from ..core.array_libraries import check_library, hand_out, library_of
@@ -115,7 +116,7 @@ class Conversion(Selection):
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
         depth_scale: float = 1.0,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
     ) -> NDArray[np.float32]:
         """Render a depth image of the cloud: the depth of the nearest point in each pixel.
 
@@ -150,7 +151,7 @@ class Conversion(Selection):
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
         *,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
     ) -> RGBDImage:
         """Render an RGB-D image of the cloud: depth [m] and 8-bit color of the nearest point in each pixel.
 

@@ -201,21 +201,21 @@ class Normals(Selection):
         oriented = orient_consistently(points, normals, rows, tree, neighbors, steepest, penalty > 0)
         return self._with_arrays(self._arrays | {"normals": oriented}, grid=self.grid)
 
-    def normal_disagreement(self, k: int = 10) -> float:
+    def normal_disagreement(self, max_nn: int = 10) -> float:
         """Fraction of neighbor pairs whose normals are on opposite sides of the surface.
 
-        Pairs are a point and each of its `k` nearest. They count if their normal lines differ by less than 60 degrees
-        and their connection is within 45 degrees of the tangent plane, which excludes creases and thin walls.
+        Pairs are a point and each of its `max_nn` nearest. They count if their normal lines differ by less than 60
+        degrees and their connection is within 45 degrees of the tangent plane, which excludes creases and thin walls.
 
         Args:
-            k: Neighbors of a point, without itself.
+            max_nn: Neighbors of a point, without itself.
 
         Returns:
             0 if all agree or no pair counts, about 0.5 for random signs. A few percent may be a seam. The same number
             on every device.
 
         Raises:
-            ValueError, TypeError: If the cloud has no normals, or `k` is not an integer >= 1.
+            ValueError, TypeError: If the cloud has no normals, or `max_nn` is not an integer >= 1.
 
         Example:
             >>> import numpy as np, pointloom as loom
@@ -226,7 +226,7 @@ class Normals(Selection):
             (True, 0.0)
         """
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
-        neighbors = min(check_count("k", k), max(1, len(self)))
+        neighbors = min(check_count("max_nn", max_nn), max(1, len(self)))
         return share_of_opposed_normals(self.search_tree(), self._arrays["points"], normals, neighbors)
 
     def _orient(self, reference: NDArray[np.float64], *, to_point: bool) -> Self:

@@ -92,17 +92,17 @@ class NearestNeighborSearch(ToldNames):
         check_cloud("cloud", cloud)
         self.cloud, self._tree = cloud, cloud.search_tree()
 
-    def knn_search(self, queries: PointCloud | ArrayLike, k: int) -> Neighbors:
-        """Find the k nearest points of each query.
+    def knn_search(self, queries: PointCloud | ArrayLike, knn: int) -> Neighbors:
+        """Find the `knn` nearest points of each query.
 
         Args:
             queries: A cloud on the same device, or an array of shape (m, 3) or (3,). Points find themselves first.
-            k: Number of neighbors, up to the number of points plus 1024. Missing ones are -1.
+            knn: Number of neighbors, up to the number of points plus 1024. Missing ones are -1.
 
         Raises:
-            ValueError, DeviceError: If `k` is out of range or the shape is wrong, or if the cloud is on another device.
+            ValueError, DeviceError: If `knn` is out of range, the shape is wrong, or the cloud is on another device.
         """
-        return self._nearest(queries, self._check_neighbors("k", k), np.inf)
+        return self._nearest(queries, self._check_neighbors("knn", knn), np.inf)
 
     def hybrid_search(self, queries: PointCloud | ArrayLike, radius: float, max_nn: int) -> Neighbors:
         """Find up to `max_nn` nearest points closer than `radius` [m].

@@ -363,8 +363,8 @@ class Segmentation(Selection):
 
         Returns:
             (shape, inliers): the least-squares shape with its covariance, and ascending int32 indices of its inliers.
-            `shape.reasons` lists failed checks: a plane fits as well, the visible part is too small to determine radius
-            or kind, or there are no more points on the surface than beside it.
+            `shape.warnings` lists failed checks: a plane fits as well, the visible part is too small to determine
+            radius or kind, or there are no more points on the surface than beside it.
 
         Raises:
             ValueError: If the cloud has no normals or too few finite points, there is no shape, or an argument is
@@ -375,7 +375,7 @@ class Segmentation(Selection):
             >>> ball = 0.5 * (d := np.random.default_rng(0).normal(size=(2000, 3))) / np.linalg.norm(d, axis=1)[:, None]
             >>> cloud = loom.PointCloud(np.vstack([ball, np.random.default_rng(1).random((500, 3))])).estimate_normals()
             >>> shape, inliers = cloud.segment_sphere(0.01)
-            >>> round(shape.radius, 3), shape.is_sure
+            >>> round(shape.radius, 3), shape.reliable
             (0.5, True)
         """
         limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_rows
+from ..core.reports import Assessed, quality
 from ..kernels.linear_algebra import matmul
 
 KINDS = ("plane", "sphere", "cylinder", "cone", "torus")
@@ -31,7 +32,7 @@ class ShapeSurface(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Shape:
+class Shape(Assessed):
     """A geometric shape fitted to points of a cloud.
 
     Attributes:
@@ -46,7 +47,7 @@ class Shape:
         coverage: Fraction of the surface near points, 0..1: of sectors (cylinder, cone) or cells (sphere, torus).
         covariance: Of `unknowns`, [m] and [rad]; infinite if undetermined.
         frame: Rows u, v, axis, the directions of `unknowns`, float64 (3, 3).
-        reasons: Failed checks. Empty if none failed.
+        warnings: Failed quality checks. Empty if the shape is reliable.
     """
 
     kind: str
@@ -61,12 +62,7 @@ class Shape:
     coverage: float
     covariance: NDArray[np.float64]
     frame: NDArray[np.float64]
-    reasons: tuple[str, ...]
-
-    @property
-    def is_sure(self) -> bool:
-        """True if no check failed."""
-        return not self.reasons
+    warnings: tuple[str, ...]
 
     @property
     def unknowns(self) -> tuple[str, ...]:
@@ -125,14 +121,7 @@ class Shape:
         told = {name: float(value) if np.isfinite(value) else None for name, value in numbers.items()}
         sigma = {name: value if np.isfinite(value) else None for name, value in self.sigma.items()}
         arrays = {name: getattr(self, name).tolist() for name in ("center", "axis", "extent")}
-        return {
-            "kind": self.kind,
-            **arrays,
-            **told,
-            "support": self.support,
-            "sigma": sigma,
-            "reasons": list(self.reasons),
-        }
+        return {"kind": self.kind, **arrays, **told, "support": self.support, "sigma": sigma, **quality(self)}
 
     def __str__(self) -> str:
         sizes = {"radius": "m", "minor_radius": "m", "half_angle": "rad"}
@@ -141,7 +130,7 @@ class Shape:
             f"{name} {getattr(self, name):.6g} ± {sigma[name]:.2g} {sizes[name]}" for name in sizes if name in sigma
         ]
         said += [f"{self.support:,} points", f"rms {self.rms:.3g} m", f"{100 * self.coverage:.0f} % covered"]
-        return f"{self.kind}: " + ", ".join(said) + "".join(f"; {reason}" for reason in self.reasons)
+        return f"{self.kind}: " + ", ".join(said) + "".join(f"; {warning}" for warning in self.warnings)
 
     def __repr__(self) -> str:
         return f"Shape({self})"

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from ..core.argument_errors import told_arguments
 from ..core.checks import check_positive, shown
 from ..core.quaternions import nearest_rotations
+from ..core.reports import Assessed, quality
 from ..kernels.arrays.sort import positions
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import det, matmul, norm
@@ -32,7 +33,7 @@ SHARED = 0.5  # required overlap of two faces along their edge, of the shorter o
 
 
 @dataclass(frozen=True, eq=False)
-class BoxShape:
+class BoxShape(Assessed):
     """A box whose faces were detected as planes.
 
     Attributes:
@@ -42,7 +43,14 @@ class BoxShape:
         faces: Shape indices of the low and high face of each axis, -1 if not detected, (3, 2).
         support, rms: Points on the faces, and root mean squared distance from their planes [m].
         tilt: Maximum angle between a face's normal and its axis [rad].
-        reasons: Failed checks. Empty if none failed.
+        warnings: Failed quality checks. Empty if the box is reliable.
+
+    Example:
+        >>> import pointloom as loom
+        >>> cube = loom.TriangleMesh.create_box().sample_points_uniformly(6000, seed=1).estimate_normals()
+        >>> (box,) = loom.find_boxes(cube, loom.detect_shapes(cube, 0.01, kinds="plane"), 0.04)
+        >>> box.reliable, int((box.faces >= 0).sum()), loom.TriangleMesh(*box.to_mesh()).is_watertight()
+        (True, 6, True)
     """
 
     center: NDArray[np.float64]
@@ -52,12 +60,7 @@ class BoxShape:
     support: int
     rms: float
     tilt: float
-    reasons: tuple[str, ...]
-
-    @property
-    def is_sure(self) -> bool:
-        """True if no check failed."""
-        return not self.reasons
+    warnings: tuple[str, ...]
 
     def to_mesh(self) -> ShapeSurface:
         """Six faces as twelve triangles: `loom.TriangleMesh(*box.to_mesh())`."""
@@ -66,19 +69,12 @@ class BoxShape:
 
     def to_dict(self) -> dict[str, Any]:
         arrays = {name: getattr(self, name).tolist() for name in ("center", "axes", "size", "faces")}
-        return {
-            "kind": "box",
-            **arrays,
-            "support": self.support,
-            "rms": self.rms,
-            "tilt": self.tilt,
-            "reasons": list(self.reasons),
-        }
+        return {"kind": "box", **arrays, "support": self.support, "rms": self.rms, "tilt": self.tilt, **quality(self)}
 
     def __str__(self) -> str:
         size = " x ".join(f"{length:.4g}" for length in self.size)
         said = [f"{size} m", f"{int((self.faces >= 0).sum())} faces seen", f"{self.support:,} points"]
-        return f"box: {', '.join(said)}, rms {self.rms:.3g} m" + "".join(f"; {reason}" for reason in self.reasons)
+        return f"box: {', '.join(said)}, rms {self.rms:.3g} m" + "".join(f"; {warning}" for warning in self.warnings)
 
     def __repr__(self) -> str:
         return f"BoxShape({self})"
@@ -102,7 +98,7 @@ def find_boxes(
         angle_threshold_deg: Maximum deviation from a right angle [degrees].
 
     Returns:
-        The boxes, most points first. A shape belongs to at most one. `box.reasons` names lengths that are only the
+        The boxes, most points first. A shape belongs to at most one. `box.warnings` names lengths that are only the
         extent of points, because no face limits them.
 
     Raises:
@@ -231,7 +227,7 @@ def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], 
             said.append(f"size open: no face across axis {number} was seen, {length} is how far the points reach")
     size, total = ends[:, 1] - ends[:, 0], sum(planes[k].support for k in group)
     tilts = [float(norm(np.cross(planes[k].axis, axes[number]))) for k, number in group.items()]
-    said += [f"face {k}: {reason}" for k in group for reason in planes[k].reasons]
+    said += [f"face {k}: {warning}" for k in group for warning in planes[k].warnings]
     said += _apart(group, reach)
     return BoxShape(
         center=place + matmul(ends.mean(axis=1), axes),
@@ -241,7 +237,7 @@ def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], 
         support=total,
         rms=float(np.sqrt(sum(planes[k].support * planes[k].rms ** 2 for k in group) / total)),
         tilt=math.asin(min(1.0, max(tilts))),
-        reasons=tuple(said),
+        warnings=tuple(said),
     )
 
 

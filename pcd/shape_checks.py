@@ -76,11 +76,11 @@ def _looked_over(
     told, drawn = told[: len(given)], told[len(given) :]
     shape = _shape_in_world(search, found, origin, *spread_of(found.kind, told[0], told[1]))
     if found.fit.reason:
-        return replace(shape, reasons=(_undetermined(shape, found.fit),))
+        return replace(shape, warnings=(_undetermined(shape, found.fit),))
     said = _from_fit(search, found, shape, flat_fit(told[-1], found.rows.size))
     if len(asked) > 2:
         said += _beside(Band(*(int(count) for count in told[2])))
-    return replace(shape, reasons=(*said, *_against(found, starts.find(drawn, every))))
+    return replace(shape, warnings=(*said, *_against(found, starts.find(drawn, every))))
 
 
 def _undetermined(shape: Shape, fit: ShapeFit) -> str:
@@ -116,7 +116,7 @@ def _shape_in_world(
         coverage=coverage,
         covariance=covariance,
         frame=frame,
-        reasons=(),
+        warnings=(),
     )
 
 

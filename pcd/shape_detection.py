@@ -98,7 +98,7 @@ def detect_shapes(
         progress: Called with ("shapes", assigned points, points).
 
     Returns:
-        DetectedShapes: labels, shapes and distances. `shape.reasons` lists failed checks.
+        DetectedShapes: labels, shapes and distances. `shape.warnings` lists failed checks.
 
     Raises:
         ValueError: If the cloud has no normals, a kind is unknown, or an argument is out of range.

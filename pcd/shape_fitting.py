@@ -58,7 +58,7 @@ def fit_shape(
         >>> pipe = np.column_stack([0.2 * np.cos(turn), 0.2 * np.sin(turn), height])
         >>> pipe += 0.001 * rng.normal(size=(3000, 3))
         >>> shape = loom.fit_shape(loom.PointCloud(pipe), "cylinder")
-        >>> round(shape.radius, 3), shape.sigma["radius"] < 0.0001, shape.support, shape.is_sure
+        >>> round(shape.radius, 3), shape.sigma["radius"] < 0.0001, shape.support, shape.reliable
         (0.2, True, 3000, True)
     """
     check_cloud("cloud", cloud)

@@ -12,14 +12,17 @@ from numpy.typing import NDArray
 
 from ..core.checks import is_on_gpu
 from ..core.exchange import share_numbers
+from ..core.reports import Assessed, quality
+from ..core.wording import plain
 from ..kernels.memory import download
 
 MIN_TARGETS = 10  # minimum matched targets for a scale
 SHARED = 10  # source points per target point above which the scale is undetermined
+MIN_SCORE = 0.5  # results with this score or less are unreliable
 Pairs = NDArray[np.int32]
 
 
-class RegistrationResult:
+class RegistrationResult(Assessed):
     """A transformation from source to target, and its quality.
 
     Attributes:
@@ -28,8 +31,6 @@ class RegistrationResult:
         inlier_rmse: Root mean square distance [m] of the correspondences. 0 without any.
         iterations: Number of steps.
         converged: True if the criteria were met.
-        reason: Why it stopped: "converged", "max_iteration", "no correspondences", ...
-        hint: Likely cause of missing correspondences: positions and sizes of both clouds.
         degenerate_directions: float64 [k, 6]: unit motions that the clouds do not determine and that were left out:
             rotation about x, y, z through the center of the correspondences (times the source's spread), then
             translation. Empty if all six are determined.
@@ -44,7 +45,7 @@ class RegistrationResult:
         *,
         iterations: int = 0,
         converged: bool = False,
-        reason: str = "",
+        warnings: tuple[str, ...] = (),
         degenerate_directions: NDArray[np.float64] | None = None,
         score: float | Callable[[], float] | None = None,
         free: tuple[str, ...] | None = None,
@@ -52,11 +53,11 @@ class RegistrationResult:
         motion: NDArray[np.float64] | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
-        self.iterations, self.converged, self.reason, self._score = iterations, converged, reason, score
+        self.iterations, self.converged, self._warnings, self._score = iterations, converged, warnings, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
         self.free, self.prior_directions = free, self.degenerate_directions[:held_count]
         self._motion = motion  # parameters since the initial pose, to continue from here
-        self._correspondences, self.hint = correspondences, ""
+        self._correspondences = correspondences
 
     @cached_property
     def correspondence_set(self) -> Pairs:
@@ -80,6 +81,26 @@ class RegistrationResult:
     def score(self, value: float | Callable[[], float] | None) -> None:
         self._score = value
 
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable. If there is a score, it is one of the checks."""
+        if self._warnings:
+            return self._warnings
+        score = self.score
+        if score is None or score > MIN_SCORE:
+            return ()
+        return (f"the score is {score:.2f}, not above {MIN_SCORE}: the surfaces hardly overlap, or a motion is open",)
+
+    @warnings.setter
+    def warnings(self, value: tuple[str, ...]) -> None:
+        self._warnings = value
+
+    def to_dict(self) -> dict[str, Any]:
+        """All but the correspondences in JSON types, with `reliable` and `warnings`."""
+        names = ("transformation", "fitness", "inlier_rmse", "iterations", "converged", "score")
+        names += ("degenerate_directions", "prior_directions", "free")
+        return {name: plain(getattr(self, name)) for name in names} | quality(self)
+
     def check_scale(self) -> None:
         """Set `converged` to False if so few target points match that any smaller scale fits as well.
 
@@ -91,7 +112,7 @@ class RegistrationResult:
         targets = len(np.unique(rows[:, 1]))
         if targets < MIN_TARGETS and len(rows) > SHARED * targets:
             self.converged = False
-            self.reason = f"scale not determined: {len(rows):,} source points match {targets} target points"
+            self.warnings = (f"scale not determined: {len(rows):,} source points match {targets} target points",)
 
     def __getstate__(self) -> dict[str, Any]:
         """State for pickle, with all lazy values computed."""
@@ -101,8 +122,8 @@ class RegistrationResult:
 
     def __repr__(self) -> str:
         believed = f", score {self._score:.2f}" if isinstance(self._score, float) else ""
-        why = f"{self.reason or 'not stated'}{f': {self.hint}' if self.hint else ''}"
+        state = "; ".join(self._warnings) or ("converged" if self.converged else "not converged")
         return (
             f"RegistrationResult(fitness {self.fitness:.4f}, inlier_rmse {self.inlier_rmse:.6g}, "
-            f"{self.iterations} iterations, {why}{believed})"
+            f"{self.iterations} iterations, {state}{believed})"
         )

@@ -46,7 +46,10 @@ MADE = {
         lambda device: loom.NearestNeighborSearch(np.random.default_rng(0).random((50, 3)), device=device),
         lambda search: search.knn_search([0.5, 0.5, 0.5], 5).indices.tobytes(),
     ),
-    "result": (make_result, lambda r: (r.transformation.tobytes(), r.correspondence_set.tobytes(), r.score, r.reason)),
+    "result": (
+        make_result,
+        lambda r: (r.transformation.tobytes(), r.correspondence_set.tobytes(), r.score, r.warnings),
+    ),
     "trajectory": (lambda device: loom.Trajectory(np.eye(4)[None], [0.5]), lambda t: (t.poses.tobytes(), t.timestamps)),
 }
 WAYS = {"pickle": lambda made: pickle.loads(pickle.dumps(made)), "copy": copy.copy, "deepcopy": copy.deepcopy}

@@ -106,7 +106,7 @@ moved 1e-3 reg.register_nonrigid(other, cloud).warped.points
 world 1e-5 reg.register_fragments([cloud, other], voxel_size=0.1).poses[1] @ shift(1)
 world 1e-5 reg.global_optimization(graph, option=reg.GlobalOptimizationOption(reference_node=0)).nodes[2].pose @ shift(1)
 moved 1e-5 reg.deskew_point_cloud(cloud, about(start), np.arange(len(cloud))).points
-moved 1e-3 reg.coherent_point_drift(other, cloud, max_iteration=5).warped.points
+moved 1e-3 reg.coherent_point_drift(other, cloud, max_iterations=5).warped.points
 same 0 cloud.cluster_euclidean(0.15, 5)
 moved 0 cloud.farthest_point_down_sample(10).points
 moved 0 cloud.get_axis_aligned_bounding_box().get_box_points()

@@ -60,7 +60,7 @@ def _count(case: str, found: Iterator[beliefs.Belief]) -> Judged:
     right = [row for row in rows if row.right]
     believed = [row for row in wrong if row.believed]
     refused = [row for row in right if not row.believed]
-    reasons = sorted({row.reason for row in refused})
+    reasons = sorted({warning for row in refused for warning in row.warnings})
     scores = np.array([row.score for row in wrong])
     return Judged(
         "registration from no guess",

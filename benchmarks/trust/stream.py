@@ -92,7 +92,7 @@ def run(case: str, frames: Sequence[Any], camera: Any, *, is_sound: bool = True,
     results = slam.run(frames)
     off = np.array([_off(result, f) for result, f in zip(results, frames, strict=True)])
     tracked = np.array([result.is_tracked for result in results])
-    counts = slam.verdict_counts
+    counts = slam.status_counts
     said = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
     doubt = slam.stream.problem or ""
     error = f"at most {100 * np.nanmax(np.where(tracked, off, np.nan)):.0f} cm where tracked"
@@ -120,7 +120,7 @@ def judge_stall(case: str, frames: Sequence[Any], camera: Any, first: int, *, he
     results = slam.run(frozen(frames, first))
     tracked = np.array([result.is_tracked for result in results])
     wrong = np.arange(len(results)) > first + 3
-    said = next((result.reason for result in results if not result.is_tracked), "")
+    said = next(("; ".join(result.warnings) for result in results if not result.is_tracked), "")
     believed, refused = int((tracked & wrong).sum()), int((~tracked & ~wrong).sum())
     return Judged(AREA, case, len(results), int(wrong.sum()), believed, refused, said, held_out=held_out)
 

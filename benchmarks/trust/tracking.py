@@ -56,7 +56,7 @@ def tracked(case: str, frames: Sequence[Any], camera: Any, *, held_out: bool) ->
         wrong += is_wrong
         believed += is_wrong and result.is_tracked
         refused += not is_wrong and not result.is_tracked
-    counts = slam.verdict_counts
+    counts = slam.status_counts
     said = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
     error = f"{100 * worst:.1f} cm at worst, deviation told {100 * sigma:.1f} cm"
     return Judged(AREA, case, count, wrong, believed, refused, said, error, held_out=held_out)

@@ -18,7 +18,7 @@ from ...io.models.sfm_model import SfmModel
 from ...io.pictures.image_files import read_color
 from ..mesh.posed_images import Names, PosedImages, check_images
 
-NAMES = Names("pictures", "cameras", "T_camera_world")
+NAMES = Names("pictures", "cameras", "extrinsics")
 
 
 def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, say: ReportProgress) -> PosedImages:
@@ -26,20 +26,20 @@ def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, say: Rep
     an SfmModel are undistorted if necessary."""
     if isinstance(cameras, SfmModel):
         if poses is not None:
-            raise ValueError("T_camera_world: the model has the poses; leave it out")
+            raise ValueError("extrinsics: the model has the poses; leave it out")
         return _take_model(pictures, cameras, device, say)
     listed = check_list("pictures", pictures, "pictures")
     if poses is None:
         known = [] if isinstance(cameras, PinholeCameraIntrinsic) else check_list("cameras", cameras, "cameras")
         if not known or not all(hasattr(c, "T_camera_world") and hasattr(c, "intrinsic") for c in known):
-            raise ValueError("T_camera_world: expected a pose [4, 4] for each picture, world to camera, got None")
+            raise ValueError("extrinsics: expected a pose [4, 4] for each picture, world to camera, got None")
         poses, cameras = [c.T_camera_world for c in known], [c.intrinsic for c in known]
     images = []
     for k, picture in enumerate(listed):
         say("pictures", k, len(listed))
         images.append(read_color(picture) if isinstance(picture, str | os.PathLike) else picture)
     say("pictures", len(listed), len(listed))
-    given = check_list("T_camera_world", getattr(poses, "poses", poses), "poses")
+    given = check_list("extrinsics", getattr(poses, "poses", poses), "poses")
     return check_images(NAMES, images, cameras, given, device)
 
 

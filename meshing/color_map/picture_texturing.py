@@ -43,7 +43,7 @@ def texture_from_pictures(
     mesh: TriangleMesh,
     pictures: Any,
     cameras: Any,
-    T_camera_world: Any = None,
+    extrinsics: Any = None,
     *,
     size: int | None = None,
     smoothness: float = 1.0,
@@ -68,7 +68,7 @@ def texture_from_pictures(
         pictures: uint8 (h, w, 3), RGBDImages with colors, or files, one per pose. For an SfmModel also their folder.
         cameras: One PinholeCameraIntrinsic, or one per image; or cameras with poses, such as `mvs.PosedCamera`; or an
             SfmModel, as of `read_colmap_model`, whose images are undistorted if necessary.
-        T_camera_world: Poses (n, 4, 4), world to camera. If None: those of the cameras.
+        extrinsics: Poses (n, 4, 4), world to camera. If None: those of the cameras.
         size: Texels per side. If None: as many as the images have pixels, up to 8192. Charts are scaled to fit.
         smoothness: Cost of an edge between two images, relative to the value of a triangle's best image.
         outliers: Ignore images where a triangle's color differs from most of at least four.
@@ -108,7 +108,7 @@ def texture_from_pictures(
     price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MAX_SMOOTHNESS)
     farthest = check_positive("depth_max", depth_max, allow_infinite=True)
     background, say = check_color("plain", plain), check_progress(progress)
-    images = take_pictures(pictures, cameras, T_camera_world, mesh.device, say)
+    images = take_pictures(pictures, cameras, extrinsics, mesh.device, say)
     choice = _choose(mesh, images, price, (outliers, exposures), farthest, say)
     say("seams", 0, 0)
     levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)

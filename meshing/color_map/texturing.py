@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_name, check_positive, check_progress, check_rigid, shown
@@ -24,7 +25,6 @@ from .results import ColorMapResult
 from .textured_mesh import TexturedMesh, mean_motion
 
 METHODS = ("rigid", "non-rigid", "none")
-DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras exceeds the allowed depth difference of 3 cm
 TURNS = 100  # maximum iterations
 BENDING_TURNS = 30  # maximum iterations for image warps, which start from the rigid result
 GUTTER = 4  # texels between charts of an atlas: two mipmap levels

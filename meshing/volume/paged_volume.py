@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.argument_errors import told_arguments
 from ...core.attribute_hints import ToldNames
@@ -255,7 +256,7 @@ class PagedTSDFVolume(ToldNames):
         extrinsic: ArrayLike,
         *,
         depth_min: float = 0.1,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
         weight_threshold: float = 3.0,
     ) -> RayCast:
         """As `TSDFVolume.ray_cast`; loads the cubes in view.

@@ -12,6 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_doubts import warn_of_scale
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
 from ...core.argument_errors import told_arguments
 from ...core.array_libraries import NUMPY, library_of
@@ -164,7 +165,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
             farthest = np.inf if depth_max is None else check_positive("depth_max", depth_max, allow_infinite=True)
             pixels, library = self._pixels_of(depth, color), depth.array_library
         else:
-            limit = 3.0 if depth_max is None else depth_max
+            limit = OPEN3D_DEPTH_MAX if depth_max is None else depth_max
             raw, scale, farthest, height, width = upload_raw_depth(depth, depth_scale, limit, self.device)
             pixels, library = None, library_of(depth)
             warn_of_scale(depth, scale, farthest, "depth_max", OTHER_UNIT)
@@ -285,7 +286,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         extrinsic: ArrayLike,
         *,
         depth_min: float = 0.1,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
         weight_threshold: float = 3.0,
     ) -> RayCast:
         """Render the surface from a camera; back faces are transparent.
@@ -311,7 +312,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         T_world_camera: NDArray[Any],
         *,
         depth_min: float = 0.1,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
         weight_threshold: float = 3.0,
         normals: bool = True,
     ) -> RenderedMaps:
@@ -328,7 +329,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         T_world_camera: NDArray[Any],
         *,
         depth_min: float = 0.1,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
         weight_threshold: float = 3.0,
     ) -> tuple[wp.array, wp.array]:
         """As `_render_maps`: depth, float32 (h * w,), 0 without surface, and colors, vec3 (h * w,) in 0..1."""

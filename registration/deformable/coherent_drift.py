@@ -104,7 +104,7 @@ def coherent_point_drift(
     width: float = 2.0,
     stiffness: float = 3.0,
     init: ArrayLike | None = None,
-    max_iteration: int = 150,
+    max_iterations: int = 150,
     tolerance: float = 1e-4,
     progress: ReportProgress | None = None,
 ) -> DriftResult:
@@ -123,9 +123,9 @@ def coherent_point_drift(
         width: Gaussian width of the displacement field, relative to the source's root mean square radius.
         stiffness: Regularization weight (lambda) of the field, in units of that radius.
         init: Initial affine map, 4x4; None: the identity.
-        max_iteration: Maximum number of steps.
+        max_iterations: Maximum number of steps.
         tolerance: Converged if the relative change of the variance is below this.
-        progress: Called with ("drift", steps taken, max_iteration).
+        progress: Called with ("drift", steps taken, max_iterations).
 
     Returns:
         The result. Check `reliable`.
@@ -156,7 +156,7 @@ def coherent_point_drift(
     tell = check_progress(progress)
     if not isinstance(kind, str) or kind not in KINDS:
         raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {shown(kind)}")
-    share, turns = check_share("outliers", outliers), check_count("max_iteration", max_iteration, maximum=100_000)
+    share, turns = check_share("outliers", outliers), check_count("max_iterations", max_iterations, maximum=100_000)
     if share >= 1:
         raise ValueError("outliers: expected a share below 1, got 1; then no target would belong to any source")
     begin = np.eye(4) if init is None else check_transformation("init", init)

@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rows
 from ...core.devices import check_same_device, resolve_device
@@ -144,7 +145,7 @@ class ControlGrid:
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
         depth_scale: float | None = None,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
     ) -> NDArray[np.float32]:
         """Remove the distortion from a depth image: each pixel's point is deformed and projected again.
 
@@ -177,7 +178,7 @@ class ControlGrid:
         intrinsic: PinholeCameraIntrinsic,
         extrinsic: ArrayLike | None = None,
         *,
-        depth_max: float = 3.0,
+        depth_max: float = OPEN3D_DEPTH_MAX,
     ) -> RGBDImage:
         """Deform an RGB-D image as `deform_depth` does. Colors move with their points."""
         cloud = self.deform(PointCloud.create_from_rgbd_image(image, intrinsic, extrinsic))

@@ -79,12 +79,12 @@ def register_nonrigid(
     target: PointCloud,
     *,
     node_spacing: float | None = None,
-    max_distance: float | None = None,
+    max_correspondence_distance: float | None = None,
     init: ArrayLike | None = None,
     landmarks: tuple[ArrayLike, ArrayLike] | None = None,
     landmark_weight: float = 10.0,
     stiffness: Sequence[float] = STIFFNESS,
-    max_iteration: int = 30,
+    max_iterations: int = 30,
     tolerance: float = 1e-3,
     progress: ReportProgress | None = None,
 ) -> NonRigidResult:
@@ -98,12 +98,12 @@ def register_nonrigid(
         source: The body to deform, at least ten points. Normals are estimated if missing.
         target: The target, on the same device. Likewise.
         node_spacing: Approximate node distance [m]; None: a sixteenth of the source's diagonal.
-        max_distance: Maximum distance of a pair [m]; None: two node spacings.
+        max_correspondence_distance: Maximum distance of a pair [m]; None: two node spacings.
         init: Initial T_target_source, 4x4; None: from three or more landmarks, else the identity.
         landmarks: (positions on the source, target positions), both [l, 3] [m] in world coordinates.
         landmark_weight: Weight of a landmark relative to all points of a node.
         stiffness: Weights of the regularization of a node, from stiff to soft, in the same unit.
-        max_iteration: Maximum steps per stiffness.
+        max_iterations: Maximum steps per stiffness.
         tolerance: Converged if nodes move by less than this fraction of their spacing.
         progress: Called with ("bend" or "bend, turned round", stages done, stages in all).
 
@@ -137,7 +137,7 @@ def register_nonrigid(
     steps = [check_positive("stiffness", value, maximum=1e6) for value in check_list("stiffness", stiffness, "numbers")]
     if not steps:
         raise ValueError("stiffness: expected at least one number")
-    turns = check_count("max_iteration", max_iteration, minimum=1, maximum=1000)
+    turns = check_count("max_iterations", max_iterations, minimum=1, maximum=1000)
     share = check_positive("tolerance", tolerance)
     weight = check_positive("landmark_weight", landmark_weight, maximum=1e6)
     for name, cloud in (("source", source), ("target", target)):
@@ -145,8 +145,10 @@ def register_nonrigid(
             raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {cloud.search_tree().count}")
     low, high = (np.asarray(bound) for bound in source._device_bounds())
     spacing = _check_spacing(node_spacing, float(norm(high - low)))
-    limit = None if max_distance is None else check_positive("max_distance", max_distance, maximum=LARGEST_NUMBER)
-    reach = 2 * spacing if limit is None else limit
+    reach = 2 * spacing
+    if max_correspondence_distance is not None:
+        name = "max_correspondence_distance"
+        reach = check_positive(name, max_correspondence_distance, maximum=LARGEST_NUMBER)
     pins = _check_landmarks(landmarks, low, high, spacing)
     start = None if init is None else check_poses("init", init, TransformationEstimationPointToPlane())
 
@@ -244,8 +246,9 @@ class _Bending:
         found = registration_icp(self.source, self.target, reach, init, method, overlap=None)
         if found.fitness == 0 and not len(pins[0]):
             raise ValueError(
-                f"source, target: no point of the source lies within {reach:g} m (max_distance) of the target; give an "
-                "init that brings them near (register_globally finds one), landmarks, or a larger max_distance"
+                f"source, target: no point of the source lies within {reach:g} m of the target; give an "
+                "init that brings them near (register_globally finds one), landmarks, or a larger "
+                "max_correspondence_distance"
             )
         self.pose, tree = found.transformation, self.target.search_tree()
         self.tree, self.count = tree, len(source)

@@ -165,7 +165,7 @@ def registration_fgr_based_on_correspondence(
     Returns:
         The pose with the least cost, with fitness and error of the complete clouds. `converged` is True if the last
         step hardly moved; `score` is that of `rate_registration` at three times the distance. With fewer than 10
-        correspondences (given, or after the triple test): the identity, fitness 0 and a `reason`.
+        correspondences (given, or after the triple test): the identity, fitness 0 and a warning.
 
     Raises:
         ValueError, IndexError: A wrong shape, or an index out of range.
@@ -225,7 +225,8 @@ def _register(
     change = np.abs(local - previous)
     result.iterations = option.iteration_number
     result.converged = bool(change[:3, :3].max() < STILL and change[:3, 3].max() < STILL * radius)
-    result.reason = "converged" if result.converged else "max_iteration"
+    moving = f"the pose still changed after {option.iteration_number} iterations"
+    result.warnings = () if result.converged else (moving,)
     reach = RATED_WITHIN * option.maximum_correspondence_distance
     result.score = partial(rate_registration, source.copy(), target.copy(), T, reach)
     report("registration", source=source, target=target, result=result)

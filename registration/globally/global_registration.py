@@ -97,9 +97,9 @@ def register_globally(
 
     Returns:
         The best pose, or the identity if there is none. `score` is above 0.5 and `converged` is True if the clouds
-        agree. Otherwise `reason` names the failure: too little surface, no consistent correspondences, a rejected best
-        pose, an undetermined motion (sphere, tube), evidence from planes only, a conflict with free space, or several
-        equally good poses (symmetric scene).
+        agree. Otherwise `warnings` names the failure: too little surface, no consistent correspondences, a rejected
+        best pose, an undetermined motion (sphere, tube), evidence from planes only, a conflict with free space, or
+        several equally good poses (symmetric scene).
         Fitness and error are those of the downsampled clouds within 1.5 voxels. `correspondence_set` holds indices into
         the given clouds and is computed on first access.
 
@@ -173,12 +173,11 @@ def register_described(
         free=result.free,
         score=score / equals,
         converged=score / equals > 0.5,
-        reason="converged",
     )
     if score <= 0.5:
-        chosen.reason = evidence.problem
+        chosen.warnings = (evidence.problem,)
     elif equals > 1:
-        chosen.reason = f"{equals} poses fit alike"
+        chosen.warnings = (f"{equals} poses fit alike",)
     report("registration", source=source, target=target, result=chosen)
     return chosen
 
@@ -226,8 +225,8 @@ def _is_equal(found: Evidence, best: Evidence) -> bool:
     return found.score > 0.5 and ALIKE * best.share <= found.share and ALIKE * best.rest <= found.rest
 
 
-def _unknown(reason: str, source: PointCloud) -> RegistrationResult:
-    result = no_pose(reason, source)
+def _unknown(warning: str, source: PointCloud) -> RegistrationResult:
+    result = no_pose(warning, source)
     result.score = 0.0
     return result
 
@@ -264,7 +263,7 @@ def registration_robust_based_on_correspondence(
     Returns:
         The pose with most support. Fitness, error and correspondences are those of the complete clouds within the noise
         bound. `score` compares its support with the best different pose: above 0.5, and `converged`, if it has 2.2
-        times as much. With fewer than three consistent ones: the identity, fitness 0 and a `reason`.
+        times as much. With fewer than three consistent ones: the identity, fitness 0 and a warning.
 
     Raises:
         ValueError: A wrong shape, or a bound that is not positive.
@@ -375,7 +374,7 @@ def _distinct(corres: Any, source: PointCloud, target: PointCloud) -> wp.array:
 def _conclude(result: RegistrationResult) -> None:
     assert result.score is not None
     result.converged = result.score > 0.5
-    result.reason = "converged" if result.converged else "another pose may be as good; see score"
+    result.warnings = () if result.converged else ("another pose may be as good; see score",)
 
 
 def rate_support(support: NDArray[np.float64]) -> float:

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_rigid
-from ...core.reports import Assessed
+from ...core.reports import Assessed, as_json
 from ...kernels.linear_algebra import eigh, matmul
 from ...kernels.poses.pair_probes import compare_pair, find_hold
 from ...pcd.cloud import PointCloud
@@ -42,6 +43,10 @@ class Localizability(Assessed):
     motions: Matrix
     shares: NDArray[np.float64]
     kinds: tuple[str, ...]
+
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
 
     @property
     def open_motions(self) -> Matrix:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.argument_errors import told_arguments
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.units import LengthUnit, symbol_of
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import matmul, norm
@@ -29,7 +29,7 @@ from ..icp.estimation import (
 )
 from ..icp.icp import ICPConvergenceCriteria, check_held, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
-from ..result import RegistrationResult
+from ..result import MIN_SCORE, RegistrationResult
 from ..rigid import pose_error
 from ..voxel_size import choose_for
 from .global_registration import register_globally
@@ -46,7 +46,7 @@ METHODS: dict[str, Callable[[], TransformationEstimation]] = {
     "colored": TransformationEstimationForColoredICP,
 }
 
-MIN_SCORE, MIN_FITNESS = 0.5, 0.1  # results at or below are unreliable
+MIN_FITNESS = 0.1  # results below are unreliable
 
 # Correspondence distance: neighbors on a downsampled surface are about one voxel apart. A given start may be less
 # exact, so coarser clouds come first.
@@ -77,7 +77,7 @@ class PairRegistration(Report, Assessed):
         voxel_size: Finest voxel edge [m].
         voxel_size_given: True if it was given.
         points, thinned: Points of source and target, before and after downsampling.
-        distance: Correspondence distance [m].
+        max_correspondence_distance: Maximum distance of a pair [m].
         normals_estimated: Which of "source" and "target" lacked normals.
         normal_radius: Radius of the normal estimation [m], or None.
         rotation_deg: Rotation angle [degrees].
@@ -94,7 +94,7 @@ class PairRegistration(Report, Assessed):
     voxel_size_given: bool
     points: tuple[int, int]
     thinned: tuple[int, int]
-    distance: float
+    max_correspondence_distance: float
     normals_estimated: tuple[str, ...]
     normal_radius: float | None
     rotation_deg: float
@@ -131,7 +131,7 @@ class PairRegistration(Report, Assessed):
                 "score": self.score,
                 "points": _by_role(self.points),
                 "thinned": _by_role(self.thinned),
-                "distance": self.distance,
+                "max_correspondence_distance": self.max_correspondence_distance,
                 "normals_estimated": self.normals_estimated,
                 "normal_radius": self.normal_radius,
                 "transformation": result.transformation,
@@ -140,10 +140,11 @@ class PairRegistration(Report, Assessed):
                 "fitness": result.fitness,
                 "inlier_rmse": result.inlier_rmse,
                 "iterations": result.iterations,
-                "reason": result.reason,
+                "converged": result.converged,
                 "degenerate_directions": result.degenerate_directions,
                 "prior_directions": result.prior_directions,
                 "free": result.free,
+                **quality(self),
             }
         )
 
@@ -151,7 +152,7 @@ class PairRegistration(Report, Assessed):
         result = self.result
         m = symbol_of(self.unit)
         voxels = f"{self.voxel_size:g} {m}{'' if self.voxel_size_given else ', chosen from the clouds'}"
-        method = f"{self.method} within {self.distance:g} {m}"
+        method = f"{self.method} within {self.max_correspondence_distance:g} {m}"
         if self.normals_estimated:
             whose = " and ".join(self.normals_estimated)
             method += f"; normals of the {whose} estimated, radius {self.normal_radius:g} {m}"
@@ -163,7 +164,7 @@ class PairRegistration(Report, Assessed):
             ("thinned", "{:,} onto {:,}, one a voxel of ".format(*self.thinned) + voxels),
             ("start", self.init),
             ("method", method),
-            ("result", f"{fit}; {result.iterations} iterations, {result.reason}"),
+            ("result", f"{fit}; {result.iterations} iterations, {_state_of(result)}"),
             *([("free", ", ".join(result.free))] if result.free is not None and len(result.free) < 6 else []),
             *([("prior", f"{by_prior} of 6 motions, which the clouds do not determine")] if by_prior else []),
             *([("open", f"{open_motions} of 6 motions, which the clouds do not determine")] if open_motions else []),
@@ -180,7 +181,7 @@ def register_pair(
     init: ArrayLike | None = None,
     method: str = "point-to-plane",
     voxel_size: float | None = None,
-    distance: float | None = None,
+    max_correspondence_distance: float | None = None,
     progress: ReportProgress | None = None,
     free: Sequence[str] | None = None,
     prior: Prior | None = None,
@@ -194,7 +195,8 @@ def register_pair(
         init: Initial T_target_source, 4x4; None: global registration.
         method: "point-to-point", "point-to-plane", "symmetric", "generalized" or "colored".
         voxel_size: Downsampling voxel edge [m]; None: `choose_voxel_size`.
-        distance: Correspondence distance [m]; None: two voxels, after eight and four if `init` is given.
+        max_correspondence_distance: Maximum distance of a pair [m]; None: two voxels, after eight and four if `init` is
+            given.
         progress: Called with ("voxels", 0, 0), then "search", "refine" and "rate".
         free: Free motions as of `registration_icp`. Without `init` all, or "x", "y", "z" and "yaw" for level clouds.
         prior: As of `registration_icp`. Not used by the global registration.
@@ -219,16 +221,17 @@ def register_pair(
     check_clouds(source, target)
     start = None if init is None else check_poses("init", init, estimation)
     level, clouds = _check_freedom(estimation, free, prior, start is None), {"source": source, "target": target}
-    reach, given = _check_length("distance", distance), _check_length("voxel_size", voxel_size)
+    reach = _check_length("max_correspondence_distance", max_correspondence_distance)
+    given = _check_length("voxel_size", voxel_size)
     tell("voxels", 0, 0)
     _check_colors(clouds, method, estimation.needs_colors)
     size = choose_for(clouds) if given is None else given
     thinned = _count_voxels(clouds, size)
-    believed, doubt, scales = 1.0, "", COARSE_TO_FINE if reach is None else AT_ONCE
+    believed, problem, scales = 1.0, "", COARSE_TO_FINE if reach is None else AT_ONCE
     if start is None:
         tell("search", 0, 0)
         found = register_globally(source, target, voxel_size=size, free=level)
-        start, believed, doubt, scales = found.transformation, found.score or 0.0, found.reason, AT_ONCE
+        start, believed, problem, scales = found.transformation, found.score or 0.0, "; ".join(found.warnings), AT_ONCE
     tell("refine", 0, 0)
     limits = [reach or DISTANCE * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
@@ -250,9 +253,13 @@ def register_pair(
         estimated,
         NORMAL_RADIUS * size if estimated else None,
         *_motion(source, result.transformation),
-        "" if doubt == "converged" else doubt,
+        problem,
         source.unit or target.unit,
     )
+
+
+def _state_of(result: RegistrationResult) -> str:
+    return "; ".join(result.warnings) or "converged"
 
 
 def _check_method(method: Any) -> TransformationEstimation:

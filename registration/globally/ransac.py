@@ -91,7 +91,7 @@ def registration_ransac_based_on_feature_matching(
     Returns:
         The pose with most matched source points, then with smaller distances. `iterations` is the number of hypotheses,
         `converged` whether the confidence was reached, `score` that of `rate_registration`. Without any pose: the
-        identity, fitness and score 0, not converged, and a `reason`.
+        identity, fitness and score 0, not converged, and a warning.
 
     Raises:
         ValueError: An argument out of range, or features without one row per point.
@@ -216,14 +216,15 @@ def _register(
     limits = (criteria.max_iteration, criteria.confidence)
     found = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
     if found.pose is None or found.count <= 0:
-        reason = (
+        warning = (
             "no hypothesis passed the checks" if found.pose is None else "no hypothesis brought the clouds together"
         )
-        return no_pose(reason, source, iterations=found.drawn)
+        return no_pose(warning, source, iterations=found.drawn)
     T = to_world(found.pose, *world_middles(source, target, fitness.middles))
     result = evaluate_registration(source, target, distance, T)
     result.iterations, result.converged = found.drawn, found.confident
-    result.reason = "converged" if found.confident else "max_iteration"
+    unsure = f"the confidence {criteria.confidence:g} was not reached within {found.drawn:,} iterations"
+    result.warnings = () if found.confident else (unsure,)
     if with_scaling:
         result.check_scale()
     result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)
@@ -231,6 +232,6 @@ def _register(
     return result
 
 
-def no_pose(reason: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
+def no_pose(warning: str, source: PointCloud, *, iterations: int = 0) -> RegistrationResult:
     none = source._handed_out(empty((0, 2), int32, source.device))
-    return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, reason=reason, score=0.0)
+    return RegistrationResult(np.eye(4), 0.0, 0.0, none, iterations=iterations, warnings=(warning,), score=0.0)

@@ -42,7 +42,8 @@ def evaluate_registration(
     T = np.eye(4) if transformation is None else check_transformation("transformation", transformation)
     problem = _evaluate(source, target, max_correspondence_distance, T)
     result = problem.results()[0]
-    result.transformation, result.reason = T.copy(), "evaluated"
+    result.transformation = T.copy()
+    result.warnings = () if result.fitness else ("no correspondences",)
     return result
 
 

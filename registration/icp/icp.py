@@ -115,7 +115,7 @@ def registration_icp(
             against the prior; None: that of each iteration's pairs, each an independent measurement.
 
     Returns:
-        The result. Without correspondences: the current pose, fitness 0, and a `reason`. Undetermined motions (a plane
+        The result. Without correspondences: the current pose, fitness 0, and a warning. Undetermined motions (a plane
         along itself) are left out and reported in `degenerate_directions`.
 
     Raises:
@@ -137,8 +137,8 @@ def registration_icp(
         >>> source = loom.PointCloud(points + [0.01, -0.02, 0.01])
         >>> reg = loom.registration
         >>> result = reg.registration_icp(source, target, 0.1, np.eye(4), reg.TransformationEstimationPointToPlane())
-        >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reason
-        (np.True_, 'converged')
+        >>> np.abs(result.transformation[:3, 3] - [-0.01, 0.02, -0.01]).max() < 1e-6, result.reliable
+        (np.True_, True)
     """
     constraint = make_constraint(free, frame, pivot, prior, noise)
     options = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
@@ -350,7 +350,7 @@ def doubt(result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.
     """Warn if two clouds have hardly any correspondence: most often different units, or a large distance."""
     hint, ratio, apart = _where(source, target, pose, reach)
     if result.fitness == 0:
-        result.hint = hint
+        result.warnings = (f"no correspondences: {hint}",)
         remedy = "; init takes a pose to begin from, register_globally finds one" if apart > APART else ""
         if (remedy or ratio > OTHER_UNIT) and asked_by_user():
             warn_of_units(f"no correspondences: {hint}{remedy}")

@@ -33,9 +33,8 @@ from .constraint import Constraint, make_freedom
 from .estimation import Columns, TransformationEstimation
 from .preparation import in_sensor_frame, normals_of, point_weights, usable_points
 
-REASONS = {
-    CONVERGED: "converged",
-    OUT_OF_ITERATIONS: "max_iteration",
+FAILURES = {
+    OUT_OF_ITERATIONS: "ICP did not converge within {} iterations",
     NO_PAIRS: "no correspondences",
     NOT_FINITE: "the step is not finite",
 }
@@ -211,7 +210,7 @@ class IterativeRegistration:
                 lambda job=job: self._pairs_of(job),
                 iterations=int(states["iterations"][job]),
                 converged=bool(outcomes[job] == CONVERGED),
-                reason=REASONS[int(outcomes[job])],
+                warnings=_warnings_of(int(outcomes[job]), int(states["iterations"][job])),
                 degenerate_directions=states["free"][job].reshape(6, 6)[: free_counts[job]].copy(),
                 **told[job],
             )
@@ -285,6 +284,10 @@ def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[n
             found.append(cloud)
         numbers[i] = place
     return found, numbers
+
+
+def _warnings_of(outcome: int, iterations: int) -> tuple[str, ...]:
+    return (FAILURES[outcome].format(iterations),) if outcome in FAILURES else ()
 
 
 def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:

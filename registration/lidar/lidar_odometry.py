@@ -271,11 +271,11 @@ class LidarOdometry:
         return step
 
     def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
-        reason = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
+        status = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
         return OdometryStep(
             len(self._steps), match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse,
-            match.turns, match.converged, not match.is_found, reason, rmse / self.voxel_size, match.disagreement,
+            match.turns, match.converged, not match.is_found, status, rmse / self.voxel_size, match.disagreement,
             () if match.open is None else match.open.translations(),
             () if match.open is None else match.open.turns(),
             match.ways_to_rivals(), has_prior,
@@ -292,13 +292,13 @@ class LidarOdometry:
                 step, parts = beside, ((known.aside.points, known.aside.pose), (kept, beside.pose))
             else:
                 step, parts, aside = replace(step, pose=predicted), (), Aside(kept, predicted)
-        if step.reason == NO_POINTS:
+        if step.status == NO_POINTS:
             parts, aside = (), known.aside
         threshold, first = known.threshold, known.first
         if step.iterations and step.is_sound:
             threshold = threshold.updated(matmul(invert_pose(predicted), step.pose))
-        if step.reason != NO_POINTS:  # without points so far, the next scan is the first
-            first = raw.kept() if step.reason == FIRST_SCAN else None
+        if step.status != NO_POINTS:  # without points so far, the next scan is the first
+            first = raw.kept() if step.status == FIRST_SCAN else None
         after = replace(known.after(step, last_pose, aside), threshold=threshold, map=voxel_map, first=first)
         return Next(step, after, voxel_map.additions, parts)
 

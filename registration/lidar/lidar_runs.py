@@ -35,7 +35,7 @@ def iterate_odometry(
         >>> import pointloom as loom
         >>> from pointloom.registration.lidar.lidar_runs import iterate_odometry
         >>> wall = loom.PointCloud([[10, 0.5 * i, 0.5 * j] for i in range(-20, 20) for j in range(20)])
-        >>> [(step.index, step.reason) for step in iterate_odometry([wall, wall])]
+        >>> [(step.index, step.status) for step in iterate_odometry([wall, wall])]
         [(0, 'first scan'), (1, 'converged')]
     """
     odometry = LidarOdometry(device=device, **options)

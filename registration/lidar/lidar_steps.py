@@ -12,14 +12,14 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_list
 from ...core.number_ranges import some_runs
-from ...core.reports import Assessed, Fields, Report
+from ...core.reports import Assessed, Fields, Report, as_json, failed, quality
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import eigh, matmul, norm
 
 Matrix = NDArray[np.float64]
 Direction = tuple[float, float, float]
 
-NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # step reasons
+NO_POINTS, FIRST_SCAN = "no points in range", "first scan"  # step status
 
 # Disagreement above which a scan contradicts the map. The second value applies without nearby points, linear up to two
 # thirds. On synthetic drives (0 to 38 m/s) correct scans had 0.005 to 0.28, lost ones 0.29 to 0.71, scans of other
@@ -39,7 +39,7 @@ ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
 @dataclass(frozen=True, eq=False)
-class OdometryStep:
+class OdometryStep(Assessed):
     """Result for one scan.
 
     Attributes:
@@ -52,7 +52,7 @@ class OdometryStep:
         iterations: ICP iterations.
         converged: True if ICP converged or there was nothing to match yet.
         is_predicted: True if the pose is only the constant-velocity prediction.
-        reason: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
+        status: "converged", "first scan", "max_iteration", "no points in range" or "no overlap".
         misfit: `inlier_rmse` in voxel edges: 0.3 to 0.6 if the scan fits the map.
         disagreement: Mean point-to-plane cost (0..1): up to 0.2 if the scan fits the map.
         undetermined: Unit vectors of undetermined translations, where the pose is the predicted one.
@@ -71,7 +71,7 @@ class OdometryStep:
     iterations: int
     converged: bool
     is_predicted: bool
-    reason: str
+    status: str
     misfit: float = 0.0
     disagreement: float = 0.0
     undetermined: tuple[Direction, ...] = ()
@@ -79,6 +79,21 @@ class OdometryStep:
     rivals: tuple[Direction, ...] = ()
     has_prior: bool = False
     has_joined: bool = False
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the pose is reliable."""
+        return failed(
+            f"the pose is a prediction: {self.status}" if self.is_predicted else None,
+            "the scan does not lie on the map" if self.has_strayed else None,
+            f"ICP did not converge within {self.iterations} iterations" if self.is_unsettled else None,
+            "the scan does not determine all motions" if self.is_undetermined else None,
+            "other poses fit as well" if self.rivals else None,
+        )
+
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
 
     @property
     def is_undetermined(self) -> bool:
@@ -97,7 +112,7 @@ class OdometryStep:
 
     @property
     def is_unsettled(self) -> bool:
-        return self.reason == "max_iteration"
+        return self.status == "max_iteration"
 
 
 @dataclass(frozen=True)
@@ -210,6 +225,7 @@ class OdometrySummary(Report, Assessed):
                 "ambiguous": self.ambiguous,
                 "rival_m": self.rival or None,
                 "contradicted": self.contradicted,
+                **quality(self),
             }
         )
 
@@ -258,7 +274,7 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         tuple(step.index for step in steps if step.has_strayed),
         float(np.mean([step.fitness for step in matched])) if matched else math.nan,
         float(np.mean([step.iterations for step in matched])) if matched else math.nan,
-        tuple(step.index for step in steps if step.reason == NO_POINTS),
+        tuple(step.index for step in steps if step.status == NO_POINTS),
         tuple(step.index for step in free),
         _open_motions(free),
         float(sum(lengths[i] for i, step in enumerate(steps) if step.is_undetermined and not step.has_prior)),

@@ -191,7 +191,8 @@ def try_pair(
 ) -> tuple[FragmentPair, str]:
     """Register two clouds globally. Also the problem if the score is not above SURE."""
     found = register_described(left, right, seed=seed, free=free)
-    return FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0), found.reason
+    pair = FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0)
+    return pair, "; ".join(found.warnings)
 
 
 def fragments_result(found: FragmentGraph, pairs: list[FragmentPair]) -> FragmentsResult:

@@ -68,7 +68,7 @@ class GlobalOptimizationOption:
 
 @dataclass(frozen=True)
 class GlobalOptimizationConvergenceCriteria:
-    """Stopping criteria; `report.reason` is the name of the one that was met.
+    """Stopping criteria; `report.criterion` is the name of the one that was met.
 
     Args:
         max_iteration: Maximum steps in each of the two passes.
@@ -312,8 +312,8 @@ def _with_report(
         initial_residual=passes[0].initial_residual if passes else 0.0,
         residual=last.residual if last else 0.0,
         line_process_weight=last.weight if last else 0.0,
-        converged=last is None or last.reason.startswith("min_"),
-        reason=last.reason if last else "no nodes",
+        converged=last is None or last.criterion.startswith("min_"),
+        criterion=last.criterion if last else "no nodes",
         pruned_edges=np.setdiff1d(np.arange(len(graph.source)), kept),
         unreached_nodes=unreached,
     )
@@ -330,7 +330,7 @@ ROUNDING = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class Pass:
-    """Result of one optimization pass; `weight` is mu of the line process, `reason` the criterion that stopped it."""
+    """Result of one optimization pass; `weight` is mu of the line process, `criterion` names what stopped it."""
 
     poses: NodePoses
     confidences: Array
@@ -338,7 +338,7 @@ class Pass:
     initial_residual: float
     residual: float
     weight: float
-    reason: str
+    criterion: str
 
 
 def minimize(
@@ -354,8 +354,8 @@ def minimize(
     """Minimize from these poses, with the reference and one node of each unconnected part fixed."""
     descent = _Descent(graph, poses, anchors_of(graph, reference), weight, criteria, damped, motions)
     initial = descent.residual
-    reason = descent.run()
-    return Pass(descent.poses, descent.confidences, descent.iterations, initial, descent.residual, weight, reason)
+    criterion = descent.run()
+    return Pass(descent.poses, descent.confidences, descent.iterations, initial, descent.residual, weight, criterion)
 
 
 def parts_of(graph: GraphArrays) -> NDArray[np.int32]:

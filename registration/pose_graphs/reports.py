@@ -4,14 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import Assessed, as_json, failed
+
 
 @dataclass(frozen=True, eq=False)
-class GlobalOptimizationReport:
+class GlobalOptimizationReport(Assessed):
     """Report of `global_optimization`.
 
     Attributes:
@@ -20,7 +22,7 @@ class GlobalOptimizationReport:
         residual: Final cost with the edges of the second pass.
         line_process_weight: mu of the second pass.
         converged: True if the second pass met a criterion.
-        reason: The name of that criterion; "no descent" if no step lowered the residual.
+        criterion: The name of that criterion; "no descent" if no step lowered the residual.
         pruned_edges: Indices of the removed edges in the given graph.
         unreached_nodes: Nodes that the remaining edges do not connect to the reference (node 0 for -1).
     """
@@ -30,9 +32,21 @@ class GlobalOptimizationReport:
     residual: float
     line_process_weight: float
     converged: bool
-    reason: str
+    criterion: str
     pruned_edges: NDArray[np.int64]
     unreached_nodes: NDArray[np.int64]
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Failed quality checks. Empty if the result is reliable."""
+        open_end = f"the optimization did not converge within {self.iterations} iterations ({self.criterion})"
+        count = len(self.unreached_nodes)
+        apart = f"{count} nodes have no path of edges to the reference" if count else None
+        return failed(None if self.converged else open_end, apart)
+
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
 
 
 class FragmentOverlap(NamedTuple):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_finite, check_list, check_numeric, check_positive, shown
+from ...core.reports import Assessed, as_json
 from ...core.wording import few_of
 
 Array = NDArray[np.float64]
@@ -96,7 +97,7 @@ def _check_point(point: Any) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class StationPair:
+class StationPair(Assessed):
     """Registration of two overlapping stations.
 
     Attributes:
@@ -107,7 +108,7 @@ class StationPair:
         fitness: Fraction of source points on the target, 0..1.
         rms: Root mean square point-to-surface distance of the matches [m].
         score: Confidence, 0..1.
-        reason: Why it is rejected, or "".
+        warnings: Why the pair is rejected. Empty if it is used.
     """
 
     source: int
@@ -117,7 +118,11 @@ class StationPair:
     fitness: float = 1.0
     rms: float = 0.0
     score: float = 1.0
-    reason: str = ""
+    warnings: tuple[str, ...] = ()
+
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
 
 
 def check_targets(targets: Sequence[TargetObservation] | None, count: int) -> list[TargetObservation]:

@@ -37,7 +37,7 @@ class StationsResult(Report, Assessed):
             placed.
         covariances: Of yaw, x, y, z if level (d = 4), else rotation and translation (d = 6), [n, d, d].
         pairs: The used pairs.
-        rejected: The rejected pairs, with the reason.
+        rejected: The rejected pairs, each with its warnings.
         targets: Target positions [m], by name.
         target_sigmas: Their standard deviations [m], [3] each.
         groups: All observations, with residuals and tests.
@@ -136,7 +136,8 @@ class StationsResult(Report, Assessed):
                 ],
                 "pairs": [self._pair_as_json(g) for g in self.groups if g.kind == "pair"],
                 "rejected": [
-                    {"source": names[p.source], "target": names[p.target], "reason": p.reason} for p in self.rejected
+                    {"source": names[p.source], "target": names[p.target], "warnings": [*p.warnings]}
+                    for p in self.rejected
                 ],
                 "targets": {
                     name: {"position": place, "sigma": self.target_sigmas[name]} for name, place in self.targets.items()
@@ -206,8 +207,8 @@ class StationsResult(Report, Assessed):
                  _test(g), f"{g.redundancy:.2f}"]
             )  # fmt: skip
         told = "PAIRS\n" + _table(rows) if groups else ""
-        others = [p for p in self.rejected if p.reason != "no overlap"]
-        lines = [f"  {self.names[p.source]} - {self.names[p.target]}: {p.reason}" for p in others]
+        others = [p for p in self.rejected if p.warnings != ("no overlap",)]
+        lines = [f"  {self.names[p.source]} - {self.names[p.target]}: {'; '.join(p.warnings)}" for p in others]
         return "\n".join([told, *(["  not used:", *lines] if lines else [])]).strip("\n")
 
     def _points(self) -> str:

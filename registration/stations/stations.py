@@ -31,6 +31,7 @@ from ...core.checks import (
 )
 from ...core.devices import check_same_device
 from ...core.progress import ReportProgress
+from ...core.reports import failed
 from ...core.units import common_unit
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm
 from ...pcd.cloud import PointCloud
@@ -174,8 +175,8 @@ def _in_turns(
             pairs = finder.again(pairs, inner, found.placed)
         tell("adjust", turn, 2)
         pairs = [_placed_rightly(pair, survey.positions, rough) for pair in pairs]
-        used = dataclasses.replace(observed, pairs=[pair for pair in pairs if not pair.reason])
-        rejected = [pair for pair in pairs if pair.reason]
+        used = dataclasses.replace(observed, pairs=[pair for pair in pairs if pair.reliable])
+        rejected = [pair for pair in pairs if not pair.reliable]
         found = adjust_stations(survey, used, rejected, reference, AGREES * finder.size)
     assert found is not None
     tell("adjust", 2, 2)
@@ -322,14 +323,14 @@ def _in_frame(one: TargetObservation, F: Array) -> TargetObservation:
 
 
 def _placed_rightly(pair: StationPair, positions: Array | None, rough: float) -> StationPair:
-    if positions is None or pair.reason:
+    if positions is None or not pair.reliable:
         return pair
     said = float(norm(positions[pair.source] - positions[pair.target]))
     found = float(norm(pair.transformation[:3, 3]))
     if not abs(found - said) > rough:
         return pair
-    reason = f"it puts the stations {found:.2f} m apart, their positions {said:.2f} m"
-    return dataclasses.replace(pair, reason=reason)
+    warning = f"it puts the stations {found:.2f} m apart, their positions {said:.2f} m"
+    return dataclasses.replace(pair, warnings=(warning,))
 
 
 def _held_at(poses: Array, began: Array, parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int) -> Array:
@@ -616,13 +617,13 @@ class PairFinder:
         ).fitness
         overlap = max(result.fitness, backwards)
         if overlap < self.least:
-            return StationPair(a, b, X, np.zeros((6, 6)), overlap, 0.0, 0.0, "no overlap")
+            return StationPair(a, b, X, np.zeros((6, 6)), overlap, 0.0, 0.0, ("no overlap",))
         information, rms = self._information(pair, result, limit)
         score = min(believed, self._rate(a, b, X, RATED_WITHIN * self.size))
-        reason = "" if score > SURE else "the surfaces hardly lie on each other, or elsewhere as well"
-        if not reason and not information.any():
-            reason = "too few places match to tell how well"
-        return StationPair(a, b, X, information, overlap, rms, score, reason)
+        warning = "" if score > SURE else "the surfaces hardly lie on each other, or elsewhere as well"
+        if not warning and not information.any():
+            warning = "too few places match to tell how well"
+        return StationPair(a, b, X, information, overlap, rms, score, failed(warning))
 
     def _information(self, pair: tuple[int, int], result: RegistrationResult, limit: float) -> tuple[Array, float]:
         """Information of the residual in the source frame, and the root mean square of the used residuals."""

@@ -18,7 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid, shown
 from ...core.quaternions import nearest_rotations
-from ...core.reports import Assessed, Fields, Report
+from ...core.reports import Assessed, Fields, Report, quality
 from ...core.wording import plain
 from ...kernels.linear_algebra import eigh, elementwise, inv, matmul, norm, solve
 from ..rigid import fit_pose, make_pose, nearest_rotation, rotation_of, rotation_vector, scale_of
@@ -113,6 +113,7 @@ class TrajectoryError(Report, Assessed):
                 "segment_percent": self.segment_translation,
                 "segment_deg_per_m": self.segment_rotation,
                 "sensor_offset": self.sensor_offset,
+                **quality(self),
             }
         )
 

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import Assessed
 from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import eigh, matmul, norm
 
@@ -30,20 +31,20 @@ _CUT = 2.5 * 1.4826  # in median deviations, for outliers
 
 
 @dataclass(frozen=True, eq=False)
-class UpDirection:
+class UpDirection(Assessed):
     """Up direction of a model.
 
     Attributes:
         direction: Unit vector in model coordinates, shape [3]. None if unknown.
         sigma: Standard deviation [degrees]; infinite if unknown.
         by: "attitudes", "cameras", or "".
-        reason: Why it is unknown, or "".
+        warnings: Why the direction is unknown. Empty if it is known.
     """
 
     direction: Array | None
     sigma: float
     by: str
-    reason: str = ""
+    warnings: tuple[str, ...] = ()
 
 
 def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | None = None) -> UpDirection:
@@ -52,8 +53,8 @@ def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | Non
     if said.direction is not None:
         return said
     held = _by_level_cameras(model.T_camera_world[:, :3, :3])
-    if held.direction is None and said.reason:
-        return UpDirection(None, math.inf, "", f"{said.reason}; {held.reason}")
+    if held.direction is None:
+        return UpDirection(None, math.inf, "", (*said.warnings, *held.warnings))
     return held
 
 
@@ -71,8 +72,8 @@ def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> 
     way, kept = _median_way(ups)
     apart = np.degrees(np.arccos(np.clip(matmul(ups, way), -1, 1)))
     if float(np.median(apart)) > MAX_APART:
-        reason = f"the attitudes that pictures tell lie {np.median(apart):.0f} degrees (median) apart in the model"
-        return UpDirection(None, math.inf, "", reason)
+        warning = f"the attitudes that pictures tell lie {np.median(apart):.0f} degrees (median) apart in the model"
+        return UpDirection(None, math.inf, "", (warning,))
     error = math.sqrt(float((apart[kept] ** 2).mean()) / kept.sum())
     return UpDirection(way, max(error, ATTITUDE_SIGMA / math.sqrt(kept.sum())), "attitudes")
 
@@ -119,8 +120,8 @@ def _by_level_cameras(rotations: Array) -> UpDirection:
     return UpDirection(way * math.copysign(1.0, sign), sigma, "cameras")
 
 
-def _unknown(reason: str) -> UpDirection:
-    return UpDirection(None, math.inf, "", reason)
+def _unknown(warning: str) -> UpDirection:
+    return UpDirection(None, math.inf, "", (warning,))
 
 
 def turn_upright(direction: Array) -> Array:

@@ -30,7 +30,7 @@ class Still(Wall):
     """... as if from a folder."""
 
     layout, left_out = "made up", ()
-    intrinsic_source, intrinsic_doubt = "made up", ""
+    intrinsic_source, warnings = "made up", ()
 
 
 def test_a_folder_becomes_a_mesh_and_a_picture(device, folder, tmp_path):

@@ -101,10 +101,10 @@ def test_a_job_gives_the_poses_of_one_process_and_a_status_of_each_pair(views, t
     report = unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)
     assert (tmp_path / "job.log").read_bytes() == (tmp_path / "memory.log").read_bytes()
     assert report["not_placed"] == ["view20.ply"] and "could not be placed: view20.ply" in str(report["warnings"])
-    verdicts = {(pair["target"], pair["source"]): (pair["by"], pair["verdict"]) for pair in report["tried"]}
-    assert len(verdicts) == 6
-    assert verdicts["view2.ply", "view9.ply"] == ("place", "kept")
-    by, doubt = verdicts["view2.ply", "view20.ply"]
+    statuses = {(pair["target"], pair["source"]): (pair["by"], pair["status"]) for pair in report["tried"]}
+    assert len(statuses) == 6
+    assert statuses["view2.ply", "view9.ply"] == ("place", "kept")
+    by, doubt = statuses["view2.ply", "view20.ply"]
     assert by == "look" and doubt not in ("kept", "dropped", "apart", "")
     written = (tmp_path / "job.log").stat().st_mtime_ns
     assert unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)["tried"] == report["tried"]

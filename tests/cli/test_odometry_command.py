@@ -97,7 +97,7 @@ def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
 
     def restless(self, *args, **kwargs):
         step = found(self, *args, **kwargs)
-        return dataclasses.replace(step, reason="max_iteration", converged=False) if next(steps) else step
+        return dataclasses.replace(step, status="max_iteration", converged=False) if next(steps) else step
 
     found = LidarOdometry._match
     monkeypatch.setattr(LidarOdometry, "_match", restless)

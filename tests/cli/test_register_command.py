@@ -83,7 +83,7 @@ def test_each_method_refines_a_start_nearby(near, method, estimated):
     np.testing.assert_allclose(report["transformation"], NEAR, atol=0.01)
     assert report["normals_estimated"] == estimated
     assert (report["normal_radius"] is None) == (not estimated)
-    assert report["distance"] == 0.12
+    assert report["max_correspondence_distance"] == 0.12
 
 
 def test_a_distance_that_is_given_is_the_only_one(near):

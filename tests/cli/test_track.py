@@ -36,7 +36,7 @@ class Guided:
         if not (np.asarray(frame.depth) > 0).any():
             fate = "lost"
         if fate == "lost":
-            return TrackingResult(None, fate, "no depth in reach")
+            return TrackingResult(None, fate, ("no depth in reach",))
         if fate == "tracked":
             self.folded.append(frame.name)
         pose = np.linalg.inv(self.start(frame)) @ frame.T_world_camera

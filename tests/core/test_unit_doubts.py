@@ -71,15 +71,17 @@ def test_icp_without_correspondences_says_where_both_are(ball):
     with pytest.warns(loom.UnitWarning, match="no correspondences:") as caught:
         result = loom.registration.registration_icp(far, ball, 0.05)
     assert caught[0].filename == __file__
-    assert result.reason == "no correspondences"
+    assert result.warnings[0].startswith("no correspondences: the source spans")
     assert "no correspondences: the source spans 2e+03 x " in repr(result) and "the target spans 2 x " in repr(result)
     assert repr(result).endswith("within 0.05 m; in another unit?)")
     with pytest.warns(loom.UnitWarning, match=r"no correspondences:.*100.*0\.05"):
         moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
     assert "their middles 100 m apart, within 0.05 m)" in repr(moved)
-    assert loom.registration.registration_icp(ball, ball, 0.05).hint == ""
+    assert loom.registration.registration_icp(ball, ball, 0.05).warnings == ()
     empty = loom.PointCloud(device=ball.device)
-    assert loom.registration.registration_icp(empty, ball, 0.05).hint == "the source has no points"
+    assert loom.registration.registration_icp(empty, ball, 0.05).warnings == (
+        "no correspondences: the source has no points",
+    )
 
 
 def test_lengths_that_suit_few_points_or_another_operation_are_not_told(ball):
@@ -94,7 +96,7 @@ def test_lengths_that_suit_few_points_or_another_operation_are_not_told(ball):
         assert set(loose.cluster_dbscan(3.0, 200)) == {-1} and len(loose.remove_radius_outlier(200, 3.0)[0]) == 0
         assert len(ball.crop(tile)) == 0
         near = ball.translate([3.0, 0, 0])
-        assert loom.registration.registration_icp(near, ball, 0.05).reason == "no correspondences"
+        assert loom.registration.registration_icp(near, ball, 0.05).fitness == 0
         small = ball.scale(0.01)
         assert loom.registration.registration_icp(small, loom.PointCloud(ball.points[:1]), 9.0).fitness == 1
         loom.registration.registration_icp_batch(ball.translate([100, 0, 0]), ball, 0.05)

@@ -175,9 +175,9 @@ def test_two_matrices_that_disagree_are_refused(tmp_path):
 def test_a_camera_that_the_images_contradict_is_reported(tmp_path, numbers, doubt):
     folder, given = make_seven_scenes(tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
     np.savetxt(folder / "intrinsics.K.txt", given.matrix)
-    assert re.search(doubt, open_dataset(folder).intrinsic_doubt)
+    assert re.search(doubt, open_dataset(folder).warnings[0])
     dataset = open_dataset(folder, intrinsic=given)
-    assert re.search(doubt, dataset.intrinsic_doubt)
+    assert re.search(doubt, dataset.warnings[0]) and not dataset.reliable
     assert dataset.intrinsic_source == "the intrinsic given"
 
 
@@ -186,11 +186,11 @@ def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_
     folder = make_seven_scenes(tmp_path / "set", 1)
     for path in folder.glob("*.png"):
         write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
-    assert open_dataset(folder).intrinsic_doubt == ""
+    assert open_dataset(folder).reliable
     (folder / name).write_text("fx: 500\n")
     dataset = open_dataset(folder)
     assert dataset.intrinsic_source == "the default of 7-Scenes"
-    assert dataset.intrinsic_doubt == f"{name} lies beside the frames and was not read; give it with intrinsic="
+    assert dataset.warnings == (f"{name} lies beside the frames and was not read; give it with intrinsic=",)
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
@@ -219,7 +219,7 @@ def test_the_red_kitchen_opens_with_its_own_camera(real_file):
     dataset = open_dataset(real_file("rgbd-7scenes-redkitchen"), every=100)
     assert (dataset.layout, len(dataset), dataset.depth_scale) == ("7scenes", 3, 1000)
     assert dataset.intrinsic == PinholeCameraIntrinsic(640, 480, 585, 585, 320, 240)
-    assert dataset.intrinsic_doubt == ""
+    assert dataset.reliable and dataset.warnings == ()
     frame = dataset.read(1)
     assert frame.name == "frame-000100" and frame.color is not None and frame.color.shape == (480, 640, 3)
     assert 0 < frame.depth.max() < 10_000

@@ -103,7 +103,7 @@ def test_frames_come_with_camera_color_and_times(tmp_path, form):
     frames = loom.open_recording(write(tmp_path, form)).frames()
     camera = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 20.0, 21.0, 7.5, 5.5)
     assert (len(frames), frames.intrinsic, frames.depth_scale) == (5, camera, 1000)
-    assert isinstance(frames, RGBDSource) and frames.intrinsic_source == INFO and not frames.intrinsic_doubt
+    assert isinstance(frames, RGBDSource) and frames.intrinsic_source == INFO and frames.reliable
     for i, frame in enumerate(frames):
         np.testing.assert_array_equal(frame.depth, depth_of(i))
         np.testing.assert_array_equal(frame.color, color_of(i))
@@ -181,8 +181,8 @@ def test_a_lens_that_is_not_straightened_is_told_and_a_rectified_picture_has_p(t
         out.image("/cam/depth/image_rect", 1.0, "16UC1", depth_of(0))
     recording = loom.open_recording(out.path)
     raw, rect = recording.frames(DEPTH_TOPIC), recording.frames("/cam/depth/image_rect")
-    assert "tells a lens (0.1, -0.2, 0, 0, 0) that is not straightened" in raw.intrinsic_doubt
-    assert (rect.intrinsic.fx, rect.intrinsic.cy, rect.intrinsic_doubt) == (30.0, 6.0, "")
+    assert "tells a lens (0.1, -0.2, 0, 0, 0) that is not straightened" in raw.warnings[0]
+    assert (rect.intrinsic.fx, rect.intrinsic.cy, rect.warnings) == (30.0, 6.0, ())
 
 
 def test_cameras_that_are_missing_or_say_nothing_are_named(tmp_path):

@@ -166,9 +166,9 @@ def test_bad_input_is_named():
     for error, match, given in (
         (ValueError, "mesh: it has no triangles", (bare, pictures, CAMERA, poses)),
         (ValueError, r"pictures\[0\]: .*64 x 48", (mesh, pictures, small, poses)),
-        (ValueError, r"T_camera_world\[2\]", (mesh, pictures, CAMERA, nan)),
-        (ValueError, "T_camera_world: 2 poses, but 3 pictures", (mesh, pictures, CAMERA, poses[:2])),
-        (ValueError, "T_camera_world: expected a pose", (mesh, pictures, CAMERA, None)),
+        (ValueError, r"extrinsics\[2\]", (mesh, pictures, CAMERA, nan)),
+        (ValueError, "extrinsics: 2 poses, but 3 pictures", (mesh, pictures, CAMERA, poses[:2])),
+        (ValueError, "extrinsics: expected a pose", (mesh, pictures, CAMERA, None)),
         (ValueError, "pictures: expected at least one", (mesh, [], CAMERA, [])),
     ):
         with pytest.raises(error, match=match):
@@ -187,7 +187,7 @@ FLAGS = {"outliers": True, "exposures": True, "seam_leveling": True, "local_leve
         "mesh",
         "pictures",
         "cameras",
-        "T_camera_world",
+        "extrinsics",
         *ARGUMENTS,
         *(pytest.param(f, marks=pytest.mark.slow) for f in FLAGS),
     ],
@@ -195,6 +195,6 @@ FLAGS = {"outliers": True, "exposures": True, "seam_leveling": True, "local_leve
 def test_a_hostile_value_is_refused_by_name(argument):
     scene = wall_scene()
     small = wall_mesh(5)
-    given = {"pictures": scene.pictures, "cameras": CAMERA, "T_camera_world": scene.extrinsics}
+    given = {"pictures": scene.pictures, "cameras": CAMERA, "extrinsics": scene.extrinsics}
     faults = faults_of(texture, {"mesh": small, **given, **ARGUMENTS, **FLAGS}, argument)
     assert not faults, "\n".join(faults)

@@ -48,7 +48,7 @@ cloud.estimate_normals(radius=0.5, max_nn=10)
 cloud.farthest_point_down_sample(num_samples=4, start_index=0)
 cloud.farthest_point_indices(num_samples=4, start_index=0)
 cloud.hidden_point_removal(camera_location=three, radius=10.0)
-cloud.normal_disagreement(k=5)
+cloud.normal_disagreement(max_nn=5)
 cloud.orient_normals_consistent_tangent_plane(k=5, lambda_penalty=0.0, cos_alpha_tol=1.0)
 cloud.orient_normals_to_align_with_direction(orientation_reference=three)
 cloud.orient_normals_towards_camera_location(camera_location=three)
@@ -82,7 +82,7 @@ cloud.thin(spacing=0.2, corner=three)
 cloud.voxel_down_sample(voxel_size=0.2, reduction="mean")
 cloud.voxel_down_sample_and_trace(voxel_size=0.2, min_bound=three, max_bound=three)
 loom.NearestNeighborSearch(cloud=cloud, device="cpu")
-search.knn_search(queries=points, k=3)
+search.knn_search(queries=points, knn=3)
 search.hybrid_search(queries=points, radius=0.3, max_nn=3)
 search.radius_search(queries=points, radius=0.3)
 loom.detect_shapes(cloud=cloud, distance_threshold=0.05, normal_threshold_deg=30.0, kinds=("plane", "sphere"), min_support=10, cluster_epsilon=0.3, num_iterations=10, probability=0.9, min_radius=0.0, max_radius=2.0, max_shapes=2, seed=0, progress=None)
@@ -547,7 +547,7 @@ def test_a_hostile_cloud_is_answered_without_a_warning(call):
         ("cloud.smooth_laplacian(2**31)", r"iterations: .* up to 10,000, got 2147483648: .*take fewer"),
         ("cloud.segment_plane(num_iterations=2**31 - 1)", r"num_iterations: .* up to 10,000,000"),
         ("cloud.smooth_taubin(10**5)", r"iterations: .* up to 10,000"),
-        ("search.knn_search(points, 2**63)", r"k: .* up to 1,084, .*the cloud has 60 points, .* 8 B a query"),
+        ("search.knn_search(points, 2**63)", r"knn: .* up to 1,084, .*the cloud has 60 points, .* 8 B a query"),
         ("search.hybrid_search(points, 0.1, 2**24)", r"max_nn: .* up to 1,084, .*the cloud has 60 points"),
         ("cloud.estimate_normals(max_nn=2**63)", r"max_nn: .* up to 2,147,483,647, .*32 bits"),
         ("loom.PinholeCameraIntrinsic(2**31, 1, 1.0, 1.0, 0.0, 0.0)", r"width: .* up to 65,536, .*scale it"),

@@ -90,7 +90,7 @@ bare.orient_normals_consistent_tangent_plane(5) | no normals: call cloud = cloud
 bare.normalize_normals() | no normals
 bare.flip_normals() | no normals
 bare.normal_disagreement() | no normals
-cloud.normal_disagreement(0) | k
+cloud.normal_disagreement(0) | max_nn
 bare.detect_planar_patches() | no normals
 bare.region_growing() | no normals
 loom.detect_shapes(bare) | no normals
@@ -138,7 +138,7 @@ loom.compute_iss_keypoints(cloud, min_neighbors=0) | min_neighbors
 loom.compute_metrics(cloud, loom.PointCloud()) | no finite point
 loom.compute_metrics(loom.PointCloud(), cloud) | no finite point
 loom.compute_metrics(cloud, cloud, fscore_radius=[0.0]) | fscore_radius
-search.knn_search(np.zeros((1, 3)), 0) | k: expected a whole number >= 1
+search.knn_search(np.zeros((1, 3)), 0) | knn: expected a whole number >= 1
 search.knn_search(np.zeros((1, 2)), 1) | queries: expected shape
 search.radius_search(np.zeros((1, 3)), 0) | radius
 search.hybrid_search(np.zeros((1, 3)), 1, 0) | max_nn

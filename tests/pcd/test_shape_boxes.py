@@ -37,7 +37,7 @@ def test_cartons_on_a_floor_are_boxes_without_it(device):
     assert len(found.shapes) == 8 and [int((box.faces >= 0).sum()) for box in boxes] == [4, 3]
     for box, (x, y, z) in zip(boxes, (large, small), strict=True):
         sides = np.array([x, y, z])
-        assert box.is_sure, box
+        assert box.reliable, box
         np.testing.assert_allclose(np.sort(box.size), np.sort(np.ptp(sides, axis=1)), atol=0.008)
         np.testing.assert_allclose(box.center, turn @ sides.mean(axis=1) + UTM, atol=0.005)
         np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-12)
@@ -51,9 +51,9 @@ def test_of_two_faces_the_length_across_which_none_was_seen_is_said(device):
     rng = np.random.default_rng(5)
     top, front = face(rng, 1500, 2, 0.2, (0, 0.4), (0, 0.3)), face(rng, 1500, 1, 0.0, (0, 0.4), (0, 0.2))
     (box,), _ = boxes_of(np.vstack([top, front]), device, rng)
-    assert not box.is_sure and [reason.split(":")[0] for reason in box.reasons] == ["size open"]
+    assert not box.reliable and [reason.split(":")[0] for reason in box.warnings] == ["size open"]
     np.testing.assert_allclose(np.sort(box.size), [0.2, 0.3, 0.4], atol=0.008)
-    assert box.to_dict()["reasons"] == list(box.reasons) and str(box).startswith("box: ")
+    assert box.to_dict()["warnings"] == list(box.warnings) and str(box).startswith("box: ")
 
 
 def test_planes_that_cross_are_tilted_or_lie_apart_are_no_box(device):

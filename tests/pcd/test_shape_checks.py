@@ -30,15 +30,15 @@ def test_a_shape_that_was_asked_as_another_kind_is_not_sure(device, kind, asked,
     points, _, _ = made_shape(kind, 3000, np.random.default_rng(100), 0.004, arc=0.25 if asked == "cone" else 1.0)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     shape, _ = getattr(cloud, f"segment_{asked}")(0.012, 25, 2000)
-    assert any(reason.startswith(said) for reason in shape.reasons), shape
+    assert any(reason.startswith(said) for reason in shape.warnings), shape
 
 
 def test_a_bent_strip_that_lies_in_a_plane_is_said_to_be_a_cylinder(device):
     points, _, _ = made_shape("cylinder", 3000, np.random.default_rng(100), 0.004, arc=0.1)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     (plane,) = loom.detect_shapes(cloud, 0.012, 25, kinds="plane", min_support=1000).shapes
-    assert plane.kind == "plane" and not plane.is_sure
-    assert any("other kind" in reason and "fits better" in reason for reason in plane.reasons), plane
+    assert plane.kind == "plane" and not plane.reliable
+    assert any("other kind" in reason and "fits better" in reason for reason in plane.warnings), plane
 
 
 def test_points_beside_a_plane_are_counted_within_its_box_by_distance_and_by_normal(device, rng):

@@ -25,7 +25,7 @@ def test_each_part_of_a_hall_is_found_once_with_its_points_and_sizes(device, noi
         mine = found.labels == k
         part = int(np.bincount(labels[mine] + 1).argmax()) - 1
         seen.append(part)
-        assert shape.kind == parts[part][0] and shape.is_sure, shape
+        assert shape.kind == parts[part][0] and shape.reliable, shape
         hits = (labels[mine] == part).sum()
         assert hits / mine.sum() > 0.93 and hits / (labels == part).sum() > 0.92, (shape, hits)
         told = [getattr(shape, name) for name in SIZES if np.isfinite(getattr(shape, name))]
@@ -56,7 +56,7 @@ def test_a_hall_of_planes_has_no_round_shape_that_is_sure(device, rng):
     cloud = loom.PointCloud(np.vstack([floor, wall[:, [2, 0, 1]]]), device=device).estimate_normals()
     assert [shape.kind for shape in loom.detect_shapes(cloud, 0.01).shapes] == ["plane", "plane"]
     round_ones = loom.detect_shapes(cloud, 0.01, kinds=("sphere", "cylinder"), num_iterations=500, max_radius=3.0)
-    assert not any(shape.is_sure for shape in round_ones.shapes), round_ones
+    assert not any(shape.reliable for shape in round_ones.shapes), round_ones
 
 
 def test_what_lies_apart_is_two_shapes(device, rng):

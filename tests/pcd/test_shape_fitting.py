@@ -56,7 +56,7 @@ def test_a_fit_is_scipy_s_and_so_is_its_covariance(device, kind):
     expected = np.linalg.inv(best.jac.T @ best.jac) * variance
     np.testing.assert_allclose(shape.covariance, expected, atol=1e-3 * np.abs(expected).max(), rtol=1e-3)
     assert shape.rms == pytest.approx(np.sqrt(2 * best.cost / weights.sum()), rel=1e-6)
-    assert shape.support == len(made) and shape.is_sure, shape
+    assert shape.support == len(made) and shape.reliable, shape
 
 
 def test_points_of_no_weight_and_those_that_are_not_finite_are_left_out(device, rng):
@@ -83,11 +83,11 @@ def test_points_of_another_kind_are_said(device):
     rng = np.random.default_rng(5)
     made, _, _ = made_shape("cone", 1500, rng, 0.002)
     shape = loom.fit_shape(loom.PointCloud(made, device=device), "cylinder")
-    assert any(reason.startswith("other kind: a cone fits better") for reason in shape.reasons), shape
+    assert any(reason.startswith("other kind: a cone fits better") for reason in shape.warnings), shape
 
 
 def test_points_on_a_line_have_no_plane_and_many_spheres(device, rng):
     line = loom.PointCloud(np.outer(rng.random(40), [1, 2, 3]), device=device)
     with pytest.raises(ValueError, match=r"^cloud:"):
         loom.fit_shape(line, "plane")
-    assert "one of many that fit" in loom.fit_shape(line, "sphere").reasons[0]
+    assert "one of many that fit" in loom.fit_shape(line, "sphere").warnings[0]

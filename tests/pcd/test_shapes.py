@@ -37,7 +37,7 @@ def test_a_shape_among_clutter_is_found_with_its_sizes(device, rng, kind, noise)
     points, _, axis = scene(kind, rng, noise=noise)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     shape, inliers = segment(cloud, kind, max(0.004, 2.5 * noise), 25)
-    assert shape.is_sure, shape.reasons
+    assert shape.reliable, shape.warnings
     assert (inliers < 3000).mean() > 0.95
     assert (inliers < 3000).sum() > (0.97 if noise < 0.02 else 0.7) * 3000
     np.testing.assert_allclose(sizes_of(shape), SIZES[kind], atol=0.002 + 0.3 * noise)
@@ -79,7 +79,7 @@ def test_of_many_points_a_part_is_fitted_first_and_all_of_them_last(device, rng,
     points, _, _ = scene(kind, rng, 6400, 2600, 0.003)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     shape, inliers = segment(cloud, kind, 0.01, 25)
-    assert ((inliers < 6400).sum() > 0.97 * 6400) and shape.is_sure and shape.support > 6200
+    assert ((inliers < 6400).sum() > 0.97 * 6400) and shape.reliable and shape.support > 6200
     assert (np.abs(sizes_of(shape) - SIZES[kind]) < 4 * sigma_of(shape) + 2e-4).all()
 
 
@@ -103,21 +103,21 @@ def test_a_plane_is_no_round_shape_and_is_said_to_be_flat(device, rng, kind, noi
     except ValueError as error:
         assert f"no {kind} found" in str(error)
     else:
-        assert not shape.is_sure
+        assert not shape.reliable
 
 
 @pytest.mark.parametrize("kind", ROUND)
 def test_clutter_alone_is_chance(device, rng, kind):
     cloud = loom.PointCloud(rng.random((3000, 3)), device=device).estimate_normals()
     shape, _ = segment(cloud, kind, 0.01, 20, 2000)
-    assert any("chance" in reason or "do not say" in reason for reason in shape.reasons), shape
+    assert any("chance" in reason or "do not say" in reason for reason in shape.warnings), shape
 
 
 def test_a_small_arc_of_a_cylinder_leaves_its_radius_open(device, rng):
     points, _, _ = made_shape("cylinder", 400, rng, 0.004, arc=0.07)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=40)
     shape, _ = cloud.segment_cylinder(0.02, 40, max_radius=1.5)
-    assert any("radius open" in reason or "flat" in reason for reason in shape.reasons), shape
+    assert any("radius open" in reason or "flat" in reason for reason in shape.warnings), shape
     assert shape.coverage < 0.2
 
 
@@ -129,7 +129,7 @@ def test_a_cylinder_asked_as_a_cone_leaves_its_half_angle_open(device, rng):
     except ValueError as error:
         assert "no cone found" in str(error)
     else:
-        assert any("half_angle open" in reason for reason in shape.reasons), shape
+        assert any("half_angle open" in reason for reason in shape.warnings), shape
 
 
 @pytest.mark.parametrize("kind", ROUND)
@@ -183,8 +183,8 @@ def test_a_bent_patch_is_too_small_a_part_of_a_round_shape_but_few_points_all_ov
     cloud = loom.PointCloud(saddle, device=device).estimate_normals(max_nn=30)
     for shape, _ in (cloud.segment_sphere(0.012, 25, 4000), cloud.segment_cylinder(0.012, 25, 4000)):
         assert shape.sigma["radius"] < 0.02 * shape.radius
-        assert "small part" in [reason.split(":")[0] for reason in shape.reasons], shape
+        assert "small part" in [reason.split(":")[0] for reason in shape.warnings], shape
     few, center, _ = made_shape("sphere", 60, rng)
     ball = loom.PointCloud(few, normals=(few - center) / 0.5, device=device)
     shape, _ = ball.segment_sphere(0.012)
-    assert shape.coverage < 0.15 and shape.is_sure, shape
+    assert shape.coverage < 0.15 and shape.reliable, shape

@@ -52,18 +52,18 @@ def test_its_steps_are_those_of_the_paper(device, kind):
     body, scan = lumpy(120, 0) * FLAT, lumpy(150, 1) * FLAT
     scan = swayed(scan) if kind == "deformable" else turned(scan)
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
-    found = drift(*clouds, kind=kind, max_iteration=12, tolerance=1e-12)
+    found = drift(*clouds, kind=kind, max_iterations=12, tolerance=1e-12)
     moved, deviation = steps_in_numpy(body, scan, kind, 12)
     np.testing.assert_allclose(found.warped.points, moved, atol=2e-6)
     np.testing.assert_allclose(found.deviation, deviation, rtol=1e-6)
-    again = drift(loom.PointCloud(body), loom.PointCloud(scan), kind=kind, max_iteration=12, tolerance=1e-12)
+    again = drift(loom.PointCloud(body), loom.PointCloud(scan), kind=kind, max_iterations=12, tolerance=1e-12)
     np.testing.assert_array_equal(found.warped.points, again.warped.points)
 
 
 @pytest.mark.parametrize("count", [4, 7, 8, 9, 17])
 def test_each_number_of_points_is_weighed_whole(device, count):
     body, scan = lumpy(count, 0), swayed(lumpy(count + 1, 1))
-    found = drift(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device), max_iteration=2)
+    found = drift(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device), max_iterations=2)
     np.testing.assert_allclose(found.warped.points, steps_in_numpy(body, scan, "rigid", 2)[0], atol=2e-6)
 
 
@@ -73,17 +73,17 @@ def test_trees_find_what_all_pairs_do(device, monkeypatch):
     found = []
     for near in (0.0, 100.0):
         monkeypatch.setattr(module, "NEAR", near)
-        found.append(drift(*clouds, max_iteration=25, tolerance=1e-12))
+        found.append(drift(*clouds, max_iterations=25, tolerance=1e-12))
     assert found[0].deviation < 0.15
     np.testing.assert_allclose(found[0].transformation, found[1].transformation, atol=1e-9)
 
 
 def test_a_body_is_turned_and_scaled_to_its_scan():
     body, scan = lumpy(400, 0) * FLAT, turned(lumpy(400, 0) * FLAT)
-    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iteration=300)
+    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iterations=300)
     np.testing.assert_allclose(found.transformation[:3, :3], 1.2 * TURN, atol=1e-3)
     assert found.reliable and found.matched > 0.99
-    stiff = drift(loom.PointCloud(body), loom.PointCloud(scan), with_scaling=False, max_iteration=300)
+    stiff = drift(loom.PointCloud(body), loom.PointCloud(scan), with_scaling=False, max_iterations=300)
     np.testing.assert_allclose(np.linalg.det(stiff.transformation[:3, :3]), 1, atol=1e-12)
 
 
@@ -102,12 +102,12 @@ def test_a_third_of_outliers_is_left_out():
     rng = np.random.default_rng(0)
     body = lumpy(400, 0) * FLAT
     scan = np.vstack([turned(body), rng.uniform(-2, 2, (200, 3))])
-    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.35, max_iteration=300)
+    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.35, max_iterations=300)
     assert np.abs(found.transform(body) - turned(body)).max() < 0.02
     assert 0.6 < found.matched < 0.75 and found.reliable
 
 
 def test_another_body_is_told():
     for one, other in ((torus, tube), (lumpy, torus), (tube, lumpy)):
-        found = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iteration=300)
+        found = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iterations=300)
         assert not found.reliable

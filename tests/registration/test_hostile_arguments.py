@@ -87,13 +87,13 @@ reg.read_pose_graph(path="nowhere.json")
 reg.read_positions(path=gps, names=["a", "b", "c", "d"])
 reg.register_fragments(clouds=[source, target], voxel_size=0.2, neighbors=1, seed=0, known=[], pairs=None, free=None, progress=None)
 reg.register_globally(source=source, target=target, voxel_size=0.2, seed=0, free=["x", "y", "z", "yaw"])
-reg.register_pair(source=source, target=target, init=pose, method="point-to-plane", voxel_size=0.2, distance=0.4, progress=None, free=["x", "yaw"], prior=known)
+reg.register_pair(source=source, target=target, init=pose, method="point-to-plane", voxel_size=0.2, max_correspondence_distance=0.4, progress=None, free=["x", "yaw"], prior=known)
 reg.registration_colored_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules, overlap=0.9, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
 reg.registration_fgr_based_on_correspondence(source=source, target=target, corres=corres, option=None, seed=0)
 reg.registration_fgr_based_on_feature_matching(source=source, target=target, source_feature=features, target_feature=features, option=None, seed=0)
 reg.registration_generalized_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=None, criteria=rules, overlap=0.9, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
-reg.coherent_point_drift(source=source, target=target, kind="affine", outliers=0.1, width=2.0, stiffness=3.0, init=pose, max_iteration=2, tolerance=0.01, progress=None)
-reg.register_nonrigid(source=source, target=target, node_spacing=0.5, max_distance=1.0, init=pose, landmarks=None, landmark_weight=1.0, stiffness=[1.0], max_iteration=2, tolerance=0.01, progress=None)
+reg.coherent_point_drift(source=source, target=target, kind="affine", outliers=0.1, width=2.0, stiffness=3.0, init=pose, max_iterations=2, tolerance=0.01, progress=None)
+reg.register_nonrigid(source=source, target=target, node_spacing=0.5, max_correspondence_distance=1.0, init=pose, landmarks=None, landmark_weight=1.0, stiffness=[1.0], max_iterations=2, tolerance=0.01, progress=None)
 reg.registration_icp(source=source, target=target, max_correspondence_distance=0.2, init=pose, estimation_method=to_points, criteria=rules, overlap=0.9, max_normal_angle=1.0, degeneracy=1e-3, callback_after_iteration=None, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
 reg.registration_icp_batch(sources=source, targets=target, max_correspondence_distance=0.2, inits=pose, estimation_method=to_points, criteria=rules, overlap=0.9, max_normal_angle=1.0, degeneracy=1e-3, free=["x", "yaw"], frame=axes, pivot=three, prior=known, weights=times, noise=0.01)
 reg.registration_ransac_based_on_correspondence(source=source, target=target, corres=corres, max_correspondence_distance=0.2, estimation_method=to_points, ransac_n=3, checkers=[by_distance], criteria=draws, seed=0)
@@ -195,8 +195,10 @@ DEAR = {(call, name) for call in FORMS for name in TABLE[call][1] if name in set
 DEAR |= {
     ("register_stations", name) for name in ("rough", "voxel_size", "overlap", "position_sigma", "level_sigma", "seed")
 }
-DEAR |= {("register_nonrigid", name) for name in ("max_distance", "landmark_weight", "stiffness", "tolerance")}
-DEAR |= {("register_pair", name) for name in ("init", "distance", "free", "prior")}
+DEAR |= {
+    ("register_nonrigid", name) for name in ("max_correspondence_distance", "landmark_weight", "stiffness", "tolerance")
+}
+DEAR |= {("register_pair", name) for name in ("init", "max_correspondence_distance", "free", "prior")}
 DEAR &= set(CASES)
 
 

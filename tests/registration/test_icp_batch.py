@@ -27,6 +27,11 @@ def offsets(rng, count):
     return [as_pose(0.03 * rng.normal(size=3), 0.02 * rng.normal(size=3)) for _ in range(count)]
 
 
+def failures(result):
+    """The failed checks without the positions of the clouds, which only a registration of one pair looks at."""
+    return [warning.split(":")[0] for warning in result.warnings]
+
+
 def assert_alike(one, other, *, bits=False):
     """Two results: the same to rounding, or to the last bit."""
     close = (lambda a, b: a == b) if bits else (lambda a, b: abs(a - b) <= 1e-12)
@@ -34,7 +39,7 @@ def assert_alike(one, other, *, bits=False):
         np.testing.assert_array_equal(one.transformation, other.transformation)
     np.testing.assert_allclose(one.transformation, other.transformation, atol=1e-12)
     assert close(one.fitness, other.fitness) and close(one.inlier_rmse, other.inlier_rmse)
-    facts = [(r.iterations, r.converged, r.reason, len(r.degenerate_directions)) for r in (one, other)]
+    facts = [(r.iterations, r.converged, failures(r), len(r.degenerate_directions)) for r in (one, other)]
     assert facts[0] == facts[1]
     np.testing.assert_array_equal(one.correspondence_set, other.correspondence_set)
 
@@ -55,7 +60,7 @@ def test_jobs_of_all_sizes_are_those_alone(device, kind, rng):
     for found, source, target, init in zip(together, sources, targets, inits, strict=True):
         assert_alike(found, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES))
     for i in (1, 3, 8):
-        assert together[i].reason == "no correspondences" and together[i].fitness == 0
+        assert together[i].warnings == ("no correspondences",) and together[i].fitness == 0
         np.testing.assert_allclose(together[i].transformation, inits[i], atol=1e-14)
     assert together[0].fitness > 0.9 and together[6].fitness > 0.9
 
@@ -70,7 +75,7 @@ def test_many_poses_of_one_pair_have_the_bits_of_each_alone(device, kind, rng):
     for found, init in zip(together, inits, strict=True):
         assert_alike(found, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES), bits=True)
     assert len({r.iterations for r in together}) > 1  # they end at different times
-    assert together[5].reason == "no correspondences"
+    assert together[5].warnings == ("no correspondences",)
 
 
 def test_shared_clouds_stand_in_any_jobs(device, rng):
@@ -150,7 +155,7 @@ def test_any_batch_is_its_jobs(seed, counts, kind, overlap):
     found = reg.registration_icp_batch(sources, targets, 2.0, None, KINDS[kind], rules, overlap=overlap)
     for result, s, t in zip(found, sources, targets, strict=True):
         alone = reg.registration_icp(s, t, 2.0, None, KINDS[kind], rules, overlap=overlap)
-        assert result.reason == alone.reason
+        assert failures(result) == failures(alone)
         if len(set(alone.correspondence_set[:, 1])) >= 6:  # fewer leave rotations to rounding
             np.testing.assert_allclose(result.transformation, alone.transformation, atol=1e-8)
             assert result.fitness == alone.fitness

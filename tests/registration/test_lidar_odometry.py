@@ -62,7 +62,7 @@ def test_a_path_that_was_lost_says_from_where(device, fast_drive):
     assert not odometry.summary.predicted  # all scans overlap the map, but not where they should
     right = follow(fast_drive, device)
     assert right.summary.strayed == ()
-    assert right.summary.unsettled == tuple(step.index for step in right.steps if step.reason == "max_iteration")
+    assert right.summary.unsettled == tuple(step.index for step in right.steps if step.status == "max_iteration")
 
 
 def test_the_map_follows_the_sensor(device, fast_drive):

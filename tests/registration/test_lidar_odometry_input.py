@@ -30,7 +30,8 @@ def test_a_scan_without_points_in_range_gets_the_predicted_pose(device, fast_dri
     T = odometry.register(bad)
     np.testing.assert_allclose(T, before[-1] @ np.linalg.inv(before[-2]) @ before[-1], atol=1e-12)
     step = odometry.steps[-1]
-    assert (step.reason, step.is_predicted, step.converged, step.inliers) == ("no points in range", True, False, 0)
+    assert (step.status, step.is_predicted, step.converged, step.inliers) == ("no points in range", True, False, 0)
+    assert step.warnings == ("the pose is a prediction: no points in range",) and not step.to_dict()["reliable"]
     assert odometry.summary.predicted == (4,)
     later = clouds(fast_drive, device)[5]
     gap = odometry.register(later)[:3, 3] - truth_of(fast_drive).poses[5, :3, 3]
@@ -41,7 +42,7 @@ def test_the_first_scan_with_points_begins_the_map(device):
     odometry = LidarOdometry()
     for cloud in (loom.PointCloud(device=device), loom.PointCloud(device=device), wall(device), wall(device)):
         odometry.register(cloud)
-    assert [step.reason for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "converged"]
+    assert [step.status for step in odometry.steps] == ["no points in range"] * 2 + ["first scan", "converged"]
     np.testing.assert_allclose(odometry.poses, np.tile(np.eye(4), (4, 1, 1)), atol=1e-4)
 
 
@@ -49,7 +50,7 @@ def test_a_scan_elsewhere_is_reported_and_joins_the_map(device):
     odometry = LidarOdometry()
     for z in (0.0, 0.0, 60.0, 60.0):
         odometry.register(wall(device, z))
-    assert [step.reason for step in odometry.steps] == ["first scan", "converged", "no overlap", "converged"]
+    assert [step.status for step in odometry.steps] == ["first scan", "converged", "no overlap", "converged"]
     assert odometry.summary.predicted == (2,)
     np.testing.assert_allclose(odometry.poses[2:], odometry.poses[1:2].repeat(2, axis=0), atol=1e-3)
 

@@ -131,7 +131,7 @@ def test_the_bend_takes_points_normals_and_attributes_along(device):
 def test_what_the_target_has_is_transferred(device):
     body = lumpy(300, 0)
     cloud = loom.PointCloud(body, device=device)
-    found = bend(cloud, cloud, node_spacing=0.9, stiffness=[10.0], max_iteration=2)
+    found = bend(cloud, cloud, node_spacing=0.9, stiffness=[10.0], max_iterations=2)
     has = found.correspondences >= 0
     assert np.array_equal(found.transfer(body)[has], body[found.correspondences[has]]) and has.mean() > 0.9
     labels = found.transfer(np.arange(300, dtype=np.int16), missing=-1)
@@ -166,11 +166,11 @@ def test_landmarks_alone_reach_the_least_of_the_energy(device):
         cloud,
         far,
         node_spacing=1.5,
-        max_distance=0.5,
+        max_correspondence_distance=0.5,
         landmarks=(places, targets),
         landmark_weight=3.0,
         stiffness=[2.0],
-        max_iteration=200,
+        max_iterations=200,
         tolerance=1e-9,
     )
     T = found.deformation
@@ -196,7 +196,7 @@ def _shares(p, rest):
 
 def test_a_few_steps_are_the_same_everywhere(device):
     body = lumpy(200, 0)
-    scan, options = swayed(lumpy(300, 1)), {"node_spacing": 0.9, "stiffness": [10.0, 1.0], "max_iteration": 2}
+    scan, options = swayed(lumpy(300, 1)), {"node_spacing": 0.9, "stiffness": [10.0, 1.0], "max_iterations": 2}
     pins = body[:3], swayed(body[:3])
     found, again, expected = (
         bend(loom.PointCloud(body, device=where), loom.PointCloud(scan, device=where), landmarks=pins, **options)
@@ -220,7 +220,9 @@ def test_fewer_nodes_than_parts_are_told(device):
     body = np.vstack([ball, lumpy(300, 1) + 4 * ALONG])
     apart = np.vstack([ball, lumpy(300, 1) + 6 * ALONG])  # one part went elsewhere; there is one node for both
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(apart, device=device)
-    found = bend(*clouds, node_spacing=20.0, max_distance=0.5, init=np.eye(4), stiffness=[1.0], max_iteration=3)
+    found = bend(
+        *clouds, node_spacing=20.0, max_correspondence_distance=0.5, init=np.eye(4), stiffness=[1.0], max_iterations=3
+    )
     assert len(found.deformation) == 1
     assert "lies on the other" in str(found.warnings)
 
@@ -235,7 +237,7 @@ def test_a_body_that_would_be_stretched_is_told(device):
         node_spacing=0.4,
         landmarks=pins,
         stiffness=[0.1],
-        max_iteration=5,
+        max_iterations=5,
     )
     assert "the body would be stretched by" in str(found.warnings)
 
@@ -249,10 +251,10 @@ def test_a_step_takes_a_turn_at_once(device):
         loom.PointCloud(turned + ABOVE, device=device),  # no pairs: landmarks are all there is
         init=np.eye(4),
         node_spacing=0.9,
-        max_distance=0.1,
+        max_correspondence_distance=0.1,
         landmarks=(body[::4], turned[::4]),
         stiffness=[1.0],
-        max_iteration=1,
+        max_iterations=1,
     )
     angles = np.arccos((np.trace(found.deformation.rotations, axis1=1, axis2=2) - 1) / 2)
     assert np.abs(angles - 0.2).max() < 0.2**2  # what a step of Gauss and Newton leaves is of the second order
@@ -264,5 +266,5 @@ def test_the_far_side_of_a_thin_body_is_no_partner(device):
     sheet = np.column_stack([x, y, 0.05 * np.sin(3 * x)])
     front = loom.PointCloud(sheet, normals=up, device=device)
     back = loom.PointCloud(sheet - [0, 0, 0.05], normals=down, device=device)
-    found = bend(front, back, init=np.eye(4), node_spacing=0.9, stiffness=[10.0], max_iteration=1)
+    found = bend(front, back, init=np.eye(4), node_spacing=0.9, stiffness=[10.0], max_iterations=1)
     assert (found.correspondences == -1).all()

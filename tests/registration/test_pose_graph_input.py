@@ -24,7 +24,7 @@ def test_nodes_that_pruning_cuts_off_are_named():
     assert len(solved.edges) == len(scene.edges) - 1 and not len(solved.report.unreached_nodes)
     option = reg.GlobalOptimizationOption(0.05, edge_prune_threshold=1.0, reference_node=0)
     solved = reg.global_optimization(to_graph(scene), option=option)
-    assert solved.report.unreached_nodes.tolist() == [8]
+    assert solved.report.unreached_nodes.tolist() == [8] and "1 nodes" in solved.report.warnings[-1]
     assert all(not edge.uncertain for edge in solved.edges)
     assert len(solved.nodes) == 9 and np.isfinite(poses_of(solved)).all()
 
@@ -87,5 +87,6 @@ def test_parts_that_no_edge_joins_are_counted():
 def test_too_few_steps_are_told():
     scene = ring(20, seed=14, noise=0.02)
     solved = solve(scene, max_iteration=1)
-    assert (solved.report.converged, solved.report.reason, solved.report.iterations) == (False, "max_iteration", 2)
+    assert (solved.report.converged, solved.report.criterion, solved.report.iterations) == (False, "max_iteration", 2)
+    assert not solved.report.reliable and "within 2 iterations" in solved.report.warnings[0]
     assert solved.report.residual < solved.report.initial_residual

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 import numpy as np
 import pytest
 
@@ -23,7 +25,7 @@ def test_surfaces_come_together_from_any_pose(device, hilly_pair, tolerances):
     )
     angle, distance = misplacement(result.transformation, T, source)
     assert angle < tolerances.global_surface_degrees and distance < tolerances.global_surface_distance
-    assert result.score > 0.9 and result.converged and result.reason == "converged"
+    assert result.score > 0.9 and result.converged and result.reliable
     pairs = result.correspondence_set
     apart = np.linalg.norm(moved(source, result.transformation)[pairs[:, 0]] - target[pairs[:, 1]], axis=1)
     assert len(pairs) > 0.4 * len(source) and apart.max() <= 0.12
@@ -136,7 +138,7 @@ def test_the_hopeless_ends_with_a_reason(device, rng, make):
     source, target = (loom.PointCloud(points, device=device) for points in make(rng))
     result = reg.register_globally(source, target, voxel_size=0.1)
     assert 0 <= result.score < 0.5 and not result.converged
-    assert result.reason and result.reason != "converged"
+    assert result.warnings and not result.reliable
     assert np.isfinite(result.transformation).all() and len(result.correspondence_set) <= len(source)
 
 
@@ -146,7 +148,7 @@ def test_rooms_that_share_nothing_but_walls_are_rejected(device, rng):
     clouds = [loom.PointCloud(points, device=device) for points in (moved(source, start), target)]
     result = reg.register_globally(*clouds, voxel_size=0.06)
     assert result.score < 0.5 and not result.converged
-    assert "three planes" in result.reason
+    assert "three planes" in result.warnings[0]
 
 
 def test_of_few_voxels_a_pose_that_fits_by_chance_is_rejected(device):
@@ -158,7 +160,7 @@ def test_of_few_voxels_a_pose_that_fits_by_chance_is_rejected(device):
         ]
         result = reg.register_globally(*pair, voxel_size=voxel)
         assert result.score <= 0.5 and not result.converged
-        assert "so few voxels match" in result.reason or "hardly" in result.reason, result.reason
+        assert re.search("so few voxels match|hardly", result.warnings[0]), result.warnings
 
 
 def test_rooms_with_the_same_furniture_are_accepted(device, rng):
@@ -187,4 +189,4 @@ def test_a_box_has_more_than_one_pose(device, rng):
         return loom.PointCloud(p + rng.normal(0, 0.003, p.shape), device=device)
 
     result = reg.register_globally(box(), box(), voxel_size=0.1)
-    assert result.score <= 0.5 and "poses fit alike" in result.reason
+    assert result.score <= 0.5 and "poses fit alike" in result.warnings[0]

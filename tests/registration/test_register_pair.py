@@ -26,7 +26,7 @@ def test_a_start_that_is_given_is_refined_on_three_scales(pair):
     rules = [reg.ICPConvergenceCriteria()] * 3
     plain = reg.multi_scale_icp(*pair, sizes, rules, limits, None, PLANE, estimate_normals=True)
     np.testing.assert_array_equal(found.transformation, plain.transformation)
-    assert (found.result.iterations, found.init, found.distance) == (plain.iterations, "given", 0.12)
+    assert (found.result.iterations, found.init, found.max_correspondence_distance) == (plain.iterations, "given", 0.12)
     assert found.score == reg.rate_registration(*pair, plain.transformation, 1.5 * 0.06) > 0.5
     np.testing.assert_allclose(found.transformation, NEAR, atol=0.01)
     assert found.reliable

@@ -137,8 +137,8 @@ def test_a_test_is_how_much_the_squares_fall_without_its_observation():
 def test_a_pair_that_puts_stations_elsewhere_than_their_positions_is_not_used():
     pair = StationPair(1, 0, make_pose(np.eye(3), [4.0, 0, 0]), np.eye(6))
     there = np.array([[0.0, 0, 0], [5.5, 0, 0]])
-    assert not _placed_rightly(pair, there, 2.0).reason
-    assert "4.00 m apart, their positions 5.50 m" in _placed_rightly(pair, there, 1.0).reason
+    assert _placed_rightly(pair, there, 2.0).reliable
+    assert "4.00 m apart, their positions 5.50 m" in _placed_rightly(pair, there, 1.0).warnings[0]
 
 
 def test_too_few_blocks_tell_nothing():

@@ -33,7 +33,7 @@ reg.OdometryOption(iteration_number_per_pyramid_level=[3, 2], depth_diff_max=0.0
 reg.OdometryConvergenceCriteria(max_iteration=3, relative_rmse=1e-6, relative_fitness=1e-6)
 reg.OdometryLossParams(depth_outlier_trunc=0.07, depth_huber_delta=0.05, intensity_huber_delta=0.1)
 reg.OdometryFrame(depth=depth, intrinsic=camera, color=color, depth_scale=1000.0, depth_max=5.0, device="cpu")
-reg.align_frames(source=frame, target=frame, T_target_source=pose, method=hybrid)
+reg.align_frames(source=frame, target=frame, init=pose, method=hybrid)
 reg.compute_rgbd_odometry(source=rgbd, target=rgbd, pinhole_camera_intrinsic=camera, odo_init=pose, jacobian=term, option=option, weights="robust")
 reg.rgbd_odometry_multi_scale(source=rgbd, target=rgbd, intrinsics=camera, init_source_to_target=pose, depth_scale=1000.0, depth_max=4.0, criteria_list=[rules], method=hybrid, params=params, weights="robust")
 reg.compute_odometry_information_matrix(source_depth=depth, target_depth=depth, intrinsic=camera, source_to_target=pose, dist_threshold=0.07, depth_scale=1000.0, depth_max=3.0)

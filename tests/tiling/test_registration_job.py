@@ -85,11 +85,11 @@ def test_scans_are_placed_as_in_memory_and_every_pair_has_a_status(device, surve
     assert set(told) == {(j, i) for i in range(4) for j in range(i + 1, 4)}
     assert [pair.by for pair in found.tried[:6]] == ["order"] * 6 and {p.by for p in found.tried[6:]} == {"loop"}
     for pair in found.pairs:
-        assert told[pair[:2]].verdict == "kept"
+        assert told[pair[:2]].status == "kept"
         np.testing.assert_array_equal(told[pair[:2]].score, pair.score)
     for pair in found.tried:
         if STRAY in pair[:2]:
-            assert pair.verdict not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
+            assert pair.status not in ("kept", "dropped", "apart", "") and pair.score <= 0.5
     assert found.not_placed == [str(surveyed[0][STRAY])]
     assert found.to_dict()["tried"][0]["source"] == str(surveyed[0][1])
 

@@ -198,7 +198,7 @@ wall = loom.TriangleMesh.create_plane(2.0, 1.5).compute_vertex_normals().sample_
 on_wall = reg.registration_icp(
     wall, wall, distance, turned(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane()
 )
-print(on_wall.reason, "- not determined:", len(on_wall.degenerate_directions), "of 6 motions")
+print("converged:", on_wall.converged, "- not determined:", len(on_wall.degenerate_directions), "of 6 motions")
 print("in the room:", len(plane.degenerate_directions))
 assert len(on_wall.degenerate_directions) == 3
 assert len(plane.degenerate_directions) == 0

@@ -157,12 +157,12 @@ after = loom.render(
 # ---------------
 # The worst case is a wrong pose that looks plausible. Two frames that show different parts of the room: every
 # method gives *some* pose. ``fitness`` does not warn, since floors and walls fit anywhere. ``score`` does: below 0.5
-# do not use the pose, and ``reason`` says why.
+# do not use the pose, and ``warnings`` says why.
 
 stranger = scan(47)
 thin_stranger, stranger_features = described(stranger, np.zeros(3))
 wrong = reg.register_globally(source, stranger, voxel_size=VOXEL)
-print(f"score {wrong.score:.2f}: {wrong.reason}")
+print(f"score {wrong.score:.2f}: {wrong.warnings[0]}")
 forced = reg.registration_fgr_based_on_feature_matching(
     thin_source, thin_stranger, source_features, stranger_features,
     reg.FastGlobalRegistrationOption(maximum_correspondence_distance=distance),
@@ -205,7 +205,7 @@ for voxel_size in (0.025, 0.05, 0.1, 0.5):
 
 # %%
 # **Symmetry.** A box fits in four ways, and is reported as 2 to 4 poses that fit alike, whichever were found: the scene
-# leaves the choice to you. Of a cylinder or a ball a turn is free, so that poses without number fit, which ``reason``
+# leaves the choice to you. Of a cylinder or a ball a turn is free, so that poses without number fit, which ``warnings``
 # says, too. Fitness is 1 in all of these; ``degenerate_directions`` holds the free motions.
 
 box = loom.TriangleMesh.create_box(1.0, 0.7, 0.4)
@@ -213,7 +213,7 @@ tube = loom.TriangleMesh.create_cylinder(0.3, 1.0)
 for name, mesh in (("box", box), ("cylinder", tube)):
     one, other = (mesh.sample_points_uniformly(20_000, seed=seed) for seed in (0, 1))
     alike = reg.register_globally(one.transform(away), other, voxel_size=0.04)
-    print(f"{name}: fitness {alike.fitness:.2f}, score {alike.score:.2f}: {alike.reason};"
+    print(f"{name}: fitness {alike.fitness:.2f}, score {alike.score:.2f}: {alike.warnings[0]};"
           f" {len(alike.degenerate_directions)} free motions")  # fmt: skip
     assert alike.fitness > 0.9 and alike.score < 0.5 and not alike.converged
     assert len(alike.degenerate_directions) == (name == "cylinder")

@@ -56,7 +56,7 @@ assert pair.reliable and turn < 0.5 and distance < 0.02
 # believed.
 voxel = choose_voxel_size(source, target)
 found = reg.register_globally(source, target, voxel_size=voxel)
-print(f"voxels of {voxel} m: score {found.score:.2f}, {found.reason}, {off(found.transformation)[0]:.2f} degrees off")
+print(f"voxels of {voxel} m: score {found.score:.2f}, {off(found.transformation)[0]:.2f} degrees off")
 assert found.converged and found.score > 0.5
 
 # %%
@@ -82,7 +82,7 @@ assert scores["the truth"] == max(scores.values())
 street = loom.datasets.street_scans(1).scans[0]
 street = loom.PointCloud(street.points).scale(0.12, center=[0, 0, 0])
 wrong = reg.register_globally(street, target, voxel_size=voxel)
-print(f"fitness {wrong.fitness:.2f}, score {wrong.score:.2f}: {wrong.reason}")
+print(f"fitness {wrong.fitness:.2f}, score {wrong.score:.2f}: {wrong.warnings[0]}")
 assert not wrong.converged and wrong.score < 0.5
 
 # %%

@@ -93,7 +93,7 @@ for name, found in {
 }.items():
     print(
         f"{name:12} fitness {found.fitness:.3f}, rmse {1000 * found.inlier_rmse:.2f} mm, "
-        f"{off(found.transformation)[0]:.3f} degrees off, {found.reason}"
+        f"{off(found.transformation)[0]:.3f} degrees off, converged: {found.converged}"
     )
     assert off(found.transformation)[0] < 1.0
 

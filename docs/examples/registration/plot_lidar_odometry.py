@@ -28,7 +28,7 @@ print(drive.scans[0])
 odometry = reg.LidarOdometry(max_range=80.0, min_range=1.0)
 poses = [odometry.register(scan) for scan in drive.scans]
 last = odometry.steps[-1]
-print(f"last scan: fitness {last.fitness:.2f}, {last.inliers} inliers, {last.iterations} steps, {last.reason}")
+print(f"last scan: fitness {last.fitness:.2f}, {last.inliers} inliers, {last.iterations} steps, {last.status}")
 
 # %%
 # **Quality** first. ``reliable`` is True if all checks of the path passed; ``warnings`` has those that failed.

@@ -74,7 +74,7 @@ method = reg.GlobalOptimizationLevenbergMarquardt()
 criteria = reg.GlobalOptimizationConvergenceCriteria(max_iteration=100)
 solved = reg.global_optimization(graph, method, criteria, option)
 report = solved.report
-print(f"{report.iterations} steps, residual {report.initial_residual:.1f} to {report.residual:.3f}, {report.reason}")
+print(f"{report.iterations} steps, residual {report.initial_residual:.1f} to {report.residual:.3f}, {report.criterion}")
 print("dropped:", [(graph.edges[k].source_node_id, graph.edges[k].target_node_id) for k in report.pruned_edges])
 after_path = loom.Trajectory(np.array([node.pose for node in solved.nodes]))
 after = reg.evaluate_trajectory(after_path, true_path, align="first", lengths=[10.0])

@@ -48,9 +48,8 @@ with tempfile.TemporaryDirectory() as folder:
     reg.write_pose_graph(path, result.pose_graph)
     graph = reg.read_pose_graph(path)
 certain = sum(not edge.uncertain for edge in graph.edges)
-print(
-    f"{len(graph.nodes)} nodes, {len(graph.edges)} edges, {certain} of them certain;", result.pose_graph.report.reason
-)
+report = result.pose_graph.report
+print(f"{len(graph.nodes)} nodes, {len(graph.edges)} edges, {certain} of them certain;", report.criterion)
 assert len(graph.nodes) == 10
 
 # %%

@@ -33,7 +33,7 @@ def live(frames, rate):
 # Follow it
 # ---------
 #
-# ``step`` takes a frame and returns its status: tracked, uncertain or lost, with the reason. A lost frame gets no
+# ``step`` takes a frame and returns its status: tracked, uncertain or lost, with warnings. A lost frame gets no
 # pose. Frames that come while we compute are dropped and counted: late ones would be worth nothing. A slow computer
 # sees fewer frames, which are farther apart, and still knows where it is. The thread ends with the ``with`` block, by
 # an error or Ctrl-C too.
@@ -44,7 +44,7 @@ stream = loom.frames_from(live(recorded, rate=8.0), camera, depth_scale=1.0)
 with loom.LatestFrames(stream) as frames:
     results = [slam.step(frame) for frame in frames]
 print(f"{len(results)} frames taken, {frames.dropped} dropped")
-print("frames by status:", {str(status): count for status, count in slam.verdict_counts.items()})
+print("frames by status:", {str(status): count for status, count in slam.status_counts.items()})
 assert len(results) + frames.dropped == len(recorded)
 
 # %%
@@ -64,7 +64,7 @@ assert path.reliable and not path.lost and len(path.trajectory) == len(recorded)
 # The same bits come out each time, and each pose can be asked: what did the last frame look like?
 
 last = results[-1]
-print(f"last frame: {last.verdict}, fitness {last.fitness:.2f}, {last.inlier_rmse * 1e3:.1f} mm off the model")
+print(f"last frame: {last.status}, fitness {last.fitness:.2f}, {last.inlier_rmse * 1e3:.1f} mm off the model")
 assert last.pose is not None
 
 # %%

@@ -22,9 +22,9 @@ from ..kernels.lang import float32, float64, int8, int64, uint8, uint16
 from ..kernels.memory import cast, clone, download, empty, fill_column, upload
 from .camera import PinholeCameraIntrinsic
 from .depth_doubts import warn_of_scale
+from .depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
 
 MAX_RAW = 65535  # maximum integer depth
-MILLIMETRES = 1000.0  # default units per meter of integer depth
 FLOATS = (wp.float16, float32, float64)
 BYTES = (int8, uint8)  # 8-bit types: images, no depth
 TOO_SHALLOW = (
@@ -75,7 +75,7 @@ class RGBDImage(ToldNames):
         depth: ArrayLike,
         *,
         depth_scale: float | None = None,
-        depth_trunc: float = 3.0,
+        depth_trunc: float = OPEN3D_DEPTH_MAX,
         device: Any = None,
     ):
         where = device_for(depth, device)
@@ -94,7 +94,7 @@ class RGBDImage(ToldNames):
         color: ArrayLike,
         depth: ArrayLike,
         depth_scale: float | None = None,
-        depth_trunc: float = 3.0,
+        depth_trunc: float = OPEN3D_DEPTH_MAX,
         convert_rgb_to_intensity: bool = True,
         *,
         device: Any = None,
@@ -252,7 +252,7 @@ def upload_raw_depth(
     else:
         raw = _upload_raw(image, device)[0]
     if scale is None:
-        scale = 1.0 if raw.dtype == float32 else MILLIMETRES
+        scale = 1.0 if raw.dtype == float32 else DEPTH_SCALE
     return raw, scale, farthest, image.shape[0], image.shape[1]
 
 

@@ -22,18 +22,20 @@ class Report:
         raise NotImplementedError
 
     @property
-    def note(self) -> str | None:
-        return None
+    def notes(self) -> tuple[str, ...]:
+        """Additional information, one line each. Failed checks are in `warnings`."""
+        return ()
 
     def to_dict(self) -> dict[str, Any]:
-        return {name: plain(value) for name, value in values_of(self).items()}
+        """All fields in JSON types, with `reliable` and `warnings` if the report has them."""
+        return as_json(self)
 
     def __str__(self) -> str:
         return in_columns(self.fields())
 
     def _repr_html_(self) -> str:
-        rows = self.fields()
-        return html_table(type(self).__name__, rows if self.note is None else [*rows, ("note", self.note)])
+        notes = [("note", note) for note in self.notes]
+        return html_table(type(self).__name__, [*self.fields(), *notes])
 
 
 def values_of(report: Any) -> dict[str, Any]:
@@ -67,6 +69,12 @@ class Assessed:
 
 def quality(result: HasWarnings) -> dict[str, Any]:
     return {"reliable": not result.warnings, "warnings": list(result.warnings)}
+
+
+def as_json(result: Any) -> dict[str, Any]:
+    """The attributes of a dataclass in JSON types, with `reliable` and `warnings` if it is `Assessed`."""
+    told = {name: plain(value) for name, value in values_of(result).items()}
+    return told | quality(result) if issubclass(type(result), Assessed) else told
 
 
 def failed(*checks: str | None) -> tuple[str, ...]:

@@ -25,7 +25,7 @@ class PointTable:
         steps: Coordinate steps of the file, float64 (3,), or None.
         is_geographic: True if x and y are longitude and latitude.
         unit: Unit of the coordinates, or None.
-        unit_doubt: A sentence on what contradicts the unit, or None.
+        warnings: What contradicts the unit, in sentences.
         viewpoint: Position and quaternion w x y z of the sensor, not applied (PCD), or None.
     """
 
@@ -37,7 +37,7 @@ class PointTable:
     steps: NDArray[np.float64] | None = None
     is_geographic: bool = False
     unit: LengthUnit | None = None
-    unit_doubt: str | None = None
+    warnings: tuple[str, ...] = ()
     viewpoint: tuple[float, ...] | None = None
 
     def checked(self) -> PointTable:
@@ -55,7 +55,7 @@ class PointTable:
             self.steps,
             self.is_geographic,
             self.unit,
-            self.unit_doubt,
+            self.warnings,
             self.viewpoint,
         )
 

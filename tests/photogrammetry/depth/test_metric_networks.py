@@ -111,7 +111,7 @@ def test_a_metric_network_with_the_relative_one_s_last_function_is_refused_alway
 
 @pytest.mark.parametrize("name", WHOLE)
 def test_a_published_file_leaves_nothing_open(name, files):
-    assert loom.DepthModel(files[name], FILES[name][0]).note is None
+    assert loom.DepthModel(files[name], FILES[name][0]).notes == ()
 
 
 @pytest.mark.parametrize("name", ["dav2 indoor", "metric3d"])
@@ -129,8 +129,9 @@ def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name
 
 
 def test_of_depth_anything_3_the_file_does_not_say_whether_it_is_the_metric_one(files):
-    assert "does not say that its depth is in meters" in (
-        loom.DepthModel(files["da3"], "depth-anything-3-metric").note or ""
+    assert (
+        "does not say that its depth is in meters"
+        in (loom.DepthModel(files["da3"], "depth-anything-3-metric").notes[0])
     )
 
 
@@ -140,7 +141,7 @@ def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
         ("depth-anything-v2", "more where something is nearer"),
         ("depth-anything-v2-metric", "meters"),
     ):
-        assert meaning in (loom.DepthModel(path, preset).note or "")
+        assert meaning in "".join(loom.DepthModel(path, preset).notes)
 
 
 def test_moge_s_sky_is_no_depth(files):
@@ -186,7 +187,7 @@ def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tm
     path = linear(tmp_path / "m.onnx", size=(616, 1064))
     with pytest.raises(loom.FileError, match=r"/m\.onnx:.*metric3d-v2"):
         loom.DepthModel(path, "depth-anything-v2")
-    assert "meters" in (loom.DepthModel(path, "metric3d-v2").note or "")
+    assert "meters" in "".join(loom.DepthModel(path, "metric3d-v2").notes)
 
 
 @pytest.mark.parametrize("value", [190.0, 0.0])
@@ -233,4 +234,4 @@ def test_what_a_file_does_not_say_is_said_once(photo, tmp_path):
     result = run(*words(photo, path))
     assert result.exit_code == 0
     assert result.stdout.count("the file does not say") == 1
-    assert "the file does not say" in answer(*words(photo, path, "--force"))["note"]
+    assert "the file does not say" in answer(*words(photo, path, "--force"))["notes"][0]

@@ -68,7 +68,7 @@ def test_a_check_point_does_not_move_the_model():
     np.testing.assert_array_equal(before.T_world_model, after.T_world_model)
     assert after.reliable
     np.testing.assert_allclose(row(after, "E").residual, (0, 0, -5), atol=1e-3)
-    assert "standard deviations off" in row(after, "E").remark
+    assert "standard deviations off" in row(after, "E").warnings[0]
 
 
 @pytest.mark.parametrize(("wrong", "meters"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
@@ -106,7 +106,7 @@ def test_a_mark_of_something_else_is_left_out_and_named():
     k = next(k for k, mark in enumerate(marks) if mark.point == "B")
     marks[k] = ControlMark("B", marks[k].picture, np.add(marks[k].pixel, (60, -40)))
     fit = settle(marks=marks)
-    assert marks[k].picture.lower() in row(fit, "B").remark.lower() and row(fit, "B").use == "control"
+    assert marks[k].picture.lower() in row(fit, "B").warnings[0].lower() and row(fit, "B").use == "control"
     assert fit.reliable and np.linalg.norm(row(fit, "B").residual) < 0.1
 
 
@@ -114,7 +114,9 @@ def test_a_point_in_one_picture_alone_is_unused_and_says_why():
     marks = [m for m in marks_of(POSES, POINTS) if m.point != "D" or m.picture == "IMG_0003.JPG"]
     marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), most=1)
     fit = settle(marks=marks)
-    assert row(fit, "D").use == "unused" and "1 picture of the model shows it; mark it in two" in row(fit, "D").remark
+    assert (
+        row(fit, "D").use == "unused" and "1 picture of the model shows it; mark it in two" in row(fit, "D").warnings[0]
+    )
     assert fit.reliable
 
 

@@ -62,4 +62,4 @@ def fit(results: Sequence[Any]) -> list[bool]:
 
 
 def verdicts(results: Sequence[Any]) -> list[str]:
-    return [result.verdict for result in results]
+    return [result.status for result in results]

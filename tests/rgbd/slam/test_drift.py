@@ -29,16 +29,16 @@ def test_the_deviation_of_a_position_is_that_of_its_most_open_direction():
 @pytest.mark.parametrize(("share", "verdict"), [(0.9, "tracked"), (1.1, "uncertain")])
 def test_a_pose_that_is_too_open_is_uncertain_and_its_frame_fits_all_the_same(share, verdict):
     judged = judge_drift(deviated(share * MAX_DEVIATION), 0.04)
-    assert (judged.verdict, judged.has_drifted) == (verdict, verdict == "uncertain")
-    assert bool(judged.reason) == (verdict == "uncertain")
+    assert (judged.status, judged.has_drifted) == (verdict, verdict == "uncertain")
+    assert judged.reliable == (verdict != "uncertain")
 
 
 def test_a_coarser_model_holds_less():
-    assert judge_drift(deviated(1.5 * MAX_DEVIATION), 0.16).verdict == "tracked"
+    assert judge_drift(deviated(1.5 * MAX_DEVIATION), 0.16).status == "tracked"
 
 
 def test_a_lost_frame_stays_lost():
-    assert judge_drift(dataclasses.replace(deviated(1.0), verdict="lost"), 0.04).verdict == "lost"
+    assert judge_drift(dataclasses.replace(deviated(1.0), status="lost"), 0.04).status == "lost"
 
 
 def test_the_way_adds_up_and_a_look_back_takes_it_off(device):

@@ -55,7 +55,7 @@ def test_what_sways_before_the_camera_from_the_first_frame_on_is_left_out(device
 def test_in_a_still_scene_nothing_is_left_out(device):
     taken, slam = frames(*range(14)), begun(device)
     slam.run(taken)
-    assert slam.foreground.frames == 0 and slam.verdict_counts["tracked"] == 14
+    assert slam.foreground.frames == 0 and slam.status_counts["tracked"] == 14
 
 
 def test_a_camera_that_stands_still_leaves_nothing_out():
@@ -75,7 +75,7 @@ def test_a_model_of_few_frames_finds_no_camera_that_was_lost_for_long():
     dark = changed(taken[2], depth=np.zeros_like(taken[2].depth), timestamp=None)
     results = slam.run([taken[0], taken[1], *[dark] * 6, taken[2]])
     assert verdicts(results) == ["tracked", "tracked", *["lost"] * 7]
-    assert results[-1].reason == "only 2 frames are in the model, too few to find a place on it"
+    assert results[-1].warnings == ("only 2 frames are in the model, too few to find a place on it",)
 
 
 def test_the_limit_lies_between_the_two_classes():

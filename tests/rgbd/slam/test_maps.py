@@ -41,7 +41,7 @@ def error(pose, index: int) -> float:
 def test_a_camera_lost_for_long_begins_a_map_with_coordinates_of_its_own(device):
     slam = away(device)
     assert [result.map for result in slam.results] == [0] * 14 + [1] * 12
-    assert [result.verdict for result in slam.results] == ["tracked"] * 10 + ["lost"] * 4 + ["tracked"] * 12
+    assert [result.status for result in slam.results] == ["tracked"] * 10 + ["lost"] * 4 + ["tracked"] * 12
     assert slam.map_sizes == {1: 12, 0: 10}
     assert slam.trajectory.ids[:, 0].tolist() == list(range(14, 26))  # the largest alone
     assert slam.trajectory_of(0).ids[:, 0].tolist() == list(range(10))
@@ -140,7 +140,7 @@ def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
 
 def test_a_proposal_is_borne_out_by_frames_over_some_way_and_dropped_by_a_few_that_are_not():
     off, shift = [0.0], np.eye(4)
-    tracker = SimpleNamespace(try_place=lambda _, pose: SimpleNamespace(verdict="tracked", pose=pose @ moved(off[0])))
+    tracker = SimpleNamespace(try_place=lambda _, pose: SimpleNamespace(status="tracked", pose=pose @ moved(off[0])))
     proposal = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
     assert not any(proposal.ask(None, moved(0.001 * k)) for k in range(20))  # hardly moved
     assert proposal.ask(None, moved(0.2))
@@ -159,8 +159,8 @@ def test_a_map_that_is_lost_again_at_once_is_given_up(device, monkeypatch):
     monkeypatch.setattr(maps, "LOST_FOR_LONG", 1)
     slam = begun(device)
     slam.run(frames(*range(4), *ELSEWHERE[:3], 100))  # two frames of a new map, and then elsewhere
-    assert slam.verdict_counts == {"tracked": 4, "uncertain": 0, "lost": 4}
-    assert "given up after 2 frames" in slam.results[5].reason
+    assert slam.status_counts == {"tracked": 4, "uncertain": 0, "lost": 4}
+    assert "given up after 2 frames" in slam.results[5].warnings[0]
     assert slam.map_sizes == {0: 4} and slam.model.frame_count == 4
     found = slam.step(frame(3))
     assert found.is_tracked and found.map == 0  # where it was, it is found

@@ -59,14 +59,14 @@ def test_a_place_that_looks_like_another_is_never_accepted_wrongly(device):
         results, _ = covered_walk(device, has_texture)
         assert all(r.fused for r in results[:12])
         for result in results[21:]:
-            if result.verdict == "tracked":
+            if result.status == "tracked":
                 assert abs(result.pose[0, 3] - STEP * result.index) < 0.05
 
 
 def test_without_texture_it_is_uncertain_as_long_as_both_fit_and_nothing_is_fused(device):
     results, _ = covered_walk(device, False)
-    assert [r.verdict for r in results[21:]] == ["uncertain"] * 3
-    assert "it fits as well" in results[21].reason and not any(r.fused for r in results[21:])
+    assert [r.status for r in results[21:]] == ["uncertain"] * 3
+    assert "it fits as well" in results[21].warnings[0] and not any(r.fused for r in results[21:])
 
 
 def test_rivals_of_a_wall_of_like_pillars_are_a_pillar_away(device):

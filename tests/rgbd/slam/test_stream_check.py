@@ -23,7 +23,7 @@ def test_a_depth_picture_that_came_before_is_rejected_under_colors_that_move(dev
     taken, slam = frames(*range(10)), begun(device)
     results = slam.run(stalled(taken, 2, 8))  # a thirtieth of a second each
     assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 4 + ["tracked"]
-    assert {r.reason for r in results[5:9]} == {STALE}
+    assert {r.warnings for r in results[5:9]} == {(STALE,)}
     assert not any(r.fused for r in results[5:9])
 
 
@@ -58,7 +58,7 @@ def test_colors_that_are_only_noisy_do_not_move(device):
 def test_a_lens_that_stays_covered_is_blank_and_no_stall(device):
     taken, slam = frames(*range(6)), begun(device)
     moving = [taken[0], *(changed(f, depth=blank(f).depth) for f in taken[1:])]
-    assert [r.reason for r in slam.run(moving)[1:]] == ["the picture is blank"] * 5
+    assert [r.warnings for r in slam.run(moving)[1:]] == [("the picture is blank",)] * 5
 
 
 def trembling(count: int, late: int, seed: int = 0, period: float | None = None) -> StreamLag:
@@ -113,7 +113,7 @@ def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
     slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
     result = slam.step(taken[3])
     said = "color and depth seem to be 1.0 s apart"
-    assert (result.verdict, result.reason, result.fused) == ("uncertain", said, False)
+    assert (result.status, result.warnings, result.fused) == ("uncertain", (said,), False)
     slam.stream.lag.seconds = math.nan
     assert slam.stream.problem == "color and depth seem to be 30 frames apart"
 
@@ -122,8 +122,8 @@ def test_a_path_whose_streams_are_apart_is_unreliable():
     path = loom.track(loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], walk().intrinsic), voxel_size=0.04)
     assert path.stream is None and path.reliable
     said = "color and depth seem to be 1.0 s apart"
-    apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), uncertain_reason=said)
+    apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), uncertain_warning=said)
     assert apart.warnings == (said, "2 of 2 poses are uncertain (frame 0-1)")
     assert apart.to_dict()["stream"] == said
-    slides = dataclasses.replace(path, uncertain=(0, 1), uncertain_reason="it may slide")
+    slides = dataclasses.replace(path, uncertain=(0, 1), uncertain_warning="it may slide")
     assert "(frame 0-1): it may slide" in slides.warnings[0]

@@ -1,7 +1,7 @@
 """Pictures are the same bits as those stored when they were looked at, on every device.
 
-After a change of how pictures look: `python -m tests.visualization.render.test_stored_pictures FOLDER` from the repository's
-root writes the pictures into a folder to be looked at, and their hashes beside this file.
+After a change of how pictures look, `python -m tests.visualization.render.test_stored_pictures FOLDER` from the root of
+the repository writes the pictures into a folder to be looked at, and their hashes beside this file.
 """
 
 import hashlib

@@ -35,7 +35,9 @@ def notebook(monkeypatch):
 @pytest.fixture
 def without_extra(monkeypatch):
     """As where the extra is not installed."""
-    for name in [name for name in sys.modules if name.split(".")[0] == "websockets" or ".visualization.viewer.link" in name]:
+    for name in [
+        name for name in sys.modules if name.split(".")[0] == "websockets" or ".visualization.viewer.link" in name
+    ]:
         monkeypatch.delitem(sys.modules, name)
     import_module = builtins.__import__
 

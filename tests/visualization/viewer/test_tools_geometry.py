@@ -177,7 +177,7 @@ def test_wrong_pairs_are_told_and_leave_the_pose_as_picked():
     target = loom.PointCloud(wavy())
     far = [[90, 0, 0], [91, 0, 0], [90, 1, 0]]
     found = register_from_pairs(target, target, target.points[[0, 500, 3000]], far, max_correspondence_distance=0.1)
-    assert not found.refined and found.fitness == 0 and "look at the pairs again" in found.note
+    assert not found.refined and found.fitness == 0 and "look at the pairs again" in found.warnings[0]
 
 
 def test_clouds_with_nothing_to_register_are_refused():

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...core.atomic import atomic_write, check_writable
 from ...core.checks import check_count, check_progress
 from ...core.devices import resolve_device
@@ -32,7 +33,6 @@ from .fuse import fusion_fields
 TITLE = "a furnished room"
 FRAMES = 120
 VOXEL_SIZE = 0.02  # [m]
-DEPTH_MAX = 4.0  # [m]
 
 # Maximum root mean square error in voxels. Correct fusion stays well below.
 LARGEST_RMSE = {"noise": 1.0, "no noise": 0.3}

@@ -131,11 +131,11 @@ class Mesh(Shape):
 class Las(Shape):
     """A LAS or LAZ cloud, from its header. Lengths are in its unit.
 
-    `unit_doubt` is a contradiction to the unit in the file, such as another unit of z, or None.
+    `unit_notes` are contradictions to the unit in the file, such as another unit of z.
     """
 
     KIND = "point cloud"
-    SPARE = ("unit_doubt",)
+    SPARE = ("unit_notes",)
 
     points: int
     version: str
@@ -145,7 +145,7 @@ class Las(Shape):
     offset: list[float]
     coordinate_system: str | None
     unit: LengthUnit | None
-    unit_doubt: str | None
+    unit_notes: list[str] | None
     attributes: dict[str, str]
     bounds: Bounds
     software: str | None
@@ -237,12 +237,12 @@ class Trajectory(Facts):
 class DataSet(Facts):
     """A folder of RGB-D frames.
 
-    `left_out` is the number of unusable frames, `camera_from` the source of the camera parameters, `camera_doubt` a
-    reason why they may not fit the images, `depth_scale` the stored depth of one meter.
+    `left_out` is the number of unusable frames, `camera_from` the source of the camera parameters, `camera_notes` the
+    reasons why they may not fit the images, `depth_scale` the stored depth of one meter.
     """
 
     KIND = "RGB-D data set"
-    SPARE = ("walk",)
+    SPARE = ("camera_notes", "walk")
 
     layout: str
     frames: int
@@ -251,7 +251,7 @@ class DataSet(Facts):
     left_out: int
     camera: Camera
     camera_from: str
-    camera_doubt: str | None
+    camera_notes: list[str] | None
     depth_scale: float
     first_frame_measured_share: float
     first_frame_depth_m: dict[str, float]

@@ -6,6 +6,7 @@ import dataclasses
 from collections.abc import Iterable
 from typing import Any
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.pose_files import trajectory_of
 from ...core.devices import resolve_device
 from ...core.errors import FilePath
@@ -13,7 +14,6 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.timing import Clock
 from ...core.wording import format_bytes, format_seconds
-from ...io.frames.frames import DEPTH_MAX
 from ...rgbd.fusion.fuse import VOXEL_SIZE, fuse
 from ...rgbd.fusion.results import FusionResult
 from .frame_folder import FolderOptions, FrameFolder, FramesReport

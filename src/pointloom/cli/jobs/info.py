@@ -217,7 +217,7 @@ def _describe_las(path: Path) -> Las:
         offset=[offset + 0.0 for offset in header.offsets],  # some writers store minus zero
         coordinate_system=crs_name(header),
         unit=units.plane,
-        unit_doubt=units.doubt,
+        unit_notes=None if units.doubt is None else [units.doubt],
         attributes=attribute_types(file),
         bounds={"min": [*low], "max": [*high]} if is_box else None,
         software=header.software or None,
@@ -344,7 +344,7 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
         left_out=len(dataset.left_out),
         camera=_describe_camera(dataset.intrinsic),
         camera_from=dataset.intrinsic_source,
-        camera_doubt=dataset.intrinsic_doubt or None,
+        camera_notes=[*dataset.warnings] or None,
         depth_scale=dataset.depth_scale,
         first_frame_measured_share=depth.measured_share,
         first_frame_depth_m={name: value / dataset.depth_scale for name, value in depth.depth.items()},

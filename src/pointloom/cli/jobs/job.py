@@ -92,12 +92,12 @@ class JobReport(Report, Assessed):
         return plain(self.done.to_dict() | own)
 
     @property
-    def note(self) -> str | None:
-        """Note on a length unit other than meters."""
+    def notes(self) -> tuple[str, ...]:
+        """A note on a length unit other than meters."""
         unit = self.done.unit
         if unit is None or unit.meters == 1:
-            return None
-        return f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it"
+            return ()
+        return (f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it",)
 
     @property
     def m(self) -> str:

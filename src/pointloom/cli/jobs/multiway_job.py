@@ -24,17 +24,20 @@ from .multiway import MultiwayReport, check_outputs, list_clouds, placement_warn
 
 @dataclass(frozen=True)
 class PlacedReport(MultiwayReport):
-    """Report of `place_scans`: a MultiwayReport with the status of every pair. `notes` are about the scans."""
+    """Report of `place_scans`: a MultiwayReport with the status of every pair. `job_notes` are about the scans."""
 
-    notes: tuple[str, ...] = ()
+    job_notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """All fields flattened, with `tried`: the status of each pair."""
-        return super().to_dict() | {"notes": plain(self.notes)}
+        told = super().to_dict()
+        del told["job_notes"]
+        return told | {"notes": plain(self.notes)}
 
     @property
-    def note(self) -> str | None:
-        return "; ".join(self.notes) or super().note
+    def notes(self) -> tuple[str, ...]:
+        """Notes on the scans, and on a length unit other than meters."""
+        return (*self.job_notes, *super().notes)
 
 
 def place_scans(

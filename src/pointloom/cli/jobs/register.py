@@ -14,7 +14,7 @@ from ...cameras.pose_files import write_pose
 from ...cameras.pose_text import read_pose
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
-from ...core.reports import Fields
+from ...core.reports import Fields, quality
 from ...core.units import common_unit
 from ...io.meshes import tables
 from ...io.points.formats import columns_of
@@ -47,7 +47,7 @@ class RegisterReport(JobReport):
 
     def to_dict(self) -> dict[str, Any]:
         report = super().to_dict()
-        return report | report.pop("found")
+        return report | report.pop("found") | quality(self)
 
     def fields(self) -> Fields:
         return [*self.found.fields(), *self.closing(self.device)]
@@ -61,7 +61,7 @@ def register_files(
     init: FilePath = GLOBAL,
     method: str = "point-to-plane",
     voxel_size: float | None = None,
-    distance: float | None = None,
+    max_correspondence_distance: float | None = None,
     free: Sequence[str] | None = None,
     prior: FilePath | None = None,
     prior_sigma: tuple[float, float] | None = None,
@@ -96,7 +96,8 @@ def register_files(
     job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
     try:
         with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
-            options: dict[str, Any] = {"method": method, "voxel_size": voxel_size, "distance": distance}
+            options: dict[str, Any] = {"method": method, "voxel_size": voxel_size}
+            options["max_correspondence_distance"] = max_correspondence_distance
             found = register_pair(*clouds, init=start, progress=tell, free=free, prior=known, **options)
     except UnfitCloudError as error:
         path = source if error.role == "source" else target

@@ -8,6 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from ...cameras.camera import read_pinhole_camera_intrinsic
+from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count, check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
@@ -20,7 +21,7 @@ from ...io.frames.datasets import RGBDDataset, open_dataset
 from ...io.meshes.mesh_formats import UPRIGHT
 from ...meshing.color_map.results import NothingSeenError
 from ...meshing.color_map.textured_mesh import TexturedMesh, task_fields
-from ...meshing.color_map.texturing import DEPTH_MAX, texture_mesh
+from ...meshing.color_map.texturing import texture_mesh
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 from ...visualization.render.picture_files import check_picture

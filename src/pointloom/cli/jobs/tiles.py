@@ -35,16 +35,16 @@ class TileReport(Report, Assessed):
         return (f"{what}: {_named(told.troubles)}",)
 
     @property
-    def note(self) -> str | None:
+    def notes(self) -> tuple[str, ...]:
         """Remaining work after a run, or that there are no points to write."""
         told = self.status
         if self.command == "finish" and not told.points_out:
-            return "the steps left no point: there are rasters alone"
+            return ("the steps left no point: there are rasters alone",)
         if self.command != "run" or not told.waiting + told.running:
-            return None
+            return ()
         if self.is_part:
-            return f"{told.waiting + told.running} tiles wait or are worked on; run it again where a step needs them"
-        return f"{told.waiting + told.running} tiles wait or are worked on by others"
+            return (f"{told.waiting + told.running} tiles wait or are worked on; run it again where a step needs them",)
+        return (f"{told.waiting + told.running} tiles wait or are worked on by others",)
 
     def fields(self) -> Fields:
         told = self.status

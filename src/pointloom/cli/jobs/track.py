@@ -6,6 +6,7 @@ import dataclasses
 import os
 from typing import Any
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.pose_files import check_trajectory_output, write_poses
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
@@ -13,7 +14,6 @@ from ...core.progress import ReportProgress
 from ...core.reports import Fields
 from ...core.timing import Clock
 from ...core.wording import plain
-from ...io.frames.frames import DEPTH_MAX
 from ...rgbd.slam.focal_check import FocalCheck, check_focal
 from ...rgbd.slam.tracked_path import TrackedPath
 from ...rgbd.slam.tracking import VOXEL_SIZE, track

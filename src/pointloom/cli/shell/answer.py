@@ -29,6 +29,6 @@ def answer_with(report: CommandReport, title: str, as_json: bool, *, err: bool =
         print_json(report.to_dict())
     else:
         print_fields(report.fields(), title=title, err=err)
-        if isinstance(report, Report) and report.note:
-            click.echo(escaped(f"note: {report.note}", lines=True), err=True)
+        for note in report.notes if isinstance(report, Report) else ():
+            click.echo(escaped(f"note: {note}", lines=True), err=True)
     return exit_code(report.warnings)

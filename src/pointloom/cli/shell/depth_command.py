@@ -7,6 +7,7 @@ from typing import Any
 
 import click
 
+from ...cameras.depth_range import DEPTH_SCALE
 from .answer import answer_with
 from .console import Progress
 from .options import FILE, SCALE, device_option, force_option, json_option, refuse_same
@@ -29,7 +30,7 @@ PRESETS = (
 @click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera; EXIF's, else 60 degrees, if not given.")
 @click.option("--align", type=FILE, metavar="FILE", help="Known depth: a map, distances, or a COLMAP model.")
 @click.option(
-    "--depth-scale", type=SCALE, default=1000.0, show_default=True, metavar="N", help="Stored depth of one metre."
+    "--depth-scale", type=SCALE, default=DEPTH_SCALE, show_default=True, metavar="N", help="Stored depth of one metre."
 )
 @click.option(
     "--tiles", type=click.IntRange(1, 16), default=1, show_default=True, metavar="N", help="Along the longer side."

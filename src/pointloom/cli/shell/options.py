@@ -12,6 +12,7 @@ from typing import Any, NoReturn
 
 import click
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...visualization.recording.extensions import RECORDINGS
 
 Decorator = Callable[[Callable[..., Any]], Callable[..., Any]]
@@ -107,7 +108,7 @@ def force_option() -> Decorator:
     return click.option("--force", is_flag=True, help="Replace outputs that exist.")
 
 
-def frame_options(*, posed: bool = True, depth_max: float | None = 4.0) -> Decorator:
+def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) -> Decorator:
     """`--layout`, `--intrinsic`, `--every`, `--depth-max`; `--skip-missing` if `posed`.
 
     Otherwise also the layout `pictures` with `--depth-scale`, and recordings with `--topic` and `--color-topic`.

@@ -50,7 +50,11 @@ RANGE = Number("a distance in meters, 0 or above", lambda number: 0 <= number < 
 )
 @click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin both to voxels of this edge [m].")
 @click.option(
-    "--distance", type=LENGTH, metavar="M", help="Correspondences lie closer than this [m]; 2 voxels if not given."
+    "--distance",
+    "max_correspondence_distance",
+    type=LENGTH,
+    metavar="M",
+    help="Correspondences lie closer than this [m]; 2 voxels if not given.",
 )
 @click.option("--free", metavar="LIST", help="Move A in these ways alone: x,y,z,yaw keeps it level.")
 @click.option("--prior", type=FILE, metavar="FILE", help="A pose that is known beforehand, as -o writes it.")

@@ -16,8 +16,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_SCALE
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
+from ...core.reports import Assessed
 from ..frames.dataset_layouts import associate
 from ..frames.datasets import Frame
 from ..frames.frame_checks import checked_frame
@@ -136,7 +138,6 @@ def _list(names: Any) -> str:
     return ", ".join(names)
 
 
-MILLIMETRES = 1000.0
 _SUFFIXES = ("/compressed", "/compressedDepth", "/theora")
 
 
@@ -152,7 +153,7 @@ class Messages(Protocol):
     def content_at(self, row: Any) -> Any: ...
 
 
-class RecordedFrames:
+class RecordedFrames(Assessed):
     """The RGB-D frames of a recording, decoded one at a time; created by `Recording.frames`.
 
     Attributes:
@@ -162,12 +163,12 @@ class RecordedFrames:
         left_out: Images without a partner in time.
         layout: "recording".
         intrinsic_source: Source of the camera.
-        intrinsic_doubt: Why the camera may belong to other images, or "".
+        warnings: Why the camera may belong to other images. Empty if no check failed.
     """
 
     layout = "recording"
     resize_color = True
-    depth_scale = MILLIMETRES
+    depth_scale = DEPTH_SCALE
 
     def __init__(
         self,
@@ -183,7 +184,7 @@ class RecordedFrames:
         self._lock = threading.Lock()
         self.left_out: list[str] = []
         self._rows = self._pairs(tolerance)[::every]
-        self.intrinsic_doubt, self.intrinsic_source = "", "given"
+        self.warnings, self.intrinsic_source = (), "given"
         self.intrinsic = intrinsic or self._find_camera()
 
     def __len__(self) -> int:
@@ -264,7 +265,7 @@ class RecordedFrames:
         self.intrinsic_source = beside
         if (lens := lens_of_message(message)) and not rectified:
             told = ", ".join(f"{value:.3g}" for value in lens)
-            self.intrinsic_doubt = f"{beside} tells a lens ({told}) that is not straightened in {self.depth}"
+            self.warnings = (f"{beside} tells a lens ({told}) that is not straightened in {self.depth}",)
         return intrinsic_of_message(path, message, rectified=rectified)
 
 

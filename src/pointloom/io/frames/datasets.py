@@ -21,6 +21,7 @@ from ...core.checks import check_count, check_name, check_positive
 from ...core.errors import DatasetError, FileError
 from ...core.json_files import read_json_object
 from ...core.paths import is_file, path_of
+from ...core.reports import Assessed, failed
 from ..pictures.image_files import (
     PictureHeader,
     check_color_header,
@@ -218,7 +219,7 @@ class Frame:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class RGBDDataset:
+class RGBDDataset(Assessed):
     """RGB-D frames in a folder, checked by `open_dataset` or `open_frames` and decoded one at a time.
 
     Args:
@@ -229,7 +230,7 @@ class RGBDDataset:
         frames: The files, in order of capture.
         left_out: Skipped files with the reason: unpaired TUM files and, with `skip_missing`, incomplete frames.
         intrinsic_source: Source of the camera.
-        intrinsic_doubt: Why the camera may belong to other images, or "".
+        warnings: Why the camera may belong to other images. Empty if no check failed.
         resize_color: Resize color to the size of depth.
     """
 
@@ -240,7 +241,7 @@ class RGBDDataset:
     frames: list[FrameFiles]
     left_out: list[str] = dataclasses.field(default_factory=list)
     intrinsic_source: str = ""
-    intrinsic_doubt: str = ""
+    warnings: tuple[str, ...] = ()
     resize_color: bool = False
 
     def __len__(self) -> int:
@@ -303,7 +304,7 @@ def open_dataset(
     The camera is, in this order: `intrinsic`. Camera-intrinsics.json, camera.json, camera_intrinsic.json or
     intrinsic.json in the folder (with `depth_scale`, if any). A 3x3 matrix in camera-intrinsics.txt, intrinsics.K.txt,
     intrinsics.txt or K.txt, in the folder or above a folder `seq-NN`. The default of the layout. `intrinsic_source`
-    names the source. `intrinsic_doubt` reports an implausible principal point or field of view, or another camera file.
+    names the source. `warnings` reports an implausible principal point or field of view, or another camera file.
 
     Args:
         folder: The folder.
@@ -439,7 +440,8 @@ def _open(
             f"is {size[0]} x {size[1]}, but {found.source} is for {camera.width} x {camera.height}",
             remedy="Give intrinsic= of these pictures; intrinsic.scaled(factor) fits one to resized pictures",
         )
-    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, found.source, found.doubt, resize)
+    warnings = failed(found.doubt)
+    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, found.source, warnings, resize)
 
 
 def _is_whole(frame: FrameFiles, demand: Demand) -> bool:

@@ -22,8 +22,6 @@ from .rgbd_sources import RGBDSource
 
 Frame = TypeVar("Frame")
 
-DEPTH_MAX = 4.0  # [m] beyond it the noise of depth cameras exceeds 2 cm
-
 # Frames decoded ahead. Decoding takes about as long as integration, on one core.
 READ_AHEAD = 4
 
@@ -156,7 +154,7 @@ def camera_line(camera: dict[str, Any]) -> str:
 
 def camera_problem(dataset: Any, source: str) -> str | None:
     """Why the camera may belong to other images, or None."""
-    problem = dataset.intrinsic_doubt
+    problem = "; ".join(dataset.warnings)
     return f"the camera may be wrong ({source}): {problem}" if problem else None
 
 

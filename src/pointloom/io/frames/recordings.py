@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 
 from ...cameras.camera import PinholeCameraIntrinsic, intrinsic_to_json
+from ...cameras.depth_range import DEPTH_SCALE
 from ...core.atomic import atomic_write
 from ...core.checks import check_positive, check_progress
 from ...core.errors import FileError
@@ -60,7 +61,7 @@ class FrameRecorder:
     """
 
     def __init__(
-        self, folder: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = 1000.0
+        self, folder: str | os.PathLike[str], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = DEPTH_SCALE
     ):
         self.folder = path_of(folder, "folder")
         if not isinstance(intrinsic, PinholeCameraIntrinsic):
@@ -142,7 +143,7 @@ def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progres
     say, recorder = check_progress(progress), None
     for frame in source:
         if recorder is None:
-            scale = source.depth_scale if frame.depth.dtype.kind == "u" else 1000.0
+            scale = source.depth_scale if frame.depth.dtype.kind == "u" else DEPTH_SCALE
             recorder = FrameRecorder(folder, source.intrinsic, depth_scale=scale)
         recorder.write(frame)
         say("frames", recorder.count, len(source) if hasattr(source, "__len__") else 0)  # type: ignore[arg-type]

@@ -8,6 +8,7 @@ from typing import Any, Protocol, runtime_checkable
 import numpy as np
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_positive, shown
 from .datasets import Frame
 from .frame_checks import checked_frame
@@ -75,7 +76,11 @@ class CountedFrameStream(FrameStream):
 
 
 def frames_from(
-    frames: Iterable[Any], intrinsic: PinholeCameraIntrinsic, *, depth_scale: float = 1000.0, resize_color: bool = False
+    frames: Iterable[Any],
+    intrinsic: PinholeCameraIntrinsic,
+    *,
+    depth_scale: float = DEPTH_SCALE,
+    resize_color: bool = False,
 ) -> FrameStream:
     """RGB-D frames from images in memory: a list, a generator, a camera loop.
 

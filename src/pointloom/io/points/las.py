@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from ...core.coordinates import quiet
 from ...core.errors import FileError
+from ...core.reports import failed
 from ..columns import stack_normals
 from ..growing_columns import GrowingColumns
 from ..optional_imports import foreign_errors, import_for
@@ -173,7 +174,7 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
             normals = stack_normals(file.path, [attributes.pop(name) for name in names])
     steps = np.array(file.header.scales, np.float64)
     told, is_lonlat, units = arrays.get("colors"), is_geographic(file.header), units_of(file.header)
-    how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "unit_doubt": units.doubt}
+    how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "warnings": failed(units.doubt)}
     return PointTable(arrays["points"], normals, told, attributes, **how)
 
 

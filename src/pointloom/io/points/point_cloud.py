@@ -176,7 +176,7 @@ def _chunks(file: LasFile, chunk_size: int, device: Any) -> Iterator[PointCloud]
         if origin is None:
             origin = _common_origin(file, table)
         else:
-            table.unit_doubt = None  # already reported for the first chunk
+            table.warnings = ()  # already reported for the first chunk
         yield cloud_of(table, file.path, device=device, origin=origin)
 
 
@@ -202,8 +202,8 @@ def cloud_of(
 
 def unit_told(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
     """The unit of the coordinates. Warns if the file contradicts itself."""
-    if table.unit_doubt is not None:
-        warn_of_units(f"{path}: {table.unit_doubt}")
+    for warning in table.warnings:
+        warn_of_units(f"{path}: {warning}")
     return table.unit
 
 

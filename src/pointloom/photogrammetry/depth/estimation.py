@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.camera_models import CameraModel
+from ...cameras.depth_range import DEPTH_SCALE
 from ...cameras.images import RGBDImage, check_intrinsic
 from ...core.checks import check_count, check_name, check_numeric, check_positive, check_progress, check_seed, shown
 from ...core.devices import resolve_device
@@ -283,7 +284,7 @@ def estimate_depth(
     preset: str | None = None,
     intrinsic: PinholeCameraIntrinsic | None = None,
     align: Any = None,
-    depth_scale: float = 1000.0,
+    depth_scale: float = DEPTH_SCALE,
     tiles: int = 1,
     seed: int = 0,
     device: Any = None,

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_numeric, check_positive
 
 CLOSE = 1.25  # threshold of delta1
@@ -32,7 +33,7 @@ class DepthErrors:
     pixel_count: int
 
 
-def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = 1000.0) -> DepthErrors:
+def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = DEPTH_SCALE) -> DepthErrors:
     """Compare a depth map with a true one of the same size, without alignment (see `estimate_depth`).
 
     Args:

@@ -117,7 +117,7 @@ def depth_of_pictures(
         say("pictures", len(jobs), len(jobs))
     license, provider = PRESETS[network.preset].license, network.provider
     run = network.path, network.preset, license, provider, str(where), tuple(pictures), tuple(failures)
-    return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.note)
+    return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.notes)
 
 
 def _checked(settings: Any) -> DepthSettings:

@@ -281,9 +281,10 @@ class DepthModel:
         return self._preset.name
 
     @property
-    def note(self) -> str | None:
-        """What could not be verified in the file; or None."""
-        return note_on(self._head, self._preset)
+    def notes(self) -> tuple[str, ...]:
+        """What could not be verified in the file."""
+        note = note_on(self._head, self._preset)
+        return () if note is None else (note,)
 
     def __repr__(self) -> str:
         return f"DepthModel({self.path!r}, {self.preset!r}, {self.provider})"

@@ -158,7 +158,7 @@ class DepthReport(Assessed):
         failures: Images without one.
         seconds: Time of each stage [s].
         peak_bytes: Peak memory of this process [B].
-        note: What could not be verified in the network file; or None.
+        notes: What could not be verified in the network file.
     """
 
     source: str
@@ -172,7 +172,7 @@ class DepthReport(Assessed):
     failures: tuple[DepthFailure, ...]
     seconds: dict[str, float]
     peak_bytes: int
-    note: str | None = None
+    notes: tuple[str, ...] = ()
 
     @property
     def files(self) -> tuple[str, ...]:
@@ -206,12 +206,12 @@ class DepthReport(Assessed):
             "peak_bytes": self.peak_bytes,
             "files": list(self.files),
             **quality(self),
-            "note": self.note,
+            "notes": list(self.notes),
         }
 
     def fields(self) -> Fields:
         network = f"{self.model}, preset {self.preset} ({self.license})"
-        fields = [("network", network if self.note is None else f"{network}\n{self.note}"), ("ran on", self.provider)]
+        fields = [("network", "\n".join([network, *self.notes])), ("ran on", self.provider)]
         if len(self.pictures) == 1 and not self.failures:
             fields += self.pictures[0].fields()
         else:

@@ -7,6 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrinsic
+from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.errors import FilePath
 from ..sfm.picture_folder import check_place
@@ -40,7 +41,7 @@ class DepthSettings:
     preset: str = DEFAULT
     intrinsic: FilePath | PinholeCameraIntrinsic | None = None
     align: FilePath | None = None
-    depth_scale: float = 1000.0
+    depth_scale: float = DEPTH_SCALE
     tiles: int = 1
     keep_edges: bool = False
     seed: int = 0

@@ -149,20 +149,20 @@ def _residual(
 ) -> ControlResidual:
     place = _place_of(point, found)
     if place is None:
-        return ControlResidual(point.name, UNUSED, None, None, math.nan, 0, _why_lost(point, found))
+        return ControlResidual(point.name, UNUSED, None, None, math.nan, 0, (_why_lost(point, found),))
     marked = found[point.name]
     use = CHECK if is_check else UNUSED if point.name in wrong else CONTROL
     known = _sigmas([point], found, fit.T)
     spread = np.diag(fit.covariance_of(place[None])[0])
     sigma = np.sqrt(np.maximum(known[0] ** 2 + (-spread if use == CONTROL else spread), 0))
-    notes = [f"without the marks in {', '.join(marked.left_out)}"] if marked.left_out else []
+    warnings = [f"without the marks in {', '.join(marked.left_out)}"] if marked.left_out else []
     off = float(deviations(fit, place[None], target[None], known)[0])
     if use == UNUSED:
-        notes.append(f"contradicts the others, {off:.0f} standard deviations off")
+        warnings.append(f"contradicts the others, {off:.0f} standard deviations off")
     elif is_check and off > ROUGH:
-        notes.append(f"{off:.0f} standard deviations off")
+        warnings.append(f"{off:.0f} standard deviations off")
     return ControlResidual(
-        point.name, use, fit.of(place[None])[0] - target, sigma, marked.rms, len(marked.errors), "; ".join(notes)
+        point.name, use, fit.of(place[None])[0] - target, sigma, marked.rms, len(marked.errors), tuple(warnings)
     )
 
 
@@ -207,10 +207,10 @@ def _why_far(gps: GpsGaps | None, control: GroundControl) -> str:
 
 def _by_lengths(control: GroundControl, found: dict[str, MarkedPoint], bars: Bars, reason: str) -> ControlFit:
     T, sigma, bars = fit_bars(bars)
-    remark = "scale bars set the size alone"
+    alone = "scale bars set the size alone"
     rows = tuple(
         ControlResidual(
-            p.name, UNUSED, None, None, math.nan, 0, _why_lost(p, found) if _place_of(p, found) is None else remark
+            p.name, UNUSED, None, None, math.nan, 0, (_why_lost(p, found) if _place_of(p, found) is None else alone,)
         )
         for p in control.points
     )

@@ -31,7 +31,7 @@ class ControlResidual:
         sigma: Its expected standard deviation, shape [3] [m].
         pixels: Root mean square reprojection error of its marks [px]. NaN if not triangulated.
         views: Images whose marks are used.
-        remark: Why it or some marks are unused.
+        warnings: Why it or some marks are unused.
     """
 
     name: str
@@ -40,7 +40,7 @@ class ControlResidual:
     sigma: Array | None
     pixels: float
     views: int
-    remark: str = ""
+    warnings: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         return {
@@ -50,14 +50,14 @@ class ControlResidual:
             "sigma_m": None if self.sigma is None else self.sigma.round(6).tolist(),
             "rms_px": number_or_none(self.pixels),
             "views": self.views,
-            "remark": self.remark,
+            "warnings": list(self.warnings),
         }
 
     def __str__(self) -> str:
         if self.residual is None:
-            return f"{self.name}: {self.use}, {self.remark}"
+            return f"{self.name}: {self.use}, {'; '.join(self.warnings)}"
         gap = " ".join(f"{value:+.3f}" for value in self.residual)
-        more = f"; {self.remark}" if self.remark else ""
+        more = "".join(f"; {warning}" for warning in self.warnings)
         return f"{self.name}: {self.use}, {gap} m, {self.pixels:.2f} px in {self.views} pictures{more}"
 
 
@@ -70,14 +70,14 @@ class BarResidual:
         found: Estimated length [m]. NaN if an end is not triangulated.
         sigma: Standard deviation of estimated minus known length [m].
         use: "control", "check", or "unused".
-        remark: Why it is unused.
+        warnings: Why it is unused.
     """
 
     bar: ScaleBar
     found: float
     sigma: float
     use: str
-    remark: str = ""
+    warnings: tuple[str, ...] = ()
 
     @property
     def error(self) -> float:
@@ -92,11 +92,11 @@ class BarResidual:
             "error_m": number_or_none(self.error),
             "sigma_m": number_or_none(self.sigma),
             "use": self.use,
-            "remark": self.remark,
+            "warnings": list(self.warnings),
         }
 
     def __str__(self) -> str:
-        more = f"; {self.remark}" if self.remark else ""
+        more = "".join(f"; {warning}" for warning in self.warnings)
         off = f", {1000 * self.error:+.1f} mm" if math.isfinite(self.found) else ""
         return f"{self.bar}: {self.use}, {self.bar.meters:g} m{off}{more}"
 

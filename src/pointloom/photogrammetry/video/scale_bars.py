@@ -8,6 +8,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import failed
 from ...registration.rigid import scale_of
 from .control_blunders import ROUGH
 from .control_report import CHECK, CONTROL, UNUSED, BarResidual
@@ -74,10 +75,9 @@ class Bars:
         rows = []
         for k, bar in enumerate(self.bars):
             use = CHECK if self.checks[k] else UNUSED if self.wrong[k] else CONTROL
-            use, remark = (
-                (UNUSED, self.reasons[k]) if self.reasons[k] else (use, "contradicts the rest" * self.wrong[k])
-            )
-            rows.append(BarResidual(bar, scale * self.length(k), self.sigma(k, T), use, remark))
+            warning = self.reasons[k] or "contradicts the rest" * self.wrong[k]
+            use = UNUSED if self.reasons[k] else use
+            rows.append(BarResidual(bar, scale * self.length(k), self.sigma(k, T), use, failed(warning)))
         return tuple(rows)
 
     def problem(self, T: Array) -> str:

@@ -9,13 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count, check_positive, check_progress, check_rigid
 from ...core.devices import resolve_device
 from ...core.escaped_text import escaped
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
 from ...io.frames.frames import (
-    DEPTH_MAX,
     READ_AHEAD,
     FrameSource,
     check_frames,

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.number_ranges import some_frames
-from ...core.reports import Assessed
+from ...core.reports import Assessed, quality
 from ...core.wording import format_share
 from ...kernels.linear_algebra import matmul, norm
 from ..odometry.alignment import align_frames
@@ -67,6 +67,7 @@ class PoseRefinement(Assessed):
             "moved_m": float(np.median(self.shifts)) if self.shifts else None,
             "moved_most_m": max(self.shifts, default=None),
             "turned_deg": float(np.median(self.turns)) if self.turns else None,
+            **quality(self),
         }
 
 

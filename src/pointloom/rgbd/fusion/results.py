@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Assessed, Fields, failed, in_columns, with_warnings
+from ...core.reports import Assessed, Fields, failed, in_columns, quality, with_warnings
 from ...core.wording import format_bounds, format_bytes, format_share
 from ...io.frames.frames import why_out_of_reach
 from ...meshing.mesh.mesh import TriangleMesh
@@ -119,6 +119,7 @@ class FusionResult(Assessed):
             "volume_bytes": volume.memory_bytes,
             **size,
             "refinement": None if self.refinement is None else self.refinement.to_dict(),
+            **quality(self),
         }
 
     def fields(self) -> Fields:

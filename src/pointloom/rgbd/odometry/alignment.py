@@ -24,18 +24,14 @@ BRIGHTNESS_SHARE = 0.02  # relative weight of the brightness term: its errors co
 
 
 def align_frames(
-    source: OdometryFrame,
-    target: OdometryFrame,
-    T_target_source: ArrayLike | None = None,
-    *,
-    method: Method = Method.Hybrid,
+    source: OdometryFrame, target: OdometryFrame, init: ArrayLike | None = None, *, method: Method = Method.Hybrid
 ) -> OdometryResult:
     """Estimate the motion between two frames of a depth camera.
 
     Args:
         source: The frame to move.
         target: The fixed frame.
-        T_target_source: Initial pose, 4x4; None: the identity.
+        init: Initial pose T_target_source, 4x4; None: the identity.
         method: Residuals: surfaces, brightness, or both.
 
     Returns:
@@ -63,7 +59,7 @@ def align_frames(
         raise DeviceError(f"source lies on {source.device}, target on {target.device}; make both on one device")
     if not isinstance(method, Method):
         raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
-    start = np.eye(4) if T_target_source is None else check_rigid("T_target_source", T_target_source)
+    start = np.eye(4) if init is None else check_rigid("init", init)
     return align_steps(source, target, start, method, STEPS)
 
 

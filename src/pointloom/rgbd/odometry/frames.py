@@ -9,6 +9,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_depth
 from ...core.gpu_arrays import device_for
 from ...kernels.memory import download
@@ -19,7 +20,6 @@ from ...kernels.rgbd.pyramid import FrameLevels, make_levels
 MAX_PIXELS = 100_000  # finest level: half VGA; larger ones cost four times as much with little gain
 MIN_SIDE = 24  # [px] of the coarsest level
 PLANE_RADIUS = 2  # [px] radius of plane windows
-DEPTH_MAX = 6.0  # [m] range of depth cameras
 
 
 class OdometryFrame:

@@ -6,6 +6,7 @@ import dataclasses
 import enum
 from collections.abc import Sequence
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...core.checks import check_count, check_list, check_positive
 
 MAX_STEPS = 1000
@@ -56,7 +57,7 @@ class OdometryOption:
     iteration_number_per_pyramid_level: Sequence[int] = (20, 10, 5)
     depth_diff_max: float = 0.03
     depth_min: float = 0.0
-    depth_max: float = 4.0
+    depth_max: float = DEPTH_MAX
 
     def __post_init__(self) -> None:
         name = "iteration_number_per_pyramid_level"

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Assessed
+from ...core.reports import Assessed, as_json
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -46,6 +46,10 @@ class OdometryResult(Assessed):
     iterations: int = 0
     contradiction: str = ""
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
+
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.reliable, self.transformation, self.information))

@@ -14,6 +14,7 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage, upload_depth
 from ...core.argument_errors import told_arguments
 from ...core.checks import check_finite, check_list, check_positive, check_rigid, check_shape
@@ -111,8 +112,8 @@ def rgbd_odometry_multi_scale(
     target: RGBDImage,
     intrinsics: PinholeCameraIntrinsic | ArrayLike,
     init_source_to_target: ArrayLike | None = None,
-    depth_scale: float = 1000.0,
-    depth_max: float = 3.0,
+    depth_scale: float = DEPTH_SCALE,
+    depth_max: float = OPEN3D_DEPTH_MAX,
     criteria_list: Sequence[OdometryConvergenceCriteria] | None = None,
     method: Method = Method.Hybrid,
     params: OdometryLossParams | None = None,
@@ -172,7 +173,7 @@ def compute_odometry_information_matrix(
     source_to_target: ArrayLike,
     dist_threshold: float,
     depth_scale: float | None = None,
-    depth_max: float = 3.0,
+    depth_max: float = OPEN3D_DEPTH_MAX,
 ) -> NDArray[np.float64]:
     """Compute the information matrix of the matching pixels of two depth images, for a pose graph.
 

@@ -9,6 +9,7 @@ from collections.abc import Mapping
 from pathlib import PurePosixPath
 from typing import Any
 
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_count, check_name, check_positive, shown
@@ -100,7 +101,7 @@ class ReconstructionConfig:
     path_dataset: str = ""
     path_intrinsic: str = ""
     depth_min: float = 0.3
-    depth_max: float = 3.0
+    depth_max: float = OPEN3D_DEPTH_MAX
     depth_scale: float | None = None
     depth_diff_max: float = 0.07
     odometry_method: str = "hybrid"

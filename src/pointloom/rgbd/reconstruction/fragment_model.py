@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.errors import FilePath
 from ...core.paths import path_of
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields
+from ...core.reports import Assessed, Fields, quality
 from ...core.timing import Clock
-from ...io.frames.frames import DEPTH_MAX
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
@@ -85,7 +85,13 @@ class FragmentsAccount(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         told, sizes = self.system.to_dict(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
-        return {"device": self.device, **{name: told[name] for name in _TOLD}, **sizes, "work": self.folder}
+        return {
+            "device": self.device,
+            **{name: told[name] for name in _TOLD},
+            **sizes,
+            "work": self.folder,
+            **quality(self),
+        }
 
     def fields(self) -> Fields:
         return [*self.system.parts(f", on {self.device}"), ("stages", self.folder)]

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_positive
 from ...core.errors import FileError
 from ...core.records import digest_of_bytes
@@ -56,7 +57,7 @@ class Frames:
         self.source, self.config, self.count = source, config, len(source)
         if not self.count:
             raise ValueError("source: expected at least one frame, got none")
-        scale = config.depth_scale or getattr(source, "depth_scale", 1000.0)
+        scale = config.depth_scale or getattr(source, "depth_scale", DEPTH_SCALE)
         self.depth_scale = check_positive("source.depth_scale", scale)
 
     @property

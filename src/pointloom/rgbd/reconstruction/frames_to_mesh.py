@@ -8,14 +8,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive, check_progress
 from ...core.devices import resolve_device
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields, in_columns
+from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.timing import Clock, check_clock
 from ...core.wording import format_bounds
-from ...io.frames.frames import DEPTH_MAX, READ_AHEAD, FrameSource, can_read, check_frames
+from ...io.frames.frames import READ_AHEAD, FrameSource, can_read, check_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
@@ -64,7 +65,8 @@ class ReconstructionResult(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         focal = None if self.focal is None else self.focal.to_dict()
-        return {"method": self.method, **self.account.to_dict(), **describe_mesh(self.mesh).to_dict(), "focal": focal}
+        told = {"method": self.method, **self.account.to_dict(), **describe_mesh(self.mesh).to_dict(), "focal": focal}
+        return told | quality(self)
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
         account, size = self.account, describe_mesh(self.mesh).to_dict()

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.checks import check_positive, check_rigid
 from ...kernels.linear_algebra import inv, matmul
@@ -99,7 +100,7 @@ def integrate_deformed(
     T_fragment_camera: ArrayLike | None = None,
     color: ArrayLike | None = None,
     depth_scale: float | None = None,
-    depth_max: float = 3.0,
+    depth_max: float = OPEN3D_DEPTH_MAX,
 ) -> int:
     """Fuse a frame into a volume after undistortion of its depth by a control grid.
 

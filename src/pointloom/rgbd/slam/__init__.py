@@ -6,7 +6,7 @@ Example:
     >>> v, u = np.mgrid[:48, :64]
     >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), 1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
     >>> slam = loom.slam.DenseSLAM(camera, voxel_size=0.02)
-    >>> slam.step(frame).verdict, slam.step(frame).verdict
+    >>> slam.step(frame).status, slam.step(frame).status
     ('tracked', 'tracked')
 """
 

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_progress, check_rigid, check_seed
 from ...core.observers import report, unwatched
@@ -87,7 +88,7 @@ class DenseSLAM:
         >>> v, u = np.mgrid[:48, :64]
         >>> frame = loom.RGBDImage(np.zeros((48, 64), np.uint8), 1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))
         >>> slam = loom.slam.DenseSLAM(camera, voxel_size=0.02)
-        >>> [result.verdict for result in slam.run([frame, frame, frame])]
+        >>> [result.status for result in slam.run([frame, frame, frame])]
         ['tracked', 'tracked', 'tracked']
         >>> slam.trajectory
         Trajectory(3 poses, ids)
@@ -100,8 +101,8 @@ class DenseSLAM:
         voxel_size: float = 0.01,
         truncation: float | None = None,
         T_init: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
-        depth_max: float = 4.0,
+        depth_scale: float = DEPTH_SCALE,
+        depth_max: float = DEPTH_MAX,
         leave_out_moving: bool = True,
         submap_frames: int | None = None,
         seed: int = 0,
@@ -133,7 +134,7 @@ class DenseSLAM:
         return SubmapRecorder(self._intrinsic, **sizes, depth_scale=1.0, frames=self._submap_frames)
 
     def __repr__(self) -> str:
-        counts = ", ".join(f"{n} {verdict}" for verdict, n in self.verdict_counts.items() if n)
+        counts = ", ".join(f"{n} {status}" for status, n in self.status_counts.items() if n)
         return f"DenseSLAM({counts or 'no frames'}, {len(self.keyframes)} keyframes, {self.volume!r})"
 
     @property
@@ -171,10 +172,10 @@ class DenseSLAM:
         return max(self._maps.kept, key=lambda known: (sizes.get(known.number, 0), -known.number))
 
     @property
-    def verdict_counts(self) -> dict[str, int]:
+    def status_counts(self) -> dict[str, int]:
         """Number of tracked, uncertain and lost frames."""
-        verdicts = [result.verdict for result in self.results]
-        return {verdict: verdicts.count(verdict) for verdict in ("tracked", "uncertain", "lost")}
+        statuses = [result.status for result in self.results]
+        return {status: statuses.count(status) for status in ("tracked", "uncertain", "lost")}
 
     @property
     def trajectory(self) -> Trajectory:
@@ -341,30 +342,30 @@ class DenseSLAM:
             maps.give_up(self.results)
         if doubt == STALE and self.model.frame_count:
             self._tracker.motion.missed += 1
-            return TrackingResult(None, "lost", doubt, map=maps.here.number, **known)
+            return TrackingResult(None, "lost", (doubt,), map=maps.here.number, **known)
         if self._restarts(frame) or not self.model.frame_count:
             return self._begin(frame, known)
         attempt, is_anew = self._tracker.locate(frame)
         attempt = attempt.doubted(doubt)
-        if attempt.verdict == "lost":
+        if attempt.status == "lost":
             maps.here.tracker.motion.missed += 1
             if maps.is_on_trial:
                 maps.give_up(self.results)
             elsewhere = maps.find_elsewhere(frame)
             if elsewhere is None:
                 self.foreground.place(None)
-                lost = TrackingResult(None, "lost", attempt.reason, map=maps.here.number, **attempt.measures, **known)
+                lost = TrackingResult(None, "lost", attempt.warnings, map=maps.here.number, **attempt.measures, **known)
                 return self._begin_anew(frame, known, lost)
             attempt, is_anew = elsewhere, True
         maps.found()
-        motion, is_tracked = maps.here.tracker.motion, attempt.verdict == "tracked"
+        motion, is_tracked = maps.here.tracker.motion, attempt.status == "tracked"
         self.foreground.place(attempt.pose if is_tracked else None)
         tells_velocity = not is_anew and is_determined(attempt.result)
         if is_tracked:
             motion.learn(attempt.result)
         motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
         said = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
-        found = TrackingResult(attempt.pose, attempt.verdict, attempt.reason, map=maps.here.number, **said)
+        found = TrackingResult(attempt.pose, attempt.status, attempt.warnings, map=maps.here.number, **said)
         return judge_drift(found, self.model.volume.truncation)
 
     def _restarts(self, frame: SensorFrame) -> bool:
@@ -383,7 +384,7 @@ class DenseSLAM:
         """The first frame with depth of a map defines the map's world."""
         here = self._maps.here
         if depth_share(frame.pyramid) < MIN_DEPTH:
-            return TrackingResult(None, "lost", "the picture is blank, and there is no model yet", **known)
+            return TrackingResult(None, "lost", ("the picture is blank, and there is no model yet",), **known)
         pose = here.model.current_frame_pose
         here.tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
         self.foreground.place(pose)

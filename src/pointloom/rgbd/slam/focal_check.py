@@ -14,12 +14,13 @@ from typing import Any
 import numpy as np
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_list, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FileError
-from ...core.reports import Assessed
-from ...io.frames.frames import DEPTH_MAX, FrameSource, can_read, check_frames, depth_unit
+from ...core.reports import Assessed, quality
+from ...io.frames.frames import FrameSource, can_read, check_frames, depth_unit
 from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv, matmul
 from ..odometry.alignment import align_frames
@@ -74,7 +75,7 @@ class FocalCheck(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         residuals = {"residual_m": self.residual, "factor": self.factor, "residual_there_m": self.residual_there}
-        return {"pairs": self.pairs, **residuals}
+        return {"pairs": self.pairs, **residuals, **quality(self)}
 
 
 def check_focal(

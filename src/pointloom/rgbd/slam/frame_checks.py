@@ -18,7 +18,7 @@ from ...registration.rigid import rotation_vector
 from ..odometry.frames import OdometryFrame
 from ..odometry.motion_checks import UNDETERMINED
 from ..odometry.results import OdometryResult
-from .results import TrackingResult, Verdict
+from .results import Status, TrackingResult
 
 MIN_DEPTH = 0.02  # minimum depth fraction of a frame
 MIN_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # fraction of the frame's depth where the model has depth
@@ -40,18 +40,18 @@ MAX_MISFIT, MIN_MISFIT = 2.0, 0.05  # factor of the fraction off the surface, an
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Attempt:
-    """An alignment: `pose` T_world_camera, OdometryResult, verdict with reason, covariance as of `TrackingResult`."""
+    """An alignment: `pose` T_world_camera, OdometryResult, status with warnings, covariance as of `TrackingResult`."""
 
     pose: NDArray[np.float64]
     result: OdometryResult
-    verdict: Verdict
-    reason: str = ""
+    status: Status
+    warnings: tuple[str, ...] = ()
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
 
     @property
     def score(self) -> float:
         """Rank of attempts: the fraction of the frame on the model, lost ones last."""
-        rank = {"tracked": 2.0, "uncertain": 1.0, "lost": 0.0}[self.verdict]
+        rank = {"tracked": 2.0, "uncertain": 1.0, "lost": 0.0}[self.status]
         return rank + self.result.fitness
 
     @property
@@ -59,11 +59,12 @@ class Attempt:
         names = ("fitness", "overlap", "inlier_rmse", "intensity_rmse", "smallest_eigenvalue", "iterations")
         return {name: getattr(self.result, name) for name in names}
 
-    def doubted(self, reason: str) -> Attempt:
-        if not reason:
+    def doubted(self, warning: str) -> Attempt:
+        """The attempt with a warning: uncertain at best."""
+        if not warning:
             return self
-        verdict: Verdict = "lost" if self.verdict == "lost" else "uncertain"
-        return dataclasses.replace(self, verdict=verdict, reason="; ".join(filter(None, (reason, self.reason))))
+        status: Status = "lost" if self.status == "lost" else "uncertain"
+        return dataclasses.replace(self, status=status, warnings=(warning, *self.warnings))
 
 
 def agreement_of(result: OdometryResult) -> float:
@@ -78,7 +79,7 @@ def is_determined(result: OdometryResult) -> bool:
 
 def judge_tracking(
     result: OdometryResult, moved: NDArray[np.float64], usual_gap: float = math.nan
-) -> tuple[Verdict, str]:
+) -> tuple[Status, str]:
     """Status of a tracked frame by its deviation `moved` and the run's typical surface distance [m]."""
     agreement = agreement_of(result)
     shift = float(norm(moved[:3, 3]))
@@ -104,7 +105,7 @@ def judge_tracking(
 
 def judge_recognition(
     result: OdometryResult, least_overlap: float, usual: float = math.nan, usual_gap: float = math.nan
-) -> tuple[Verdict, str]:
+) -> tuple[Status, str]:
     """Found or lost, compared with the run's typical brightness (`usual`) and distance [m] residuals."""
     if not result.reliable and UNDETERMINED not in result.warnings:  # whose limit is for full-size frames
         return "lost", result.warnings[0]
@@ -139,8 +140,8 @@ def judge_drift(result: TrackingResult, truncation: float) -> TrackingResult:
     off = result.position_deviation
     if not result.is_tracked or off <= max(MAX_DEVIATION, MAX_OF_TRUNCATION * truncation):
         return result
-    reason = f"what was open on the way adds up to {off:.2f} m"
-    return dataclasses.replace(result, verdict="uncertain", reason=reason, has_drifted=True)
+    warning = f"what was open on the way adds up to {off:.2f} m"
+    return dataclasses.replace(result, status="uncertain", warnings=(warning,), has_drifted=True)
 
 
 def lies_on_model(result: OdometryResult) -> bool:

@@ -7,7 +7,7 @@ from typing import Any
 
 from ...cameras.trajectory import Trajectory
 from ...core.progress import ReportProgress
-from ...core.reports import Assessed, Fields
+from ...core.reports import Assessed, Fields, quality
 from ...core.timing import Clock
 from ...io.frames.frames import FrameSource
 from ...io.frames.rgbd_sources import RGBDSource
@@ -59,7 +59,7 @@ class SlamAccount(Assessed):
         return self.path.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        return self.path.to_dict() | self.loops_to_dict()
+        return self.path.to_dict() | self.loops_to_dict() | quality(self)
 
     def loops_to_dict(self) -> dict[str, Any]:
         loops = [list(loop) for loop in self.loops]

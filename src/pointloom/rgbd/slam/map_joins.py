@@ -76,7 +76,7 @@ class Proposal:
         """Test a tracked frame in the other map. True once enough frames agree."""
         expected = matmul(self.T_other_here, pose)
         attempt = self.other.tracker.try_place(frame, expected)
-        if attempt.verdict != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:
+        if attempt.status != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:
             self._missed += 1
             return False
         self._agreed += 1

@@ -129,7 +129,7 @@ class Joining:
         for other in self._maps.others:
             if is_new_view or other.tracker.awaits_confirmation:
                 attempt, _ = other.tracker.locate(frame)
-                if attempt.verdict == "tracked":
+                if attempt.status == "tracked":
                     return Proposal(other, self._maps.here, clean_pose(matmul(attempt.pose, invert_pose(pose))), pose)
         return None
 

@@ -73,7 +73,7 @@ class Maps:
         """Find a lost frame in a map that the camera left, which becomes `here`."""
         for other in self.others:
             attempt, _ = other.tracker.locate(frame)
-            if attempt.verdict == "tracked":
+            if attempt.status == "tracked":
                 self.enter(other)
                 return attempt
         return None
@@ -116,8 +116,8 @@ class Maps:
         told = f"a new map that began here was given up after {count} frame{'s' if count != 1 else ''}"
         for i, result in enumerate(results):
             if result.map == number:
-                reason = told if result.pose is not None else result.reason
-                changes = {"pose": None, "verdict": "lost", "reason": reason, "fused": False}
+                warnings = (told,) if result.pose is not None else result.warnings
+                changes = {"pose": None, "status": "lost", "warnings": warnings, "fused": False}
                 results[i] = dataclasses.replace(result, map=self._before.number, **changes)
         self.kept.remove(self.here)
         self.here, self._before, self._lost = self._before, None, 0

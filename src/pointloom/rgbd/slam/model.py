@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...core.checks import check_positive, check_rigid
 from ...core.observers import report
 from ...kernels.linear_algebra import inv, matmul
@@ -75,8 +76,8 @@ class Model:
         voxel_size: float = 0.01,
         truncation: float | None = None,
         T_init: ArrayLike | None = None,
-        depth_scale: float = 1000.0,
-        depth_max: float = 4.0,
+        depth_scale: float = DEPTH_SCALE,
+        depth_max: float = DEPTH_MAX,
         leave_out_moving: bool = True,
         device: Any = None,
     ):

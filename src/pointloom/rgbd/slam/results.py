@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import Assessed, as_json
 from ...kernels.linear_algebra import eigvalsh
 
-Verdict = Literal["tracked", "uncertain", "lost"]
+Status = Literal["tracked", "uncertain", "lost"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class TrackingResult:
+class TrackingResult(Assessed):
     """Pose of a frame and its status.
 
     Attributes:
         pose: T_world_camera, float64 [4, 4] [m]. None if lost.
-        verdict: "tracked", "uncertain" (not fused, except with `has_drifted`), "lost".
-        reason: Why it is not tracked. Empty if it is.
+        status: "tracked", "uncertain" (not fused, except with `has_drifted`), "lost".
+        warnings: Why it is not tracked. Empty if it is.
         fitness: Fraction of the frame's depth pixels on the model surface.
         overlap: Fraction of the frame's depth pixels where the model has depth.
         inlier_rmse: Root mean square distance from the surface [m].
@@ -39,8 +40,8 @@ class TrackingResult:
     """
 
     pose: NDArray[np.float64] | None
-    verdict: Verdict
-    reason: str = ""
+    status: Status
+    warnings: tuple[str, ...] = ()
     fitness: float = 0.0
     overlap: float = 0.0
     inlier_rmse: float = 0.0
@@ -56,9 +57,13 @@ class TrackingResult:
     has_drifted: bool = False
     map: int = 0
 
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
+
     @property
     def is_tracked(self) -> bool:
-        return self.verdict == "tracked"
+        return self.status == "tracked"
 
     @property
     def position_deviation(self) -> float:

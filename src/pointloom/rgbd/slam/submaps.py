@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
 from ...kernels.linear_algebra import matmul, norm
@@ -166,8 +167,8 @@ class SubmapRecorder:
         *,
         voxel_size: float,
         truncation: float | None = None,
-        depth_scale: float = 1000.0,
-        depth_max: float = 4.0,
+        depth_scale: float = DEPTH_SCALE,
+        depth_max: float = DEPTH_MAX,
         frames: int = FRAMES,
         way: float | None = None,
         shared: float = SHARED,

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from ...cameras.trajectory import Trajectory
 from ...core.dropped_results import returns_new
 from ...core.number_ranges import some_frames
-from ...core.reports import Assessed, Fields, in_columns
+from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_share
 from ...io.frames.frames import why_out_of_reach
 from ...registration.trajectories.trajectory_error import TrajectoryError
@@ -40,7 +40,7 @@ class TrackedPath(Assessed):
         voxel_size: Voxel edge of the model [m].
         depth_max: Maximum depth [m].
         device: Compute device.
-        uncertain_reason: Reason of the first uncertain frame, or empty.
+        uncertain_warning: Warning of the first uncertain frame, or empty.
         stream: Inconsistency of the color and depth streams, or None.
         deviations: Accumulated standard deviation [m] of each position along its least determined direction.
         drifted: Uncertain frames whose accumulated deviation is too large.
@@ -62,7 +62,7 @@ class TrackedPath(Assessed):
     voxel_size: float
     depth_max: float
     device: str
-    uncertain_reason: str = ""
+    uncertain_warning: str = ""
     stream: str | None = None
     deviations: tuple[float, ...] = ()
     drifted: tuple[int, ...] = ()
@@ -93,7 +93,7 @@ class TrackedPath(Assessed):
         if self.other_maps:
             reasons.append(self._apart())
         if len(self.uncertain) - len(drifted) > MANY_UNCERTAIN * count:
-            why = self.uncertain_reason
+            why = self.uncertain_warning
             which = f"{len(self.uncertain)} of {count} poses are uncertain ({some_frames(self.uncertain)})"
             reasons.append(f"{which}: {why}" if why and why != self.stream else which)
         if unreadable := self.unreadable:
@@ -122,7 +122,7 @@ class TrackedPath(Assessed):
             "frames": self.frame_count,
             "tracked": len(self.trajectory),
             "uncertain": list(self.uncertain),
-            "uncertain_reason": self.uncertain_reason,
+            "uncertain_warning": self.uncertain_warning,
             "stream": self.stream,
             "drifted": list(self.drifted),
             "position_deviation_m": max(self.deviations, default=None),
@@ -138,6 +138,7 @@ class TrackedPath(Assessed):
             ],
             "joined_maps": sum(not join.refused for join in self.joins),
             "path_length_m": path_length(self.trajectory.poses),
+            **quality(self),
         }
 
     def fields(self, frames_per_second: float | None = None) -> Fields:

@@ -17,6 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...core.reports import failed
 from ...kernels.linear_algebra import eigh, matmul, norm, solve
 from ...meshing.volume.shift_scores import score_shifts
 from ...pcd.cloud import PointCloud
@@ -49,7 +50,7 @@ from .frame_checks import (
 from .frames import SensorFrame, coarsest_level
 from .keyframes import Keyframes
 from .model import Model
-from .results import Verdict
+from .results import Status
 
 Pose = NDArray[np.float64]
 
@@ -137,10 +138,10 @@ class Tracker:
     def locate(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """The best attempt for a frame, and whether it was relocalized."""
         attempt, is_anew = self._beaten(frame)
-        if is_anew and attempt.verdict == "tracked" and self.motion.missed > MIN_FRAMES > self.model.frame_count:
-            reason = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
-            attempt = dataclasses.replace(attempt, verdict="lost", reason=reason)
-        if attempt.verdict == "lost":
+        if is_anew and attempt.status == "tracked" and self.motion.missed > MIN_FRAMES > self.model.frame_count:
+            warning = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
+            attempt = dataclasses.replace(attempt, status="lost", warnings=(warning,))
+        if attempt.status == "lost":
             return attempt, is_anew
         covariance = self.drift.of(frame.pyramid, attempt.pose, attempt.result.covariance)
         return dataclasses.replace(attempt, covariance=covariance), is_anew
@@ -148,7 +149,7 @@ class Tracker:
     def _beaten(self, frame: SensorFrame) -> tuple[Attempt, bool]:
         """As `locate`, after the comparison with rivals, without the covariance."""
         attempt, is_anew = self._find(frame)
-        if attempt.verdict == "lost":
+        if attempt.status == "lost":
             self._rivals = []
             return attempt, is_anew
         if not is_anew and not self._rivals:
@@ -164,15 +165,15 @@ class Tracker:
             self._tries = 0
             return still, False
         if depth_share(frame.pyramid) < MIN_DEPTH:
-            return Attempt(np.eye(4), NOTHING, "lost", "the picture is blank"), False
+            return Attempt(np.eye(4), NOTHING, "lost", ("the picture is blank",)), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
-            if followed.verdict != "lost":
+            if followed.status != "lost":
                 self._tries = 0
                 return followed, False
         self._tries += 1
         best = max(self._recognitions(frame), key=_score)
-        if best.verdict == "tracked":
+        if best.status == "tracked":
             self._tries = 0
         return best, True
 
@@ -193,7 +194,7 @@ class Tracker:
         if depth_share(still) < MIN_DEPTH:
             return None
         followed = self._follow(frame, still)
-        if followed.verdict != "tracked":
+        if followed.status != "tracked":
             return None
         frame.keep_still(depth, still)
         return followed
@@ -206,7 +207,7 @@ class Tracker:
         for place, overlap in places:
             attempt = self._recognize(frame, place, overlap)
             yield attempt
-            if attempt.verdict == "tracked":
+            if attempt.status == "tracked":
                 return
         if self._proposal is not None or self.places.is_due(self._tries):
             yield self._place(frame)
@@ -229,44 +230,44 @@ class Tracker:
                 tried.append(rival if is_seen else dataclasses.replace(rival, pose=start))
         best = found
         for rival in tried[1:]:
-            if rival.verdict == "tracked" and speaks_against(best.result, rival.result):
+            if rival.status == "tracked" and speaks_against(best.result, rival.result):
                 best = rival
         alike = [rival for rival in tried if rival is not best and not speaks_against(rival.result, best.result)]
         self._rivals = [matmul(rival.pose, invert_pose(best.pose)) for rival in alike]
         if not alike:
             return best
         off = min(_way(rival.pose, [best.pose]) for rival in alike)
-        return dataclasses.replace(best, verdict="uncertain", reason=f"it fits as well {off:.2f} m away")
+        return dataclasses.replace(best, status="uncertain", warnings=(f"it fits as well {off:.2f} m away",))
 
     def _place(self, frame: SensorFrame) -> Attempt:
         """Relocalize by shape. With little overlap, the next frame has to confirm it."""
         before, self._proposal = self._proposal, None
         place = self.places.find(frame)
         if place is None:
-            return Attempt(np.eye(4), NOTHING, "lost", "its shape is nowhere on the model")
+            return Attempt(np.eye(4), NOTHING, "lost", ("its shape is nowhere on the model",))
         attempt = self._recognize(frame, place, SURE_OVERLAP)
-        if attempt.verdict == "tracked":
+        if attempt.status == "tracked":
             return attempt
         result = align_frames(frame.pyramid, self.model.seen_from(place, weight_threshold=0.0))
         pose = clean_pose(matmul(place, result.transformation))
         if not lies_on_model(result) or _apart(matmul(invert_pose(place), pose)) > PLACE_OFF:
-            return dataclasses.replace(attempt, verdict="lost", reason="its shape fits, the model does not")
+            return dataclasses.replace(attempt, status="lost", warnings=("its shape fits, the model does not",))
         if before is not None:
             pyramid, its_pose = before
             step = align_frames(frame.pyramid, pyramid)
             if step.reliable and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < AGREED:
                 return Attempt(pose, result, "tracked")
         self._proposal = frame.pyramid, pose
-        return Attempt(pose, result, "lost", "found by its shape; the next frame has to confirm it")
+        return Attempt(pose, result, "lost", ("found by its shape; the next frame has to confirm it",))
 
     def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
         last, expected = self.motion.pose, self.motion.expected(frame)
         assert last is not None
         seen = self.model.seen_from(expected)
         best = self._try(pyramid, seen, expected, expected, expected)
-        if best.verdict != "tracked" and not np.array_equal(expected, last):
+        if best.status != "tracked" and not np.array_equal(expected, last):
             best = max(best, self._try(pyramid, seen, expected, last, expected), key=_score)
-        if best.verdict != "tracked":
+        if best.status != "tracked":
             best = max(best, self._extend(pyramid, expected), key=_score)
         return best
 
@@ -288,14 +289,14 @@ class Tracker:
         if found.reliable or agreement_of(found) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
-            verdict, reason = self._judge(again, least_overlap)
-            if verdict == "tracked" and _apart(moved) > NEAR_AGAIN:
-                verdict, reason = "lost", "it has not settled"
-            attempt = Attempt(clean_pose(matmul(at, moved)), again, verdict, reason)
-            return self._settle(frame, attempt) if verdict == "tracked" else attempt
-        return Attempt(at, found, "lost", "; ".join(found.warnings))
+            status, warning = self._judge(again, least_overlap)
+            if status == "tracked" and _apart(moved) > NEAR_AGAIN:
+                status, warning = "lost", "it has not settled"
+            attempt = Attempt(clean_pose(matmul(at, moved)), again, status, failed(warning))
+            return self._settle(frame, attempt) if status == "tracked" else attempt
+        return Attempt(at, found, "lost", found.warnings)
 
-    def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Verdict, str]:
+    def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Status, str]:
         """Accept or reject a recognition by comparing its residuals with typical ones of this run."""
         return judge_recognition(result, least_overlap, self.motion.shades, self.motion.gap)
 
@@ -317,8 +318,8 @@ class Tracker:
             if between > PULLED and by_shades.intensity_rmse < PLAINLY * result.intensity_rmse:
                 result = by_shades
         pose = clean_pose(matmul(at, result.transformation))
-        verdict, reason = judge_tracking(result, matmul(invert_pose(expected), pose), self.motion.gap)
-        return Attempt(pose, result, verdict, reason)
+        status, warning = judge_tracking(result, matmul(invert_pose(expected), pose), self.motion.gap)
+        return Attempt(pose, result, status, failed(warning))
 
 
 def clean_pose(T: Pose) -> Pose:

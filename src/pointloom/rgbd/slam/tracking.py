@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from ...cameras.depth_range import DEPTH_MAX
 from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory
 from ...core.checks import check_count, check_positive, check_progress
@@ -16,7 +17,6 @@ from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...core.timing import Clock, check_clock
 from ...io.frames.frames import (
-    DEPTH_MAX,
     READ_AHEAD,
     FrameSource,
     check_frames,
@@ -161,7 +161,7 @@ class _Tally:
         return TrackedPath(
             trajectory=self._trajectory(main, results), true_poses=tuple(self.true_poses[n] for n in main),
             frame_count=self.count, uncertain=tuple(n for n, result in placed.items() if not result.is_tracked),
-            lost={n: result.reason for n, result in results.items() if result.pose is None},
+            lost={n: "; ".join(result.warnings) for n, result in results.items() if result.pose is None},
             unreadable=self.unreadable, residuals=tuple(result.inlier_rmse for result in aligned),
             fitness=tuple(result.fitness for result in aligned),
             other_maps=tuple(
@@ -169,7 +169,7 @@ class _Tally:
                 for other in others
             ),
             joins=tuple(self.slam.joins),
-            uncertain_reason=next((r.reason for r in placed.values() if not r.is_tracked), ""),
+            uncertain_warning=next(("; ".join(r.warnings) for r in placed.values() if not r.is_tracked), ""),
             stream=self.slam.stream.problem, deviations=tuple(results[n].position_deviation for n in main),
             drifted=tuple(n for n, result in placed.items() if result.has_drifted),
             depth_share=depth_share, used_share=used_share, **sizes,

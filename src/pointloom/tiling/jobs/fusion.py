@@ -18,13 +18,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import PinholeCameraIntrinsic
+from ...cameras.depth_range import DEPTH_MAX
 from ...core.atomic import atomic_write
 from ...core.checks import check_count, check_positive
 from ...core.coordinates import split_origin
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of, plain_name
 from ...io.frames.datasets import Frame, RGBDDataset, open_frames
-from ...io.frames.frames import DEPTH_MAX, depth_unit, read_in_order
+from ...io.frames.frames import depth_unit, read_in_order
 from ...kernels.linear_algebra import inv
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
 from ...meshing.volume.surface_weights import least_weight

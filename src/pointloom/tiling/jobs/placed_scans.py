@@ -24,14 +24,14 @@ class TriedPair(NamedTuple):
         source, target: Indices of the scans.
         by: Reason: "known", "order", "place", "look", or "loop" (predicted by poses).
         score: As of `FragmentPair`. NaN for loops.
-        verdict: "kept" in the pose graph; "dropped" if contradictory; "apart" if in a smaller group. Else the reason.
+        status: "kept" in the pose graph; "dropped" if contradictory; "apart" if in a smaller group. Else the reason.
     """
 
     source: int
     target: int
     by: str
     score: float
-    verdict: str
+    status: str
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,12 +85,12 @@ def _tried(job: RegistrationJob, found: FragmentsResult, done: Callable[[int], I
             source, target, pair = task.told["source"], task.told["target"], task.found["pair"]
             score = (task.found if pair is None else pair)["score"]
             if pair is None:
-                verdict = task.found["doubt"]
+                status = task.found["doubt"]
             elif not found.placed[source]:
-                verdict = "apart"
+                status = "apart"
             else:
-                verdict = "kept" if (source, target) in kept else "dropped"
+                status = "kept" if (source, target) in kept else "dropped"
             by = "known" if task.told["is_known"] else STAGE_WORDS[stage]
             by = "place" if by == "order" and job.plan["places"] is not None else by
-            tried.append(TriedPair(source, target, by, np.nan if score is None else score, verdict))
+            tried.append(TriedPair(source, target, by, np.nan if score is None else score, status))
     return tried

@@ -90,7 +90,8 @@ class Registration(Script):
             self._take(source, target)
             self._at(np.eye(4), "as the clouds lie", {})
         fit = {"fitness": result.fitness, f"inlier rmse [{symbol_of(source.unit)}]": result.inlier_rmse}
-        self._at(result.transformation, f"registered: {result.reason}", fit)
+        state = "converged" if result.converged else "not converged"
+        self._at(result.transformation, f"registered: {state}", fit)
 
     def _take(self, source: PointCloud, target: PointCloud) -> None:
         self._pair = source, target
@@ -261,7 +262,7 @@ class Fusion(Travel):
         if result.pose is not None:
             self._move(slam.model.intrinsic, result.pose)
         values = {"fitness": result.fitness, "inlier rmse [m]": result.inlier_rmse} if result.iterations else {}
-        self.stage.step(f"frame {result.index}: {result.verdict}", values)
+        self.stage.step(f"frame {result.index}: {result.status}", values)
 
     def loops(self, slam: Any, closure: Any, **_: Any) -> None:
         """A loop closure corrected path and model."""
@@ -343,7 +344,7 @@ class Drive(Travel):
         self.go(step.pose)
         self.look = self.look or look_at(scan)
         values = {"fitness": step.fitness, "inlier rmse [m]": step.inlier_rmse} if step.iterations else {}
-        self.stage.step(f"scan {step.index}: {step.reason}", values)
+        self.stage.step(f"scan {step.index}: {step.status}", values)
 
     def finish(self) -> None:
         """Show the final map in full resolution."""

@@ -78,7 +78,7 @@ class PairRegistration:
         inlier_rmse: RMSE of the correspondences [m].
         distance: Maximum correspondence distance [m].
         refined: True if `transformation` is the result of ICP.
-        note: Message for the user.
+        warnings: Why the refinement failed or is uncertain. Empty if no check failed.
     """
 
     fit: PairFit
@@ -87,7 +87,7 @@ class PairRegistration:
     inlier_rmse: float
     distance: float
     refined: bool
-    note: str = ""
+    warnings: tuple[str, ...] = ()
 
 
 def register_from_pairs(
@@ -105,7 +105,7 @@ def register_from_pairs(
     Clouds of more than 200,000 points are sampled evenly. ICP is point to plane, or point to point if the target has no
     normals. `max_correspondence_distance` [m] is by default 3 times the RMS of the pairs, at least 3 times the typical
     point spacing. `on_pose` is called with T_target_source of the pairs, after each iteration, and of the result. ICP's
-    pose is rejected if it keeps less than 90% of the correspondences of the pairs' pose; `note` reports it. Raises
+    pose is rejected if it keeps less than 90% of the correspondences of the pairs' pose; `warnings` reports it. Raises
     ValueError as `fit_pairs` or for a cloud without finite points, TypeError and DeviceError.
     """
     check_clouds(source, target)
@@ -124,7 +124,7 @@ def register_from_pairs(
     if not refine:
         return unrefined
     if before.fitness == 0:
-        return dataclasses.replace(unrefined, note="no points of the clouds meet there; look at the pairs again")
+        return dataclasses.replace(unrefined, warnings=("no points of the clouds meet there; look at the pairs again",))
     thin_target, method = _method(thin_target)
     result = registration_icp(
         thin_source,
@@ -136,11 +136,12 @@ def register_from_pairs(
     )
     if result.fitness < 0.9 * before.fitness:
         tell(fit.transformation)
-        return dataclasses.replace(unrefined, note="ICP led away from the pairs, so their pose stays")
+        return dataclasses.replace(unrefined, warnings=("ICP led away from the pairs, so their pose stays",))
     tell(result.transformation)
-    note = "" if not len(result.degenerate_directions) else "the clouds do not determine all motions"
+    is_open = bool(len(result.degenerate_directions))
+    warnings = ("the clouds do not determine all motions",) if is_open else ()
     pose = result.transformation.copy()
-    return PairRegistration(fit, pose, result.fitness, result.inlier_rmse, distance, True, note)
+    return PairRegistration(fit, pose, result.fitness, result.inlier_rmse, distance, True, warnings)
 
 
 def _ignore(_: Matrix) -> None: ...

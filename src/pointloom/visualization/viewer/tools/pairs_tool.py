@@ -107,8 +107,8 @@ class PairsTool(Tool):
         self._found = found
         self._show(stage.view())
         stage.show(_rows(found, unit))
-        note = f" {found.note[0].upper()}{found.note[1:]}." if found.note else ""
-        stage.say(f"{source.name} lies on {target.name} now.{note}")
+        said = [f"{source.name} lies on {target.name} now."]
+        stage.say(" ".join(said + [f"{warning[0].upper()}{warning[1:]}." for warning in found.warnings]))
 
     def refresh(self) -> None:
         names = tuple(self.stage.clouds())
