@@ -52,12 +52,19 @@ def bilinear(picture: np.ndarray, places: np.ndarray) -> np.ndarray:
     return np.where(inside[..., None], value, np.nan)
 
 
-FOLDS = loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [70, 48, 36, -0.3])  # before the corners
+MADE = {  # lenses, and the share of blank pixels
+    "folds": (loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [70, 48, 36, -0.3]), 1.0),  # before the corners
+    "thin": (loom.CameraModel("FOV", WIDTH, HEIGHT, [70, 70, 48, 36, 1e-3]), 0.7),  # nearly a pinhole: a series
+    "middle": (loom.CameraModel("FOV", WIDTH, HEIGHT, [70, 70, 48, 36, 0.9]), 0.0),  # a pixel lies on the axis
+    "division": (loom.CameraModel("SIMPLE_DIVISION", WIDTH, HEIGHT, [40, 48, 36, 0.3]), 1.0),  # no rays beyond a cone
+    "unified": (loom.CameraModel("EUCM", WIDTH, HEIGHT, [70, 70, 48, 36, 0.95, 2.0]), 1.0),
+}
+FOLDS = MADE["folds"][0]
 
 
-@pytest.mark.parametrize("model", [*OURS, "folds"])
+@pytest.mark.parametrize("model", [*OURS, *MADE])
 def test_each_pixel_shows_what_lies_where_the_lens_saw_it(device, model):
-    camera, blank = (FOLDS, 1.0) if model == "folds" else (STRONG[model], 0.7)
+    camera, blank = MADE[model] if model in MADE else (STRONG[model], 0.7)
     undistortion = Undistortion(camera, blank_share=blank, device=device)
     expected = bilinear(ramp(), places_of(camera, undistortion.intrinsic))
     straight = undistortion.apply(ramp())

@@ -1,13 +1,19 @@
 """The furnished room: depth lies on its surface, noise follows its model, and the folder on disk is a data set."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
+from pointloom import PinholeCameraIntrinsic
 from pointloom.core.errors import FileError
-from pointloom.datasets.scenes.furniture import SIZE, furnished_room
+from pointloom.datasets.scenes.furniture import LAMP, SIZE, furnished_room
 from pointloom.datasets.scenes.room import film_pose, room_pose, room_sequence, surface_errors, write_room_sequence
 from pointloom.io.frames.datasets import open_dataset
+from pointloom.kernels.memory import download
+from pointloom.kernels.scenes.depth_noise import measure_depth
 from pointloom.kernels.scenes.primitives import CYLINDER
+from pointloom.kernels.scenes.room import Room
 
 SMALL = {"width": 160, "height": 120}
 
@@ -72,6 +78,31 @@ def test_grazing_surfaces_and_edges_lose_their_depth(device):
     lost = noisy.depth[1:-1, 1:-1] == 0
     assert lost[beside_edge].mean() > 0.6
     assert lost[~beside_edge].mean() < 0.1
+
+
+@pytest.mark.parametrize("view", [0.1, 0.4, 0.7, "down", "up", "away"])  # along the path, or from the middle
+def test_a_room_of_coarse_light_has_the_exact_depth_and_measured_depth_follows_the_noise_model(device, view):
+    parts, camera = furnished_room(), PinholeCameraIntrinsic(40, 30, 35.0, 35.0, 19.5, 14.5)
+    solids, margins = parts.solids(device), np.full(3, 0.35)
+    box = {"lamp": LAMP, "low": -margins, "high": SIZE + margins, "step": 0.5}
+    room = Room(solids, np.array(parts.paints), np.array(parts.patterns), **box)
+    pose = np.eye(4) if isinstance(view, str) else room_pose(view)
+    if isinstance(view, str):
+        pose[:3, 3] = 2.5, 2.0, 4.0 if view == "away" else 1.2
+        pose[1:3, 1:3] *= -1 if view == "down" else 1
+    depth, incidence, colors = room.render(camera, pose)
+    true = download(depth).reshape(30, 40).astype(float)
+    if view == "away":
+        assert (true == 0).all() and (download(colors) == 0).all() and (download(incidence) == 0).all()
+        return
+    frame = SimpleNamespace(intrinsic=camera, T_world_camera=pose)
+    assert true.min() > 0.1 and surface_errors(back_project(frame, true), device=device).max() < 2e-6
+    measured = download(measure_depth(depth, incidence, 40, 30, seed=0, frame=1)).reshape(30, 40)[1:-1, 1:-1]
+    jumps = [np.abs(np.roll(true, shift, axis) - true) for axis in (0, 1) for shift in (-1, 1)]
+    beside_edge, true = (np.max(jumps, axis=0) > 0.05 * true)[1:-1, 1:-1], true[1:-1, 1:-1]
+    sigma = 0.0012 + 0.0019 * (true - 0.4) ** 2
+    assert (measured == 0)[beside_edge].mean() > 0.6
+    assert (np.abs(measured - true) < 6.5 * sigma + 0.001)[measured > 0].all() and (measured > 0).any()
 
 
 def test_the_camera_keeps_clear_of_the_furniture_and_moves_smoothly():

@@ -16,7 +16,6 @@ CHOSEN = {
     "tests/registration/test_icp_prior.py::test_half_a_turn": "logarithms of all rotations",
     "tests/registration/test_icp_prior.py::test_a_prior_that": "motions that a prior alone determines",
     "tests/registration/test_nonrigid.py::test_fewer_nodes": "a graph of one node",
-    "tests/registration/test_nonrigid.py::test_points_that": "a few steps of a body with points that are not finite",
     "tests/registration/test_nonrigid.py::test_the_far_side": "pairs that their normals exclude",
     "tests/meshing/test_tsdf_integration.py": "blocks that frames touch, volumes that grow",
     "tests/meshing/test_splat_fusion.py::test_views_of": "the surface and colors of splats",
@@ -24,9 +23,240 @@ CHOSEN = {
     "tests/pcd/test_visibility.py": "hidden points",
     "tests/pcd/test_splat_pictures.py": "splats of pixels, before and behind what is solid",
     "tests/photogrammetry/mvs/test_plane_priors.py": "planes of image regions without texture",
+    "tests/cameras/test_depth_filters.py": "filters of depth images",
+    "tests/cameras/test_undistortion.py": "images of distorted lenses",
+    "tests/visualization/viewer/test_tools_polygon.py": "points inside a polygon that is drawn on the screen",
+    "tests/meshing/test_mesh_cleaning.py": "duplicate and degenerate triangles, close vertices",
+    "tests/meshing/test_mesh_smoothing.py": "filters of meshes",
+    "tests/meshing/test_mesh_subdivision.py": "subdivision of meshes",
+    "tests/meshing/test_mesh_topology.py": "boundaries, orientation, manifold tests",
+    "tests/meshing/test_shift_scores.py": "points shifted along the surface of a TSDF volume",
+    "tests/meshing/test_orthophoto.py": "textured surfaces from above",
+    "tests/pcd/test_geographic.py": "degrees to meters",
+    "tests/pcd/test_splats.py": "splats that are cleaned and moved",
+    "tests/photogrammetry/sfm/test_known_poses.py": "matches along epipolar lines",
+    "tests/registration/test_deskewing.py": "scans of a moving sensor",
+    "tests/rgbd/odometry/test_odometry_input.py": "tiny and invalid frames",
 }
+
+# Inexpensive tests that reach branches of kernels that no test above reaches, by file. A name selects all tests that
+# begin with it.
+CHOSEN_TESTS = {
+    "tests/datasets/test_room.py": ("test_a_room_of_coarse_light_has_the_exact_depth",),
+    "tests/visualization/render/test_render.py": (
+        "test_the_size_of_points_closes_most_gaps",
+        "test_points_behind_their_neighbors_are_darker_and_those_with_normals_are_lit",
+        "test_lines_are_seen_over_the_faces_that_they_lie_in",
+    ),
+    "tests/visualization/viewer/test_tools_picking.py": (
+        "test_what_lies_outside_a_box_or_nowhere_is_hidden",
+        "test_what_clip_planes_hide_is_not_picked",
+        "test_points_that_are_nowhere_or_behind_the_camera_are_not_picked",
+        "test_a_click_on_a_point_picks_that_point",
+    ),
+    "tests/meshing/test_ball_pivoting.py": (
+        "test_open3d_s_triangles_are_there_but_where_they_share_an_edge",
+        "test_points_without_a_place_or_a_normal_take_no_part",
+    ),
+    "tests/meshing/test_cloud_change.py": ("test_what_has_no_distance_is_nan",),
+    "tests/meshing/test_color_map.py": (
+        "test_the_start_is_never_left_for_a_worse_place",
+        "test_vertices_that_are_not_finite_are_not_seen_and_stay_black",
+    ),
+    "tests/meshing/test_distance_fields.py": (
+        "test_nowhere_is_no_nearest_obstacle",
+        "test_between_voxels_distances_are_linear_and_gradients_their_differences",
+        "test_a_cloud_at_utm_has_the_distances_of_brute_force",
+        "test_signed_distances_are_scipys_two_transforms",
+        "test_no_sphere_that_touches_is_told_to_be_free",
+        "test_a_box_has_scipys_distances_and_the_first_of_the_nearest[cuda:0-long]",
+    ),
+    "tests/meshing/test_isosurface.py": (
+        "test_only_the_cells_around_values_that_are_not_finite_are_left_out",
+        "test_vertices_are_the_crossings_of_the_grid_and_lie_in_the_field_s_order",
+    ),
+    "tests/meshing/test_mesh.py": (
+        "test_vertices_without_area_point_up_and_vertices_that_are_not_finite_have_no_normal",
+    ),
+    "tests/meshing/test_mesh_albedo.py": (
+        "test_faces_that_look_away_are_not_painted",
+        "test_texels_beside_a_triangle_repeat_it",
+        "test_what_no_picture_shows_takes_the_colors_of_vertices",
+    ),
+    "tests/meshing/test_mesh_attributes.py": ("test_new_vertices_have_the_values_between",),
+    "tests/meshing/test_mesh_curvature.py": (
+        "test_only_rings_of_triangles_that_turn_alike_have_a_curvature",
+        "test_no_area_and_no_number_make_no_curvature",
+    ),
+    "tests/meshing/test_mesh_deformation.py": (
+        "test_triangles_without_area_and_vertices_that_are_not_finite_weigh_nothing",
+        "test_no_turns_and_no_triangles_change_nothing",
+    ),
+    "tests/meshing/test_mesh_geodesics.py": (
+        "test_vertices_in_one_place_are_no_way_apart",
+        "test_ways_lead_around_vertices_that_are_not_finite",
+        "test_no_way_is_infinitely_long",
+    ),
+    "tests/meshing/test_mesh_intersections.py": (
+        "test_triangles_without_area_meet_where_their_segments_do",
+        "test_meshes_meet_where_their_surfaces_do_and_not_where_one_holds_the_other",
+        "test_what_cannot_meet_does_not",
+    ),
+    "tests/meshing/test_mesh_metrics.py": (
+        "test_an_error_map_colors_each_vertex_by_its_distance",
+        "test_the_bounds_hold_and_meet_on_random_surfaces",
+    ),
+    "tests/meshing/test_mesh_remeshing.py": (
+        "test_corners_and_edges_of_a_box_stay",
+        "test_edges_between_a_crease_and_a_corner",
+        "test_values_follow",
+    ),
+    "tests/meshing/test_mesh_repair.py": (
+        "test_holes_that_would_take_one_chord_are_filled_beside_each_other",
+        "test_only_holes_up_to_the_size_are_filled_and_a_lone_triangle_is_none",
+        "test_holes_of_a_ball_are_closed_at_any_scale_and_place",
+    ),
+    "tests/meshing/test_mesh_repair_harm.py": (
+        "test_an_edge_of_many_triangles_becomes_sheets_of_two",
+        "test_folded_triangles_go_with_the_first_fan_at_their_vertex",
+        "test_what_is_wrong_becomes_what_was_meant",
+    ),
+    "tests/meshing/test_mesh_results.py": (
+        "test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file[cuda:0-clean]",
+        "test_two_meshes_in_memory_are_compared_as_their_files_are",
+        "test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file[cuda:0-sharpen]",
+    ),
+    "tests/meshing/test_mesh_trim.py": ("test_one_triangle_is_clipped_as_a_polygon",),
+    "tests/meshing/test_mesh_voxels.py": (
+        "test_a_triangle_with_a_corner_that_is_not_finite",
+        "test_touched_voxels_are_open3ds",
+    ),
+    "tests/meshing/test_occupancy.py": (
+        "test_each_ray_may_have_an_origin_of_its_own",
+        "test_rays_meet_the_first_voxel_that_is_not_free",
+        "test_what_no_scan_is_is_refused_and_changes_nothing",
+        "test_a_grid_without_scans_knows_nothing",
+    ),
+    "tests/meshing/test_paged_volume.py": (
+        "test_a_page_without_the_colors_of_the_others_is_named",
+        "test_rays_of_a_scan_carve_what_lies_on_disk",
+    ),
+    "tests/meshing/test_picture_texturing.py": (
+        "test_a_picture_that_shows_something_else_is_left_out",
+        "test_triangles_without_a_picture_have_the_vertices_colors_or_are_plain",
+        "test_what_hides_a_triangle_keeps_its_picture_away",
+        "test_triangles_that_look_away_are_seen_by_nobody",
+    ),
+    "tests/meshing/test_poisson_input.py": (
+        "test_an_envelope_turned_inside_out_is_the_same",
+        "test_a_few_points_give_a_surface[cuda:0-10]",
+    ),
+    "tests/meshing/test_quadric_decimation.py": (
+        "test_seams_give_way_before_the_target_is_missed",
+        "test_lone_triangles_go_last_and_the_small_ones_first",
+        "test_a_closed_piece_stays_one_and_says_so",
+        "test_triangles_without_area_collapse",
+        "test_an_error_that_is_allowed_is_not_passed",
+    ),
+    "tests/meshing/test_raycasting_scene.py": (
+        "test_a_triangle_with_a_corner_that_is_not_finite",
+        "test_rays_that_are_none_meet_nothing",
+        "test_places_of_one_mesh_are_transformed_copies",
+    ),
+    "tests/meshing/test_scene_distances.py": (
+        "test_a_query_that_is_not_finite_has_no_distance_and_changes_no_other",
+        "test_a_scene_without_triangles_is_infinitely_far",
+    ),
+    "tests/meshing/test_tsdf_device_frames.py": ("test_a_volume_without_color_renders_no_brightness",),
+    "tests/meshing/test_tsdf_scans.py": (
+        "test_wild_points_make_no_blocks",
+        "test_scans_that_cannot_be_placed_are_refused",
+    ),
+    "tests/meshing/test_vertex_clustering.py": (
+        "test_normals_and_colors_are_means",
+        "test_meshes_without_triangles_or_with_one",
+    ),
+    "tests/meshing/test_volume_fusion.py": ("test_colors_are_means_by_weight",),
+    "tests/meshing/test_wild_measurements.py": ("test_a_wild_point_makes_no_block_beyond_max_range",),
+    "tests/pcd/test_boxes.py": ("test_the_smallest_box_of_a_shape_is_no_larger_than_open3ds",),
+    "tests/pcd/test_change.py": ("test_empty_clouds",),
+    "tests/pcd/test_depth_clouds.py": (
+        "test_images_of_a_data_set_are_open3ds",
+        "test_clouds_of_no_points_give_empty_images",
+    ),
+    "tests/pcd/test_eigen_features.py": ("test_neighborhoods_that_span_nothing_have_no_shape",),
+    "tests/pcd/test_features.py": ("test_fpfh_is_its_formula",),
+    "tests/pcd/test_hulls.py": ("test_the_hull_of_a_made_cloud_is_open3ds",),
+    "tests/pcd/test_normals.py": (
+        "test_normals_of_a_depth_frame_lie_on_open3ds_side",
+        "test_normals_of_walls_and_lines_depend_on_no_order[cuda:0-{'radius': 0.6, 'max_nn': 12}",
+    ),
+    "tests/pcd/test_orientation.py": (
+        "test_clouds_of_a_few_points_are_oriented",
+        "test_steep_and_outlying_neighbors_are_left_out[cuda:0-(0.0, 0.6)",
+    ),
+    "tests/pcd/test_planes.py": ("test_points_on_a_line_have_no_plane",),
+    "tests/pcd/test_search.py": ("test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbor_and_an_outlier",),
+    "tests/pcd/test_shape_boxes.py": ("test_what_is_no_finding_of_the_cloud_is_refused",),
+    "tests/pcd/test_shape_detection.py": ("test_clutter_alone_has_no_shape",),
+    "tests/pcd/test_shape_fitting.py": (
+        "test_a_fit_is_scipy_s_and_so_is_its_covariance[cuda:0-sphere]",
+        "test_a_fit_is_scipy_s_and_so_is_its_covariance[cuda:0-torus]",
+        "test_points_of_no_weight_and_those_that_are_not_finite_are_left_out",
+    ),
+    "tests/pcd/test_shape_checks.py": (
+        "test_points_beside_a_plane_are_counted_within_its_box_by_distance_and_by_normal",
+    ),
+    "tests/pcd/test_smoothing.py": (
+        "test_a_few_points_equal_ones_and_none_that_is_finite_are_smoothed",
+        "test_attributes_travel_and_the_cloud_itself_stays",
+        "test_a_point_without_a_side_is_left_by_the_bilateral_filter",
+    ),
+    "tests/pcd/test_terrain.py": (
+        "test_an_intensity_that_is_not_finite_is_left_out_of_the_mean",
+        "test_heights_above_ground_are_those_of_the_definition",
+        "test_what_lies_in_a_cell_is_counted_once",
+        "test_bare_earth_on_triangles_is_scipys",
+        "test_a_point_far_from_the_ground_has_no_height_and_one_at_the_edge_of_the_reach_has",
+    ),
+    "tests/registration/test_coherent_drift.py": (
+        "test_its_steps_are_those_of_the_paper[cuda:0-deformable]",
+        "test_each_number_of_points_is_weighed_whole",
+    ),
+    "tests/registration/test_estimation.py": (
+        "test_steps_are_open3ds[cuda:0-ForGeneralizedICP-(0.001, 'TukeyLoss')-1]",
+        "test_point_to_point_weights_are_those_of_distances",
+    ),
+    "tests/registration/test_lidar_odometry.py": (
+        "test_scans_are_thinned_to_the_first_point_of_each_voxel",
+        "test_a_scan_lies_where_the_loop_written_out_puts_it[shipped-cuda:0-0.0]",
+    ),
+    "tests/registration/test_matching.py": (
+        "test_few_rows_or_none_match_what_there_is",
+        "test_matches_in_any_number_of_dimensions_are_those_of_all_pairs[cuda:0-16]",
+        "test_the_ratio_is_taken_after_the_mutual_filter_and_its_fallback",
+        "test_equal_rows_match_the_first_of_them",
+    ),
+    "tests/registration/test_multiway.py": ("test_the_information_of_a_pair",),
+    "tests/registration/test_rating.py": (
+        "test_poses_that_are_asked_for_together_have_the_evidence_of_each",
+        "test_points_without_a_surface_around_them_are_left_out",
+    ),
+    "tests/rgbd/odometry/test_open3d_weights.py": (
+        "test_the_odometries_of_made_pictures",
+        "test_a_blank_pair_fails_where_open3d_says_success",
+    ),
+    "tests/rgbd/odometry/test_verdict.py": (
+        "test_views_of_other_places_are_no_success[cuda:0-1.6",
+        "test_a_wall_without_texture_is_no_success[cuda:0-0.6-Method.Intensity",
+    ),
+    "tests/rgbd/slam/test_stream_check.py": ("test_reported_frames_are_uncertain_and_make_the_path_unreliable",),
+    "tests/tiling/test_clusters.py": ("test_cores_get_other_names_by_which_borders_choose",),
+}
+
+PREFIXES = (*CHOSEN, *(f"{file}::{name}" for file, names in CHOSEN_TESTS.items() for name in names))
 
 
 def holds(node: str) -> bool:
-    """Whether a test is in the set: a run on the device, in a file or folder that is named."""
-    return "cuda:0" in node and node.startswith(tuple(CHOSEN))
+    """True if a test is in the set: a run on the device, of a file, folder or test that is named."""
+    return "cuda:0" in node and node.startswith(PREFIXES)

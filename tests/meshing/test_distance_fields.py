@@ -155,6 +155,21 @@ def test_between_voxels_distances_are_linear_and_gradients_their_differences(dev
     assert not field.is_known(outside).any() and field.collides(outside, 0.0).all()
 
 
+def test_nowhere_is_no_nearest_obstacle_and_beyond_the_reach_none_is_known(device):
+    field = loom.DistanceField.from_voxels([[0, 0, 0]], 0.5, 1.0, device=device)
+    found = field.nearest_obstacles([[0.3, 0.2, 0.1], [np.nan, 0, 0], [0, np.inf, 0], [1e3, 0, 0]])
+    assert found.rows.tolist() == [0, -1, -1, -1] and np.isnan(found.positions[1:]).all()
+    np.testing.assert_array_equal(found.positions[0], [0.25, 0.25, 0.25])
+    assert np.isnan(found.distances[1:3]).all() and found.distances[3] == 1.0
+    bounds = [[-20.0, 0, 0], [5.0, 0.5, 0.5]]
+    cells = np.arange(-40, 10)
+    known = np.abs(cells) <= 2
+    np.testing.assert_array_equal(field.to_array(bounds)[:, 0, 0], np.where(known, np.abs(cells) * 0.5, 1.0))
+    np.testing.assert_array_equal(field.to_array(bounds, values="nearest")[:, 0, 0], np.where(known, 0, -1))
+    squared = field.to_array(bounds, values="squared")[:, 0, 0]
+    np.testing.assert_array_equal(squared, np.where(known, cells**2, 2**31 - 1))
+
+
 def test_no_sphere_that_touches_is_told_to_be_free(device, scan):
     field, walls = field_of(scan, device), cKDTree(scan[:-1])
     rng = np.random.default_rng(7)

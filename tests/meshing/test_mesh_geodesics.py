@@ -27,6 +27,14 @@ def test_distances_on_a_plane_are_straight(device, cells):
     np.testing.assert_allclose(mesh.compute_geodesic_distances([source]), straight, rtol=0, atol=EXACT)
 
 
+def test_vertices_in_one_place_are_no_way_apart(device):
+    """A strip along a line: two of its corners are one place, joined by an edge without length."""
+    vertices = [[0, 0, 0], [0, 1, 0], [1, 0, 0], [1, 0, 0], [1, 1, 0], [2, 0, 0], [2, 1, 0]]
+    triangles = [[0, 2, 1], [2, 4, 1], [2, 3, 4], [3, 5, 4], [5, 6, 4]]
+    found = TriangleMesh(vertices, triangles, device=device).compute_geodesic_distances([0])
+    np.testing.assert_allclose(found, np.linalg.norm(vertices, axis=1), rtol=0, atol=EXACT)
+
+
 def test_obtuse_triangles_are_no_obstacle(device):
     """A grid sheared until its triangles are slivers, over which fronts come from outside."""
     places, triangles = shaken_grid(12)

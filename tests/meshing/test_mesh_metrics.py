@@ -77,6 +77,8 @@ def test_an_error_map_colors_each_vertex_by_its_distance(device):
         capped[truth > 0.1], np.float32([[0.993, 0.906, 0.144]]).repeat((truth > 0.1).sum(), 0), rtol=1e-6
     )
     assert np.isinf(mesh.compute_error_map(TriangleMesh([], [], device=device))[1][:-1]).all()
+    colored, distances = cube.compute_error_map(cube)  # no largest distance to divide by
+    assert (distances == 0).all() and (colored.vertex_colors == colored.vertex_colors[0]).all()
 
 
 def test_what_cannot_be_compared_is_refused(device):

@@ -59,6 +59,15 @@ def test_corners_and_edges_of_a_box_stay(device, is_far):
         assert np.abs(made.vertices - corner).sum(axis=1).min() == 0
 
 
+def test_edges_between_a_crease_and_a_corner_collapse_onto_the_corner_whatever_their_order(device):
+    box = TriangleMesh.create_box(1, 0.5, 0.25).subdivide_midpoint(2)
+    last = len(box.vertices) - 1
+    mesh = TriangleMesh(box.vertices[::-1].copy(), last - box.triangles).to(device)
+    made = mesh.remesh_isotropic(0.2, 3)
+    assert made.is_watertight() and made.get_volume() == pytest.approx(0.125, rel=1e-5)
+    assert made.get_surface_area() == pytest.approx(1.75, rel=1e-5) and len(made.triangles) < len(box.triangles)
+
+
 @pytest.mark.slow
 @pytest.mark.parametrize("is_rough", [False, True])
 def test_every_device_makes_the_same_mesh_however_often_vertices_are_taken_back(device, monkeypatch, rng, is_rough):

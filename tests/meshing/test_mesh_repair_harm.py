@@ -154,6 +154,15 @@ def test_each_fan_gets_a_vertex_of_its_own(device):
     np.testing.assert_array_equal(corner_table(split), corner_table(mesh))
 
 
+def test_folded_triangles_go_with_the_first_fan_at_their_vertex(device):
+    """Two fans meet in vertex 0, which two triangles name twice. The last triangle is alone at its two vertices."""
+    triangles = [[0, 1, 2], [0, 3, 4], [0, 0, 1], [3, 0, 0], [5, 5, 1]]
+    mesh = TriangleMesh(np.random.default_rng(0).random((7, 3)), triangles).to(device)
+    split = mesh.split_non_manifold_vertices()
+    np.testing.assert_array_equal(split.vertices, mesh.vertices[[*range(7), 0, 1]])
+    np.testing.assert_array_equal(split.triangles, [[0, 1, 2], [7, 3, 4], [0, 0, 1], [3, 0, 0], [5, 5, 8]])
+
+
 @settings(deadline=None, max_examples=30)
 @given(GOOD_SOUPS)
 def test_a_split_parts_no_edge(triangles):

@@ -104,6 +104,36 @@ def test_normals_weigh_neighbors_by_where_they_are(device):
 
 
 @every_filter
+def test_a_vertex_that_is_not_finite_stays_and_pulls_no_neighbor(device, name):
+    """The others move as on the mesh without its triangles, where only neighbors that are finite count."""
+    vertices, triangles = icosphere(1)
+    places = vertices.astype(np.float32).astype(float)
+    vertices[7] = np.nan
+    ours = filtered(TriangleMesh(vertices, triangles).to(device), name, 1).vertices
+    pairs = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
+    pairs = pairs[(pairs != 7).all(axis=1)]
+    near = np.zeros((len(vertices), len(vertices)))
+    near[pairs[:, 0], pairs[:, 1]] = near[pairs[:, 1], pairs[:, 0]] = 1
+
+    def approached(places, share):
+        gaps = np.linalg.norm(places[:, None] - places[None], axis=2) + 1e-12
+        weights = near / gaps
+        total = weights.sum(axis=1, keepdims=True)
+        return places + share * (weights @ places / np.maximum(total, 1e-300) - places)
+
+    if name == "simple":
+        expected = (places + near @ places) / (1 + near.sum(axis=1, keepdims=True))
+    elif name == "sharpen":
+        expected = places + 0.1 * (near.sum(axis=1, keepdims=True) * places - near @ places)
+    else:
+        expected = approached(places, 0.7 if name == "laplacian" else 0.4)
+        expected = approached(expected, -0.45) if name == "taubin" else expected
+    rest = np.arange(len(vertices)) != 7
+    assert np.isnan(ours[7]).all()
+    assert_close(ours[rest], expected[rest])
+
+
+@every_filter
 def test_vertices_without_neighbors_stay(device, name):
     """Open3D's Laplacian and Taubin filters divide by zero there in some versions."""
     mesh = torn_ball(device)

@@ -171,6 +171,14 @@ def test_closed_parts_can_be_turned_outwards_and_open_ones_stay(device, where):
     assert oriented.triangles[24].tolist() == mesh.triangles[24].tolist()
 
 
+def test_a_triangle_that_is_not_finite_does_not_turn_its_part(device):
+    vertices = np.vstack([BOX, [[np.nan, 0, 0]]])
+    sides = np.vstack([BOX_SIDES[:, ::-1], [[0, 1, 8]]])
+    oriented, _ = TriangleMesh(vertices, sides[1:], device=device).orient_triangles(outward=True)
+    expected, _ = TriangleMesh(vertices, sides[1:-1], device=device).orient_triangles(outward=True)
+    np.testing.assert_array_equal(oriented.triangles[:-1], expected.triangles)
+
+
 def test_texture_turns_with_its_triangle(device):
     mesh = textured(device).remove_non_manifold_edges()
     oriented, _ = mesh.orient_triangles()

@@ -94,6 +94,14 @@ def test_touched_voxels_are_open3ds(device, oracle, name):
     assert (grid.coordinates < grid.counts).all()
 
 
+def test_a_triangle_with_a_corner_that_is_not_finite_touches_no_voxel(device):
+    vertices, triangles = [[0, 0, 0], [3, 1, 2], [1, 2, 0], [np.nan, 0, 0]], [[0, 1, 2], [0, 1, 3]]
+    whole, part = (
+        TriangleMesh(vertices, triangles[:n], device=device).voxelize(0.3, [0, 0, 0], [3, 2, 2]) for n in (2, 1)
+    )
+    assert as_set(whole) == as_set(part) and len(part) > 50
+
+
 @pytest.mark.parametrize("seed", range(5))
 def test_any_triangles_in_any_bounds_touch_open3ds_voxels(oracle, seed):
     rng, mesh = np.random.default_rng(seed), soup(seed, 12)

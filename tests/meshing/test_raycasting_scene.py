@@ -293,6 +293,20 @@ def test_rays_that_are_none_meet_nothing(device):
         assert scene.list_intersections(rays)["ray_splits"].tolist() == [0] * 6
 
 
+def test_a_triangle_with_a_corner_that_is_not_finite_is_met_by_no_ray(device):
+    vertices, triangles = np.array(SQUARE[0], float), np.array(SQUARE[1])
+    broken = np.vstack([vertices, [[np.nan, 0, 0]]]), np.vstack([[[0, 1, len(vertices)]], triangles])
+    xy = np.random.default_rng(0).uniform(-0.5, 1.5, (50, 2))
+    rays = np.column_stack([xy, np.ones(50), np.zeros((50, 2)), -np.ones(50)])
+    with pytest.warns(UserWarning, match="triangle 0 has the vertex"):
+        found = scene_of(broken, device=device).cast_rays(rays)
+    expected = scene_of((vertices, triangles), device=device).cast_rays(rays)
+    np.testing.assert_array_equal(found["t_hit"], expected["t_hit"])
+    hits = np.isfinite(expected["t_hit"])
+    assert 5 < hits.sum() < 45
+    np.testing.assert_array_equal(found["primitive_ids"][hits], expected["primitive_ids"][hits] + 1)
+
+
 def test_a_ray_that_begins_on_a_triangle_meets_it(device):
     scene = scene_of(SQUARE, device=device)
     rays = [[0.25, 0.5, 0, 0, 0, -1], [0.25, 0.5, -1e-3, 0, 0, -1], [0.25, 0.5, 0, 1, 0, 0]]

@@ -252,6 +252,18 @@ def test_a_scene_without_triangles_is_infinitely_far(device):
         assert scene.sign_method == "winding_numbers"
 
 
+@pytest.mark.parametrize("is_open", [False, True])
+def test_a_query_that_is_not_finite_has_no_distance_and_changes_no_other(device, is_open):
+    vertices, triangles = CUBE
+    scene = scene_of((vertices, triangles[2:] if is_open else triangles), device=device)
+    queries = somewhere(40)
+    hostile = np.vstack([queries, [[np.nan, 0.5, 0.5], [0.5, np.inf, 0.5]]]).astype(np.float32)
+    for answer in (scene.compute_signed_distance, scene.compute_occupancy, scene.compute_distance):
+        found = np.asarray(answer(hostile))
+        np.testing.assert_array_equal(found[:40], np.asarray(answer(queries)))
+        assert np.isnan(found[40:]).all()
+
+
 def test_wrong_queries_are_refused():
     scene = scene_of(CUBE)
     with pytest.raises(ValueError, match="query_points:"):

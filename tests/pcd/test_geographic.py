@@ -56,6 +56,15 @@ def test_angles_are_kept(longitude, latitude):
     )
 
 
+def test_longitudes_beyond_the_antimeridian_belong_to_the_zones_on_both_sides(device):
+    """3.1 degrees west of 177 W is 179.9 E, and 3.1 degrees east of 177 E is 179.9 W."""
+    wanted = transverse_mercator(np.array([-3.1, 3.1]), np.array([10.0, -20.0]), *WGS84)
+    for k, (meridian, longitude) in enumerate([(-177.0, 179.9), (177.0, -179.9)]):
+        degrees = upload(np.array([[longitude, [10.0, -20.0][k], 0.0]]), vec3d, device)
+        found = download(project_degrees(degrees, mercator(meridian, *WGS84)))[0]
+        np.testing.assert_allclose(found[:2], [wanted[0][k], wanted[1][k]], rtol=0, atol=1e-6)
+
+
 def test_a_cloud_comes_out_in_metres_with_all_it_has(device):
     tower = [-79.387139, 43.642567, 553.0]  # the CN Tower, which the zone's own article gives as 630084 E, 4833438 N
     cloud = loom.PointCloud([tower, [np.nan, 0, 0]], colors=[[1, 0, 0], [0, 1, 0]], ring=[3, 4], device=device)

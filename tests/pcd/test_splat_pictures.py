@@ -162,6 +162,21 @@ def test_the_nearer_of_two_hides_the_other_and_the_background_shows_beside(devic
     assert picture.median_depth[26, 33] == pytest.approx(1, abs=1e-6) and picture.depth[0, 0] == 0
 
 
+def test_splats_that_are_not_finite_are_not_drawn(device):
+    splats = made(count=30, device=device).translate([0, 0, 3])
+    cloud = splats.cloud.copy()
+    scale, opacity = (cloud[name].copy() for name in ("scale", "opacity"))
+    scale[0, 1], scale[1, 0], opacity[2], opacity[3] = np.nan, np.inf, np.nan, -np.inf
+    opacity[4], scale[4, 2], scale[5] = np.inf, -np.inf, 80.0  # opaque and flat: drawn; so large that it overflows: not
+    cloud["scale"], cloud["opacity"] = scale, opacity
+    hostile = loom.GaussianSplats.from_cloud(cloud)
+    found = hostile.rasterize(CAMERA, np.eye(4))
+    sound = hostile.select_by_index([4, *range(6, 30)]).rasterize(CAMERA, np.eye(4))
+    assert sound.opacity.max() > 0.5 and np.isfinite(found.color).all()
+    for name in ("color", "opacity", "depth", "median_depth"):
+        np.testing.assert_array_equal(getattr(found, name), getattr(sound, name))
+
+
 def test_nothing_is_seen_of_none_behind_or_beside(device):
     splats = made(device=device)
     for chosen in (splats.select_by_index([]), splats.translate([0, 0, -50]), splats.translate([1000, 0, 0])):

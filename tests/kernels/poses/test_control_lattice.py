@@ -5,9 +5,15 @@ import pytest
 
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.block_keys import AXIS_BITS, BIAS
-from pointloom.kernels.lang import vec3, vec3d
-from pointloom.kernels.memory import download, upload, write
-from pointloom.kernels.poses.control_lattice import bend_normals, bend_points, make_lattice, motion_of
+from pointloom.kernels.lang import int32, launch, vec3, vec3d
+from pointloom.kernels.memory import download, empty, upload, write
+from pointloom.kernels.poses.control_lattice import (
+    bend_normals,
+    bend_points,
+    locate_points_kernel,
+    make_lattice,
+    motion_of,
+)
 
 SIZE = 0.375
 
@@ -82,6 +88,32 @@ def test_points_that_are_nowhere_stay(device, rng):
     points = np.array([[50, 0, 0], [np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]], np.float32)
     found = download(bend_points(bent.upload(points), bent.lattice))
     assert np.array_equal(found, points, equal_nan=True)
+
+
+def test_points_that_are_nowhere_make_no_cells_and_do_not_count_for_the_motion(device, rng):
+    bent, nowhere = Bent(device, rng), np.array([[np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]], np.float32)
+    lattice = make_lattice(SIZE, bent.upload(np.vstack([nowhere, bent.points])))
+    assert (download(lattice.anchor_keys) == download(bent.lattice.anchor_keys)).all()
+    moved, lost = np.float32(bent.points + np.array([0.1, -0.2, 0.3])), nowhere[:2]
+    motion = motion_of(bent.upload(np.vstack([lost, bent.points])), bent.upload(np.vstack([lost, moved])))
+    np.testing.assert_allclose(motion, motion_of(bent.upload(bent.points), bent.upload(moved)), rtol=0, atol=1e-12)
+
+
+def test_points_are_located_in_the_cells_of_the_lattice_or_in_none(device, rng):
+    bent = Bent(device, rng, count=40)
+    points = np.vstack([bent.points, [[50, 0, 0], [np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]]])
+    cells = empty(len(points), int32, bent.device)
+    launch(locate_points_kernel, len(points), [bent.upload(points), bent.lattice, cells])
+    found, places = download(cells), np.floor(bent.points.astype(float) / SIZE).astype(int)
+    known = np.unique(places, axis=0)
+    assert (known[found[:40]] == places).all() and (found[40:] == -1).all()
+
+
+def test_normals_without_length_or_a_finite_point_stay(device, rng):
+    bent = Bent(device, rng)
+    points = np.vstack([bent.points[:1], [[np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]]])
+    normals = np.array([[0, 0, 0], [0, 0, 1], [0, 1, 0], [1, 0, 0]], np.float32)
+    assert (download(bend_normals(bent.upload(points), bent.upload(normals), bent.lattice)) == normals).all()
 
 
 def test_normals_stay_perpendicular_to_the_bent_surface(device, rng):

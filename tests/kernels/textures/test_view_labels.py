@@ -79,3 +79,19 @@ def test_triangles_without_a_picture_stay_without_and_cost_nothing(device):
     graph = make_graph(triangles, costs, 100, place)
     labels = choose_labels(graph)
     assert download(labels)[1] == -1 and energy_of(graph, labels) <= 5 + 9 + 5
+
+
+@pytest.mark.parametrize("price", [0.1, 0.4])
+def test_after_no_messages_no_single_change_lowers_the_energy(device, rng, price):
+    """The start is the cheapest view of each triangle; changes of single triangles lead to a local minimum."""
+    place, triangles = wp.get_device(device), grid(7, 5)
+    costs = rng.integers(0, UNIT, (len(triangles), 3))
+    graph = make_graph(triangles, costs, round(price * UNIT), place)
+    views = download(graph.views)[download(choose_labels(graph, turns=0))]
+    start, _ = energy_by_hand(triangles, costs, graph.price, costs.argmin(axis=1))
+    least, _ = energy_by_hand(triangles, costs, graph.price, views)
+    assert least < start
+    for triangle, view in itertools.product(range(len(triangles)), range(3)):
+        changed = views.copy()
+        changed[triangle] = view
+        assert energy_by_hand(triangles, costs, graph.price, changed)[0] >= least

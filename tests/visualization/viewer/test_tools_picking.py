@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
+from pointloom.kernels.memory import download
 from pointloom.visualization.render.view import View, fit_view
 from pointloom.visualization.viewer.tools.clip_planes import Clip, hidden_points
 from pointloom.visualization.viewer.tools.picking import (
@@ -140,6 +141,12 @@ def test_what_clip_planes_hide_is_not_picked(device):
     shift = np.eye(4)
     shift[2, 3] = 1.0
     assert pick_point(cloud, FRONT, 320, 240, pose=shift, hidden=hidden_points(cloud, plane, pose=shift)) == 1
+
+
+def test_what_lies_outside_a_box_or_nowhere_is_hidden(device):
+    points = [[0, 0, 2.0], [0, 0, 3.0], [0, 0, 4.0], [np.nan, 0, 3.0], [0.5, 0, 3.0], [0, 2, 3.0]]
+    hidden = hidden_points(loom.PointCloud(points, device=device), Clip(low=[-1, -1, 2.5], high=[1, 1, 3.5]))
+    assert download(hidden).tolist() == [1, 0, 1, 1, 0, 1]
 
 
 def test_the_ray_through_a_pixel_meets_what_is_seen_there():

@@ -1,0 +1,46 @@
+"""Views in which a triangle has another color than in most, against NumPy in float64."""
+
+import numpy as np
+
+from pointloom.core.devices import resolve_device
+from pointloom.kernels.lang import float64, int32, vec3
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.textures.color_outliers import FEWEST, KNOWN, LEAST, NEAR, TURNS, UNLIKELY, keep_likely
+from pointloom.kernels.textures.face_views import FaceViews
+
+
+def likely(colors):
+    """The mask of one triangle's colors, and how many Gaussians were fitted until it was settled."""
+    if len(colors) < FEWEST:
+        return np.ones(len(colors), bool), 0
+    gaps = np.linalg.norm(colors[:, None] - colors, axis=2)
+    middle = gaps[gaps.sum(axis=1).argmin()]
+    keep = middle <= max(NEAR * np.sort(middle)[(len(colors) - 1) // 2], LEAST)
+    for turn in range(TURNS):
+        if keep.sum() < FEWEST:
+            return np.ones(len(colors), bool), turn
+        off = colors - colors[keep].mean(axis=0)
+        inverse = np.linalg.inv(np.cov(colors[keep].T, bias=True) + KNOWN * np.eye(3))
+        before, keep = keep, np.einsum("ni,ij,nj->n", off, inverse, off) <= UNLIKELY
+        if (keep == before).all():
+            break
+    return keep, turn
+
+
+def test_the_likely_views_are_those_of_a_gaussian_that_is_fitted_until_it_settles(device, rng):
+    faces = [np.zeros((0, 3)), rng.random((3, 3)), rng.random((4, 3))]
+    for count in rng.integers(4, 20, 60):
+        spread = rng.choice([0.01, 0.05], count)[:, None]
+        far = (rng.random(count) < 0.25)[:, None] * rng.uniform(0, 0.6, (count, 1))
+        faces.append(rng.uniform(0.2, 0.6, 3) + spread * rng.normal(size=(count, 3)) + far)
+    faces.append(np.vstack([np.zeros((2, 3)), np.eye(3)]))  # only the two equal ones are near: all stay
+    faces = [face.astype(np.float32) for face in faces]
+    place, starts = resolve_device(device), np.cumsum([0, *map(len, faces)])
+    count = int(starts[-1])
+    numbers = np.zeros(count)
+    arrays = (upload(starts, int32, place), upload(numbers, int32, place), upload(numbers, float64, place))
+    found = download(keep_likely(FaceViews(*arrays, upload(np.vstack(faces), vec3, place))))
+    expected = [likely(face.astype(float)) for face in faces]
+    np.testing.assert_array_equal(found, np.concatenate([keep for keep, _ in expected]))
+    assert max(turns for _, turns in expected) > 0 and 0.5 < found[: -len(faces[-1])].mean() < 0.99
+    assert found[-len(faces[-1]) :].all()
