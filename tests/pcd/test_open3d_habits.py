@@ -53,7 +53,7 @@ def test_the_attributes_are_those_of_the_cloud(cloud):
         ("cloud.normal", r"PointCloud has no attribute 'normal'; did you mean 'normals'\?"),
         ("cloud.create_from_depth_imag", r"did you mean 'create_from_depth_image'\?"),
         ("mesh.vertex_color = 1", r"TriangleMesh has no attribute 'vertex_color'; did you mean 'vertex_colors'\?"),
-        ("box.color = (1, 0, 0)", r"AxisAlignedBoundingBox has no attribute 'color'; did you mean 'color'\?"),
+        ("box.colour = (1, 0, 0)", r"AxisAlignedBoundingBox has no attribute 'colour'; did you mean 'color'\?"),
         ("loom.PointClouds", r"module 'pointloom' has no attribute 'PointClouds'; did you mean 'PointCloud'\?"),
         ("loom.geometry", r"'geometry'; here: loom itself: open3d\.geometry\.PointCloud is loom\.PointCloud"),
         ("loom.registration.registration_ipc", r"did you mean 'registration_icp'\?"),

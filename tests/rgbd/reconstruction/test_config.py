@@ -122,7 +122,7 @@ def test_what_is_written_is_read_again(tmp_path):
         ({"voxel_size": 0}, "voxel_size: expected a finite number > 0"),
         ({"n_frames_per_fragment": 10.0}, "n_frames_per_fragment: expected a whole number"),
         ({"n_frames_per_fragment": 0}, "n_frames_per_fragment: expected a whole number >= 1"),
-        ({"icp_method": "color"}, "icp_method: expected one of"),
+        ({"icp_method": "colors"}, "icp_method: expected one of"),
         ({"icp_method": 3}, "icp_method: expected a string"),
         ({"depth_min": 4.0}, "depth_min: expected less than depth_max"),
         ({"max_depth": 2.0, "depth_max": 2.0}, "depth_max: the same as max_depth"),

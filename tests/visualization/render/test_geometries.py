@@ -206,7 +206,7 @@ def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
 @pytest.mark.parametrize(
     ("keys", "kind", "message"),
     [
-        ({"color": (1, 0, 0)}, ValueError, "'color'"),
+        ({"colour": (1, 0, 0)}, ValueError, "'colour'"),
         ({"color": "red"}, TypeError, "color"),
         ({"color": (255, 180, 0)}, ValueError, "color: expected 0..1.*divide 8-bit colors by 255"),
         ({"color": (0.5, np.nan, 0)}, ValueError, "color: expected 0..1"),

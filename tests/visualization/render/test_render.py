@@ -349,7 +349,7 @@ def test_labels_legends_and_color_bars_are_drawn(device):
     ("change", "kind", "message"),
     [
         ({"size": (2**17, 4)}, ValueError, "size"),
-        ({"background": "mauve"}, ValueError, "background: expected one of white, black, gray, gray, transparent"),
+        ({"background": "mauve"}, ValueError, "background: expected one of white, black, gray, grey, transparent"),
         ({"up": (0, 0, 0)}, ValueError, "up: expected a direction"),
         ({"camera": {"zom": 1}}, ValueError, "'zom'"),
         ({"camera": "no-file.json"}, FileError, "no-file"),
