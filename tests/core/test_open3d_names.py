@@ -47,7 +47,7 @@ MESSAGES = [
     ("mesh.estimate_normals()", r"here: mesh = mesh\.compute_vertex_normals\(\)"),
     ("cloud.is_watertight()", "PointCloud has no attribute 'is_watertight'; TriangleMesh has it"),
     ("volume.voxel_length", "here: volume.voxel_size"),
-    ("search.search_knn_vector_3d([0, 0, 0], 5)", r"here: search\.knn_search\(point, k\)"),
+    ("search.search_knn_vector_3d([0, 0, 0], 5)", r"here: search\.knn_search\(point, knn\)"),
     ("cloud.estimate_normals(0.1, 30)", r"write estimate_normals\(radius=0\.1, max_nn=30\)"),
     ("cloud.estimate_normals(search_param=1)", r"no argument 'search_param'; here: keywords: radius=0\.1, max_nn=30"),
     ("cloud.estimate_normals(search_param=hybrid)", r"here: estimate_normals\(radius=0\.1, max_nn=30\)"),
