@@ -23,6 +23,8 @@ def plain_depth_maps(d: Any) -> list[Any]:
 
 def _depth_maps_of(d: Any, texture: Any) -> list[Any]:
     """Of three pictures of a wall 2 m off, seen four pixels aside by one and three below by another."""
+    from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
+
     mvs = loom().mvs
     wall = texture.repeat(2, 0).repeat(2, 1)
     lens = loom().PinholeCameraIntrinsic(96, 72, 80.0, 80.0, 47.5, 35.5)
@@ -33,7 +35,7 @@ def _depth_maps_of(d: Any, texture: Any) -> list[Any]:
         cameras.append(mvs.PosedCamera(lens, T))
         pictures.append(wall[10 + down : 82 + down, 20 + across : 116 + across])
     points = [[x, y, 2.0] for x in (-0.8, 0.0, 0.8) for y in (-0.5, 0.5)]
-    sparse = mvs.SparsePoints(points, [[i, k] for i in range(3) for k in range(6)])
+    sparse = SparsePoints(points, [[i, k] for i in range(3) for k in range(6)])
     sources = [(1, 2), (0, 2), (0, 1)]
     maps = mvs.estimate_depth_maps(pictures, cameras, sparse, sources=sources, device=d.device)
     return [[each.depth, each.normals, each.confidence] for each in maps]

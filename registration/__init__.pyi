@@ -3,7 +3,6 @@
 from ..io.points.scan_files import list_scans as list_scans
 from .deformable.coherent_drift import coherent_point_drift as coherent_point_drift
 from .deformable.nonrigid import register_nonrigid as register_nonrigid
-from .globally.checkers import CorrespondenceChecker as CorrespondenceChecker
 from .globally.checkers import CorrespondenceCheckerBasedOnDistance as CorrespondenceCheckerBasedOnDistance
 from .globally.checkers import CorrespondenceCheckerBasedOnEdgeLength as CorrespondenceCheckerBasedOnEdgeLength
 from .globally.checkers import CorrespondenceCheckerBasedOnNormal as CorrespondenceCheckerBasedOnNormal
@@ -29,7 +28,6 @@ from .globally.ransac import (
 )
 from .globally.rating import rate_registration as rate_registration
 from .icp.constraint import Prior as Prior
-from .icp.estimation import TransformationEstimation as TransformationEstimation
 from .icp.estimation import TransformationEstimationForColoredICP as TransformationEstimationForColoredICP
 from .icp.estimation import TransformationEstimationForDopplerICP as TransformationEstimationForDopplerICP
 from .icp.estimation import TransformationEstimationForGeneralizedICP as TransformationEstimationForGeneralizedICP
@@ -66,17 +64,14 @@ from .pose_graphs.pose_graph_optimization import GlobalOptimizationGaussNewton a
 from .pose_graphs.pose_graph_optimization import (
     GlobalOptimizationLevenbergMarquardt as GlobalOptimizationLevenbergMarquardt,
 )
-from .pose_graphs.pose_graph_optimization import GlobalOptimizationMethod as GlobalOptimizationMethod
 from .pose_graphs.pose_graph_optimization import GlobalOptimizationOption as GlobalOptimizationOption
 from .pose_graphs.pose_graph_optimization import global_optimization as global_optimization
-from .result import RegistrationResult as RegistrationResult
 from .robust_kernels import CauchyLoss as CauchyLoss
 from .robust_kernels import GeneralizedLoss as GeneralizedLoss
 from .robust_kernels import GMLoss as GMLoss
 from .robust_kernels import HuberLoss as HuberLoss
 from .robust_kernels import L1Loss as L1Loss
 from .robust_kernels import L2Loss as L2Loss
-from .robust_kernels import RobustKernel as RobustKernel
 from .robust_kernels import TukeyLoss as TukeyLoss
 from .stations.observations import ControlPoint as ControlPoint
 from .stations.observations import TargetObservation as TargetObservation

@@ -170,8 +170,8 @@ def _where(path: str) -> str:
             "Open3D's own windows and wires: `loom.draw` and `loom.Viewer` show a page, `loom.render` makes pictures."
         )
     if path in CLASSES:
-        ours = CLASSES[path]
-        return f"Here `{_called(ours)}`." if ours else f"Here {row_of(path.rpartition('.')[2])}."
+        ours, row = CLASSES[path], row_of(path.rpartition(".")[2])
+        return f"Here `{_called(ours)}`." if ours and _home(ours) else f"Here {row}."
     return f"Here `{_called(HOMES[path])}`."
 
 
@@ -195,8 +195,13 @@ def _called(ours: Any) -> str:
         return "loom"
     if isinstance(ours, ModuleType):
         return f"loom.{ours.__name__.rpartition('.')[2]}"
-    module = next((m for m in (loom, loom.registration, loom.odometry, loom.slam) if hasattr(m, ours.__name__)), loom)
-    return f"{_called(module)}.{ours.__name__}"
+    return f"{_called(_home(ours))}.{ours.__name__}"
+
+
+def _home(ours: type) -> Any:
+    """The public module that has one of our classes; None for a private one."""
+    modules = (loom, loom.registration, loom.odometry, loom.slam)
+    return next((module for module in modules if hasattr(module, ours.__name__)), None)
 
 
 def _bridge() -> Any:

@@ -31,6 +31,7 @@ from pointloom.registration.deformable.control_grid_files import read_control_gr
 from pointloom.tiling.manifest import NAME, canonical, hash_of
 from pointloom.tiling.polygons import parse_area
 from pointloom.tiling.sources import files_of_index
+from pointloom.tiling.status import tile_status
 from pointloom.tiling.steps.parse import parse_steps
 
 VALUES: list[Any] = [
@@ -262,7 +263,7 @@ def _copy(path: Path) -> Any:
 
 
 def _work_off(folder: Path) -> Path:
-    loom.tiling.tile_status(folder)
+    tile_status(folder)
     status = loom.tiling.run_tiles(folder)
     if status.is_finished:
         loom.tiling.finish_tiles(folder)

@@ -38,7 +38,6 @@ from .core.verbosity import get_verbosity_level as get_verbosity_level
 from .core.verbosity import set_verbosity_level as set_verbosity_level
 from .io.bags.message_chunks import RecordingWarning as RecordingWarning
 from .io.bags.recording import open_recording as open_recording
-from .io.bags.transforms import RecordedTransforms as RecordedTransforms
 from .io.frames.azure_kinect import AzureKinectCamera as AzureKinectCamera
 from .io.frames.datasets import open_dataset as open_dataset
 from .io.frames.datasets import open_frames as open_frames
@@ -58,7 +57,6 @@ from .io.pictures.image_files import read_depth as read_depth
 from .io.points.e57_stations import read_stations as read_stations
 from .io.points.e57_stations import write_stations as write_stations
 from .io.points.las_crs import GeographicWarning as GeographicWarning
-from .io.points.las_wkt import LostSystemWarning as LostSystemWarning
 from .io.points.point_cloud import read_copc as read_copc
 from .io.points.point_cloud import read_las_chunks as read_las_chunks
 from .io.points.point_cloud import read_point_cloud as read_point_cloud
@@ -110,9 +108,7 @@ from .photogrammetry import sfm as sfm
 from .photogrammetry import video as video
 from .photogrammetry.depth.estimation import estimate_depth as estimate_depth
 from .photogrammetry.depth.evaluation import evaluate_depth as evaluate_depth
-from .photogrammetry.depth.job import depth_of_pictures as depth_of_pictures
 from .photogrammetry.depth.network import DepthModel as DepthModel
-from .photogrammetry.depth.settings import DepthSettings as DepthSettings
 from .rgbd import odometry as odometry
 from .rgbd import reconstruction as reconstruction
 from .rgbd import slam as slam

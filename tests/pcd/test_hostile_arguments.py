@@ -432,8 +432,7 @@ HOMES = {
 # Results; errors; what takes device arrays, which users do not call; and what tests of other folders try.
 LEFT_OUT = {
     "DatasetError", "FileError", "DeviceError", "PointloomError", "CameraError", "NonFiniteWarning",
-    "GeographicWarning", "LostSystemWarning", "RecordingWarning", "RecordedTransforms", "RecordedTransforms.lookup",
-    "RecordedTransforms.span", "evaluate_depth", "DepthSettings", "depth_of_pictures", "sample_file",
+    "GeographicWarning", "RecordingWarning", "evaluate_depth", "sample_file",
     "DroppedResultWarning", "UnitWarning", "VoxelGrid",
     "DistanceField",
     "AxisAlignedBoundingBox.mask_points", "OrientedBoundingBox.mask_points",

@@ -13,6 +13,7 @@ import pytest
 import warp as wp
 
 import pointloom as loom
+from pointloom.registration.pose_graphs.pose_graph_optimization import GlobalOptimizationMethod
 
 from .test_hostile_arguments import things as good_arguments
 
@@ -245,7 +246,7 @@ clouds\[0\]: .*PointCloud | reg.choose_voxel_size(axes)
 known\[0\]: | reg.register_fragments([source, target], voxel_size=0.1, known=[(1, 0, pose, 0.0, 1.0)])
 source_node_id | reg.PoseGraphEdge(0.5, 1)
 method: | reg.global_optimization(graph, "LM")
-method: | reg.global_optimization(graph, reg.GlobalOptimizationMethod())
+method: | reg.global_optimization(graph, GlobalOptimizationMethod())
 nodes\[1\]: | reg.global_optimization(reg.PoseGraph([reg.PoseGraphNode(), pose]))
 positions: expected a mapping | reg.fit_to_positions(model, list(scattered.values()))
 """  # noqa: E501
@@ -276,6 +277,7 @@ def things() -> dict[str, Any]:
     reg, source = loom.registration, known["source"]
     scattered = dict(zip("abcd", np.random.default_rng(0).normal(0, 100, (4, 3)), strict=True))
     return known | {
+        "GlobalOptimizationMethod": GlobalOptimizationMethod,
         "loom": loom, "np": np, "wp": wp, "nan": np.nan, "inf": np.inf, "far": source.translate([5e5, 5.4e6, 0]),
         "bare": loom.PointCloud(source.points), "shaded": loom.PointCloud(source.points, normals=source.normals),
         "scaled": reg.TransformationEstimationPointToPoint(True), "scattered": scattered,

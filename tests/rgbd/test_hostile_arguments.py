@@ -14,6 +14,8 @@ import pytest
 
 import pointloom as loom
 from pointloom import registration
+from pointloom.rgbd.reconstruction.volumes import integrate_deformed
+from pointloom.rgbd.slam.submaps import Submap
 
 from ..hostile import faults_of, missing_from, public_arguments, read_table
 from .fusion.walls import Wall
@@ -57,7 +59,7 @@ model().integrate(frame=frame, T_world_camera=pose)
 model().prepare(frame=frame)
 model().render(T_world_camera=pose, weight_threshold=0.0)
 model().track_frame(frame=frame, T_world_camera=pose)
-reg.Submap(volume=submap.volume, T_world_submap=pose, frames=[0, 1], T_submap_camera=[pose, pose])
+Submap(volume=submap.volume, T_world_submap=pose, frames=[0, 1], T_submap_camera=[pose, pose])
 submap.cloud(voxel_size=0.1)
 reg.SubmapRecorder(intrinsic=camera, voxel_size=0.1, truncation=0.4, depth_scale=1000.0, depth_max=3.0, frames=4, way=1.0, shared=0.25, device="cpu")
 recorder().add(depth=frame.depth, T_world_camera=pose, color=color, number=0)
@@ -86,7 +88,7 @@ grid.deform(cloud=cloud)
 grid.set_positions(positions=grid.get_init_positions())
 grid.deform_depth(depth=depth, intrinsic=camera, extrinsic=pose, depth_scale=1000.0, depth_max=3.0)
 grid.deform_rgbd(image=image, intrinsic=camera, extrinsic=pose, depth_max=3.0)
-reg.integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
+integrate_deformed(volume=volume, grid=grid, depth=depth, intrinsic=camera, T_world_fragment=pose, T_fragment_camera=pose, color=image.color, depth_scale=1000.0, depth_max=3.0)
 """,  # noqa: E501
 }
 HOMES = {
@@ -167,6 +169,7 @@ def slam_things() -> dict[str, Any]:
     plain = recorder(color=False)
     plain.add(SEEN.depth, np.eye(4))
     return {
+        "Submap": Submap,
         "submap": plain.finish()[0], "recorder": recorder, "color": np.full((24, 32, 3), 100, np.uint8),
         "camera": SMALL, "frame": SEEN, "model": lambda: model, "tracker": tracker,
     }  # fmt: skip
@@ -179,6 +182,7 @@ def job_things() -> dict[str, Any]:
     nodes = [registration.PoseGraphNode(), registration.PoseGraphNode()]
     depth = np.full((12, 16), 1000, np.uint16)
     return {
+        "integrate_deformed": integrate_deformed,
         "settings": config(), "walk": Walk([0, 1]), "grid": grid, "clouds": clouds, "cloud": clouds[0],
         "graph": registration.PoseGraph(nodes, [registration.PoseGraphEdge(0, 1)]), "depth": depth,
         "params": rec.SLACOptimizerParams(max_iterations=1), "volume": loom.TSDFVolume(voxel_size=0.02),

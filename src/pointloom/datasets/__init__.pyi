@@ -9,4 +9,3 @@ from .made.room import room_mesh as room_mesh
 from .made.street import street_scans as street_scans
 from .made.terrain import terrain as terrain
 from .public.fetching import fetch as fetch
-from .public.fetching import public_sets as public_sets

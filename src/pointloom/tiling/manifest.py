@@ -36,7 +36,7 @@ DIED = f"the worker died {MAX_ATTEMPTS} times at it, of memory or a fault of a s
 PATIENCE = 60.0  # [s] for another transaction
 _REMEDIES = {  # for a missing or different manifest, by whether a job other than tiles is expected
     False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
-    True: "Call plan_fusion, plan_sequences or plan_registration first; they go with run_job",
+    True: "Call plan_fusion or plan_registration first; they go with run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
 # Python's errors for values in another format.

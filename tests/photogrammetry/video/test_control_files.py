@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
-import pointloom as loom
 from pointloom.core.errors import FileError
+from pointloom.photogrammetry.video.control_files import read_ground_control
 from pointloom.photogrammetry.video.control_systems import to_geodetic, utm_code
 from pointloom.photogrammetry.video.ground_control import ScaleBar
 from pointloom.photogrammetry.video.units import Units
@@ -37,7 +37,7 @@ def written(tmp_path):
 
 
 def test_the_list_of_odm_is_read(written):
-    found = loom.video.read_ground_control(written(ODM))
+    found = read_ground_control(written(ODM))
     assert repr(found) == "GroundControl(2 points, 4 marks, 1 scale bar, WGS84 UTM 32N)"
     assert (found.checks, [point.name for point in found.fitted]) == (("CHK-1",), ["A"])
     assert found.marks[1].pixel.tolist() == [
@@ -50,7 +50,7 @@ def test_the_list_of_odm_is_read(written):
 
 
 def test_a_csv_is_read_with_sigma_and_use(written):
-    found = loom.video.read_ground_control(written("\ufeff" + CSV, "gcp.csv"))
+    found = read_ground_control(written("\ufeff" + CSV, "gcp.csv"))
     assert (found.crs, found.checks, found.marks[2].picture) == ("EPSG:25832", ("Mill 2",), "a, b.jpg")
     assert np.asarray(found.points[0].sigma).tolist() == [0.01, 0.01, 0.03]
     assert found.bars == (ScaleBar("A", "Mill 2", 41.2),)
@@ -58,18 +58,18 @@ def test_a_csv_is_read_with_sigma_and_use(written):
 
 def test_points_without_names_are_one_by_their_place(written):
     lines = "local\n1 2 3 4 5 a.jpg\n1 2 3 6 7 b.jpg\n1 2 4 6 7 b.jpg\n"
-    found = loom.video.read_ground_control(written(lines))
+    found = read_ground_control(written(lines))
     assert ([p.name for p in found.points], len(found.marks), found.crs) == (["point 1", "point 2"], 3, "")
 
 
 def test_scale_bars_lie_in_a_file_of_their_own_with_marks_that_the_other_lacks(written):
     bars = written("mark P a.jpg 5 6\nmark P b.jpg 7 8\nbar P A 1.5\n", "bars.txt")
-    found = loom.video.read_ground_control(written(ODM), scale_bars=bars)
+    found = read_ground_control(written(ODM), scale_bars=bars)
     assert (len(found.bars), len(found.marks), found.crs) == (2, 6, "WGS84 UTM 32N")
     alone = "name,picture,column,row\nP,a.jpg,5,6\nP,b.jpg,6,7\nQ,a.jpg,5,6\nQ,b.jpg,7,7\nbar,P,Q,1.5\n"
     assert Units(scale_bars=written(alone, "bars.csv")).ground.bars[0].meters == 1.5
     with pytest.raises(FileError, match=r"gcp2\.txt"):
-        loom.video.read_ground_control(None, scale_bars=written(ODM.replace("bar A", "# "), "gcp2.txt"))
+        read_ground_control(None, scale_bars=written(ODM.replace("bar A", "# "), "gcp2.txt"))
 
 
 @pytest.mark.parametrize(
@@ -102,7 +102,7 @@ def test_scale_bars_lie_in_a_file_of_their_own_with_marks_that_the_other_lacks(w
 )
 def test_files_that_make_no_sense_are_refused_with_their_line(written, text, reason):
     with pytest.raises(FileError, match=reason):
-        loom.video.read_ground_control(written(text))
+        read_ground_control(written(text))
 
 
 def test_no_file_no_text_and_too_few_points_are_refused(written, tmp_path):
@@ -117,7 +117,7 @@ def test_no_file_no_text_and_too_few_points_are_refused(written, tmp_path):
     with pytest.raises(ValueError, match="control:"):
         Units(control=path, scale=2.0)
     with pytest.raises(ValueError, match=r"^path:"):
-        loom.video.read_ground_control(None)
+        read_ground_control(None)
 
 
 ZONES = {
@@ -142,7 +142,7 @@ def test_another_grid_goes_by_pyproj_to_the_same_place():
 
 
 def test_records_know_another_control(written):
-    before = loom.video.read_ground_control(written(ODM)).digest()
-    assert before == loom.video.read_ground_control(written(ODM, "other.txt")).digest()
+    before = read_ground_control(written(ODM)).digest()
+    assert before == read_ground_control(written(ODM, "other.txt")).digest()
     changed = [ODM.replace("240.5", "241"), ODM.replace("411.5", "411.6"), ODM.replace("41.2", "41.3"), CSV]
-    assert len({before, *(loom.video.read_ground_control(written(text)).digest() for text in changed)}) == 5
+    assert len({before, *(read_ground_control(written(text)).digest() for text in changed)}) == 5

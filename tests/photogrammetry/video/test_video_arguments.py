@@ -8,6 +8,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import DeviceError, FileError
+from pointloom.photogrammetry.video.control_files import read_ground_control
 from pointloom.photogrammetry.video.job import reconstruct
 from pointloom.photogrammetry.video.outputs import Outputs
 from pointloom.photogrammetry.video.settings import Settings
@@ -24,7 +25,7 @@ loom.video.Units(scale=2.0, known=None, align=None, places=None, control=None, s
 loom.video.GroundControl(points=[point], marks=marks, bars=[bar], crs="EPSG:32632", checks=["A"], path="gcp.txt")
 loom.video.ControlMark(point="A", picture="a.jpg", pixel=[3.0, 4.0], where="line 3")
 loom.video.ScaleBar(a="A", b="B", meters=1.5, sigma=0.01)
-loom.video.read_ground_control(path=gcp, scale_bars=None)
+read_ground_control(path=gcp, scale_bars=None)
 loom.video.WorldFrame(latitude=47.5, longitude=8.25, altitude=430.0)
 frame.to_enu(places=[[47.5, 8.25, 430.0]])
 frame.to_geodetic(points=[[1.0, 2.0, 3.0]])
@@ -52,7 +53,7 @@ def things(quick, film, tmp_path, monkeypatch) -> dict[str, Any]:
     point = loom.registration.ControlPoint("A", [447000.0, 5260000.0, 410.0])
     marks = [loom.video.ControlMark(name, "a.jpg", [3.0, 4.0]) for name in "AB"]
     bar = loom.video.ScaleBar("A", "B", 1.5)
-    named |= {"gcp": gcp, "point": point, "marks": marks, "bar": bar}
+    named |= {"read_ground_control": read_ground_control, "gcp": gcp, "point": point, "marks": marks, "bar": bar}
     return named | {"work": None, "frame": loom.video.WorldFrame(47.5, 8.25, 430.0)}
 
 

@@ -34,7 +34,7 @@ def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
     "pointloom[data]"`.
 
     Args:
-        name: One of `public_sets()`.
+        name: Name of a set, such as "bunny". The error of an unknown name lists all.
         folder: Folder of the sets. None for `pointloom/datasets/public` in the user's cache folder.
 
     Returns:
@@ -334,8 +334,8 @@ def public_sets() -> list[PublicSet]:
     """The data sets of `fetch`. Print one to read its contents, license and citation.
 
     Example:
-        >>> import pointloom as loom
-        >>> [one.name for one in loom.datasets.public_sets()][:2]
+        >>> from pointloom.datasets.public.fetching import public_sets
+        >>> [one.name for one in public_sets()][:2]
         ['armadillo', 'bunny']
     """
     return list(SETS.values())

@@ -7,5 +7,4 @@ from .estimation import estimate_depth_maps as estimate_depth_maps
 from .filtering import filter_depth_maps as filter_depth_maps
 from .fusion import fuse as fuse
 from .posed_pictures import PosedCamera as PosedCamera
-from .posed_pictures import SparsePoints as SparsePoints
 from .sources import choose_sources as choose_sources

@@ -99,7 +99,7 @@ def check_sparse(name: str, value: Any) -> SparsePoints:
     if isinstance(value, SparsePoints):
         return value
     if not (hasattr(value, "points") and hasattr(value, "observations")):
-        raise TypeError(f"{name}: expected SparsePoints or a model with points, got {type(value).__name__}")
+        raise TypeError(f"{name}: expected an object with points and observations, got {type(value).__name__}")
     try:
         return SparsePoints(value.points, value.observations)
     except (TypeError, ValueError) as error:

@@ -32,7 +32,7 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
 
     Args:
         cameras: A PosedCamera for each image.
-        sparse: SparsePoints, or an object with `points` [m, 3] and `observations` [k, 2]; None: none.
+        sparse: An object with `points` [m, 3] and `observations` [k, 2]; None: none.
         count: Maximum number of sources, 1 to 256.
 
     Returns:

@@ -45,10 +45,10 @@ def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = 
 
     Example:
         >>> from pathlib import Path
-        >>> import pointloom as loom
+        >>> from pointloom.photogrammetry.video.control_files import read_ground_control
         >>> lines = ["EPSG:32632", "447000 5260000 410 320 240 a.jpg A", "447000 5260000 410 100 240 b.jpg A"]
         >>> _ = Path("gcp.txt").write_text("\\n".join(lines))
-        >>> loom.video.read_ground_control("gcp.txt")
+        >>> read_ground_control("gcp.txt")
         GroundControl(1 point, 2 marks, EPSG:32632)
     """
     if path is None and scale_bars is None:

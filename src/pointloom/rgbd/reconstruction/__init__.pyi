@@ -11,5 +11,4 @@ from .refinement import refine_registration as refine_registration
 from .scene import integrate_scene as integrate_scene
 from .volumes import ControlGrid as ControlGrid
 from .volumes import SLACOptimizerParams as SLACOptimizerParams
-from .volumes import integrate_deformed as integrate_deformed
 from .volumes import run_slac_optimizer_for_fragments as run_slac_optimizer_for_fragments

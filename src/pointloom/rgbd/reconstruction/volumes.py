@@ -124,12 +124,13 @@ def integrate_deformed(
 
     Example:
         >>> import numpy as np, pointloom as loom
+        >>> from pointloom.rgbd.reconstruction.volumes import integrate_deformed
         >>> camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
         >>> depth, grid = np.full((48, 64), 1000, np.uint16), loom.reconstruction.ControlGrid()
         >>> grid.touch(loom.PointCloud.create_from_depth_image(depth, camera))
         >>> grid.set_positions(1.02 * grid.get_init_positions())
         >>> volume = loom.TSDFVolume(voxel_size=0.02, truncation=0.08)
-        >>> touched = loom.reconstruction.integrate_deformed(volume, grid, depth, camera, np.eye(4))
+        >>> touched = integrate_deformed(volume, grid, depth, camera, np.eye(4))
         >>> mesh = volume.extract_triangle_mesh(weight_threshold=0)
         >>> bool(np.allclose(mesh.vertices[:, 2], 1.02, atol=1e-5))
         True

@@ -5,5 +5,4 @@ from .loops import close_loops as close_loops
 from .loops import corrected_trajectory as corrected_trajectory
 from .loops import fuse_submaps as fuse_submaps
 from .model import Model as Model
-from .submaps import Submap as Submap
 from .submaps import SubmapRecorder as SubmapRecorder

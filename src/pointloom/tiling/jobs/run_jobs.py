@@ -113,10 +113,11 @@ def plan_sequences(
     Example:
         >>> import pointloom as loom
         >>> from pointloom.datasets.scenes.room import write_room_sequence
+        >>> from pointloom.tiling.jobs.run_jobs import plan_sequences
         >>> write_room_sequence("walk", frame_count=6, width=80, height=60)
         >>> sizes = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.05, "depth_max": 4.0}
         >>> config = loom.reconstruction.ReconstructionConfig(**sizes)
-        >>> loom.tiling.plan_sequences(["walk"], "job", config=config).waiting
+        >>> plan_sequences(["walk"], "job", config=config).waiting
         1
         >>> loom.tiling.run_job("job").is_finished
         True
@@ -180,7 +181,7 @@ def run_job(
     are done. Interrupted tasks wait again without penalty.
 
     Args:
-        folder: Folder of `plan_fusion`, `plan_sequences` or `plan_registration`.
+        folder: Folder of `plan_fusion` or `plan_registration`.
         workers: Number of local processes, as of `run_tiles`. 0 uses this process.
         part: (17, 400): only the 17th of 400 parts, for cluster array jobs on a shared folder. Run a part again if it
             needs others.
