@@ -61,8 +61,7 @@ def object_scans(count: int = 10, *, noise: bool = True, seed: int = 0) -> Posed
 
     Returns:
         `scans`: clouds of about 15,000 points [m] in the camera frame (x right, y down, z forward), with `colors`.
-            `poses`:
-        T_object_camera, float64 (n, 4, 4) [m], in the frame of `object_mesh`.
+        `poses`: T_object_camera, float64 (n, 4, 4) [m], in the frame of `object_mesh`.
 
     Raises:
         TypeError: A count that is not an integer.

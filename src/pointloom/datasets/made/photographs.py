@@ -43,8 +43,7 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
 
     Returns:
         `pictures`: uint8 RGB (480, 640, 3); `intrinsic`: the camera, without distortion. Ground truth `poses`:
-            T_object_camera,
-        float64 (n, 4, 4) [m], in the frame of `object_mesh`, and `depths`, float32 (480, 640) [m].
+        T_object_camera, float64 (n, 4, 4) [m], in the frame of `object_mesh`, and `depths`, float32 (480, 640) [m].
 
     Raises:
         TypeError: A count that is not an integer.

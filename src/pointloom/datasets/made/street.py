@@ -32,11 +32,10 @@ def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
 
     Returns:
         `scans`: clouds of about 25,000 points [m], in the frame of the scanner at the end of the rotation (x ahead, y
-            left, z
-        up), with `colors` and the attributes `time` (float64 [s] since the start), `ring` (uint8, 0 to 31 from the
-        lowest), `intensity` (float32, 0 to 1) and `label` (uint8, ground truth: 1 road, 2 pavement, 3 grass, 4 house, 5
-        car, 6 tree, 7 pole, 8 fence).
-        `poses`: T_street_scanner at the end of each rotation, float64 (n, 4, 4) [m]. The ground is at z = 0.
+        left, z up), with `colors` and the attributes `time` (float64 [s] since the start), `ring` (uint8, 0 to 31 from
+        the lowest), `intensity` (float32, 0 to 1) and `label` (uint8, ground truth: 1 road, 2 pavement, 3 grass, 4
+        house, 5 car, 6 tree, 7 pole, 8 fence). `poses`: T_street_scanner at the end of each rotation, float64 (n, 4, 4)
+        [m]. The ground is at z = 0.
 
     Raises:
         TypeError: A count that is not an integer.

@@ -128,8 +128,8 @@ def write_colmap_model(
 
     Notes:
         Atomic: files are written to a hidden folder first and then moved. After a crash the next read or write
-            completes the
-        move. Ids start at 1. All digits are kept. Rotations, stored as quaternions, are accurate to 1e-15.
+        completes the move. Ids start at 1. All digits are kept. Rotations, stored as quaternions, are accurate to
+        1e-15.
 
     Example:
         >>> import pathlib, numpy as np, pointloom as loom

@@ -46,8 +46,7 @@ def read_splats(path: str | os.PathLike[str], *, drop_invalid: bool = False, dev
 
     Notes:
         Memory: about twice the result. Kerbl et al., "3D Gaussian splatting for real-time radiance field rendering",
-            SIGGRAPH
-        2023; antimatter15/splat; nianticlabs/spz.
+        SIGGRAPH 2023; antimatter15/splat; nianticlabs/spz.
 
     Example:
         >>> import pointloom as loom
