@@ -43,7 +43,7 @@ def prepare_pointloom(scene: Drifting, device: str) -> Callable[[], Any]:
     source, target = (loom.PointCloud(points, device=device) for points in (scene.source, scene.target))
     options: dict[str, Any] = {"outliers": OUTLIERS, "width": WIDTH, "stiffness": STIFFNESS, "tolerance": 1e-300}
     drift = loom.registration.coherent_point_drift
-    return lambda: drift(source, target, kind=scene.kind, max_iteration=scene.steps, **options).warped.points
+    return lambda: drift(source, target, kind=scene.kind, max_iterations=scene.steps, **options).warped.points
 
 
 def prepare_pycpd(scene: Drifting, device: str) -> Callable[[], Any]:
