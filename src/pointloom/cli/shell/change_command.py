@@ -15,41 +15,40 @@ from .options import FILE, LENGTH, columns_option, device_option, force_option, 
 from .registration_commands import RANGE
 
 
-@click.command(short_help="Measure what has moved between two surveys.")
+@click.command(short_help="Measure change between two surveys.")
 @click.argument("earlier", type=FILE, metavar="A")
 @click.argument("later", type=FILE, metavar="B")
-@click.option("-o", "--output", type=FILE, metavar="OUT", help="Write the points measured at, with their distances.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw them: blue to red, gray where it is noise.")
-@click.option("--painted", type=FILE, metavar="FILE", help="Write them in the colors of the picture.")
-@click.option("--cores", type=LENGTH, metavar="M", help="Measure at one point a cell of this edge [m]; else at all.")
-@click.option(
-    "--normals", "normal_radii", type=Lengths(), metavar="M,...", help="Radii that normals are fitted in [m]."
-)
+@click.option("-o", "--output", type=FILE, metavar="OUT", help="Write the core points with their distances.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Render the distances: blue to red, gray if not significant.")
+@click.option("--painted", type=FILE, metavar="FILE", help="Write the points in the colors of --picture.")
+@click.option("--cores", type=LENGTH, metavar="M", help="Cell size of core points [m]. Default: all points.")
+@click.option("--normals", "normal_radii", type=Lengths(), metavar="M,...", help="Radii of normal estimation [m].")
 @click.option("--cylinder", "cylinder_radius", type=LENGTH, metavar="M", help="Radius of the cylinders [m].")
-@click.option("--max-distance", type=LENGTH, metavar="M", help="How far they reach to either side [m].")
+@click.option("--max-distance", type=LENGTH, metavar="M", help="Length of the cylinders to each side [m].")
 @click.option(
     "--registration-error", type=RANGE, default=0.0, show_default=True, metavar="M",
-    help="Of A and B against each other [m].",
+    help="Registration error between A and B [m].",
 )  # fmt: skip
 @click.option(
     "--toward", "orientation", type=ANY, nargs=3, default=(0.0, 0.0, 1.0), show_default=True, metavar="X Y Z",
-    help="Distances are positive to this side.",
+    help="Direction of positive distances.",
 )  # fmt: skip
-@click.option("--limit", type=LENGTH, metavar="M", help="The distance of the darkest colors [m]; fitted if not given.")
+@click.option("--limit", type=LENGTH, metavar="M", help="Limit of the color scale [m]. Default: from the data.")
 @columns_option()
 @device_option()
 @json_option()
 @force_option()
 def change(earlier: Path, later: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Measure how far the surface of A has moved by the time of B, and tell what of that is noise.
+    """Measure the displacement of the surface from A to B, and test its significance.
 
-    Two clouds are compared by M3C2: along the normals of A, by the means of both within cylinders, with a level of
-    detection from their spreads and numbers. Where A is a mesh, a design or a model, B is held against it point by
-    point, or with --cylinder by means. Without --cylinder half of A's points have 20 neighbors within it, normals are
-    of 1, 2 and 4 times its radius, and cylinders reach 6 times as far.
+    Two clouds are compared by M3C2. The distance is measured along the normals of A, between the means of both clouds
+    within cylinders. The level of detection is computed from their standard deviations and point counts. If A is a mesh
+    (design or model), B is compared point by point, or by means with --cylinder. For clouds, the default of --cylinder
+    is the radius within which half of the points of A have 20 neighbors. Normals then use 1, 2 and 4 times this radius,
+    and cylinders extend by 6 times this radius.
 
-    The exit code is 3 where the two hardly overlap, or nearly all points have moved one way, as they do where A and B
-    are not registered.
+    The exit code is 3 if A and B hardly overlap, or if nearly all points moved in the same direction, which indicates
+    that A and B are not registered.
 
     \b
     pointloom change 2023.laz 2024.laz -o change.laz --picture change.png --cores 1 --registration-error 0.02

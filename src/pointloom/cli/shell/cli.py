@@ -41,48 +41,48 @@ from .pipes import RECORDINGS, from_option, open_pipes
 _SETTINGS = {"help_option_names": ["-h", "--help"], "max_content_width": 110}
 
 _EPILOG = """\b
-Lengths are in meters; for a file whose unit is another one (`pointloom info` says which) in that unit.
-Exit codes: 0 done, 1 error, 2 wrong call, 3 done with an unreliable result, 130 interrupted.
-POINTLOOM_CPU_THREADS=N shares CPU kernels by N threads.
-POINTLOOM_TRACEBACK=1 shows where an error arose.
+Lengths are in meters, or in the unit of the file if it has another one (`pointloom info` prints it).
+Exit codes: 0 success, 1 error, 2 usage error, 3 success with an unreliable result, 130 interrupted.
+POINTLOOM_CPU_THREADS=N runs CPU kernels on N threads.
+POINTLOOM_TRACEBACK=1 prints the traceback of an error.
 """
 
 
 @click.group("pointloom", cls=CommandLine, context_settings=_SETTINGS, epilog=_EPILOG)
 @click.version_option(__version__, "-V", "--version", prog_name="pointloom")
 def cli() -> None:
-    """Point clouds, scans and RGB-D frames to clouds and meshes, on a GPU or on all CPU cores.
+    """Process point clouds, meshes, scans and RGB-D frames on a GPU or on all CPU cores.
 
     \b
-    pointloom demo                            a trial run that needs no data
-    pointloom reconstruct FRAMES -o mesh.ply  a folder of RGB-D frames to a colored mesh
-    pointloom track FRAMES -o poses.txt       ... to the path of the camera
-    pointloom fuse FRAMES -o mesh.ply         ... with known poses to a mesh
-    pointloom video FILE -o mesh.ply          a video, or a folder of pictures, to a colored mesh
-    pointloom texture mesh.ply FRAMES -o out.glb           its colors, sharper
-    pointloom depth PHOTO --model NET.onnx -o cloud.ply    ... a photograph to a cloud
-    pointloom info FILE                       what a file holds
-    pointloom view FILES                      how it looks, in the browser or as a picture
-    pointloom convert scan.las scan.ply       another format, nothing rounded
+    pointloom demo                            test run that needs no data
+    pointloom reconstruct FRAMES -o mesh.ply  RGB-D frames to a colored mesh
+    pointloom track FRAMES -o poses.txt       RGB-D frames to a camera trajectory
+    pointloom fuse FRAMES -o mesh.ply         RGB-D frames with known poses to a mesh
+    pointloom video FILE -o mesh.ply          a video or a folder of images to a colored mesh
+    pointloom texture mesh.ply FRAMES -o out.glb           RGB-D frames to a mesh texture
+    pointloom depth PHOTO --model NET.onnx -o cloud.ply    a photograph to a cloud
+    pointloom info FILE                       describe the content of a file
+    pointloom view FILES                      show files in the browser or render an image
+    pointloom convert scan.las scan.ply       convert to another format without rounding
 
     \b
-    pointloom clean scan.ply out.ply                       without outliers
-    pointloom downsample scan.ply out.ply --voxel 0.05     fewer points
-    pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    a part of it
-    pointloom plane scan.ply floor.ply --distance 0.02     the floor, and where it lies
-    pointloom cluster scan.ply out.ply --radius 0.05 --paint  what hangs together
-    pointloom mesh scan.ply mesh.ply                       a surface through it
+    pointloom clean scan.ply out.ply                       remove outliers
+    pointloom downsample scan.ply out.ply --voxel 0.05     reduce the number of points
+    pointloom crop scan.ply out.ply --box 0 0 0 5 5 2.5    crop to a box
+    pointloom plane scan.ply floor.ply --distance 0.02     segment the largest plane
+    pointloom cluster scan.ply out.ply --radius 0.05 --paint  segment into clusters
+    pointloom mesh scan.ply mesh.ply                       reconstruct a surface
 
     \b
-    pointloom register scan2.ply scan1.ply -o T.txt        one cloud onto another, from any pose
-    pointloom multiway SCANS -o poses.log                  all clouds of a folder
-    pointloom odometry SCANS -o poses.txt                  the path of a LiDAR
-    pointloom evaluate poses.txt truth.txt                 its errors
-    pointloom change 2023.laz 2024.laz --picture c.png     what has moved, and what is noise
-    pointloom tile plan SURVEY --steps steps.toml -o job   files larger than the memory, tile by tile
+    pointloom register scan2.ply scan1.ply -o T.txt        register two clouds, from any pose
+    pointloom multiway SCANS -o poses.log                  register all clouds of a folder
+    pointloom odometry SCANS -o poses.txt                  LiDAR odometry
+    pointloom evaluate poses.txt truth.txt                 trajectory errors
+    pointloom change 2023.laz 2024.laz --picture c.png     detect significant change
+    pointloom tile plan SURVEY --steps steps.toml -o job   process files larger than memory in tiles
 
-    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all their attributes;
-    .csv, .txt, .asc, .ptx and KITTI's .bin are read. Meshes are .ply .obj .stl .off .glb .gltf. A - stands for
+    Clouds are read and written as .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, with all attributes. .csv,
+    .txt, .asc, .ptx and KITTI's .bin can be read. Meshes are .ply .obj .stl .off .glb .gltf. The file name - is
     standard input or output:
 
     \b
@@ -108,27 +108,27 @@ for command in (
     cli.add_command(command)
 
 
-@cli.command(short_help="Say what files and folders hold.")
+@cli.command(short_help="Describe the content of files and folders.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILE...")
 @from_option()
 @columns_option()
 @json_option()
 def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] | None, as_json: bool) -> int:
-    """Say what each FILE holds: counts, attributes, bounds, origin, points that are not finite.
+    """Describe the content of each FILE: counts, attributes, bounds, origin, non-finite points.
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
     meshes        .ply .obj .stl .off .glb .gltf
     trajectories  .log .tum .kitti .txt .json
-    cameras       .json, .txt of a 3x3 matrix
-    models        folders of COLMAP (cameras, images, points3D), .xml of Metashape
-    pictures      .png .jpg, depth maps as 16-bit .png or .npy
-    data sets     folders of RGB-D frames
+    cameras       .json, .txt with a 3x3 matrix
+    models        COLMAP folders (cameras, images, points3D), Metashape .xml
+    images        .png .jpg, depth maps as 16-bit .png or .npy
+    datasets      folders of RGB-D frames
     folders       of clouds and meshes, one line each
-    recordings    .bag of ROS 1, .db3 and .mcap of ROS 2, and folders of those: their topics
+    recordings    ROS 1 .bag, ROS 2 .db3 and .mcap, and folders of them: their topics
 
-    The origin is the point that positions are counted from in float32 (other than zero for data far from zero).
-    The exit code is 3 where a recording is damaged, 1 where a file cannot be read at all.
+    The origin is the reference point of float32 positions. It is nonzero for data far from zero. The exit code is 3 if
+    a recording is damaged, and 1 if a file cannot be read.
 
     \b
     pointloom info scan.ply trajectory.log frames/
@@ -160,10 +160,10 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
 @cli.command(short_help="Check this machine: versions, devices, compilers.")
 @json_option()
 def doctor(as_json: bool) -> int:
-    """Check this machine: versions, cores, GPUs, and a small kernel by each compiler on each device.
+    """Check this machine: versions, cores, GPUs, and a small kernel of each compiler on each device.
 
-    Exit code 3 where CPU kernels fall back to one core, a device fails, or the driver is too old for Warp. The line
-    that mends it is shown.
+    The exit code is 3 if CPU kernels fall back to one core, a device fails, or the driver is too old for Warp. The
+    command that fixes the problem is printed.
 
     \b
     pointloom doctor --json
@@ -173,27 +173,30 @@ def doctor(as_json: bool) -> int:
     return answer_with(diagnose(), f"pointloom {__version__}", as_json)
 
 
-@cli.command(short_help="Write a cloud, mesh or recording in another format.")
-@click.option("--topic", metavar="NAME", help="Of a recording: which clouds; the only ones if not given.")
-@click.option("--frame", metavar="NAME", help="Of a recording: the frame of tf that its clouds are brought into.")
-@click.option("--poses", type=FILE, metavar="POSES", help="Of a recording: a pose a scan, instead of --frame.")
+@cli.command(short_help="Convert a cloud, mesh or recording to another format.")
+@click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
+@click.option("--frame", metavar="NAME", help="Recordings: tf frame into which the clouds are transformed.")
+@click.option(
+    "--poses", type=FILE, metavar="POSES", help="Recordings: file with one pose per scan, instead of --frame."
+)
 @from_cloud_to_cloud(device=False)
 def convert(
     source: Path, output: Path, topic: str | None, frame: str | None, poses: Path | None, **options: Any
 ) -> Answer:
-    """Write the cloud or mesh IN to OUT, whose extension names the format. No value is rounded that OUT can hold.
+    """Convert the cloud or mesh IN to OUT. The extension of OUT defines the format.
 
     \b
     clouds      .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .las .laz .e57, and from .csv .txt .asc .bin .ptx
     meshes      .ply .obj .stl .off .glb .gltf
-    recordings  from .bag .mcap .db3 and folders of those: to a folder of scans, or to one cloud
+    recordings  from .bag .mcap .db3 and folders of them: to a folder of scans, or to one cloud
 
-    What OUT cannot hold is left out, and the summary names it. A mesh becomes a cloud of its vertices that way. LAS and
-    LAZ hold coordinates in steps: those of IN where it is such a file, else thousandths. An attribute whose name OUT
-    cannot hold gets another, and an intensity that LAS cannot hold becomes intensity_value; warnings name them.
+    Values are rounded only if the format of OUT requires it. Data that it does not support is omitted, and the summary
+    lists it. For example, a mesh written to a cloud format becomes a cloud of its vertices. LAS and LAZ store
+    coordinates in fixed steps: the steps of IN if IN is LAS or LAZ, else 0.001. An attribute with an unsupported name
+    is renamed. An intensity that LAS cannot store is written as intensity_value. Both cause a warning.
 
-    Several scans of a recording become one cloud where --frame or --poses says how they stand to each other. Where the
-    recording is damaged what is left is written, and the exit code is 3.
+    The scans of a recording are merged into one cloud if --frame or --poses defines their poses. If the recording is
+    damaged, the readable part is written and the exit code is 3.
 
     \b
     pointloom convert scan.las scan.ply
@@ -218,9 +221,7 @@ def convert(
 
 
 @cli.command(short_help="Estimate the normals of a cloud.")
-@click.option(
-    "--radius", type=LENGTH, metavar="M", help="Neighbors lie closer than this [m]; any distance if not given."
-)
+@click.option("--radius", type=LENGTH, metavar="M", help="Maximum distance of neighbors [m]. Default: unlimited.")
 @click.option(
     "--neighbors",
     "max_nn",
@@ -230,15 +231,17 @@ def convert(
     default=30,
     show_default=True,
     metavar="N",
-    help="Neighbors at most, itself included.",
+    help="Maximum number of neighbors, including the point itself.",
 )
-@click.option("--toward", type=float, nargs=3, metavar="X Y Z", help="Turn normals toward this place, as a scanner's.")
-@click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Turn normals to the side of this direction.")
+@click.option(
+    "--toward", type=float, nargs=3, metavar="X Y Z", help="Orient normals toward this position, such as a scanner."
+)
+@click.option("--direction", type=float, nargs=3, metavar="X Y Z", help="Orient normals along this direction.")
 @from_cloud_to_cloud()
 def normals(source: Path, output: Path, **options: Any) -> Answer:
-    """Write the cloud IN to OUT with a normal at each point, from the plane through its nearest neighbors.
+    """Estimate a normal for each point of the cloud IN from its nearest neighbors, and write the cloud to OUT.
 
-    Normals keep the side of those that IN has; --toward and --direction choose one.
+    Normals keep the orientation of the normals of IN, if any. --toward and --direction define another orientation.
 
     \b
     pointloom normals scan.ply out.ply --radius 0.1 --toward 0 0 1.5
@@ -250,7 +253,7 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     return estimate_normals_of_file(source, output, **options)
 
 
-@cli.command(short_help="Fuse frames of a made-up room; needs no data.")
+@cli.command(short_help="Fuse rendered frames of a room. Needs no data.")
 @click.option(
     "-o",
     "--output",
@@ -259,7 +262,7 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     default="pointloom-demo",
     show_default=True,
     metavar="FOLDER",
-    help="Where results go.",
+    help="Output folder.",
 )
 @click.option(
     "--frames",
@@ -271,12 +274,12 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     help="Number of frames.",
 )
 @click.option(
-    "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m]."
+    "--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Voxel size [m]."
 )
 @click.option(
-    "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Chooses the noise."
+    "--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Random seed of the noise."
 )
-@click.option("--noise/--no-noise", default=True, help="Depth and pictures as of a camera (default), or exact.")
+@click.option("--noise/--no-noise", default=True, help="Simulate camera noise in depth and color (default), or not.")
 @device_option()
 @json_option()
 @force_option()

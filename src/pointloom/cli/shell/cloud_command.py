@@ -62,7 +62,14 @@ def from_cloud_to_cloud(
         shared: list[Decorator] = [
             click.argument("source", type=FILE, metavar="IN"),
             click.argument("output", type=FILE, metavar="OUT", required=False),
-            click.option("-o", "--output", "named_output", type=FILE, metavar="OUT", help="OUT by name."),
+            click.option(
+                "-o",
+                "--output",
+                "named_output",
+                type=FILE,
+                metavar="OUT",
+                help="Output file, instead of the argument OUT.",
+            ),
             *([device_option()] if device else []),
             *([columns_option()] if columns else []),
             up_option(),

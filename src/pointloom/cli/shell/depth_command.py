@@ -20,40 +20,53 @@ PRESETS = (
 )  # fmt: skip
 
 
-@click.command(short_help="A photograph to a cloud by a depth network.")
+@click.command(short_help="Convert a photograph to a cloud by a depth network.")
 @click.argument("picture_in", type=FILE, metavar="PICTURE")
-@click.option("--model", type=FILE, required=True, metavar="ONNX", help="The network's .onnx file, which you bring.")
-@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="The cloud; of a folder, a folder.")
+@click.option("--model", type=FILE, required=True, metavar="ONNX", help="ONNX file of the network. Not included.")
 @click.option(
-    "--preset", type=click.Choice(PRESETS), default=PRESETS[0], show_default=True, help="Which network it is."
-)
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera; EXIF's, else 60 degrees, if not given.")
-@click.option("--align", type=FILE, metavar="FILE", help="Known depth: a map, distances, or a COLMAP model.")
-@click.option(
-    "--depth-scale", type=SCALE, default=DEPTH_SCALE, show_default=True, metavar="N", help="Stored depth of one metre."
+    "-o", "--output", type=FILE, required=True, metavar="OUT", help="The cloud. A folder if PICTURE is a folder."
 )
 @click.option(
-    "--tiles", type=click.IntRange(1, 16), default=1, show_default=True, metavar="N", help="Along the longer side."
+    "--preset", type=click.Choice(PRESETS), default=PRESETS[0], show_default=True, help="Type of the network."
 )
-@click.option("--keep-edges", is_flag=True, help="Keep points that fly between two surfaces.")
-@click.option("--depth-map", type=FILE, metavar="NPY", help="Write the depth as well, float32.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw the cloud as well, from a little aside.")
-@click.option("--seed", type=click.IntRange(0, 2**31 - 1), default=0, metavar="N", help="Of the alignment.")
+@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera. Default: from EXIF, else 60 degrees.")
+@click.option("--align", type=FILE, metavar="FILE", help="Known depth: depth map, distances, or COLMAP model.")
+@click.option(
+    "--depth-scale", type=SCALE, default=DEPTH_SCALE, show_default=True, metavar="N", help="Stored value of one meter."
+)
+@click.option(
+    "--tiles",
+    type=click.IntRange(1, 16),
+    default=1,
+    show_default=True,
+    metavar="N",
+    help="Number of tiles along the longer side.",
+)
+@click.option("--keep-edges", is_flag=True, help="Keep flying pixels at depth edges.")
+@click.option("--depth-map", type=FILE, metavar="NPY", help="Also write the depth map, float32.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Also render the cloud from the side.")
+@click.option(
+    "--seed",
+    type=click.IntRange(0, 2**31 - 1),
+    default=0,
+    metavar="N",
+    help="Random seed of the alignment. Default: 0.",
+)
 @device_option()
 @json_option()
 @force_option()
 def depth(picture_in: Path, model: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Estimate the depth of PICTURE, a PNG or JPEG file or a folder of such, and write its colored points to OUT.
+    """Estimate the depth of PICTURE, a PNG or JPEG file or a folder of them, and write colored points to OUT.
 
-    Nothing is downloaded: the network is yours, as an ONNX file; docs/depth.md lists the presets and their licenses.
-    Needs the extra pointloom[depth]. Relative networks give no unit; --align brings meters:
+    The network is an ONNX file that you provide. Nothing is downloaded. docs/depth.md lists the presets and their
+    licenses. Requires the extra pointloom[depth]. Relative networks have no unit. --align defines meters:
 
     \b
-    .png .npy   a depth map of the same view, 16 bits by --depth-scale or float32 meters
-    .txt .csv   distances, a line of column, row and meters each. Two settle scale and shift without a check
-    FOLDER      a COLMAP model, whose unit it then is
+    .png .npy   depth map of the same view: 16 bits with --depth-scale, or float32 meters
+    .txt .csv   distances: one line of column, row and meters each. Two define scale and shift without a check
+    FOLDER      COLMAP model, which defines the unit
 
-    The exit code is 3 where the map and what it is aligned to do not agree, and where hardly a point is left.
+    The exit code is 3 if the depth map contradicts the reference depth, or if hardly any points remain.
 
     \b
     pointloom depth photo.jpg --model depth_anything_v2_vits.onnx -o cloud.ply --picture cloud.png

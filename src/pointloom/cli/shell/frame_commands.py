@@ -29,8 +29,8 @@ if TYPE_CHECKING:
 
 FOLDER_OPTIONS = ("layout", "intrinsic", "every", "depth_scale", "skip_missing", "topic", "color_topic")
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf."
-MODEL_VOXEL = "Edge of a voxel of the model that frames are held against [m]."
-MESH_VOXEL = "Edge of a voxel of the mesh [m]; 0.02, with fragments what --config says or 0.0059, if not given."
+MODEL_VOXEL = "Voxel size of the tracking model [m]."
+MESH_VOXEL = "Voxel size of the mesh [m]. Default: 0.02; fragments: from --config, else 0.0059."
 ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fragments
 
 
@@ -38,38 +38,35 @@ ONLY_FRAGMENTS = ("work", "resume", "config", "slac")  # options of --method fra
 @click.argument("dataset", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
 @frame_options()
-@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Edge of a voxel [m].")
+@click.option("--voxel", type=LENGTH, default=0.02, show_default=True, metavar="M", help="Voxel size [m].")
+@click.option("--truncation", type=LENGTH, metavar="M", help="Truncation distance of the TSDF [m]. Default: 4 voxels.")
+@click.option("--refine", is_flag=True, help="Refine each pose against the model of the earlier frames.")
 @click.option(
-    "--truncation", type=LENGTH, metavar="M", help="How far depth acts around the surface [m]; 4 voxels if not given."
-)
-@click.option("--refine", is_flag=True, help="Move each pose onto what the frames before it saw.")
-@click.option(
-    "--trajectory",
-    type=FILE,
-    metavar="POSES",
-    help="Write the poses that were used: .txt or .tum (TUM), .log (Open3D).",
+    "--trajectory", type=FILE, metavar="POSES", help="Write the poses used: .txt or .tum (TUM), .log (Open3D)."
 )
 @device_option()
 @picture_option()
-@record_option("the surface as it grows")
+@record_option("the growing surface")
 @json_option()
 @force_option()
 def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, **options: Any) -> int:
-    """Fuse DATASET, a folder of posed RGB-D frames, into a colored mesh. For frames without see pointloom reconstruct.
+    """Fuse DATASET, a folder of posed RGB-D frames, into a colored mesh. Without poses use pointloom reconstruct.
 
     \b
-    Layouts (auto tells them apart by their files):
+    Layouts (auto detects them from the file names):
       7scenes  frame-000000.depth.png, .color.png or .jpg, .pose.txt
       redwood  depth/, color/ (or image/, rgb/), trajectory.log
       tum      depth.txt, rgb.txt, groundtruth.txt
 
-    The camera is --intrinsic (Open3D's JSON), else what lies in the folder (camera.json, camera-intrinsics.txt,
-    intrinsics.K.txt, ...), else the layout's own. The summary says which, and the exit code is 3 where the pictures
-    contradict it. A voxel counts as surface once 4 frames saw it. Of fewer than 30 frames 2 are enough, of fewer
-    than 10 one. Voxels of half the size take about 4 times the memory and show twice the detail, where depth has it.
+    The camera is --intrinsic (Open3D's JSON), else a file of the folder (camera.json, camera-intrinsics.txt,
+    intrinsics.K.txt, ...), else the default of the layout. The summary names the source. The exit code is 3 if the
+    images contradict the camera.
 
-    --refine aligns each frame with the model, from its pose. It pays where poses err by a centimetre or more, and takes
-    from poses that are better than that. A frame that does not fit keeps its pose. The summary names those.
+    A voxel belongs to the surface if at least 4 frames observed it (2 of fewer than 30 frames, 1 of fewer than 10).
+    Half the voxel size needs about 4 times the memory and doubles the detail, as far as the depth resolution permits.
+
+    --refine aligns each frame with the model, starting from its pose. It improves poses with errors of 1 cm or more,
+    and degrades more accurate poses. A frame that does not fit keeps its pose, and the summary lists it.
 
     \b
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5 --picture kitchen.png
@@ -86,27 +83,28 @@ def fuse(dataset: Path, output: Path, voxel: float, as_json: bool, force: bool, 
     return answer_with(report, f"{dataset} ({report.folder.dataset.layout})", as_json)
 
 
-@click.command(short_help="Find the path of a depth camera from its frames.")
+@click.command(short_help="Estimate the trajectory of an RGB-D camera.")
 @click.argument("frames", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=POSES)
 @frame_options(posed=False)
 @click.option("--voxel", "voxel_size", type=LENGTH, default=0.02, show_default=True, metavar="M", help=MODEL_VOXEL)
 @device_option()
-@record_option("the camera's path and the model")
+@record_option("the trajectory and the model")
 @json_option()
 @force_option()
 def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Find where each of FRAMES, a folder of RGB-D frames, was taken: T_world_camera, the first frame as the world.
+    """Estimate the camera pose T_world_camera of each of FRAMES, a folder of RGB-D frames. The first frame is the
+    world frame.
 
-    Each frame is held against the model that those before it make. Frames that do not fit are lost: they have no pose
-    in POSES (.log names frames by number, .txt by time where there are times), and the exit code is 3.
-    Where true poses lie beside the frames they tell the tracker nothing, and the errors are printed (ATE, RPE).
+    Each frame is aligned with the model of the earlier frames. Frames that do not fit are lost: they have no pose in
+    POSES, and the exit code is 3. A .log file lists frames by number, a .txt file by time, if available. True poses in
+    the folder are not used for tracking. The errors against them are printed (ATE, RPE).
 
     \b
-    Layouts as of pointloom fuse, with or without poses, and
-      pictures  1.png and 1_depth.png, .... Take --intrinsic and --depth-scale with it
+    Layouts of pointloom fuse, with or without poses, and
+      pictures  1.png and 1_depth.png, .... Requires --intrinsic and --depth-scale
 
-    FRAMES may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
+    FRAMES may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
 
     \b
     pointloom track frames -o poses.txt
@@ -123,36 +121,35 @@ def track(frames: Path, output: Path, as_json: bool, force: bool, **options: Any
     return answer_with(report, f"{frames} ({report.folder.dataset.layout})", as_json)
 
 
-@click.command(short_help="A folder of RGB-D frames without poses to a mesh.")
+@click.command(short_help="Reconstruct a mesh from RGB-D frames without poses.")
 @click.argument("frames", type=FILE)
 @click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
 @frame_options(posed=False, depth_max=None)
 @click.option(
-    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="See above."
+    "--method", type=click.Choice(["slam", "fragments"]), default="slam", show_default=True, help="Method, see above."
 )
 @click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help=MESH_VOXEL)
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log (Open3D).")
-@click.option("--work", type=FILE, metavar="DIR", help="Folder of the stages' files; beside the mesh if not given.")
-@click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
-@click.option("--config", type=FILE, metavar="JSON", help="Settings with the names of Open3D's system.")
-@click.option("--slac", is_flag=True, help="Find the distortion of the camera's depth too, and take it out.")
+@click.option("--work", type=FILE, metavar="DIR", help="Folder for intermediate files. Default: next to the mesh.")
+@click.option("--resume", is_flag=True, help="Reuse the intermediate files of an earlier run.")
+@click.option("--config", type=FILE, metavar="JSON", help="Settings, named as in Open3D's reconstruction system.")
+@click.option("--slac", is_flag=True, help="Also estimate and correct the depth distortion.")
 @device_option()
 @picture_option()
-@record_option("the camera's path and the model, or the stages of fragments")
+@record_option("the trajectory and the model, or the stages of fragments")
 @json_option()
 @force_option()
 def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Make a colored mesh of FRAMES, a folder of RGB-D frames whose poses nobody knows.
+    """Reconstruct a colored mesh from FRAMES, a folder of RGB-D frames without poses.
 
     \b
-    slam       each frame is held against the model of those before it. Where the camera comes back to a place the loop
-               is closed
-    fragments  runs of some 100 frames become fragments, which are registered with each other from any pose. In stages,
-               whose files stay: after an interruption --resume goes on. --work, --config and --slac go with it
+    slam       align each frame with the model of the earlier frames, and close loops at revisited places
+    fragments  fuse about 100 frames each into fragments, and register the fragments from any pose. Intermediate
+               files are kept, and --resume continues after an interruption. Options: --work, --config, --slac
 
-    The exit code is 3 where frames were lost or fragments could not be joined. The summary names them, and the mesh is
-    written all the same. Where true poses lie beside the frames they are not used, and the errors are printed (ATE,
-    RPE). Layouts as of pointloom track.
+    The exit code is 3 if frames were lost or fragments could not be joined. The summary lists them, and the mesh is
+    still written. True poses in the folder are not used. The errors against them are printed (ATE, RPE). The layouts
+    are those of pointloom track.
 
     \b
     pointloom reconstruct frames -o mesh.ply --picture mesh.png

@@ -14,21 +14,21 @@ VARIABLE = "_POINTLOOM_COMPLETE"  # by which a shell requests completions
 BUILD = "`make docs` in a checkout builds them"
 
 
-@click.command(short_help="Print what makes the tab key complete commands.")
+@click.command(short_help="Print a script for shell completion.")
 @click.argument("shell", required=False, type=click.Choice(["bash", "zsh", "fish"]), metavar="[bash|zsh|fish]")
 @json_option()
 def completion(shell: str | None, as_json: bool) -> int:
-    """Print a script that makes the tab key complete commands, options, their choices, and files by their extension.
+    """Print a script for completion of commands, options, choices, and files by extension with the tab key.
 
-    Without a name it is that of the shell that you are in ($SHELL). In its start-up file:
+    Default: the current shell ($SHELL). Add to its startup file:
 
     \b
-    bash    eval "$(pointloom completion bash)"      # in ~/.bashrc. From bash 4.4
+    bash    eval "$(pointloom completion bash)"      # in ~/.bashrc. Requires bash 4.4
     zsh     eval "$(pointloom completion zsh)"       # in ~/.zshrc
     fish    pointloom completion fish | source       # in ~/.config/fish/config.fish
 
     \b
-    pointloom completion > ~/.pointloom-completion   # to source it, which does not start Python each time
+    pointloom completion > ~/.pointloom-completion   # source this file to avoid starting Python in each shell
     """
     from .completion import SHELLS
 
@@ -44,16 +44,17 @@ def completion(shell: str | None, as_json: bool) -> int:
     return 0
 
 
-@click.command(short_help="Say where it is written how something is done.")
+@click.command(short_help="Search the documentation.")
 @click.argument("words", nargs=-1, metavar="[WORDS]...")
-@click.option("--open", "opens", is_flag=True, help="Show the first page found in the browser, where one is known.")
-@click.option("--skill", is_flag=True, help="Print the guide for coding assistants, which is in the package.")
+@click.option("--open", "opens", is_flag=True, help="Open the first matching page in the browser, if available.")
+@click.option("--skill", is_flag=True, help="Print the guide for coding assistants.")
 @json_option()
 def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int:
-    """Name the chapters that speak of all WORDS, or have that number. All of them without words.
+    """List the chapters of the documentation that contain all WORDS, or have that number. Without words: all chapters.
 
-    Of each: what to call in Python (`help(loom.NAME)` says the rest, with an example), the commands that do the like,
-    and its page. Pages are those that `make docs` built in this checkout, else the project's address, where it has one.
+    For each chapter with WORDS: its Python functions (`help(loom.NAME)` has details and an example), the corresponding
+    commands, and its page. Pages are those built by `make docs` in this checkout, else the address of the project, if
+    any.
 
     \b
     pointloom docs icp

@@ -54,36 +54,34 @@ class LengthOrAuto(click.ParamType):
 QUANTILE = Number("a share from 0 and below 1", lambda number: 0 <= number < 1)
 
 
-@click.command(short_help="Make a surface of a cloud.")
-@click.option("--method", type=click.Choice(METHODS), default="poisson", show_default=True, help="How.")
-@click.option("--depth", type=click.IntRange(2, 20), metavar="N", help="poisson: depth of the octree; 8 if not given.")
+@click.command(short_help="Reconstruct a surface from a cloud.")
+@click.option("--method", type=click.Choice(METHODS), default="poisson", show_default=True, help="Method, see above.")
+@click.option("--depth", type=click.IntRange(2, 20), metavar="N", help="poisson: octree depth. Default: 8.")
 @click.option(
     "--density-quantile",
     type=QUANTILE,
     metavar="Q",
-    help="poisson: drop this share of the vertices, where points are fewest; if not given 0.01 where any of "
-    "the surface is made up, else none.",
+    help="poisson: remove this fraction of the vertices, with the lowest density. Default: 0.01 if the surface "
+    "extends beyond the points, else 0.",
 )
+@click.option("--radii", type=Lengths(), metavar="A,B,...", help="ball: radii [m]. Default: from the point spacing.")
 @click.option(
-    "--radii", type=Lengths(), metavar="A,B,...", help="ball: radii [m]; by the points' spacing if not given."
+    "--alpha", type=LengthOrAuto(), metavar="M|auto", help="alpha: radius [m]. Default: from the point spacing."
 )
-@click.option(
-    "--alpha", type=LengthOrAuto(), metavar="M|auto", help="alpha: radius [m]; by the points' spacing if not given."
-)
-@click.option("--new-normals", is_flag=True, help="Make normals anew, though IN has some.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+@click.option("--new-normals", is_flag=True, help="Estimate new normals even if IN has normals.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Also render the mesh.")
 @from_cloud_to_cloud()
 def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: Any) -> Answer:
-    """Write to OUT (.ply .obj .stl .off .glb .gltf) a surface through the points of the cloud IN.
+    """Reconstruct a surface from the cloud IN, and write it to OUT (.ply .obj .stl .off .glb .gltf).
 
     \b
-    poisson  a smooth closed surface, cut off where it is made up. Needs normals
-    ball     triangles between points that a ball rolls over, nothing added. Needs normals
-    alpha    the hull of the points as seen by balls of one radius. Needs no normals
+    poisson  smooth closed surface, trimmed far from the points. Requires normals
+    ball     ball pivoting: triangles between existing points only. Requires normals
+    alpha    alpha shape with one radius. Requires no normals
 
-    Where IN has no normals they are made and oriented, and the summary says so. The exit code is 3 where the surface
-    is empty, torn or in pieces, where much of it lies far from all points, or where neighboring normals point to
-    opposite sides.
+    Missing normals are estimated and oriented, and the summary reports it. The exit code is 3 if the surface is empty,
+    torn or fragmented, if a large part of it is far from all points, or if neighboring normals are oriented
+    inconsistently.
 
     \b
     pointloom mesh scan.ply mesh.ply --picture mesh.png

@@ -30,22 +30,25 @@ AREA = Number("an area in square meters above 0", lambda number: 0 < number < ma
 ANY = Number("a finite number", math.isfinite)
 
 
-@click.command("clean-mesh", short_help="Mend a mesh.")
-@click.option("--merge", type=LENGTH, metavar="M", help="Make one of vertices closer than this [m].")
-@click.option("--fill", type=LENGTH, metavar="M", help="Close holes of up to this radius [m].")
-@click.option("--min-triangles", type=COUNT, default=1, metavar="N", help="Drop parts of fewer triangles.")
-@click.option("--min-area", type=AREA, default=None, metavar="M2", help="Drop parts of a smaller area [m^2].")
+@click.command("clean-mesh", short_help="Repair a mesh.")
+@click.option("--merge", type=LENGTH, metavar="M", help="Merge vertices closer than this [m].")
+@click.option("--fill", type=LENGTH, metavar="M", help="Fill holes of up to this radius [m].")
+@click.option(
+    "--min-triangles", type=COUNT, default=1, metavar="N", help="Remove parts with fewer triangles. Default: 1."
+)
+@click.option("--min-area", type=AREA, default=None, metavar="M2", help="Remove parts with a smaller area [m^2].")
 @from_cloud_to_cloud(columns=False)
 def clean_mesh(source: Path, output: Path, min_area: float | None, **options: Any) -> Answer:
-    """Write the mesh IN to OUT without what is commonly wrong with one, and say what was done.
+    """Repair the mesh IN, write it to OUT, and report the repairs.
 
-    In this order: triangles with a corner that is not finite or that name a vertex twice go; borders that lie on each
-    other are sewn up. Edges of more than two triangles become sheets; copies and second sides go. The others are wound
-    alike; holes are closed (--fill). Closed parts are turned by what they lie within. Small parts go. What is right
-    stays as it is.
+    The steps, in this order: Remove triangles with non-finite corners and degenerate triangles. Sew coinciding borders.
+    Split edges with more than two triangles into separate sheets. Remove duplicate triangles and duplicates with the
+    opposite orientation. Make the orientation consistent. Fill holes (--fill). Orient closed parts by their nesting.
+    Remove small parts. Everything else is unchanged.
 
-    The exit code is 3 where more than 2 % of the triangles or 1 % of the area went that were no copies, a closed mesh
-    is open, holes of the size asked are left, most vertices were merged, a part has one side only, or nothing is left.
+    The exit code is 3 if more than 2% of the triangles or 1% of the area were removed (without duplicates), a closed
+    mesh is no longer closed, holes within --fill remain, most vertices were merged, a part is not orientable, or the
+    result is empty.
 
     \b
     pointloom clean-mesh scan.ply out.ply
@@ -57,22 +60,22 @@ def clean_mesh(source: Path, output: Path, min_area: float | None, **options: An
         return clean_mesh_file(source, output, min_area=min_area or 0.0, progress=progress, **options)
 
 
-@click.command(short_help="Make a mesh of fewer triangles.")
-@click.option("--triangles", type=COUNT, metavar="N", help="How many are to be left.")
-@click.option("--ratio", type=SHARE, metavar="R", help="Which share of them is to be left.")
-@click.option("--voxel", type=LENGTH, metavar="M", help="Leave one vertex a voxel of this size [m] instead.")
-@click.option("--max-error", type=FACTOR, metavar="E", help="End where a step would cost more than this.")
-@click.option("--boundary-weight", type=FACTOR, metavar="W", help="How firmly borders stay; 1 if not given.")
+@click.command(short_help="Reduce the number of triangles of a mesh.")
+@click.option("--triangles", type=COUNT, metavar="N", help="Target number of triangles.")
+@click.option("--ratio", type=SHARE, metavar="R", help="Target fraction of the triangles.")
+@click.option("--voxel", type=LENGTH, metavar="M", help="Vertex clustering with this voxel size [m].")
+@click.option("--max-error", type=FACTOR, metavar="E", help="Stop if the cost of a step exceeds this.")
+@click.option("--boundary-weight", type=FACTOR, metavar="W", help="Weight that preserves borders. Default: 1.")
 @from_cloud_to_cloud(columns=False)
 def simplify(
     source: Path, output: Path, max_error: float | None, boundary_weight: float | None, **options: Any
 ) -> Answer:
-    """Write the mesh IN to OUT with fewer triangles, and say how far the surface moved.
+    """Reduce the number of triangles of the mesh IN, write it to OUT, and report the displacement of the surface.
 
-    --triangles and --ratio collapse the edges that matter least (quadric decimation): borders, colors and textures
-    stay. --voxel is quicker and coarser.
+    --triangles and --ratio use quadric decimation and preserve borders, colors and textures. --voxel uses vertex
+    clustering, which is faster and coarser.
 
-    The exit code is 3 where the target is missed or the surface moved by more than 1 % of its size.
+    The exit code is 3 if the target was missed or the surface moved by more than 1% of its size.
 
     \b
     pointloom simplify scan.ply small.ply --triangles 50000
@@ -99,23 +102,23 @@ def simplify(
     type=click.Choice(("taubin", "laplacian", "simple", "sharpen")),
     default="taubin",
     show_default=True,
-    help="How.",
+    help="Method, see above.",
 )
-@click.option("--iterations", type=COUNT, default=10, show_default=True, metavar="N", help="How often.")
-@click.option("--lambda", "lambda_filter", type=FACTOR, metavar="L", help="taubin, laplacian: step; 0.5 if not given.")
-@click.option("--mu", type=ANY, metavar="MU", help="taubin: step back; -0.53 if not given.")
-@click.option("--strength", type=FACTOR, metavar="S", help="sharpen: how much; 1 if not given.")
+@click.option("--iterations", type=COUNT, default=10, show_default=True, metavar="N", help="Number of iterations.")
+@click.option("--lambda", "lambda_filter", type=FACTOR, metavar="L", help="taubin, laplacian: step. Default: 0.5.")
+@click.option("--mu", type=ANY, metavar="MU", help="taubin: inverse step. Default: -0.53.")
+@click.option("--strength", type=FACTOR, metavar="S", help="sharpen: strength. Default: 1.")
 @from_cloud_to_cloud(columns=False)
 def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answer:
-    """Write the mesh IN to OUT with smoother vertices, normals and colors.
+    """Smooth or sharpen the vertices, normals and colors of the mesh IN, and write it to OUT.
 
     \b
-    taubin     smooths and swells again, so that the shape hardly shrinks
-    laplacian  toward the mean of the neighbors, the near ones more
-    simple     the mean of a vertex and its neighbors
-    sharpen    away from the mean
+    taubin     alternating steps with almost no shrinkage
+    laplacian  toward the mean of the neighbors, weighted by inverse distance
+    simple     mean of each vertex and its neighbors
+    sharpen    away from the mean of the neighbors
 
-    The exit code is 3 where more than a tenth of the area is gone with the noise.
+    The exit code is 3 if smoothing removed more than a tenth of the area.
 
     \b
     pointloom smooth-mesh scan.ply out.ply
@@ -133,16 +136,16 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
         return smooth_mesh_file(source, output, method=method, factors=factors, progress=progress, **options)
 
 
-@click.command("sample-mesh", short_help="Draw points from a mesh.")
-@click.option("--points", "count", type=COUNT, required=True, metavar="N", help="How many.")
-@click.option("--even", is_flag=True, help="Spread them evenly (Poisson disk).")
-@click.option("--triangle-normals", is_flag=True, help="Give them the normals of their triangles.")
-@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the points.")
+@click.command("sample-mesh", short_help="Sample points on a mesh.")
+@click.option("--points", "count", type=COUNT, required=True, metavar="N", help="Number of points.")
+@click.option("--even", is_flag=True, help="Evenly spaced points (Poisson disk).")
+@click.option("--triangle-normals", is_flag=True, help="Use triangle normals.")
+@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Random seed.")
 @from_cloud_to_cloud(columns=False)
 def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
-    """Write to the cloud OUT points on the surface of the mesh IN, each place as likely as any other.
+    """Sample points uniformly on the surface of the mesh IN, and write them to the cloud OUT.
 
-    The exit code is 3 where the mesh has no area.
+    The exit code is 3 if the mesh has no area.
 
     \b
     pointloom sample-mesh part.stl part.ply --points 100000
@@ -154,18 +157,20 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
         return sample_mesh_file(source, output, progress=progress, **options)
 
 
-@click.command("compare-meshes", short_help="Measure how far two meshes lie apart.")
+@click.command("compare-meshes", short_help="Measure the distances between two meshes.")
 @click.argument("first", type=FILE, metavar="A")
 @click.argument("second", type=FILE, metavar="B")
-@click.option("--samples", type=COUNT, default=100_000, show_default=True, metavar="N", help="Points drawn from each.")
-@click.option("--threshold", "thresholds", type=Lengths(), metavar="A,B,...", help="Distances [m] of the F-score.")
+@click.option(
+    "--samples", type=COUNT, default=100_000, show_default=True, metavar="N", help="Number of samples on each mesh."
+)
+@click.option("--threshold", "thresholds", type=Lengths(), metavar="A,B,...", help="Thresholds of the F-score [m].")
 @click.option(
     "--max-distance", "limit", cls=Renamed, old="--max", type=LENGTH, metavar="M",
-    help="Exit with 3 where any place lies farther apart [m].",
+    help="Exit code 3 if any distance is larger [m].",
 )  # fmt: skip
-@click.option("--error-map", type=FILE, metavar="OUT", help="Write A colored by its distance from B to this mesh.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw A colored by its distance from B, with a histogram.")
-@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
+@click.option("--error-map", type=FILE, metavar="OUT", help="Write A, colored by its distance to B.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Render A, colored by its distance to B, with a histogram.")
+@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Random seed.")
 @device_option()
 @up_option()
 @json_option()
@@ -173,11 +178,12 @@ def sample_mesh(source: Path, output: Path, **options: Any) -> Answer:
 def compare_meshes(
     first: Path, second: Path, error_map: Path | None, picture: Path | None, as_json: bool, force: bool, **options: Any
 ) -> int:
-    """Measure how far the surfaces of the meshes A and B lie apart, both ways, by exact distances to triangles.
+    """Measure the distances between the surfaces of the meshes A and B in both directions, with exact distances to
+    triangles.
 
-    Chamfer, root mean square, Hausdorff, and the F-score at some distances. The exit code is 3 where the surfaces lie
-    farther apart than --max-distance, or so far that they are likely of other units or frames. --picture needs the
-    extra pointloom[plot].
+    Prints the Chamfer, root-mean-square and Hausdorff distances and the F-score at several thresholds. The exit code is
+    3 if a distance exceeds --max-distance, or if the distances indicate different units or coordinate frames. --picture
+    requires the extra pointloom[plot].
 
     \b
     pointloom compare-meshes mine.ply truth.ply --threshold 0.005,0.01

@@ -94,18 +94,18 @@ POSES = "The poses: .txt or .tum (TUM), .log (Open3D)."  # one format per extens
 
 
 def device_option() -> Decorator:
-    text = "Where to compute: auto takes the first GPU, else the CPU."
+    text = "Compute device. auto: the first GPU, else the CPU."
     return click.option(
         "--device", type=DeviceName(), default="auto", show_default=True, metavar="auto|cpu|cuda:N", help=text
     )
 
 
 def json_option() -> Decorator:
-    return click.option("--json", "as_json", is_flag=True, help="Print one JSON object on stdout, nothing else.")
+    return click.option("--json", "as_json", is_flag=True, help="Print only one JSON object on stdout.")
 
 
 def force_option() -> Decorator:
-    return click.option("--force", is_flag=True, help="Replace outputs that exist.")
+    return click.option("--force", is_flag=True, help="Overwrite existing outputs.")
 
 
 def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) -> Decorator:
@@ -115,46 +115,44 @@ def frame_options(*, posed: bool = True, depth_max: float | None = DEPTH_MAX) ->
     """
     layouts = ["auto", "7scenes", "redwood", "tum", *([] if posed else ["pictures"])]
     scale = click.option(
-        "--depth-scale", type=SCALE, metavar="N", help="Stored depth of one metre, if it is another than usual."
+        "--depth-scale", type=SCALE, metavar="N", help="Stored value of one meter. Default: that of the data."
     )
     topics = [
-        click.option("--topic", metavar="NAME", help="Of a recording: pictures of depth; the only ones if not given."),
-        click.option("--color-topic", metavar="NAME", help="Of a recording: pictures of color, as --topic."),
+        click.option("--topic", metavar="NAME", help="Recordings: topic of the depth images. Default: the only one."),
+        click.option(
+            "--color-topic", metavar="NAME", help="Recordings: topic of the color images. Default: the only one."
+        ),
     ]
     missing = click.option(
-        "--skip-missing", is_flag=True, help="Leave out frames that lack a picture or whose pose is inf or NaN."
+        "--skip-missing", is_flag=True, help="Skip frames without an image or with a non-finite pose."
     )
     options = [
         click.option(
-            "--layout",
-            type=click.Choice(layouts),
-            default="auto",
-            show_default=True,
-            help="How the folder names its files.",
+            "--layout", type=click.Choice(layouts), default="auto", show_default=True, help="File layout of the folder."
         ),
-        click.option(
-            "--intrinsic", type=FILE, metavar="JSON", help="The camera, if it is another than the folder says."
-        ),
+        click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera. Default: that of the folder."),
         *([missing] if posed else [scale, *topics]),
-        click.option("--every", type=click.IntRange(min=1), default=1, metavar="N", help="Take every N-th frame."),
+        click.option(
+            "--every", type=click.IntRange(min=1), default=1, metavar="N", help="Use every N-th frame. Default: 1."
+        ),
         click.option(
             "--depth-max",
             type=LENGTH,
             default=depth_max,
             show_default=True,
             metavar="M",
-            help="Farthest depth used [m]" + ("." if depth_max else "; 4, or what --config says, if not given."),
+            help="Maximum depth [m]." + ("" if depth_max else " Default: from --config, else 4."),
         ),
     ]
     return lambda command: functools.reduce(lambda inner, option: option(inner), reversed(options), command)
 
 
 def picture_option() -> Decorator:
-    return click.option("--picture", type=FILE, metavar="PNG", help="Draw the mesh as well.")
+    return click.option("--picture", type=FILE, metavar="PNG", help="Also render the mesh.")
 
 
 def record_option(what: str) -> Decorator:
-    text = f"Record {what}: .html (a page that plays), .gif or .mp4."
+    text = f"Record {what}: .html (page with player), .gif or .mp4."
     return click.option("--record", "record_as", type=RecordingFile(), metavar="FILE", help=text)
 
 
@@ -185,12 +183,12 @@ class ColumnNames(click.ParamType):
 
 
 def columns_option() -> Decorator:
-    text = "Of .bin, .csv, .txt, .xyz: what the columns are, such as x,y,z,intensity,ring."
+    text = "Column names of .bin, .csv, .txt, .xyz, such as x,y,z,intensity,ring."
     return click.option("--columns", type=ColumnNames(), metavar="NAMES", help=text)
 
 
 def up_option() -> Decorator:
-    text = "Which axis is up here where IN or OUT is .glb or .gltf, in which it is y: z turns those."
+    text = "Up axis of the data. .glb and .gltf files are y-up, and z rotates them."
     return click.option("--up", type=click.Choice(("y", "z")), default="y", show_default=True, help=text)
 
 
@@ -201,4 +199,4 @@ def check_up(up: str, *paths: Path | None) -> None:
 
 
 def ascii_option() -> Decorator:
-    return click.option("--ascii", "as_text", is_flag=True, help="Write PLY or PCD as text; binary by default.")
+    return click.option("--ascii", "as_text", is_flag=True, help="Write PLY or PCD as text. Default: binary.")

@@ -36,12 +36,12 @@ WRITTEN = ["ply", "pcd", "npz", "xyz", "xyzn", "xyzrgb", "pts", "las", "laz", "e
 
 
 def from_option() -> Decorator:
-    text = "What comes through standard input, where - stands for a file."
+    text = "Format of standard input, if a file is -."
     return click.option("--from", "read_as", type=click.Choice(READ), metavar="EXT", help=text)
 
 
 def to_option() -> Decorator:
-    text = "What to write to standard output, where - stands for OUT."
+    text = "Format of standard output, if OUT is -."
     return click.option("--to", "write_as", type=click.Choice(WRITTEN), metavar="EXT", help=text)
 
 

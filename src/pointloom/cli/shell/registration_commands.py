@@ -30,43 +30,45 @@ MOTIONS = ("x", "y", "z", "roll", "pitch", "yaw")
 RANGE = Number("a distance in meters, 0 or above", lambda number: 0 <= number < float("inf"))
 
 
-@click.command(short_help="Bring one cloud onto another.")
+@click.command(short_help="Register one cloud to another.")
 @click.argument("source", type=FILE, metavar="A")
 @click.argument("target", type=FILE, metavar="B")
-@click.option("-o", "--output", type=FILE, metavar="TXT", help="Write the pose: four rows of four numbers, all digits.")
+@click.option("-o", "--output", type=FILE, metavar="TXT", help="Write the pose as a 4x4 matrix with all digits.")
 @click.option(
     "--init",
     default="global",
     show_default=True,
     metavar="global|identity|FILE",
-    help="Where to begin: search, as the clouds lie, or a file as -o writes it.",
+    help="Initial pose: global search, identity, or a file as written by -o.",
 )
 @click.option(
     "--method",
     type=click.Choice(["point-to-point", "point-to-plane", "symmetric", "generalized", "colored"]),
     default="point-to-plane",
     show_default=True,
-    help="What ICP brings together.",
+    help="Objective of ICP.",
 )
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin both to voxels of this edge [m].")
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling both clouds [m].")
 @click.option(
     "--distance",
     "max_correspondence_distance",
     type=LENGTH,
     metavar="M",
-    help="Correspondences lie closer than this [m]; 2 voxels if not given.",
+    help="Maximum correspondence distance [m]. Default: 2 voxels.",
 )
-@click.option("--free", metavar="LIST", help="Move A in these ways alone: x,y,z,yaw keeps it level.")
-@click.option("--prior", type=FILE, metavar="FILE", help="A pose that is known beforehand, as -o writes it.")
+@click.option("--free", metavar="LIST", help="Free motions of A. For example, x,y,z,yaw keeps A level.")
+@click.option("--prior", type=FILE, metavar="FILE", help="Prior pose, in the format of -o.")
 @click.option(
     "--prior-sigma",
     type=(LENGTH, FACTOR),
     metavar="M DEG",
-    help="How well: standard deviations of its translation [m] and rotation [degrees].",
+    help="Standard deviations of the prior: translation [m], rotation [degrees].",
 )
-@click.option("--aligned", type=FILE, metavar="FILE", help="Write the cloud A where it lies on B.")
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw A orange and B blue, before (left) and after (right).")
-@record_option("every step of ICP, A orange and B blue")
+@click.option("--aligned", type=FILE, metavar="FILE", help="Write the aligned cloud A.")
+@click.option(
+    "--picture", type=FILE, metavar="PNG", help="Render A (orange) and B (blue), before (left) and after (right)."
+)
+@record_option("every ICP iteration, A orange and B blue")
 @columns_option()
 @device_option()
 @from_option()
@@ -82,17 +84,19 @@ def register(
     force: bool,
     **options: Any,
 ) -> int:
-    """Find the pose that brings the cloud A onto the cloud B: B's coordinates of a point are T times A's.
+    """Estimate the pose T that registers the cloud A to the cloud B. T transforms coordinates of A to coordinates of
+    B.
 
-    Both are thinned to voxels; --init global then finds a start whatever their poses, and ICP refines it. Without
-    --voxel the edge is a 32nd of the distance from the middle within which 3 of 4 points lie, of the smaller cloud.
-    From a start that was given, ICP begins with voxels 4 and 2 times as large, unless --distance is given too.
-    Methods to planes estimate the normals of clouds that have none, within 3 voxels. One of A and B may be -, standard
-    input. --free fixes all motions that it does not name, of x, y, z, roll, pitch and yaw, as --init has them. A search
-    takes x,y,z,yaw of level clouds. What the clouds do not determine is held at --prior.
+    Both clouds are downsampled to voxels. --init global searches the initial pose, and ICP refines it. Default of
+    --voxel: 1/32 of the radius that contains 3/4 of the points, for the smaller cloud. With a given initial pose and
+    without --distance, ICP starts with voxels 4 and 2 times as large. Methods with planes estimate missing normals
+    within 3 voxels. One of A and B may be -, standard input.
 
-    The exit code is 3 where the surfaces hardly lie on each other (a score below 0.5 of 1), or less than 10 % of A
-    has a correspondence. Poses and pictures are written even then.
+    --free fixes all unlisted motions of x, y, z, roll, pitch and yaw at their values in --init. A global search of
+    level clouds accepts x,y,z,yaw. Motions that the clouds do not determine are constrained by --prior.
+
+    The exit code is 3 if the surfaces hardly coincide (score below 0.5 of 1), or less than 10% of A has a
+    correspondence. Poses and images are still written.
 
     \b
     pointloom register scan2.ply scan1.ply -o T.txt --picture both.png
@@ -125,43 +129,45 @@ def _motions(free: str | None, init: str) -> list[str] | None:
     return names
 
 
-@click.command(short_help="Bring all clouds of a folder into one frame.")
+@click.command(short_help="Register all clouds of a folder.")
 @click.argument("folder", type=FILE, metavar="DIR")
 @click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=POSES)
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin the clouds to voxels of this edge [m].")
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling the clouds [m].")
 @click.option(
     "--loops",
     "neighbors",
     type=COUNT,
     metavar="N",
-    help="Try each cloud with the N after it; all of up to 40 clouds, else 5, if not given.",
+    help="Register each cloud with the next N. Default: all if at most 40 clouds, else 5.",
 )
-@click.option("--level", is_flag=True, help="All clouds are level, as of a leveled scanner: none is tilted.")
-@click.option("--merged", type=FILE, metavar="FILE", help="Write all clouds that could be placed as one.")
-@click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph, as Open3D's .json.")
-@click.option("--job", type=FILE, metavar="JOB", help="Work by a folder that the same command goes on with. See above.")
-@click.option("--workers", type=COUNT, metavar="N", help="With --job: N processes; this one if not given.")
+@click.option("--level", is_flag=True, help="All clouds are level, as from a leveled scanner.")
+@click.option("--merged", type=FILE, metavar="FILE", help="Write all registered clouds as one.")
+@click.option("--graph", type=FILE, metavar="JSON", help="Write the pose graph in Open3D's format.")
+@click.option("--job", type=FILE, metavar="JOB", help="Job folder, which makes the work resumable. See above.")
+@click.option("--workers", type=COUNT, metavar="N", help="With --job: number of processes. Default: this process.")
 @click.option(
-    "--places", type=FILE, metavar="FILE", help="With --job: rough poses, which say what pairs are tried. See above."
+    "--places", type=FILE, metavar="FILE", help="With --job: approximate poses for selecting pairs. See above."
 )
-@click.option("--place-error", type=LENGTH, metavar="M", help="How far positions of --places may be off [m].")
-@record_option("the pairs that are tried, and where the clouds end up")
+@click.option("--place-error", type=LENGTH, metavar="M", help="Maximum position error of --places [m].")
+@record_option("the pairs and the final poses of the clouds")
 @columns_option()
 @device_option()
 @json_option()
 @force_option()
 def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Find where the clouds of DIR lie on each other, from any poses, and write T_reference_cloud of each.
+    """Register the clouds of DIR from any poses, and write T_reference_cloud of each.
 
-    They are taken in natural order (scan2 before scan10). Pairs are registered as by pointloom register --init global.
-    A pose graph weighs them against each other and drops those that contradict the rest. Without --voxel the edge is
-    the median of those that register would choose. POSES names each cloud by its number, from 0 (TUM's time), and
-    leaves out those that could not be placed; there are such where the exit code is 3.
+    The clouds are sorted in natural order (scan2 before scan10). Pairs are registered as by pointloom register --init
+    global. A pose graph optimization combines the pairs and rejects inconsistent ones. Default of --voxel: the median
+    of the defaults of register. POSES lists each cloud by its number, from 0 (the time in TUM files). The exit code is
+    3 if clouds could not be registered. POSES omits them.
 
-    --job is for hundreds of scans: a pair is a task, no process holds more than one scan or two thinned ones, and what
-    is done stays in JOB when anything ends. --voxel is needed then. --places is a file of poses as -o writes it, or
-    .kitti and .json with one for each scan in order: each scan is tried with the 12 (--loops) nearest whose boxes meet
-    its own, and scans that hang with few by what they look like. --json lists why each pair was accepted or rejected.
+    --job is for hundreds of scans. Each pair is a task, and no process loads more than one scan or two downsampled
+    scans. Finished tasks remain in JOB after an interruption, and the same command resumes. --job requires --voxel.
+
+    --places is a file of poses in a format of -o, or .kitti or .json with one pose per scan in order. Each scan is
+    registered with the 12 (--loops) nearest scans with an overlapping bounding box. Scans with few such pairs are also
+    matched by appearance. --json lists the reason for accepting or rejecting each pair.
 
     \b
     pointloom multiway scans -o poses.log --merged all.ply
@@ -197,40 +203,41 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     return answer_with(report, str(folder), as_json)
 
 
-@click.command(short_help="Find the path of a LiDAR from its scans.")
+@click.command(short_help="Estimate the trajectory of a LiDAR from its scans.")
 @click.argument("folder", type=FILE, metavar="DIR")
 @click.option("-o", "--output", type=FILE, required=True, metavar="POSES", help=f"{POSES[:-1]}, .kitti.")
 @click.option(
     "--format",
     type=click.Choice(["kitti", "tum", "log"]),
-    help="By the extension if not given; kitti for .txt too. Times of tum are the scans' numbers.",
+    help="Format. Default: by extension, with kitti for .txt. Times of tum are scan numbers.",
 )
 @click.option(
-    "--voxel", "voxel_size", type=LENGTH, metavar="M", help="Edge of the map's voxels [m]; 1 % of --max-range."
+    "--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size of the map [m]. Default: 1% of --max-range."
 )
 @click.option(
-    "--max-range", type=LENGTH, default=100.0, show_default=True, metavar="M", help="Farther points do not count [m]."
+    "--max-range", type=LENGTH, default=100.0, show_default=True, metavar="M", help="Maximum range of used points [m]."
 )
 @click.option(
-    "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Nearer points do not count [m]."
+    "--min-range", type=RANGE, default=5.0, show_default=True, metavar="M", help="Minimum range of used points [m]."
 )
-@click.option("--truth", type=FILE, metavar="FILE", help="The scanner's true poses: print the errors.")
-@click.option("--topic", metavar="NAME", help="Of a recording: which clouds; the only ones if not given.")
+@click.option("--truth", type=FILE, metavar="FILE", help="True poses of the scanner, for printing the errors.")
+@click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
 @columns_option()
-@record_option("scan after scan with the map and the path")
+@record_option("each scan with the map and the trajectory")
 @device_option()
 @json_option()
 @force_option()
 def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Register the scans of DIR one after another, and write the pose of each: T_first_scan.
+    """Register the scans of DIR in sequence, and write the pose of each: T_first_scan.
 
-    Scans are .bin files (columns as KITTI has them, unless --columns names others), or clouds, in natural order (scan2
-    before scan10); those whose points have times are straightened. Indoors take a smaller --max-range, and
-    --min-range 0.5. The exit code is 3 where a scan did not overlap those before it (its pose is then that of constant
-    velocity), where one lies beside the map of those before it, or where many did not come to rest: the path is then
-    likely lost, and the summary names the scans.
+    Scans are .bin files (KITTI's columns, unless --columns is given) or clouds, in natural order (scan2 before scan10).
+    Scans with point times are deskewed. Indoors use a smaller --max-range and --min-range 0.5.
 
-    DIR may be a recording too: a .bag of ROS 1, a .db3 or .mcap file, or a folder of those, with pointloom[ros].
+    The exit code is 3 if a scan did not overlap the earlier ones (its pose is then extrapolated with constant
+    velocity), a scan contradicts the map, or ICP did not converge for many scans. The trajectory is then probably
+    wrong, and the summary lists the scans.
+
+    DIR may also be a recording: a ROS 1 .bag, a .db3 or .mcap file, or a folder of them. Requires pointloom[ros].
 
     \b
     pointloom odometry run.mcap --topic /points -o poses.tum
@@ -249,7 +256,7 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     return answer_with(report, str(folder), as_json)
 
 
-@click.command(short_help="Hold a trajectory against the true one.")
+@click.command(short_help="Compare a trajectory with the true one.")
 @click.argument("poses", type=FILE, metavar="POSES")
 @click.argument("truth", type=FILE, metavar="TRUTH")
 @click.option(
@@ -260,32 +267,34 @@ def odometry(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     type=click.Choice(["none", "first", "se3", "sim3"]),
     default="se3",
     show_default=True,
-    help="How POSES are brought onto TRUTH.",
+    help="Alignment of POSES with TRUTH.",
 )
 @click.option(
     "--extrinsic",
     type=FILE,
     metavar="FILE",
-    help="T_truth_estimate of two sensors of one body: a 4x4 matrix, or KITTI's calib.txt (Tr).",
+    help="T_truth_estimate between two sensors of one rig: 4x4 matrix, or KITTI's calib.txt (Tr).",
 )
-@click.option("--picture", type=FILE, metavar="PNG", help="Draw both paths, and the error along the way.")
+@click.option("--picture", type=FILE, metavar="PNG", help="Plot both trajectories and the error along the path.")
 @json_option()
 @force_option()
 def evaluate(
     poses: Path, truth: Path, align: str, extrinsic: Path | None, picture: Path | None, as_json: bool, force: bool
 ) -> int:
-    """Print how far the trajectory POSES lies from TRUTH: .log, .tum, .kitti, .json, or .txt (TUM or KITTI by columns).
+    """Compute the errors of the trajectory POSES against TRUTH: .log, .tum, .kitti, .json, or .txt (TUM or KITTI by
+    columns).
 
-    Poses belong together by time where both files have times (.tum), else by number. They are aligned not at all, by
-    the first pose, or in least squares without (se3) or with a scale (sim3).
+    Poses are matched by time if both files have times (.tum), else by number. They are aligned by the first pose
+    (first), by least squares without scale (se3) or with scale (sim3), or not aligned (none).
 
     \b
-      ATE       distances of the aligned positions
-      RPE       errors of the motions from each pose to the next
-      segments  errors over 100 to 800 m of the path as KITTI has them, for those lengths that the path has
+      ATE       distances between aligned positions
+      RPE       errors of the motion between consecutive poses
+      segments  KITTI's errors over 100 to 800 m of the path, for lengths up to that of the path
 
-    The exit code is 3 where POSES and TRUTH are the paths of two sensors of one body, such as a LiDAR and a camera:
-    their motions differ by a fixed offset, which --extrinsic takes. --picture needs the extra pointloom[plot].
+    The exit code is 3 if POSES and TRUTH appear to be trajectories of two sensors of one rig, such as a LiDAR and a
+    camera. Their motions differ by a fixed transformation: pass it as --extrinsic. --picture requires the extra
+    pointloom[plot].
 
     \b
     pointloom evaluate poses.txt truth.txt --alignment first --picture path.png

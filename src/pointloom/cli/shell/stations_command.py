@@ -15,41 +15,44 @@ from .toolbox import SHARE
 LEVEL, ALL = "x,y,z,yaw", "x,y,z,roll,pitch,yaw"
 
 
-@click.command(short_help="Bring terrestrial scans into one frame, with a survey's report.")
+@click.command(short_help="Register terrestrial scans, with a survey report.")
 @click.argument("scans", type=FILE, metavar="SCANS.E57")
-@click.option("-o", "--output", type=FILE, required=True, metavar="E57", help="Write the scans with the poses found.")
-@click.option("--targets", type=FILE, metavar="CSV", help="Targets that stations saw: station, name, x, y, z, sigma.")
 @click.option(
-    "--control", type=FILE, metavar="CSV", help="Where targets are: name, x, y, z, sigma. Poses are then there."
+    "-o", "--output", type=FILE, required=True, metavar="E57", help="Write the scans with the estimated poses."
 )
-@click.option("--report", type=FILE, metavar="DIR", help="Write report.txt, report.json and plan.png there.")
+@click.option("--targets", type=FILE, metavar="CSV", help="Observed targets: station, name, x, y, z, sigma.")
+@click.option(
+    "--control",
+    type=FILE,
+    metavar="CSV",
+    help="Control points: name, x, y, z, sigma. They define the coordinate frame.",
+)
+@click.option("--report", type=FILE, metavar="DIR", help="Folder for report.txt, report.json and plan.png.")
 @click.option(
     "--free",
     default=LEVEL,
     show_default=True,
     metavar="LIST",
-    help=f"Motions of each station; {ALL} for scans not level.",
+    help=f"Free motions of each station; {ALL} if scans are not level.",
 )
-@click.option("--no-poses", is_flag=True, help="The poses of the file say nothing: search for all pairs.")
-@click.option(
-    "--rough", type=LENGTH, metavar="M", help="By how much the poses of the file may be off; 2 m if not given."
-)
-@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Thin the scans to voxels of this edge [m].")
-@click.option("--overlap", type=SHARE, metavar="SHARE", help="Least overlap of a pair; 0.15 if not given.")
+@click.option("--no-poses", is_flag=True, help="Ignore the poses of the file, and search all pairs globally.")
+@click.option("--rough", type=LENGTH, metavar="M", help="Maximum error of the poses of the file [m]. Default: 2.")
+@click.option("--voxel", "voxel_size", type=LENGTH, metavar="M", help="Voxel size for downsampling the scans [m].")
+@click.option("--overlap", type=SHARE, metavar="SHARE", help="Minimum overlap of a pair. Default: 0.15.")
 @device_option()
 @json_option()
 @force_option()
 def stations(scans: Path, free: str, no_poses: bool, as_json: bool, force: bool, **options: Any) -> int:
-    """Find where the stations of SCANS.E57 (or .ptx) stood, and how well that is known.
+    """Estimate the poses of the stations of SCANS.E57 (or .ptx) and their accuracy.
 
-    Scans that overlap are registered in pairs, from the poses of the file where it has any. Then all poses are adjusted
-    together, with targets and control points. Observations that contradict the rest are taken out and named. The
-    report has tables of stations with their standard deviations, of residuals with their tests, of how pairs close
-    around, and a plan with ellipses of errors. Tables of targets are text: one row each, a head if you like. The
-    station is a scan's name or its number, from 0.
+    Overlapping scans are registered in pairs, starting from the poses of the file, if any. All poses are then adjusted
+    together with targets and control points. Inconsistent observations are removed and listed. The report has tables of
+    the stations with standard deviations, of the residuals with tests, and of the loop closure errors of pairs, and a
+    plan with error ellipses. Tables of targets are text files with one row each and an optional header. A station is
+    identified by the name or the number of the scan, from 0.
 
-    The exit code is 3 where something was taken out, a station floats free, residuals are larger than said, or nothing
-    checks the result. All is written even then. --report needs the extra pointloom[plot].
+    The exit code is 3 if observations were removed, a station is not connected, residuals exceed the given accuracy, or
+    there is no redundancy. All outputs are still written. --report requires the extra pointloom[plot].
 
     \b
     pointloom stations scans.e57 -o registered.e57 --report report

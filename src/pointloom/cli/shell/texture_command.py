@@ -25,13 +25,24 @@ from .options import (
 METHODS = ("rigid", "non-rigid", "none")
 
 
-@click.command(short_help="Color a mesh by posed RGB-D frames.")
+@click.command(short_help="Texture a mesh from posed RGB-D frames.")
 @click.argument("mesh", type=FILE)
 @click.argument("frames", type=FILE)
-@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="Colored: .ply .obj .glb .gltf.")
-@click.option("--method", type=click.Choice(METHODS), default="rigid", show_default=True, help="How pictures may move.")
+@click.option("-o", "--output", type=FILE, required=True, metavar="OUT", help="The colored mesh, .ply .obj .glb .gltf.")
 @click.option(
-    "--size", type=click.IntRange(16, 16384), default=2048, show_default=True, metavar="N", help="Texels a side."
+    "--method",
+    type=click.Choice(METHODS),
+    default="rigid",
+    show_default=True,
+    help="Optimization of the images, see above.",
+)
+@click.option(
+    "--size",
+    type=click.IntRange(16, 16384),
+    default=2048,
+    show_default=True,
+    metavar="N",
+    help="Texture size [texels].",
 )
 @frame_options()
 @device_option()
@@ -40,23 +51,22 @@ METHODS = ("rigid", "non-rigid", "none")
 @json_option()
 @force_option()
 def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Write to OUT the mesh MESH with the colors of FRAMES, a folder of posed RGB-D frames as `fuse` takes it.
+    """Color MESH from FRAMES, a folder of posed RGB-D frames as of pointloom fuse, and write it to OUT.
 
     \b
-    .ply              a color at each vertex
-    .obj .glb .gltf   a texture. Where MESH has no texture coordinates an atlas is made
+    .ply              vertex colors
+    .obj .glb .gltf   a texture. Missing texture coordinates are computed
+
+    FRAMES may also be a COLMAP project with the folder images, or the work folder of pointloom video. Each triangle
+    then takes its texture from the best image, with exposure compensation and without seams. Poses are not changed.
 
     \b
-    FRAMES may also be a project of COLMAP, with its pictures in the folder images, or the work folder of `video`. Then
-    each triangle takes its texture from the best picture, at one exposure and without seams. Poses stay as they are.
+    rigid      optimize the poses until the images agree at each vertex
+    non-rigid  also warp the images, which compensates lens distortion
+    none       use poses and images unchanged
 
-    \b
-    rigid      the poses move until the pictures agree at each vertex
-    non-rigid  and the pictures are bent, which takes up the distortion of lenses
-    none       poses and pictures as they are
-
-    The exit code is 3 where the frames show little of the mesh or nothing, and where the pictures agree no better than
-    before.
+    The exit code is 3 if the frames show little or nothing of the mesh, or if the optimization did not improve the
+    agreement of the images.
 
     \b
     pointloom fuse redkitchen/seq-01 -o kitchen.ply --every 5

@@ -19,8 +19,8 @@ OUTPUTS = ("laz", "copc")
 AREAS = (".geojson", ".json", ".wkt")  # of src/pointloom/tiling/polygons.py
 FILES = ("laz", "las", "copc")  # of src/pointloom/tiling/finish.py, likewise
 _EPILOG = """\b
-What earlier runs have done stays: the same plan and run again go on where they ended, after Ctrl-C too. Another plan,
-files that have changed and another version are refused, and what differs is said.
+Finished tiles are kept. The same plan and run resume after an interruption, such as Ctrl-C.
+A different plan, changed files and a different version are errors that list the differences.
 """
 
 
@@ -71,11 +71,11 @@ FOLDER = click.argument("folder", type=FILE, metavar="DIR")
 COUNT = click.IntRange(min=1)
 
 
-@click.group("tile", cls=Commands, short_help="Surveys larger than the memory, tile by tile.", epilog=_EPILOG)
+@click.group("tile", cls=Commands, short_help="Process surveys larger than memory in tiles.", epilog=_EPILOG)
 def tile() -> None:
-    """Work LAS, LAZ and COPC files off tile by tile, with the answer of one machine that holds them all.
+    """Process LAS, LAZ and COPC files in tiles. The result equals that of processing all points in memory.
 
-    Every command takes --json. docs/tiles.md says which steps there are, and what is promised of them.
+    Every command accepts --json. docs/tiles.md lists the steps and their guarantees.
 
     \b
     pointloom tile plan survey/ --steps steps.toml -o job
@@ -83,7 +83,7 @@ def tile() -> None:
     pointloom tile status job
     pointloom tile finish job -o thinned.laz
 
-    steps.toml has a table for each step, in their order:
+    steps.toml has one table per step, in order:
 
     \b
     [[step]]
@@ -98,28 +98,30 @@ def tile() -> None:
     """
 
 
-@tile.command("plan", short_help="Write down what is to be done.")
+@tile.command("plan", short_help="Plan the tiles.")
 @click.argument("sources", nargs=-1, required=True, type=FILE, metavar="SOURCES...")
-@click.option("--steps", type=FILE, required=True, metavar="TOML", help="What to do: a [[step]] table for each step.")
+@click.option("--steps", type=FILE, required=True, metavar="TOML", help="Processing steps: one [[step]] table each.")
 @click.option(
-    "-o",
-    "--folder",
-    "folder",
-    type=FILE,
-    required=True,
-    metavar="DIR",
-    help="Folder of the job; made where it is missing.",
+    "-o", "--folder", "folder", type=FILE, required=True, metavar="DIR", help="Job folder. Created if missing."
 )
-@click.option("--size", type=LENGTH, metavar="M", help="Edge of a tile [m].")
-@click.option("--points", type=COUNT, metavar="N", help="Points a tile, about; 2 million if neither is given.")
-@click.option("--only", type=Area(), metavar="AREA", help="Only tiles that X0,Y0,X1,Y1 or a .geojson, .wkt file touch.")
+@click.option("--size", type=LENGTH, metavar="M", help="Tile size [m].")
 @click.option(
-    "--only-crs", metavar="CRS", help="Of the polygons of --only, such as EPSG:4326; that of the files if none."
+    "--points", type=COUNT, metavar="N", help="Approximate points per tile. Default without --size: 2 million."
 )
-@click.option("--to-crs", metavar="CRS", help="Write points in this projected system, such as EPSG:25832.")
-@click.option("--from-crs", metavar="CRS", help="With --to-crs: the files' system; what they tell if none.")
 @click.option(
-    "--output", type=click.Choice(OUTPUTS), default=OUTPUTS[0], show_default=True, help="What `tile finish` makes."
+    "--only", type=Area(), metavar="AREA", help="Only tiles that intersect X0,Y0,X1,Y1 or a .geojson or .wkt file."
+)
+@click.option(
+    "--only-crs", metavar="CRS", help="CRS of the polygons of --only, such as EPSG:4326. Default: that of the files."
+)
+@click.option("--to-crs", metavar="CRS", help="Reproject points to this projected CRS, such as EPSG:25832.")
+@click.option("--from-crs", metavar="CRS", help="With --to-crs: CRS of the files. Default: from their headers.")
+@click.option(
+    "--output",
+    type=click.Choice(OUTPUTS),
+    default=OUTPUTS[0],
+    show_default=True,
+    help="Output format of `tile finish`.",
 )
 @json_option()
 def plan(
@@ -131,10 +133,10 @@ def plan(
     from_crs: str | None,
     **options: Any,
 ) -> int:
-    """Plan the tiles of SOURCES in the folder DIR: .las and .laz files, folders of them, a .vpc that lists them.
+    """Plan the tiles of SOURCES in the folder DIR: .las and .laz files, folders of them, or a .vpc that lists them.
 
-    Of these only headers are read. .ply, .pcd, .e57, .ptx and text (.xyz, .pts, .csv ...) are written over as LAZ into
-    DIR first.
+    Only their headers are read. .ply, .pcd, .e57, .ptx and text files (.xyz, .pts, .csv ...) are first converted to LAZ
+    in DIR.
 
     \b
     pointloom tile plan survey/ --steps steps.toml -o job
@@ -158,15 +160,20 @@ def plan(
     return answer_with(report_of("plan", status), str(folder), as_json)
 
 
-@tile.command("run", short_help="Work the tiles off.")
+@tile.command("run", short_help="Process the tiles.")
 @FOLDER
-@click.option("--serial", is_flag=True, help="In this process; the default.")
-@click.option("--workers", type=COUNT, metavar="N", help="By N processes of this machine (dask.distributed).")
-@click.option("--scheduler", metavar="ADDRESS", help="By the workers of a dask scheduler, as tcp://host:8786.")
-@click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N shares of the tiles, for array jobs.")
-@click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, again if it failed.")
+@click.option("--serial", is_flag=True, help="Run in this process (default).")
+@click.option("--workers", type=COUNT, metavar="N", help="Run in N local processes (dask.distributed).")
+@click.option("--scheduler", metavar="ADDRESS", help="Run on the workers of a dask scheduler, such as tcp://host:8786.")
+@click.option("--part", type=Part(), metavar="K/N", help="Only the K-th of N parts of the tiles, for array jobs.")
+@click.option("--tile", "name", type=TileName(), metavar="X_Y", help="Only this tile, also if it failed.")
 @click.option(
-    "--device", type=DeviceName(), default="cpu", show_default=True, metavar="cpu|cuda|cuda:N", help="A GPU a worker."
+    "--device",
+    type=DeviceName(),
+    default="cpu",
+    show_default=True,
+    metavar="cpu|cuda|cuda:N",
+    help="Device. With cuda, one GPU per worker.",
 )
 @json_option()
 def run(
@@ -179,10 +186,10 @@ def run(
     device: str,
     as_json: bool,
 ) -> int:
-    """Work the tiles of DIR off. What is done stays, so that the same command goes on after an end of any kind.
+    """Process the tiles of DIR. Finished tiles are kept, and the same command resumes after any interruption.
 
-    Any number of runs may work on one DIR at once. Exit code 3 where tiles failed or were set aside, with their names.
-    Each has the command that repeats it alone.
+    Several runs may share one DIR. The exit code is 3 if tiles failed or were quarantined. The summary lists them with
+    the command that repeats each.
 
     \b
     pointloom tile run job
@@ -204,13 +211,13 @@ def run(
     return answer_with(report_of("run", told, is_part=bool(part or name)), str(folder), as_json)
 
 
-@tile.command("status", short_help="Say how far the tiles are.")
+@tile.command("status", short_help="Show the progress of the tiles.")
 @FOLDER
 @json_option()
 def status(folder: Path, as_json: bool) -> int:
-    """Say how many tiles of DIR wait, are done, failed or were set aside. Also while others work on it.
+    """Show the number of waiting, done, failed and quarantined tiles of DIR, also during a run.
 
-    Exit code 3 where tiles failed or were set aside.
+    The exit code is 3 if tiles failed or were quarantined.
 
     \b
     pointloom tile status job --json
@@ -221,11 +228,11 @@ def status(folder: Path, as_json: bool) -> int:
     return answer_with(report_of("status", tile_status(folder)), str(folder), as_json)
 
 
-@tile.command("retry", short_help="Have tiles that failed wait again.")
+@tile.command("retry", short_help="Reset failed tiles.")
 @FOLDER
 @json_option()
 def retry(folder: Path, as_json: bool) -> int:
-    """Have the tiles of DIR that failed or were set aside, and such files, wait again; `tile run` then does them.
+    """Reset failed and quarantined tiles and files of DIR to waiting. `tile run` then processes them.
 
     \b
     pointloom tile retry job
@@ -236,17 +243,17 @@ def retry(folder: Path, as_json: bool) -> int:
     return answer_with(report_of("retry", retry_tiles(folder)), str(folder), as_json)
 
 
-@tile.command("finish", short_help="Make one file of all tiles.")
+@tile.command("finish", short_help="Merge all tiles into one file.")
 @FOLDER
-@click.option("-o", "path", type=FILE, metavar="OUT", help="The file; result.laz in DIR if not given.")
-@click.option("--output", type=click.Choice(FILES), help="The format; else what OUT's name says, or the plan.")
-@click.option("--workers", type=COUNT, metavar="N", help="Processes that make copc; 1 GB each.")
+@click.option("-o", "path", type=FILE, metavar="OUT", help="Output file. Default: result.laz in DIR.")
+@click.option("--output", type=click.Choice(FILES), help="Format. Default: by the name of OUT, else the plan.")
+@click.option("--workers", type=COUNT, metavar="N", help="Number of processes for copc, 1 GB each.")
 @json_option()
 @force_option()
 def finish(folder: Path, path: Path | None, output: str | None, workers: int | None, as_json: bool, force: bool) -> int:
-    """Make one file of all tiles of DIR, once all are done, and remove what lay there beside them.
+    """Merge all tiles of DIR into one file after all are done, and remove the intermediate data of the job.
 
-    OUT appears whole or not at all, after Ctrl-C too.
+    OUT is written atomically, also with Ctrl-C.
 
     \b
     pointloom tile finish job -o thinned.laz

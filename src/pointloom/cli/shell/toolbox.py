@@ -43,17 +43,17 @@ SHARE = Number("a share above 0 and up to 1", lambda number: 0 < number <= 1)
 COORDINATE = Number("a coordinate in meters, -inf or inf", lambda number: True)
 
 
-@click.command(short_help="Remove outliers, duplicates and points that are not finite.")
-@click.option("--non-finite", is_flag=True, help="Remove points that are not finite; every other filter does so too.")
-@click.option("--duplicates", is_flag=True, help="Remove all but the first of the points at one position.")
-@click.option("--neighbors", type=COUNT, metavar="N", help="Statistical filter: neighbors of a mean; 20 if not given.")
+@click.command(short_help="Remove outliers, duplicates and non-finite points.")
+@click.option("--non-finite", is_flag=True, help="Remove non-finite points, as every other filter does.")
+@click.option("--duplicates", is_flag=True, help="Remove all but the first point at each position.")
+@click.option("--neighbors", type=COUNT, metavar="N", help="Statistical filter: number of neighbors. Default: 20.")
 @click.option(
     "--deviations", "ratio", cls=Renamed, old="--ratio", type=FACTOR, metavar="R",
-    help="Statistical filter: how many above the mean; 2.0 if not given.",
+    help="Statistical filter: standard deviations above the mean. Default: 2.0.",
 )  # fmt: skip
-@click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: how far neighbors may be [m].")
-@click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: neighbors a point needs.")
-@click.option("--removed", type=FILE, metavar="FILE", help="Write the points that were removed, if any, to this cloud.")
+@click.option("--radius", type=LENGTH, metavar="M", help="Radius filter: maximum distance of neighbors [m].")
+@click.option("--min-neighbors", type=COUNT, metavar="N", help="Radius filter: minimum number of neighbors.")
+@click.option("--removed", type=FILE, metavar="FILE", help="Write the removed points, if any, to this cloud.")
 @from_cloud_to_cloud()
 def clean(
     source: Path,
@@ -67,17 +67,17 @@ def clean(
     removed: Path | None,
     **settings: Any,
 ) -> Answer:
-    """Write the cloud IN to OUT without points that should not be there.
+    """Remove outliers and invalid points from the cloud IN, and write it to OUT.
 
-    The options choose the filters, which run in this order, each on what the last one left. Without any, the first
-    and the third:
+    The options enable the filters, which run in this order, each on the result of the previous one. Without options,
+    non-finite and statistical are enabled:
 
     \b
       non-finite   points with a NaN or infinite coordinate. Always removed
-      duplicates   (--duplicates) points at the place of an earlier one
-      statistical  (--neighbors, --deviations) points farther from their neighbors than the mean of the cloud by more
-                   than R standard deviations
-      radius       (--radius, --min-neighbors) points with fewer than N others within M meters
+      duplicates   (--duplicates) points at the position of an earlier one
+      statistical  (--neighbors, --deviations) points with a mean neighbor distance of more than R standard deviations
+                   above the mean of the cloud
+      radius       (--radius, --min-neighbors) points with fewer than N other points within M meters
 
     \b
     pointloom clean scan.ply out.ply
@@ -102,20 +102,21 @@ def clean(
 @click.command(short_help="Label the points of a cloud by cluster.")
 @click.option(
     "--radius", "eps", cls=Renamed, old="--eps", type=LENGTH, required=True, metavar="M",
-    help="Neighbors lie closer than this [m]: eps of DBSCAN.",
+    help="Maximum distance of neighbors [m]: eps of DBSCAN.",
 )  # fmt: skip
 @click.option(
     "--neighbors", "min_points", cls=Renamed, old="--min-points", type=COUNT, default=10, show_default=True,
-    metavar="N", help="Neighbors that make a core, itself included.",
+    metavar="N", help="Minimum neighbors of a core point, including itself.",
 )  # fmt: skip
-@click.option("--largest", type=COUNT, metavar="N", help="Keep the N largest clusters alone; all points if not given.")
+@click.option("--largest", type=COUNT, metavar="N", help="Keep only the N largest clusters. Default: all points.")
 @click.option("--paint", is_flag=True, help="Color the points by label (tab20, noise black).")
 @from_cloud_to_cloud()
 def cluster(source: Path, output: Path, **options: Any) -> Answer:
-    """Write the cloud IN to OUT with the cluster of each point (DBSCAN) as the attribute label, -1 for noise.
+    """Cluster the cloud IN by DBSCAN, and write it to OUT with the attribute label (-1 for noise).
 
-    A point with at least --neighbors points closer than --radius, itself included, is the core of a cluster; cores
-    closer than --radius are of one. Where it does not fit the cloud, the exit code is 3 and a better one is proposed.
+    A core point has at least --neighbors points closer than --radius, including itself. Core points closer than
+    --radius belong to one cluster. If --radius does not fit the cloud, the exit code is 3 and a better value is
+    suggested.
 
     \b
     pointloom cluster scan.ply out.ply --radius 0.05 --paint
@@ -127,22 +128,26 @@ def cluster(source: Path, output: Path, **options: Any) -> Answer:
         return cluster_file(source, output, progress=progress, **options)
 
 
-@click.command(short_help="Find the planes of a cloud.")
-@click.option("--distance", type=LENGTH, required=True, metavar="M", help="Points closer than this lie on a plane [m].")
-@click.option("--iterations", type=COUNT, default=1000, show_default=True, metavar="N", help="Samples for a plane.")
+@click.command(short_help="Segment planes of a cloud.")
+@click.option(
+    "--distance", type=LENGTH, required=True, metavar="M", help="Maximum distance of inliers from the plane [m]."
+)
+@click.option(
+    "--iterations", type=COUNT, default=1000, show_default=True, metavar="N", help="RANSAC iterations per plane."
+)
 @click.option("--planes", type=COUNT, metavar="N", help="Label the points of up to N planes, the largest first.")
-@click.option("--min-points", type=COUNT, metavar="N", help="With --planes: fewer are no plane; 100 if not given.")
-@click.option("--invert", is_flag=True, help="Write the points that do not lie on the plane.")
-@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Chooses the samples.")
+@click.option("--min-points", type=COUNT, metavar="N", help="With --planes: minimum points of a plane. Default: 100.")
+@click.option("--invert", is_flag=True, help="Write the points outside the plane.")
+@click.option("--seed", type=SEED, default=0, show_default=True, metavar="N", help="Random seed.")
 @from_cloud_to_cloud()
 def plane(
     source: Path, output: Path, planes: int | None, min_points: int | None, invert: bool, **options: Any
 ) -> Answer:
-    """Write to OUT the points of the cloud IN on the plane that has the most of them, and print its a, b, c, d.
+    """Segment the plane with the most points of the cloud IN, write its points to OUT, and print its a, b, c, d.
 
     The plane is ax + by + cz + d = 0 with a unit normal (a, b, c), in the coordinates of the file. With --planes all
-    points are written, with the plane of each as the attribute plane: 0 for the largest, -1 for none. The exit code
-    is 3 where no plane has 5 % of the points.
+    points are written, with the attribute plane: 0 for the largest, -1 for none. The exit code is 3 if no plane has 5%
+    of the points.
 
     \b
     pointloom plane scan.ply floor.ply --distance 0.02
@@ -164,13 +169,13 @@ def plane(
 
 @click.command(short_help="Keep the points inside a box or polygon.")
 @click.option(
-    "--box", type=COORDINATE, nargs=6, metavar="X0 Y0 Z0 X1 Y1 Z1", help="Lowest and highest corner [m], both included."
+    "--box", type=COORDINATE, nargs=6, metavar="X0 Y0 Z0 X1 Y1 Z1", help="Minimum and maximum corner [m], inclusive."
 )
-@click.option("--polygon", type=FILE, metavar="JSON", help="A polygon volume as Open3D's viewer writes it.")
+@click.option("--polygon", type=FILE, metavar="JSON", help="Polygon volume in the format of Open3D's viewer.")
 @click.option("--invert", is_flag=True, help="Keep the points outside instead.")
 @from_cloud_to_cloud()
 def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Path | None, **options: Any) -> Answer:
-    """Write to OUT the points of the cloud IN inside a box or a polygon volume.
+    """Write the points of the cloud IN inside a box or a polygon volume to OUT.
 
     A coordinate of -inf or inf leaves a side of the box open.
 
@@ -191,19 +196,20 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
         return crop_file(source, output, box=box, polygon=polygon, progress=progress, **options)
 
 
-@click.command(short_help="Thin a cloud.")
+@click.command(short_help="Downsample a cloud.")
 @click.option("--every", type=COUNT, metavar="K", help="Keep every K-th point.")
-@click.option("--ratio", type=SHARE, metavar="R", help="Keep this share of the points, chosen at random.")
-@click.option("--farthest", type=COUNT, metavar="N", help="Keep N points, each the farthest from those before it.")
-@click.option("--voxel", type=LENGTH, metavar="M", help="One point for each voxel with this edge [m]: the mean.")
-@click.option("--nearest", is_flag=True, help="With --voxel: the point nearest to the mean instead.")
-@click.option("--seed", type=SEED, metavar="N", help="With --ratio: chooses the choice; 0 if not given.")
+@click.option("--ratio", type=SHARE, metavar="R", help="Keep this fraction of the points, selected at random.")
+@click.option("--farthest", type=COUNT, metavar="N", help="Keep N points by farthest point sampling.")
+@click.option("--voxel", type=LENGTH, metavar="M", help="Keep the mean of the points of each voxel of this size [m].")
+@click.option("--nearest", is_flag=True, help="With --voxel: keep the point nearest to the mean instead.")
+@click.option("--seed", type=SEED, metavar="N", help="With --ratio: random seed. Default: 0.")
 @from_cloud_to_cloud()
 def downsample(source: Path, output: Path, nearest: bool, seed: int | None, **options: Any) -> Answer:
-    """Write to OUT fewer points of the cloud IN: one of --every, --ratio, --farthest and --voxel says which.
+    """Downsample the cloud IN by one of --every, --ratio, --farthest and --voxel, and write it to OUT.
 
-    All but the means of --voxel are points of IN as they are, with all their attributes. Means are of normals, colors
-    and attributes in floating point too; whole numbers are those of the first point.
+    All methods except the means of --voxel keep points of IN unchanged, with all attributes. --voxel averages
+    positions, normals, colors and floating-point attributes. Integer attributes are those of the first point of the
+    voxel.
 
     \b
     pointloom downsample scan.ply out.ply --every 10

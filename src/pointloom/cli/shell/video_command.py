@@ -46,27 +46,27 @@ class Alignment(CompletedPath):
         return value if value in ("exif", "none") else super().convert(value, param, ctx)
 
 
-ALIGN = "Known places of cameras: poses, or lines `name x y z` [m]; exif: GPS of the pictures; none: leave the frame."
-CONTROL = "Points with coordinates, marked in pictures: ODM's gcp_list.txt, or a CSV."
-BARS = "Known lengths between points that are marked in pictures, lines `bar A B meters`."
+ALIGN = "Known camera positions: poses, or lines `name x y z` [m]; exif: GPS of the images; none: no alignment."
+CONTROL = "Ground control points, marked in images: ODM's gcp_list.txt, or a CSV."
+BARS = "Known distances between points marked in images, lines `bar A B meters`."
 MESH = "The mesh, .ply .obj .stl .off .glb .gltf; the points, .pcd .las .xyz ..."
-CAMERA_MODEL = "How the lens draws, COLMAP's name: OPENCV, OPENCV_FISHEYE ..."
-TRAINING = "Write a folder that gsplat, 3DGS and nerfstudio train from."
+CAMERA_MODEL = "COLMAP's name of the camera model: OPENCV, OPENCV_FISHEYE ..."
+TRAINING = "Write a training folder for gsplat, 3DGS and nerfstudio."
 CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Polycam, a trajectory."
 
 
-@click.command(short_help="A video, or a folder of pictures, to a mesh.")
+@click.command(short_help="Reconstruct a mesh from a video or a folder of images.")
 @click.argument("source", type=FILE, metavar="VIDEO|FOLDER")
 @click.option("-o", "--output", type=FILE, required=True, metavar="MESH", help=MESH)
-@click.option("--work", type=FILE, metavar="DIR", help="Keep the stages' files and report.json in this folder.")
-@click.option("--resume", is_flag=True, help="Keep what an earlier run left in that folder.")
+@click.option("--work", type=FILE, metavar="DIR", help="Folder for intermediate files and report.json.")
+@click.option("--resume", is_flag=True, help="Reuse the intermediate files of an earlier run.")
 @click.option(
     "--max-frames",
     type=click.IntRange(min=2),
     default=150,
     show_default=True,
     metavar="N",
-    help="The most pictures that are used.",
+    help="Maximum number of images.",
 )
 @click.option(
     "--max-size",
@@ -74,30 +74,32 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
     default=960,
     show_default=True,
     metavar="PX",
-    help="Longest side of the pictures that depth is found in.",
+    help="Longest side of the images for depth estimation.",
 )
-@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera (Open3D's JSON); found if not given.")
+@click.option("--intrinsic", type=FILE, metavar="JSON", help="The camera (Open3D's JSON). Default: estimated.")
 @click.option("--cameras", type=FILE, metavar="FILE", help=CAMERAS)
-@click.option("--scale", type=SCALE, metavar="F", help="Meters in a unit of the model.")
-@click.option("--known", type=KnownDistance(), metavar="A,B,M", help="Pictures A and B were taken M meters apart.")
+@click.option("--scale", type=SCALE, metavar="F", help="Meters per unit of the model.")
+@click.option(
+    "--known", type=KnownDistance(), metavar="A,B,M", help="Distance M [m] between the cameras of images A and B."
+)
 @click.option("--align", type=Alignment(path_type=Path), metavar="FILE|exif|none", help=ALIGN)
 @click.option("--control", type=FILE, metavar="FILE", help=CONTROL)
 @click.option("--scale-bars", type=FILE, metavar="FILE", help=BARS)
-@click.option("--masks", metavar="DIR|alpha", help="Leave out what is black in masks, or transparent in the pictures.")
+@click.option("--masks", metavar="DIR|alpha", help="Ignore black pixels of masks, or transparent pixels of the images.")
 @click.option("--camera-model", metavar="NAME", default="SIMPLE_RADIAL", show_default=True, help=CAMERA_MODEL)
 @click.option(
     "--pairs",
     type=click.Choice(("auto", "sequential", "exhaustive", "retrieval")),
     default="auto",
     show_default=True,
-    help="Which pictures are matched.",
+    help="Selection of image pairs for matching.",
 )
 @click.option(
     "--mapper",
     type=click.Choice(("auto", "incremental", "global")),
     default="auto",
     show_default=True,
-    help="How pictures are placed: one by one, or all at once.",
+    help="Incremental (one image at a time) or global structure from motion.",
 )
 @click.option(
     "--max-features",
@@ -105,50 +107,50 @@ CAMERAS = "Known poses: Metashape's .xml, COLMAP's folder, transforms.json, Poly
     default=4096,
     show_default=True,
     metavar="N",
-    help="The most features of a picture.",
+    help="Maximum number of features per image.",
 )
-@click.option("--panorama", is_flag=True, help="The pictures show all directions (360 degrees).")
-@click.option("--cloud", type=FILE, metavar="FILE", help="Write the fused points as well.")
+@click.option("--panorama", is_flag=True, help="The images are 360-degree panoramas.")
+@click.option("--cloud", type=FILE, metavar="FILE", help="Also write the fused points.")
 @click.option("--trajectory", type=FILE, metavar="POSES", help="Write the poses: .txt or .tum (TUM), .log.")
 @click.option("--training", type=FILE, metavar="DIR", help=TRAINING)
-@click.option("--ortho", type=FILE, metavar="TIF", help="Write the mesh from above, in UTM; wants GPS and --cell.")
-@click.option("--dem", type=FILE, metavar="TIF", help="Write its heights likewise.")
-@click.option("--cell", type=SCALE, metavar="M", help="The side of the cells of --ortho and --dem, in meters.")
-@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Of what is drawn.")
+@click.option("--ortho", type=FILE, metavar="TIF", help="Write an orthophoto in UTM. Requires GPS and --cell.")
+@click.option("--dem", type=FILE, metavar="TIF", help="Write an elevation model in UTM, likewise.")
+@click.option("--cell", type=SCALE, metavar="M", help="Cell size of --ortho and --dem [m].")
+@click.option("--seed", type=click.IntRange(min=0), default=0, show_default=True, metavar="N", help="Random seed.")
 @device_option()
 @picture_option()
 @json_option()
 @force_option()
 def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any) -> int:
-    """Make a colored mesh of VIDEO, or of the pictures in FOLDER: nothing else is needed.
+    """Reconstruct a colored mesh from VIDEO, or from the images in FOLDER. No other input is required.
 
     \b
-    frames             sharp frames, where the camera has moved
-    features, matches  what can be recognized in them, and what they share of it
-    model              where they were taken, and what the lens is like
-    undistorted        the pictures as a lens without distortion shows them
-    depth              each picture matched with others, pixel by pixel
-    fused, mesh        what several pictures agree on, as points and as a surface
+    frames             selection of sharp frames with camera motion
+    features, matches  feature detection and matching
+    model              camera poses and lens (structure from motion)
+    undistorted        images without lens distortion
+    depth              dense matching of each image with others
+    fused, mesh        points confirmed by several images, and a surface
 
-    The size of things cannot be seen in pictures: the unit is arbitrary unless --scale, --known, --align, --control or
-    --scale-bars tells it, or photographs tell where they were taken (GPS): then z is up, and the report has the origin
-    and the UTM zone. Pictures are named in --known, --align and --control by their file or by the number of the frame.
+    Images do not determine the scale. The unit is arbitrary unless --scale, --known, --align, --control, --scale-bars
+    or GPS tags of the photographs define it. With GPS, z is up and the report has the origin and the UTM zone. In
+    --known, --align and --control an image is identified by its file name or frame number.
 
-    --control brings the model to surveyed points: three or more that are not on a line, each marked in two or more
-    pictures. Points named CHK... are check points, which are measured against alone. The residual of each point and
-    each scale bar is told. One that contradicts the others is left out and named, with exit code 3.
+    --control aligns the model with surveyed points: at least three, not collinear, each marked in at least two images.
+    Points named CHK... are check points, which are used only for validation. The summary lists the residual of each
+    point and scale bar. Inconsistent ones are excluded and listed, with exit code 3.
 
-    With --work each stage's files stay, and --resume makes only what is missing or made from something else: another
-    --max-size begins at undistorted, another --scale makes the mesh alone.
+    With --work the intermediate files are kept, and --resume computes only missing or outdated stages. For example,
+    another --max-size restarts at undistorted, and another --scale repeats only the mesh.
 
-    With --cameras nothing is placed: points and depth are found at the poses and lenses of the file, in its unit.
-    Pictures are those that it names, with or without their ending. A trajectory (.log, TUM, KITTI) wants --intrinsic
-    too. Poses that the pictures contradict are told, with the likely mistake.
+    With --cameras poses and lenses are taken from the file, in its unit, and only points and depth are estimated. The
+    images are those listed in the file, with or without extension. A trajectory (.log, TUM, KITTI) also requires
+    --intrinsic. Poses that contradict the images are reported with the probable cause.
 
-    The exit code is 3 where fewer than 60 % of the pictures could be placed, where they fall apart into several
-    models, where the camera turned without moving, where the pictures ask for another focal length than --intrinsic
-    has or fix none and EXIF tells none, and where less than 20 % of the depth is confirmed. The remedy is told, and a
-    mesh is written where there is one.
+    The exit code is 3 if fewer than 60% of the images were registered, the images split into several models, the camera
+    rotated without translation, less than 20% of the depth was confirmed, or the focal length is unreliable:
+    --intrinsic contradicts the images, or neither the images nor EXIF determine it. The remedy is printed. The mesh is
+    still written, if any.
 
     \b
     pointloom video walk.mp4 -o room.ply --picture room.png

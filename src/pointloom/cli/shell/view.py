@@ -13,34 +13,34 @@ from .pipes import from_option, open_pipes
 _COLORMAPS = ("viridis", "plasma", "inferno", "magma", "cividis", "turbo", "gray", "coolwarm", "jet")
 
 
-@click.command(short_help="Show files in the browser, or draw them.")
+@click.command(short_help="Show files in the browser, or render an image.")
 @click.argument("files", nargs=-1, required=True, type=FILE, metavar="FILES...")
 @click.option(
     "--port", type=click.IntRange(0, 65535), default=8080, show_default=True, metavar="N",
-    help="Where the page is; the next free one where it is taken, 0 for any.",
+    help="Port of the page. If in use: the next free one. 0: any free port.",
 )  # fmt: skip
 @click.option(
     "--host", default="127.0.0.1", show_default=True, metavar="ADDRESS",
-    help="The address to listen on. With another, whoever has the address with its token sees the files.",
+    help="Address to listen on. With another address, anyone with the URL and its token can see the files.",
 )  # fmt: skip
 @click.option(
     "--max-points", type=click.IntRange(min=1), default=2_000_000, show_default=True, metavar="N",
-    help="Points that the page holds at once; larger clouds come in levels of detail.",
+    help="Maximum points on the page. Larger clouds use levels of detail.",
 )  # fmt: skip
-@click.option("--screenshot", type=FILE, metavar="PNG", help="Draw a picture and end; needs no browser.")
-@click.option("--save-html", type=FILE, metavar="HTML", help="Write a page that needs no server and end.")
+@click.option("--screenshot", type=FILE, metavar="PNG", help="Render an image and exit. Needs no browser.")
+@click.option("--save-html", type=FILE, metavar="HTML", help="Write a page that needs no server, and exit.")
 @click.option("--no-open", is_flag=True, help="Do not open a browser.")
 @click.option(
     "--linger", type=click.FloatRange(min=0), default=60, show_default=True, metavar="S",
-    help="How long the last page may be gone before the command ends [s]; inf never ends it.",
+    help="Time until the command exits after the last page closed [s]. inf: never.",
 )  # fmt: skip
-@click.option("--color-by", metavar="NAME", help="rgb, height, normal, label, or an attribute of the clouds.")
-@click.option("--colormap", type=click.Choice(_COLORMAPS), help="Of values; viridis if not given.")
-@click.option("--view", "view_file", type=FILE, metavar="JSON", help="Where from: a view as Open3D copies it (Ctrl+C).")
-@click.option("--up", type=click.Choice(("y", "z")), help="Which axis is up; the files', else z, if not given.")
+@click.option("--color-by", metavar="NAME", help="Color by rgb, height, normal, label, or an attribute of the clouds.")
+@click.option("--colormap", type=click.Choice(_COLORMAPS), help="Colormap of values. Default: viridis.")
+@click.option("--view", "view_file", type=FILE, metavar="JSON", help="Camera view, as copied from Open3D (Ctrl+C).")
+@click.option("--up", type=click.Choice(("y", "z")), help="Up axis. Default: that of the files, else z.")
 @click.option("--point-size", type=SCALE, metavar="PX", help="Diameter of points [px].")
-@click.option("--topic", metavar="NAME", help="Of recordings: which clouds; the only ones if not given.")
-@click.option("--frame", metavar="NAME", help="Of recordings: the frame of tf that all clouds are brought together in.")
+@click.option("--topic", metavar="NAME", help="Recordings: topic of the clouds. Default: the only one with clouds.")
+@click.option("--frame", metavar="NAME", help="Recordings: tf frame in which all clouds are merged.")
 @columns_option()
 @from_option()
 @json_option()
@@ -53,21 +53,21 @@ def view(
     as_json: bool,
     **options: Any,
 ) -> int:
-    """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or over SSH on another one.
+    """Show clouds, meshes, trajectories and TSDF volumes in the browser, on this machine or remotely over SSH.
 
-    Where the page is, and the ssh line for a browser elsewhere, go to stderr. The command ends when the last page has
-    been gone for --linger seconds, which stderr says as it goes, or with Ctrl-C.
+    The URL, and the ssh command for a remote browser, are printed to stderr. The command exits --linger seconds after
+    the last page closed, with a notice on stderr, or with Ctrl-C.
 
     \b
     clouds        .ply .pcd .npz .xyz .xyzn .xyzrgb .pts .csv .txt .asc .bin .las .laz .e57 .ptx
     meshes        .ply .obj .stl .off .glb .gltf
     trajectories  .log .tum .kitti .txt .json
     volumes       .npz of TSDFVolume.save, .json of SelectionPolygonVolume
-    recordings    .bag .mcap .db3 and folders of those: the first cloud, or all of them with --frame
+    recordings    .bag .mcap .db3 and folders of them: the first cloud, or all clouds with --frame
 
     One of FILES may be -, standard input, with --from.
 
-    --screenshot and --save-html need neither a browser nor the extra pointloom[viewer], and end at once.
+    --screenshot and --save-html need neither a browser nor the extra pointloom[viewer], and exit when done.
 
     \b
     pointloom view scan.las --color-by intensity
