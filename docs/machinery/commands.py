@@ -36,7 +36,7 @@ def write_pages(folder: Path) -> None:
 
 def page_of(name: str, command: click.Command) -> str:
     """The page of a command: how it is called, what it does, its options."""
-    context = click.Context(command, info_name=f"pointloom {name}")
+    context = click.Context(command, info_name=f"pointloom {name}", **cli.context_settings)
     usage = " ".join([context.info_name or name, *command.collect_usage_pieces(context)])
     text = titled(f"pointloom {name}") + f".. code-block:: bash\n\n   {usage}\n\n{described(command)}"
     options = [param for param in command.get_params(context) if isinstance(param, click.Option) and not param.hidden]
