@@ -254,8 +254,8 @@ SOURCES = str(Path(__file__).parents[2] / "src")
     [
         ("tasks", "join_step"),  # all tiles are through the first pass, nothing is joined
         ("label_join", "_rank_stretch"),  # tiles' arrays are there without the labels
-        ("borders", "json"),  # all is written, and has not its name yet
-        ("borders", "Joined"),  # it has its name, the manifest does not say so
+        ("border_merging", "json"),  # all is written, and has not its name yet
+        ("border_merging", "Joined"),  # it has its name, the manifest does not say so
         ("work_tile", "read_joined"),  # in the second pass
     ],
 )
