@@ -3,13 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_positive, check_rigid
-from ...core.reports import Assessed, as_json
+from ...core.reports import AssessedRecord
 from ...kernels.linear_algebra import eigh, matmul
 from ...kernels.poses.pair_probes import compare_pair, find_hold
 from ...pcd.cloud import PointCloud
@@ -25,7 +24,7 @@ REACH_VOXELS = 2.0  # search radius of planes
 
 
 @dataclass(frozen=True, eq=False)
-class Localizability(Assessed):
+class Localizability(AssessedRecord):
     """Motions that two clouds determine at a pose, the least determined first.
 
     Attributes:
@@ -43,10 +42,6 @@ class Localizability(Assessed):
     motions: Matrix
     shares: NDArray[np.float64]
     kinds: tuple[str, ...]
-
-    def to_dict(self) -> dict[str, Any]:
-        """All attributes in JSON types, with `reliable` and `warnings`."""
-        return as_json(self)
 
     @property
     def open_motions(self) -> Matrix:

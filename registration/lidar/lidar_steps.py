@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_list
 from ...core.number_ranges import some_runs
-from ...core.reports import Assessed, Fields, Report, as_json, failed, quality
+from ...core.reports import Assessed, AssessedRecord, Fields, Report, failed, quality
 from ...core.wording import format_share, plain
 from ...kernels.linear_algebra import eigh, matmul, norm
 
@@ -39,7 +39,7 @@ ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
 @dataclass(frozen=True, eq=False)
-class OdometryStep(Assessed):
+class OdometryStep(AssessedRecord):
     """Result for one scan.
 
     Attributes:
@@ -90,10 +90,6 @@ class OdometryStep(Assessed):
             "the scan does not determine all motions" if self.is_undetermined else None,
             "other poses fit as well" if self.rivals else None,
         )
-
-    def to_dict(self) -> dict[str, Any]:
-        """All attributes in JSON types, with `reliable` and `warnings`."""
-        return as_json(self)
 
     @property
     def is_undetermined(self) -> bool:

@@ -30,6 +30,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
 from ..globally.global_registration import Description, describe, register_described
 from ..globally.level_poses import check_level
+from ..result import MIN_SCORE
 from .fragment_graph import (
     Extent,
     FragmentGraph,
@@ -47,7 +48,6 @@ Matrices = NDArray[np.float64]
 
 ALL_PAIRS = 40  # maximum clouds for all pairs: 780
 NEARBY = 5  # following clouds tried with each, if there are more
-SURE = 0.5  # minimum score of an accepted pair
 LEVEL_ENOUGH = 1e-6  # [rad] maximum tilt of known level poses
 
 
@@ -169,7 +169,7 @@ def register_fragments(
     for done, (i, j) in enumerate(tried):
         tell("pairs", done, len(tried))
         pair, _ = try_pair(j, i, described[j], described[i], chooser, level)
-        believed += [pair] if pair.score > SURE else []
+        believed += [pair] if pair.score > MIN_SCORE else []
     tell("pairs", len(tried), len(tried))
     surfaces = [d.thinned for d in described]
     believed, information = refine_pairs(surfaces, believed, size, level)
@@ -189,7 +189,7 @@ def register_fragments(
 def try_pair(
     source: int, target: int, left: Description, right: Description, seed: int, free: Sequence[str] | None = None
 ) -> tuple[FragmentPair, str]:
-    """Register two clouds globally. Also the problem if the score is not above SURE."""
+    """Register two clouds globally. Also the problem if the score is not above MIN_SCORE."""
     found = register_described(left, right, seed=seed, free=free)
     pair = FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0)
     return pair, "; ".join(found.warnings)

@@ -4,16 +4,16 @@ from __future__ import annotations
 
 import dataclasses
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Assessed, as_json, failed
+from ...core.reports import AssessedRecord, failed
 
 
 @dataclass(frozen=True, eq=False)
-class GlobalOptimizationReport(Assessed):
+class GlobalOptimizationReport(AssessedRecord):
     """Report of `global_optimization`.
 
     Attributes:
@@ -43,10 +43,6 @@ class GlobalOptimizationReport(Assessed):
         count = len(self.unreached_nodes)
         apart = f"{count} nodes have no path of edges to the reference" if count else None
         return failed(None if self.converged else open_end, apart)
-
-    def to_dict(self) -> dict[str, Any]:
-        """All attributes in JSON types, with `reliable` and `warnings`."""
-        return as_json(self)
 
 
 class FragmentOverlap(NamedTuple):

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_count, check_finite, check_list, check_numeric, check_positive, shown
-from ...core.reports import Assessed, as_json
+from ...core.reports import AssessedRecord
 from ...core.wording import few_of
 
 Array = NDArray[np.float64]
@@ -97,7 +97,7 @@ def _check_point(point: Any) -> None:
 
 
 @dataclass(frozen=True, eq=False)
-class StationPair(Assessed):
+class StationPair(AssessedRecord):
     """Registration of two overlapping stations.
 
     Attributes:
@@ -119,10 +119,6 @@ class StationPair(Assessed):
     rms: float = 0.0
     score: float = 1.0
     warnings: tuple[str, ...] = ()
-
-    def to_dict(self) -> dict[str, Any]:
-        """All attributes in JSON types, with `reliable` and `warnings`."""
-        return as_json(self)
 
 
 def check_targets(targets: Sequence[TargetObservation] | None, count: int) -> list[TargetObservation]:

@@ -45,7 +45,7 @@ from ..icp.icp import ICPConvergenceCriteria, registration_icp_batch
 from ..icp.multi_scale import multi_scale_icp
 from ..pose_graphs.connected_parts import connected_parts
 from ..pose_graphs.spanning_tree import chain, spanning_tree
-from ..result import RegistrationResult
+from ..result import MIN_SCORE, RegistrationResult
 from ..rigid import about_up, fit_pose, invert_pose, make_pose, nearest_rotation, rotation_vector
 from ..robust_kernels import TukeyLoss
 from ..voxel_size import choose_voxel_size
@@ -480,7 +480,6 @@ MIN_LIMIT = 0.01  # [voxels]
 GRADED = (12.0, 6.0, 3.0, 1.5, 1.0)  # decreasing factors of the cutoff
 MAX_BENT = np.radians(30.0)  # maximum angle between the normals of a pair
 RATED_WITHIN = 1.5  # [voxels]
-SURE = 0.5  # minimum score of an accepted pair
 NEAR = 4.0  # [voxels] overlap distance for approximate poses
 BLOCK = 8.0  # [voxels] edge of blocks with correlated errors
 MIN_BLOCKS = 12  # minimum occupied blocks for an error estimate
@@ -557,7 +556,7 @@ class PairFinder:
             rules = [ICPConvergenceCriteria(max_iteration=50)] * len(sizes)
             init, held = matmul(invert_pose(poses[b]), poses[a]), {"free": self.free, "estimate_normals": True}
             found = multi_scale_icp(source, target, sizes, rules, [REACH * s for s in sizes], init, PLANE, **held)
-            if self._rate(a, b, found.transformation, RATED_WITHIN * sizes[-1]) > SURE:
+            if self._rate(a, b, found.transformation, RATED_WITHIN * sizes[-1]) > MIN_SCORE:
                 return found.transformation, 1.0
         found = register_described(self._described(a), self._described(b), seed=self.seed, free=self.free)
         return (found.transformation, float(found.score)) if found.score else (None, 0.0)
@@ -620,7 +619,7 @@ class PairFinder:
             return StationPair(a, b, X, np.zeros((6, 6)), overlap, 0.0, 0.0, ("no overlap",))
         information, rms = self._information(pair, result, limit)
         score = min(believed, self._rate(a, b, X, RATED_WITHIN * self.size))
-        warning = "" if score > SURE else "the surfaces hardly lie on each other, or elsewhere as well"
+        warning = "" if score > MIN_SCORE else "the surfaces hardly lie on each other, or elsewhere as well"
         if not warning and not information.any():
             warning = "too few places match to tell how well"
         return StationPair(a, b, X, information, overlap, rms, score, failed(warning))

@@ -67,6 +67,14 @@ class Assessed:
         return not self.warnings
 
 
+class AssessedRecord(Assessed):
+    """A dataclass whose attributes are an assessed result."""
+
+    def to_dict(self) -> dict[str, Any]:
+        """All attributes in JSON types, with `reliable` and `warnings`."""
+        return as_json(self)
+
+
 def quality(result: HasWarnings) -> dict[str, Any]:
     return {"reliable": not result.warnings, "warnings": list(result.warnings)}
 

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Assessed, as_json
+from ...core.reports import AssessedRecord
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class OdometryResult(Assessed):
+class OdometryResult(AssessedRecord):
     """The motion between two frames. Unpacks as Open3D's (reliable, transformation, information).
 
     Attributes:
@@ -46,10 +46,6 @@ class OdometryResult(Assessed):
     iterations: int = 0
     contradiction: str = ""
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
-
-    def to_dict(self) -> dict[str, Any]:
-        """All attributes in JSON types, with `reliable` and `warnings`."""
-        return as_json(self)
 
     def __iter__(self) -> Iterator[Any]:
         return iter((self.reliable, self.transformation, self.information))

@@ -3,19 +3,19 @@
 from __future__ import annotations
 
 import dataclasses
-from typing import Any, Literal
+from typing import Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.reports import Assessed, as_json
+from ...core.reports import AssessedRecord
 from ...kernels.linear_algebra import eigvalsh
 
 Status = Literal["tracked", "uncertain", "lost"]
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class TrackingResult(Assessed):
+class TrackingResult(AssessedRecord):
     """Pose of a frame and its status.
 
     Attributes:
@@ -56,10 +56,6 @@ class TrackingResult(Assessed):
     covariance: NDArray[np.float64] = dataclasses.field(default_factory=lambda: np.zeros((6, 6)))
     has_drifted: bool = False
     map: int = 0
-
-    def to_dict(self) -> dict[str, Any]:
-        """All attributes in JSON types, with `reliable` and `warnings`."""
-        return as_json(self)
 
     @property
     def is_tracked(self) -> bool:

@@ -41,7 +41,8 @@ from ...registration.pose_graphs.fragment_graph import (
     those_that_overlap,
     with_pairs,
 )
-from ...registration.pose_graphs.multiway import SURE, check_known, pairs_to_try, try_pair
+from ...registration.pose_graphs.multiway import check_known, pairs_to_try, try_pair
+from ...registration.result import MIN_SCORE
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SURFACES = "surfaces"  # folder of thinned scans
@@ -79,7 +80,7 @@ class RegistrationJob(Job):
             return self._refined(pair)
         left, right = self._described(pair.source), self._described(pair.target)
         pair, doubt = try_pair(pair.source, pair.target, left, right, self.plan["seed"], self.plan["free"])
-        return self._refined(pair) if pair.score > SURE else _doubted(pair, doubt)
+        return self._refined(pair) if pair.score > MIN_SCORE else _doubted(pair, doubt)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
         plan, scans = self.plan, list(done(0))
