@@ -26,7 +26,7 @@ BUSY_PROCESSES = 8
 GROUPS = (
     ("tests/browser",),
     ("tests/visualization/viewer",),
-    ("tests/scale",),
+    ("tests/tiling",),
     (
         *("tests/kernels/language/test_cpu_pool.py", "tests/kernels/language/test_device_lock.py"),
         *("tests/kernels/language/test_kernel_cache.py", "tests/kernels/language/test_module_loading.py"),
