@@ -14,7 +14,7 @@ from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ..core.attribute_hints import KnownNames
 from ..core.callable_bool import YesOrNo
 from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
-from ..core.coordinates import quiet, split_origin
+from ..core.coordinates import quiet, split_origin, warn_if_coarse
 from ..core.devices import resolve_device
 from ..core.dropped_results import returns_new
 from ..core.escaped_text import escaped
@@ -364,6 +364,8 @@ class PointArrays(InUnit, KnownNames):
         else:
             positions = check_rows("points", values, 3, rows=rows)
             local, self._origin = split_origin(positions, origin)
+            if origin is None:
+                warn_if_coarse("points", positions, self._origin)
             points: Any = upload(local, vec3, device, copied=is_copied)
             is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
         self._arrays["points"] = points

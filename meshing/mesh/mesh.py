@@ -9,7 +9,7 @@ from typing import Any
 from ...core.argument_errors import told_arguments
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_rows, check_shape, is_on_gpu, shown
-from ...core.coordinates import split_origin
+from ...core.coordinates import split_origin, warn_if_coarse
 from ...core.devices import resolve_device
 from ...core.gpu_arrays import take_corners, take_points
 from ...io.table import MeshTable
@@ -82,6 +82,8 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
                 raise ValueError(f"vertices: 32-bit triangles cannot reach {len(positions)} vertices")
             table = MeshTable(positions, triangles).checked()
             local, self._origin = split_origin(table.vertices, anchor)
+            if anchor is None:
+                warn_if_coarse("vertices", positions, self._origin)
             self._device = resolve_device(device)
             is_copied = self._library == NUMPY
             self._arrays = {

@@ -129,3 +129,11 @@ def test_numbers_of_another_type_are_refused(tmp_path, rng, dtype):
     numbers.astype(dtype).tofile(tmp_path / "a.bin")
     with pytest.raises(FileError, match="no scan of float32"):
         loom.read_point_cloud(tmp_path / "a.bin")
+
+
+@pytest.mark.parametrize("columns", [None, ["x", "y", "z", "intensity"]])
+def test_a_header_of_integers_is_not_read_as_a_point(tmp_path, rng, columns):
+    header = np.array([1000, 4, 1, 0], "<i4").tobytes()
+    (tmp_path / "a.bin").write_bytes(header + (rng.random((1000, 4)) * 20).astype("<f4").tobytes())
+    with pytest.raises(FileError, match="header"):
+        loom.read_point_cloud(tmp_path / "a.bin", columns=columns)

@@ -1,10 +1,14 @@
 """PointCloud: what it accepts and refuses, and how precisely it holds coordinates far from zero."""
 
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 
 import pointloom as loom
 from pointloom.core.coordinates import ORIGIN_LIMIT
+from pointloom.kernels.lang import vec3
+from pointloom.kernels.memory import upload
 
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 
@@ -127,6 +131,20 @@ def test_utm_coordinates_survive_to_the_float32_of_their_extent(device, extent, 
     assert error < tolerances.position
     float32_alone = np.abs(points.astype(np.float32) - points).max()
     assert float32_alone > 0.1
+
+
+@pytest.mark.parametrize(
+    ("offset", "extent", "is_coarse"),
+    [(UTM, 100, True), ([5000, 0, 0], 1, True), ([5000, 0, 0], 100, False), ([300, 0, 0], 5, False), (UTM, 0, False)],
+)
+def test_float32_coordinates_that_have_lost_digits_are_warned_about(device, offset, extent, is_coarse, rng):
+    exact = rng.random((500, 3)) * extent + offset
+    rounded = upload(exact.astype(np.float32), vec3, device)
+    for make in (loom.PointCloud, lambda points, **options: loom.TriangleMesh(points, [[0, 1, 2]], **options)):
+        for values in (rounded, rounded.numpy()):
+            with pytest.warns(UserWarning, match="float64") if is_coarse else nullcontext():
+                make(values, device=device)
+        make(exact, device=device)
 
 
 @pytest.mark.parametrize("stray", [[0, 0, 0], [1e7, 0, 0], [0, 0, -1e12]])

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from ..kernels.linear_algebra import matmul
 from .checks import LARGEST_NUMBER
+from .units import warn_of_units
 
 ORIGIN_LIMIT = 1.0e4  # larger coordinates always move the origin: below it float32 resolves 1 mm
 MEDIAN_SAMPLE = 4096  # sample size of the median for the origin
@@ -22,6 +23,7 @@ FAR_FROM_ZERO = 32.0  # times the spread: about 8 times the extent of a uniform 
 _MAX_DECIMALS = 12  # maximum decimals of an origin: more would be float64 rounding
 NEAR_ZERO = 128.0  # [m] sensor positions within this keep the origin at zero: float32 resolves 8 um there
 FLOAT32_MAX = float(np.finfo(np.float32).max)
+MIN_STEPS = 2.0**14  # float32 steps per spread (about a quarter of the extent) of points that need no warning
 
 
 def quiet() -> np.errstate:
@@ -68,6 +70,26 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
             raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
     return origin if steps is None else _refine(origin, sample_points(points), steps)
+
+
+def warn_if_coarse(name: str, points: NDArray[Any], origin: NDArray[np.float64]) -> None:
+    """Warn if points (n, 3) are float32 and so far from zero that digits have been lost."""
+    if points.dtype == np.float32 and origin.any():
+        warn_of_steps(name, sample_points(points, SPREAD_SAMPLE))
+
+
+def warn_of_steps(name: str, sample: NDArray[np.float64]) -> None:
+    """`warn_if_coarse` for a finite sample (n, 3) of float32 coordinates."""
+    middle, spread = _spread_of(sample)
+    farthest = np.abs(middle).max()
+    step = float(np.spacing(np.float32(farthest)))
+    if 0 < spread.max() < MIN_STEPS * step:
+        warn_of_units(
+            f"{name}: float32 coordinates near {farthest:.0f} are multiples of {step:g}, and the points spread over "
+            f"only {spread.max():g} about their median. Pass them as float64, or subtract an offset in float64 before "
+            "the conversion to float32",
+            UserWarning,
+        )
 
 
 @quiet()

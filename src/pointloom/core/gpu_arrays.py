@@ -27,6 +27,7 @@ from .coordinates import (
     origin_of_sample,
     sample_points,
     usable_points,
+    warn_of_steps,
 )
 from .devices import check_same_device, resolve_device
 from .exchange import share
@@ -100,7 +101,7 @@ def take_points(
     count = int(array.shape[0])
     is_float32 = array.dtype == float32
     points = view_as(array if is_float32 else _as(array, float64), vec3 if is_float32 else vec3d, (count,))
-    start, is_far = (origin, False) if origin is not None else _choose_origin(points)
+    start, is_far = (origin, False) if origin is not None else _choose_origin(name, points)
     if is_float32 and not start.any():
         return points, start
     wide = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
@@ -200,7 +201,7 @@ def _as(array: wp.array, dtype: Any) -> wp.array:
     return array if array.dtype == dtype else cast(array, dtype)
 
 
-def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
+def _choose_origin(name: str, points: wp.array) -> tuple[NDArray[np.float64], bool]:
     """`choose_origin` for vec3 or vec3d on the GPU. Also True if a coordinate exceeds 10 km.
     Copies about 128 points to the host, about 4,096 if the origin is not zero, and all if none of these is finite."""
     if not points.size:
@@ -208,8 +209,10 @@ def _choose_origin(points: wp.array) -> tuple[NDArray[np.float64], bool]:
     is_far, sample = reaches_beyond(points, ORIGIN_LIMIT, points.size // SPREAD_SAMPLE | 1)  # sync
     if not is_far and not is_far_from_zero(_usable(sample, points)):
         return np.zeros(3), False
-    sample = download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1]))  # sync
-    return origin_of_sample(_usable(sample, points)), is_far
+    sample = _usable(download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1])), points)  # sync
+    if points.dtype == vec3:
+        warn_of_steps(name, sample)
+    return origin_of_sample(sample), is_far
 
 
 def _usable(sample: NDArray[Any], points: wp.array) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ _silenced: ContextVar[tuple[type[Warning], ...]] = ContextVar("silenced", defaul
 _NEAR_SHARE = 1e-5  # relative tolerance of a rounded length against the unit named with it
 
 
-_FOR_USERS = ("pointloom.cli.", "pointloom.bridge.")  # packages that only forward user calls
+_FOR_USERS = ("pointloom.cli.", "pointloom.open3d.")  # packages that only forward user calls
 _AROUND_CALLS = ("pointloom.core.dropped_results", "pointloom.core.argument_errors")  # decorators of operations
 _PASSED_OVER = ("pointloom.", "numpy.", "contextlib")  # modules where warnings are never the user's
 

@@ -30,6 +30,7 @@ LAYOUTS = {
 }
 FARTHEST = 1e6  # [m] beyond any scanner's range. Other data read as float32 nearly always has larger numbers
 NEAREST = 1e-12  # [m] integers of 8 to 32 bits read as float32 are smaller, or larger than the range
+SMALLEST_NORMAL = float(np.finfo(np.float32).tiny)  # integers up to 8,388,607 read as float32 are smaller
 MIN_POINTS = 64  # fewer points have no reliable statistics
 SAMPLE = 840 * 120  # numbers in the statistics: whole points in each layout
 PERIOD_MARGIN = 0.1  # minimum gain in explained variance of another number of columns over KITTI's
@@ -54,6 +55,9 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
     if tiny.sum() > tiny.size / 2:
         reason = f"most coordinates are below {NEAREST:g}; this is no scan of float32 {', '.join(names)}"
         raise FileError(path, reason, remedy="Numbers of another type, such as whole ones, have no reader here")
+    if len(points) and ((points[0] != 0) & (np.abs(points[0]) < SMALLEST_NORMAL)).any():
+        reason = f"the first point is {points[0].tolist()}: small integers, as of a header, read as float32"
+        raise FileError(path, reason, where="byte 0", remedy="Remove the header, or read the array with NumPy")
     if wild.any():
         row, axis = (int(v) for v in np.argwhere(wild)[0])
         reason = f"point {row} has the coordinate {points[row, axis]}; this is no scan of float32 {', '.join(names)}"
