@@ -77,6 +77,7 @@ def main() -> int:
             left = sorted(each.name for each in folder.iterdir())
             is_same = loom.tiling.finish_tiles(job).read_bytes() == expected and left == ["in.laz", "job", "kept"]
             wrong += not is_same
+            print(f"{kills} of {given.count} kills in {time.monotonic() - begin:.0f} s", file=sys.stderr, flush=True)
     print(f"| tile jobs | {jobs} jobs, {kills} kills | {wrong} differ |")
     return 1 if wrong else 0
 

@@ -399,3 +399,11 @@ def test_colors_that_are_marked_invalid_are_white_with_a_warning(tmp_path, flags
         assert colors is None
     else:
         np.testing.assert_allclose(colors[:, 0], [0, 1 if flags[1] else 0.2, 1], atol=1e-6)
+
+
+def test_equal_clouds_give_equal_files(tmp_path, rng):
+    points = rng.random((20, 3))
+    for name, cloud in (("a.e57", points), ("b.e57", points), ("c.e57", points[::-1])):
+        loom.write_point_cloud(tmp_path / name, loom.PointCloud(cloud))
+    first, second, other = ((tmp_path / name).read_bytes() for name in ("a.e57", "b.e57", "c.e57"))
+    assert first == second != other

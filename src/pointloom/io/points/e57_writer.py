@@ -5,6 +5,7 @@ Only the attributes of e57.py can be stored. ASTM E2807-11. The extension "nor" 
 
 from __future__ import annotations
 
+import hashlib
 import os
 import shutil
 import uuid
@@ -123,16 +124,32 @@ def _write_image(libe57: Any, path: Path, scans: Sequence[Scan]) -> None:
             image.extensionsAdd("nor", _NORMALS_URI)
         root = image.root()
         root.set("formatName", libe57.StringNode(image, "ASTM E57 3D Imaging Data File"))
-        root.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
+        digests = [_digest(number, *scan) for number, scan in enumerate(scans)]
+        root.set("guid", libe57.StringNode(image, _guid(b"".join(digests))))
         root.set("versionMajor", libe57.IntegerNode(image, libe57.E57_FORMAT_MAJOR))
         root.set("versionMinor", libe57.IntegerNode(image, libe57.E57_FORMAT_MINOR))
         data = libe57.VectorNode(image, True)
         root.set("data3D", data)
         root.set("images2D", libe57.VectorNode(image, True))
-        for name, columns, pose in scans:
-            _write_scan(libe57, image, data, name, columns, pose)
+        for (name, columns, pose), digest in zip(scans, digests, strict=True):
+            _write_scan(libe57, image, data, _guid(digest), name, columns, pose)
     finally:
         image.close()
+
+
+def _digest(number: int, name: str, columns: dict[str, NDArray[Any]], pose: NDArray[np.float64] | None) -> bytes:
+    digest = hashlib.sha256(f"{number} {name}".encode())
+    for field, values in columns.items():
+        digest.update(field.encode())
+        digest.update(np.ascontiguousarray(values))
+    if pose is not None:
+        digest.update(np.ascontiguousarray(pose))
+    return digest.digest()
+
+
+def _guid(data: bytes) -> str:
+    """A GUID derived from the data, so that equal scans give equal files."""
+    return f"{{{uuid.UUID(bytes=hashlib.sha256(data).digest()[:16], version=4)}}}"
 
 
 def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
@@ -147,10 +164,16 @@ def _pose_node(libe57: Any, image: Any, pose: NDArray[np.float64]) -> Any:
 
 
 def _write_scan(
-    libe57: Any, image: Any, scans: Any, name: str, columns: dict[str, NDArray[Any]], pose: NDArray[np.float64] | None
+    libe57: Any,
+    image: Any,
+    scans: Any,
+    guid: str,
+    name: str,
+    columns: dict[str, NDArray[Any]],
+    pose: NDArray[np.float64] | None,
 ) -> None:
     node, prototype = libe57.StructureNode(image), libe57.StructureNode(image)
-    node.set("guid", libe57.StringNode(image, f"{{{uuid.uuid4()}}}"))
+    node.set("guid", libe57.StringNode(image, guid))
     node.set("name", libe57.StringNode(image, name))
     if pose is not None:
         node.set("pose", _pose_node(libe57, image, pose))

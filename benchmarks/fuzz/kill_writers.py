@@ -1,0 +1,153 @@
+"""Kill processes while they write: `python benchmarks/fuzz/kill_writers.py --count 200 --seed 1`.
+
+A child process writes two versions of a file alternately over each other and is killed by SIGKILL at a random time.
+Then each file must be complete, no other visible file may exist, the result must be readable, and the next write must
+succeed. Formats of several files are replaced file by file, the mesh last: "mixed" counts kills after which files of
+both versions remained. The exit code is 1 if a kill caused a fault.
+"""
+
+from __future__ import annotations
+
+import argparse
+import random
+import shutil
+import subprocess
+import sys
+import tempfile
+import time
+import warnings
+from collections import Counter
+from collections.abc import Callable
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+import pointloom as loom
+
+POINTS = 30_000
+MAX_DELAY = 0.25  # [s] from the first write to the kill: several versions of most formats
+
+
+def _cloud(version: int) -> loom.PointCloud:
+    return loom.PointCloud(np.random.default_rng(version).random((POINTS + 1000 * version, 3)))
+
+
+def _colored_cloud(version: int) -> loom.PointCloud:
+    cloud = _cloud(version)
+    cloud.colors = cloud.points
+    return cloud
+
+
+def _mesh(version: int) -> loom.TriangleMesh:
+    mesh = loom.TriangleMesh.create_sphere(1.0 + version, 60 + version)
+    mesh.triangle_uvs = np.random.default_rng(version).random((3 * len(mesh.triangles), 2))
+    mesh.textures = [np.full((256, 256, 3), 50 * version, np.uint8)]
+    mesh.triangle_material_ids = np.zeros(len(mesh.triangles), np.int32)
+    return mesh
+
+
+def _trajectory(version: int) -> loom.Trajectory:
+    poses = np.tile(np.eye(4), (2000 + version, 1, 1))
+    poses[:, 0, 3] = np.arange(len(poses)) * (1 + version)
+    return loom.Trajectory(poses, np.arange(len(poses)) * 0.1)
+
+
+def _graph(version: int) -> loom.registration.PoseGraph:
+    poses = _trajectory(version).poses[:500]
+    return loom.registration.PoseGraph([loom.registration.PoseGraphNode(pose) for pose in poses])
+
+
+# name of the written path -> object of a version, writer, reader
+CASES: dict[str, tuple[Callable[[int], Any], Callable[[Path, Any], Any], Callable[[Path], Any]]] = {
+    **{f"a.{ending}": (_cloud, loom.write_point_cloud, loom.read_point_cloud) for ending in ("xyz", "pts")},
+    **{
+        f"colored.{ending}": (_colored_cloud, loom.write_point_cloud, loom.read_point_cloud)
+        for ending in ("ply", "pcd", "xyzrgb", "las", "laz", "copc.laz", "e57", "npz")
+    },
+    **{
+        f"mesh.{ending}": (_mesh, loom.write_triangle_mesh, loom.read_triangle_mesh)
+        for ending in ("ply", "stl", "off", "obj", "glb")
+    },
+    **{
+        f"poses.{ending}": (_trajectory, loom.write_trajectory, loom.read_trajectory)
+        for ending in ("log", "tum", "kitti")
+    },
+    "graph.json": (_graph, loom.registration.write_pose_graph, loom.registration.read_pose_graph),
+}
+
+
+def contents(folder: Path) -> dict[str, bytes]:
+    """Visible files below a folder by name."""
+    paths = (path.relative_to(folder) for path in folder.rglob("*") if path.is_file())
+    return {
+        path.as_posix(): (folder / path).read_bytes()
+        for path in sorted(paths)
+        if not any(part.startswith(".") for part in path.parts)
+    }
+
+
+def write_forever(path: Path) -> None:
+    """Write the versions alternately; the first byte of standard output announces the first write."""
+    make, write, _ = CASES[path.name]
+    versions = [make(1), make(2)]
+    print("writing", flush=True)
+    while True:
+        for version in versions:
+            write(path, version)
+
+
+def outcome(name: str, folder: Path, versions: list[dict[str, bytes]], rng: random.Random) -> str:
+    """Kill a writer in an empty folder at a random time. Returns "complete", "mixed" or the description of a fault."""
+    _, write, read = CASES[name]
+    command = [sys.executable, __file__, "--write", str(folder / name)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL) as writer:
+        if writer.stdout is None or not writer.stdout.readline():
+            raise RuntimeError(f"{name}: the writing process ended before its first write")
+        time.sleep(rng.uniform(0, MAX_DELAY))
+        writer.kill()
+    files = contents(folder)
+    for file, content in files.items():
+        if content not in [version.get(file) for version in versions]:
+            return f"{file} is not that of a version"
+    if name in files:
+        read(folder / name)
+    write(folder / name, CASES[name][0](1))
+    if contents(folder) != versions[0]:
+        return "the next write made other files"
+    return "complete" if not files or files in versions else "mixed"
+
+
+def main() -> int:
+    """Run the kills and print one row for each written format; returns the exit code."""
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("--count", type=int, default=200, help="number of kills, at least one of each format")
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--write", type=Path, help=argparse.SUPPRESS)
+    options = parser.parse_args()
+    warnings.simplefilter("ignore")
+    if options.write:
+        write_forever(options.write)
+    rng, faults = random.Random(options.seed), 0
+    print("| file | kills | complete | mixed | faults |\n|---|---|---|---|---|")
+    for number, (name, (make, write, _)) in enumerate(CASES.items()):
+        kills = max(1, options.count * (number + 1) // len(CASES) - options.count * number // len(CASES))
+        with tempfile.TemporaryDirectory() as base:
+            versions = []
+            for version in (1, 2):
+                (folder := Path(base) / f"version-{version}").mkdir()
+                write(folder / name, make(version))
+                versions.append(contents(folder))
+            outcomes: Counter[str] = Counter()
+            for _ in range(kills):
+                (folder := Path(base) / "killed").mkdir()
+                outcomes[outcome(name, folder, versions, rng)] += 1
+                shutil.rmtree(folder)
+        complete, mixed = outcomes.pop("complete", 0), outcomes.pop("mixed", 0)
+        print(f"| {name} | {kills} | {complete} | {mixed} | {'; '.join(outcomes) or 0} |", flush=True)
+        faults += outcomes.total()
+    return 1 if faults else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
