@@ -2,15 +2,18 @@
 
 A child process writes two versions of a file alternately over each other and is killed by SIGKILL at a random time.
 Then each file must be complete, no other visible file may exist, the result must be readable, and the next write must
-succeed. Formats of several files are replaced file by file, the mesh last: "mixed" counts kills after which files of
-both versions remained. The exit code is 1 if a kill caused a fault.
+succeed. A write to a full disk must raise `FileError` and keep the previous files. Formats of several files are
+replaced file by file, the mesh last: "mixed" counts kills after which files of both versions remained. The exit code is
+1 if there was a fault.
 """
 
 from __future__ import annotations
 
 import argparse
 import random
+import resource
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
@@ -24,6 +27,7 @@ from typing import Any
 import numpy as np
 
 import pointloom as loom
+from pointloom.core.errors import FileError
 
 POINTS = 30_000
 MAX_DELAY = 0.25  # [s] from the first write to the kill: several versions of most formats
@@ -118,6 +122,22 @@ def outcome(name: str, folder: Path, versions: list[dict[str, bytes]], rng: rand
     return "complete" if not files or files in versions else "mixed"
 
 
+def survives_full_disk(name: str, folder: Path, versions: list[dict[str, bytes]]) -> bool:
+    """True if a write that exceeds the file size limit raises `FileError` and leaves the previous files alone."""
+    make, write, _ = CASES[name]
+    write(folder / name, make(1))
+    before, handler = resource.getrlimit(resource.RLIMIT_FSIZE), signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
+    resource.setrlimit(resource.RLIMIT_FSIZE, (len(versions[1][name]) // 2, before[1]))
+    try:
+        write(folder / name, make(2))
+        return False
+    except FileError:
+        return contents(folder) == versions[0] and not [path for path in folder.iterdir() if path.name.startswith(".")]
+    finally:
+        resource.setrlimit(resource.RLIMIT_FSIZE, before)
+        signal.signal(signal.SIGXFSZ, handler)
+
+
 def main() -> int:
     """Run the kills and print one row for each written format; returns the exit code."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
@@ -129,7 +149,7 @@ def main() -> int:
     if options.write:
         write_forever(options.write)
     rng, faults = random.Random(options.seed), 0
-    print("| file | kills | complete | mixed | faults |\n|---|---|---|---|---|")
+    print("| file | kills | complete | mixed | faults | full disk |\n|---|---|---|---|---|---|")
     for number, (name, (make, write, _)) in enumerate(CASES.items()):
         kills = max(1, options.count * (number + 1) // len(CASES) - options.count * number // len(CASES))
         with tempfile.TemporaryDirectory() as base:
@@ -143,9 +163,12 @@ def main() -> int:
                 (folder := Path(base) / "killed").mkdir()
                 outcomes[outcome(name, folder, versions, rng)] += 1
                 shutil.rmtree(folder)
+            (folder := Path(base) / "full").mkdir()
+            is_intact = survives_full_disk(name, folder, versions)
         complete, mixed = outcomes.pop("complete", 0), outcomes.pop("mixed", 0)
-        print(f"| {name} | {kills} | {complete} | {mixed} | {'; '.join(outcomes) or 0} |", flush=True)
-        faults += outcomes.total()
+        full = "previous file kept" if is_intact else "FAULT"
+        print(f"| {name} | {kills} | {complete} | {mixed} | {'; '.join(outcomes) or 0} | {full} |", flush=True)
+        faults += outcomes.total() + (not is_intact)
     return 1 if faults else 0
 
 
