@@ -38,7 +38,7 @@ CHECK_NEEDS := { $(PIP) check --quiet || $(PIP) check; }
 .DEFAULT_GOAL := help
 .DELETE_ON_ERROR:
 .NOTPARALLEL:
-.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cuda-cache trust bench docs docs-clean demo clean distclean
+.PHONY: api gpu-kit gpu-run help setup setup-test setup-runtime test test-all test-cuda-emulated test-cuda-emulated-quick kernel-coverage test-browser oracle flakes mutants nightly lint format types check-cuda cpu-kernels cuda-cache wheel trust bench docs docs-clean demo clean distclean
 
 help: ## Print the targets
 	@awk -F ':.*## ' '/^[a-z-]+:.*## / {printf "  make %-24s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -115,6 +115,12 @@ types: $(FULL) ## Check the types
 
 check-cuda: $(RUNTIME) ## Compile every kernel for sm_75, sm_90 and sm_120, or ARGS=90 for one (needs no GPU)
 	@$(BIN)/python -m pointloom.kernels.check_cuda $(ARGS)
+
+cpu-kernels: $(RUNTIME) ## Compile all kernels for x86-64-v3 and v4 ahead, into kernels/compiled, which wheels contain
+	@$(BIN)/python -m pointloom.kernels.cpu_kernels $(ARGS)
+
+wheel: cpu-kernels ## Build the wheel with compiled kernels, into dist/
+	@$(BIN)/python -m pip wheel --quiet --no-deps --wheel-dir dist .
 
 cuda-cache: $(RUNTIME) ## Compile all kernels for GPUs ahead, into a wheel in dist/ (no GPU; goes on where it stopped)
 	@$(BIN)/python -m pointloom.kernels.cuda_cache $(ARGS)

@@ -17,11 +17,10 @@ from pathlib import Path
 import numpy as np
 import scipy.linalg  # noqa: F401  loads SciPy's own OpenBLAS
 
-from pointloom.kernels.language import cpu_code
+from pointloom.kernels.language import cpu_code, pool_code
 
 from .small_scenes import ON_CLOUDS, ONCE, SmallScenes, digest
 
-NATIVE = "-march=native"
 NAMES = ("scipy_openblas_get_corename64_", "scipy_openblas_get_corename", "openblas_get_corename")
 
 
@@ -38,22 +37,15 @@ def blas_kernels() -> list[str]:
     return found
 
 
-def compile_for(target: str) -> None:
-    """Compile CPU kernels for an x86-64 level instead of this processor; before the first kernel is used."""
-    if NATIVE not in cpu_code.FLAGS:
-        raise RuntimeError(f"the flags of CPU kernels have no {NATIVE}: {cpu_code.FLAGS}")
-    cpu_code.FLAGS = cpu_code.FLAGS.replace(NATIVE, f"-march={target}")
-
-
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--cpu-target", help="of CPU kernels, such as x86-64-v2; this processor by default")
     options = parser.parse_args()
     if options.cpu_target:
-        compile_for(options.cpu_target)
+        cpu_code.set_target(options.cpu_target)
     warnings.simplefilter("ignore")
     features = [name for name, has in np._core._multiarray_umath.__cpu_features__.items() if has]
-    print(json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS}))
+    print(json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS, "pool": pool_code.is_usable()}))
     scenes = SmallScenes("cpu")
     places = ("surface", "far", "dirty")
     works = {f"{name} [{p}]": (work, p) for name, work in ON_CLOUDS.items() for p in places}

@@ -38,6 +38,12 @@ def is_writable(folder: str | os.PathLike[str], size: int = 0) -> bool:
         return False
 
 
+def can_be_written(folder: Path) -> bool:
+    """True if this user may write to a folder, or create it. Creates nothing."""
+    existing = next((path for path in (folder, *folder.absolute().parents) if path.exists()), folder)
+    return existing.is_dir() and os.access(existing, os.W_OK | os.X_OK)
+
+
 def cache_folder() -> Path:
     return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
 

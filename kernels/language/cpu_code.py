@@ -6,6 +6,8 @@ thread, so that cpu_pool.py can split it. They depend on Warp internals, so pool
 
 from __future__ import annotations
 
+import struct
+from collections.abc import Sequence
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -14,11 +16,29 @@ import warp as wp
 
 # Warp's default flags, set explicitly so that a program's own setting does not change bits or speed; and a
 # bound for LLVM's SLP vectorizer, beyond which LLVM 22 creates a module of `rgbd` that fails its own verifier.
-FLAGS = "-march=native -mllvm=-inline-threshold=9000 -mllvm=-slp-recursion-max-depth=4 -Wno-constant-conversion"
+NATIVE = "-march=native"
+FLAGS = f"{NATIVE} -mllvm=-inline-threshold=9000 -mllvm=-slp-recursion-max-depth=4 -Wno-constant-conversion"
 # Iterations of a constant loop that Warp unrolls. LLVM vectorizes loops over the eight lanes of a node or a leaf:
 # unrolled, they took 1.5 times as long per ray, and twice as long to compile.
 WRITTEN_OUT = 3
 PART = 1 << 31  # in the extent of a launch: the other bits are the first thread of this part
+
+
+def set_target(level: str) -> None:
+    """Compile for a level such as x86-64-v3 instead of this processor. Call it before the first kernel is used."""
+    global FLAGS
+    FLAGS = FLAGS.replace(NATIVE, f"-target-cpu {level}")
+
+
+def packed(plan: str, layout: struct.Struct, values: Sequence[Any]) -> bytes:
+    """Arguments of machine code: a letter of the plan per value (a: array, v: vector or matrix, s: scalar)."""
+    flat: list[Any] = []
+    for letter, value in zip(plan, values, strict=True):
+        if letter == "a":
+            flat += (value.ptr or 0, *value.shape, *value.strides, value.ndim)
+        else:
+            flat.append(bytes(value) if letter == "v" else value)
+    return layout.pack(*flat)
 
 
 @cache

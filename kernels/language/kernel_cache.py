@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 
 import warp as wp
 
-from . import cpu_code
+from . import cpu_archive, cpu_code
 from .cache_folders import is_intact, write_atomically
 from .compiled_ahead import digest_of_sources
 from .structs import Place
@@ -40,8 +40,8 @@ class Kept(NamedTuple):
 
 
 def find(module: str, name: str) -> Kept | None:
-    """Cached kernel or sum of a module, or None."""
-    entry = _read(module).get(name)
+    """Kernel or sum of a module that was compiled ahead or by an earlier process, or None."""
+    entry = cpu_archive.entry_of(module, name) or _read(module).get(name)
     try:
         return entry and Kept([Place(k, tuple(path)) for k, path in entry[0]], *entry[1:])
     except (TypeError, ValueError):  # of another version
@@ -83,7 +83,7 @@ def machine_code_of(kernel: Any) -> str:
 @cache
 def _handle(machine_code: str) -> bytes:
     """Name of a loaded file in Warp's loader. Empty if it cannot be loaded."""
-    if not is_intact(Path(machine_code)):
+    if not cpu_archive.contains(machine_code) and not is_intact(Path(machine_code)):
         return b""
     handle = f"pointloom_{Path(machine_code).stem}".encode()
     refused = wp._src.context.runtime.llvm.wp_load_obj(os.fsencode(machine_code), handle, wp.config.legacy_cpu_linker)

@@ -101,6 +101,7 @@ def turn_of(name: str) -> Iterator[None]:
     try:
         with contextlib.suppress(OSError):  # a folder of another user, or not writable
             path = Path(wp.config.kernel_cache_dir or ".") / LOCKS
+            path.parent.mkdir(parents=True, exist_ok=True)
             descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
             _wait_for_turn(descriptor, zlib.crc32(name.encode()))
         yield

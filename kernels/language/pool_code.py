@@ -7,6 +7,7 @@ give wrong results, kernels use Warp's own code on one core.
 from __future__ import annotations
 
 import ctypes
+import struct
 import warnings
 from collections.abc import Sequence
 from functools import cache
@@ -15,7 +16,7 @@ from typing import Any
 import numpy as np
 import warp as wp
 
-from . import cpu_code
+from . import cpu_code, kernel_cache
 from .cache_folders import CacheError
 from .device_lock import lock
 from .module_loading import load_module
@@ -143,24 +144,41 @@ class PoolCode:
     """Tested machine code of this file's kernels. Raises Warp's own error, or RuntimeError if a result is wrong."""
 
     def __init__(self) -> None:
-        module = wp.get_module("pointloom.cpu_pool")
-        module.options.update({"enable_backward": False, "fuse_fp": False, **cpu_code.options()})
-        kernels = [
-            wp.kernel(f, enable_backward=False, module=module) for f in (_share_kernel, _serve_kernel, _try_kernel)
-        ]
-        load_module(module, wp.get_device("cpu"))
         given = wp.array(np.arange(24, dtype=np.float32).reshape(8, 3), dtype=wp.vec3, device="cpu")
         out = wp.zeros(shape=(8, 2), dtype=wp.float32, device="cpu")
-        self._commands: Any = [  # keep the machine code alive
-            wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
-            for kernel, values in zip(kernels, ([0] * 6, [0] * 2, [given, 3, out]), strict=True)
-        ]
-        self.share, self.serve, trial = (command.hooks.forward for command in self._commands)
-        trial(ctypes.byref(cpu_code.part(2, 3)), ctypes.byref(filled_with(self._commands[2].params[1:])))
+        self.kernels: list[Any] = []
+        arguments = self._load(given, out) or self._compile(given, out)
+        self._trial(ctypes.byref(cpu_code.part(2, 3)), arguments)
         expected = np.zeros((8, 2), np.float32)
         expected[2:5] = [(9 * i + 3, 1.0) for i in (2, 3, 4)]
         if not np.array_equal(out.numpy(), expected):
             raise RuntimeError("a part of a launch begins elsewhere, or arrays lie otherwise")
+
+    def _load(self, given: Any, out: Any) -> Any:
+        """Take code that was compiled ahead. Returns the arguments of the trial, or None if there is no code."""
+        entries = [kernel_cache.find(__name__, function.__name__) for function in _FUNCTIONS]
+        addresses = [kernel_cache.address_of(entry) for entry in entries if entry is not None]
+        if len(addresses) < len(_FUNCTIONS) or not all(addresses):
+            return None
+        self.share, self.serve, self._trial = (ctypes.CFUNCTYPE(None)(address) for address in addresses)
+        plan, layout = entries[-1].plan, struct.Struct(entries[-1].layout)  # type: ignore[union-attr]
+        return ctypes.create_string_buffer(cpu_code.packed(plan, layout, [given, 3, out]))
+
+    def _compile(self, given: Any, out: Any) -> Any:
+        """Compile the code. Returns the arguments of the trial."""
+        module = wp.get_module("pointloom.cpu_pool")
+        module.options.update({"enable_backward": False, "fuse_fp": False, **cpu_code.options()})
+        self.kernels = [wp.kernel(function, enable_backward=False, module=module) for function in _FUNCTIONS]
+        load_module(module, wp.get_device("cpu"))
+        self._commands: Any = [  # keep the machine code alive
+            wp.launch(kernel, 1, values, device="cpu", record_cmd=True)
+            for kernel, values in zip(self.kernels, ([0] * 6, [0] * 2, [given, 3, out]), strict=True)
+        ]
+        self.share, self.serve, self._trial = (command.hooks.forward for command in self._commands)
+        return ctypes.byref(filled_with(self._commands[2].params[1:]))
+
+
+_FUNCTIONS = (_share_kernel, _serve_kernel, _try_kernel)
 
 
 def filled_with(params: Sequence[Any]) -> ctypes.Structure:

@@ -83,14 +83,8 @@ class WarpLaunch:
         return "" if self._layout is None else self._layout.format
 
     def _packed(self, values: Sequence[Any]) -> bytes:
-        flat: list[Any] = []
-        for letter, value in zip(self.plan, values, strict=True):
-            if letter == "a":
-                flat += (value.ptr or 0, *value.shape, *value.strides, value.ndim)
-            else:
-                flat.append(bytes(value) if letter == "v" else value)
         assert self._layout is not None
-        return self._layout.pack(*flat)
+        return cpu_code.packed(self.plan, self._layout, values)
 
     def bound(self, values: Sequence[Any], thread_count: int, last_count: int = 0) -> Callable[[], None]:
         """A repeatable launch that keeps its arrays alive; `last_count` threads run after all others have ended."""

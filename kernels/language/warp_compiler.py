@@ -22,8 +22,8 @@ from typing import IO, Any
 
 import warp as wp
 
-from . import cuda_code, pool_code
-from .cache_folders import cache_folder, is_writable, other_writers, temporary_cache
+from . import cpu_archive, cuda_code, pool_code
+from .cache_folders import cache_folder, can_be_written, other_writers, temporary_cache
 
 STDERR = 2
 
@@ -101,13 +101,21 @@ def _start_quietly() -> None:
             RuntimeWarning,
             stacklevel=2,
         )
-    if not named and (writers or not is_writable(folder)):
+    if not named and (writers or not can_be_written(folder)):
         wp.config.kernel_cache_dir = temporary_cache()
-    if _has_driver():
+    with contextlib.nullcontext() if _has_driver() else lines_removed_from_stderr("NVIDIA CUDA driver"):
+        if wp.config.kernel_cache_dir is None and cpu_archive.folder() is not None:
+            _start_without_cache(folder)
+        else:
+            wp.init()
+
+
+def _start_without_cache(folder: Path) -> None:
+    """Start Warp without creating its cache, which is not needed if all kernels were compiled ahead."""
+    with tempfile.TemporaryDirectory() as empty:
+        wp.config.kernel_cache_dir = empty
         wp.init()
-        return
-    with lines_removed_from_stderr("NVIDIA CUDA driver"):
-        wp.init()
+    wp.config.kernel_cache_dir = str(folder.absolute() / wp.__version__)
 
 
 def _has_driver() -> bool:

@@ -1,0 +1,104 @@
+"""CPU kernels that were compiled ahead: used without compiling, or replaced by compiling."""
+
+from __future__ import annotations
+
+import json
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from pointloom.kernels.language import cpu_archive
+
+MODULES = ["pointloom.kernels.language.pool_code", "pointloom.kernels.arrays.bounds"]
+SCRIPT = """
+import logging, sys
+logging.basicConfig(level=logging.INFO, format="%(message)s", stream=sys.stdout)
+import numpy as np
+from pointloom.kernels.arrays.bounds import find_box
+from pointloom.kernels.language.pool_code import is_usable
+from pointloom.kernels.memory import download, upload
+from pointloom.kernels.lang import vec3
+points = np.random.default_rng(0).random((5000, 3), np.float32)
+print("box", download(find_box(upload(points, vec3, "cpu"))).tolist(), is_usable())
+"""
+POINTS = np.random.default_rng(0).random((5000, 3), np.float32)
+BOX = f"box {[*POINTS.min(0).tolist(), *POINTS.max(0).tolist()]} True"
+
+pytestmark = pytest.mark.skipif(not cpu_archive.level_of_processor(), reason="no Linux on x86-64-v3")
+
+
+@pytest.fixture(scope="module")
+def compiled(tmp_path_factory):
+    """A folder with the code of MODULES for the level of this processor."""
+    folder = tmp_path_factory.mktemp("compiled")
+    command = [sys.executable, "-m", "pointloom.kernels.cpu_kernels", "--output", str(folder)]
+    subprocess.run(
+        [*command, "--levels", cpu_archive.level_of_processor(), "--only", *MODULES], check=True, stdout=subprocess.PIPE
+    )
+    return folder
+
+
+@pytest.fixture
+def archive(compiled, tmp_path):
+    return Path(shutil.copytree(compiled, tmp_path / "compiled")) / cpu_archive.level_of_processor()
+
+
+def run(archive: Path, home: Path) -> tuple[list[str], list[Path]]:
+    """Lines of the script's output with an archive, and the files that it left in an empty home folder."""
+    home.mkdir()
+    environment = os.environ | {
+        cpu_archive.VARIABLE: str(archive.parent),
+        "HOME": str(home),
+        "XDG_CACHE_HOME": str(home / "cache"),
+    }
+    done = subprocess.run([sys.executable, "-c", SCRIPT], env=environment, check=True, capture_output=True, text=True)
+    assert done.stderr == ""
+    return done.stdout.splitlines(), list(home.rglob("*"))
+
+
+def test_nothing_is_compiled_or_written(archive, tmp_path):
+    assert run(archive, tmp_path / "home") == ([BOX], [])
+
+
+@pytest.mark.parametrize("damage", ["cut off", "flipped", "not JSON", "other kernels"])
+def test_damaged_code_is_compiled_with_one_log_record(archive, damage, tmp_path):
+    code, table = archive / "arrays.bounds.o", archive / "arrays.bounds.json"
+    if damage in ("cut off", "flipped"):
+        content = code.read_bytes()
+        code.write_bytes(content[:-100] if damage == "cut off" else content[:-100] + bytes(100))
+    else:
+        table.write_text("{" if damage == "not JSON" else '{"sha256": ""}')
+    lines, files = run(archive, tmp_path / "home")
+    assert ["damaged" in line for line in lines].count(True) == 1 and lines[-1] == BOX and files
+
+
+@pytest.mark.parametrize("name", ["Warp", "flags", "header", "sources of kernels"])
+def test_code_made_from_other_sources_is_not_used(archive, name, tmp_path):
+    manifest = archive / cpu_archive.MANIFEST
+    manifest.write_text(json.dumps(json.loads(manifest.read_text()) | {name: "other"}))
+    lines, files = run(archive, tmp_path / "home")
+    assert f"made from other {name}" in lines[0] and lines[-1] == BOX and files
+
+
+@pytest.mark.parametrize(
+    ("system", "machine", "features", "level"),
+    [
+        ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v4"] | {"sse2"}, "x86-64-v4"),
+        ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v4"] - {"avx512vl"}, "x86-64-v3"),
+        ("linux", "x86_64", cpu_archive.LEVELS["x86-64-v3"] - {"fma"}, ""),
+        ("linux", "x86_64", set(), ""),
+        ("linux", "aarch64", cpu_archive.LEVELS["x86-64-v3"], ""),
+        ("darwin", "x86_64", cpu_archive.LEVELS["x86-64-v3"], ""),
+        ("win32", "AMD64", cpu_archive.LEVELS["x86-64-v3"], ""),
+    ],
+)
+def test_the_level_follows_the_features_of_the_processor(system, machine, features, level, monkeypatch):
+    monkeypatch.setattr(cpu_archive.sys, "platform", system)
+    monkeypatch.setattr(cpu_archive.platform, "machine", lambda: machine)
+    monkeypatch.setattr(cpu_archive, "_features", lambda: features)
+    assert cpu_archive.level_of_processor() == level
