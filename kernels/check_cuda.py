@@ -57,19 +57,19 @@ def read_usage(cubin: bytes) -> dict[str, Usage]:
 
     named = {text(sections[names_at], s[0]): s for s in sections}
     symbols, strings = named[".symtab"], named[".strtab"]
-    found: dict[int, dict[int, int]] = {EIATTR_REGISTERS: {}, EIATTR_FRAME: {}}
+    attributes: dict[int, dict[int, int]] = {EIATTR_REGISTERS: {}, EIATTR_FRAME: {}}
     position, end = named[".nv.info"][4], named[".nv.info"][4] + named[".nv.info"][5]
     while position < end:
         kind, attribute, size = struct.unpack_from("<BBH", cubin, position)
-        if kind == SIZED_VALUE and attribute in found:
+        if kind == SIZED_VALUE and attribute in attributes:
             symbol, value = struct.unpack_from("<II", cubin, position + 4)
-            found[attribute][symbol] = value
+            attributes[attribute][symbol] = value
         position += 4 + (size if kind == SIZED_VALUE else 0)
     usage = {}
-    for symbol, registers in found[EIATTR_REGISTERS].items():
+    for symbol, registers in attributes[EIATTR_REGISTERS].items():
         name = text(strings, struct.unpack_from("<I", cubin, symbols[4] + 24 * symbol)[0])
         shared = named.get(f".nv.shared.{name}", (0,) * 8)[5]
-        usage[name] = Usage(registers, found[EIATTR_FRAME].get(symbol, 0), shared)
+        usage[name] = Usage(registers, attributes[EIATTR_FRAME].get(symbol, 0), shared)
     return usage
 
 
@@ -108,7 +108,7 @@ def check_module(
         importlib.import_module(name)
         if may_be_empty and name not in lang.LAUNCHED:
             return 0, [], ""
-        lang.settle(name)
+        lang.resolve_module(name)
         if name in lang.LAUNCHED and not modules_for_cuda(name):
             return 0, [f"{name}: kernels for the CPU alone"], ""
         compiled = compile_module(name, architectures)
@@ -123,10 +123,10 @@ def check_module(
 def check_package(architectures: tuple[int, ...]) -> Iterator[tuple[int, list[str], str]]:
     """Compile the whole package in one process per core (NVRTC is single-threaded). Results are in module order."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
-    found = [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
+    modules = [m.name for m in pkgutil.walk_packages(package.__path__, package.__name__ + ".")]
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn) as pool:
-        yield from pool.map(functools.partial(check_module, architectures=architectures, may_be_empty=True), found)
+        yield from pool.map(functools.partial(check_module, architectures=architectures, may_be_empty=True), modules)
 
 
 def main(words: list[str]) -> int:

@@ -38,12 +38,12 @@ def _zero_of(kind: Any) -> Any:
     return kind(0)
 
 
-def _entry(places: Sequence[Any], kernel: Any) -> list[Any]:
-    """Fields of `kernel_cache.Kept` without the path of the machine code. Raises RuntimeError for unknown layouts."""
+def _entry(field_paths: Sequence[Any], kernel: Any) -> list[Any]:
+    """Fields of `kernel_cache.CachedKernel` without the path of the machine code. Raises RuntimeError for unknown layouts."""
     made = WarpLaunch(kernel, [_zero_of(argument.type) for argument in kernel.adj.args])
     if not made.layout:
         raise RuntimeError(f"{kernel.key}: unknown layout of the arguments")
-    return [places, made.plan, made.layout, made.symbol]
+    return [field_paths, made.plan, made.layout, made.symbol]
 
 
 def compile_file(file: str, level: str, work: Path, output: Path) -> tuple[int, int, float]:
@@ -56,7 +56,7 @@ def compile_file(file: str, level: str, work: Path, output: Path) -> tuple[int, 
         kernels = {kernel.key: ([], kernel) for kernel in pool_code.PoolCode().kernels}
     else:
         launched = lang.LAUNCHED.get(file, {})
-        kernels = {name: (each.places, each.on_host) for name, each in launched.items()}
+        kernels = {name: (each.field_paths, each.on_host) for name, each in launched.items()}
     if not kernels:
         return 0, 0, 0.0
     for _, kernel in kernels.values():
@@ -65,7 +65,7 @@ def compile_file(file: str, level: str, work: Path, output: Path) -> tuple[int, 
     if len(paths) != 1 or "" in paths:
         raise RuntimeError(f"expected one file of machine code, got {sorted(paths)}")
     content = Path(paths.pop()).read_bytes()
-    entries = {name: _entry(places, kernel) for name, (places, kernel) in kernels.items()}
+    entries = {name: _entry(field_paths, kernel) for name, (places, kernel) in kernels.items()}
     name = cpu_archive.name_of(file)
     (output / f"{name}.o").write_bytes(content)
     text = json.dumps({"sha256": hashlib.sha256(content).hexdigest(), "kernels": entries}, separators=(",", ":"))

@@ -59,26 +59,26 @@ def find_files() -> list[str]:
     """The modules of kernels/, largest sources first to balance the process pool."""
     package = importlib.import_module(__package__ or "pointloom.kernels")
     sizes = {}
-    for found in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
-        path = Path(found.module_finder.path, found.name.rpartition(".")[2] + ".py")  # type: ignore[union-attr]
-        if not found.ispkg:
-            sizes[found.name] = path.stat().st_size
+    for module in pkgutil.walk_packages(package.__path__, package.__name__ + "."):
+        path = Path(module.module_finder.path, module.name.rpartition(".")[2] + ".py")  # type: ignore[union-attr]
+        if not module.ispkg:
+            sizes[module.name] = path.stat().st_size
     return sorted(sizes, key=lambda name: -sizes[name])
 
 
 def _modules_of(file: str) -> list[wp.Module]:
     importlib.import_module(file)
-    lang.settle(file)
+    lang.resolve_module(file)
     return modules_for_cuda(file) + ([k.module for k in casts.kernels_ahead()] if file == CASTS else [])
 
 
 def _drop_outdated(module: wp.Module, folder: Path) -> None:
     """Remove outdated compilations: Warp's hash in the folder name covers only the low 32 bits of integer constants."""
-    kept = folder / f"{folder.name}.cu"
-    if kept.exists():
+    source = folder / f"{folder.name}.cu"
+    if source.exists():
         options = module.resolve_options(wp.config) | {"output_arch": max(ARCHITECTURES)}
         module.get_module_hash()
-        if module._run_codegen(options, False)[0] != kept.read_text():
+        if module._run_codegen(options, False)[0] != source.read_text():
             shutil.rmtree(folder)
 
 
@@ -110,13 +110,13 @@ def compile_all(files: Iterable[str], work: Path, targets: list[tuple[int, bool]
     """Compile files in one process per core, in order of completion. Raises RuntimeError for a file that fails."""
     spawn = multiprocessing.get_context("spawn")
     with ProcessPoolExecutor(len(os.sched_getaffinity(0)), spawn, initializer=_leave_ctrl_c_to_the_parent) as pool:
-        asked = {pool.submit(compile_file, file, work, targets): file for file in files}
+        futures = {pool.submit(compile_file, file, work, targets): file for file in files}
         try:
-            for done in as_completed(asked):
+            for done in as_completed(futures):
                 try:
-                    yield asked[done], done.result()
+                    yield futures[done], done.result()
                 except Exception as error:  # a language rule, NVRTC, a full disk
-                    raise RuntimeError(f"{asked[done]}: {type(error).__name__}: {error}") from error
+                    raise RuntimeError(f"{futures[done]}: {type(error).__name__}: {error}") from error
         except BaseException:
             pool.shutdown(wait=False, cancel_futures=True)
             for child in multiprocessing.active_children():  # their writes are atomic
@@ -185,10 +185,10 @@ def build(files: list[str], targets: list[tuple[int, bool]], work: Path, output:
     work.mkdir(parents=True, exist_ok=True)
     output.mkdir(parents=True, exist_ok=True)
     start, built = time.perf_counter(), []
-    for count, (file, found) in enumerate(compile_all(files, work.resolve(), targets), 1):
-        built += found
-        seconds = sum(code.seconds for each in found for code in each.code.values())
-        kernels = sum(each.kernels for each in found)
+    for count, (file, results) in enumerate(compile_all(files, work.resolve(), targets), 1):
+        built += results
+        seconds = sum(code.seconds for each in results for code in each.code.values())
+        kernels = sum(each.kernels for each in results)
         if kernels:
             print(f"[{count}/{len(files)}] {file}: {kernels} kernels, {seconds:.1f} s", flush=True)
     version = importlib.metadata.version("pointloom")

@@ -44,13 +44,13 @@ from warp import float32, float64, int8, int16, int32, int64, uint8, uint16, uin
 from warp import mat33, mat33d, mat44, mat44d, vec2, vec2d, vec2i, vec3, vec3d, vec3i, vec4, vec4d, vec4i  # noqa: F401  # isort: skip
 
 from .language import kernel_cache, rules, taichi_compiler, warp_compiler
-from .language.arguments import acceptor, array_of, first_device, taker_apart, type_of
+from .language.arguments import acceptor, array_of, first_device, struct_unpacker, type_of
 from .language.callbacks import Given, callback, with_functions
-from .language.kernel_cache import Kept
+from .language.kernel_cache import CachedKernel
 from .language.lazy_property import once
 from .language.loops import Words
 from .language.source import Source, Vocabulary, compiled
-from .language.structs import JOINT, Place, struct, type_at
+from .language.structs import JOINT, FieldPath, struct, type_at
 from .launches import (  # noqa: F401  handed on
     BLOCK,
     DeviceLoop,
@@ -133,9 +133,9 @@ class _DeviceCode:
         self.written, self.module = function, function.__module__
         self._variant: Self | None = None
         if not self.module.startswith(f"{__package__}.") and not for_cuda:
-            self.settle()
+            self.resolve()
 
-    def settle(self) -> None:
+    def resolve(self) -> None:
         _ = self.source
 
     def on_cuda(self, function: Callable) -> Self:
@@ -189,7 +189,7 @@ class Func(_DeviceCode):
         self._special: dict[Any, Func] = {}
         super().__init__(function, for_cuda=for_cuda)
 
-    def settle(self) -> None:
+    def resolve(self) -> None:
         _ = self.warp
 
     @once
@@ -242,37 +242,37 @@ class _Launched(_DeviceCode):
             others[function.__name__] = self
         super().__init__(function, for_cuda=for_cuda)
 
-    def settle(self) -> None:
+    def resolve(self) -> None:
         is_for_cuda = self.for_cuda or (self.twin is self and not self.for_cpu)
         _ = self.twin.cuda if is_for_cuda else self.cpu
 
     for_cpu = False
 
     @once
-    def kept(self) -> Kept | None:
+    def cached(self) -> CachedKernel | None:
         """Machine code for the CPU that an earlier process compiled."""
         return None if self.for_cuda or "source" in vars(self) else kernel_cache.find(self.module, self.name)
 
     @once
     def takes(self) -> dict[str, Any]:
-        if self.kept is None:
+        if self.cached is None:
             return self.source.written
         return {name: t for name, t in self.written.__annotations__.items() if name != "return"}
 
     @once
-    def places(self) -> list[Place]:
+    def field_paths(self) -> list[FieldPath]:
         """The sources of its flat parameters."""
-        return self.source.places if self.kept is None else self.kept.places
+        return self.source.field_paths if self.cached is None else self.cached.field_paths
 
     @once
     def types(self) -> list[Any]:
         written = list(self.takes.values())
-        return [type_at(written[place.parameter], place.path) for place in self.places]
+        return [type_at(written[field_path.parameter], field_path.path) for field_path in self.field_paths]
 
     @once
-    def take_apart(self) -> Callable[[str, Sequence[Any]], list[Any]] | None:
+    def unpack_structs(self) -> Callable[[str, Sequence[Any]], list[Any]] | None:
         """A function that unpacks the structures among the arguments."""
-        return taker_apart(self.places, list(self.takes))
+        return struct_unpacker(self.field_paths, list(self.takes))
 
     @once
     def first_device(self) -> Callable[[Sequence[Any]], Any]:
@@ -301,13 +301,13 @@ class _Launched(_DeviceCode):
         return vars(self).get("cuda") or self.make("cuda")
 
     @staticmethod
-    def _make_all(place: str, listed: Sequence[_Launched]) -> None:
+    def _make_all(target: str, listed: Sequence[_Launched]) -> None:
         """Prepare the kernels of a file in order: Warp hashes modules by content, the first reduction names folds."""
         for each in listed:
-            if place not in vars(each):
-                vars(each)[place] = each.make(place)
+            if target not in vars(each):
+                vars(each)[target] = each.make(target)
 
-    def make(self, place: str) -> Any:
+    def make(self, target: str) -> Any:
         raise NotImplementedError
 
     @property
@@ -317,16 +317,16 @@ class _Launched(_DeviceCode):
 
 class Kernel(_Launched):
     """A function of one thread. Launch it with `launch(kernel, thread_count, [arguments])`.
-    `@kernel(most_registers=128)` limits registers on CUDA: above 128 an SM runs half as many threads.
+    `@kernel(max_registers=128)` limits registers on CUDA: above 128 an SM runs half as many threads.
     `@kernel(for_cpu=True)` is not compiled for GPUs.
     """
 
     role = "kernel"
 
     def __init__(
-        self, function: Callable, *, most_registers: int = 0, for_cpu: bool = False, for_cuda: bool = False
+        self, function: Callable, *, max_registers: int = 0, for_cpu: bool = False, for_cuda: bool = False
     ) -> None:
-        self.most_registers, self.for_cpu = most_registers, for_cpu
+        self.max_registers, self.for_cpu = max_registers, for_cpu
         super().__init__(function, for_cuda=for_cuda)
 
     @once
@@ -334,13 +334,13 @@ class Kernel(_Launched):
         return self if self.for_cpu else super().twin
 
     def made_of(self, function: Callable) -> Kernel:
-        return Kernel(function, most_registers=self.most_registers, for_cuda=True)
+        return Kernel(function, max_registers=self.max_registers, for_cuda=True)
 
-    def make(self, place: str) -> Any:
-        if place and place == ("cuda" if self.for_cpu else "cpu" if self.for_cuda else ""):
+    def make(self, target: str) -> Any:
+        if target and target == ("cuda" if self.for_cpu else "cpu" if self.for_cuda else ""):
             raise TypeError(f"{self.name} is {'the CPU' if self.for_cpu else 'CUDA'}'s alone")
-        home = place if place == "cpu" or self.for_cuda else ""
-        return warp_compiler.make_kernel(self.function, _is_builtin, home, self.most_registers)
+        home = target if target == "cpu" or self.for_cuda else ""
+        return warp_compiler.make_kernel(self.function, _is_builtin, home, self.max_registers)
 
     @once
     def taichi(self) -> Any:
@@ -352,8 +352,8 @@ class Reduction(_Launched):
 
     role = "reduction"
 
-    def __init__(self, function: Callable, *, segmented: bool = False, most_registers: int = 0) -> None:
-        self.segmented, self.most_registers = segmented, most_registers
+    def __init__(self, function: Callable, *, segmented: bool = False, max_registers: int = 0) -> None:
+        self.segmented, self.max_registers = segmented, max_registers
         super().__init__(function)
 
     @once
@@ -369,14 +369,14 @@ class Reduction(_Launched):
     def on_host(self) -> Any:
         return self.cpu.sum
 
-    def make(self, place: str) -> Any:
-        if place == "cpu":
+    def make(self, target: str) -> Any:
+        if target == "cpu":
             make = warp_compiler.CpuSegmentReduction if self.segmented else warp_compiler.CpuReduction
         else:
             make = warp_compiler.CudaSegmentReduction if self.segmented else warp_compiler.CudaReduction
         element, function = self._element_source(), self.function
         scope = warp_compiler.translate(function, _is_builtin)
-        return make(self.name, element, function.__annotations__, scope, self.module, self.most_registers)
+        return make(self.name, element, function.__annotations__, scope, self.module, self.max_registers)
 
     def _element_source(self) -> str:
         definition = ast.parse(ast.unparse(self.source.definition)).body[0]
@@ -402,7 +402,7 @@ cuda_func, cuda_loop = functools.partial(Func, for_cuda=True), functools.partial
 @overload
 def kernel(function: Callable, /) -> Kernel: ...
 @overload
-def kernel(*, most_registers: int = 0, for_cpu: bool = False) -> Callable[[Callable], Kernel]: ...
+def kernel(*, max_registers: int = 0, for_cpu: bool = False) -> Callable[[Callable], Kernel]: ...
 def kernel(function: Callable | None = None, /, **options: Any) -> Any:
     return Kernel(function) if function is not None else functools.partial(Kernel, **options)
 
@@ -410,18 +410,18 @@ def kernel(function: Callable | None = None, /, **options: Any) -> Any:
 @overload
 def segment_reduction(function: Callable, /) -> Reduction: ...
 @overload
-def segment_reduction(*, most_registers: int) -> Callable[[Callable], Reduction]: ...
-def segment_reduction(function: Callable | None = None, /, *, most_registers: int = 0) -> Any:
+def segment_reduction(*, max_registers: int) -> Callable[[Callable], Reduction]: ...
+def segment_reduction(function: Callable | None = None, /, *, max_registers: int = 0) -> Any:
     """Decorator of a function of one element that contributes to one of many sums, see Reduction."""
-    make = functools.partial(Reduction, segmented=True, most_registers=most_registers)
+    make = functools.partial(Reduction, segmented=True, max_registers=max_registers)
     return make if function is None else make(function)
 
 
 LAUNCHED: dict[str, dict[str, _Launched]] = {}  # kernels and reductions of each file, by name
 
 
-def settle(module: str) -> None:
+def resolve_module(module: str) -> None:
     """Check all kernels of a file and pass them to Warp. Raises KernelLanguageError."""
     for item in LAUNCHED.get(module, {}).values():
-        item.settle()
-        item.twin.settle()
+        item.resolve()
+        item.twin.resolve()

@@ -55,7 +55,7 @@ def current_cpu_compiler() -> str:
     return wanted
 
 
-class Turn:
+class LaunchSequence:
     """CPU launches of a loop's first iteration: reading the arguments again would cost more than a small kernel."""
 
     def __init__(self) -> None:
@@ -71,17 +71,17 @@ class Turn:
         return True
 
 
-_turn: Turn | None = None  # the launches being recorded. Requires the lock
+_sequence: LaunchSequence | None = None  # the launches being recorded. Requires the lock
 _launched: set[tuple[int, str]] = set()  # kernels launched on a GPU, by device
 _by_warp: dict[Any, WarpLaunch] = {}  # on the CPU, by the kernel or sum
 _by_taichi: dict[Any, TaichiLaunch] = {}  # by Taichi's kernel
 
 
-def _announced(kernel: Any, name: str, place: str) -> contextlib.AbstractContextManager[bool]:
+def _announced(kernel: Any, name: str, target: str) -> contextlib.AbstractContextManager[bool]:
     """Announce the first launch of a kernel in this process. True if it was the first."""
-    if (id(kernel), place) in _launched:
+    if (id(kernel), target) in _launched:
         return contextlib.nullcontext(False)
-    _launched.add((id(kernel), place))
+    _launched.add((id(kernel), target))
     return announced(name)
 
 
@@ -98,7 +98,7 @@ def _is_launched_prepared(kernel: Kernel, thread_count: int, arguments: Sequence
     if prepared is None or not 0 < thread_count <= MAX_THREADS or not launches_plainly():
         return False
     try:
-        flat = prepared.take_apart(arguments)
+        flat = prepared.flatten(arguments)
         with lock:
             prepared.launch(thread_count, flat)
     except UNFIT:
@@ -113,22 +113,22 @@ def _run_on_cpu(what: Kernel | Reduction, values: Sequence[Any], thread_count: i
             prepared = _by_warp[what] = _prepare(what, values)
     again = prepared.bound(values, thread_count, last_count)
     again()
-    if _turn is not None:
-        _turn.launches.append(again)
+    if _sequence is not None:
+        _sequence.launches.append(again)
 
 
 def _prepare(what: Kernel | Reduction, values: Sequence[Any]) -> WarpLaunch:
     """Load the machine code of an earlier process, or compile with Warp and store it."""
-    kept = what.kept
-    if kept is not None and (address := kernel_cache.address_of(kept)):
-        return WarpLaunch.of_kept(kept, address, lambda: what.on_host)
+    cached = what.cached
+    if cached is not None and (address := kernel_cache.address_of(cached)):
+        return WarpLaunch.of_cached(cached, address, lambda: what.on_host)
     kernel = what.on_host
     load_module(kernel.module, wp.get_device("cpu"))
     made = WarpLaunch(kernel, values)
     machine_code = kernel_cache.machine_code_of(kernel)
     if made.layout and machine_code and pool_code.is_usable():
-        kept = kernel_cache.Kept(what.places, made.plan, made.layout, made.symbol, machine_code)
-        kernel_cache.keep(what.module, what.name, kept)
+        cached = kernel_cache.CachedKernel(what.field_paths, made.plan, made.layout, made.symbol, machine_code)
+        kernel_cache.store(what.module, what.name, cached)
     return made
 
 
@@ -139,16 +139,16 @@ def _run_taichi(kernel: Any, name: str, annotations: Callable[[], Sequence[Any]]
         with announced(name):
             compiling()  # before Taichi's cache is queried
             prepared = _by_taichi[kernel] = taichi.prepare(kernel, name, annotations(), values)
-        again = None if _turn is None else prepared.bound(values)
-    elif _turn is None:
+        again = None if _sequence is None else prepared.bound(values)
+    elif _sequence is None:
         prepared(values)
         return
     else:
         again = prepared.bound(values)
         again()
-    if _turn is not None and again is not None:
-        _turn.launches.append(again)
-        _turn.program = taichi.program
+    if _sequence is not None and again is not None:
+        _sequence.launches.append(again)
+        _sequence.program = taichi.program
 
 
 def _run_taichi_sum(reduction: Reduction, values: Sequence[Any]) -> None:
@@ -196,9 +196,9 @@ def launch(kernel: Kernel, thread_count: int, arguments: Sequence[Any]) -> None:
 def reduce(reduction: Reduction, count: int, arguments: Sequence[Any]) -> Array1[Any]:
     """Sum a reduction over `count` elements in two stages of fixed order: an array (1). Raises as `launch`."""
     if HAS_CUDA and (home := reduction.first_device(arguments)).is_cuda:
-        found = _prepared_sum(reduction, count, arguments, home)
-        if found is not None:
-            return found
+        total = _prepared_sum(reduction, count, arguments, home)
+        if total is not None:
+            return total
     values, device = checked_arguments(reduction, count, arguments)
     if count == 0:
         return zeros(1, reduction.vector, device)
@@ -229,7 +229,7 @@ def _prepared_sum(reduction: Reduction, count: int, arguments: Sequence[Any], de
     if prepared is None or not 0 < count <= MAX_THREADS or not launches_plainly():
         return None
     try:
-        flat = prepared.take_apart(arguments)
+        flat = prepared.flatten(arguments)
         out = empty(1, reduction.vector, device)
         blocks = -(-count // warp_compiler.REDUCTION_BLOCK)
         partials = empty(blocks, reduction.vector, device)
@@ -284,7 +284,7 @@ class DeviceLoop:
     def __init__(self, condition: Integers, body: Callable[[], None]) -> None:
         self._condition, self._body = condition, body
         self._recorded: RecordedLoop | None = None
-        self._turn: Turn | None = None
+        self._sequence: LaunchSequence | None = None
 
     def run(self) -> None:
         """Run the body while the condition is not zero. Raises RuntimeError for a CUDA driver before 12.4."""
@@ -297,16 +297,16 @@ class DeviceLoop:
         flag = self._condition.numpy()
         while flag[0]:
             with lock:
-                if self._turn is None or not self._turn.repeat():
-                    self._turn = _keep(self._body)
+                if self._sequence is None or not self._sequence.repeat():
+                    self._sequence = _record(self._body)
 
 
-def _keep(body: Callable[[], None]) -> Turn:
+def _record(body: Callable[[], None]) -> LaunchSequence:
     """Run and record a body of CPU launches. Requires the lock."""
-    global _turn
-    outer, _turn = _turn, Turn()
+    global _sequence
+    outer, _sequence = _sequence, LaunchSequence()
     try:
         body()
-        return _turn
+        return _sequence
     finally:
-        _turn = outer
+        _sequence = outer

@@ -114,8 +114,8 @@ def eigh(A: Any) -> tuple[Array, Array]:
     """
     A = np.asarray(A, np.float64)
     if A.ndim > 2:
-        found = [eigh(one) for one in A.reshape(-1, *A.shape[-2:])]
-        values, vectors = np.array([one[0] for one in found]), np.array([one[1] for one in found])
+        decompositions = [eigh(one) for one in A.reshape(-1, *A.shape[-2:])]
+        values, vectors = np.array([one[0] for one in decompositions]), np.array([one[1] for one in decompositions])
         return values.reshape(A.shape[:-1]), vectors.reshape(A.shape)
     n, size = len(A), float(np.abs(A).max(initial=0.0))
     if not np.isfinite(size):
@@ -137,8 +137,8 @@ def pinvh(A: Array, rcond: float) -> Array:
     """Pseudoinverse of a symmetric matrix. Eigenvalues up to `rcond` times the largest magnitude count as zero."""
     values, vectors = eigh(A)
     sizes = np.abs(values)
-    kept = sizes > rcond * sizes.max(initial=0.0)
-    inverses = np.divide(1.0, values, out=np.zeros_like(values), where=kept)
+    is_nonzero = sizes > rcond * sizes.max(initial=0.0)
+    inverses = np.divide(1.0, values, out=np.zeros_like(values), where=is_nonzero)
     return matmul(vectors * inverses, vectors.T)
 
 

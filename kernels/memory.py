@@ -18,7 +18,7 @@ from .array_types import Array, Array1, Array2, Array3, Device, DeviceArray, Ele
 from .language import device_arrays, device_copies, pools
 from .language.casts import cast_into
 from .language.device_arrays import flat, rows_of  # noqa: F401  handed on
-from .language.device_lock import own, turn_on, why_no_cuda_here
+from .language.device_lock import lock_for, own, why_no_cuda_here
 
 POOL_SHARE = 0.5  # of a GPU's memory: maximum of released memory kept by its pool
 _pools: set[str] = set()  # GPUs whose pool keeps memory, by name
@@ -49,16 +49,16 @@ class _Allocation:
     """Lock for an allocation; converts Warp's out-of-memory error to MemoryError."""
 
     def __init__(self, device: Device | str) -> None:
-        self.turn = turn_on(device)
+        self.lock = lock_for(device)
         self.device: Any = device
 
     def __enter__(self) -> None:
-        self.turn.__enter__()
+        self.lock.__enter__()
         if getattr(self.device, "is_cuda", False):
             _keep_pool(self.device)
 
     def __exit__(self, kind: Any, error: BaseException | None, traceback: Any) -> None:
-        self.turn.__exit__(kind, error, traceback)
+        self.lock.__exit__(kind, error, traceback)
         size = re.match(r"Failed to allocate (\d+) bytes", str(error)) if isinstance(error, RuntimeError) else None
         if size:
             is_gpu = getattr(self.device, "is_cuda", False)
@@ -78,7 +78,7 @@ class _Allocation:
 def free_bytes(device: Device) -> int | None:
     """Free bytes on a device, including the pool. None if unknown."""
     if device.is_cuda:
-        return int(device.free_memory) + pools.kept_bytes(device)
+        return int(device.free_memory) + pools.reserved_bytes(device)
     sizes = []
     with contextlib.suppress(OSError, ValueError, StopIteration):
         lines = Path("/proc/meminfo").read_text().splitlines()
@@ -123,9 +123,9 @@ def empty(shape: tuple[int, int, int], dtype: type[Element], device: Device | st
 def empty(shape: tuple[int, ...], dtype: type[Element], device: Device | str) -> DeviceArray[Element, Any]: ...
 def empty(shape: int | tuple[int, ...], dtype: Any, device: Device | str) -> Any:
     """Uninitialized array. Raises MemoryError, as all functions here that allocate."""
-    made = _new_on_gpu(shape, dtype, device)
-    if made is not None:
-        return made
+    created = _new_on_gpu(shape, dtype, device)
+    if created is not None:
+        return created
     with _Allocation(device):
         return own(wp.empty(shape, dtype=dtype, device=device))
 
@@ -139,12 +139,12 @@ def zeros(shape: tuple[int, int, int], dtype: type[Element], device: Device) -> 
 @overload
 def zeros(shape: tuple[int, ...], dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def zeros(shape: int | tuple[int, ...], dtype: Any, device: Device) -> Any:
-    made = _new_on_gpu(shape, dtype, device)
-    if made is not None:
-        with turn_on(device):
-            if not device_copies.is_zeroed(made):
-                made.zero_()
-        return made
+    created = _new_on_gpu(shape, dtype, device)
+    if created is not None:
+        with lock_for(device):
+            if not device_copies.is_zeroed(created):
+                created.zero_()
+        return created
     with _Allocation(device):
         return own(wp.zeros(shape, dtype=dtype, device=device))
 
@@ -158,17 +158,17 @@ def full(shape: tuple[int, int, int], value: Any, dtype: type[Element], device: 
 @overload
 def full(shape: tuple[int, ...], value: Any, dtype: type[Element], device: Device) -> DeviceArray[Element, Any]: ...
 def full(shape: int | tuple[int, ...], value: Any, dtype: Any, device: Device) -> Any:
-    made = _new_on_gpu(shape, dtype, device)
-    if made is not None:
-        with turn_on(device):
-            made.fill_(value)
-        return made
+    created = _new_on_gpu(shape, dtype, device)
+    if created is not None:
+        with lock_for(device):
+            created.fill_(value)
+        return created
     with _Allocation(device):
         return own(wp.full(shape, value, dtype=dtype, device=device))
 
 
 def fill(values: wp.array, value: Any) -> None:
-    with turn_on(values.device):
+    with lock_for(values.device):
         values.fill_(value)
 
 
@@ -193,10 +193,10 @@ def upload(
             return out
     inner = getattr(dtype, "_shape_", ())
     outer = values.shape[: values.ndim - len(inner)]
-    if outer and values.shape == (*outer, *inner) and (made := _new_on_gpu(outer, dtype, device)) is not None:
-        with turn_on(device):
-            if device_copies.is_written(made, values):
-                return made
+    if outer and values.shape == (*outer, *inner) and (created := _new_on_gpu(outer, dtype, device)) is not None:
+        with lock_for(device):
+            if device_copies.is_written(created, values):
+                return created
     with _Allocation(device):
         out: Any = wp.array(values, dtype=dtype, device=device, copy=copied)
         return own(out)
@@ -204,16 +204,16 @@ def upload(
 
 def upload_together(tables: Sequence[NDArray[Any]], dtype: type[Element], device: Device) -> list[Array1[Element]]:
     """Upload several small one-dimensional NumPy arrays in one copy, as parts of one array."""
-    whole = upload(np.concatenate(tables), dtype, device)
+    buffer = upload(np.concatenate(tables), dtype, device)
     ends = np.cumsum([len(table) for table in tables]).tolist()
     parts = zip(tables, ends, strict=True)
-    return [rows_of(whole, end - len(table), end) if len(table) else empty(0, dtype, device) for table, end in parts]
+    return [rows_of(buffer, end - len(table), end) if len(table) else empty(0, dtype, device) for table, end in parts]
 
 
 def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> None:
     """Copy the first `count` elements of one array to another on the same device, starting at element `offset`."""
     if count:
-        with turn_on(target.device):
+        with lock_for(target.device):
             if not device_copies.is_copied(target, source, count, offset):
                 wp.copy(target, source, dest_offset=offset, count=count)
 
@@ -221,7 +221,7 @@ def copy(target: wp.array, source: wp.array, *, count: int, offset: int = 0) -> 
 def fill_column(target: Any, column: int, source: wp.array) -> None:
     """Copy an array (n) to a column of another, (n, c), on the same device."""
     if source.size:
-        with turn_on(target.device):
+        with lock_for(target.device):
             wp.copy(target[:, column], source)
 
 
@@ -230,13 +230,13 @@ def write(target: Any, values: np.ndarray) -> None:
     if target.device.is_cpu:
         target.numpy().reshape(-1)[:] = values.reshape(-1)
         return
-    with turn_on(target.device):
+    with lock_for(target.device):
         if not device_copies.is_written(target, values):
             copy(target, upload(values, target.dtype, wp.get_device("cpu"), copied=False), count=target.size)
 
 
 def clone(values: Array) -> Array:
-    with turn_on(values.device):
+    with lock_for(values.device):
         out: Any = empty(values.shape, values.dtype, values.device)
         wp.copy(out, values)
     return out
@@ -264,7 +264,7 @@ def move(values: Array, device: Device) -> Array:
     if values.device == device:
         return values
     home: Any = values.device
-    with turn_on(device), turn_on(home):
+    with lock_for(device), lock_for(home):
         out: Any = empty(values.shape, values.dtype, device)
         if home.is_cuda and out.device.is_cuda:
             out.device.stream.wait_stream(home.stream)  # Warp copies on the stream of the other GPU only
@@ -278,10 +278,10 @@ def download(values: Any) -> NDArray[Any]:
     """The array as NumPy, read-only: a copy from a GPU (sync), a view on the CPU."""
     if values.device.is_cpu:
         return host_view(values)
-    with turn_on(values.device):
-        found = device_copies.fetched(values)  # sync
-    if found is not None:
-        return found
+    with lock_for(values.device):
+        fetched = device_copies.fetched(values)  # sync
+    if fetched is not None:
+        return fetched
     return move(values, wp.get_device("cpu")).numpy()
 
 
@@ -296,8 +296,8 @@ class Readback:
 
     def __init__(self, values: wp.array) -> None:
         self.values: Any = values
-        self._kept: Any = None  # host memory, filled asynchronously
-        self._seen: Any = None  # the same memory as NumPy
+        self._host: Any = None  # host memory, filled asynchronously
+        self._host_view: Any = None  # the same memory as NumPy
         self._event: Any = None
         self._is_sent = False
 
@@ -305,12 +305,12 @@ class Readback:
         device = self.values.device
         if device.is_cpu:
             return
-        with turn_on(device):
-            if self._kept is None:
-                self._kept = wp.empty(self.values.shape, dtype=self.values.dtype, device="cpu", pinned=True)
-                self._seen, self._event = self._kept.numpy(), wp.Event(device)
-            if not device_copies.is_sent(self._kept, self.values):
-                wp.copy(self._kept, self.values)
+        with lock_for(device):
+            if self._host is None:
+                self._host = wp.empty(self.values.shape, dtype=self.values.dtype, device="cpu", pinned=True)
+                self._host_view, self._event = self._host.numpy(), wp.Event(device)
+            if not device_copies.is_sent(self._host, self.values):
+                wp.copy(self._host, self.values)
             device.stream.record_event(self._event)
             self._is_sent = True
 
@@ -322,6 +322,6 @@ class Readback:
         """The values at the time of `send` (sync), or the current ones."""
         if not self._is_sent:
             return download(self.values)
-        with turn_on(self.values.device):
+        with lock_for(self.values.device):
             wp.synchronize_event(self._event)
-            return self._seen.copy()
+            return self._host_view.copy()

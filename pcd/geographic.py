@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from ..core.checks import check_count
 from ..core.gpu_arrays import take_points
 from ..core.units import METRE
-from ..kernels.algebra.transverse_mercator import Mercator, project_degrees, split_degrees, turn_degrees
+from ..kernels.algebra.transverse_mercator import Mercator, project_degrees, relative_degrees, split_degrees
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.origins import add_origin
 from ..kernels.arrays.run_medians import order_statistics
@@ -46,7 +46,7 @@ def utm_epsg(cloud: PointCloud) -> int:
         32610
     """
     check_cloud("cloud", cloud)
-    turned = turn_degrees(add_origin(cloud._device_array("points"), cloud.origin), 0.0)
+    turned = relative_degrees(add_origin(cloud._device_array("points"), cloud.origin), 0.0)
     _, _, count = _box_of(turned)
     if not count:
         raise ValueError("cloud: no finite point tells its zone; give epsg")
@@ -86,7 +86,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     if code - zone not in (_NORTHERN, _SOUTHERN) or not 1 <= zone <= 60:
         raise ValueError(f"epsg: expected 32601..32660 or 32701..32760, got {epsg}")
     degrees = add_origin(cloud._device_array("points"), cloud.origin)
-    low, high, count = _box_of(turn_degrees(degrees, 6.0 * zone - 183.0))
+    low, high, count = _box_of(relative_degrees(degrees, 6.0 * zone - 183.0))
     widest = max(-float(low[0]), float(high[0])) if count else 0.0
     if widest > _WIDEST:
         raise ValueError(

@@ -21,7 +21,7 @@ from ..core.escaped_text import escaped
 from ..core.gpu_arrays import take_colors, take_column, take_points, take_vectors
 from ..core.html_tables import array_type, html_table
 from ..kernels.lang import vec3
-from ..kernels.language.device_lock import turn_on
+from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
 from .cached_tree import KeptTree
@@ -260,7 +260,7 @@ class PointArrays(InUnit, KnownNames):
                 f"the points count from the origin {self._origin.tolist()}; share cloud.array('points') and add "
                 "cloud.origin to it, in float64"
             )
-        with turn_on(self.device):
+        with lock_for(self.device):
             return self.array("points").__dlpack__(stream=stream)
 
     @returns_new

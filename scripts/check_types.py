@@ -25,7 +25,7 @@ DECORATORS = {"kernel", "func", "loop", "reduction", "segment_reduction", "cuda_
 
 
 def decorator_names(node: ast.FunctionDef | ast.ClassDef) -> set[str]:
-    """The last word of each decorator: `on_cuda` of `@walk.on_cuda`, `kernel` of `@kernel(most_registers=80)`."""
+    """The last word of each decorator: `on_cuda` of `@walk.on_cuda`, `kernel` of `@kernel(max_registers=80)`."""
     called = [each.func if isinstance(each, ast.Call) else each for each in node.decorator_list]
     return {each.attr if isinstance(each, ast.Attribute) else getattr(each, "id", "") for each in called}
 

@@ -45,7 +45,9 @@ def main() -> None:
         cpu_code.set_target(options.cpu_target)
     warnings.simplefilter("ignore")
     features = [name for name, has in np._core._multiarray_umath.__cpu_features__.items() if has]
-    print(json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS, "pool": pool_code.is_usable()}))
+    print(
+        json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS, "pool": pool_code.is_usable()})
+    )
     scenes = SmallScenes("cpu")
     places = ("surface", "far", "dirty")
     works = {f"{name} [{p}]": (work, p) for name, work in ON_CLOUDS.items() for p in places}

@@ -236,7 +236,7 @@ def device_faults(source: str, path: str) -> list[str]:
 
 
 def takes_the_lock(expression: ast.expr) -> bool:
-    return ast.unparse(expression) == "lock" or ast.unparse(expression).startswith("turn_on(")
+    return ast.unparse(expression) == "lock" or ast.unparse(expression).startswith("lock_for(")
 
 
 def modules() -> list[str]:
@@ -413,7 +413,7 @@ def test_a_call_that_takes_no_turn_is_found(line):
 
 
 def test_calls_in_turn_and_calls_of_the_host_pass():
-    for line in ("with lock:\n    wp.copy(a, b)", "with turn_on(device):\n    wp.utils.array_scan(a)", "np.zeros(3)"):
+    for line in ("with lock:\n    wp.copy(a, b)", "with lock_for(device):\n    wp.utils.array_scan(a)", "np.zeros(3)"):
         assert device_faults(line, "kernels/arrays/sort.py") == []
 
 

@@ -2,7 +2,7 @@
 
 from ..lang import cross, dot, float64, func, length, sqrt, vec3d
 
-HALF_TURN = 3.141592653589793
+PI = 3.141592653589793
 LAST_POWER = 23  # of the series: truncation error tan(pi / 16) ^ 25 / 25 = 1e-19
 
 
@@ -28,7 +28,7 @@ def angle_of(sine: float64, cosine: float64) -> float64:
         t = t / (1.0 + sqrt(1.0 + t * t))
         angle = 8.0 * arc_tangent(t)
         if cosine < 0.0:
-            angle = float64(HALF_TURN) - angle
+            angle = float64(PI) - angle
     return angle
 
 

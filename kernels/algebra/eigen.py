@@ -7,7 +7,7 @@ Open3D's, so unoriented normals have the same side.
 
 from ..lang import acos, cos, cross, dot, float64, func, mat33d, sqrt, vec3d, vector
 
-THIRD_TURN = 2.0943951023931953  # 2 pi / 3
+TWO_THIRDS_PI = 2.0943951023931953  # 2 pi / 3
 pair = vector(2, float64)
 
 
@@ -41,7 +41,7 @@ def sorted_eigenvalues(a: mat33d) -> vec3d:
         half = min(max(det * 0.5, -1.0), 1.0)
         angle = acos(half) / 3.0
         high = 2.0 * cos(angle)
-        low = 2.0 * cos(angle + float64(THIRD_TURN))
+        low = 2.0 * cos(angle + float64(TWO_THIRDS_PI))
         values = vec3d(q + p * low, q - p * (low + high), q + p * high)
     return values
 

@@ -2,7 +2,7 @@
 
 from ..lang import bits_float, floor, func
 
-LEAST, MOST = -87.0, 88.0  # range in which e^x is a normal float32
+LOWEST_EXPONENT, HIGHEST_EXPONENT = -87.0, 88.0  # range in which e^x is a normal float32
 PER_TWO = 1.44269504  # log2(e)
 TWO_HIGH = 0.693359375  # part of ln(2) whose products with integers are exact
 TWO_LOW = -2.12194440e-4  # the remainder
@@ -11,7 +11,7 @@ TWO_LOW = -2.12194440e-4  # the remainder
 @func
 def exp_in_float(x: float) -> float:
     """e^x to 2 units in the last place, clamped to the range."""
-    y = min(max(x, LEAST), MOST)
+    y = min(max(x, LOWEST_EXPONENT), HIGHEST_EXPONENT)
     twos = floor(y * PER_TWO + 0.5)
     r = (y - twos * TWO_HIGH) - twos * TWO_LOW
     p = 1.9875691500e-4 * r + 1.3981999507e-3

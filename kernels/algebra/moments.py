@@ -3,8 +3,8 @@
 from ..lang import bits_float, float64, float_bits, floor, func, int64, mat33d, vec3, vector
 
 moments = vector(10, float64)  # count; x, y, z; xx, xy, xz, yy, yz, zz
-whole_moments = vector(10, int64)  # the same of differences in integer steps
-MAX_WHOLE = 131072  # points whose integer moments fit into 64 bits: products have 46
+integer_moments = vector(10, int64)  # the same of differences in integer steps
+MAX_EXACT_POINTS = 131072  # points whose integer moments fit into 64 bits: products have 46
 COARSER = 2.0**-8  # step factor for up to 2^33 points
 
 
@@ -13,28 +13,28 @@ def steps_for(sqdist: float, count: int) -> float:
     """Steps per meter for differences up to sqrt(sqdist): 2^23 in the next power of two, less if sums overflow."""
     power = ((float_bits(sqdist) >> 23) - 125) >> 1  # sqdist < 4^power
     steps = bits_float((150 - power) << 23)
-    if count > MAX_WHOLE:
+    if count > MAX_EXACT_POINTS:
         steps = steps * COARSER
     return steps
 
 
 @func
-def whole_steps(length: float, steps: float) -> int64:
+def integer_steps(length: float, steps: float) -> int64:
     """A difference [m] in integer steps, rounded."""
     return int64(int(floor(length * steps + 0.5)))
 
 
 @func
-def add_whole(total: whole_moments, p: vec3, q: vec3, steps: float) -> whole_moments:
+def add_integer_moments(total: integer_moments, p: vec3, q: vec3, steps: float) -> integer_moments:
     """Add the float32-rounded moments of q - p for near points."""
-    x = whole_steps(q[0] - p[0], steps)
-    y = whole_steps(q[1] - p[1], steps)
-    z = whole_steps(q[2] - p[2], steps)
-    return total + whole_moments(int64(1), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+    x = integer_steps(q[0] - p[0], steps)
+    y = integer_steps(q[1] - p[1], steps)
+    z = integer_steps(q[2] - p[2], steps)
+    return total + integer_moments(int64(1), x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
 
 
 @func
-def in_metres(m: whole_moments, steps: float) -> moments:
+def in_meters(m: integer_moments, steps: float) -> moments:
     """Integer moments in meters and square meters."""
     s = 1.0 / float64(steps)
     t = s * s

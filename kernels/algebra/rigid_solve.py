@@ -19,7 +19,7 @@ pair_sums = vector(18, float64)  # of weighted pairs (p, q): w, wp, wq, wp q^T, 
 
 
 @func
-def place_of(row: int, column: int) -> int:
+def triangle_index(row: int, column: int) -> int:
     """Index of entry (row, column), row <= column, in the upper triangle of a 6x6 matrix."""
     return row * UNKNOWNS - (row * (row - 1)) // 2 + column - row
 
@@ -30,8 +30,8 @@ def full_matrix(h: triangle) -> square:
     for i in range(6):  # unrolled: constant indices
         for j in range(6):
             if j >= i:
-                a[i * UNKNOWNS + j] = h[place_of(i, j)]
-                a[j * UNKNOWNS + i] = h[place_of(i, j)]
+                a[i * UNKNOWNS + j] = h[triangle_index(i, j)]
+                a[j * UNKNOWNS + i] = h[triangle_index(i, j)]
     return a
 
 
@@ -77,7 +77,7 @@ def diagonalize(matrix: square, n: int) -> eigensystem:
 
 
 @func
-def turn_between(app: float64, aqq: float64, apq: float64) -> vec2d:
+def jacobi_rotation(app: float64, aqq: float64, apq: float64) -> vec2d:
     """Cosine and sine of the rotation that zeros entry (p, q) of a symmetric matrix."""
     theta = (aqq - app) / (2.0 * apq)
     t = 1.0 / (abs(theta) + sqrt(theta * theta + 1.0))
@@ -94,10 +94,10 @@ def diagonalize_four(matrix: four_square) -> four_system:
     v = four_square(0.0)
     for i in range(4):
         v[i * 5] = 1.0
-    turned = 1
+    rotated = 1
     sweep = 0
-    while turned == 1 and sweep < SWEEPS:  # a sweep without rotations is the last
-        turned = 0
+    while rotated == 1 and sweep < SWEEPS:  # a sweep without rotations is the last
+        rotated = 0
         sweep += 1
         for pair in range(6):
             p = 0 if pair < 3 else (1 if pair < 5 else 2)
@@ -106,8 +106,8 @@ def diagonalize_four(matrix: four_square) -> four_system:
             app = a[p * 4 + p]
             aqq = a[q * 4 + q]
             if abs(apq) > 1.0e-300 and abs(apq) > 1.0e-18 * sqrt(abs(app * aqq)):
-                turned = 1
-                cs = turn_between(app, aqq, apq)
+                rotated = 1
+                cs = jacobi_rotation(app, aqq, apq)
                 for k in range(4):
                     akp = a[k * 4 + p]
                     akq = a[k * 4 + q]
@@ -135,12 +135,12 @@ def diagonalize_four(matrix: four_square) -> four_system:
 def largest_of_four(system: four_system) -> vec4d:
     """Eigenvector of the largest eigenvalue, the first of equal ones."""
     largest = system[16]
-    found = vec4d(system[0], system[4], system[8], system[12])
+    eigenvector = vec4d(system[0], system[4], system[8], system[12])
     for k in range(1, 4):
         if system[16 + k] > largest:
             largest = system[16 + k]
-            found = vec4d(system[k], system[4 + k], system[8 + k], system[12 + k])
-    return found
+            eigenvector = vec4d(system[k], system[4 + k], system[8 + k], system[12 + k])
+    return eigenvector
 
 
 @func
@@ -152,10 +152,10 @@ def diagonalize_three(matrix: mat33d) -> three_system:
         0.0, 1.0, 0.0,
         0.0, 0.0, 1.0,
     )  # fmt: skip
-    turned = 1
+    rotated = 1
     sweep = 0
-    while turned == 1 and sweep < SWEEPS:
-        turned = 0
+    while rotated == 1 and sweep < SWEEPS:
+        rotated = 0
         sweep += 1
         for pair in range(3):
             p = 1 if pair == 2 else 0
@@ -164,8 +164,8 @@ def diagonalize_three(matrix: mat33d) -> three_system:
             app = a[p, p]
             aqq = a[q, q]
             if abs(apq) > 1.0e-300 and abs(apq) > 1.0e-18 * sqrt(abs(app * aqq)):
-                turned = 1
-                cs = turn_between(app, aqq, apq)
+                rotated = 1
+                cs = jacobi_rotation(app, aqq, apq)
                 for k in range(3):
                     akp = a[k, p]
                     akq = a[k, q]
@@ -248,7 +248,7 @@ def solve_system(h: triangle, b: vec6d) -> vec6d:
 
 
 @func
-def turned_and_shifted(x: vec6d, cosines: vec3d, sines: vec3d) -> mat44d:
+def pose_from_cosines_and_sines(x: vec6d, cosines: vec3d, sines: vec3d) -> mat44d:
     """`euler_motion` from the cosines and sines of its angles."""
     ca = cosines[0]
     sa = sines[0]
@@ -270,7 +270,7 @@ def euler_motion(x: vec6d) -> mat44d:
     """Pose with rotation Rz(x2) Ry(x1) Rx(x0) and translation x3..x5, as in Open3D."""
     cosines = vec3d(cos(x[0]), cos(x[1]), cos(x[2]))
     sines = vec3d(sin(x[0]), sin(x[1]), sin(x[2]))
-    return turned_and_shifted(x, cosines, sines)
+    return pose_from_cosines_and_sines(x, cosines, sines)
 
 
 @func
@@ -308,7 +308,7 @@ def move(pose: mat44d, p: vec3d) -> vec3d:
 
 
 @func
-def turn(pose: mat44d, v: vec3d) -> vec3d:
+def rotate(pose: mat44d, v: vec3d) -> vec3d:
     return vec3d(
         pose[0, 0] * v[0] + pose[0, 1] * v[1] + pose[0, 2] * v[2],
         pose[1, 0] * v[0] + pose[1, 1] * v[1] + pose[1, 2] * v[2],

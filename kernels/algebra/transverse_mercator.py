@@ -95,13 +95,13 @@ def small_sinh(x: float64) -> float64:
 @func
 def wrapped(degrees: float64) -> float64:
     """Longitude in -180 .. 180, from one within 720."""
-    turned = degrees
+    longitude = degrees
     for _ in range(2):
-        if turned >= 180.0:
-            turned = turned - 360.0
-        if turned < -180.0:
-            turned = turned + 360.0
-    return turned
+        if longitude >= 180.0:
+            longitude = longitude - 360.0
+        if longitude < -180.0:
+            longitude = longitude + 360.0
+    return longitude
 
 
 @func
@@ -150,32 +150,32 @@ def project_degrees_kernel(degrees: array(dtype=vec3d), to: Mercator, out: array
     i = tid()
     p = degrees[i]
     if isfinite(p):
-        place = project(wrapped(p[0] - to.meridian), p[1], to)
-        p = vec3d(place[0], place[1], p[2])
+        projected = project(wrapped(p[0] - to.meridian), p[1], to)
+        p = vec3d(projected[0], projected[1], p[2])
     out[i] = p
 
 
 @kernel
-def turn_degrees_kernel(degrees: array(dtype=vec3d), meridian: float64, out: array(dtype=vec3)):
+def relative_degrees_kernel(degrees: array(dtype=vec3d), meridian: float64, out: array(dtype=vec3)):
     """Relative longitude, latitude, and magnitude of the original longitude. NaN if not finite."""
     i = tid()
     p = degrees[i]
-    turned = vec3(NAN, NAN, NAN)
+    relative = vec3(NAN, NAN, NAN)
     if isfinite(p):
-        turned = vec3(float(wrapped(p[0] - meridian)), float(p[1]), float(abs(p[0])))
-    out[i] = turned
+        relative = vec3(float(wrapped(p[0] - meridian)), float(p[1]), float(abs(p[0])))
+    out[i] = relative
 
 
 @kernel
 def split_degrees_kernel(
-    turned: array(dtype=vec3),
+    degrees: array(dtype=vec3),
     longitudes: array(dtype=float32),
     latitudes: array(dtype=float32),
     runs: array(dtype=int32),
 ):
     """Separate coordinates. Non-finite points are in the second run, as zeros."""
     i = tid()
-    p = turned[i]
+    p = degrees[i]
     run = int(1)
     longitude = float(0.0)
     latitude = float(0.0)
@@ -195,17 +195,17 @@ def project_degrees(degrees: Positions, to: Mercator) -> Positions:
     return out
 
 
-def turn_degrees(degrees: Positions, meridian: float) -> Points:
+def relative_degrees(degrees: Positions, meridian: float) -> Points:
     """(relative longitude in -180..180, latitude, magnitude of the longitude) of each point. NaN if not finite."""
     out = empty(degrees.size, vec3, degrees.device)
-    launch(turn_degrees_kernel, degrees.size, [degrees, float(meridian), out])
+    launch(relative_degrees_kernel, degrees.size, [degrees, float(meridian), out])
     return out
 
 
-def split_degrees(turned: Points) -> tuple[Scalars, Scalars, Integers]:
-    """(longitudes, latitudes, runs) of `turn_degrees`. Finite points are run 0, others zeros in run 1."""
-    shape = turned.size
-    longitudes, latitudes = empty(shape, float32, turned.device), empty(shape, float32, turned.device)
-    runs = empty(shape, int32, turned.device)
-    launch(split_degrees_kernel, shape, [turned, longitudes, latitudes, runs])
+def split_degrees(degrees: Points) -> tuple[Scalars, Scalars, Integers]:
+    """(longitudes, latitudes, runs) of `relative_degrees`. Finite points are run 0, others zeros in run 1."""
+    shape = degrees.size
+    longitudes, latitudes = empty(shape, float32, degrees.device), empty(shape, float32, degrees.device)
+    runs = empty(shape, int32, degrees.device)
+    launch(split_degrees_kernel, shape, [degrees, longitudes, latitudes, runs])
     return longitudes, latitudes, runs

@@ -21,17 +21,17 @@ class Changes:
 
     def __init__(self, value: Any, device: Device) -> None:
         self.latest = zeros(1, int64, device)
-        self._made: tuple[int, Any] = (0, value)
+        self._current: tuple[int, Any] = (0, value)
         self._begun: tuple[int, Any] | None = None
         self.number = 0
 
     @property
     def count(self) -> int:
-        return self._made[0]
+        return self._current[0]
 
     @property
     def value(self) -> Any:
-        return self._made[1]
+        return self._current[1]
 
     def begin(self, value: Any) -> None:
         """Start a change that ends in state `value`, before the first array is touched."""
@@ -40,9 +40,9 @@ class Changes:
 
     def end(self) -> None:
         """Confirm that the launch of the change was made."""
-        self._made, self._begun = self._begun or self._made, None
+        self._current, self._begun = self._begun or self._current, None
 
-    def settle(self, clear: Callable[[], None]) -> None:
+    def recover(self, clear: Callable[[], None]) -> None:
         """Complete an interrupted change if its launch was made (sync), else discard it with `clear`."""
         if self._begun is None:
             return

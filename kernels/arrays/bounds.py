@@ -24,7 +24,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import download, empty, full
-from .lanes import LANE_BITS, least_of_each, most_of_each
+from .lanes import LANE_BITS, lane_max_corner, lane_min_corner
 from .runs import Runs, elements_of, row_of
 
 RUN = 4096  # points per thread on the CPU: atomics cost less than 1 % of the reads
@@ -41,7 +41,7 @@ def ordered_bits(x: float) -> int:
 
 
 @func
-def settle_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
+def merge_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """Widen a row's box by a thread's box with `count` points."""
     if count > 0:
         at = row_of(i, runs) * WIDTH
@@ -51,15 +51,15 @@ def settle_box(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: 
         atomic_add(extremes, at + 6, count)
 
 
-@settle_box.on_cuda
-def settle_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
+@merge_box.on_cuda
+def merge_box_of_lanes(i: int, low: vec3, high: vec3, count: int, runs: Runs, extremes: array(dtype=int32)):
     """CUDA variant: one atomic per warp."""
     at = row_of(i, runs) * WIDTH
     total = count
     for bit in range(LANE_BITS):
         total += shuffle_xor(total, 1 << bit)
-    a = least_of_each(low)
-    b = most_of_each(high)
+    a = lane_min_corner(low)
+    b = lane_max_corner(high)
     if i % WARP == 0:
         for axis in range(3):
             atomic_max(extremes, at + axis, ordered_bits(-a[axis]))
@@ -87,19 +87,19 @@ def bound_points_kernel(points: array(dtype=vec3), runs: Runs, extremes: array(d
             y1 = max(y1, p[1])
             z1 = max(z1, p[2])
             count += 1
-    settle_box(i, vec3(x0, y0, z0), vec3(x1, y1, z1), count, runs, extremes)
+    merge_box(i, vec3(x0, y0, z0), vec3(x1, y1, z1), count, runs, extremes)
 
 
 @kernel
 def fold_box_kernel(extremes: array(dtype=int32), box: array(dtype=float32)):
     """Box coordinate over all rows, low corner first. 0 if no point is finite."""
     i = tid()
-    most = int(NOTHING)
+    largest = int(NOTHING)
     count = int(NOTHING)
     for row in range(extremes.shape[0] // WIDTH):
-        most = max(most, extremes[row * WIDTH + i])
+        largest = max(largest, extremes[row * WIDTH + i])
         count = max(count, extremes[row * WIDTH + 6])
-    end = bits_float(most ^ ((most >> 31) & MAGNITUDE))
+    end = bits_float(largest ^ ((largest >> 31) & MAGNITUDE))
     if i < 3:
         end = -end
     if count == NOTHING or end == 0.0:  # atomics keep either zero or minus zero; `+ 0` would be optimized away
@@ -135,8 +135,8 @@ def bound_each(clouds: Sequence[Points]) -> list[tuple[np.ndarray, np.ndarray, i
     extremes = full(ends[-1], NOTHING, int32, device)
     for points, run, end in zip(clouds, runs, ends, strict=True):
         launch(bound_points_kernel, run.threads, [points, run, extremes[end - run.rows * WIDTH : end]])
-    found = download(extremes)  # sync
-    return [box_of(found[end - run.rows * WIDTH : end]) for run, end in zip(runs, ends, strict=True)]
+    extremes_of_all = download(extremes)  # sync
+    return [box_of(extremes_of_all[end - run.rows * WIDTH : end]) for run, end in zip(runs, ends, strict=True)]
 
 
 def box_of(extremes: np.ndarray) -> tuple[np.ndarray, np.ndarray, int]:

@@ -30,7 +30,7 @@ from .segment_blocks import SegmentBlocks
 @struct
 class Gradients:
     """State of a solve, reused between solves. `slopes`: (search . image, residual . forces); `remains`: (residual .
-    forces, 0); `limit` of residual . forces in units of `unit`; `most` iterations.
+    forces, 0); `limit` of residual . forces in units of `unit`; at most `max_iterations`.
     """
 
     solution: array(dtype=vec3d)
@@ -41,19 +41,21 @@ class Gradients:
     slopes: array(dtype=vec2d)
     remains: array(dtype=vec2d)
     running: array(dtype=int32)
-    turns: array(dtype=int32)
+    iterations: array(dtype=int32)
     stuck: array(dtype=int32)
     unit: array(dtype=vec2d)
     limit: float64
-    most: int
+    max_iterations: int
 
-    def __init__(self, solution: Positions, limit: float, most: int, unit: Array1[vec2d] | None = None) -> None:
+    def __init__(
+        self, solution: Positions, limit: float, max_iterations: int, unit: Array1[vec2d] | None = None
+    ) -> None:
         count, device = solution.size, solution.device
-        self.solution, self.limit, self.most = solution, float(limit), most
+        self.solution, self.limit, self.max_iterations = solution, float(limit), max_iterations
         self.residual, self.search = empty(count, vec3d, device), empty(count, vec3d, device)
         self.image, self.forces = empty(count, vec3d, device), empty(count, vec3d, device)
         self.slopes, self.remains = zeros(1, vec2d, device), zeros(1, vec2d, device)
-        self.running, self.turns, self.stuck = (zeros(1, int32, device) for _ in range(3))
+        self.running, self.iterations, self.stuck = (zeros(1, int32, device) for _ in range(3))
         self.unit = full(1, vec2d(1.0, 0.0), vec2d, device) if unit is None else unit
 
 
@@ -63,7 +65,7 @@ def begin_search_kernel(state: Gradients):
     i = tid()
     state.search[i] = state.forces[i]
     if i == 0:
-        state.turns[0] = 0
+        state.iterations[0] = 0
         running = 0
         if state.remains[0][0] > state.limit * state.unit[0][0]:
             running = 1
@@ -93,7 +95,7 @@ def sum_remains(state: Gradients) -> vec2d:
 
 
 @kernel
-def turn_search_kernel(state: Gradients):
+def update_search_kernel(state: Gradients):
     """Next search direction. The first thread sets `running`."""
     i = tid()
     share = float64(0.0)
@@ -101,11 +103,11 @@ def turn_search_kernel(state: Gradients):
         share = state.remains[0][0] / state.slopes[0][1]
     state.search[i] = state.forces[i] + share * state.search[i]
     if i == 0:
-        state.turns[0] = state.turns[0] + 1
+        state.iterations[0] = state.iterations[0] + 1
         running = 0
         if state.remains[0][0] > state.limit * state.unit[0][0]:
             running = 1
-        if running == 1 and state.turns[0] >= state.most:
+        if running == 1 and state.iterations[0] >= state.max_iterations:
             running = 0
             state.stuck[0] = 1
         state.running[0] = running
@@ -126,7 +128,7 @@ class ConjugateGradients:
         self.state, self._map, self._precondition = state, map_search, weigh_residual
         self.blocks = SegmentBlocks([0], [state.solution.size], device)
         self.partials, self.live = empty(self.blocks.count, vec2d, device), full(1, 1, int32, device)
-        self._loop = DeviceLoop(state.running, self._turn)  # recorded once for all solves
+        self._loop = DeviceLoop(state.running, self._iterate)  # recorded once for all solves
 
     def weigh(self) -> None:
         """Compute the forces and what remains."""
@@ -153,10 +155,10 @@ class ConjugateGradients:
         """As `solve`, if `begin` came before."""
         self._loop.run()
 
-    def _turn(self) -> None:
+    def _iterate(self) -> None:
         count = self.state.solution.size
         self._map()
         reduce_segments(sum_slopes, self.blocks, self.live, [self.state], self.partials, self.state.slopes)
         launch(advance_kernel, count, [self.state])
         self.weigh()
-        launch(turn_search_kernel, count, [self.state])
+        launch(update_search_kernel, count, [self.state])

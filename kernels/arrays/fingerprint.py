@@ -19,12 +19,12 @@ def word_of(x: float) -> int64:
 def sum_words_kernel(points: array(dtype=vec3), runs: Runs, totals: array(dtype=int64)):
     """Add the hashed words of a thread's points to a row's sum."""
     i = tid()
-    held = int64(0)
+    total = int64(0)
     for k in elements_of(i, runs):
         p = points[k]
         word = mix_bits(word_of(p[0]) | (word_of(p[1]) << 32))
-        held += mix_bits(word + (word_of(p[2]) | (int64(k) << 32)))
-    atomic_add(totals, row_of(i, runs), held)  # integer sum: order-independent
+        total += mix_bits(word + (word_of(p[2]) | (int64(k) << 32)))
+    atomic_add(totals, row_of(i, runs), total)  # integer sum: order-independent
 
 
 def fingerprint(points: Points) -> int:

@@ -8,7 +8,7 @@ from ..array_types import Bytes, Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, atomic_min, func, int32, int64, kernel, launch, struct, tid, uint8
 from ..memory import empty, full
 
-IN_TURN = 4096  # keys that one CPU core inserts faster than a parallel launch
+MAX_SEQUENTIAL = 4096  # keys that one CPU core inserts faster than a parallel launch
 EMPTY = 0x7FFF_FFFF_FFFF_FFFF  # larger than any key
 
 
@@ -45,17 +45,17 @@ class HashTable:
         if 2 * count > self.capacity:
             self._allocate(1 << (4 * count - 1).bit_length())
             first = 0
-        if count - first <= IN_TURN and all_keys.device.is_cpu:
-            launch(insert_in_turn_kernel, 1, [all_keys, first, count, self])
+        if count - first <= MAX_SEQUENTIAL and all_keys.device.is_cpu:
+            launch(insert_sequentially_kernel, 1, [all_keys, first, count, self])
             return
         launch(insert_keys_kernel, count - first, [all_keys[first:count], self])
         launch(store_positions_kernel, count, [all_keys[:count], self])
 
     def find(self, wanted: LongIntegers) -> tuple[Indices, Bytes]:
         """Position of each key, int32, or -1; and uint8, 1 for missing keys."""
-        found, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
-        launch(find_positions_kernel, wanted.size, [wanted, self, found, missing])
-        return found, missing
+        positions, missing = empty(wanted.size, int32, self.device), empty(wanted.size, uint8, self.device)
+        launch(find_positions_kernel, wanted.size, [wanted, self, positions, missing])
+        return positions, missing
 
 
 def list_keys(keys: Keys, count: int, room: int = 0) -> HashTable:
@@ -77,10 +77,10 @@ def find_slot(key: int64, table: HashTable) -> int:
 @func
 def find_position(key: int64, table: HashTable) -> int:
     slot = find_slot(key, table)
-    found = -1
+    position = -1
     if table.keys[slot] == key:
-        found = table.positions[slot]
-    return found
+        position = table.positions[slot]
+    return position
 
 
 @func
@@ -111,7 +111,7 @@ def insert_keys_kernel(new_keys: array(dtype=int64), table: HashTable):
 
 
 @kernel(for_cpu=True)
-def insert_in_turn_kernel(keys: array(dtype=int64), first: int, count: int, table: HashTable):
+def insert_sequentially_kernel(keys: array(dtype=int64), first: int, count: int, table: HashTable):
     """Insert keys sequentially, moving positions with them. One thread."""
     i = tid()
     for k in range(first + i, count):
@@ -140,7 +140,7 @@ def store_positions_kernel(all_keys: array(dtype=int64), table: HashTable):
 
 @kernel
 def find_positions_kernel(
-    wanted: array(dtype=int64), table: HashTable, found: array(dtype=int32), missing: array(dtype=uint8)
+    wanted: array(dtype=int64), table: HashTable, positions: array(dtype=int32), missing: array(dtype=uint8)
 ):
     """Position of each key, or -1; and 1 where it is missing."""
     i = tid()
@@ -148,17 +148,17 @@ def find_positions_kernel(
     absent = 0
     if position < 0:
         absent = 1
-    found[i] = position
+    positions[i] = position
     missing[i] = uint8(absent)
 
 
 @kernel
-def number_new_kernel(missing: array(dtype=int32), first: int, found: array(dtype=int32)):
+def number_new_kernel(missing: array(dtype=int32), first: int, positions: array(dtype=int32)):
     """The i-th missing key gets position first + i."""
     i = tid()
-    found[missing[i]] = first + i
+    positions[missing[i]] = first + i
 
 
-def number_new(missing: Integers, first: int, found: Integers) -> None:
-    """Assign positions from `first` on to the `missing` keys, in `found`."""
-    launch(number_new_kernel, missing.size, [missing, first, found])
+def number_new(missing: Integers, first: int, positions: Integers) -> None:
+    """Assign positions from `first` on to the `missing` keys, in `positions`."""
+    launch(number_new_kernel, missing.size, [missing, first, positions])

@@ -7,19 +7,19 @@ EIGHT_BITS = 3  # of a lane index within eight
 
 
 @cuda_func
-def least(x: float) -> float:
-    found = x
+def lane_min(x: float) -> float:
+    lowest = x
     for bit in range(LANE_BITS):
-        found = min(found, shuffle_xor(found, 1 << bit))
-    return found
+        lowest = min(lowest, shuffle_xor(lowest, 1 << bit))
+    return lowest
 
 
 @cuda_func
-def most(x: float) -> float:
-    found = x
+def lane_max(x: float) -> float:
+    highest = x
     for bit in range(LANE_BITS):
-        found = max(found, shuffle_xor(found, 1 << bit))
-    return found
+        highest = max(highest, shuffle_xor(highest, 1 << bit))
+    return highest
 
 
 @cuda_func
@@ -31,38 +31,38 @@ def sum_of_lanes(x: float) -> float:
 
 
 @cuda_func
-def least_of_each(p: vec3) -> vec3:
+def lane_min_corner(p: vec3) -> vec3:
     """Low corner of the lanes' points."""
-    return vec3(least(p[0]), least(p[1]), least(p[2]))
+    return vec3(lane_min(p[0]), lane_min(p[1]), lane_min(p[2]))
 
 
 @cuda_func
-def most_of_each(p: vec3) -> vec3:
-    return vec3(most(p[0]), most(p[1]), most(p[2]))
+def lane_max_corner(p: vec3) -> vec3:
+    return vec3(lane_max(p[0]), lane_max(p[1]), lane_max(p[2]))
 
 
 @cuda_func
-def least_of_eight(x: float) -> float:
-    found = x
+def min_of_eight(x: float) -> float:
+    lowest = x
     for bit in range(EIGHT_BITS):
-        found = min(found, shuffle_xor(found, 1 << bit))
-    return found
+        lowest = min(lowest, shuffle_xor(lowest, 1 << bit))
+    return lowest
 
 
 @cuda_func
-def most_of_eight(x: float) -> float:
-    found = x
+def max_of_eight(x: float) -> float:
+    highest = x
     for bit in range(EIGHT_BITS):
-        found = max(found, shuffle_xor(found, 1 << bit))
-    return found
+        highest = max(highest, shuffle_xor(highest, 1 << bit))
+    return highest
 
 
 @cuda_func
 def low_of_eight(p: vec3) -> vec3:
     """Low corner of eight lanes' points."""
-    return vec3(least_of_eight(p[0]), least_of_eight(p[1]), least_of_eight(p[2]))
+    return vec3(min_of_eight(p[0]), min_of_eight(p[1]), min_of_eight(p[2]))
 
 
 @cuda_func
 def high_of_eight(p: vec3) -> vec3:
-    return vec3(most_of_eight(p[0]), most_of_eight(p[1]), most_of_eight(p[2]))
+    return vec3(max_of_eight(p[0]), max_of_eight(p[1]), max_of_eight(p[2]))

@@ -32,8 +32,8 @@ def sum_tiles_of_lanes_kernel(counts: array(dtype=int32), count: int, sums: arra
     lane = i % WARP
     total = 0
     n = int(WARP)
-    for turn in range(n):
-        j = tile * TILE + turn * WARP + lane
+    for step in range(n):
+        j = tile * TILE + step * WARP + lane
         if j < count:
             total += counts[j]
     for bit in range(LANE_BITS):
@@ -68,8 +68,8 @@ def scan_tiles_of_lanes_kernel(
     if tile > 0:
         start = before[tile - 1]
     n = int(WARP)
-    for turn in range(n):
-        j = tile * TILE + turn * WARP + lane
+    for step in range(n):
+        j = tile * TILE + step * WARP + lane
         total = 0
         if j < count:
             total = counts[j]
@@ -83,13 +83,13 @@ def scan_tiles_of_lanes_kernel(
 
 
 class LoopScan:
-    """Scratch memory for prefix sums of up to `most` counts."""
+    """Scratch memory for prefix sums of up to `size` counts."""
 
-    def __init__(self, most: int, device: Device) -> None:
+    def __init__(self, size: int, device: Device) -> None:
         self.levels: list[Integers] = []
-        while most > TILE:
-            most = -(-most // TILE)
-            self.levels.append(empty(most, int32, device))
+        while size > TILE:
+            size = -(-size // TILE)
+            self.levels.append(empty(size, int32, device))
 
     def run(self, counts: Integers, sums: Integers, count: int) -> None:
         """sums[i] = counts[0] + ... + counts[i] for the first `count` of int32 arrays, which may be the same."""
@@ -107,34 +107,30 @@ class LoopScan:
 
 @kernel
 def list_marked_kernel(
-    mask: array(dtype=uint8),
-    ranks: array(dtype=int32),
-    place: int,
-    rows: array(dtype=int32),
-    counts: array(dtype=int32),
+    mask: array(dtype=uint8), ranks: array(dtype=int32), slot: int, rows: array(dtype=int32), counts: array(dtype=int32)
 ):
     """Positions of the flags in order (ranks count from one), and their count."""
     i = tid()
     if mask[i] != 0:
         rows[ranks[i] - 1] = i
     if i + 1 == mask.shape[0]:
-        counts[place] = ranks[i]
+        counts[slot] = ranks[i]
 
 
 class LoopList:
-    """Positions of up to `most` flags in ascending order, in a device loop; `rows` int32 (most)."""
+    """Positions of up to `capacity` flags in ascending order, in a device loop; `rows` int32 (capacity)."""
 
-    def __init__(self, most: int, device: Device) -> None:
-        self.rows, self.ranks = empty(most, int32, device), empty(most if device.is_cuda else 0, int32, device)
-        self._scan = LoopScan(most, device)
+    def __init__(self, capacity: int, device: Device) -> None:
+        self.rows, self.ranks = empty(capacity, int32, device), empty(capacity if device.is_cuda else 0, int32, device)
+        self._scan = LoopScan(capacity, device)
 
-    def find(self, mask: Mask, count: int, counts: Integers, place: int) -> None:
-        """List the flags among the first `count` of a mask, and write counts[place]. Not recordable on the CPU."""
+    def find(self, mask: Mask, count: int, counts: Integers, slot: int) -> None:
+        """List the flags among the first `count` of a mask, and write counts[slot]. Not recordable on the CPU."""
         if not mask.device.is_cuda:
-            found = np.flatnonzero(host_view(mask)[:count].view(np.bool_))
-            host_view(self.rows)[: len(found)] = found
-            host_view(counts)[place] = len(found)
+            rows = np.flatnonzero(host_view(mask)[:count].view(np.bool_))
+            host_view(self.rows)[: len(rows)] = rows
+            host_view(counts)[slot] = len(rows)
             return
         launch(count_mask_kernel, mask.size, [mask, self.ranks])
         self._scan.run(self.ranks, self.ranks, mask.size)
-        launch(list_marked_kernel, mask.size, [mask, self.ranks, place, self.rows, counts])
+        launch(list_marked_kernel, mask.size, [mask, self.ranks, slot, self.rows, counts])

@@ -20,20 +20,20 @@ def lowest_bit_of(x: float) -> int:
     mantissa = bits & MANTISSA_MASK
     if field > 0:
         mantissa = mantissa + (MANTISSA_MASK + 1)
-    found = int(NO_BIT)
+    exponent = int(NO_BIT)
     if mantissa > 0:
-        found = max(field, 1) - EXPONENT_SHIFT + bit_count((mantissa & (-mantissa)) - 1)
-    return found
+        exponent = max(field, 1) - EXPONENT_SHIFT + bit_count((mantissa & (-mantissa)) - 1)
+    return exponent
 
 
 @kernel
 def find_lowest_bit_kernel(points: array(dtype=vec3), runs: Runs, lowest: array(dtype=int32)):
     i = tid()
-    found = int(NO_BIT)
+    bit = int(NO_BIT)
     for j in elements_of(i, runs):
         p = points[j]
-        found = min(found, min(lowest_bit_of(p[0]), min(lowest_bit_of(p[1]), lowest_bit_of(p[2]))))
-    atomic_min(lowest, row_of(i, runs), found)  # minimum: order-independent
+        bit = min(bit, min(lowest_bit_of(p[0]), min(lowest_bit_of(p[1]), lowest_bit_of(p[2]))))
+    atomic_min(lowest, row_of(i, runs), bit)  # minimum: order-independent
 
 
 def find_lowest_bits(points: Points) -> Integers:
@@ -44,9 +44,9 @@ def find_lowest_bits(points: Points) -> Integers:
     return lowest
 
 
-def bit_of(found: np.ndarray) -> int:
+def bit_of(lowest: np.ndarray) -> int:
     """Exponent of the lowest bit. 0 if all coordinates are zero."""
-    bit = int(found.min())
+    bit = int(lowest.min())
     return 0 if bit == NO_BIT else bit
 
 

@@ -9,15 +9,15 @@ from .select import gather_rows, positions_of
 from .sort import positions
 
 ROUNDS = 64
-LOOKS = (4, 16, ROUNDS)  # rounds between checks on CUDA
+CHECKED_ROUNDS = (4, 16, ROUNDS)  # rounds between checks on CUDA
 
 
-def settle_in_rounds(attempt: Callable[[Indices, Mask], None], count: int, device: Device) -> Indices:
+def resolve_in_rounds(attempt: Callable[[Indices, Mask], None], count: int, device: Device) -> Indices:
     """Rows that ROUNDS rounds leave open, ascending; `attempt(rows, open)` writes 1 for rows still open."""
     rows, open_rows = positions(count, device), empty(count, uint8, device)
-    for turn in range(1, ROUNDS + 1):
+    for iteration in range(1, ROUNDS + 1):
         attempt(rows, open_rows)
-        if not device.is_cuda or turn in LOOKS:
+        if not device.is_cuda or iteration in CHECKED_ROUNDS:
             rows = gather_rows(rows, positions_of(open_rows))  # sync
             if not rows.size:
                 break

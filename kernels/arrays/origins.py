@@ -63,7 +63,7 @@ def shift_rays_kernel(rays: array(dtype=float64), origin: vec3d, out: array(dtyp
     out[i] = float(value)
 
 
-def reaches_beyond(points: AnyArray, limit: float, step: int) -> tuple[bool, np.ndarray]:
+def has_far_points(points: AnyArray, limit: float, step: int) -> tuple[bool, np.ndarray]:
     """(True if a finite point has a coordinate beyond the limit, every `step`-th point). One sync."""
     flag = zeros(1, int32, points.device)
     launch(find_far_kernel if points.dtype == vec3 else find_far_wide_kernel, points.size, [points, limit, flag])

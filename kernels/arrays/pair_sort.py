@@ -8,7 +8,7 @@ from ..memory import download, empty, zeros
 from .prefix_sum import exclusive_scan
 from .sort import argsort_keys
 
-FEWEST = 1 << 15  # pairs: below, launches cost more than the sort
+MIN_PAIRS = 1 << 15  # pairs: below, launches cost more than the sort
 LONGEST = 64  # pairs of a bucket: insertion sort is quadratic
 
 
@@ -29,8 +29,8 @@ def fill_runs_kernel(
     """Put each pair into its bucket, in any order."""
     i = tid()
     first = int(keys[i] >> int64(bits))
-    place = atomic_add(filled, first, 1)
-    order[starts[first] + place] = i
+    offset = atomic_add(filled, first, 1)
+    order[starts[first] + offset] = i
 
 
 @kernel(for_cpu=True)
@@ -59,7 +59,7 @@ def order_runs_kernel(
 def argsort_pairs(keys: Keys, bits: int, count: int) -> tuple[LongIntegers, Integers]:
     """Stable order of keys (first << bits) | second, with first < count: (sorted keys, order) as of `argsort_keys`."""
     device = keys.device
-    if device.is_cuda or keys.size < FEWEST:
+    if device.is_cuda or keys.size < MIN_PAIRS:
         return argsort_keys(keys, bits + max(1, count.bit_length()))
     counts = zeros(count + 1, int32, device)
     launch(count_runs_of_pairs_kernel, keys.size, [keys, bits, counts])

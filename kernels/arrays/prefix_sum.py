@@ -7,7 +7,7 @@ import warp as wp
 
 from ..array_types import Array, Integers, LongIntegers
 from ..lang import array, atomic_add, func, int32, int64, kernel, launch, tid
-from ..language.device_lock import turn_on
+from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of, upload, zeros
 from .runs import Runs, elements_of, row_of
 
@@ -54,17 +54,17 @@ def start_offsets_kernel(
 
 
 @kernel
-def note_offsets_kernel(offsets: array(dtype=int32), places: array(dtype=int32), noted: array(dtype=int64)):
+def note_offsets_kernel(offsets: array(dtype=int32), indices: array(dtype=int32), copied: array(dtype=int64)):
     """Copy the offsets at some positions next to the totals for the host."""
     i = tid()
-    noted[i] = int64(offsets[places[i]])
+    copied[i] = int64(offsets[indices[i]])
 
 
 @kernel
-def copy_middle_kernel(offsets: array(dtype=int32), place: int, totals: array(dtype=int64)):
+def copy_middle_kernel(offsets: array(dtype=int32), slot: int, totals: array(dtype=int64)):
     """Copy the middle offset next to the totals for the host."""
     i = tid()
-    totals[place + i] = int64(offsets[offsets.shape[0] // 2])
+    totals[slot + i] = int64(offsets[offsets.shape[0] // 2])
 
 
 def exclusive_scan(counts: Integers) -> tuple[Integers, int]:
@@ -107,8 +107,8 @@ def scan_two(counts: Integers) -> tuple[Integers, int, int]:
     launch(start_offsets_kernel, runs.threads, [counts, runs, totals, offsets])
     inclusive_scan(counts, rows_of(offsets, 1, n + 1))
     launch(copy_middle_kernel, 1, [offsets, runs.rows, totals])
-    found = download(totals)  # sync
-    return offsets, int(found[-1]), _checked(int(found[:-1].sum()))
+    host = download(totals)  # sync
+    return offsets, int(host[-1]), _checked(int(host[:-1].sum()))
 
 
 def offsets_of(counts: Integers) -> Integers:
@@ -132,30 +132,30 @@ def scan_together(
     device = parts[0][0].device
     if not device.is_cuda:
         scans = [exclusive_scan(counts)[0] for counts, _ in parts]
-        found = [(o, download(o)[list(places)].tolist()) for o, (_, places) in zip(scans, parts, strict=True)]
-        return found if beside is None else [*found, (beside, download(beside).tolist())]
+        host = [(o, download(o)[list(indices)].tolist()) for o, (_, indices) in zip(scans, parts, strict=True)]
+        return host if beside is None else [*host, (beside, download(beside).tolist())]
     every = [Runs(counts.size, device, RUN) for counts, _ in parts]
-    sizes = [[runs.rows, len(places)] for runs, (_, places) in zip(every, parts, strict=True)]
+    sizes = [[runs.rows, len(indices)] for runs, (_, indices) in zip(every, parts, strict=True)]
     ends = np.cumsum(sizes).reshape(-1, 2).tolist()
     others = 0 if beside is None else beside.size
-    wanted = upload(np.concatenate([*(places for _, places in parts), range(others)]), int32, device)
-    noted, results, first, at = zeros(ends[-1][1] + others, int64, device), [], 0, 0
-    for (counts, places), runs, (middle, end) in zip(parts, every, ends, strict=True):
+    wanted = upload(np.concatenate([*(indices for _, indices in parts), range(others)]), int32, device)
+    copied, results, first, at = zeros(ends[-1][1] + others, int64, device), [], 0, 0
+    for (counts, indices), runs, (middle, end) in zip(parts, every, ends, strict=True):
         offsets = zeros(counts.size + 1, int32, device)
         if counts.size:
-            launch(start_offsets_kernel, runs.threads, [counts, runs, noted[first:middle], offsets])
+            launch(start_offsets_kernel, runs.threads, [counts, runs, copied[first:middle], offsets])
             inclusive_scan(counts, rows_of(offsets, 1, offsets.size))
-        if places:
-            launch(note_offsets_kernel, len(places), [offsets, wanted[at : at + len(places)], noted[middle:end]])
+        if indices:
+            launch(note_offsets_kernel, len(indices), [offsets, wanted[at : at + len(indices)], copied[middle:end]])
         results.append((offsets, first, middle, end))
-        first, at = end, at + len(places)
+        first, at = end, at + len(indices)
     if others:
-        launch(note_offsets_kernel, others, [beside, wanted[at:], noted[first:]])
-    found = download(noted)  # sync
+        launch(note_offsets_kernel, others, [beside, wanted[at:], copied[first:]])
+    host = download(copied)  # sync
     for _, begin, middle, _ in results:
-        _checked(int(found[begin:middle].sum()))
-    scanned = [(offsets, found[middle:end].tolist()) for offsets, _, middle, end in results]
-    return scanned if beside is None else [*scanned, (beside, found[first:].tolist())]
+        _checked(int(host[begin:middle].sum()))
+    scanned = [(offsets, host[middle:end].tolist()) for offsets, _, middle, end in results]
+    return scanned if beside is None else [*scanned, (beside, host[first:].tolist())]
 
 
 def _checked(total: int) -> int:
@@ -166,7 +166,7 @@ def _checked(total: int) -> int:
 
 def inclusive_scan(counts: Array, sums: Array) -> None:
     """sums[i] = counts[0] + ... + counts[i] by Warp's scan on CUDA; int32 device arrays (n), which may be the same."""
-    with turn_on(counts.device), counts.device.context_guard:  # Warp scans on the current GPU
+    with lock_for(counts.device), counts.device.context_guard:  # Warp scans on the current GPU
         wp.utils.array_scan(counts, sums, inclusive=True)
 
 

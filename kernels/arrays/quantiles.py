@@ -43,26 +43,26 @@ def pick_quantiles_kernel(
     order: array(dtype=int32),
     shares: array(dtype=float64),
     is_median: int,
-    found: array(dtype=float64),
+    quantiles: array(dtype=float64),
 ):
     """Each quantile, interpolated linearly. Then the count of valid numbers."""
     i = tid()
     count = count_numbers(keys, values.shape[0])
     if i == shares.shape[0]:
-        found[i] = float64(count)
+        quantiles[i] = float64(count)
         return
     if count == 0:
-        found[i] = float64(0.0)
+        quantiles[i] = float64(0.0)
         return
-    place = float64(count - 1) * shares[i]
-    below = min(int(place), count - 1)
+    rank = float64(count - 1) * shares[i]
+    below = min(int(rank), count - 1)
     above = min(below + 1, count - 1)
     if is_median == 1:
         below = (count - 1) // 2
         above = count // 2
     a = values[order[below]]
     b = values[order[above]]
-    share = place - float64(below)
+    share = rank - float64(below)
     between = a + (b - a) * share
     if share >= 0.5:
         between = b - (b - a) * (1.0 - share)
@@ -70,7 +70,7 @@ def pick_quantiles_kernel(
         between = (a + b) / 2.0
         if below == above:
             between = a
-    found[i] = between
+    quantiles[i] = between
 
 
 def _pick(values: Doubles, shares: Sequence[float], above_zero: bool, is_median: bool) -> tuple[int, list[float]]:
@@ -78,10 +78,10 @@ def _pick(values: Doubles, shares: Sequence[float], above_zero: bool, is_median:
     keys = SortKeys(values.size, device)
     launch(encode_doubles_kernel, values.size, [values, part_of(values, 0, int64, values.size), int(above_zero), keys])
     sorted_keys, order = keys.sort()
-    found = empty(len(shares) + 1, float64, device)
+    picked = empty(len(shares) + 1, float64, device)
     wanted = upload(np.array(shares), float64, device)
-    launch(pick_quantiles_kernel, found.size, [values, sorted_keys, order, wanted, int(is_median), found])
-    *quantiles, count = download(found).tolist()  # sync
+    launch(pick_quantiles_kernel, picked.size, [values, sorted_keys, order, wanted, int(is_median), picked])
+    *quantiles, count = download(picked).tolist()  # sync
     return int(count), quantiles
 
 
@@ -93,8 +93,8 @@ def _counted(values: Doubles, above_zero: bool) -> np.ndarray:
 def quantiles_of(values: Doubles, shares: Sequence[float]) -> list[float]:
     """`np.quantile` of the finite non-negative numbers of a float64 array, bitwise, or empty. One sync."""
     if values.device.is_cuda and values.size:
-        count, found = _pick(values, shares, False, False)
-        return found if count else []
+        count, quantiles = _pick(values, shares, False, False)
+        return quantiles if count else []
     numbers = _counted(values, False)
     return np.quantile(numbers, shares).tolist() if numbers.size else []
 

@@ -33,21 +33,21 @@ def resolve_rows_kernel(numbers: array(dtype=int64), count: int64, rows: array(d
 
 
 @kernel
-def place_partners_kernel(
+def scatter_partners_kernel(
     rows: array(dtype=int32),
-    found: array(dtype=int32),
-    places: array(dtype=int32),
+    matches: array(dtype=int32),
+    new_indices: array(dtype=int32),
     partners: array(dtype=int32),
     paired: array(dtype=uint8),
 ):
     """Partner of each row and whether it has one, from another order of the rows."""
     i = tid()
-    partner = found[i]
+    partner = matches[i]
     is_paired = 0
     if partner >= 0:
         is_paired = 1
-        if places.shape[0] > 0:
-            partner = places[partner]
+        if new_indices.shape[0] > 0:
+            partner = new_indices[partner]
     partners[rows[i]] = partner
     paired[rows[i]] = uint8(is_paired)
 
@@ -108,17 +108,17 @@ def distinct_pairs(pairs: Array2[int32]) -> Array2[int32]:
     """Sorted unique pairs of int32 (m, 2), none negative. One sync."""
     keys = empty(pairs.shape[0], int64, pairs.device)
     launch(pack_pairs_kernel, keys.size, [pairs, keys])
-    found = UniqueKeys(keys)
-    distinct = empty((found.count, 2), int32, pairs.device)
-    launch(unpack_pairs_kernel, found.count, [found.keys, distinct])
+    unique = UniqueKeys(keys)
+    distinct = empty((unique.count, 2), int32, pairs.device)
+    launch(unpack_pairs_kernel, unique.count, [unique.keys, distinct])
     return distinct
 
 
-def list_partners(count: int, rows: Indices, found: Integers, places: Integers) -> Array2[int32]:
-    """Pairs (row, partner) by row, one sync; `found` partners or -1 of `rows`, renamed by `places` if not empty."""
+def list_partners(count: int, rows: Indices, matches: Integers, new_indices: Integers) -> Array2[int32]:
+    """Pairs (row, partner) by row, one sync; `matches`: partners of `rows` or -1, in `new_indices` unless empty."""
     partners, paired = empty(count, int32, rows.device), zeros(count, uint8, rows.device)
-    launch(place_partners_kernel, rows.size, [rows, found, places, partners, paired])
-    kept = positions_of(paired)
-    pairs = empty((kept.size, 2), int32, rows.device)
-    launch(write_partners_kernel, kept.size, [kept, partners, pairs])
+    launch(scatter_partners_kernel, rows.size, [rows, matches, new_indices, partners, paired])
+    paired_rows = positions_of(paired)
+    pairs = empty((paired_rows.size, 2), int32, rows.device)
+    launch(write_partners_kernel, paired_rows.size, [paired_rows, partners, pairs])
     return pairs

@@ -14,32 +14,32 @@ KEY_BITS = 32  # bits of a number
 
 
 @func
-def turn_bits(bits: int) -> int:
+def flip_bits(bits: int) -> int:
     """Bits of a float as an integer of the same order, and back."""
-    turned = bits
+    flipped = bits
     if bits < 0:
-        turned = bits ^ MAGNITUDE
-    return turned
+        flipped = bits ^ MAGNITUDE
+    return flipped
 
 
 @kernel
 def encode_numbers_kernel(values: array(dtype=float32), runs: array(dtype=int32), keys: SortKeys):
     i = tid()
-    number = int64(turn_bits(float_bits(values[i]))) + int64(LOWEST)
+    number = int64(flip_bits(float_bits(values[i]))) + int64(LOWEST)
     put_key(i, (int64(runs[i]) << int64(KEY_BITS)) | number, keys)
 
 
 @kernel
-def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), found: array(dtype=float32)):
+def pick_numbers_kernel(keys: array(dtype=int64), starts: array(dtype=int32), numbers: array(dtype=float32)):
     """First numbers of all sorted runs, then the middle ones, then the last."""
     i = tid()
     runs = starts.shape[0] - 1
     first = starts[i]
     last = starts[i + 1] - 1
     middle = first + (last + 1 - first) // 2
-    found[i] = bits_float(turn_bits(int((keys[first] & int64(LOW_WORD)) - int64(LOWEST))))
-    found[runs + i] = bits_float(turn_bits(int((keys[middle] & int64(LOW_WORD)) - int64(LOWEST))))
-    found[2 * runs + i] = bits_float(turn_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
+    numbers[i] = bits_float(flip_bits(int((keys[first] & int64(LOW_WORD)) - int64(LOWEST))))
+    numbers[runs + i] = bits_float(flip_bits(int((keys[middle] & int64(LOW_WORD)) - int64(LOWEST))))
+    numbers[2 * runs + i] = bits_float(flip_bits(int((keys[last] & int64(LOW_WORD)) - int64(LOWEST))))
 
 
 def find_statistics(values: Scalars, runs: Integers, starts: Indices) -> Scalars:
@@ -48,9 +48,9 @@ def find_statistics(values: Scalars, runs: Integers, starts: Indices) -> Scalars
     keys = SortKeys(values.size, device)
     launch(encode_numbers_kernel, values.size, [values, runs, keys])
     sorted_keys, _ = keys.sort(KEY_BITS + max(1, count.bit_length()))
-    found = empty(3 * count, float32, device)
-    launch(pick_numbers_kernel, count, [sorted_keys, starts, found])
-    return found
+    statistics = empty(3 * count, float32, device)
+    launch(pick_numbers_kernel, count, [sorted_keys, starts, statistics])
+    return statistics
 
 
 def order_statistics(values: Scalars, runs: Integers, starts: Indices) -> tuple[np.ndarray, np.ndarray, np.ndarray]:

@@ -8,35 +8,35 @@ from ..array_types import Device
 from ..lang import WARP, func, loop, struct
 
 CUDA_THREADS = 1 << 17  # half the capacity of an H200: 12 B per thread in flight saturate its memory
-CUDA_LEAST = 4  # elements per thread. Fewer are not worth an atomic
+CUDA_MIN_LENGTH = 4  # elements per thread. Fewer are not worth an atomic
 CUDA_SHARE = 512  # threads per result row: their atomics take 0.25 us, and the host reads few rows
 
 
 @struct
 class Runs:
-    """Elements of each thread of a launch: `apart` between threads' first elements, `step` within a thread."""
+    """Elements of each thread of a launch: `stride` between threads' first elements, `step` within a thread."""
 
     rows: int
     count: int
     length: int
-    apart: int
+    stride: int
     step: int
 
     def __init__(self, count: int, device: Device, length: int) -> None:
         self.count = count
         if device.is_cuda:
-            self.threads = min(CUDA_THREADS, -(-count // (CUDA_LEAST * WARP)) * WARP)
+            self.threads = min(CUDA_THREADS, -(-count // (CUDA_MIN_LENGTH * WARP)) * WARP)
             self.length = -(-count // max(1, self.threads))
-            self.apart, self.step = 1, max(1, self.threads)
+            self.stride, self.step = 1, max(1, self.threads)
             self.rows = max(1, self.threads // CUDA_SHARE)
         else:
             self.threads, self.length = -(-count // length), length
-            self.apart, self.step, self.rows = length, 1, 1
+            self.stride, self.step, self.rows = length, 1, 1
 
 
 @loop
 def elements_of(i: int, runs: Runs) -> int:
-    first = i * runs.apart
+    first = i * runs.stride
     for k in range(min(runs.length, (runs.count - 1 - first) // runs.step + 1)):
         yield first + k * runs.step
 

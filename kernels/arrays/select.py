@@ -15,10 +15,10 @@ from .side_by_side import read_together
 @kernel
 def count_mask_kernel(mask: array(dtype=uint8), counts: array(dtype=int32)):
     i = tid()
-    kept = 0
+    selected = 0
     if mask[i] != 0:
-        kept = 1
-    counts[i] = kept
+        selected = 1
+    counts[i] = selected
 
 
 @kernel
@@ -79,9 +79,9 @@ def positions_of(mask: Mask, count: int | None = None) -> Indices:
 
 
 @kernel
-def copy_last_kernel(ranks: array(dtype=int32), place: int, counts: array(dtype=int32)):
+def copy_last_kernel(ranks: array(dtype=int32), slot: int, counts: array(dtype=int32)):
     i = tid()
-    counts[place + i] = ranks[ranks.shape[0] - 1]
+    counts[slot + i] = ranks[ranks.shape[0] - 1]
 
 
 def positions_of_each(*masks: Mask) -> list[Indices]:
@@ -101,10 +101,10 @@ def positions_beside(masks: Sequence[Mask], beside: Sequence[AnyArray]) -> tuple
             launch(copy_last_kernel, 1, [ranks, k, counts])
         every.append(ranks)
     sizes, *read = read_together([counts, *beside])  # sync
-    found = [empty(count, int32, device) for count in sizes.tolist()]
-    for mask, ranks, positions in zip(masks, every, found, strict=True):
+    selected = [empty(count, int32, device) for count in sizes.tolist()]
+    for mask, ranks, positions in zip(masks, every, selected, strict=True):
         launch(scatter_positions_kernel, mask.size, [mask, ranks, positions])
-    return found, read
+    return selected, read
 
 
 @kernel

@@ -11,23 +11,23 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..array_types import AnyArray, Device, DeviceArray, Element
 from ..lang import uint8
-from ..language.device_arrays import seen_as
-from ..language.device_lock import turn_on
+from ..language.device_arrays import reinterpreted
+from ..language.device_lock import lock_for
 from ..memory import contiguous, copy, download, empty, upload, write
 
 ALIGNMENT = 256  # bytes, as of separate allocations
 
 
 def part_of(
-    whole: AnyArray, first: int, dtype: type[Element], shape: int | tuple[int, ...]
+    buffer: AnyArray, first: int, dtype: type[Element], shape: int | tuple[int, ...]
 ) -> DeviceArray[Element, Any]:
     """View of a device array from a byte offset on as another type. Keeps the array alive."""
-    seen: Any = seen_as(whole, first, dtype, shape)
-    if seen is not None:
-        return seen
-    with turn_on(whole.device):
-        part = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=whole.device, copy=False)
-    part._ref = whole
+    view: Any = reinterpreted(buffer, first, dtype, shape)
+    if view is not None:
+        return view
+    with lock_for(buffer.device):
+        part = wp.array(ptr=buffer.ptr + first, dtype=dtype, shape=shape, device=buffer.device, copy=False)
+    part._ref = buffer
     return part
 
 
@@ -40,12 +40,12 @@ def read_together(arrays: Sequence[AnyArray]) -> list[NDArray[Any]]:
     sizes = [math.prod(shape) * kind.itemsize for shape, kind in zip(shapes, types, strict=True)]
     order = sorted(range(len(arrays)), key=lambda k: -types[k].itemsize)  # largest elements first, for alignment
     firsts = dict(zip(order, itertools.accumulate((sizes[k] for k in order), initial=0), strict=False))
-    whole = empty(sum(sizes), uint8, arrays[0].device)
+    buffer = empty(sum(sizes), uint8, arrays[0].device)
     for k, size in enumerate(sizes):
         if size:
-            copy(whole, part_of(contiguous(arrays[k]), 0, uint8, size), count=size, offset=firsts[k])
-    found = download(whole)  # sync
-    parts = (found[firsts[k] : firsts[k] + size] for k, size in enumerate(sizes))
+            copy(buffer, part_of(contiguous(arrays[k]), 0, uint8, size), count=size, offset=firsts[k])
+    host = download(buffer)  # sync
+    parts = (host[firsts[k] : firsts[k] + size] for k, size in enumerate(sizes))
     return [part.view(kind).reshape(shape) for part, kind, shape in zip(parts, types, shapes, strict=True)]
 
 
@@ -53,40 +53,40 @@ class SideBySide:
     """Arrays packed into one allocation, by name with element types. Each device view keeps it alive."""
 
     def __init__(self, values: Mapping[str, tuple[ArrayLike, Any]], device: Device) -> None:
-        self._places: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
+        self._layout: dict[str, tuple[int, tuple[int, ...], np.dtype]] = {}
         self._size = 0
         for name, (value, dtype) in values.items():
             host = _as_elements(value, dtype)
-            self._places[name] = (self._size, host.shape, host.dtype)
+            self._layout[name] = (self._size, host.shape, host.dtype)
             self._size += -(-max(host.nbytes, 1) // ALIGNMENT) * ALIGNMENT
         content = self._content(values)
-        self._whole = upload(content, uint8, device)
+        self._buffer = upload(content, uint8, device)
         self.arrays = {name: self._part(name, dtype) for name, (_, dtype) in values.items()}
 
     def _content(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> np.ndarray:
         content = np.zeros(self._size, np.uint8)
-        for name, (first, _, _) in self._places.items():
+        for name, (first, _, _) in self._layout.items():
             host = _as_elements(*values[name])
             content[first : first + host.nbytes] = host.reshape(-1).view(np.uint8)
         return content
 
     def rewrite(self, values: Mapping[str, tuple[ArrayLike, Any]]) -> None:
         """Overwrite all arrays with values of the same shapes in one copy."""
-        write(self._whole, self._content(values))
+        write(self._buffer, self._content(values))
 
     def _part(self, name: str, dtype: type[Element]) -> DeviceArray[Element, Any]:
-        first, shape, _ = self._places[name]
+        first, shape, _ = self._layout[name]
         width = len(getattr(dtype, "_shape_", ()))
-        return part_of(self._whole, first, dtype, shape[: len(shape) - width] if width else shape)
+        return part_of(self._buffer, first, dtype, shape[: len(shape) - width] if width else shape)
 
     def download(self, *names: str) -> dict[str, np.ndarray]:
         """The named arrays, or all, as NumPy by name: views on the CPU, one sync on a GPU."""
-        whole = download(self._whole)  # sync
+        buffer = download(self._buffer)  # sync
         chosen = {}
-        for name in names or self._places:
-            first, shape, dtype = self._places[name]
+        for name in names or self._layout:
+            first, shape, dtype = self._layout[name]
             size = int(np.prod(shape)) * dtype.itemsize
-            chosen[name] = whole[first : first + size].view(dtype).reshape(shape)
+            chosen[name] = buffer[first : first + size].view(dtype).reshape(shape)
         return chosen
 
 

@@ -11,7 +11,7 @@ import warp as wp
 
 from ..array_types import Device, Indices, Integers, Keys, LongIntegers
 from ..lang import array, func, int32, int64, kernel, launch, struct, tid
-from ..language.device_lock import turn_on
+from ..language.device_lock import lock_for
 from ..memory import download, empty, host_view, rows_of
 
 MIN_RUN = 128  # mean run length in keys: shorter runs are sorted faster together than from a Python loop
@@ -24,9 +24,9 @@ def fill_positions_kernel(positions: array(dtype=int32)):
 
 
 def positions(count: int, device: Device) -> Indices:
-    places = empty(count, int32, device)
-    launch(fill_positions_kernel, count, [places])
-    return places
+    indices = empty(count, int32, device)
+    launch(fill_positions_kernel, count, [indices])
+    return indices
 
 
 @struct
@@ -90,5 +90,5 @@ def argsort_keys(keys: Keys, bit_count: int = 63, starts: np.ndarray | None = No
 
 
 def _sort_pairs(keys: Keys, values: Integers, count: int, bit_count: int) -> None:
-    with turn_on(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
+    with lock_for(keys.device), keys.device.context_guard:  # Warp sorts on the current GPU
         wp.utils.radix_sort_pairs(keys, values, count, 0, bit_count)

@@ -64,7 +64,7 @@ def count_runs_kernel(starts: array(dtype=int32), counts: array(dtype=int32)):
 @struct
 class UniqueKeys:
     """Distinct ascending `keys` (m), `order` of positions by key (stable), `starts` (m + 1) in it; `beside`: extra
-    numbers read. If padded, `told` has the distinct count and the last key, low half first, on the device.
+    numbers read. If padded, `summary` has the distinct count and the last key, low half first, on the device.
     """
 
     keys: array(dtype=int64)
@@ -84,7 +84,7 @@ class UniqueKeys:
         """
         device = keys.device
         sorted_keys, self.order = in_order or argsort_keys(keys, bit_count)
-        self._last, self.beside, self.told = None, [], None
+        self._last, self.beside, self.summary = None, [], None
         if device.is_cuda and keys.size:
             self._find_at_once(sorted_keys, beside, padded)
             return
@@ -100,17 +100,17 @@ class UniqueKeys:
         copy(self.starts, upload(np.array([keys.size]), int32, device), count=1, offset=self.count)
 
     def _find_at_once(self, sorted_keys: Keys, beside: Integers | None, padded: bool) -> None:
-        keys, starts, told = write_heads(sorted_keys, beside, padded=padded)
+        keys, starts, summary = write_heads(sorted_keys, beside, padded=padded)
         if padded:
-            self.count, self.keys, self.starts, self.told = sorted_keys.size, keys, starts, told
+            self.count, self.keys, self.starts, self.summary = sorted_keys.size, keys, starts, summary
             return
-        self.count, low, high, *self.beside = download(told).tolist()  # sync
+        self.count, low, high, *self.beside = download(summary).tolist()  # sync
         self._last = (high << 32) | (low & 0xFFFF_FFFF)
         self.keys, self.starts = rows_of(keys, 0, self.count), rows_of(starts, 0, self.count + 1)
 
     def cut(self, count: int) -> None:
         """Set the distinct count of padded keys."""
-        self.count, self.told = count, None
+        self.count, self.summary = count, None
         self.keys, self.starts = rows_of(self.keys, 0, count), rows_of(self.starts, 0, count + 1)
 
     def counts(self) -> Integers:
@@ -131,17 +131,17 @@ class UniqueKeys:
 
 def cut_together(groups: Sequence[UniqueKeys], *beside: AnyArray) -> list[NDArray[Any]]:
     """Cut padded ones to their distinct keys, and download arrays `beside` them. One sync."""
-    padded = [(group, group.told) for group in groups if group.told is not None]
-    found = read_together([*(told for _, told in padded), *beside]) if padded or beside else []
-    for (group, _), told in zip(padded, found, strict=False):
-        group.cut(int(told[0]))
-    return found[len(padded) :]
+    padded = [(group, group.summary) for group in groups if group.summary is not None]
+    host = read_together([*(summary for _, summary in padded), *beside]) if padded or beside else []
+    for (group, _), summary in zip(padded, host, strict=False):
+        group.cut(int(summary[0]))
+    return host[len(padded) :]
 
 
 def write_heads(
     sorted_keys: Keys, beside: Integers | None = None, *, padded: bool = False
 ) -> tuple[Keys, Integers, Integers]:
-    """(keys, starts, told) of sorted GPU keys as in UniqueKeys, without sync; `told` is followed by `beside`."""
+    """(keys, starts, summary) of sorted GPU keys as in UniqueKeys, without sync; `summary` is followed by `beside`."""
     n, device = sorted_keys.size, sorted_keys.device
     ranks = empty(n + 2 + (0 if beside is None else beside.size), int32, device)
     if beside is not None:

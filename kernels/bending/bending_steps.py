@@ -8,7 +8,7 @@ registration of depth scans", SGP 2008). Matrix-free conjugate gradients, block-
 import numpy as np
 
 from ..algebra.matrices import multiply33
-from ..algebra.rigid_solve import factor_system, place_of, rotation_about, solve_factored, square, triangle, vec6d
+from ..algebra.rigid_solve import factor_system, rotation_about, solve_factored, square, triangle, triangle_index, vec6d
 from ..algebra.transform import widen
 from ..arrays.conjugate_gradients import ConjugateGradients, Gradients
 from ..arrays.key_starts import find_key_starts
@@ -39,11 +39,11 @@ from ..lang import (
 )
 from ..memory import download, empty, full, zeros
 from ..meshes.vertex_neighbors import VertexNeighbors
-from .deformation_graph import MEMBERS, DeformationGraph, Influence, bent_place
+from .deformation_graph import MEMBERS, DeformationGraph, Influence, deformed_position
 
 DAMPING = 1.0e-9  # of the diagonal: fixes parts of a body without rows, negligible elsewhere
 TOLERANCE = 1.0e-6  # of a solve: remaining fraction of the right side in the preconditioner's norm
-MAX_TURNS = 2000
+MAX_ITERATIONS = 2000
 pull_sums = vector(6, float64)
 pull_block = vector(21, float64)
 
@@ -79,7 +79,7 @@ def key_ends_kernel(influence: Influence, node_count: int, keys: array(dtype=int
     i = tid()
     key = int64(node_count)
     if influence.shares[i] > 0.0:
-        key = int64(influence.places[i])
+        key = int64(influence.members[i])
     keys[i] = key
 
 
@@ -99,9 +99,9 @@ def begin_rows_kernel(graph: DeformationGraph, influence: Influence, rows: Bendi
         p = widen(influence.points[i])
         n = int(MEMBERS)
         for k in range(n):
-            node = influence.places[MEMBERS * i + k]
+            node = influence.members[MEMBERS * i + k]
             rows.arms[MEMBERS * i + k] = graph.rotations[node] @ (p - widen(graph.nodes[node]))
-        force = pull_of(i, bent_place(i, graph, influence) - rows.targets[i], rows)
+        force = pull_of(i, deformed_position(i, graph, influence) - rows.targets[i], rows)
     rows.forces[i] = force
 
 
@@ -114,7 +114,7 @@ def map_rows_kernel(steps: array(dtype=vec3d), influence: Influence, rows: Bendi
     for k in range(n):
         share = influence.shares[MEMBERS * i + k]
         if share > 0.0:
-            node = influence.places[MEMBERS * i + k]
+            node = influence.members[MEMBERS * i + k]
             d += share * (cross(steps[2 * node], rows.arms[MEMBERS * i + k]) + steps[2 * node + 1])
     rows.forces[i] = pull_of(i, d, rows)
 
@@ -193,7 +193,7 @@ def pull_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: NodeS
     """Right side of each node: minus half the gradient."""
     i = tid()
     s = system.sums[i]
-    turn = vec3d(s[0], s[1], s[2])
+    torque = vec3d(s[0], s[1], s[2])
     shift = vec3d(s[3], s[4], s[5])
     own = tie_at(i, stiffness, system.around)
     for j in range(system.around.starts[i], system.around.starts[i + 1]):
@@ -201,9 +201,9 @@ def pull_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: NodeS
         arm = arm_between(i, k, graph)
         stretch = own * (arm + graph.centers[i] - graph.centers[k])
         across = tie_at(k, stiffness, system.around) * (arm_between(k, i, graph) + graph.centers[k] - graph.centers[i])
-        turn += cross(arm, stretch)
+        torque += cross(arm, stretch)
         shift += stretch - across
-    residual[2 * i] = -turn
+    residual[2 * i] = -torque
     residual[2 * i + 1] = -shift
 
 
@@ -221,7 +221,7 @@ def gather_nodes_kernel(
     b = system.lifts[2 * i + 1]
     x = steps[2 * i]
     y = steps[2 * i + 1]
-    turn = vec3d(s[0] + a[0] * x[0], s[1] + a[1] * x[1], s[2] + a[2] * x[2])
+    torque = vec3d(s[0] + a[0] * x[0], s[1] + a[1] * x[1], s[2] + a[2] * x[2])
     shift = vec3d(s[3] + b[0] * y[0], s[4] + b[1] * y[1], s[5] + b[2] * y[2])
     own = tie_at(i, stiffness, system.around)
     for j in range(system.around.starts[i], system.around.starts[i + 1]):
@@ -231,9 +231,9 @@ def gather_nodes_kernel(
         across = tie_at(k, stiffness, system.around) * (
             cross(steps[2 * k], arm_between(k, i, graph)) + steps[2 * k + 1] - y
         )
-        turn += cross(arm, stretch)
+        torque += cross(arm, stretch)
         shift += stretch - across
-    images[2 * i] = turn
+    images[2 * i] = torque
     images[2 * i + 1] = shift
 
 
@@ -249,7 +249,7 @@ def factor_nodes_kernel(graph: DeformationGraph, stiffness: float64, system: Nod
         others += tie_at(k, stiffness, system.around)
     lifts = vec6d(0.0)
     for k in range(6):
-        at = place_of(k, k)
+        at = triangle_index(k, k)
         if k >= 3:
             total[at] = total[at] + others
         lifts[k] = float64(DAMPING) * total[at]
@@ -277,12 +277,12 @@ def take_step_kernel(steps: array(dtype=vec3d), graph: DeformationGraph):
     i = tid()
     half = 0.5 * steps[2 * i]
     pose = rotation_about(half[0], half[1], half[2], 1.0)
-    turn = mat33d(
+    rotation = mat33d(
         pose[0, 0], pose[0, 1], pose[0, 2],
         pose[1, 0], pose[1, 1], pose[1, 2],
         pose[2, 0], pose[2, 1], pose[2, 2],
     )  # fmt: skip
-    graph.rotations[i] = multiply33(turn, graph.rotations[i])
+    graph.rotations[i] = multiply33(rotation, graph.rotations[i])
     graph.centers[i] = graph.centers[i] + steps[2 * i + 1]
 
 
@@ -302,7 +302,7 @@ class BendingSteps:
         self.live = full(graph.count, 1, int32, device)
         self.partials = empty(self.rows.blocks.count, pull_sums, device)
         self.square_partials = empty(self.rows.blocks.count, pull_block, device)
-        self.turns = 0
+        self.iterations = 0
 
     def take(self, stiffness: float) -> float:
         """One step. Returns the RMS shift of the nodes [m]. Two syncs."""
@@ -312,7 +312,7 @@ class BendingSteps:
         blocks = [self.influence, rows]
         reduce_segments(sum_node_squares, rows.blocks, self.live, blocks, self.square_partials, system.squares)
         launch(factor_nodes_kernel, count, [graph, stiffness, system])
-        state = Gradients(zeros(2 * count, vec3d, graph.nodes.device), 0.0, MAX_TURNS)
+        state = Gradients(zeros(2 * count, vec3d, graph.nodes.device), 0.0, MAX_ITERATIONS)
         launch(pull_nodes_kernel, count, [graph, stiffness, system, state.residual])
 
         def map_search() -> None:
@@ -327,7 +327,7 @@ class BendingSteps:
         descent.weigh()
         state.limit = TOLERANCE * TOLERANCE * float(download(state.remains)[0][0])  # sync
         descent.descend()
-        self.turns += int(download(state.turns)[0])  # sync
+        self.iterations += int(download(state.iterations)[0])  # sync
         launch(take_step_kernel, count, [state.solution, graph])
         squares, number = download(reduce(sum_shifts, count, [state.solution]))[0].tolist()  # sync
         return float(np.sqrt(squares / max(number, 1)))

@@ -35,20 +35,20 @@ INVERSE_LOG2 = 1.4426950408889634
 LOG2_HIGH = 0.693147180369123816490  # of ln 2: 32 bits, so that integer multiples are exact
 LOG2_LOW = 1.90821492927058770002e-10
 MAX_HALVINGS = 62.5  # of a Gaussian before it is cut off
-EXPONENT_BIAS, EXPONENT_PLACE = 127, 23  # of a float32
+EXPONENT_BIAS, EXPONENT_SHIFT = 127, 23  # of a float32
 LANES = 8  # points per CPU thread
-REACH_SLACK = 1.001  # factor of a squared radius in float32, so that a tree omits nothing
+RADIUS_SLACK = 1.001  # factor of a squared radius in float32, so that a tree omits nothing
 octet = vector(8, float64)  # one number per point of a thread
 pulls = vector(4, float64)  # sum of p, sum of p x
-place_sums = vector(4, float64)
+position_sums = vector(4, float64)
 pull_moments = vector(22, float64)
 
 
 @func
 def falloff(x: float64) -> float64:
     """exp(-x) for x >= 0, to 2e-16, bitwise identical everywhere and branch-free. 0 beyond FARTHEST."""
-    turns = x * float64(INVERSE_LOG2) + 0.5
-    n = int(turns if turns < float64(MAX_HALVINGS) else float64(MAX_HALVINGS))
+    halvings = x * float64(INVERSE_LOG2) + 0.5
+    n = int(halvings if halvings < float64(MAX_HALVINGS) else float64(MAX_HALVINGS))
     k = float64(n)
     r = (k * float64(LOG2_HIGH) - x) + k * float64(LOG2_LOW)
     s = float64(1.0 / 39916800.0)
@@ -63,7 +63,7 @@ def falloff(x: float64) -> float64:
     s = s * r + 0.5
     s = s * r + 1.0
     s = s * r + 1.0
-    value = s * float64(bits_float((EXPONENT_BIAS - n) << EXPONENT_PLACE))  # s / 2^n, exact
+    value = s * float64(bits_float((EXPONENT_BIAS - n) << EXPONENT_SHIFT))  # s / 2^n, exact
     return value if x <= float64(FARTHEST) else float64(0.0)
 
 
@@ -114,11 +114,11 @@ def weigh_targets_kernel(
         for lane in range(LANES):
             total[lane] += falloff_between(x[lane] - q[0], y[lane] - q[1], z[lane] - q[2], scale)
     for lane in range(LANES):
-        place = LANES * i + lane
-        if place <= last:
+        index = LANES * i + lane
+        if index <= last:
             inverse = inverse_of(total[lane], uniform)
-            inverses[place] = inverse
-            shares[place] = total[lane] * inverse
+            inverses[index] = inverse
+            shares[index] = total[lane] * inverse
 
 
 @weigh_targets_kernel.on_cuda
@@ -176,9 +176,9 @@ def pull_sources_kernel(
             along_y[lane] += share * q[1]
             along_z[lane] += share * q[2]
     for lane in range(LANES):
-        place = LANES * i + lane
-        if place <= last:
-            sums[place] = pulls(total[lane], along_x[lane], along_y[lane], along_z[lane])
+        index = LANES * i + lane
+        if index <= last:
+            sums[index] = pulls(total[lane], along_x[lane], along_y[lane], along_z[lane])
 
 
 @pull_sources_kernel.on_cuda
@@ -203,7 +203,7 @@ def weigh_near_targets_kernel(
     targets: array(dtype=vec3d),
     moved: array(dtype=vec3d),
     tree: PointTree,
-    reach: float,
+    sqradius: float,
     scale: float64,
     uniform: float64,
     inverses: array(dtype=float64),
@@ -213,7 +213,7 @@ def weigh_near_targets_kernel(
     x = targets[i]
     p = narrow(x)
     total = float64(0.0)
-    for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
+    for j, sqdist in points_in_reach(find_bucket(p, tree), p, sqradius, tree):
         d = x - moved[tree.order[j]]
         total += falloff(scale * dot(d, d))
     inverse = inverse_of(total, uniform)
@@ -226,7 +226,7 @@ def pull_near_sources_kernel(
     moved: array(dtype=vec3d),
     targets: array(dtype=vec3d),
     tree: PointTree,
-    reach: float,
+    sqradius: float,
     scale: float64,
     inverses: array(dtype=float64),
     sums: array(dtype=pulls),
@@ -235,43 +235,43 @@ def pull_near_sources_kernel(
     y = moved[i]
     q = narrow(y)
     total = pulls(0.0)
-    for j, sqdist in points_in_reach(find_bucket(q, tree), q, reach, tree):
+    for j, sqdist in points_in_reach(find_bucket(q, tree), q, sqradius, tree):
         k = tree.order[j]
         total += pull_between(y, targets[k], scale, inverses[k])
     sums[i] = total
 
 
 @kernel
-def place_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, places: array(dtype=vec3d)):
+def transform_to_positions_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, transformed: array(dtype=vec3d)):
     i = tid()
-    places[i] = A @ widen(points[i]) + t
+    transformed[i] = A @ widen(points[i]) + t
 
 
 @kernel
-def map_places_kernel(places: array(dtype=vec3d), A: mat33d, t: vec3d, moved: array(dtype=vec3d)):
+def map_positions_kernel(positions: array(dtype=vec3d), A: mat33d, t: vec3d, moved: array(dtype=vec3d)):
     i = tid()
-    moved[i] = A @ places[i] + t
+    moved[i] = A @ positions[i] + t
 
 
 @reduction
-def sum_places(places: array(dtype=vec3d)) -> place_sums:
+def sum_positions(positions: array(dtype=vec3d)) -> position_sums:
     i = tid()
-    p = places[i]
-    return place_sums(p[0], p[1], p[2], dot(p, p))
+    p = positions[i]
+    return position_sums(p[0], p[1], p[2], dot(p, p))
 
 
 @reduction
-def sum_targets(places: array(dtype=vec3d), shares: array(dtype=float64)) -> vec2d:
+def sum_targets(positions: array(dtype=vec3d), shares: array(dtype=float64)) -> vec2d:
     """Inlier weight of the targets, weighted positions and squares."""
     i = tid()
-    return vec2d(shares[i], shares[i] * dot(places[i], places[i]))
+    return vec2d(shares[i], shares[i] * dot(positions[i], positions[i]))
 
 
 @reduction
-def sum_pulls(places: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_moments:
+def sum_pulls(positions: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_moments:
     """Sums over sources of p; p y; p x; (p x) y^T by rows; p y y^T, upper triangle."""
     i = tid()
-    y = places[i]
+    y = positions[i]
     s = sums[i]
     p = s[0]
     return pull_moments(
@@ -283,20 +283,20 @@ def sum_pulls(places: array(dtype=vec3d), sums: array(dtype=pulls)) -> pull_mome
 
 
 @kernel
-def narrow_places_kernel(places: array(dtype=vec3d), out: array(dtype=vec3)):
+def narrow_positions_kernel(positions: array(dtype=vec3d), out: array(dtype=vec3)):
     i = tid()
-    out[i] = narrow(places[i])
+    out[i] = narrow(positions[i])
 
 
-def place_points(points: Points, A: np.ndarray, t: np.ndarray) -> Positions:
-    places = empty(points.size, vec3d, points.device)
-    launch(place_points_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), places])
-    return places
+def transform_to_positions(points: Points, A: np.ndarray, t: np.ndarray) -> Positions:
+    transformed = empty(points.size, vec3d, points.device)
+    launch(transform_to_positions_kernel, points.size, [points, mat33d(*A.ravel()), vec3d(*t), transformed])
+    return transformed
 
 
-def tree_over(places: Positions) -> PointTree:
-    points = empty(places.size, vec3, places.device)
-    launch(narrow_places_kernel, places.size, [places, points])
+def tree_over(positions: Positions) -> PointTree:
+    points = empty(positions.size, vec3, positions.device)
+    launch(narrow_positions_kernel, positions.size, [positions, points])
     return PointTree(points)
 
 
@@ -312,18 +312,18 @@ class Drift:
     def weigh(self, moved: Positions, variance: float, uniform: float, *, near: float) -> None:
         """Correspondences at a variance. By trees if the Gaussian's range is below `near`."""
         targets, scale = self.targets, 0.5 / variance
-        reach = FARTHEST / scale * REACH_SLACK
-        found: list[Doubles] = [self.inverses, self.shares]
-        if reach > near * near:
+        sqradius = FARTHEST / scale * RADIUS_SLACK
+        outputs: list[Doubles] = [self.inverses, self.shares]
+        if sqradius > near * near:
             each = 1 if targets.device.is_cuda else LANES
             given = [targets, moved, moved.size, scale, uniform]
-            launch(weigh_targets_kernel, -(-targets.size // each), [*given, *found])
+            launch(weigh_targets_kernel, -(-targets.size // each), [*given, *outputs])
             given = [moved, targets, targets.size, scale]
             launch(pull_sources_kernel, -(-moved.size // each), [*given, self.inverses, self.sums])
             return
-        within = float(np.float32(reach + 1e-6))
+        within = float(np.float32(sqradius + 1e-6))
         given = [targets, moved, tree_over(moved), within, scale, uniform]
-        launch(weigh_near_targets_kernel, targets.size, [*given, *found])
+        launch(weigh_near_targets_kernel, targets.size, [*given, *outputs])
         launch(
             pull_near_sources_kernel, moved.size, [moved, targets, self.tree, within, scale, self.inverses, self.sums]
         )

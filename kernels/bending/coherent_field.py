@@ -31,7 +31,7 @@ from ..memory import download, empty, upload, zeros
 from .coherent_drift import falloff, pulls
 
 WIDE = 4  # products of a row summed together by a thread
-LOOKED_AT = 32  # rows between two checks of the remainder
+CHECK_INTERVAL = 32  # rows between two checks of the remainder
 
 
 @func
@@ -42,7 +42,7 @@ def gaussian(p: vec3d, q: vec3d, scale: float64) -> float64:
 
 @kernel
 def factor_row_kernel(
-    places: array(dtype=vec3d),
+    positions: array(dtype=vec3d),
     scale: float64,
     row: int,
     rows: array(dtype=float64, ndim=2),
@@ -53,7 +53,7 @@ def factor_row_kernel(
     i = tid()
     p = key_index(pivots[row])
     own = float64(1.0)
-    total = gaussian(places[i], places[p], scale)
+    total = gaussian(positions[i], positions[p], scale)
     for k in range(row):
         own = own - rows[k, p] * rows[k, p]
         total = total - rows[k, i] * rows[k, p]
@@ -96,7 +96,7 @@ def square_rows_kernel(
 @kernel
 def pull_rows_kernel(
     rows: array(dtype=float64, ndim=2),
-    places: array(dtype=vec3d),
+    positions: array(dtype=vec3d),
     sums: array(dtype=pulls),
     points: int,
     out: array(dtype=vec3d),
@@ -106,7 +106,7 @@ def pull_rows_kernel(
     total = vec3d(0.0, 0.0, 0.0)
     for m in range(points):
         s = sums[m]
-        total += rows[i, m] * (vec3d(s[1], s[2], s[3]) - s[0] * places[m])
+        total += rows[i, m] * (vec3d(s[1], s[2], s[3]) - s[0] * positions[m])
     out[i] = total
 
 
@@ -119,16 +119,16 @@ def pick_corner_kernel(
 
 
 @kernel
-def move_places_kernel(
+def move_positions_kernel(
     rows: array(dtype=float64, ndim=2),
     count: int,
-    places: array(dtype=vec3d),
+    positions: array(dtype=vec3d),
     values: array(dtype=vec3d),
     moved: array(dtype=vec3d),
 ):
     """y + L^T v."""
     i = tid()
-    total = places[i]
+    total = positions[i]
     for k in range(count):
         total += rows[k, i] * values[k]
     moved[i] = total
@@ -150,30 +150,30 @@ def move_points_kernel(
     p = widen(points[i])
     moved[i] = points[i]
     if isfinite(p):
-        place = (p + shift) * unit
+        position = (p + shift) * unit
         total = vec3d(0.0, 0.0, 0.0)
         for k in range(count):
-            total += gaussian(place, centers[k], scale) * weights[k]
+            total += gaussian(position, centers[k], scale) * weights[k]
         moved[i] = narrow(p + total / unit)
 
 
 class CoherentField:
     """Factor of a Gaussian matrix: `rows` float64 (k, m), `count` k, `pivots` int (k)."""
 
-    def __init__(self, places: Positions, width: float, limit: float, most: int) -> None:
-        """Factor it, with a sync every LOOKED_AT rows. Raises ValueError if more than `most` rows are needed."""
-        device, size = places.device, places.size
-        most = min(most, size)
-        self.places, self.scale = places, 0.5 / (width * width)
-        self.rows: Array2[float64] = empty((most, size), float64, device)
+    def __init__(self, positions: Positions, width: float, limit: float, max_rows: int) -> None:
+        """Factor it, with a sync every CHECK_INTERVAL rows. Raises ValueError if it needs more than `max_rows` rows."""
+        device, size = positions.device, positions.size
+        max_rows = min(max_rows, size)
+        self.positions, self.scale = positions, 0.5 / (width * width)
+        self.rows: Array2[float64] = empty((max_rows, size), float64, device)
         left = upload(np.ones(size), float64, device)
-        pivots = zeros(most + 1, int64, device)
+        pivots = zeros(max_rows + 1, int64, device)
         self.count = 0
         keys = np.zeros(0, np.int64)
-        while self.count < most:
-            done = min(self.count + LOOKED_AT, most)
+        while self.count < max_rows:
+            done = min(self.count + CHECK_INTERVAL, max_rows)
             for row in range(self.count, done):
-                launch(factor_row_kernel, size, [places, self.scale, row, self.rows, left, pivots])
+                launch(factor_row_kernel, size, [positions, self.scale, row, self.rows, left, pivots])
             self.count = done
             keys = np.array(download(pivots), np.int64)  # sync
             rest = (keys >> 32).astype(np.int32).view(np.float32)[1 : done + 1]
@@ -181,36 +181,36 @@ class CoherentField:
                 self.count = int(below[0]) + 1
                 break
         else:
-            if size > most:
-                raise ValueError(f"more than {most} rows")
+            if size > max_rows:
+                raise ValueError(f"more than {max_rows} rows")
         self.pivots = (keys & 0xFFFFFFFF)[: self.count]
 
     def step(self, sums: Doubles, damping: float, moved: Positions) -> np.ndarray:
         """Move the positions to equilibrium. Returns the row coefficients (k, 3). Float64 on the host, one sync."""
-        device, count, size = self.places.device, self.count, self.places.size
+        device, count, size = self.positions.device, self.count, self.positions.size
         square = zeros((count, count), float64, device)
         across = -(-count // WIDE)
         launch(square_rows_kernel, count * across, [self.rows, count, sums, size, square])
         right = empty(count, vec3d, device)
-        launch(pull_rows_kernel, count, [self.rows, self.places, sums, size, right])
+        launch(pull_rows_kernel, count, [self.rows, self.positions, sums, size, right])
         lower = np.tril(np.asarray(download(square)).reshape(count, count))  # sync
         matrix = lower + np.tril(lower, -1).T + damping * np.eye(count)
         values = solve_symmetric(matrix, np.asarray(download(right)).reshape(count, 3))
         given = upload(values, vec3d, device)
-        launch(move_places_kernel, size, [self.rows, count, self.places, given, moved])
+        launch(move_positions_kernel, size, [self.rows, count, self.positions, given, moved])
         return values
 
     def weights_of(self, values: np.ndarray) -> np.ndarray:
         """Gaussian weights of the pivots for row coefficients: float64 (k, 3)."""
-        corner = empty((self.count, self.count), float64, self.places.device)
-        chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
+        corner = empty((self.count, self.count), float64, self.positions.device)
+        chosen = upload(self.pivots.astype(np.int32), int32, self.positions.device)
         launch(pick_corner_kernel, self.count * self.count, [self.rows, chosen, self.count, corner])
         return solve(np.asarray(download(corner)).reshape(self.count, self.count), values)  # sync
 
     def centers(self) -> np.ndarray:
         """Positions of the pivots, float64 (k, 3). One sync."""
-        chosen = upload(self.pivots.astype(np.int32), int32, self.places.device)
-        return np.array(download(gather_rows(self.places, chosen)), np.float64).reshape(-1, 3)
+        chosen = upload(self.pivots.astype(np.int32), int32, self.positions.device)
+        return np.array(download(gather_rows(self.positions, chosen)), np.float64).reshape(-1, 3)
 
 
 def move_points(
@@ -218,7 +218,7 @@ def move_points(
 ) -> Points:
     device = points.device
     moved = empty(points.size, vec3, device)
-    places, counts = upload(centers, vec3d, device), upload(weights, vec3d, device)
-    arguments = [points, vec3d(*shift), unit, places, counts, len(centers), scale, moved]
+    pivots, coefficients = upload(centers, vec3d, device), upload(weights, vec3d, device)
+    arguments = [points, vec3d(*shift), unit, pivots, coefficients, len(centers), scale, moved]
     launch(move_points_kernel, points.size, arguments)
     return moved

@@ -58,18 +58,18 @@ class DeformationGraph:
 
 @struct
 class Influence:
-    """Nodes of points: `near` (n listed); influencing `places` (MEMBERS n); `shares`: weights, 0 if missing."""
+    """Nodes of points: `near` (n listed); influencing `members` (MEMBERS n); `shares`: weights, 0 if missing."""
 
     points: array(dtype=vec3)
     near: array(dtype=int32)
-    places: array(dtype=int32)
+    members: array(dtype=int32)
     shares: array(dtype=float64)
 
     def __init__(self, points: Points, graph: DeformationGraph) -> None:
         count, device = points.size, points.device
         self.points, self.count = points, count
         self.near = flat(search_nearest(graph.tree, points, graph.listed)[0])
-        self.places, self.shares = empty(MEMBERS * count, int32, device), empty(MEMBERS * count, float64, device)
+        self.members, self.shares = empty(MEMBERS * count, int32, device), empty(MEMBERS * count, float64, device)
         launch(share_nodes_kernel, count, [graph, self])
 
 
@@ -99,14 +99,14 @@ def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
     first = graph.listed * i
     n = int(MEMBERS)
     for k in range(n):
-        influence.places[MEMBERS * i + k] = 0
+        influence.members[MEMBERS * i + k] = 0
         influence.shares[MEMBERS * i + k] = 0.0
     if isfinite(p) and influence.near[first] >= 0:
         end = end_of_weights(p, first, influence.near, graph)
         total = float64(0.0)
         for k in range(members_of(graph.listed)):
             node = influence.near[first + k]
-            influence.places[MEMBERS * i + k] = node
+            influence.members[MEMBERS * i + k] = node
             weight = float64(0.0)
             if end > 0.0:
                 weight = max(1.0 - distance_between(p, widen(graph.nodes[node])) / end, 0.0)
@@ -120,14 +120,14 @@ def share_nodes_kernel(graph: DeformationGraph, influence: Influence):
 
 
 @func
-def bent_place(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
+def deformed_position(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
     p = widen(influence.points[i])
     total = vec3d(0.0, 0.0, 0.0)
     n = int(MEMBERS)
     for k in range(n):
         share = influence.shares[MEMBERS * i + k]
         if share > 0.0:
-            node = influence.places[MEMBERS * i + k]
+            node = influence.members[MEMBERS * i + k]
             total += share * (graph.rotations[node] @ (p - widen(graph.nodes[node])) + graph.centers[node])
     return total
 
@@ -135,7 +135,7 @@ def bent_place(i: int, graph: DeformationGraph, influence: Influence) -> vec3d:
 @func
 def slope_at(i: int, graph: DeformationGraph, influence: Influence) -> mat33d:
     p = widen(influence.points[i])
-    here = bent_place(i, graph, influence)
+    here = deformed_position(i, graph, influence)
     zero = float64(0.0)
     slope = mat33d(zero, zero, zero, zero, zero, zero, zero, zero, zero)
     first = graph.listed * i
@@ -176,17 +176,17 @@ def volume_of(slope: mat33d) -> float64:
 
 
 @func
-def turned_normal(slope: mat33d, normal: vec3d) -> vec3d:
+def deformed_normal(slope: mat33d, normal: vec3d) -> vec3d:
     """Normal under the cofactors of a Jacobian, with its length kept."""
     x = vec3d(slope[0, 0], slope[0, 1], slope[0, 2])
     y = vec3d(slope[1, 0], slope[1, 1], slope[1, 2])
     z = vec3d(slope[2, 0], slope[2, 1], slope[2, 2])
-    turned = vec3d(dot(cross(y, z), normal), dot(cross(z, x), normal), dot(cross(x, y), normal))
-    size = dot(turned, turned)
+    deformed = vec3d(dot(cross(y, z), normal), dot(cross(z, x), normal), dot(cross(x, y), normal))
+    size = dot(deformed, deformed)
     scale = float64(0.0)
     if size > 0.0:
         scale = sqrt(dot(normal, normal) / size)
-    return scale * turned
+    return scale * deformed
 
 
 @kernel
@@ -195,7 +195,7 @@ def bend_points_kernel(graph: DeformationGraph, influence: Influence, moved: arr
     p = influence.points[i]
     q = p + vec3(0.0, 0.0, 0.0)
     if isfinite(p):
-        q = narrow(bent_place(i, graph, influence))
+        q = narrow(deformed_position(i, graph, influence))
     moved[i] = q
 
 
@@ -205,7 +205,7 @@ def bend_wide_kernel(graph: DeformationGraph, influence: Influence, origin: vec3
     p = influence.points[i]
     q = widen(p)
     if isfinite(p):
-        q = bent_place(i, graph, influence) + origin
+        q = deformed_position(i, graph, influence) + origin
     moved[i] = q
 
 
@@ -217,9 +217,9 @@ def bend_normals_kernel(
     n = normals[i]
     m = n + vec3(0.0, 0.0, 0.0)
     if isfinite(influence.points[i]):
-        turned = narrow(turned_normal(slope_at(i, graph, influence), widen(n)))
-        if dot(turned, turned) > 0.0:
-            m = turned
+        deformed = narrow(deformed_normal(slope_at(i, graph, influence), widen(n)))
+        if dot(deformed, deformed) > 0.0:
+            m = deformed
     bent[i] = m
 
 
@@ -272,8 +272,8 @@ def key_neighbors_kernel(influence: Influence, bits: int, keys: array(dtype=int6
         for b in range(a + 1, n):
             key = none
             if influence.shares[MEMBERS * i + a] > 0.0 and influence.shares[MEMBERS * i + b] > 0.0:
-                low = min(influence.places[MEMBERS * i + a], influence.places[MEMBERS * i + b])
-                high = max(influence.places[MEMBERS * i + a], influence.places[MEMBERS * i + b])
+                low = min(influence.members[MEMBERS * i + a], influence.members[MEMBERS * i + b])
+                high = max(influence.members[MEMBERS * i + a], influence.members[MEMBERS * i + b])
                 key = (int64(low) << int64(bits)) | int64(high)
             keys[at] = key
             at += 1
@@ -311,17 +311,17 @@ def neighbors_of(graph: DeformationGraph, influence: Influence) -> VertexNeighbo
 def measure_strain_kernel(graph: DeformationGraph, around: VertexNeighbors, strains: array(dtype=float64)):
     """Relative deviation of a node's neighbors from its rotation; -1 without neighbors."""
     i = tid()
-    found = float64(0.0)
+    squares = float64(0.0)
     length = float64(0.0)
     for j in range(around.starts[i], around.starts[i + 1]):
         k = around.vertices[j]
         rest = widen(graph.nodes[k]) - widen(graph.nodes[i])
         d = graph.rotations[i] @ rest + graph.centers[i] - graph.centers[k]
-        found += dot(d, d)
+        squares += dot(d, d)
         length += dot(rest, rest)
     strain = float64(-1.0)
     if length > 0.0:
-        strain = sqrt(found / length)
+        strain = sqrt(squares / length)
     strains[i] = strain
 
 

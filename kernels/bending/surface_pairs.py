@@ -30,15 +30,15 @@ class Surface:
 
 @struct
 class PairRule:
-    """Pair options: `least_cosine` between normals, either sign unless `sided`; `plane_weight`, `point_weight`."""
+    """Pair options: `min_cosine` between normals, either sign unless `sided`; `plane_weight`, `point_weight`."""
 
-    least_cosine: float64
+    min_cosine: float64
     sided: int
     plane_weight: float64
     point_weight: float64
 
-    def __init__(self, least_cosine: float, sided: bool, plane_weight: float, point_weight: float) -> None:
-        self.least_cosine, self.sided = float(least_cosine), int(sided)
+    def __init__(self, min_cosine: float, sided: bool, plane_weight: float, point_weight: float) -> None:
+        self.min_cosine, self.sided = float(min_cosine), int(sided)
         self.plane_weight, self.point_weight = float(plane_weight), float(point_weight)
 
 
@@ -53,7 +53,7 @@ def find_borders_kernel(
 ):
     """1 if the neighbors' center is offset."""
     i = tid()
-    found = 0
+    is_border = 0
     count = counts[i]
     if count > AROUND // 2:
         p = widen(points[i])
@@ -63,10 +63,10 @@ def find_borders_kernel(
         total = total / float64(count)
         n = widen(normals[i])
         total = total - dot(total, n) * n
-        reach = float64(sqdists[i, count - 1])
-        if dot(total, total) > float64(BORDER * BORDER) * reach:
-            found = 1
-    borders[i] = found
+        sqradius = float64(sqdists[i, count - 1])
+        if dot(total, total) > float64(BORDER * BORDER) * sqradius:
+            is_border = 1
+    borders[i] = is_border
 
 
 @kernel
@@ -83,18 +83,18 @@ def pair_points_kernel(
     """Partner of each point, its row, and the distance; -1 for none."""
     i = tid()
     partner = key_index(nearest[i])
-    kept = 0
+    is_paired = 0
     if partner >= 0 and isfinite(moved[i]):
         if surface.borders[partner] == 0:
             agreement = dot(widen(normals[i]), widen(surface.normals[partner]))
             if rule.sided == 0:
                 agreement = abs(agreement)
-            if isfinite(agreement) and agreement >= rule.least_cosine:
-                kept = 1
+            if isfinite(agreement) and agreement >= rule.min_cosine:
+                is_paired = 1
     distance = float64(-1.0)
     plane_weight = float64(0.0)
     point_weight = float64(0.0)
-    if kept == 1:
+    if is_paired == 1:
         rows.targets[i] = widen(surface.points[partner])
         rows.normals[i] = surface.normals[partner]
         distance = sqrt(float64(key_number(nearest[i])))

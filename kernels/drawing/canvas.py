@@ -91,16 +91,16 @@ def cover_segments_kernel(segments: array(dtype=vec4), half: float, strength: fl
         side_stop = s[2]
         steps = sheet.height
         sides = sheet.width
-    reach = half + 1.0
-    first = max(int(floor(min(start, stop) - reach)), 0)
-    last = min(int(ceil(max(start, stop) + reach)), steps - 1)
+    radius = half + 1.0
+    first = max(int(floor(min(start, stop) - radius)), 0)
+    last = min(int(ceil(max(start, stop) + radius)), steps - 1)
     for step in range(first, last + 1):
         t = 0.0
         if start != stop:
             t = min(max((float(step) - start) / (stop - start), 0.0), 1.0)
         middle = side + t * (side_stop - side)
-        low = max(int(floor(middle - 2.0 * reach)), 0)
-        high = min(int(ceil(middle + 2.0 * reach)), sides - 1)
+        low = max(int(floor(middle - 2.0 * radius)), 0)
+        high = min(int(ceil(middle + 2.0 * radius)), sides - 1)
         for k in range(low, high + 1):
             column = step
             row = k
@@ -174,7 +174,7 @@ def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Pai
     i = tid()
     column = left + i % columns
     row = top + i // columns
-    most = 0.0
+    strength = 0.0
     for dy in range(-radius, radius + 1):
         for dx in range(-radius, radius + 1):
             x = column + dx
@@ -182,9 +182,9 @@ def blend_halo_kernel(left: int, top: int, columns: int, radius: int, paint: Pai
             if x >= 0 and x < sheet.width and y >= 0 and y < sheet.height:
                 coverage = float(sheet.words[y * sheet.width + x])
                 gap = sqrt(float(dx * dx + dy * dy))
-                most = max(most, coverage * share_inside(float(radius) - gap))
-    if most > 0.0:
-        blend_cell(row * sheet.width + column, int(most + 0.5), paint, sheet.picture)
+                strength = max(strength, coverage * share_inside(float(radius) - gap))
+    if strength > 0.0:
+        blend_cell(row * sheet.width + column, int(strength + 0.5), paint, sheet.picture)
 
 
 @kernel

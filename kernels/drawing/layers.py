@@ -23,11 +23,11 @@ def take_words_kernel(own: DepthBuffer, layer: DepthBuffer):
 
 
 @kernel
-def find_more_kernel(layer: DepthBuffer, solid: DepthBuffer, found: array(dtype=int32)):
+def find_more_kernel(layer: DepthBuffer, solid: DepthBuffer, flag: array(dtype=int32)):
     """Flag a layer that holds anything before what is solid."""
     i = tid()
     if layer.words[i] != solid.words[i]:
-        atomic_max(found, 0, 1)  # all writers write 1
+        atomic_max(flag, 0, 1)  # all writers write 1
 
 
 @kernel
@@ -61,9 +61,9 @@ def take_words(own: DepthBuffer, layer: DepthBuffer) -> None:
 
 
 def has_more(layer: DepthBuffer, solid: DepthBuffer) -> bool:
-    found = zeros(1, int32, layer.words.device)
-    launch(find_more_kernel, layer.words.size, [layer, solid, found])
-    return bool(download(found)[0])  # sync
+    flag = zeros(1, int32, layer.words.device)
+    launch(find_more_kernel, layer.words.size, [layer, solid, flag])
+    return bool(download(flag)[0])  # sync
 
 
 def join_mattes(on_black: Bytes, on_white: Bytes) -> Bytes:

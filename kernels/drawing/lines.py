@@ -62,7 +62,7 @@ def clip_line(p: vec3, q: vec3, margin: float, view: View) -> vec2:
 
 
 @func
-def walk_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
+def draw_line(a: vec3, b: vec3, index: int, pen: Pen, buffer: DepthBuffer):
     """Draw a line between projected ends along its longer axis."""
     dx = b[0] - a[0]
     dy = b[1] - a[1]
@@ -125,7 +125,7 @@ def draw_lines_kernel(
             a = project(p + (q - p) * shares[0], view)
             b = project(p + (q - p) * shares[1], view)
             if a[2] > 0.0 and b[2] > 0.0:
-                walk_line(a, b, start + i, pen, buffer)
+                draw_line(a, b, start + i, pen, buffer)
 
 
 def draw_lines(points: Points, lines: Integers, view: View, buffer: DepthBuffer, *, pen: Pen, start: int = 0) -> None:

@@ -25,16 +25,16 @@ STEEPNESS = 10.0  # maximum slope relative to the screen (84 degrees) of a conti
 def see_point(p: vec3, T_camera_points: Transform, camera: Camera) -> vec3d:
     """Column, row and depth of a point. Depth 0 if it is behind the camera or not finite."""
     q = transform_point(widen(p), T_camera_points)
-    seen = vec3d(0.0, 0.0, 0.0)
+    projected = vec3d(0.0, 0.0, 0.0)
     if isfinite(q) and q[2] > 0.0:
         u = camera.fx * q[0] / q[2] + camera.cx
         v = camera.fy * q[1] / q[2] + camera.cy
-        seen = vec3d(u, v, q[2])
-    return seen
+        projected = vec3d(u, v, q[2])
+    return projected
 
 
 @func
-def shown(i: int, hidden: array(dtype=uint8)) -> int:
+def is_displayed(i: int, hidden: array(dtype=uint8)) -> int:
     """1 unless the point is hidden. An empty mask hides none."""
     visible = 1
     if hidden.shape[0] > 0:
@@ -45,28 +45,28 @@ def shown(i: int, hidden: array(dtype=uint8)) -> int:
 
 @struct
 class Click:
-    """Click position `place` [px], squared radius `sqradius` [px^2], and `hidden` uint8 (n), empty for none."""
+    """Click position `position` [px], squared radius `sqradius` [px^2], and `hidden` uint8 (n), empty for none."""
 
-    place: vec2d
+    position: vec2d
     sqradius: float64
     hidden: array(dtype=uint8)
 
-    def __init__(self, place: Sequence[float] | np.ndarray, radius: float, hidden: Mask) -> None:
-        self.place, self.sqradius, self.hidden = vec2d(*place), float(radius) * float(radius), hidden
+    def __init__(self, position: Sequence[float] | np.ndarray, radius: float, hidden: Mask) -> None:
+        self.position, self.sqradius, self.hidden = vec2d(*position), float(radius) * float(radius), hidden
 
 
 @func
 def sqdist_to_click(i: int, p: vec3d, click: Click) -> float64:
     """Squared distance [px^2] from the click of a visible point; -1 if it cannot be selected."""
-    found = float64(-1.0)
+    result = float64(-1.0)
     if p[2] > 0.0:
-        x = p[0] - click.place[0]
-        y = p[1] - click.place[1]
+        x = p[0] - click.position[0]
+        y = p[1] - click.position[1]
         sqdist = x * x + y * y
         if sqdist <= click.sqradius:
-            if shown(i, click.hidden) == 1:
-                found = sqdist
-    return found
+            if is_displayed(i, click.hidden) == 1:
+                result = sqdist
+    return result
 
 
 @kernel
@@ -99,7 +99,7 @@ def find_meant_kernel(
 
 
 @kernel
-def mask_seen_kernel(
+def mask_visible_kernel(
     points: array(dtype=vec3),
     T_camera_points: Transform,
     camera: Camera,
@@ -137,14 +137,14 @@ def mask_clipped_kernel(
     mask[i] = uint8(outside)
 
 
-def _least(kernel_of_pass: Kernel, points: Points, arguments: Sequence[Any]) -> tuple[float, int] | None:
+def _minimum(kernel_of_pass: Kernel, points: Points, arguments: Sequence[Any]) -> tuple[float, int] | None:
     """The least (number, index) of a pass, or None. One sync."""
     word = full(1, NO_KEY, int64, points.device)
     launch(kernel_of_pass, points.size, [points, *arguments, word])
-    found = download(word)  # sync
-    if found[0] == NO_KEY:
+    word_on_host = download(word)  # sync
+    if word_on_host[0] == NO_KEY:
         return None
-    return float((found >> 32).astype("int32").view("float32")[0]), int(found[0] & 0xFFFFFFFF)
+    return float((word_on_host >> 32).astype("int32").view("float32")[0]), int(word_on_host[0] & 0xFFFFFFFF)
 
 
 def find_foremost(
@@ -156,8 +156,8 @@ def find_foremost(
     hidden: Mask | None = None,
 ) -> float | None:
     """Least depth [m] of the points within `radius` [px] of a click, or None. Any affine `T_camera_points`."""
-    found = _least(find_foremost_kernel, points, _click(points, T_camera_points, camera, click, radius, hidden))
-    return None if found is None else found[0]
+    nearest = _minimum(find_foremost_kernel, points, _click(points, T_camera_points, camera, click, radius, hidden))
+    return None if nearest is None else nearest[0]
 
 
 def find_meant(
@@ -171,7 +171,7 @@ def find_meant(
 ) -> tuple[float, int] | None:
     """The selected point (cost [px^2], index), or None; `foremost` is the least `find_foremost` over the clouds."""
     given = _click(points, T_camera_points, camera, click, radius, hidden)
-    return _least(find_meant_kernel, points, [*given, float(foremost)])
+    return _minimum(find_meant_kernel, points, [*given, float(foremost)])
 
 
 def _click(
@@ -186,10 +186,10 @@ def _click(
     return [Transform(T_camera_points), camera, Click(click, radius, marks)]
 
 
-def mask_seen(points: Points, T_camera_points: np.ndarray, camera: CameraLike, corners: Array1[vec2d]) -> Mask:
+def mask_visible(points: Points, T_camera_points: np.ndarray, camera: CameraLike, corners: Array1[vec2d]) -> Mask:
     """Mask, uint8 (n), of points inside a screen polygon with `corners` vec2d [px]."""
     mask = empty(points.size, uint8, points.device)
-    launch(mask_seen_kernel, points.size, [points, Transform(T_camera_points), camera, corners, mask])
+    launch(mask_visible_kernel, points.size, [points, Transform(T_camera_points), camera, corners, mask])
     return mask
 
 

@@ -22,26 +22,26 @@ def find_extremes_kernel(
     d2 = directions[2]
     d3 = directions[3]
     d4 = directions[4]
-    most0 = -float(INFINITY)
-    most1 = -float(INFINITY)
-    most2 = -float(INFINITY)
-    most3 = -float(INFINITY)
-    most4 = -float(INFINITY)
+    max0 = -float(INFINITY)
+    max1 = -float(INFINITY)
+    max2 = -float(INFINITY)
+    max3 = -float(INFINITY)
+    max4 = -float(INFINITY)
     for j in elements_of(i, runs):
         p = points[j]
         if isfinite(p):
-            most0 = max(most0, dot(p, d0))
-            most1 = max(most1, dot(p, d1))
-            most2 = max(most2, dot(p, d2))
-            most3 = max(most3, dot(p, d3))
-            most4 = max(most4, dot(p, d4))
-    if most0 > -float(INFINITY):
+            max0 = max(max0, dot(p, d0))
+            max1 = max(max1, dot(p, d1))
+            max2 = max(max2, dot(p, d2))
+            max3 = max(max3, dot(p, d3))
+            max4 = max(max4, dot(p, d4))
+    if max0 > -float(INFINITY):
         first = row_of(i, runs) * DIRECTIONS
-        atomic_max(extremes, first, ordered_bits(most0))  # maximum: order-independent
-        atomic_max(extremes, first + 1, ordered_bits(most1))  # maximum: order-independent
-        atomic_max(extremes, first + 2, ordered_bits(most2))  # maximum: order-independent
-        atomic_max(extremes, first + 3, ordered_bits(most3))  # maximum: order-independent
-        atomic_max(extremes, first + 4, ordered_bits(most4))  # maximum: order-independent
+        atomic_max(extremes, first, ordered_bits(max0))  # maximum: order-independent
+        atomic_max(extremes, first + 1, ordered_bits(max1))  # maximum: order-independent
+        atomic_max(extremes, first + 2, ordered_bits(max2))  # maximum: order-independent
+        atomic_max(extremes, first + 3, ordered_bits(max3))  # maximum: order-independent
+        atomic_max(extremes, first + 4, ordered_bits(max4))  # maximum: order-independent
 
 
 @kernel
@@ -55,17 +55,17 @@ def make_normal_lines_kernel(
     i = tid()
     p = points[i]
     n = normals[i]
-    reach = length(n)
+    norm = length(n)
     ends[2 * i] = p
     ends[2 * i + 1] = p
-    if reach > 0.0:
-        ends[2 * i + 1] = p + n * (size / reach)
+    if norm > 0.0:
+        ends[2 * i + 1] = p + n * (size / norm)
     lines[2 * i] = 2 * i
     lines[2 * i + 1] = 2 * i + 1
 
 
 @kernel
-def place_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, start: int, out: array(dtype=vec3)):
+def transform_points_kernel(points: array(dtype=vec3), A: mat33d, t: vec3d, start: int, out: array(dtype=vec3)):
     """out[start + i] = A p + t, in float64."""
     i = tid()
     out[start + i] = narrow(A @ widen(points[i]) + t)
@@ -93,9 +93,9 @@ def make_normal_lines(points: Points, normals: Vectors, size: float) -> tuple[Po
     return ends, lines
 
 
-def place_points(points: Points, A: np.ndarray, t: np.ndarray, out: Vectors, start: int) -> None:
+def transform_points(points: Points, A: np.ndarray, t: np.ndarray, out: Vectors, start: int) -> None:
     """Write A p + t for all points from `start` on. A (3, 3) and t (3) in float64."""
-    launch(place_points_kernel, points.size, [points, mat33d(*A.ravel().tolist()), vec3d(*t.tolist()), start, out])
+    launch(transform_points_kernel, points.size, [points, mat33d(*A.ravel().tolist()), vec3d(*t.tolist()), start, out])
 
 
 def shift_indices(indices: Indices, step: int, out: Integers, start: int) -> None:

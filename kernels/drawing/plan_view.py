@@ -48,7 +48,7 @@ class PlanCells:
 
 
 @struct
-class SeenTriangles:
+class VisibleTriangles:
     """Visible `triangles` int32 (NO_ID for none) and `weights` vec2 of the second and third corner."""
 
     triangles: array(dtype=int32)
@@ -59,35 +59,35 @@ class SeenTriangles:
 
 
 @kernel
-def look_down_kernel(cells: PlanCells, first_row: int, trees: SceneTrees, seen: SeenTriangles):
+def look_down_kernel(cells: PlanCells, first_row: int, trees: SceneTrees, visible: VisibleTriangles):
     i = tid()
     row = first_row + i // cells.columns
     column = i % cells.columns
     x = cells.left + (float64(column) + 0.5) * cells.cell
     y = cells.top - (float64(row) + 0.5) * cells.cell
     o = vec3(float(x), float(y), cells.above)
-    met = next_hit(o, vec3(0.0, 0.0, -1.0), 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
+    hit = next_hit(o, vec3(0.0, 0.0, -1.0), 0.0, INFINITY, float64(BEFORE), NO_ID, 0, trees)
     triangle = int(NO_ID)
-    if isfinite(met[0]):
-        triangle = trees.order[int(met[2])]
-    seen.triangles[i] = triangle
-    seen.weights[i] = vec2(float(met[3]), float(met[4]))
+    if isfinite(hit[0]):
+        triangle = trees.order[int(hit[2])]
+    visible.triangles[i] = triangle
+    visible.weights[i] = vec2(float(hit[3]), float(hit[4]))
 
 
 @kernel
 def measure_heights_kernel(
-    seen: SeenTriangles,
+    visible: VisibleTriangles,
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     origin: float64,
     heights: array(dtype=float32),
 ):
-    """Height seen by each cell. NaN for none."""
+    """Height of the surface in each cell. NaN for none."""
     i = tid()
     height = float(NAN)
-    if seen.triangles[i] >= 0:
-        t = triangles[seen.triangles[i]]
-        w = seen.weights[i]
+    if visible.triangles[i] >= 0:
+        t = triangles[visible.triangles[i]]
+        w = visible.weights[i]
         a = widen(vertices[t[0]])
         b = widen(vertices[t[1]])
         c = widen(vertices[t[2]])
@@ -97,42 +97,42 @@ def measure_heights_kernel(
 
 @kernel
 def color_cells_kernel(
-    seen: SeenTriangles, surface: Surface, materials: array(dtype=int32), number: int, colors: array(dtype=uint8)
+    visible: VisibleTriangles, surface: Surface, materials: array(dtype=int32), number: int, colors: array(dtype=uint8)
 ):
     """RGBA with alpha 255 for cells that see a triangle of a material. Others stay."""
     i = tid()
-    triangle = seen.triangles[i]
+    triangle = visible.triangles[i]
     wanted = 0
     if triangle >= 0:
         wanted = 1
         if number >= 0:
             wanted = 1 if materials[triangle] == number else 0
     if wanted == 1:
-        w = seen.weights[i]
+        w = visible.weights[i]
         color = clamp_color(mix_corners(triangle, 1.0 - w[0] - w[1], w[0], w[1], surface))
         for k in range(3):
             colors[CHANNELS * i + k] = uint8(int(floor(255.0 * color[k] + 0.5)))
         colors[CHANNELS * i + 3] = uint8(OPAQUE)
 
 
-def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) -> SeenTriangles:
+def look_down(cells: PlanCells, first_row: int, rows: int, trees: SceneTrees) -> VisibleTriangles:
     count = rows * cells.columns
-    seen = SeenTriangles(count, trees.device)
-    launch(look_down_kernel, count, [cells, first_row, trees, seen])
-    return seen
+    visible = VisibleTriangles(count, trees.device)
+    launch(look_down_kernel, count, [cells, first_row, trees, visible])
+    return visible
 
 
-def heights_of(seen: SeenTriangles, vertices: Points, triangles: Array1[vec3i], origin: float) -> Scalars:
+def heights_of(visible: VisibleTriangles, vertices: Points, triangles: Array1[vec3i], origin: float) -> Scalars:
     """Heights, float32 (n), of vertices about an origin. NaN for none."""
-    heights = empty(seen.triangles.size, float32, vertices.device)
-    launch(measure_heights_kernel, heights.size, [seen, vertices, triangles, origin, heights])
+    heights = empty(visible.triangles.size, float32, vertices.device)
+    launch(measure_heights_kernel, heights.size, [visible, vertices, triangles, origin, heights])
     return heights
 
 
-def colors_of(seen: SeenTriangles, surfaces: list[tuple[int, Surface]], materials: Indices | Integers) -> Bytes:
-    """Colors seen, uint8 (4 n) RGBA. `surfaces`: (material number or negative for all, appearance) pairs."""
-    device, count = seen.triangles.device, seen.triangles.size
+def colors_of(visible: VisibleTriangles, surfaces: list[tuple[int, Surface]], materials: Indices | Integers) -> Bytes:
+    """Visible colors, uint8 (4 n) RGBA. `surfaces`: (material number or negative for all, appearance) pairs."""
+    device, count = visible.triangles.device, visible.triangles.size
     colors = zeros(CHANNELS * count, uint8, device)
     for number, surface in surfaces:
-        launch(color_cells_kernel, count, [seen, surface, materials, number, colors])
+        launch(color_cells_kernel, count, [visible, surface, materials, number, colors])
     return colors

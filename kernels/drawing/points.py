@@ -36,19 +36,19 @@ FAR_BITS = 0x7F7F_FFFF  # bits of the largest float32
 
 @struct
 class Splat:
-    """Disc size [cells]: `reach` / depth, clamped to `radius`..`most`."""
+    """Disc size [cells]: `scaled_radius` / depth, clamped to `radius`..`max_radius`."""
 
     radius: float
-    reach: float
-    most: float
+    scaled_radius: float
+    max_radius: float
 
-    def __init__(self, radius: float, reach: float = 0.0, most: float = MAX_RADIUS) -> None:
-        self.radius, self.reach, self.most = radius, reach, most
+    def __init__(self, radius: float, scaled_radius: float = 0.0, max_radius: float = MAX_RADIUS) -> None:
+        self.radius, self.scaled_radius, self.max_radius = radius, scaled_radius, max_radius
 
 
 @func
 def radius_at(depth: float, splat: Splat) -> float:
-    return min(max(splat.radius, splat.reach / depth), splat.most)
+    return min(max(splat.radius, splat.scaled_radius / depth), splat.max_radius)
 
 
 @func
@@ -70,11 +70,11 @@ def draw_disc(x: float, y: float, depth: float, index: int, splat: Splat, buffer
 
 
 @func
-def is_near_picture(p: vec3, reach: float, buffer: DepthBuffer) -> int:
+def is_near_picture(p: vec3, radius: float, buffer: DepthBuffer) -> int:
     """1 for a projected point whose disc may touch the image."""
     near = 0
-    if p[0] > -reach - 1.0 and p[1] > -reach - 1.0:
-        if p[0] < float(buffer.width) + reach and p[1] < float(buffer.height) + reach:
+    if p[0] > -radius - 1.0 and p[1] > -radius - 1.0:
+        if p[0] < float(buffer.width) + radius and p[1] < float(buffer.height) + radius:
             near = 1
     return near
 
@@ -110,14 +110,14 @@ def spread_middles_kernel(middles: DepthBuffer, splat: Splat, buffer: DepthBuffe
         column = i % buffer.width
         row = i // buffer.width
         radius = radius_at(key_number(word), splat)
-        reach = int(radius)
-        for other in range(max(row - reach, 0), min(row + reach + 1, buffer.height)):
+        rows = int(radius)
+        for other in range(max(row - rows, 0), min(row + rows + 1, buffer.height)):
             rise = float(other - row)
             half = int(sqrt(max(radius * radius - rise * rise, 0.0)))
             line = other * buffer.width
-            for place in range(max(column - half, 0), min(column + half + 1, buffer.width)):
-                if word < buffer.words[line + place]:
-                    atomic_min(buffer.words, line + place, word)  # minimum: order-independent
+            for x in range(max(column - half, 0), min(column + half + 1, buffer.width)):
+                if word < buffer.words[line + x]:
+                    atomic_min(buffer.words, line + x, word)  # minimum: order-independent
 
 
 @func
@@ -162,7 +162,7 @@ def draw_points(points: Points, view: View, buffer: DepthBuffer, *, splat: Splat
     if points.size <= FEW_POINTS * cells:
         launch(draw_points_kernel, points.size, [points, view, splat, start, buffer])
         return
-    if splat.reach == 0 and splat.radius <= 0.5:  # [cells] the disc is its center cell
+    if splat.scaled_radius == 0 and splat.radius <= 0.5:  # [cells] the disc is its center cell
         launch(mark_middles_kernel, points.size, [points, view, start, buffer])
         return
     middles = DepthBuffer(buffer.width, buffer.height, points.device)
@@ -178,6 +178,6 @@ def count_in_squares(points: Points, view: View) -> tuple[np.ndarray, np.ndarray
     stride = max(1, points.size // SAMPLE)
     launch(find_nearest_kernel, points.size // stride, [points, stride, view, nearest])
     launch(count_in_squares_kernel, points.size // stride, [points, stride, view, nearest, counts])
-    found = download(counts)  # sync
+    occupancy = download(counts)  # sync
     depths = download(nearest).view(np.float32)  # sync
-    return found[found > 0].astype(float) * stride, depths[found > 0].astype(float)
+    return occupancy[occupancy > 0].astype(float) * stride, depths[occupancy > 0].astype(float)

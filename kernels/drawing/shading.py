@@ -19,7 +19,7 @@ KEYLIGHT = 0.38
 KEY_X, KEY_Y, KEY_Z = 0.45, 0.65, 0.612  # lamp above left, in the camera frame: x right, y down
 RELIEF = 45.0  # strength of eye-dome lighting, per logarithm of depth
 RELIEF_LIMIT = 0.025  # ... maximum contribution of a neighbor, so that outlines stay gray
-RELIEF_REACH = 3  # [cells]
+RELIEF_RADIUS = 3  # [cells]
 
 
 @struct
@@ -65,14 +65,14 @@ def seen_share(cell: int, veil: Veil) -> float:
 def light_face(normal: vec3, facing: vec3, ray: vec3) -> float:
     """Two-sided light: headlight, lamp and ambient. The normal is oriented along `facing`, away from the camera."""
     size = length(normal)
-    reach = length(ray)
+    distance = length(ray)
     cosine = 0.5
     side = 0.5
-    if size > 0.0 and reach > 0.0:
+    if size > 0.0 and distance > 0.0:
         unit = normal / size
         if dot(normal, facing) < 0.0:
             unit = -unit
-        cosine = max(dot(unit, ray) / reach, 0.0)
+        cosine = max(dot(unit, ray) / distance, 0.0)
         side = max(dot(unit, vec3(KEY_X, KEY_Y, KEY_Z)), 0.0)
     return AMBIENT + HEADLIGHT * cosine + KEYLIGHT * side
 
@@ -85,9 +85,9 @@ def eye_dome(cell: int, stop: int, buffer: DepthBuffer) -> float:
     middle_column = cell % buffer.width
     middle_row = cell // buffer.width
     for k in range(8):
-        place = k + k // 4  # the 8 cells around the center of a 3 x 3 square
-        column = middle_column + (place % 3 - 1) * RELIEF_REACH
-        row = middle_row + (place // 3 - 1) * RELIEF_REACH
+        neighbor = k + k // 4  # the 8 cells around the center of a 3 x 3 square
+        column = middle_column + (neighbor % 3 - 1) * RELIEF_RADIUS
+        row = middle_row + (neighbor // 3 - 1) * RELIEF_RADIUS
         if column >= 0 and column < buffer.width and row >= 0 and row < buffer.height:
             word = buffer.words[row * buffer.width + column]
             if word != int64(NO_KEY) and key_index(word) < stop:

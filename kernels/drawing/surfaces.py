@@ -155,14 +155,14 @@ def shade_surface_kernel(
     i = tid()
     pixel = pixel_of(i, region, buffer)
     known = -1
-    shown = 0
+    sample_count = 0
     alike = 0
     column = float((pixel % (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
     row = float((pixel // (buffer.width // SAMPLES)) * SAMPLES) + MIDDLE
     for cell in cells_of(pixel, buffer):
         triangle = element_at(cell, region, buffer)
         if triangle >= 0:
-            shown += 1
+            sample_count += 1
             if known < 0:
                 known = triangle
             if triangle == known:
@@ -173,14 +173,14 @@ def shade_surface_kernel(
         for cell in cells_of(pixel, buffer):
             share = share + seen_share(cell, veil)
         total = color_of(known, column, row, view, surface) * share
-    elif shown > 0:
+    elif sample_count > 0:
         for cell in cells_of(pixel, buffer):
             triangle = element_at(cell, region, buffer)
             if triangle >= 0:
                 x = float(cell % buffer.width)
                 y = float(cell // buffer.width)
                 total = total + color_of(triangle, x, y, view, surface) * seen_share(cell, veil)
-    if shown > 0:
+    if sample_count > 0:
         light[pixel] = light[pixel] + total
 
 

@@ -49,10 +49,10 @@ class LargeShapes:
     firsts: array(dtype=int64)
     total: array(dtype=int64)
 
-    def __init__(self, most: int, device: Device) -> None:
-        """An empty list for up to `most` shapes (at most MAX_SHAPES). With 0 threads draw everything themselves."""
-        self.shapes, self.firsts = empty(most, int32, device), empty(most, int64, device)
-        self.total = zeros(min(most, 1), int64, device)
+    def __init__(self, capacity: int, device: Device) -> None:
+        """An empty list for up to `capacity` shapes (at most MAX_SHAPES). With 0 threads draw everything themselves."""
+        self.shapes, self.firsts = empty(capacity, int32, device), empty(capacity, int64, device)
+        self.total = zeros(min(capacity, 1), int64, device)
 
 
 @func
@@ -115,13 +115,13 @@ def on_grid(x: float) -> int64:
 
 
 @func
-def least_at_edge(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
+def min_edge_value(dx: int64, dy: int64, buffer: DepthBuffer) -> int64:
     """Least inside value of an edge function: 0, or 1 in layers if edge cells belong to the neighbor."""
-    least = int64(0)
+    value = int64(0)
     if buffer.behind.shape[0] > 0:
         if dy < 0 or (dy == 0 and dx < 0):
-            least = 1
-    return least
+            value = 1
+    return value
 
 
 @func
@@ -159,9 +159,9 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: Dept
     sign = int64(1)
     if area < 0:
         sign = -1
-    least_u = least_at_edge((cx - bx) * sign, (cy - by) * sign, buffer)
-    least_v = least_at_edge((ax - cx) * sign, (ay - cy) * sign, buffer)
-    least_w = least_at_edge((bx - ax) * sign, (by - ay) * sign, buffer)
+    min_u = min_edge_value((cx - bx) * sign, (cy - by) * sign, buffer)
+    min_v = min_edge_value((ax - cx) * sign, (ay - cy) * sign, buffer)
+    min_w = min_edge_value((bx - ax) * sign, (by - ay) * sign, buffer)
     scale = 1.0 / float32(area * sign)
     near_a = scale / a[2]
     near_b = scale / b[2]
@@ -173,7 +173,7 @@ def draw_on_grid(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, buffer: Dept
         v = ((ax - cx) * (y - cy) - (ay - cy) * (x - cx)) * sign
         w = ((bx - ax) * (y - ay) - (by - ay) * (x - ax)) * sign
         for column in range(box[0], box[1] + 1):
-            if u >= least_u and v >= least_v and w >= least_w:
+            if u >= min_u and v >= min_v and w >= min_w:
                 inverse = float32(u) * near_a + float32(v) * near_b + float32(w) * near_c
                 offer_behind(row * buffer.width + column, 1.0 / inverse, index, buffer)
             u = u - (cy - by) * sign * step
@@ -199,7 +199,7 @@ def widen_box(box: vec4, p: vec3, q: vec3, view: View) -> vec4:
 
 
 @func
-def reach_of(edge: vec3, view: View) -> float:
+def overlap_slack(edge: vec3, view: View) -> float:
     """Change of an edge function over the overlap."""
     return (abs(edge[0]) / float(view.camera.fx) + abs(edge[1]) / float(view.camera.fy)) * OVERLAP
 
@@ -231,9 +231,9 @@ def draw_unprojected(a: vec3, b: vec3, c: vec3, index: int, box: vec4i, view: Vi
     ea = cross(b, c) * sign
     eb = cross(c, a) * sign
     ec = cross(a, b) * sign
-    slack_a = -reach_of(ea, view)
-    slack_b = -reach_of(eb, view)
-    slack_c = -reach_of(ec, view)
+    slack_a = -overlap_slack(ea, view)
+    slack_b = -overlap_slack(eb, view)
+    slack_c = -overlap_slack(ec, view)
     if buffer.behind.shape[0] > 0:  # no cell may be drawn twice
         slack_a = 0.0
         slack_b = 0.0

@@ -8,7 +8,7 @@ from ..array_types import AnyArray, Device, Doubles, Integers, Points, Scalars, 
 from ..lang import array, atomic_max, float32, float64, func, int32, int64, isfinite, kernel, launch, struct, tid, vec3
 from ..memory import download, empty, upload, zeros
 
-SEEN = 4096  # labels from -1 recorded individually: more than any legend has
+MAX_LABELS = 4096  # labels from -1 recorded individually: more than any legend has
 
 
 @struct
@@ -56,9 +56,9 @@ def ramp_color(value: float64, ramp: Ramp) -> vec3:
     color = ramp.missing
     if isfinite(value):
         share = min(max((value - ramp.low) * ramp.factor + ramp.start, 0.0), 1.0)
-        place = float32(share) * float(ramp.last)
-        k = min(int(place), ramp.last - 1)
-        rest = place - float(k)
+        position = float32(share) * float(ramp.last)
+        k = min(int(position), ramp.last - 1)
+        rest = position - float(k)
         color = ramp.table[k] * (1.0 - rest) + ramp.table[k + 1] * rest
     else:
         raise_flag(ramp.flag)
@@ -84,20 +84,20 @@ def color_coordinates_kernel(points: array(dtype=vec3), axis: int, ramp: Ramp, c
 
 
 @func
-def note_label(place: int, seen: array(dtype=int32)):
-    if seen[place] == 0:
-        atomic_max(seen, place, 1)  # all writers write 1
+def note_label(label: int, present: array(dtype=int32)):
+    if present[label] == 0:
+        atomic_max(present, label, 1)  # all writers write 1
 
 
 @func
 def label_color(
-    label: int64, palette: array(dtype=vec3), palette_size: int, noise: vec3, seen: array(dtype=int32)
+    label: int64, palette: array(dtype=vec3), palette_size: int, noise: vec3, present: array(dtype=int32)
 ) -> vec3:
     """Color of a label, which is recorded; negative is noise, and the palette repeats."""
     color = noise
     if label >= 0:
         color = palette[int(label % int64(palette_size))]
-    note_label(int(min(max(label, -1), int64(SEEN - 2))) + 1, seen)
+    note_label(int(min(max(label, -1), int64(MAX_LABELS - 2))) + 1, present)
     return color
 
 
@@ -107,11 +107,11 @@ def color_labels_kernel(
     palette: array(dtype=vec3),
     palette_size: int,
     noise: vec3,
-    seen: array(dtype=int32),
+    present: array(dtype=int32),
     colors: array(dtype=vec3),
 ):
     i = tid()
-    colors[i] = label_color(int64(labels[i]), palette, palette_size, noise, seen)
+    colors[i] = label_color(int64(labels[i]), palette, palette_size, noise, present)
 
 
 @kernel
@@ -120,11 +120,11 @@ def color_wide_labels_kernel(
     palette: array(dtype=vec3),
     palette_size: int,
     noise: vec3,
-    seen: array(dtype=int32),
+    present: array(dtype=int32),
     colors: array(dtype=vec3),
 ):
     i = tid()
-    colors[i] = label_color(labels[i], palette, palette_size, noise, seen)
+    colors[i] = label_color(labels[i], palette, palette_size, noise, present)
 
 
 @kernel
@@ -172,13 +172,13 @@ def color_coordinates(points: Points, axis: int, ramp: Ramp) -> Vectors:
 
 
 def color_labels(labels: AnyArray, palette: np.ndarray, noise: tuple[float, float, float]) -> tuple[Vectors, list[int]]:
-    """(colors, labels present on the host): negatives as -1, those >= SEEN - 2 as that number. One sync."""
+    """(colors, labels present on the host): negatives as -1, those >= MAX_LABELS - 2 as that number. One sync."""
     device = labels.device
-    colors, seen = empty(labels.size, vec3, device), zeros(SEEN, int32, device)
+    colors, present = empty(labels.size, vec3, device), zeros(MAX_LABELS, int32, device)
     table = upload(palette, vec3, device)
     chosen = color_labels_kernel if labels.dtype == int32 else color_wide_labels_kernel
-    launch(chosen, labels.size, [labels, table, len(palette), vec3(*noise), seen, colors])
-    return colors, (download(seen).nonzero()[0] - 1).tolist()  # sync
+    launch(chosen, labels.size, [labels, table, len(palette), vec3(*noise), present, colors])
+    return colors, (download(present).nonzero()[0] - 1).tolist()  # sync
 
 
 def color_normals(normals: Vectors, missing: tuple[float, float, float]) -> tuple[Vectors, Integers]:
@@ -188,9 +188,9 @@ def color_normals(normals: Vectors, missing: tuple[float, float, float]) -> tupl
     return colors, flag
 
 
-def sample_evenly(values: AnyArray, most: int) -> np.ndarray:
-    """At most `most` evenly spaced values of a float32 or float64 device array, starting with the first (one sync)."""
-    stride = max(1, -(-values.size // most))
+def sample_evenly(values: AnyArray, max_count: int) -> np.ndarray:
+    """At most `max_count` evenly spaced values of a float32 or float64 device array, with the first. One sync."""
+    stride = max(1, -(-values.size // max_count))
     count = -(-values.size // stride)
     out = empty(count, values.dtype, values.device)
     launch(take_every_kernel if values.dtype == float32 else take_every_wide_kernel, count, [values, stride, out])

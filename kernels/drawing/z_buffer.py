@@ -58,10 +58,10 @@ def offer_behind(cell: int, depth: float, index: int, buffer: DepthBuffer):
     """As `offer_cell` (the atomic resolves the race), if the element is behind the cell's bound."""
     word = pack_key(depth, index)
     if word < buffer.words[cell]:
-        least = int64(-1)
+        bound = int64(-1)
         if buffer.behind.shape[0] > 0:
-            least = buffer.behind[cell]
-        if word > least:
+            bound = buffer.behind[cell]
+        if word > bound:
             atomic_min(buffer.words, cell, word)
 
 

@@ -12,7 +12,7 @@ from ..array_types import Device
 from ..lang import INFINITY, array, cross, dot, float64, func, int32, kernel, launch, length, struct, tid, vec2d, vec3d
 from ..linear_algebra import matmul
 from ..memory import download, empty, upload
-from .hull_filter import aim_direction, grid_place, locate_direction
+from .hull_filter import aim_direction, grid_index, locate_direction
 
 TABLE_WIDTH = 16  # cells per edge of each table face: fewer climbing steps than neighbors to test
 TABLE_CHUNK = 1 << 22  # products of directions and vertices in memory: 32 MB
@@ -52,11 +52,11 @@ class ClimbedHull:
 
 
 @func
-def reach(n: vec3d, hull: ClimbedHull) -> float64:
+def support(n: vec3d, hull: ClimbedHull) -> float64:
     """Extent of the hull: the largest n . vertex."""
-    place = locate_direction(n)
-    row = int(place[0]) * TABLE_WIDTH + grid_place(place[1], TABLE_WIDTH)
-    best = hull.table[row * TABLE_WIDTH + grid_place(place[2], TABLE_WIDTH)]
+    location = locate_direction(n)
+    row = int(location[0]) * TABLE_WIDTH + grid_index(location[1], TABLE_WIDTH)
+    best = hull.table[row * TABLE_WIDTH + grid_index(location[2], TABLE_WIDTH)]
     value = dot(n, hull.vertices[best])
     here = -1
     while here != best:
@@ -74,7 +74,7 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
     k = cross(n, m)
     volume = float64(1.0)
     width = float64(0.0)
-    for side in range(6):  # a loop, so that compilers inline `reach` once
+    for side in range(6):  # a loop, so that compilers inline `support` once
         direction = n + 0.0 * n
         if side // 2 == 1:
             direction = m
@@ -82,7 +82,7 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
             direction = k
         if side % 2 == 1:
             direction = -direction
-        width += reach(direction, hull)
+        width += support(direction, hull)
         if side % 2 == 1:
             volume = volume * width
             width = 0.0
@@ -91,7 +91,7 @@ def box_volume(n: vec3d, m: vec3d, hull: ClimbedHull) -> float64:
 
 GOLDEN = 0.3819660112501051
 STEP = 0.05  # [rad] between samples on an arc; arcs of detailed hulls are shorter
-FEWEST, MOST = 5, 40  # samples per range of solutions
+MIN_SAMPLES, MAX_SAMPLES = 5, 40  # samples per range of solutions
 SPLIT = 16  # finer steps across a minimum: detailed hulls have several kinks in one
 ROUGH, FINE = 20, 60  # golden section steps: to 1e-4 of a step, and to rounding near the best box
 NEAR = 1.01  # of the best volume
@@ -112,12 +112,12 @@ class FoundBoxes:
 
     def smallest(self) -> tuple[float, np.ndarray, np.ndarray]:
         """The smallest volume and its two axes. The first of equal ones."""
-        found = download(self.volumes)  # sync
-        best = int(found.argmin())
+        volumes = download(self.volumes)  # sync
+        best = int(volumes.argmin())
         axes = empty(2, vec3d, self.volumes.device)
         launch(copy_axes_kernel, 1, [self, best, axes])
         first, second = np.array(download(axes))  # sync
-        return float(found[best]), first, second
+        return float(volumes[best]), first, second
 
 
 @kernel
@@ -166,17 +166,17 @@ def partnered_range(p: float64, q: float64, r: float64, s: float64, second: int)
         swap = low
         low = high
         high = swap
-    found = vec2d(one, zero)
+    interval = vec2d(one, zero)
     if second == 0:
         if (p <= zero and q >= zero) or (p >= zero and q <= zero):
-            found = vec2d(zero, low)
+            interval = vec2d(zero, low)
         else:
             if low < one:
-                found = vec2d(low, high)
+                interval = vec2d(low, high)
     else:
         if ((p <= zero and q >= zero) or (p >= zero and q <= zero)) and high < one:
-            found = vec2d(high, one)
-    return found
+            interval = vec2d(high, one)
+    return interval
 
 
 @func
@@ -246,7 +246,7 @@ def search_dips(
     t0: float64, t1: float64, best: vec2d, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
     """Better of the best (t, volume) and the minima between finer samples."""
-    found = best + 0.0 * best
+    result = best + 0.0 * best
     count = int(SPLIT)
     step = (t1 - t0) / float64(count)
     before = float64(INFINITY)
@@ -255,16 +255,16 @@ def search_dips(
         after = float64(INFINITY)
         if j <= count:
             after = volume_at(t0 + step * float64(j), a, b, c, d, hull)
-        if floor_beside(before, here, after) < found[1]:
+        if floor_beside(before, here, after) < result[1]:
             t = t0 + step * float64(j - 1)
             low = max(t - step, t0)
             high = min(t + step, t1)
-            dip = search_dip(low, t, high, here, found[1], a, b, c, d, hull)
-            if dip[1] < found[1]:
-                found = dip
+            dip = search_dip(low, t, high, here, result[1], a, b, c, d, hull)
+            if dip[1] < result[1]:
+                result = dip
         before = here
         here = after
-    return found
+    return result
 
 
 @func
@@ -272,9 +272,9 @@ def search_range(
     t0: float64, t1: float64, best: float64, a: vec3d, b: vec3d, c: vec3d, d: vec3d, hull: ClimbedHull
 ) -> vec2d:
     """(t, volume) of the smallest box on a range. The best known with t = -1 if none is smaller."""
-    found = vec2d(-1.0, best)
+    result = vec2d(-1.0, best)
     arc = length(partner(a, b, c, d, t1) - partner(a, b, c, d, t0)) + length(b - a) * (t1 - t0)
-    count = min(max(int(arc / float64(STEP)) + 2, FEWEST), MOST)
+    count = min(max(int(arc / float64(STEP)) + 2, MIN_SAMPLES), MAX_SAMPLES)
     step = (t1 - t0) / float64(count - 1)
     before = float64(INFINITY)
     here = float64(INFINITY)
@@ -282,14 +282,14 @@ def search_range(
         after = float64(INFINITY)
         if j < count:
             after = volume_at(t0 + step * float64(j), a, b, c, d, hull)
-        if floor_beside(before, here, after) < found[1]:
+        if floor_beside(before, here, after) < result[1]:
             t = t0 + step * float64(j - 1)
             low = max(t - step, t0)
             high = min(t + step, t1)
-            found = search_dips(low, high, found, a, b, c, d, hull)
+            result = search_dips(low, high, result, a, b, c, d, hull)
         before = here
         here = after
-    return found
+    return result
 
 
 @kernel
@@ -339,11 +339,11 @@ def fit_on_edges_kernel(arcs: array(dtype=vec3d), bound: float64, hull: ClimbedH
             for part in range(2):
                 span = partnered_range(p, q, r, s, part)
                 if span[0] <= span[1]:
-                    found = search_range(span[0], span[1], best, a, b, c, d, hull)
-                    if found[1] < best:
-                        best = found[1]
-                        first = arc_point(a, b, found[0])
-                        second = partner(a, b, c, d, found[0])
+                    minimum = search_range(span[0], span[1], best, a, b, c, d, hull)
+                    if minimum[1] < best:
+                        best = minimum[1]
+                        first = arc_point(a, b, minimum[0])
+                        second = partner(a, b, c, d, minimum[0])
     boxes.volumes[i] = best
     boxes.firsts[i] = first
     boxes.seconds[i] = second

@@ -25,12 +25,12 @@ def count_below_kernel(
 ):
     i = tid()
     row = row_of(i, runs)
-    most = float64(0.0)
+    maximum = float64(0.0)
     for j in elements_of(i, runs):
         d = distances[j]
         if isfinite(d):
-            most = max(most, d)
-    atomic_max(largest, row, most)  # maximum: order-independent
+            maximum = max(maximum, d)
+    atomic_max(largest, row, maximum)  # maximum: order-independent
     for r in range(radii.shape[0]):
         count = 0
         for j in elements_of(i, runs):
@@ -40,26 +40,26 @@ def count_below_kernel(
 
 
 class DistanceSums:
-    """Statistics on the device: `whole` float64, all of them for `told`; `largest`, the part with the maxima."""
+    """Statistics on the device: `buffer` float64, all of them for `unpack`; `largest`, the part with the maxima."""
 
     def __init__(self, distances: Doubles, radii: Sequence[float]) -> None:
         device, n = distances.device, distances.size
         runs, limits = Runs(n, device, RUN), upload(np.array(radii), float64, device)
         self._rows, self._radii = runs.rows, len(radii)
         counts = self._rows * self._radii
-        self.whole = zeros(2 + self._rows + (counts + 1) // 2, float64, device)
-        copy(part_of(self.whole, 0, count_sum, 1), reduce(sum_finite, n, [distances]), count=1)
-        within = part_of(self.whole, (2 + self._rows) * DOUBLE, int32, counts)
-        self.largest = self.whole[2 : 2 + self._rows]
+        self.buffer = zeros(2 + self._rows + (counts + 1) // 2, float64, device)
+        copy(part_of(self.buffer, 0, count_sum, 1), reduce(sum_finite, n, [distances]), count=1)
+        within = part_of(self.buffer, (2 + self._rows) * DOUBLE, int32, counts)
+        self.largest = self.buffer[2 : 2 + self._rows]
         launch(count_below_kernel, runs.threads, [distances, runs, limits, within, self.largest])
 
-    def told(self, found: np.ndarray) -> tuple[int, float, float, np.ndarray]:
+    def unpack(self, values: np.ndarray) -> tuple[int, float, float, np.ndarray]:
         end = 2 + self._rows
-        counts = found[end:].view(np.int32)[: self._rows * self._radii].reshape(self._rows, self._radii)
-        return int(found[0]), float(found[1]), float(found[2:end].max()), counts.sum(axis=0, dtype=np.int64)
+        counts = values[end:].view(np.int32)[: self._rows * self._radii].reshape(self._rows, self._radii)
+        return int(values[0]), float(values[1]), float(values[2:end].max()), counts.sum(axis=0, dtype=np.int64)
 
 
 def summarize_distances(distances: Doubles, radii: Sequence[float]) -> tuple[int, float, float, np.ndarray]:
     """(finite count, sum, maximum, counts below each radius as int64 (r)). One sync."""
     sums = DistanceSums(distances, radii)
-    return sums.told(download(sums.whole))  # sync
+    return sums.unpack(download(sums.buffer))  # sync

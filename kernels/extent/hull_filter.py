@@ -88,16 +88,16 @@ def aim_direction(face: int, u: float64, v: float64) -> vec3d:
 def face_coordinates(p: vec3d, face: int) -> vec3d:
     """Components (along, u, v) of a vector on a cube face, before division."""
     side = float64(1 - 2 * (face % 2))
-    turned = vec3d(side * p[0], p[1], p[2])
+    coordinates = vec3d(side * p[0], p[1], p[2])
     if face // 2 == 1:
-        turned = vec3d(side * p[1], p[2], p[0])
+        coordinates = vec3d(side * p[1], p[2], p[0])
     if face // 2 == 2:
-        turned = vec3d(side * p[2], p[0], p[1])
-    return turned
+        coordinates = vec3d(side * p[2], p[0], p[1])
+    return coordinates
 
 
 @func
-def grid_place(u: float64, width: int) -> int:
+def grid_index(u: float64, width: int) -> int:
     return min(max(int(floor((u + 1.0) * 0.5 * float64(width))), 0), width - 1)
 
 
@@ -114,10 +114,10 @@ def find_farthest_kernel(points: array(dtype=vec3d), center: vec3d, width: int, 
     i = tid()
     p = points[i] - center
     if isfinite(p):
-        place = locate_direction(p)
-        if place[3] > 0.0:
-            row = int(place[0]) * width + grid_place(place[1], width)
-            cell = row * width + grid_place(place[2], width)
+        location = locate_direction(p)
+        if location[3] > 0.0:
+            row = int(location[0]) * width + grid_index(location[1], width)
+            cell = row * width + grid_index(location[2], width)
             key = pack_key(float(length(p)), LAST_INDEX - i)
             if key > keys[cell]:  # usually false, which limits contention
                 atomic_max(keys, cell, key)
@@ -175,13 +175,13 @@ def mask_outer_kernel(
     keep = 0
     if isfinite(p):
         keep = 1
-        place = locate_direction(p)
-        row = grid_place(place[1], width)
-        column = grid_place(place[2], width)
+        location = locate_direction(p)
+        row = grid_index(location[1], width)
+        column = grid_index(location[2], width)
         half = 0.5 * float64(width)
-        u = (place[1] + 1.0) * half - float64(row)
-        v = (place[2] + 1.0) * half - float64(column)
-        node = (int(place[0]) * (width + 1) + row) * (width + 1) + column
+        u = (location[1] + 1.0) * half - float64(row)
+        v = (location[2] + 1.0) * half - float64(column)
+        node = (int(location[0]) * (width + 1) + row) * (width + 1) + column
         near = nodes[node]
         right = nodes[node + width + 1]
         up = nodes[node + 1]
@@ -194,7 +194,7 @@ def mask_outer_kernel(
             v = 1.0 - v
         if min(min(near, right), up) >= 0.0:
             g = near + u * (right - near) + v * (up - near)
-            if place[3] * g < 1.0 - float64(MARGIN):
+            if location[3] * g < 1.0 - float64(MARGIN):
                 keep = 0
     mask[i] = uint8(keep)
 
@@ -215,8 +215,8 @@ def farthest_rows(points: Positions, center: np.ndarray, width: int) -> np.ndarr
     """Ascending indices of the farthest finite point per cell, int64 on the host; `width` cells per edge. One sync."""
     keys = zeros(6 * width * width, int64, points.device)
     launch(find_farthest_kernel, points.size, [points, vec3d(*center), width, keys])
-    found = download(keys)  # sync
-    return np.sort(LAST_INDEX - (found[found > 0] & LAST_INDEX))
+    host_keys = download(keys)  # sync
+    return np.sort(LAST_INDEX - (host_keys[host_keys > 0] & LAST_INDEX))
 
 
 def mask_outer(points: Positions, center: np.ndarray, corners: np.ndarray, planes: np.ndarray, width: int) -> Mask:

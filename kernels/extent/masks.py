@@ -134,18 +134,18 @@ def drop_unusable(
     clouds: Sequence[Points], columns: Sequence[Sequence[Array2[Any]]]
 ) -> tuple[list[Points], NDArray[np.int32]]:
     """Exclude points with non-finite values in `columns` (at most one sync): (points, counts), NaN copies if needed."""
-    kept, counts = list(clouds), np.zeros(len(clouds), np.int32)
+    cleaned, counts = list(clouds), np.zeros(len(clouds), np.int32)
     if any(columns):
-        found = zeros(len(clouds), int32, clouds[0].device)
+        unusable = zeros(len(clouds), int32, clouds[0].device)
         for k, (points, arrays) in enumerate(zip(clouds, columns, strict=True)):
             for rows in arrays:
-                launch(count_unusable_kernel, points.size, [points, rows, k, found])
-        counts = download(found)  # sync
+                launch(count_unusable_kernel, points.size, [points, rows, k, unusable])
+        counts = download(unusable)  # sync
     for k in np.flatnonzero(counts).tolist():
-        kept[k] = clone(clouds[k])
+        cleaned[k] = clone(clouds[k])
         for rows in columns[k]:
-            launch(drop_unusable_kernel, kept[k].size, [rows, kept[k]])
-    return kept, counts
+            launch(drop_unusable_kernel, cleaned[k].size, [rows, cleaned[k]])
+    return cleaned, counts
 
 
 def usable_rows(points: Points, normals: Vectors) -> Indices:

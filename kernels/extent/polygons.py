@@ -22,19 +22,19 @@ def component(p: vec3d, axis: int) -> float64:
 @func
 def crossings_below(u: float64, v: float64, corners: array(dtype=vec2d)) -> int:
     """Polygon edges that cross the line of constant v below u."""
-    found = 0
+    crossings = 0
     a = corners[corners.shape[0] - 1]
     for i in range(corners.shape[0]):
         b = corners[i]
         if (a[1] < v and b[1] >= v) or (b[1] < v and a[1] >= v):
             if a[0] + (v - a[1]) / (b[1] - a[1]) * (b[0] - a[0]) < u:
-                found += 1
+                crossings += 1
         a = b
-    return found
+    return crossings
 
 
 @func
-def lies_in_volume(p: vec3d, corners: array(dtype=vec2d), axes: vec3i, low: float64, high: float64) -> int:
+def is_in_volume(p: vec3d, corners: array(dtype=vec2d), axes: vec3i, low: float64, high: float64) -> int:
     inside = 0
     w = component(p, axes[2])
     if isfinite(p) and w >= low and w <= high:
@@ -53,7 +53,7 @@ def mask_local_kernel(
     mask: array(dtype=uint8),
 ):
     i = tid()
-    mask[i] = uint8(lies_in_volume(widen(points[i]) + origin, corners, axes, low, high))
+    mask[i] = uint8(is_in_volume(widen(points[i]) + origin, corners, axes, low, high))
 
 
 @kernel
@@ -66,7 +66,7 @@ def mask_world_kernel(
     mask: array(dtype=uint8),
 ):
     i = tid()
-    mask[i] = uint8(lies_in_volume(points[i], corners, axes, low, high))
+    mask[i] = uint8(is_in_volume(points[i], corners, axes, low, high))
 
 
 def mask_polygon(

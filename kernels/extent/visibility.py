@@ -35,7 +35,7 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, upload, zeros
-from .hull_filter import LAST_INDEX, grid_place, locate_direction
+from .hull_filter import LAST_INDEX, grid_index, locate_direction
 
 ring_numbers = vector(9, float64)
 NOWHERE = 255  # face of a point that is not finite or at the camera
@@ -93,7 +93,7 @@ def ring_triangle(t: int) -> vec3i:
 
 
 @func
-def lies_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, least_area: float64) -> int:
+def is_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, min_area: float64) -> int:
     """1 if p = (u, v, g) is strictly inside the tetrahedron of the camera and counterclockwise a, b, c."""
     zero = float64(0.0)
     wa = (b[0] - p[0]) * (c[1] - p[1]) - (c[0] - p[0]) * (b[1] - p[1])
@@ -101,7 +101,7 @@ def lies_behind(p: vec3d, a: vec3d, b: vec3d, c: vec3d, least_area: float64) -> 
     wc = (a[0] - p[0]) * (b[1] - p[1]) - (b[0] - p[0]) * (a[1] - p[1])
     area = wa + wb + wc
     behind = 0
-    if min(min(wa, wb), wc) >= zero and area > least_area:
+    if min(min(wa, wb), wc) >= zero and area > min_area:
         if wa * (a[2] - p[2]) + wb * (b[2] - p[2]) + wc * (c[2] - p[2]) < -float64(MARGIN) * p[2] * area:
             behind = 1
     return behind
@@ -119,12 +119,12 @@ def view_points_kernel(
     """Face, (u, v, g) of the flipped point, and distance of the point."""
     i = tid()
     d = widen(points[i]) + offset
-    place = locate_direction(flip_point(d, radius))
+    location = locate_direction(flip_point(d, radius))
     face = int(NOWHERE)
     view = vec3d(0.0, 0.0, 0.0)
-    if isfinite(place[3]) and place[3] > 0.0:
-        face = int(place[0])
-        view = vec3d(place[1], place[2], 1.0 / place[3])
+    if isfinite(location[3]) and location[3] > 0.0:
+        face = int(location[0])
+        view = vec3d(location[1], location[2], 1.0 / location[3])
     faces[i] = uint8(face)
     views[i] = view
     ranges[i] = float(length(d))
@@ -154,7 +154,7 @@ def mark_blocks_kernel(
     i = tid()
     view = views[rows[i]]
     face = int(faces[rows[i]])
-    block = (face * BLOCKS + grid_place(view[0], BLOCKS)) * BLOCKS + grid_place(view[1], BLOCKS)
+    block = (face * BLOCKS + grid_index(view[0], BLOCKS)) * BLOCKS + grid_index(view[1], BLOCKS)
     if marks[block] == 0:
         atomic_max(marks, block, 1)  # all writers set 1
 
@@ -174,7 +174,7 @@ def find_nearest_kernel(
     row = rows[i]
     view = views[row]
     edge = BLOCKS * width
-    cell = cell_at(int(faces[row]), grid_place(view[0], edge), grid_place(view[1], edge), width, blocks)
+    cell = cell_at(int(faces[row]), grid_index(view[0], edge), grid_index(view[1], edge), width, blocks)
     nearness = int64(LAST_INDEX) - int64(float_bits(ranges[row]))
     key = (nearness << 32) | (int64(LAST_INDEX) - int64(row))
     if key > keys[cell]:  # usually false, which limits contention
@@ -192,12 +192,12 @@ def gather_nearest_kernel(keys: array(dtype=int64), views: array(dtype=vec3d), n
 
 
 @kernel
-def mask_seen_kernel(
+def mask_visible_kernel(
     rows: array(dtype=int32),
     views: array(dtype=vec3d),
     faces: array(dtype=uint8),
     width: int,
-    least_area: float64,
+    min_area: float64,
     blocks: array(dtype=int32),
     nearest: array(dtype=vec3d),
     mask: array(dtype=uint8),
@@ -206,8 +206,8 @@ def mask_seen_kernel(
     i = tid()
     p = views[rows[i]]
     face = int(faces[rows[i]])
-    row = grid_place(p[0], BLOCKS * width)
-    column = grid_place(p[1], BLOCKS * width)
+    row = grid_index(p[0], BLOCKS * width)
+    column = grid_index(p[1], BLOCKS * width)
     # nine cells once: the ring counter-clockwise from +u, then the cell itself
     us = ring_numbers(0.0)
     vs = ring_numbers(0.0)
@@ -236,7 +236,7 @@ def mask_seen_kernel(
             b = vec3d(us[corners[1]], vs[corners[1]], gs[corners[1]])
             c = vec3d(us[corners[2]], vs[corners[2]], gs[corners[2]])
             if min(min(a[2], b[2]), c[2]) > 0.0:  # if p is one of them it is not strictly inside
-                hidden = lies_behind(p, a, b, c, least_area)
+                hidden = is_behind(p, a, b, c, min_area)
     mask[i] = uint8(1 - hidden)
 
 
@@ -271,8 +271,8 @@ def rule_out_hidden(rows: Indices, views: Positions, faces: Bytes, ranges: Scala
         launch(find_nearest_kernel, rows.size, [rows, views, faces, ranges, width, blocks, keys])
         launch(gather_nearest_kernel, cell_count, [keys, views, nearest])
         mask = empty(rows.size, uint8, device)
-        least_area = MIN_AREA * (2 / (BLOCKS * width)) ** 2
-        launch(mask_seen_kernel, rows.size, [rows, views, faces, width, least_area, blocks, nearest, mask])
+        min_area = MIN_AREA * (2 / (BLOCKS * width)) ** 2
+        launch(mask_visible_kernel, rows.size, [rows, views, faces, width, min_area, blocks, nearest, mask])
         rows = gather_rows(rows, positions_of(mask))  # sync
         width = -(-width // 2)
     return rows

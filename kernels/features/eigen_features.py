@@ -91,33 +91,33 @@ def density_of(count: float64, sqdist: float) -> float:
     return density
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def find_ends_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
     neighborhood: Neighborhood,
     scratch: GroupScratch,
-    most: int,
-    reach: float,
+    max_nn: int,
+    sqradius: float,
     ends: array(dtype=float32),
 ):
-    """Squared radius of the ball of each neighborhood: of the last neighbor if there are `most`."""
+    """Squared radius of the ball of each neighborhood: of the last neighbor if there are `max_nn`."""
     i = tid()
-    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+    for member, base, stored in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
         limit = neighborhood.limits[rank]
         count = int(0)
         farthest = float(0.0)
-        if held < 0:
+        if stored < 0:
             for j, sqdist in neighbors_of(rank, neighborhood):
                 count += 1
                 farthest = max(farthest, sqdist)
-        for j in range(held):
+        for j in range(stored):
             key = held_key(scratch, base, j)
             if key <= limit:
                 count += 1
                 farthest = max(farthest, key_number(key))
-        ends[rank] = farthest if count == most else reach
+        ends[rank] = farthest if count == max_nn else sqradius
 
 
 @kernel

@@ -67,15 +67,15 @@ def descriptor_sqdist(a: int, b: int, descriptors: array(dtype=uint8, ndim=2)) -
 
 
 @kernel
-def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, found: array(dtype=int32, ndim=2)):
+def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, matches: array(dtype=int32, ndim=2)):
     """Nearest admissible feature of the second image, its squared distance, and that of the second nearest."""
     i = tid()
     s = search_of(i, searches.starts)
     first = searches.pictures[s, 0]
     second = searches.pictures[s, 1]
-    mine = features.firsts[first] + i - searches.starts[s]
-    x = features.rays[mine, 0]
-    y = features.rays[mine, 1]
+    own_feature = features.firsts[first] + i - searches.starts[s]
+    x = features.rays[own_feature, 0]
+    y = features.rays[own_feature, 1]
     a = searches.essential[s, 0] * x + searches.essential[s, 1] * y + searches.essential[s, 2]
     b = searches.essential[s, 3] * x + searches.essential[s, 4] * y + searches.essential[s, 5]
     c = searches.essential[s, 6] * x + searches.essential[s, 7] * y + searches.essential[s, 8]
@@ -88,8 +88,8 @@ def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, fou
     e20 = searches.essential[s, 6]
     e21 = searches.essential[s, 7]
     best = int(NO_MATCH)
-    least = int(FARTHEST)
-    second_least = int(FARTHEST)
+    min_sqdist = int(FARTHEST)
+    second_sqdist = int(FARTHEST)
     for j in range(features.firsts[second], features.firsts[second + 1]):
         u = features.rays[j, 0]
         v = features.rays[j, 1]
@@ -99,20 +99,20 @@ def match_along_lines_kernel(searches: LineSearches, features: LineFeatures, fou
             p = e00 * u + e10 * v + e20
             q = e01 * u + e11 * v + e21
             if square <= near * (p * p + q * q):
-                sqdist = descriptor_sqdist(mine, j, features.descriptors)
-                if sqdist < least:
-                    second_least = least
-                    least = sqdist
+                sqdist = descriptor_sqdist(own_feature, j, features.descriptors)
+                if sqdist < min_sqdist:
+                    second_sqdist = min_sqdist
+                    min_sqdist = sqdist
                     best = j - features.firsts[second]
                 else:
-                    second_least = min(second_least, sqdist)
-    found[i, 0] = best
-    found[i, 1] = least
-    found[i, 2] = second_least
+                    second_sqdist = min(second_sqdist, sqdist)
+    matches[i, 0] = best
+    matches[i, 1] = min_sqdist
+    matches[i, 2] = second_sqdist
 
 
 def match_along_lines(searches: LineSearches, features: LineFeatures, count: int) -> np.ndarray:
     """int32 (count, 3) per search thread: match or NO_MATCH, its squared distance and the second, or FARTHEST."""
-    found: Array2[int32] = empty((count, 3), int32, searches.starts.device)
-    launch(match_along_lines_kernel, count, [searches, features, found])
-    return download(found)  # sync
+    matches: Array2[int32] = empty((count, 3), int32, searches.starts.device)
+    launch(match_along_lines_kernel, count, [searches, features, matches])
+    return download(matches)  # sync

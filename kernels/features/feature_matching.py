@@ -66,27 +66,27 @@ def limit_of(key: int64, slack: float, margin: float) -> float:
     columns: coordinates round by u R and the residual length by 7e-8 d^(1/2) R; `margin` exceeds both for two rows.
     `slack` covers (d / 8 + 6) u of the row's distance and 20 u of the coordinates'.
     """
-    reach = sqrt(key_number(key)) * slack + margin
-    return smaller(reach * reach * slack + TINY, WIDEST_LIMIT)
+    bound = sqrt(key_number(key)) * slack + margin
+    return smaller(bound * bound * slack + TINY, WIDEST_LIMIT)
 
 
 @func
 def lanes_within(sqdists: lanes, limit: float) -> int:
-    found = 0
+    bits = 0
     for j in range(FAN):
-        found = found | ((1 if sqdists[j] <= limit else 0) << j)
-    return found
+        bits = bits | ((1 if sqdists[j] <= limit else 0) << j)
+    return bits
 
 
 @func
 def smallest_lane(sqdists: lanes) -> int:
-    found = 0
-    least = sqdists[0]
+    lane = 0
+    smallest = sqdists[0]
     for j in range(1, FAN):
-        if sqdists[j] < least:
-            least = sqdists[j]
-            found = j
-    return found
+        if sqdists[j] < smallest:
+            smallest = sqdists[j]
+            lane = j
+    return lane
 
 
 @func
@@ -112,21 +112,21 @@ def rows_within(group: int, grouped: array(dtype=float32), y: axes, limit: float
         for j in range(GROUP):
             gap = grouped[at + k * GROUP + j] - x
             sqdists[j] += gap * gap
-    found = lanes_within(sqdists, limit)
-    if found != 0:
+    bits = lanes_within(sqdists, limit)
+    if bits != 0:
         for k in range(BOXED, AXES):
             x = y[k]
             for j in range(GROUP):
                 gap = grouped[at + k * GROUP + j] - x
                 sqdists[j] += gap * gap
-        found = lanes_within(sqdists, limit)
-    return found
+        bits = lanes_within(sqdists, limit)
+    return bits
 
 
 @func
-def coordinates_of(place: int, tree: FeatureTree) -> axes:
+def coordinates_of(position: int, tree: FeatureTree) -> axes:
     y = axes(0.0)
-    at = (place // GROUP) * AXES * GROUP + place % GROUP
+    at = (position // GROUP) * AXES * GROUP + position % GROUP
     for k in range(AXES):
         y[k] = tree.grouped[at + k * GROUP]
     return y
@@ -134,11 +134,11 @@ def coordinates_of(place: int, tree: FeatureTree) -> axes:
 
 @func
 def offer_group(
-    group: int, y: axes, limit: float, place: int, queries: FeatureTree, tree: FeatureTree, held: closest
+    group: int, y: axes, limit: float, position: int, queries: FeatureTree, tree: FeatureTree, keys: closest
 ) -> closest:
     """Update the two smallest keys with a group's rows. Of equal rows only two are compared (n duplicates)."""
-    best = held[0]
-    next_best = held[1]
+    best = keys[0]
+    next_best = keys[1]
     left = 0
     if tree.alike[group] != REPEATED:
         left = rows_within(group, tree.grouped, y, limit)
@@ -148,7 +148,7 @@ def offer_group(
         lowest = left & (-left)
         left = left ^ lowest
         row = group * GROUP + bit_count(lowest - 1)
-        sqdist = square_distance(place * tree.width, queries.packed, row * tree.width, tree.packed, tree.width)
+        sqdist = square_distance(position * tree.width, queries.packed, row * tree.width, tree.packed, tree.width)
         key = pack_key(sqdist, tree.labels[row])
         if key < best:
             next_best = best
@@ -162,12 +162,12 @@ def offer_group(
 def closest_group(y: axes, tree: FeatureTree) -> int:
     """Descend to the nearest child at each level."""
     node = 0
-    least = float(INFINITY)
+    min_sqdist = float(INFINITY)
     for root in range(tree.roots):
         sqdists = measure_children(tree.third + root, tree.boxes, y)
         lane = smallest_lane(sqdists)
-        if sqdists[lane] < least:
-            least = sqdists[lane]
+        if sqdists[lane] < min_sqdist:
+            min_sqdist = sqdists[lane]
             node = root * FAN + lane
     node = node * FAN + smallest_lane(measure_children(tree.second + node, tree.boxes, y))
     return node * FAN + smallest_lane(measure_children(node, tree.boxes, y))
@@ -176,19 +176,19 @@ def closest_group(y: axes, tree: FeatureTree) -> int:
 @func
 def search_rows(
     y: axes,
-    place: int,
+    position: int,
     queries: FeatureTree,
     tree: FeatureTree,
-    held: closest,
-    seen: int,
+    keys: closest,
+    searched: int,
     counted: int,
     stop: int,
     slack: float,
     margin: float,
 ) -> closest:
-    """Update the two smallest keys with all rows except group `seen`, if nearer than held[counted]."""
-    found = held
-    limit = limit_of(found[counted], slack, margin)
+    """Update the two smallest keys with all rows except group `searched`, if nearer than keys[counted]."""
+    updated = keys
+    limit = limit_of(updated[counted], slack, margin)
     searching = 1
     for root in range(tree.roots):
         node = root
@@ -210,15 +210,15 @@ def search_rows(
                     first = 0 if level == 1 else tree.second
                     inside = lanes_within(measure_children(first + node, tree.boxes, y), limit)
                     left = left | (int64(inside) << int64(FAN * (level - 1)))
-                elif child != seen:
-                    now = offer_group(child, y, limit, place, queries, tree, found)
-                    if now[counted] < found[counted]:
+                elif child != searched:
+                    now = offer_group(child, y, limit, position, queries, tree, updated)
+                    if now[counted] < updated[counted]:
                         limit = limit_of(now[counted], slack, margin)
                         inside = lanes_within(measure_children(node, tree.boxes, y), limit)
                         left = left & (int64(inside) | int64(ABOVE))
                         searching = 1 - stop
-                    found = now
-    return found
+                    updated = now
+    return updated
 
 
 CPU_RUN = 32  # queries per CPU thread: some 70 microseconds
@@ -255,21 +255,21 @@ class FeatureMatch:
         return 1 if self.device.is_cuda else CPU_RUN
 
     def matched(self) -> Mask:
-        kept = empty(self.row_counts[0], uint8, self.device)
-        launch(keep_matched_kernel, kept.size, [self.nearest, kept])
-        return kept
+        mask = empty(self.row_counts[0], uint8, self.device)
+        launch(keep_matched_kernel, mask.size, [self.nearest, mask])
+        return mask
 
     def mutual(self) -> Mask:
         claims = full(self.row_counts[1], NO_ROW_KEY, int64, self.device)
         launch(claim_rows_kernel, self.row_counts[0], [self.nearest, self.sqdists, claims])
-        kept, run = zeros(self.row_counts[0], uint8, self.device), self._run()
-        search = [run, self.target, self.source, self, claims, kept]
+        mask, run = zeros(self.row_counts[0], uint8, self.device), self._run()
+        search = [run, self.target, self.source, self, claims, mask]
         launch(keep_mutual_kernel, -(-self.target.count // run), search)
-        return kept
+        return mask
 
-    def pairs(self, kept: Mask) -> Array2[int32]:
+    def pairs(self, mask: Mask) -> Array2[int32]:
         """Selected (source, target) rows, int32 (m, 2), by source row (one sync)."""
-        rows = positions_of(kept)
+        rows = positions_of(mask)
         pairs = empty((rows.size, 2), int32, self.device)
         launch(write_pairs_kernel, rows.size, [rows, self.nearest, pairs])
         return pairs
@@ -286,18 +286,18 @@ def find_nearest_rows_kernel(run: int, counted: int, queries: FeatureTree, tree:
     """Nearest row of each query with its distance and the second distance."""
     i = tid()
     margin = margin_of(queries, tree, match.rounding)
-    for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
-        y = coordinates_of(place, queries)
-        held = closest(int64(NO_ROW_KEY), int64(NO_ROW_KEY))
-        seen = closest_group(y, tree)
-        limit = limit_of(held[0], match.slack, margin)
-        held = offer_group(seen, y, limit, place, queries, tree, held)
-        held = search_rows(y, place, queries, tree, held, seen, counted, 0, match.slack, margin)
-        row = queries.labels[place]
-        if held[0] < int64(NO_ROW_KEY):
-            match.nearest[row] = key_index(held[0])
-            match.sqdists[row] = key_number(held[0])
-            match.second_sqdists[row] = key_number(held[1])
+    for position in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
+        y = coordinates_of(position, queries)
+        keys = closest(int64(NO_ROW_KEY), int64(NO_ROW_KEY))
+        searched = closest_group(y, tree)
+        limit = limit_of(keys[0], match.slack, margin)
+        keys = offer_group(searched, y, limit, position, queries, tree, keys)
+        keys = search_rows(y, position, queries, tree, keys, searched, counted, 0, match.slack, margin)
+        row = queries.labels[position]
+        if keys[0] < int64(NO_ROW_KEY):
+            match.nearest[row] = key_index(keys[0])
+            match.sqdists[row] = key_number(keys[0])
+            match.second_sqdists[row] = key_number(keys[1])
 
 
 @kernel
@@ -315,35 +315,35 @@ def keep_mutual_kernel(
     tree: FeatureTree,
     match: FeatureMatch,
     claims: array(dtype=int64),
-    kept: array(dtype=uint8),
+    mask: array(dtype=uint8),
 ):
     """Flag the claimant of a target row unless another source row is nearer."""
     i = tid()
     margin = margin_of(queries, tree, match.rounding)
-    for place in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
-        claim = claims[queries.labels[place]]
+    for position in range(i * run, min((i + 1) * run, queries.labels.shape[0])):
+        claim = claims[queries.labels[position]]
         if claim < int64(NO_ROW_KEY):
-            y = coordinates_of(place, queries)
-            held = closest(claim, int64(NO_ROW_KEY))
-            held = search_rows(y, place, queries, tree, held, -1, 0, 1, match.slack, margin)
-            if held[0] == claim:
-                kept[key_index(claim)] = 1
+            y = coordinates_of(position, queries)
+            keys = closest(claim, int64(NO_ROW_KEY))
+            keys = search_rows(y, position, queries, tree, keys, -1, 0, 1, match.slack, margin)
+            if keys[0] == claim:
+                mask[key_index(claim)] = 1
 
 
 @kernel
-def keep_matched_kernel(nearest: array(dtype=int32), kept: array(dtype=uint8)):
+def keep_matched_kernel(nearest: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
-    kept[i] = uint8(1 if nearest[i] != NO_ROW else 0)
+    mask[i] = uint8(1 if nearest[i] != NO_ROW else 0)
 
 
 @kernel
 def drop_ambiguous_kernel(
-    sqdists: array(dtype=float32), second_sqdists: array(dtype=float32), square_ratio: float64, kept: array(dtype=uint8)
+    sqdists: array(dtype=float32), second_sqdists: array(dtype=float32), square_ratio: float64, mask: array(dtype=uint8)
 ):
     """Clear rows whose nearest distance is not below the ratio to the second."""
     i = tid()
     if not (float64(sqdists[i]) < square_ratio * float64(second_sqdists[i])):
-        kept[i] = 0
+        mask[i] = 0
 
 
 @kernel
@@ -363,16 +363,16 @@ def pair_features(
 ) -> Array2[int32]:
     """Matched rows, int32 (k, 2), by source row; `mutual` ones unless below `mutual_consistency_ratio` of n."""
     match = FeatureMatch(source, target, second=ratio is not None)
-    kept, pairs = None, None
+    mask, pairs = None, None
     if mutual:
-        kept = match.mutual()
-        pairs = match.pairs(kept)
-        fewest = np.float32(mutual_consistency_ratio) * np.float32(source.shape[0])  # rounded as in Open3D
-        if pairs.shape[0] < int(fewest):
-            kept = None
-    if kept is None:
-        kept, pairs = match.matched(), None
+        mask = match.mutual()
+        pairs = match.pairs(mask)
+        min_count = np.float32(mutual_consistency_ratio) * np.float32(source.shape[0])  # rounded as in Open3D
+        if pairs.shape[0] < int(min_count):
+            mask = None
+    if mask is None:
+        mask, pairs = match.matched(), None
     if ratio is not None:
-        launch(drop_ambiguous_kernel, kept.size, [match.sqdists, match.second_sqdists, float(ratio) ** 2, kept])
+        launch(drop_ambiguous_kernel, mask.size, [match.sqdists, match.second_sqdists, float(ratio) ** 2, mask])
         pairs = None
-    return match.pairs(kept) if pairs is None else pairs
+    return match.pairs(mask) if pairs is None else pairs

@@ -98,9 +98,11 @@ class FeatureTree:
         """Sort a FeatureRows along the axes of `find_axes`, shared by both sides. Raises ValueError if too large."""
         self.device, self.count = source.device, source.count
         self.width = -(-source.columns // STEP) * STEP
-        most = MAX_NUMBERS // max(self.width, AXES)
-        if self.count + GROUP > most:
-            raise ValueError(f"{self.count} features of {source.columns} numbers: one search holds {most}; split them")
+        max_count = MAX_NUMBERS // max(self.width, AXES)
+        if self.count + GROUP > max_count:
+            raise ValueError(
+                f"{self.count} features of {source.columns} numbers: one search holds {max_count}; split them"
+            )
         coordinates = empty((self.count, AXES), float32, self.device)
         launch(project_rows_kernel, self.count, [source, basis, coordinates])
         before, moves = self._sort(coordinates)
@@ -185,11 +187,11 @@ def make_slab_keys_kernel(
 ):
     """Order after a sort (or of the input) and the keys of the next: slab, coordinate; backwards in odd slabs."""
     i = tid()
-    place = i
+    position = i
     if axis > 0:
-        place = before[moves[i]]
-    order[i] = place
-    bits = float_bits(coordinates[place, axis])
+        position = before[moves[i]]
+    order[i] = position
+    bits = float_bits(coordinates[position, axis])
     ascending = bits ^ ((bits >> 31) & 0x7FFFFFFF)
     if (i // slab) % 2 == 1:
         ascending = -1 - ascending
@@ -206,9 +208,9 @@ def pack_rows_kernel(
 ):
     """Rows in final order, zero-padded, with their numbers."""
     i = tid()
-    place = before[moves[i]]
-    order[i] = place
-    row = source.rows[place]
+    position = before[moves[i]]
+    order[i] = position
+    row = source.rows[position]
     tree.labels[i] = row
     columns = source.features.shape[1]
     for c in range(columns):
@@ -233,33 +235,33 @@ def bound_groups_kernel(coordinates: array(dtype=float32, ndim=2), order: array(
     """Interleaved coordinates, box, `alike` flag and maximum length of a group; padding is at infinity."""
     i = tid()
     first = i * GROUP
-    held = max(0, min(GROUP, order.shape[0] - first))
+    size = max(0, min(GROUP, order.shape[0] - first))
     low = boxed(INFINITY)
     high = boxed(-INFINITY)
     longest = 0.0
-    for lane in range(held):
-        place = order[first + lane]
+    for lane in range(size):
+        position = order[first + lane]
         sqlength = 0.0
         for k in range(AXES):
-            x = coordinates[place, k]
+            x = coordinates[position, k]
             tree.grouped[(i * AXES + k) * GROUP + lane] = x
             sqlength += x * x
         for k in range(BOXED):
-            low[k] = smaller(low[k], coordinates[place, k])
-            high[k] = larger(high[k], coordinates[place, k])
+            low[k] = smaller(low[k], coordinates[position, k])
+            high[k] = larger(high[k], coordinates[position, k])
         longest = larger(longest, sqlength)
     at = (i // FAN) * SIDES + i % FAN
     for k in range(BOXED):
         tree.boxes[at + k * FAN] = low[k]
         tree.boxes[at + (BOXED + k) * FAN] = high[k]
     if i < tree.alike.shape[0]:
-        for lane in range(held, GROUP):
+        for lane in range(size, GROUP):
             for k in range(AXES):
                 tree.grouped[(i * AXES + k) * GROUP + lane] = INFINITY
-    if held > 0:
-        equal = is_one_row(first, first + held, tree)
+    if size > 0:
+        equal = is_one_row(first, first + size, tree)
         if equal == 1 and i > 0:
-            equal += is_one_row(first - GROUP, first + held, tree)
+            equal += is_one_row(first - GROUP, first + size, tree)
         tree.alike[i] = equal
         atomic_max(tree.extent, 0, longest)  # maximum: order-independent
 
@@ -295,7 +297,7 @@ def find_axes(source: FeatureRows, target: FeatureRows) -> Array2[float64]:
 
 def leading_axes(scatter: np.ndarray) -> np.ndarray:
     """Approximate leading eigenvectors by power iterations. LAPACK's spinning threads would delay the next kernels."""
-    found = np.zeros((len(scatter), LEADING))
+    axes = np.zeros((len(scatter), LEADING))
     left = scatter / max(np.trace(scatter), TINY)
     for k in range(min(LEADING, len(scatter))):
         axis = left[:, np.argmax(np.diag(left))]
@@ -303,16 +305,16 @@ def leading_axes(scatter: np.ndarray) -> np.ndarray:
             axis = np.einsum("ij,j->i", left, axis)
             axis = axis / max(np.sqrt((axis * axis).sum()), TINY)
         for _ in range(2):  # the second pass corrects rounding of the first
-            axis = axis - np.einsum("ij,j->i", found, np.einsum("ij,i->j", found, axis))
+            axis = axis - np.einsum("ij,j->i", axes, np.einsum("ij,i->j", axes, axis))
             length = np.sqrt((axis * axis).sum())
             if length < INDEPENDENT:
-                return found
+                return axes
             axis = axis / length
-        found[:, k] = axis
+        axes[:, k] = axis
         shadow = np.einsum("ij,j->i", left, axis)
         across = np.outer(shadow - 0.5 * (shadow * axis).sum() * axis, axis)
         left = left - across - across.T
-    return found
+    return axes
 
 
 def slab_sizes(count: int) -> list[int]:

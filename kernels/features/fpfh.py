@@ -37,7 +37,7 @@ from ..memory import cast, download, empty, zeros
 from ..search.group_scratch import GroupScratch, LaunchPart, held_key
 from ..search.neighbor_limits import Neighborhood, hold_members, members_of, neighbors_of
 from ..search.point_tree import LEAF
-from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, settled_bins
+from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, resolved_bins
 
 if TYPE_CHECKING:
     from ..search.point_tree import PointTree
@@ -50,7 +50,7 @@ eight_bins = vector(8, int32)
 
 @func
 def bin_listed(
-    rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3), scratch: GroupScratch, base: int, held: int
+    rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3), scratch: GroupScratch, base: int, stored: int
 ) -> histogram:
     """Bins of the pairs with a point's listed neighbors, eight at a time for vectorization."""
     p = neighborhood.tree.points[rank]
@@ -64,9 +64,9 @@ def bin_listed(
     my = eight(0.0)
     mz = eight(0.0)
     pairs = eight_bins(0)
-    for chunk in range((held + LEAF - 1) // LEAF):
+    for chunk in range((stored + LEAF - 1) // LEAF):
         first = chunk * LEAF
-        last = held - 1
+        last = stored - 1
         for j in range(LEAF):
             other = key_index(held_key(scratch, base, min(first + j, last)))
             q = neighborhood.tree.points[other]
@@ -83,7 +83,7 @@ def bin_listed(
             key = held_key(scratch, base, first + j)
             if key <= limit:
                 other = key_index(key)
-                bins = settled_bins(pairs[j], p, n, neighborhood.tree.points[other], normals[other])
+                bins = resolved_bins(pairs[j], p, n, neighborhood.tree.points[other], normals[other])
                 counts[bins & BIN_MASK] += 1
                 counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
                 counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
@@ -91,14 +91,14 @@ def bin_listed(
 
 
 @func
-def bin_walked(rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3)) -> histogram:
+def bin_by_traversal(rank: int, neighborhood: Neighborhood, normals: array(dtype=vec3)) -> histogram:
     """Bins of the pairs with a point's neighbors, by tree traversal."""
     p = neighborhood.tree.points[rank]
     n = normals[rank]
     counts = histogram(0)
     for j, sqdist in neighbors_of(rank, neighborhood):
         q = neighborhood.tree.points[j]
-        bins = settled_bins(quick_bins(q - p, n, normals[j]), p, n, q, normals[j])
+        bins = resolved_bins(quick_bins(q - p, n, normals[j]), p, n, q, normals[j])
         counts[bins & BIN_MASK] += 1
         counts[BINS + ((bins >> BIN_BITS) & BIN_MASK)] += 1
         counts[2 * BINS + (bins >> (2 * BIN_BITS))] += 1
@@ -119,7 +119,7 @@ def write_histogram(rank: int, counts: histogram, histograms: array(dtype=float3
         histograms[rank, j] = float(counts[j] - own) * share
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def count_angles_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -129,13 +129,13 @@ def count_angles_kernel(
     histograms: array(dtype=float32, ndim=2),
 ):
     i = tid()
-    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+    for member, base, stored in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
         counts = histogram(0)
-        if held >= 0:
-            counts = bin_listed(rank, neighborhood, normals, scratch, base, held)
+        if stored >= 0:
+            counts = bin_listed(rank, neighborhood, normals, scratch, base, stored)
         else:
-            counts = bin_walked(rank, neighborhood, normals)
+            counts = bin_by_traversal(rank, neighborhood, normals)
         write_histogram(rank, counts, histograms)
 
 
@@ -169,18 +169,18 @@ def mask_points_kernel(
 
 
 @kernel
-def mark_chosen_kernel(rows: array(dtype=int32), places: array(dtype=int32), count: int, marks: array(dtype=int32)):
+def mark_chosen_kernel(rows: array(dtype=int32), positions: array(dtype=int32), count: int, marks: array(dtype=int32)):
     """Flag the chosen points by tree position; repeated writers all write 1."""
     i = tid()
-    place = places[rows[i]]
-    if place < count:
-        atomic_max(marks, place, 1)
+    position = positions[rows[i]]
+    if position < count:
+        atomic_max(marks, position, 1)
 
 
 @kernel
 def copy_features_kernel(
     rows: array(dtype=int32),
-    places: array(dtype=int32),
+    positions: array(dtype=int32),
     count: int,
     slots: array(dtype=int32),
     compact: array(dtype=float32, ndim=2),
@@ -188,11 +188,11 @@ def copy_features_kernel(
 ):
     """Features in the requested order. NaN for points without."""
     i = tid()
-    place = places[rows[i]]
+    position = positions[rows[i]]
     for c in range(COLUMNS):
         value = float(NAN)
-        if place < count:
-            value = compact[slots[place], c]
+        if position < count:
+            value = compact[slots[position], c]
         features[i, c] = value
 
 
@@ -229,7 +229,7 @@ def sum_listed(
     histograms: array(dtype=float32, ndim=2),
     keys: array(dtype=int64),
     base: int,
-    held: int,
+    stored: int,
     row: int,
     features: array(dtype=float32, ndim=2),
 ):
@@ -237,8 +237,8 @@ def sum_listed(
     low = half_row(0.0)
     high = half_row(0.0)
     end = 0.0
-    last = base + held - 1
-    for chunk in range((held + 3) // 4):
+    last = base + stored - 1
+    for chunk in range((stored + 3) // 4):
         j = base + 4 * chunk
         w0 = weight_at(keys, j, last + 1, limit)
         w1 = weight_at(keys, j + 1, last + 1, limit)
@@ -266,7 +266,7 @@ def sum_listed(
 
 
 @func
-def sum_walked(
+def sum_by_traversal(
     rank: int,
     neighborhood: Neighborhood,
     histograms: array(dtype=float32, ndim=2),
@@ -311,7 +311,7 @@ def finish_row(rank: int, histograms: array(dtype=float32, ndim=2), row: int, fe
             features[row, j] = features[row, j] * scale + histograms[rank, j]
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def sum_histograms_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -322,13 +322,13 @@ def sum_histograms_kernel(
     features: array(dtype=float32, ndim=2),
 ):
     i = tid()
-    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+    for member, base, stored in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
         row = rows[member]
-        if held >= 0:
-            sum_listed(neighborhood.limits[rank], histograms, scratch.keys, base, held, row, features)
+        if stored >= 0:
+            sum_listed(neighborhood.limits[rank], histograms, scratch.keys, base, stored, row, features)
         else:
-            sum_walked(rank, neighborhood, histograms, row, features)
+            sum_by_traversal(rank, neighborhood, histograms, row, features)
         finish_row(rank, histograms, row, features)
 
 
@@ -346,7 +346,7 @@ def sum_histograms_of_lanes_kernel(
     i = tid()
     first = part.first + (i // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
-        held = hold_members(i, group, ranks, neighborhood, scratch)
+        stored = hold_members(i, group, ranks, neighborhood, scratch)
         sync_lanes()
         for owner in range(min(WARP, ranks.shape[0] - group * WARP)):
             member = group * WARP + owner
@@ -355,7 +355,7 @@ def sum_histograms_of_lanes_kernel(
             total = 0.0
             end = 0.0
             own = lane()
-            count = shuffle(held, owner)
+            count = shuffle(stored, owner)
             for chunk in range((count + WARP - 1) // WARP):
                 left = min(WARP, count - chunk * WARP)
                 key = scratch.keys[i - own + owner + (chunk * WARP + min(own, left - 1)) * scratch.stride]
@@ -426,9 +426,9 @@ def _compute_chosen(
 ) -> Array2[float32]:
     """Features of some points; histograms only for these and their neighbors."""
     device, count = tree.device, tree.count
-    places, chosen = empty(tree.order.size, int32, device), zeros(count, int32, device)
-    launch(number_rows_kernel, tree.order.size, [tree.order, places])
-    launch(mark_chosen_kernel, rows.size, [rows, places, count, chosen])
+    positions, chosen = empty(tree.order.size, int32, device), zeros(count, int32, device)
+    launch(number_rows_kernel, tree.order.size, [tree.order, positions])
+    launch(mark_chosen_kernel, rows.size, [rows, positions, count, chosen])
     centers = positions_of(cast(chosen, uint8))  # sync
     neighborhood = Neighborhood(tree, radius, max_nn, centers)
     ranks = positions_of(cast(neighborhood.mark(centers), uint8))  # sync
@@ -440,5 +440,5 @@ def _compute_chosen(
     compact = empty((centers.size, COLUMNS), float32, device)
     sum_histograms(neighborhood, histograms, centers, within, compact)
     features = empty((rows.size, COLUMNS), float32, device)
-    launch(copy_features_kernel, rows.size, [rows, places, count, slots, compact, features])
+    launch(copy_features_kernel, rows.size, [rows, positions, count, slots, compact, features])
     return features

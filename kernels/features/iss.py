@@ -20,7 +20,7 @@ SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean nearest neighbor dista
 NON_MAX_SPACINGS = 4.0
 FLAT = 1.0e-12  # of the squared radius: float32 rounding of an exact plane is a millionth of the radius
 TIE = 1.0e-14  # of the squared radius: closer saliencies are equal up to summation order
-NOWHERE = -1.0  # [m^2] a reach that ends a traversal
+NOWHERE = -1.0  # [m^2] a squared radius that ends a traversal
 one = vector(1, float64)
 
 
@@ -47,21 +47,21 @@ def measure_saliency_kernel(
     gamma_21: float64,
     gamma_32: float64,
     min_neighbors: int,
-    least: float64,
+    min_eigenvalue: float64,
     saliency: array(dtype=float64),
     salient: array(dtype=uint8),
 ):
-    """Smallest eigenvalue [m^2] if above `least` and the eigenvalue ratios pass, else zero."""
+    """Smallest eigenvalue [m^2] if above `min_eigenvalue` and the eigenvalue ratios pass, else zero."""
     i = tid()
     m = sums[i]
-    found = float64(0.0)
+    smallest = float64(0.0)
     flag = 0
     if m[0] >= float64(min_neighbors):
         v = eigenvalues(covariance_of(m))
-        if v[0] > least and v[1] < gamma_21 * v[2] and v[0] < gamma_32 * v[1]:
-            found = v[0]
+        if v[0] > min_eigenvalue and v[1] < gamma_21 * v[2] and v[0] < gamma_32 * v[1]:
+            smallest = v[0]
             flag = 1
-    saliency[i] = found
+    saliency[i] = smallest
     salient[i] = uint8(flag)
 
 
@@ -69,26 +69,26 @@ def measure_saliency_kernel(
 def keep_maxima_kernel(
     ranks: array(dtype=int32),
     tree: PointTree,
-    reach: float,
+    sqradius: float,
     min_neighbors: int,
     tie: float64,
     saliency: array(dtype=float64),
-    kept: array(dtype=uint8),
+    mask: array(dtype=uint8),
 ):
     """Keep salient points with enough neighbors that are local maxima."""
     i = tid()
     rank = ranks[i]
     own = saliency[rank] + tie
-    found = 0
-    bound = reach
+    neighbor_count = 0
+    bound = sqradius
     for j, sqdist in points_in_reach(rank // BUCKET, tree.points[rank], bound, tree):
-        found += 1
+        neighbor_count += 1
         if saliency[j] > own:
             bound = float(NOWHERE)  # ends the traversal
     flag = 0
-    if bound == reach and found >= min_neighbors:
+    if bound == sqradius and neighbor_count >= min_neighbors:
         flag = 1
-    kept[tree.order[rank]] = uint8(flag)
+    mask[tree.order[rank]] = uint8(flag)
 
 
 def mean_spacing(tree: PointTree) -> float:
@@ -114,7 +114,7 @@ def find_iss_keypoints(
     shape = [gamma_21, gamma_32, min_neighbors, FLAT * square]
     launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
     ranks = positions_of(salient)  # sync
-    kept = zeros(tree.source.size, uint8, tree.device)
+    keypoints = zeros(tree.source.size, uint8, tree.device)
     search = [ranks, tree, reach_of(non_max_radius), min_neighbors]
-    launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, kept])
-    return positions_of(kept)  # sync
+    launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, keypoints])
+    return positions_of(keypoints)  # sync

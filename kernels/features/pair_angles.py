@@ -39,7 +39,7 @@ LONGEST = 1.00005  # squared normal length above which Open3D's arc cosines are 
 STEEP = 1.0e-4  # squared sine between line and normal: smaller makes r too large
 SMALL = 1.0e-30  # [m^2] squares that underflow are not trusted
 FLAT_SLOPE = 0.05  # of |d|: below half a bin of f2 ...
-FLAT_TURN = 0.95  # ... and with w . b below 0.11, this a . b is in the middle sector: both orders give these bins
+FLAT_COSINE = 0.95  # ... and with w . b below 0.11, this a . b is in the middle sector: both orders give these bins
 SAME_LENGTH = 1.0e-6
 
 
@@ -51,7 +51,7 @@ def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
     along2 = dot(n2, d)
     sqlength1 = dot(n1, n1)
     sqlength2 = dot(n2, n2)
-    turn = dot(n1, n2)
+    normal_dot = dot(n1, n2)
     side = dot(cross(d, n1), n2)
     ordered = abs(along1) >= abs(along2)
     a = along1 if ordered else -along2
@@ -64,20 +64,20 @@ def quick_bins(d: vec3, n1: vec3, n2: vec3) -> int:
     ratio = square / across
     f1 = side * inverse * HALF_BINS + HALF_BINS
     f2 = a / distance * HALF_BINS + HALF_BINS
-    y = (b * sqlength - turn * a) * inverse
+    y = (b * sqlength - normal_dot * a) * inverse
     height = abs(y)
-    t1 = COS_1 * height - SIN_1 * turn
-    t3 = COS_3 * height - SIN_3 * turn
-    t5 = COS_5 * height - SIN_5 * turn
-    t7 = COS_7 * height - SIN_7 * turn
-    t9 = COS_9 * height - SIN_9 * turn
+    t1 = COS_1 * height - SIN_1 * normal_dot
+    t3 = COS_3 * height - SIN_3 * normal_dot
+    t5 = COS_5 * height - SIN_5 * normal_dot
+    t7 = COS_7 * height - SIN_7 * normal_dot
+    t9 = COS_9 * height - SIN_9 * normal_dot
     sectors = int(t1 > 0.0) + int(t3 > 0.0) + int(t5 > 0.0) + int(t7 > 0.0) + int(t9 > 0.0)
     border = smaller(smaller(smaller(abs(t1), abs(t3)), smaller(abs(t5), abs(t7))), abs(t9))
-    seam = height if turn < 0.0 else border
+    seam = height if normal_dot < 0.0 else border
     level1 = floor(f1)
     level2 = floor(f2)
     tie = abs(abs(along1) - abs(along2))
-    flat = int(abs(a) < FLAT_SLOPE * distance) + int(turn > FLAT_TURN)
+    flat = int(abs(a) < FLAT_SLOPE * distance) + int(normal_dot > FLAT_COSINE)
     alike = int(abs(sqlength1 - sqlength2) < SAME_LENGTH)
     gap = distance if flat + alike == 3 else tie
     # Every comparison is false for NaN, and all of them have to hold.
@@ -139,9 +139,9 @@ def exact_bins(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
 
 
 @func
-def settled_bins(bins: int, p: vec3, n: vec3, q: vec3, m: vec3) -> int:
+def resolved_bins(bins: int, p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     """The quick bins, or the exact ones if UNSURE."""
-    settled = bins
+    resolved = bins
     if bins == UNSURE:
-        settled = exact_bins(p, n, q, m)
-    return settled
+        resolved = exact_bins(p, n, q, m)
+    return resolved

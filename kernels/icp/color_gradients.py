@@ -90,20 +90,20 @@ def solve_gradient(total: plane_sums, u: vec3d, v: vec3d) -> vec3d:
     return u * a + v * b
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def fit_gradients_kernel(
     part: LaunchPart,
     tree: PointTree,
-    places: array(dtype=int32),
+    positions: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    sqradius: float,
     normals: array(dtype=vec3),
     intensities: array(dtype=float32),
     gradients: array(dtype=vec3),
 ):
-    """Gradients from the k nearest points within reach; inputs in tree order."""
+    """Gradients from the k nearest points within a radius; inputs in tree order."""
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, positions, scratch, sqradius, 0):
         n = widen(normals[rank])
         length = sqrt(dot(n, n))
         if isfinite(n) and isfinite(intensities[rank]) and length > 0.0:

@@ -7,7 +7,16 @@ beforehand. One float64 thread per job. Loops run over a variable so that Warp d
 """
 
 from ..algebra.matrices import multiply33
-from ..algebra.rigid_solve import UNKNOWNS, diagonalize, place_of, rotation_about, solve_system, square, triangle, vec6d
+from ..algebra.rigid_solve import (
+    UNKNOWNS,
+    diagonalize,
+    rotation_about,
+    solve_system,
+    square,
+    triangle,
+    triangle_index,
+    vec6d,
+)
 from ..lang import array, cross, dot, float64, func, int32, kernel, mat33d, mat44d, sqrt, tid, vec3d, vector
 from .centered_systems import about, vector_about
 from .determined_steps import trace_of_inverse, triangle_of
@@ -20,9 +29,9 @@ from .freedom import (
     logarithm,
     motion_state,
     pose_of_state,
+    rotation_axes,
     shift_of_state,
-    turn_of_state,
-    turning_axes,
+    target_rotation_of_state,
 )
 from .job_states import NOT_FINITE, RUNNING, free_directions
 from .matches import Matches
@@ -45,8 +54,8 @@ def free_basis(
             u = vec6d(0.0)
             if k < 3:
                 axis = columns_of(axes, k)
-                way = cross(axis, arm)
-                u = vec6d(axis[0] * size, axis[1] * size, axis[2] * size, way[0], way[1], way[2])
+                velocity = cross(axis, arm)
+                u = vec6d(axis[0] * size, axis[1] * size, axis[2] * size, velocity[0], velocity[1], velocity[2])
             else:
                 axis = columns_of(frame, k - 3)
                 u = vec6d(0.0, 0.0, 0.0, axis[0], axis[1], axis[2])
@@ -154,18 +163,18 @@ def pair_system(sums: row_sums) -> tuple[triangle, vec6d]:
     h[0] = y + z
     h[1] = -sums[SPREAD_AT + 1]
     h[2] = -sums[SPREAD_AT + 2]
-    h[place_of(1, 1)] = x + z
-    h[place_of(1, 2)] = -sums[SPREAD_AT + 4]
-    h[place_of(2, 2)] = x + y
-    h[place_of(0, 4)] = -sums[3]
-    h[place_of(0, 5)] = sums[2]
-    h[place_of(1, 3)] = sums[3]
-    h[place_of(1, 5)] = -sums[1]
-    h[place_of(2, 3)] = -sums[2]
-    h[place_of(2, 4)] = sums[1]
-    h[place_of(3, 3)] = sums[0]
-    h[place_of(4, 4)] = sums[0]
-    h[place_of(5, 5)] = sums[0]
+    h[triangle_index(1, 1)] = x + z
+    h[triangle_index(1, 2)] = -sums[SPREAD_AT + 4]
+    h[triangle_index(2, 2)] = x + y
+    h[triangle_index(0, 4)] = -sums[3]
+    h[triangle_index(0, 5)] = sums[2]
+    h[triangle_index(1, 3)] = sums[3]
+    h[triangle_index(1, 5)] = -sums[1]
+    h[triangle_index(2, 3)] = -sums[2]
+    h[triangle_index(2, 4)] = sums[1]
+    h[triangle_index(3, 3)] = sums[0]
+    h[triangle_index(4, 4)] = sums[0]
+    h[triangle_index(5, 5)] = sums[0]
     g = vec6d(
         sums[14] - sums[12], sums[9] - sums[13], sums[10] - sums[8],
         sums[1] - sums[4], sums[2] - sums[5], sums[3] - sums[6],
@@ -179,11 +188,11 @@ def variance_of(sums: row_sums, method: int, rows: int, size: float64) -> float6
     total = sums[RESIDUAL_AT]
     if method == PAIRS:
         total = sums[16] + sums[17] - 2.0 * (sums[7] + sums[11] + sums[15])
-    least = float64(MIN_NOISE) * size
-    return max(total / (float64(rows) * sums[COUNT_AT]), least * least)
+    min_noise = float64(MIN_NOISE) * size
+    return max(total / (float64(rows) * sums[COUNT_AT]), min_noise * min_noise)
 
 
-HELD = 1.0e-12  # of the trace of the prior's information: less counts as none
+MIN_PRIOR_SHARE = 1.0e-12  # of the trace of the prior's information: less counts as none
 SMALLEST_FACTOR = 0.5  # of the scale per step
 FIXED = 0  # motion kinds: fixed, determined by pairs, by the prior only, undetermined
 PAIRED = 1
@@ -197,9 +206,9 @@ def scale_system(sums: row_sums, arm: vec3d, center: vec3d, size: float64) -> sc
     """Row of a scale about the pivot's image `arm`. It and `center` are relative to the origin of the sums."""
     a = vec3d(sums[1], sums[2], sums[3])
     b = vec3d(sums[4], sums[5], sums[6])
-    turn = cross(arm, a)
+    rotation = cross(arm, a)
     shift = a - arm * sums[0]
-    h = vector_about(vec6d(turn[0], turn[1], turn[2], shift[0], shift[1], shift[2]), center, size)
+    h = vector_about(vec6d(rotation[0], rotation[1], rotation[2], shift[0], shift[1], shift[2]), center, size)
     own = sums[16] - 2.0 * dot(arm, a) + sums[0] * dot(arm, arm)
     right = sums[16] - (sums[7] + sums[11] + sums[15]) - dot(arm, a - b)
     return scale_row(h[0], h[1], h[2], h[3], h[4], h[5], own, right)
@@ -221,14 +230,16 @@ def prior_columns(q: square, moved: vec3d, arm: vec3d, size: float64) -> square:
 
 
 @func
-def undetermined(geometry: square, reduced: square, least: float64, free: array(dtype=int32)) -> tuple[square, vec6d]:
+def undetermined(
+    geometry: square, reduced: square, min_eigenvalue: float64, free: array(dtype=int32)
+) -> tuple[square, vec6d]:
     """Eigenvectors of a reduced system (columns) and kinds PAIRED, LOOSE, FIXED. Relative to the largest of all six."""
     n = int(UNKNOWNS)
-    whole = diagonalize(geometry, UNKNOWNS)
+    system = diagonalize(geometry, UNKNOWNS)
     own = diagonalize(reduced, UNKNOWNS)
     largest = float64(0.0)
     for k in range(n):
-        largest = max(largest, whole[36 + k])
+        largest = max(largest, system[36 + k])
     basis = square(0.0)
     kinds = vec6d(0.0)
     for i in range(n * n):
@@ -236,13 +247,13 @@ def undetermined(geometry: square, reduced: square, least: float64, free: array(
     for k in range(n):
         if free[k] != 0:  # a fixed one has an empty row, so eigenvector k is its axis
             kinds[k] = float64(PAIRED)
-            if not (own[36 + k] > least * largest):
+            if not (own[36 + k] > min_eigenvalue * largest):
                 kinds[k] = float64(LOOSE)
     return basis, kinds
 
 
 @func
-def turn_to_prior(basis: square, kinds: vec6d, information: square) -> tuple[square, vec6d]:
+def align_with_prior(basis: square, kinds: vec6d, information: square) -> tuple[square, vec6d]:
     """Align the loose directions with the prior's information; those it determines become BY_PRIOR."""
     n = int(UNKNOWNS)
     loose = square(0.0)
@@ -253,18 +264,18 @@ def turn_to_prior(basis: square, kinds: vec6d, information: square) -> tuple[squ
             for i in range(n):
                 loose[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
     system = diagonalize(between(loose, information, loose), UNKNOWNS)
-    turned = basis
-    found = kinds
+    aligned = basis
+    aligned_kinds = kinds
     for k in range(n):
         if kinds[k] == float64(LOOSE):
-            if system[36 + k] > float64(HELD) * trace:
-                found[k] = float64(BY_PRIOR)
+            if system[36 + k] > float64(MIN_PRIOR_SHARE) * trace:
+                aligned_kinds[k] = float64(BY_PRIOR)
             for i in range(n):
                 total = float64(0.0)
                 for j in range(n):
                     total += loose[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
-                turned[i * UNKNOWNS + k] = total
-    return turned, found
+                aligned[i * UNKNOWNS + k] = total
+    return aligned, aligned_kinds
 
 
 @func
@@ -273,12 +284,12 @@ def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: F
     n = int(UNKNOWNS)
     directions = free_directions(0.0)
     count = 0
-    turns = int(2)
-    for turn in range(turns):
+    steps = int(2)
+    for step in range(steps):
         wanted = float64(BY_PRIOR)
-        if turn == 1:
+        if step == 1:
             wanted = float64(LOOSE)
-            freedom.held_counts[job] = count
+            freedom.prior_counts[job] = count
         for k in range(n):
             if kinds[k] == wanted:
                 v = vec6d(0.0)
@@ -296,17 +307,17 @@ def note_directions(q: square, basis: square, kinds: vec6d, job: int, freedom: F
 def solve_partly(h: square, g: vec6d, information: square, pull: vec6d, basis: square, kinds: vec6d) -> vec6d:
     """Step from the pairs where determined, from the prior where available, else none."""
     n = int(UNKNOWNS)
-    kept = square(0.0)
+    determined = square(0.0)
     paired = square(0.0)
     for k in range(n):
         for i in range(n):
             if kinds[k] == float64(PAIRED) or kinds[k] == float64(BY_PRIOR):
-                kept[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
+                determined[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
             if kinds[k] == float64(PAIRED):
                 paired[i * UNKNOWNS + k] = basis[i * UNKNOWNS + k]
-    system = between(paired, h, paired) + between(kept, information, kept)
-    right = -(along_columns(paired, g) + along_columns(kept, pull))
-    return times(kept, solve_scaled(system, right))
+    system = between(paired, h, paired) + between(determined, information, determined)
+    right = -(along_columns(paired, g) + along_columns(determined, pull))
+    return times(determined, solve_scaled(system, right))
 
 
 @func
@@ -317,7 +328,7 @@ def reduced_step(
     q: square,
     information: square,
     pull: vec6d,
-    least: float64,
+    min_eigenvalue: float64,
     job: int,
     freedom: Freedom,
     progress: Progress,
@@ -339,9 +350,9 @@ def reduced_step(
         if freedom.free[k] != 0:
             kinds[k] = float64(PAIRED)
     # the smallest eigenvalue is at least 1 / trace(A^-1), the largest at most trace(A): most jobs need no more
-    if not (trace_of_inverse(padded) * trace * least < 1.0):
-        found, loose = undetermined(geometry, own, least, freedom.free)
-        basis, kinds = turn_to_prior(found, loose, information)
+    if not (trace_of_inverse(padded) * trace * min_eigenvalue < 1.0):
+        eigenvectors, loose = undetermined(geometry, own, min_eigenvalue, freedom.free)
+        basis, kinds = align_with_prior(eigenvectors, loose, information)
     note_directions(q, basis, kinds, job, freedom, progress)
     return solve_partly(h, g, information, pull, basis, kinds)
 
@@ -360,12 +371,14 @@ def prior_system(
 ) -> tuple[square, vec6d]:
     """Gauss-Newton system of the prior along a basis of free motions, times the residual variance."""
     frame = freedom.frames[0]
-    moved = logarithm(multiply33(turn_of_state(state, frame, freedom.turns), freedom.turned[i]))
+    moved = logarithm(
+        multiply33(target_rotation_of_state(state, frame, freedom.free_rotation), freedom.prior_rotations[i])
+    )
     away = freedom.shifted[i] + shift_of_state(state, frame)
     columns = prior_columns(q, moved, arm, size)
-    held = freedom.information[i] * variance
+    scaled_information = freedom.information[i] * variance
     xi = vec6d(moved[0], moved[1], moved[2], away[0], away[1], away[2])
-    return between(columns, held, columns), along_columns(columns, times(held, xi))
+    return between(columns, scaled_information, columns), along_columns(columns, times(scaled_information, xi))
 
 
 @func
@@ -393,20 +406,20 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
     image = freedom.pivots[i] + shift_of_state(state, frame)
     h, g = row_system(sums)
     geometry, _ = row_system(progress.plain_totals[i])
-    place = vec3d(0.0)  # origin of the sums
+    origin = vec3d(0.0)  # origin of the sums
     if rules.method == PAIRS:
-        place = progress.pivots[i]
+        origin = progress.pivots[i]
         h, g = pair_system(sums)
         geometry, _ = pair_system(sums)
     middle = mean_source(sums)
-    center = middle - place
-    q, r = free_basis(turning_axes(state, frame, freedom.turns), frame, middle - image, size, freedom.free)
+    center = middle - origin
+    q, r = free_basis(rotation_axes(state, frame, freedom.free_rotation), frame, middle - image, size, freedom.free)
     system = between(q, about(h, center, size), q)
     right = along_columns(q, vector_about(g, center, size))
     scale = scale_row(0.0)
     shares = vec6d(0.0)
     if rules.scaling == 1:
-        scale = scale_system(sums, image - place, center, size)
+        scale = scale_system(sums, image - origin, center, size)
         shares = along_columns(q, vec6d(scale[0], scale[1], scale[2], scale[3], scale[4], scale[5]))
         system, right = without_scale(system, right, shares, scale)
     information = square(0.0)
@@ -414,8 +427,8 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
     if freedom.informed == 1:
         variance = variance_for_prior(sums, rules.method, size, freedom)
         information, pull = prior_system(i, state, q, middle - image, size, variance, freedom)
-    whole = about(geometry, center, size)
-    y = reduced_step(system, right, whole, q, information, pull, rules.least_eigenvalue, i, freedom, progress)
+    centered_geometry = about(geometry, center, size)
+    y = reduced_step(system, right, centered_geometry, q, information, pull, rules.min_eigenvalue, i, freedom, progress)
     x = parameters_of(r, y)
     grown = float64(0.0)
     if scale[6] > 0.0:
@@ -424,9 +437,9 @@ def solve_constrained(i: int, rules: StepRules, progress: Progress, freedom: Fre
 
 
 @func
-def state_after(state: motion_state, x: scale_row, turns: int) -> motion_state:
+def state_after(state: motion_state, x: scale_row, free_rotation: int) -> motion_state:
     after = state
-    if turns == 1:
+    if free_rotation == 1:
         # quaternion of the small rotation (third order) times that of the rotation
         a = vec3d(x[0], x[1], x[2]) * 0.5
         b = vec3d(state[0], state[1], state[2])
@@ -464,8 +477,8 @@ def motion_between(before: mat44d, after: mat44d) -> mat44d:
 def move_constrained(i: int, x: scale_row, matches: Matches, progress: Progress, freedom: Freedom) -> int:
     """Update a job's pose and search margin. Returns whether the motion is finite."""
     outcome = int(RUNNING)
-    state = state_after(freedom.states[i], x, freedom.turns)
-    pose = pose_of_state(freedom.firsts[i], freedom.pivots[i], freedom.frames[0], state, freedom.turns)
+    state = state_after(freedom.states[i], x, freedom.free_rotation)
+    pose = pose_of_state(freedom.firsts[i], freedom.pivots[i], freedom.frames[0], state, freedom.free_rotation)
     length = length_of(motion_between(matches.poses[i], pose), mean_source(progress.totals[i]), progress.sizes[i])
     if length - length == 0.0:
         freedom.states[i] = state

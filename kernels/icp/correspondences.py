@@ -9,7 +9,7 @@ points (CPU) or a warp's 32 (CUDA) share a traversal.
 from ..algebra.plain_min_max import larger, smaller
 from ..algebra.rigid_solve import move
 from ..algebra.transform import narrow, widen
-from ..arrays.lanes import high_of_eight, low_of_eight, most_of_eight
+from ..arrays.lanes import high_of_eight, low_of_eight, max_of_eight
 from ..lang import (
     INFINITY,
     array,
@@ -38,7 +38,7 @@ from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
 from ..search.point_tree import BUCKET, FAN, LEAF, measure_box, measure_boxes, square_distance
 from ..search.tree_walk import bits_of, lowest_bit
-from .jobs import source_place
+from .jobs import source_position
 from .matches import Matches
 
 lane_flags = vector(8, int32)
@@ -53,7 +53,7 @@ def measure_lanes(
     first: int, points: array(dtype=vec3), xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, best: lane_results
 ) -> lane_results:
     """Update the lanes with a leaf's points; padding is at infinity."""
-    found = best
+    updated = best
     for i in range(first, first + LEAF):
         p = points[i]
         for j in range(LEAF):
@@ -61,15 +61,15 @@ def measure_lanes(
             y = p[1] - ys[j]
             z = p[2] - zs[j]
             bits = min(float_bits(x * x + y * y + z * z), LARGEST_BITS)
-            held = found[j]
-            place = found[LEAF + j]
-            closer = 1 if bits < held else 0
-            passed = held if place >= 0 else LARGEST_BITS  # the initial bound is not a second nearest
+            nearest = updated[j]
+            position = updated[LEAF + j]
+            closer = 1 if bits < nearest else 0
+            passed = nearest if position >= 0 else LARGEST_BITS  # the initial bound is not a second nearest
             behind = passed if closer == 1 else bits
-            found[j] = bits if closer == 1 else held
-            found[LEAF + j] = i if closer == 1 else place
-            found[2 * LEAF + j] = min(found[2 * LEAF + j], behind)
-    return found
+            updated[j] = bits if closer == 1 else nearest
+            updated[LEAF + j] = i if closer == 1 else position
+            updated[2 * LEAF + j] = min(updated[2 * LEAF + j], behind)
+    return updated
 
 
 @func
@@ -78,8 +78,8 @@ def lane_limits(best: lane_results, wanted: lane_flags, margin: float) -> lane_n
     limits = lane_numbers(-1.0)
     for j in range(LEAF):
         nearest = bits_float(best[j])
-        reach = sqrt(nearest) + margin
-        limit = smaller(larger(reach * reach, nearest), bits_float(best[2 * LEAF + j]))  # a root rounds down too
+        radius = sqrt(nearest) + margin
+        limit = smaller(larger(radius * radius, nearest), bits_float(best[2 * LEAF + j]))  # a root rounds down too
         limits[j] = limit if wanted[j] == 1 else -1.0
     return limits
 
@@ -103,10 +103,10 @@ def lanes_within(
 ) -> int:
     """Count of lanes nearer to a child's box than their limits."""
     distances = lane_distances(node, child, boxes, xs, ys, zs)
-    found = 0
+    count = 0
     for j in range(LEAF):
-        found += 1 if distances[j] < limits[j] else 0
-    return found
+        count += 1 if distances[j] < limits[j] else 0
+    return count
 
 
 @func
@@ -135,8 +135,8 @@ def remaining_bound(p: vec3, q: vec3, d: motion, lower: float) -> float:
     y = d[3] * p[0] + d[4] * p[1] + d[5] * p[2] + d[10]
     z = d[6] * p[0] + d[7] * p[1] + d[8] * p[2] + d[11]
     size = larger(larger(abs(q[0]), abs(q[1])), abs(q[2]))
-    reach = larger(larger(abs(p[0]), abs(p[1])), abs(p[2]))
-    return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + reach)
+    extent = larger(larger(abs(p[0]), abs(p[1])), abs(p[2]))
+    return lower - sqrt(x * x + y * y + z * z) * (1.0 + SLACK) - SLACK * (size + extent)
 
 
 @loop
@@ -165,7 +165,7 @@ def search_lanes(
     zs: lane_numbers,
     wanted: lane_flags,
     margin: float,
-    held: lane_results,
+    initial: lane_results,
     forest: PointForest,
 ) -> lane_results:
     """Results of lanes in the box (a, b) after one traversal of their target's tree, from position `known` if >= 0."""
@@ -176,7 +176,7 @@ def search_lanes(
     seed = known // LEAF
     if known < 0:
         seed = closest_leaf(first + bucket, a, b, forest.boxes)  # its points bound the search from the start
-    best = measure_lanes(seed * LEAF, forest.clouds.points, xs, ys, zs, held)
+    best = measure_lanes(seed * LEAF, forest.clouds.points, xs, ys, zs, initial)
     limits = lane_limits(best, wanted, margin)
     bound_all = largest_limit(limits)
     for record, leaf in leaves_nearer(bucket, a, b, bound_all, target, forest):
@@ -195,7 +195,7 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
     job = matches.jobs.group_jobs[i]
     if matches.live[job] != 0:
         head = i * LEAF
-        start = source_place(head, matches.jobs)
+        start = source_position(head, matches.jobs)
         pose = matches.poses[job]
         change = difference_of(pose, matches.earlier[job])
         xs = lane_numbers(0.0)
@@ -203,7 +203,7 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
         zs = lane_numbers(0.0)
         wanted = lane_flags(0)
         best = lane_results(LARGEST_BITS)
-        none = float_bits(matches.reach) + 1
+        none = float_bits(matches.max_sqdist) + 1
         count = 0
         known = -1
         a = vec3(INFINITY, INFINITY, INFINITY)
@@ -215,16 +215,16 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                 q = narrow(move(pose, widen(p)))
                 lower = remaining_bound(p, q, change, matches.lowers[head + j])
                 matches.lowers[head + j] = lower
-                place = matches.nearest[head + j]
+                position = matches.nearest[head + j]
                 bound = none
-                distance = sqrt(matches.reach)
-                if place >= 0:
-                    known = place
-                    square = square_distance(q, forest.clouds.points[place])
+                distance = sqrt(matches.max_sqdist)
+                if position >= 0:
+                    known = position
+                    square = square_distance(q, forest.clouds.points[position])
                     distance = sqrt(square)
                     bound = min(none, float_bits(square) + 1)
-                    if square <= matches.reach:
-                        pair = place
+                    if square <= matches.max_sqdist:
+                        pair = position
                 if distance * (1.0 + SLACK) >= lower and isfinite(q):
                     wanted[j] = 1
                     xs[j] = q[0]
@@ -248,30 +248,30 @@ def match_groups_kernel(matches: Matches, forest: PointForest):
                     matches.lowers[head + j] = sqrt(limits[j])
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def match_points_kernel(matches: Matches, forest: PointForest):
     """Nearest target point of one source point whose previous match is not certain."""
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
-        p = matches.jobs.sources.points[source_place(i, matches.jobs)]
+        p = matches.jobs.sources.points[source_position(i, matches.jobs)]
         pair = -1
         q = narrow(move(matches.poses[job], widen(p)))
         if isfinite(p) and isfinite(q):
             lower = remaining_bound(p, q, difference_of(matches.poses[job], matches.earlier[job]), matches.lowers[i])
-            place = matches.nearest[i]
-            distance = sqrt(matches.reach)
-            best = float_bits(matches.reach) + 1
-            if place >= 0:
-                square = square_distance(q, forest.clouds.points[place])
+            position = matches.nearest[i]
+            distance = sqrt(matches.max_sqdist)
+            best = float_bits(matches.max_sqdist) + 1
+            if position >= 0:
+                square = square_distance(q, forest.clouds.points[position])
                 distance = sqrt(square)
                 best = min(best, float_bits(square) + 1)
-                if square <= matches.reach:
-                    pair = place
+                if square <= matches.max_sqdist:
+                    pair = position
             if distance * (1.0 + SLACK) >= lower:
                 target = matches.jobs.job_targets[job]
-                bucket = place // BUCKET - forest.levels[target * HEIGHTS]
-                if place < 0:
+                bucket = position // BUCKET - forest.levels[target * HEIGHTS]
+                if position < 0:
                     bucket = find_bucket_of(q, target, forest)
                 pair = -1
                 second = int(LARGEST_BITS)
@@ -309,48 +309,48 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
     is_live = 1 if i == row and matches.live[job] != 0 else 0
     target = matches.jobs.job_targets[job]
     margin = matches.margins[job]
-    p = matches.jobs.sources.points[source_place(row, matches.jobs)]
+    p = matches.jobs.sources.points[source_position(row, matches.jobs)]
     q = narrow(move(matches.poses[job], widen(p)))
     is_point = 1 if is_live == 1 and isfinite(p) and isfinite(q) else 0
     lower = 0.0
-    place = -1
+    position = -1
     pair = -1
-    best = float_bits(matches.reach) + 1
+    best = float_bits(matches.max_sqdist) + 1
     second = int(LARGEST_BITS)
-    asks = 0
+    is_searching = 0
     bucket = 0
     if is_point == 1:
-        place = matches.nearest[row]
+        position = matches.nearest[row]
         lower = remaining_bound(p, q, difference_of(matches.poses[job], matches.earlier[job]), matches.lowers[row])
-        distance = sqrt(matches.reach)
-        if place >= 0:
-            square = square_distance(q, forest.clouds.points[place])
+        distance = sqrt(matches.max_sqdist)
+        if position >= 0:
+            square = square_distance(q, forest.clouds.points[position])
             distance = sqrt(square)
             best = min(best, float_bits(square) + 1)
-            if square <= matches.reach:
-                pair = place
+            if square <= matches.max_sqdist:
+                pair = position
         if distance * (1.0 + SLACK) >= lower:
-            asks = 1
+            is_searching = 1
             pair = -1
-            bucket = place // BUCKET - forest.levels[target * HEIGHTS]
-            if place < 0:
+            bucket = position // BUCKET - forest.levels[target * HEIGHTS]
+            if position < 0:
                 bucket = find_bucket_of(q, target, forest)
-    asking = ballot(asks)
-    while asking != 0:
-        leader = lowest_bit(asking)
+    searching = ballot(is_searching)
+    while searching != 0:
+        leader = lowest_bit(searching)
         shared = shuffle(target, leader)
         low = vec3(INFINITY, INFINITY, INFINITY)
         high = vec3(-INFINITY, -INFINITY, -INFINITY)
         limit = -1.0
-        is_mine = 1 if asks == 1 and target == shared else 0
-        if is_mine == 1:
+        is_shared = 1 if is_searching == 1 and target == shared else 0
+        if is_shared == 1:
             low = q
             high = q
             limit = limit_beside(best, second, margin)
-        asking = asking ^ ballot(is_mine)
+        searching = searching ^ ballot(is_shared)
         a = low_of_eight(low)
         b = high_of_eight(high)
-        widest = most_of_eight(limit)
+        widest = max_of_eight(limit)
         first_bucket = forest.levels[shared * HEIGHTS]
         step = start_walk(shuffle(bucket, leader))
         while int(step[0]) <= forest.roots[shared]:
@@ -360,7 +360,7 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
                 if ballot(1 if measure_box(forest.boxes, record, child, q, q) < limit else 0) != 0:
                     first = record * BUCKET + child * LEAF
                     leaf = load_eight(forest.clouds.points, first)
-                    if is_mine == 1:
+                    if is_shared == 1:
                         for j in range(LEAF):
                             bits = min(float_bits(sqdist_of(leaf, j, q)), LARGEST_BITS)
                             if bits < best:
@@ -371,9 +371,9 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
                             else:
                                 second = min(second, bits)
                         limit = limit_beside(best, second, margin)
-            widest = most_of_eight(limit)
+            widest = max_of_eight(limit)
             step = next_bucket_of_lanes(step, a, b, widest, shared, forest)
-        if is_mine == 1:
+        if is_shared == 1:
             matches.nearest[row] = pair
             lower = sqrt(limit)
     if is_live == 1:

@@ -10,10 +10,10 @@ from ..algebra.rigid_solve import (
     diagonalize_three,
     factor_system,
     full_matrix,
-    place_of,
     solve_system,
     square,
     triangle,
+    triangle_index,
     vec6d,
 )
 from ..lang import (
@@ -45,7 +45,7 @@ def triangle_of(matrix: square) -> triangle:
     for i in range(6):
         for j in range(6):
             if j >= i:
-                h[place_of(i, j)] = matrix[i * UNKNOWNS + j]
+                h[triangle_index(i, j)] = matrix[i * UNKNOWNS + j]
     return h
 
 
@@ -92,7 +92,7 @@ def determined_step(
     geometry: square,
     center: vec3d,
     size: float64,
-    least: float64,
+    min_eigenvalue: float64,
     job: int,
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
@@ -111,14 +111,14 @@ def determined_step(
     right = vec6d(0.0)
     free = 0
     for k in range(n):
-        if system[36 + k] > least * largest:
+        if system[36 + k] > min_eigenvalue * largest:
             product = vec6d(0.0)
             for i in range(n):
                 right[k] = right[k] - b[i] * system[i * UNKNOWNS + k]
                 for j in range(n):
                     product[i] = product[i] + a[i * UNKNOWNS + j] * system[j * UNKNOWNS + k]
             for other in range(n):
-                if system[36 + other] > least * largest:
+                if system[36 + other] > min_eigenvalue * largest:
                     for i in range(n):
                         at = other * UNKNOWNS + k
                         along[at] = along[at] + product[i] * system[i * UNKNOWNS + other]
@@ -154,12 +154,12 @@ def in_lengths(h: triangle, inverse: float64) -> triangle:
     for i in range(6):
         for j in range(6):
             if j >= i:
-                entry = h[place_of(i, j)]
+                entry = h[triangle_index(i, j)]
                 if i < 3:
                     entry = entry * inverse
                 if j < 3:
                     entry = entry * inverse
-                scaled[place_of(i, j)] = entry
+                scaled[triangle_index(i, j)] = entry
     return scaled
 
 
@@ -183,13 +183,13 @@ def constrained_step(
     geometry: triangle,
     center: vec3d,
     size: float64,
-    least: float64,
+    min_eigenvalue: float64,
     job: int,
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
 ) -> vec6d:
-    """Solve H x = -g without the undetermined directions of the geometry (eigenvalues below `least` of the largest),
-    which are stored. Robust weights are excluded: they depend on the distance of the clouds.
+    """Solve H x = -g without the undetermined directions of the geometry, which are stored. Their eigenvalues are below
+    `min_eigenvalue` of the largest. Robust weights are excluded: they depend on the distance of the clouds.
     """
     x = vec6d(0.0)
     a = about(geometry, center, size)
@@ -197,11 +197,11 @@ def constrained_step(
     for i in range(6):
         trace += a[i * UNKNOWNS + i]
     # smallest eigenvalue >= 1 / trace(A^-1), largest <= trace(A): sufficient for most jobs
-    if trace_of_inverse(a) * trace * least < 1.0:
+    if trace_of_inverse(a) * trace * min_eigenvalue < 1.0:
         x = solve_in_lengths(h, g, size)
         free_counts[job] = 0
     else:
-        x = determined_step(h, g, a, center, size, least, job, free_counts, free_ones)
+        x = determined_step(h, g, a, center, size, min_eigenvalue, job, free_counts, free_ones)
     return x
 
 
@@ -217,11 +217,11 @@ def quotients(x: eighteen, divisor: float64) -> eighteen:
             among = x[i * 3 + j] if column == j else among
         own = among if row == i else own
     quotient = own / divisor
-    found = eighteen(0.0)
+    divided = eighteen(0.0)
     for i in range(6):
         for j in range(3):
-            found[i * 3 + j] = shuffle(quotient, i * 3 + j)
-    return found
+            divided[i * 3 + j] = shuffle(quotient, i * 3 + j)
+    return divided
 
 
 @cuda_func
@@ -278,7 +278,7 @@ def constrained_step_of_lanes(
     geometry: triangle,
     center: vec3d,
     size: float64,
-    least: float64,
+    min_eigenvalue: float64,
     job: int,
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
@@ -307,7 +307,7 @@ def constrained_step_of_lanes(
         of_column = shuffle(entry, k)
         inverse_trace += of_column if of_column > 0.0 else 1.0e300
     solver = int(UNKNOWNS)
-    if inverse_trace * trace * least < 1.0:
+    if inverse_trace * trace * min_eigenvalue < 1.0:
         x = turning_in_lengths(x, inverse)
         if own == 0:
             free_counts[job] = 0
@@ -315,7 +315,7 @@ def constrained_step_of_lanes(
         solver = 0
         if own == 0:
             again = about(geometry, center, size)  # recomputed, so that no array has a variable index
-            x = determined_step(h, g, again, center, size, least, job, free_counts, free_ones)
+            x = determined_step(h, g, again, center, size, min_eigenvalue, job, free_counts, free_ones)
     for i in range(6):
         x[i] = shuffle(x[i], solver)
     return x
@@ -325,7 +325,7 @@ def constrained_step_of_lanes(
 def note_free_rotations(
     sums: row_sums,
     size: float64,
-    least: float64,
+    min_eigenvalue: float64,
     job: int,
     free_counts: array(dtype=int32),
     free_ones: array(dtype=free_directions),
@@ -348,12 +348,12 @@ def note_free_rotations(
     system = diagonalize_three(a)
     free = 0
     for k in range(3):
-        free += 1 if system[9 + k] <= least else 0  # translations have eigenvalue 1
+        free += 1 if system[9 + k] <= min_eigenvalue else 0  # translations have eigenvalue 1
     if free > 0:
         directions = free_directions(0.0)
         at = 0
         for k in range(3):
-            if system[9 + k] <= least:
+            if system[9 + k] <= min_eigenvalue:
                 for i in range(3):
                     directions[at + i] = system[i * 3 + k]
                 at += UNKNOWNS

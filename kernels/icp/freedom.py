@@ -41,20 +41,20 @@ SMALL_ANGLE = 1.0e-4  # [rad] below, the series of the logarithm's derivative is
 @struct
 class Freedom:
     """Constraints of jobs and their motion. `frame`: axes as columns; `free`: roll, pitch, yaw, x, y, z; `noise` of
-    residuals, 0 to estimate it; `firsts`: poses T0; `pivots` [m] under T0; `turned`: R0 R_p^T; `shifted` [m]: pivot
-    offset from prior to T0; `information`: rotation first; `held_counts`: motions determined only by the prior.
+    residuals, 0 to estimate it; `firsts`: poses T0; `pivots` [m] under T0; `prior_rotations`: R0 R_p^T; `shifted` [m]:
+    pivot offset from prior to T0; `information`: rotation first; `prior_counts`: motions determined only by the prior.
     """
 
     firsts: array(dtype=mat44d)
     pivots: array(dtype=vec3d)
     states: array(dtype=motion_state)
-    turned: array(dtype=mat33d)
+    prior_rotations: array(dtype=mat33d)
     shifted: array(dtype=vec3d)
     information: array(dtype=square)
-    held_counts: array(dtype=int32)
+    prior_counts: array(dtype=int32)
     free: array(dtype=int32)
     frames: array(dtype=mat33d)
-    turns: int
+    free_rotation: int
     informed: int
     noise: float64
     residual_count: int
@@ -71,9 +71,9 @@ class Freedom:
         device: Any,
     ) -> None:
         shared = {"free": (free.astype(np.int32), int32), "frames": (frame[None], mat33d)}
-        self.kept = SideBySide(values | shared, device)
-        vars(self).update(self.kept.arrays)
-        self.turns, self.informed, self.noise = int(free[:3].all()), int(informed), noise
+        self.storage = SideBySide(values | shared, device)
+        vars(self).update(self.storage.arrays)
+        self.free_rotation, self.informed, self.noise = int(free[:3].all()), int(informed), noise
         self.residual_count = residual_count
 
 
@@ -83,9 +83,9 @@ def columns_of(axes: mat33d, column: int) -> vec3d:
 
 
 @func
-def rotation_of_state(state: motion_state, turns: int) -> mat44d:
+def rotation_of_state(state: motion_state, free_rotation: int) -> mat44d:
     pose = rotation_about(0.0, 0.0, 0.0, 1.0)
-    if turns == 1:
+    if free_rotation == 1:
         pose = rotation_about(state[0], state[1], state[2], state[3])
     else:
         pose = euler_motion(vec6d(state[0], state[1], state[2], 0.0, 0.0, 0.0))
@@ -93,21 +93,21 @@ def rotation_of_state(state: motion_state, turns: int) -> mat44d:
 
 
 @func
-def turn_of_state(state: motion_state, frame: mat33d, turns: int) -> mat33d:
+def target_rotation_of_state(state: motion_state, frame: mat33d, free_rotation: int) -> mat33d:
     """Rotation of a state in target coordinates, F R F^T. Exact identity without rotation."""
     one = float64(1.0)
     zero = float64(0.0)
-    turned = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)
-    if turns == 1 or state[0] != 0.0 or state[1] != 0.0 or state[2] != 0.0:
-        pose = rotation_of_state(state, turns)
+    rotation = mat33d(one, zero, zero, zero, one, zero, zero, zero, one)
+    if free_rotation == 1 or state[0] != 0.0 or state[1] != 0.0 or state[2] != 0.0:
+        pose = rotation_of_state(state, free_rotation)
         inner = mat33d(0.0)
         back = mat33d(0.0)
         for i in range(3):
             for j in range(3):
                 inner[i, j] = pose[i, j]
                 back[i, j] = frame[j, i]
-        turned = multiply33(multiply33(frame, inner), back)
-    return turned
+        rotation = multiply33(multiply33(frame, inner), back)
+    return rotation
 
 
 @func
@@ -117,9 +117,9 @@ def shift_of_state(state: motion_state, frame: mat33d) -> vec3d:
 
 
 @func
-def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_state, turns: int) -> mat44d:
+def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_state, free_rotation: int) -> mat44d:
     """Pose of the parameters. Bitwise the first pose if all are 0."""
-    turned = turn_of_state(state, frame, turns) * state[SCALE_AT]
+    scaled_rotation = target_rotation_of_state(state, frame, free_rotation) * state[SCALE_AT]
     shift = shift_of_state(state, frame)
     start = vec3d(first[0, 3], first[1, 3], first[2, 3])
     arm = start - pivot
@@ -127,13 +127,13 @@ def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_stat
     for i in range(3):
         for j in range(3):
             rotation[i, j] = first[i, j]
-    whole = multiply33(turned, rotation)
+    product = multiply33(scaled_rotation, rotation)
     pose = first * 1.0
     for i in range(3):
         moved = float64(0.0)
         for j in range(3):
-            pose[i, j] = whole[i, j]
-            entry = turned[i, j]
+            pose[i, j] = product[i, j]
+            entry = scaled_rotation[i, j]
             if i == j:
                 entry = entry - 1.0
             moved += entry * arm[j]
@@ -142,10 +142,10 @@ def pose_of_state(first: mat44d, pivot: vec3d, frame: mat33d, state: motion_stat
 
 
 @func
-def turning_axes(state: motion_state, frame: mat33d, turns: int) -> mat33d:
+def rotation_axes(state: motion_state, frame: mat33d, free_rotation: int) -> mat33d:
     """Axes of small changes of roll, pitch and yaw, as columns: F (Rz Ry e_x, Rz e_y, e_z)."""
     axes = frame * 1.0
-    if turns == 0:
+    if free_rotation == 0:
         one = float64(1.0)
         zero = float64(0.0)
         cy = cos(state[1])
@@ -193,5 +193,5 @@ def change_of_logarithm(v: vec3d, w: vec3d) -> vec3d:
     if angle > float64(SMALL_ANGLE):
         half = 0.5 * angle
         share = (1.0 - half * cos(half) / sin(half)) / (angle * angle)
-    turned = cross(v, w)
-    return w - 0.5 * turned + share * cross(v, turned)
+    change = cross(v, w)
+    return w - 0.5 * change + share * cross(v, change)

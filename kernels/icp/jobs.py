@@ -80,6 +80,6 @@ def sum_moments(points: array(dtype=vec3)) -> first_moments:
 
 
 @func
-def source_place(i: int, jobs: Jobs) -> int:
+def source_position(i: int, jobs: Jobs) -> int:
     job = jobs.group_jobs[i // LEAF]
     return jobs.sources.first_places[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF

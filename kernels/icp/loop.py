@@ -25,8 +25,8 @@ if TYPE_CHECKING:
 
 class RegistrationLoop:
     """Launches of an iteration over all jobs. `poses`: T_target_source about the clouds' origins. Pairs closer than
-    `max_distance` [m] count; `judged_apart`: degeneracy by other rows than the solve; `alone`: each point searches
-    alone.
+    `max_distance` [m] count; `separate_geometry`: degeneracy by other rows than the solve; `per_point`: each
+    point searches on its own.
     """
 
     def __init__(
@@ -35,11 +35,11 @@ class RegistrationLoop:
         poses: np.ndarray,
         max_distance: float,
         gaussians: VoxelGaussians | None = None,
-        judged_apart: bool = False,
-        alone: bool | None = None,
+        separate_geometry: bool = False,
+        per_point: bool | None = None,
     ) -> None:
         device = jobs.device
-        self.alone = device.is_cuda if alone is None else alone
+        self.per_point = device.is_cuda if per_point is None else per_point
         self.jobs, self.gaussians = jobs, gaussians
         if gaussians is None:
             assert jobs.targets is not None
@@ -48,7 +48,7 @@ class RegistrationLoop:
             targets, self.target_covariances = gaussians.unpack()
         self.states = job_states(jobs, poses)
         self.matches = Matches(jobs, self.states, max_distance, targets)
-        self.progress = Progress(jobs, self.states, poses, judged_apart=judged_apart)
+        self.progress = Progress(jobs, self.states, poses, separate_geometry=separate_geometry)
         self.velocities = zeros(jobs.count, vec6d, device)
         self.partials = empty(jobs.blocks.count, row_sums, device)
 
@@ -56,7 +56,7 @@ class RegistrationLoop:
         jobs, matches = self.jobs, self.matches
         if self.gaussians is not None:
             launch(match_voxels_kernel, matches.pairs.size, [matches, self.gaussians])
-        elif self.alone:
+        elif self.per_point:
             threads = matches.pairs.size
             if matches.pairs.device.is_cuda:
                 threads = -(-threads // WARP) * WARP  # whole warps

@@ -9,24 +9,24 @@ from ..lang import array, float32, float64, func, int32, mat44d, struct, vec3, v
 from ..memory import full
 from ..search.point_tree import LEAF
 from ..search.tree_search import reach_of
-from .jobs import Jobs, source_place
+from .jobs import Jobs, source_position
 
 if TYPE_CHECKING:
     from ..arrays.side_by_side import SideBySide
 
 NO_PAIR = -1
-LARGEST_REACH = 3.0e38  # [m^2] below infinity, whose bits have no successor
+LARGEST_SQDIST = 3.0e38  # [m^2] below infinity, whose bits have no successor
 
 
 @struct
 class Matches:
-    """Poses of jobs and pairs of source points. `reach` [m^2]; previous poses `earlier`. Search `margins` [m];
+    """Poses of jobs and pairs of source points. `max_sqdist` [m^2]; previous poses `earlier`. Search `margins` [m];
     `nearest` position or -1; `lowers` [m]: bound of the distance to all others; `pairs` or NO_PAIR.
     """
 
     jobs: Jobs
     targets: array(dtype=vec3)
-    reach: float
+    max_sqdist: float
     live: array(dtype=int32)
     poses: array(dtype=mat44d)
     earlier: array(dtype=mat44d)
@@ -39,7 +39,7 @@ class Matches:
 
     def __init__(self, jobs: Jobs, states: "SideBySide", max_distance: float, targets: Points) -> None:
         device, elements = jobs.device, jobs.group_count * LEAF
-        self.jobs, self.targets, self.reach = jobs, targets, min(reach_of(max_distance), LARGEST_REACH)
+        self.jobs, self.targets, self.max_sqdist = jobs, targets, min(reach_of(max_distance), LARGEST_SQDIST)
         for name in ("poses", "earlier", "live", "margins"):
             setattr(self, name, states.arrays[name])
         self.nearest, self.pairs = (full(elements, NO_PAIR, int32, device) for _ in range(2))
@@ -69,7 +69,7 @@ class PointColumns:
 @func
 def moved_source(i: int, matches: Matches) -> vec3d:
     job = matches.jobs.group_jobs[i // LEAF]
-    return move(matches.poses[job], widen(matches.jobs.sources.points[source_place(i, matches.jobs)]))
+    return move(matches.poses[job], widen(matches.jobs.sources.points[source_position(i, matches.jobs)]))
 
 
 @func
@@ -81,7 +81,7 @@ def paired_target(i: int, matches: Matches) -> vec3d:
 def weight_of(i: int, matches: Matches) -> float64:
     weight = float64(1.0)
     if matches.weighted != 0:
-        weight = float64(matches.weights[source_place(i, matches.jobs), 0])
+        weight = float64(matches.weights[source_position(i, matches.jobs), 0])
     return weight
 
 

@@ -7,7 +7,7 @@ RMSD", eq. 2): sqrt(S / k) / k^a over the k nearest pairs, to an eighth of an oc
 
 import numpy as np
 
-from ..algebra.rigid_solve import turn
+from ..algebra.rigid_solve import rotate
 from ..algebra.transform import narrow, widen
 from ..array_types import Doubles, Vectors
 from ..lang import (
@@ -28,7 +28,7 @@ from ..lang import (
 from ..memory import empty, upload
 from ..search.point_tree import LEAF, square_distance
 from .correspondences import LARGEST_BITS
-from .jobs import source_place
+from .jobs import source_position
 from .matches import NO_PAIR, Matches, moved_source
 
 BINS = 2048  # per round: 11 bits, three rounds for 31
@@ -40,14 +40,14 @@ MIN_SHARE = 0.1  # minimum fraction of pairs kept: a few coincidental matches ar
 
 @kernel
 def reject_normals_kernel(
-    matches: Matches, source_normals: array(dtype=vec3), target_normals: array(dtype=vec3), least_cosine: float64
+    matches: Matches, source_normals: array(dtype=vec3), target_normals: array(dtype=vec3), min_cosine: float64
 ):
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0 and matches.pairs[i] >= 0:
-        at = source_place(i, matches.jobs)
-        n = turn(matches.poses[job], widen(source_normals[at]))
-        if not (dot(n, widen(target_normals[matches.pairs[i]])) >= least_cosine):
+        at = source_position(i, matches.jobs)
+        n = rotate(matches.poses[job], widen(source_normals[at]))
+        if not (dot(n, widen(target_normals[matches.pairs[i]])) >= min_cosine):
             matches.pairs[i] = NO_PAIR
 
 
@@ -57,11 +57,11 @@ def measure_pairs_kernel(matches: Matches, bits: array(dtype=int32)):
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
-        found = int(LARGEST_BITS)
+        sqdist_bits = int(LARGEST_BITS)
         if matches.pairs[i] >= 0:
             p = narrow(moved_source(i, matches))
-            found = float_bits(square_distance(p, matches.targets[matches.pairs[i]]))
-        bits[i] = found
+            sqdist_bits = float_bits(square_distance(p, matches.targets[matches.pairs[i]]))
+        bits[i] = sqdist_bits
 
 
 @kernel
@@ -115,11 +115,11 @@ def pick_bin_kernel(
 
 
 @kernel
-def pick_least_rmsd_kernel(
+def pick_min_rmsd_kernel(
     live: array(dtype=int32), sizes: array(dtype=float64), counts: array(dtype=int32), thresholds: array(dtype=int32)
 ):
-    """Threshold bits of the least fractional RMSD from the histogram; below zero without any pair. With a = 1.25 (the
-    paper: 1.3 in space) the least S / k^3.5: a root rounds alike everywhere, a power need not.
+    """Threshold bits of the minimum fractional RMSD from the histogram; below zero without any pair. With a = 1.25 (the
+    paper: 1.3 in space) the minimum S / k^3.5: a root rounds alike everywhere, a power need not.
     """
     i = tid()
     if live[i] != 0:
@@ -127,20 +127,20 @@ def pick_least_rmsd_kernel(
         for b in range(BINS):
             total += float64(counts[i * BINS + b])
         rounding = sizes[i] * float64(ROUNDING)
-        kept = float64(0.0)
+        selected = float64(0.0)
         sqdists = float64(0.0)
-        least = float64(0.0)
+        min_score = float64(0.0)
         chosen = -1
         for b in range(BINS):
             count = counts[i * BINS + b]
             if count > 0:
-                kept += float64(count)
+                selected += float64(count)
                 middle = bits_float((b << SQUARE_SHIFT) + (1 << (SQUARE_SHIFT - 1)))
                 sqdists += float64(count) * (float64(middle) + rounding * rounding)
-                score = sqdists / (kept * kept * kept * sqrt(kept))
-                if kept >= float64(MIN_SHARE) * total and (chosen < 0 or score < least):
+                score = sqdists / (selected * selected * selected * sqrt(selected))
+                if selected >= float64(MIN_SHARE) * total and (chosen < 0 or score < min_score):
                     chosen = b
-                    least = score
+                    min_score = score
         thresholds[i] = -1
         if chosen >= 0:
             thresholds[i] = (chosen << SQUARE_SHIFT) | ((1 << SQUARE_SHIFT) - 1)
@@ -185,7 +185,7 @@ class PairRejection:
         if self.sizes is not None:
             launch(clear_counts_kernel, jobs.count, [self.prefixes])  # counts the highest bits of every pair
             self._count(SQUARE_SHIFT)
-            launch(pick_least_rmsd_kernel, jobs.count, [matches.live, self.sizes, self.counts, self.prefixes])
+            launch(pick_min_rmsd_kernel, jobs.count, [matches.live, self.sizes, self.counts, self.prefixes])
         else:
             launch(begin_ranks_kernel, jobs.count, [self.wanted, self.prefixes, self.ranks])
             for shift in (2 * BIN_BITS, BIN_BITS, 0):

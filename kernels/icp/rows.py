@@ -14,7 +14,7 @@ by x_r x p + x_t. Sums: 21 of J^T J, 6 of J^T r, r^2, |d|^2, pairs, p and q.
 import numpy as np
 
 from ..algebra.matrices import multiply33
-from ..algebra.rigid_solve import diagonalize_three, sums_of_pair, triangle, turn, vec6d
+from ..algebra.rigid_solve import diagonalize_three, rotate, sums_of_pair, triangle, vec6d
 from ..algebra.transform import widen
 from ..lang import (
     array,
@@ -34,7 +34,7 @@ from ..lang import (
     vector,
 )
 from ..search.point_tree import LEAF
-from .jobs import source_place
+from .jobs import source_position
 from .matches import Matches, PointColumns, pair_of, paired_target, weight_of
 from .robust_weights import GEOMETRY, L2, Loss, robust_weight
 
@@ -49,7 +49,7 @@ def read_covariance(covariances: array(dtype=float32, ndim=2), i: int) -> mat33d
 
 
 @func
-def turn_covariance(pose: mat44d, C: mat33d) -> mat33d:
+def rotate_covariance(pose: mat44d, C: mat33d) -> mat33d:
     R = mat33d(0.0)
     for row in range(3):
         for column in range(3):
@@ -214,7 +214,7 @@ class DopplerRule:
         self.reject_from, self.threshold = reject_from, threshold
 
 
-@segment_reduction(most_registers=128)  # for two blocks per SM
+@segment_reduction(max_registers=128)  # for two blocks per SM
 def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> row_sums:
     """Point to point: sums of pairs about each job's pivot, weighted by distance."""
     i = tid()
@@ -234,7 +234,7 @@ def sum_point_rows(matches: Matches, loss: Loss, pivots: array(dtype=vec3d)) -> 
     return count_pair(sum_pair(a, b, w), p, q, paired)
 
 
-@segment_reduction(most_registers=128)  # for two blocks per SM
+@segment_reduction(max_registers=128)  # for two blocks per SM
 def sum_plane_rows(matches: Matches, loss: Loss, target: PointColumns) -> row_sums:
     """Point to plane: r = d . n, J = (p x n, n)."""
     i = tid()
@@ -249,7 +249,7 @@ def sum_plane_rows(matches: Matches, loss: Loss, target: PointColumns) -> row_su
     return count_pair(sum_row(cross(p, n), n, r, w), p, q, paired)
 
 
-@segment_reduction(most_registers=128)  # for two blocks per SM
+@segment_reduction(max_registers=128)  # for two blocks per SM
 def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, target: PointColumns) -> row_sums:
     """Symmetric: r = d . m, J = ((p + q) x m, m), with m the sum of both normals on one side."""
     i = tid()
@@ -259,8 +259,8 @@ def sum_symmetric_rows(matches: Matches, loss: Loss, source: PointColumns, targe
     w = float64(0.0)
     if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
-        at = source_place(i, matches.jobs)
-        n = turn(matches.poses[job], widen(source.normals[at]))
+        at = source_position(i, matches.jobs)
+        n = rotate(matches.poses[job], widen(source.normals[at]))
         m = widen(target.normals[matches.pairs[i]])
         if dot(n, m) < 0.0:
             m = m - n
@@ -279,9 +279,9 @@ def sum_generalized_rows(matches: Matches, loss: Loss, source: PointColumns, tar
     total = row_sums(0.0)
     if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
-        at = source_place(i, matches.jobs)
+        at = source_position(i, matches.jobs)
         pose = matches.poses[job]
-        M = read_covariance(target.covariances, matches.pairs[i]) + turn_covariance(
+        M = read_covariance(target.covariances, matches.pairs[i]) + rotate_covariance(
             pose, read_covariance(source.covariances, at)
         )
         W = mat33d(0.0)
@@ -324,7 +324,7 @@ def sum_colored_rows(
     geometric = sqrt(geometric_share)
     photometric = sqrt(1.0 - geometric_share)
     if paired > 0.0:
-        at = source_place(i, matches.jobs)
+        at = source_position(i, matches.jobs)
         n = widen(target.normals[matches.pairs[i]])
         g = widen(target.gradients[matches.pairs[i]])
         height = dot(p - q, n)
@@ -362,7 +362,7 @@ def sum_doppler_rows(
     doppler_share = sqrt(rule.share)
     if paired > 0.0:
         job = matches.jobs.group_jobs[i // LEAF]
-        at = source_place(i, matches.jobs)
+        at = source_position(i, matches.jobs)
         direction = widen(source.directions[at])
         motion = velocities[job]
         turning = vec3d(motion[0], motion[1], motion[2])

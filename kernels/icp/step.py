@@ -17,10 +17,10 @@ from ..algebra.rigid_solve import (
     full_matrix,
     move,
     pair_sums,
-    place_of,
+    pose_from_cosines_and_sines,
     rotation_about,
     square,
-    turned_and_shifted,
+    triangle_index,
     vec6d,
 )
 from ..lang import (
@@ -87,7 +87,7 @@ def center_symmetric(sums: row_sums) -> row_sums:
     for i in range(6):
         for j in range(6):
             if j >= i:
-                centered[place_of(i, j)] = out[i * UNKNOWNS + j]
+                centered[triangle_index(i, j)] = out[i * UNKNOWNS + j]
     v = vec3d(g[3], g[4], g[5])
     w = cross(s, v)
     for i in range(3):
@@ -97,17 +97,17 @@ def center_symmetric(sums: row_sums) -> row_sums:
 
 
 @func
-def hold_free(x: vec6d, count: int, free: free_directions, gap: vec3d, size: float64) -> vec6d:
+def remove_free_motion(x: vec6d, count: int, free: free_directions, gap: vec3d, size: float64) -> vec6d:
     """Symmetric step without the alignment of the means along free directions."""
-    held = x
+    step = x
     for k in range(6):
         if k < count:
             at = k * UNKNOWNS
             along = free[at + 3] * gap[0] + free[at + 4] * gap[1] + free[at + 5] * gap[2]
             for i in range(3):
-                held[i] = held[i] - along * free[at + i] / size
-                held[3 + i] = held[3 + i] - along * free[at + 3 + i]
-    return held
+                step[i] = step[i] - along * free[at + i] / size
+                step[3 + i] = step[3 + i] - along * free[at + 3 + i]
+    return step
 
 
 @func
@@ -115,7 +115,7 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     """Motion of a symmetric step: half rotates the source, half inversely the target (eq. 11)."""
     size = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
     # rotation by 2 theta about g: quaternion (g / |g| sin theta, cos theta), parallel to (g, 1) as tan theta = |g|
-    whole = rotation_about(x[0], x[1], x[2], 1.0)
+    result = rotation_about(x[0], x[1], x[2], 1.0)
     # rotation by theta: the quaternion of half the angle, parallel to (g / |g| (1 - cos theta) / sin theta, 1)
     share = float64(0.5)
     if size > 1.0e-9:
@@ -124,10 +124,10 @@ def symmetric_motion(x: vec6d, p: vec3d, q: vec3d) -> mat44d:
     half = rotation_about(share * x[0], share * x[1], share * x[2], 1.0)
     cosine = 1.0 / sqrt(1.0 + size * size)
     shift = move(half, vec3d(x[3] * cosine, x[4] * cosine, x[5] * cosine))
-    turned = move(whole, p)
+    rotated = move(result, p)
     for i in range(3):
-        whole[i, 3] = q[i] + shift[i] - turned[i]
-    return whole
+        result[i, 3] = q[i] + shift[i] - rotated[i]
+    return result
 
 
 GAUSS_NEWTON = 0  # step methods
@@ -141,30 +141,31 @@ SMALLEST_SIZE = 1.0e-12  # for a single-point source: of its distance from the o
 
 @struct
 class StepRules:
-    """Convergence limits `least_fitness`, `least_rmse` [m] plus `least_share` of the source's spread; motions with less
-    than `least_eigenvalue` of the largest are free.
+    """Convergence limits `fitness_tolerance`, `rmse_tolerance` [m] plus `size_tolerance` of the source's spread;
+    motions with less than `min_eigenvalue` of the largest are free.
     """
 
     method: int
     scaling: int
-    most_iterations: int
-    least_fitness: float64
-    least_rmse: float64
-    least_share: float64
-    least_eigenvalue: float64
+    max_iterations: int
+    fitness_tolerance: float64
+    rmse_tolerance: float64
+    size_tolerance: float64
+    min_eigenvalue: float64
 
     def __init__(
-        self, method: int, with_scaling: bool, criteria: tuple[int, float, float, float], least_eigenvalue: float
+        self, method: int, with_scaling: bool, criteria: tuple[int, float, float, float], min_eigenvalue: float
     ) -> None:
-        """`criteria` is (most iterations, least fitness, least rmse, least share)."""
-        self.method, self.scaling, self.least_eigenvalue = method, int(with_scaling), least_eigenvalue
-        self.most_iterations, self.least_fitness, self.least_rmse, self.least_share = criteria
+        """`criteria` is (max iterations, fitness, rmse and size tolerance)."""
+        self.method, self.scaling, self.min_eigenvalue = method, int(with_scaling), min_eigenvalue
+        self.max_iterations, self.fitness_tolerance, self.rmse_tolerance, self.size_tolerance = criteria
 
 
 @struct
 class Progress:
-    """Sums over the pairs of each job and its status. `judged_apart`: degeneracy uses `plain_totals`, without robust
-    kernels; `pivots` [m]: centers of the sources under the first pose, origins of pair sums; `sizes` [m].
+    """Sums over the pairs of each job and its status. `separate_geometry`: degeneracy uses `plain_totals`,
+    without robust kernels; `pivots` [m]: centers of the sources under the first pose, origins of pair sums;
+    `sizes` [m].
     """
 
     totals: array(dtype=row_sums)
@@ -180,13 +181,13 @@ class Progress:
     free: array(dtype=free_directions)
     running: array(dtype=int32)
 
-    def __init__(self, jobs: Jobs, states: "SideBySide", poses: np.ndarray, *, judged_apart: bool = False) -> None:
+    def __init__(self, jobs: Jobs, states: "SideBySide", poses: np.ndarray, *, separate_geometry: bool = False) -> None:
         device, count = jobs.device, jobs.count
-        kept = ("pivots", "sizes", "source_counts", "iterations", "outcomes", "fitness", "rmse", "free_counts", "free")
-        for name in (*kept, "running"):
+        names = ("pivots", "sizes", "source_counts", "iterations", "outcomes", "fitness", "rmse", "free_counts", "free")
+        for name in (*names, "running"):
             setattr(self, name, states.arrays[name])
         self.totals = zeros(count, row_sums, device)
-        self.plain_totals = zeros(count, row_sums, device) if judged_apart else self.totals
+        self.plain_totals = zeros(count, row_sums, device) if separate_geometry else self.totals
         moments = jobs.sum_moments()
         if device.is_cuda:  # avoids a sync
             launch(measure_sources_kernel, count, [jobs, moments, states.arrays["poses"], self])
@@ -246,13 +247,13 @@ def first_lane_leads() -> int:
 
 
 @func
-def said_by_leader(x: int) -> int:
+def broadcast_from_leader(x: int) -> int:
     """Value of the writing thread; afterward its writes are visible to the job's other threads."""
     return x
 
 
-@said_by_leader.on_cuda
-def said_by_first_lane(x: int) -> int:
+@broadcast_from_leader.on_cuda
+def broadcast_from_first_lane(x: int) -> int:
     sync_lanes()
     return shuffle(x, 0)
 
@@ -283,10 +284,10 @@ def judge_job(i: int, rules: StepRules, matches: Matches, progress: Progress) ->
     if total - total != 0.0:
         outcome = NOT_FINITE  # a zero step would be mistaken for convergence
     if outcome == RUNNING and progress.iterations[i] > 0:
-        least = rules.least_rmse + rules.least_share * moved_size(i, matches, progress)
-        if abs(share - progress.fitness[i]) < rules.least_fitness and abs(error - progress.rmse[i]) < least:
+        tolerance = rules.rmse_tolerance + rules.size_tolerance * moved_size(i, matches, progress)
+        if abs(share - progress.fitness[i]) < rules.fitness_tolerance and abs(error - progress.rmse[i]) < tolerance:
             outcome = CONVERGED
-    if outcome == RUNNING and progress.iterations[i] >= rules.most_iterations:
+    if outcome == RUNNING and progress.iterations[i] >= rules.max_iterations:
         outcome = OUT_OF_ITERATIONS
     progress.fitness[i] = share
     progress.rmse[i] = error
@@ -301,7 +302,7 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
     size = progress.sizes[i]
     if rules.method == PAIRS:
         if leads() == 1:
-            note_free_rotations(sums, size, rules.least_eigenvalue, i, progress.free_counts, progress.free)
+            note_free_rotations(sums, size, rules.min_eigenvalue, i, progress.free_counts, progress.free)
     else:
         center = mean_source(sums)
         plain = progress.plain_totals[i]
@@ -313,7 +314,7 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
         h, g = row_system(sums)
         geometry, _ = row_system(plain)
         step = constrained_step(
-            h, g, geometry, center, size, rules.least_eigenvalue, i, progress.free_counts, progress.free
+            h, g, geometry, center, size, rules.min_eigenvalue, i, progress.free_counts, progress.free
         )
     return step
 
@@ -322,10 +323,10 @@ def solve_job(i: int, rules: StepRules, progress: Progress) -> vec6d:
 def about_pivot(motion: mat44d, pivot: vec3d) -> mat44d:
     """Convert a motion of coordinates about a pivot to one about the origin."""
     moved = move(motion, -pivot)
-    whole = motion
+    result = motion
     for axis in range(3):
-        whole[axis, 3] = moved[axis] + pivot[axis]
-    return whole
+        result[axis, 3] = moved[axis] + pivot[axis]
+    return result
 
 
 @func
@@ -349,7 +350,7 @@ def motion_of_lanes(x: vec6d) -> mat44d:
     cosine = cos(angle)
     sine = sin(angle)
     cosines = vec3d(shuffle(cosine, 0), shuffle(cosine, 1), shuffle(cosine, 2))
-    return turned_and_shifted(x, cosines, vec3d(shuffle(sine, 0), shuffle(sine, 1), shuffle(sine, 2)))
+    return pose_from_cosines_and_sines(x, cosines, vec3d(shuffle(sine, 0), shuffle(sine, 1), shuffle(sine, 2)))
 
 
 @func
@@ -365,7 +366,7 @@ def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
         p = mean_source(progress.totals[i])
         q = mean_target(progress.totals[i])
         size = 2.0 * progress.sizes[i]
-        motion = symmetric_motion(hold_free(x, progress.free_counts[i], progress.free[i], q - p, size), p, q)
+        motion = symmetric_motion(remove_free_motion(x, progress.free_counts[i], progress.free[i], q - p, size), p, q)
     return motion
 
 
@@ -373,15 +374,15 @@ def motion_of(i: int, x: vec6d, rules: StepRules, progress: Progress) -> mat44d:
 def length_of(motion: mat44d, p: vec3d, size: float64) -> float64:
     """Displacement [m] by a motion of a cloud of some size about p. Not finite if the motion is not."""
     moved = move(motion, p) - p
-    turned_by = float64(0.0)
+    rotation_sqnorm = float64(0.0)
     for row in range(3):
         for column in range(3):
             entry = motion[row, column]
             if row == column:
                 entry = entry - 1.0
-            turned_by += entry * entry
+            rotation_sqnorm += entry * entry
     length = sqrt(moved[0] * moved[0] + moved[1] * moved[1] + moved[2] * moved[2])
-    return length + sqrt(turned_by) * size
+    return length + sqrt(rotation_sqnorm) * size
 
 
 @func
@@ -424,10 +425,10 @@ def step_jobs_kernel(rules: StepRules, matches: Matches, progress: Progress):
         if leads() == 1:
             outcome = judge_job(job, rules, matches, progress)
             matches.earlier[job] = matches.poses[job]
-        outcome = said_by_leader(outcome)
+        outcome = broadcast_from_leader(outcome)
         if outcome == RUNNING:
             step = solve_job(job, rules, progress)
-            outcome = said_by_leader(outcome)
+            outcome = broadcast_from_leader(outcome)
             motion = motion_of(job, step, rules, progress)
             if leads() == 1:
                 outcome = move_job(job, motion, matches, progress)

@@ -36,7 +36,7 @@ from ..lang import (
 )
 from ..memory import empty, zeros
 from ..search.point_tree import LEAF, square_distance
-from .jobs import source_place
+from .jobs import source_position
 from .matches import NO_PAIR, Matches
 
 COLUMNS = 10  # mean, upper triangle of the covariance, point count
@@ -176,7 +176,7 @@ def find_nearest_gaussian(p: vec3, segment: int, steps: int, voxels: VoxelGaussi
     """Gaussian with the nearest mean among 1, 7, 19 or 27 voxels (`steps` 0 to 3), or -1. Ties to the lower."""
     at = cell_of(p, voxels.grid)
     best = -1
-    least = float(INFINITY)
+    min_sqdist = float(INFINITY)
     for j in range(27):
         dx = j // 9 - 1
         dy = (j // 3) % 3 - 1
@@ -187,8 +187,8 @@ def find_nearest_gaussian(p: vec3, segment: int, steps: int, voxels: VoxelGaussi
             if row >= 0:
                 d = gaussian_mean(row, voxels.gaussians) - p
                 sqdist = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
-                if sqdist < least:
-                    least = sqdist
+                if sqdist < min_sqdist:
+                    min_sqdist = sqdist
                     best = row
     return best
 
@@ -263,13 +263,13 @@ def match_voxels_kernel(matches: Matches, voxels: VoxelGaussians):
     i = tid()
     job = matches.jobs.group_jobs[i // LEAF]
     if matches.live[job] != 0:
-        p = matches.jobs.sources.points[source_place(i, matches.jobs)]
+        p = matches.jobs.sources.points[source_position(i, matches.jobs)]
         pair = int(NO_PAIR)
         if isfinite(p):
             q = narrow(move(matches.poses[job], widen(p)))
             row = find_nearest_gaussian(q, matches.jobs.job_targets[job], VOXEL_STEPS, voxels)
             if row >= 0:
-                if square_distance(q, gaussian_mean(row, voxels.gaussians)) <= matches.reach:
+                if square_distance(q, gaussian_mean(row, voxels.gaussians)) <= matches.max_sqdist:
                     pair = row
         matches.pairs[i] = pair
 

@@ -71,15 +71,15 @@ def scale_depth_kernel(
 ):
     """Integers to meters, 0 beyond the limit; and a row's maximum, as bits."""
     i = tid()
-    most = 0
+    maximum = 0
     for j in elements_of(i, runs):
         d = float(raw[j]) / scale
         if d > farthest:
             d = 0.0
         depth[j] = d
-        most = max(most, float_bits(d))  # bits of positive floats are ordered
-    if most > 0:
-        atomic_max(largest, row_of(i, runs), most)  # maximum: resolves the race
+        maximum = max(maximum, float_bits(d))  # bits of positive floats are ordered
+    if maximum > 0:
+        atomic_max(largest, row_of(i, runs), maximum)  # maximum: resolves the race
 
 
 @kernel
@@ -93,16 +93,16 @@ def limit_depth_kernel(
 ):
     """Valid depth in meters of floats. 0 if it is 0, negative, not finite or too far."""
     i = tid()
-    most = 0
+    maximum = 0
     for j in elements_of(i, runs):
         d = raw[j] / scale
         meters = 0.0
         if d > 0.0 and d <= farthest and isfinite(d):
             meters = d
         depth[j] = meters
-        most = max(most, float_bits(meters))
-    if most > 0:
-        atomic_max(largest, row_of(i, runs), most)  # maximum: resolves the race
+        maximum = max(maximum, float_bits(meters))
+    if maximum > 0:
+        atomic_max(largest, row_of(i, runs), maximum)  # maximum: resolves the race
 
 
 @struct

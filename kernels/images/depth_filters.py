@@ -45,7 +45,7 @@ def filter_bilateral_kernel(
 
 @kernel
 def erode_edges_kernel(
-    depth: array(dtype=float32), width: int, height: int, radius: int, jump: float, kept: array(dtype=float32)
+    depth: array(dtype=float32), width: int, height: int, radius: int, jump: float, eroded: array(dtype=float32)
 ):
     """Drop pixels whose window has a missing pixel or a depth step above `jump`."""
     i = tid()
@@ -71,7 +71,7 @@ def erode_edges_kernel(
     d = depth[i]
     if edge == 1:
         d = 0.0
-    kept[i] = d
+    eroded[i] = d
 
 
 @func
@@ -169,9 +169,9 @@ def filter_bilateral(
 
 def erode_edges(depth: Scalars, width: int, height: int, radius: int, jump: float) -> Scalars:
     """Depth without pixels within `radius` of an edge, float32 (height * width)."""
-    kept = empty(depth.size, float32, depth.device)
-    launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), kept])
-    return kept
+    eroded = empty(depth.size, float32, depth.device)
+    launch(erode_edges_kernel, depth.size, [depth, width, height, radius, float(jump), eroded])
+    return eroded
 
 
 def halve_depth(depth: Scalars, width: int, height: int, jump: float) -> Scalars:

@@ -29,14 +29,14 @@ def inverse_depth(depth: array(dtype=float32), at: int) -> float:
 
 @kernel
 def drop_flying_kernel(
-    depth: array(dtype=float32), width: int, height: int, reach: int, jump: float, kept: array(dtype=float32)
+    depth: array(dtype=float32), width: int, height: int, radius: int, jump: float, filtered: array(dtype=float32)
 ):
-    """Drop flying pixels along the row or column, over 1 .. reach pixels on each side."""
+    """Drop flying pixels along the row or column, over 1 .. radius pixels on each side."""
     i = tid()
     u = i % width
     v = i // width
     z = depth[i]
-    flies = 0
+    drop = 0
     if z > 0.0:
         w = 1.0 / z
         axes = int(2)
@@ -47,7 +47,7 @@ def drop_flying_kernel(
                 step = width
                 room = min(v, height - 1 - v)
             r = 1
-            while r <= reach and 2 * r <= room and flies == 0:
+            while r <= radius and 2 * r <= room and drop == 0:
                 near_before = inverse_depth(depth, i - r * step)
                 far_before = inverse_depth(depth, i - 2 * r * step)
                 near_after = inverse_depth(depth, i + r * step)
@@ -56,14 +56,14 @@ def drop_flying_kernel(
                     line_before = near_before + near_before - far_before
                     line_after = near_after + near_after - far_after
                     # also the pixels themselves: a line through two surfaces before or behind a thin post is no surface
-                    flies = is_between(w, line_before, line_after, jump) * is_between(w, near_before, near_after, jump)
+                    drop = is_between(w, line_before, line_after, jump) * is_between(w, near_before, near_after, jump)
                 r = r + 1
-    if flies == 1:
+    if drop == 1:
         z = 0.0
-    kept[i] = z
+    filtered[i] = z
 
 
-def drop_flying(depth: Scalars, width: int, height: int, reach: int, jump: float) -> Scalars:
-    kept = empty(depth.size, float32, depth.device)
-    launch(drop_flying_kernel, depth.size, [depth, width, height, reach, float(jump), kept])
-    return kept
+def drop_flying(depth: Scalars, width: int, height: int, radius: int, jump: float) -> Scalars:
+    filtered = empty(depth.size, float32, depth.device)
+    launch(drop_flying_kernel, depth.size, [depth, width, height, radius, float(jump), filtered])
+    return filtered

@@ -13,13 +13,13 @@ from ..memory import empty
 
 PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = 0, 1, 2, 3, 4
 UNSEEN = -1.0  # position outside the lens
-FAR = 1.0e30  # replaces an infinite reach
+FAR = 1.0e30  # replaces an infinite radius
 
 
 @struct
 class LensOptics:
     """Lens parameters: `kind` of the radial mapping; radial `a1`-`a4` over `b1`-`b3`; tangential `p1`, `p2`; prism
-    `s1`, `s2`; `shape`, `second` of some kinds; `reach`: maximum mapped radius.
+    `s1`, `s2`; `shape`, `second` of some kinds; `max_radius`: maximum mapped radius.
     """
 
     kind: int
@@ -45,9 +45,9 @@ class LensOptics:
     second: float64
     thin: int
     wide: float64
-    reach: float64
+    max_radius: float64
 
-    def __init__(self, lens: Any, width: int, height: int, reach: float, wide: float, thin: int) -> None:
+    def __init__(self, lens: Any, width: int, height: int, max_radius: float, wide: float, thin: int) -> None:
         self.kind, self.width, self.height = lens.kind, width, height
         self.fx, self.fy = lens.focal
         self.cx, self.cy = lens.center
@@ -56,7 +56,7 @@ class LensOptics:
         self.b1, self.b2, self.b3 = lens.rational
         (self.p1, self.p2), (self.s1, self.s2) = lens.tangential, lens.prism
         self.shape, self.second = lens.shape
-        self.thin, self.wide, self.reach = thin, wide, min(reach, FAR)
+        self.thin, self.wide, self.max_radius = thin, wide, min(max_radius, FAR)
 
 
 @func
@@ -88,7 +88,7 @@ def shortened(r: float64, lens: LensOptics) -> float64:
 
 
 @func
-def bent_place(x: float64, y: float64, lens: LensOptics) -> vec2d:
+def distorted_position(x: float64, y: float64, lens: LensOptics) -> vec2d:
     """Column and row of a radially mapped position (x, y)."""
     t = x * x + y * y
     above = 1.0 + t * (lens.a1 + t * (lens.a2 + t * (lens.a3 + t * lens.a4)))
@@ -101,24 +101,24 @@ def bent_place(x: float64, y: float64, lens: LensOptics) -> vec2d:
 
 
 @kernel
-def find_places_kernel(lens: LensOptics, camera: Camera, places: array(dtype=vec2)):
+def find_lens_positions_kernel(lens: LensOptics, camera: Camera, positions: array(dtype=vec2)):
     """Lens image position of a pinhole pixel, clamped to half a pixel within the border."""
     i = tid()
     x = (float64(i % camera.width) - camera.cx) / camera.fx
     y = (float64(i // camera.width) - camera.cy) / camera.fy
     factor = shortened(sqrt(x * x + y * y), lens)
-    place = vec2(UNSEEN, UNSEEN)
+    position = vec2(UNSEEN, UNSEEN)
     x = x * factor
     y = y * factor
-    if factor > 0.0 and x * x + y * y <= lens.reach * lens.reach:
-        p = bent_place(x, y, lens)
+    if factor > 0.0 and x * x + y * y <= lens.max_radius * lens.max_radius:
+        p = distorted_position(x, y, lens)
         right = float64(lens.width) - 0.5
         bottom = float64(lens.height) - 0.5
         if p[0] >= -0.5 and p[1] >= -0.5 and p[0] <= right and p[1] <= bottom:
-            place = vec2(
+            position = vec2(
                 min(max(float(p[0]), 0.0), float(lens.width - 1)), min(max(float(p[1]), 0.0), float(lens.height - 1))
             )
-    places[i] = place
+    positions[i] = position
 
 
 @kernel
@@ -147,24 +147,24 @@ def average_squares_kernel(
 
 
 @kernel
-def read_places_kernel(
+def sample_image_kernel(
     pixels: array(dtype=uint8, ndim=2),
     width: int,
     height: int,
     side: float,
     channels: int,
-    places: array(dtype=vec2),
+    positions: array(dtype=vec2),
     straight: array(dtype=uint8, ndim=2),
 ):
     """Bilinear image values at positions. 0 outside the lens. Pixels are squares of `side` of the positions' pixels."""
     i = tid()
-    place = places[i]
-    if place[0] < 0.0:
+    position = positions[i]
+    if position[0] < 0.0:
         for channel in range(channels):
             straight[i, channel] = 0
     else:
-        x = min(max((place[0] + 0.5) / side - 0.5, 0.0), float(width - 1))
-        y = min(max((place[1] + 0.5) / side - 0.5, 0.0), float(height - 1))
+        x = min(max((position[0] + 0.5) / side - 0.5, 0.0), float(width - 1))
+        y = min(max((position[1] + 0.5) / side - 0.5, 0.0), float(height - 1))
         left = int(floor(x))
         top = int(floor(y))
         right = min(left + 1, width - 1)
@@ -182,22 +182,22 @@ def read_places_kernel(
 
 
 @kernel
-def mark_seen_kernel(places: array(dtype=vec2), seen: array(dtype=uint8)):
+def mask_visible_kernel(positions: array(dtype=vec2), visible: array(dtype=uint8)):
     i = tid()
     mark = 0
-    if places[i][0] >= 0.0:
+    if positions[i][0] >= 0.0:
         mark = 1
-    seen[i] = uint8(mark)
+    visible[i] = uint8(mark)
 
 
-def find_places(lens: LensOptics, camera: CameraLike, device: Device) -> Array1[vec2]:
+def find_lens_positions(lens: LensOptics, camera: CameraLike, device: Device) -> Array1[vec2]:
     """Lens image position of each pinhole pixel, vec2 (height * width); (-1, -1) if it is not visible."""
-    places = empty(camera.width * camera.height, vec2, device)
-    launch(find_places_kernel, places.size, [lens, camera, places])
-    return places
+    positions = empty(camera.width * camera.height, vec2, device)
+    launch(find_lens_positions_kernel, positions.size, [lens, camera, positions])
+    return positions
 
 
-def read_places(pixels: Array2[uint8], width: int, height: int, side: int, places: Array1[vec2]) -> Array2[uint8]:
+def sample_image(pixels: Array2[uint8], width: int, height: int, side: int, positions: Array1[vec2]) -> Array2[uint8]:
     """Sample an image, uint8 (height * width, channels), at positions; squares of `side` pixels are averaged before."""
     channels = pixels.shape[1]
     if side > 1:
@@ -205,12 +205,12 @@ def read_places(pixels: Array2[uint8], width: int, height: int, side: int, place
         averages = empty((rows * columns, channels), uint8, pixels.device)
         launch(average_squares_kernel, rows * columns, [pixels, width, height, columns, side, channels, averages])
         pixels, width, height = averages, columns, rows
-    straight = empty((places.size, channels), uint8, pixels.device)
-    launch(read_places_kernel, places.size, [pixels, width, height, float(side), channels, places, straight])
+    straight = empty((positions.size, channels), uint8, pixels.device)
+    launch(sample_image_kernel, positions.size, [pixels, width, height, float(side), channels, positions, straight])
     return straight
 
 
-def mark_seen(places: Array1[vec2]) -> Mask:
-    seen = empty(places.size, uint8, places.device)
-    launch(mark_seen_kernel, places.size, [places, seen])
-    return seen
+def mask_visible(positions: Array1[vec2]) -> Mask:
+    visible = empty(positions.size, uint8, positions.device)
+    launch(mask_visible_kernel, positions.size, [positions, visible])
+    return visible

@@ -13,7 +13,7 @@ import warp as wp
 
 from ..array_types import Device
 from .signatures import FLOATS, RANGES, ArrayType, Type
-from .structs import Place, fields_of, leaves_of, type_at
+from .structs import FieldPath, fields_of, leaves_of, type_at
 
 if TYPE_CHECKING:
     from ..lang import Kernel, Reduction
@@ -63,15 +63,15 @@ def checked_arguments(what: Kernel | Reduction, thread_count: int, arguments: Se
     name = what.name
     if len(arguments) != len(what.takes):
         raise ValueError(f"{name}: takes {len(what.takes)} arguments, got {len(arguments)}")
-    if what.take_apart is not None:
-        arguments = what.take_apart(name, arguments)
+    if what.unpack_structs is not None:
+        arguments = what.unpack_structs(name, arguments)
     if not 0 <= thread_count <= MAX_THREADS:
         raise ValueError(f"{name}: {thread_count} threads; split the work into launches of fewer than 2^31")
     try:
-        found = what.accept(arguments)
+        checked = what.accept(arguments)
     except (TypeError, ValueError):
-        found = None
-    return found or _checked_one_by_one(what, arguments)
+        checked = None
+    return checked or _checked_one_by_one(what, arguments)
 
 
 def acceptor(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], tuple[list[Any], Any] | None]:
@@ -118,7 +118,7 @@ def _reader(annotation: Any) -> Callable[[Any], Any]:
         return read_vector
     if kind.scalar in FLOATS:
         return float
-    return functools.partial(_whole_number, scalar=kind.scalar)
+    return functools.partial(_integer, scalar=kind.scalar)
 
 
 def _checked_one_by_one(what: Kernel | Reduction, arguments: Sequence[Any]) -> tuple[list[Any], Any]:
@@ -147,23 +147,23 @@ def device_of(arguments: Sequence[Any]) -> Any:
             return argument.device
     for argument in arguments:
         for name in fields_of(type(argument)) or ():
-            if isinstance(found := getattr(argument, name, None), wp.array):
-                return found.device
+            if isinstance(value := getattr(argument, name, None), wp.array):
+                return value.device
     return wp.get_device("cpu")
 
 
 def first_device(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], Any]:
     paths = [(k, path, type_at(kind, path)) for k, kind in enumerate(annotations) for path in leaves_of(kind)]
-    paths.sort(key=lambda found: len(found[1]) > 0)  # arrays before those in structures
+    paths.sort(key=lambda entry: len(entry[1]) > 0)  # arrays before those in structures
     of_array = [(k, path) for k, path, kind in paths if isinstance(kind, wp.array)]
     if not of_array:
         return device_of
-    place, path = of_array[0]
+    index, path = of_array[0]
     read = operator.attrgetter(".".join((*path, "device")))
 
     def find(arguments: Sequence[Any]) -> Any:
         try:
-            device = read(arguments[place])
+            device = read(arguments[index])
         except (AttributeError, IndexError, TypeError):
             return device_of(arguments)
         return device if isinstance(device, Device) else device_of(arguments)
@@ -171,13 +171,15 @@ def first_device(annotations: Sequence[Any]) -> Callable[[Sequence[Any]], Any]:
     return find
 
 
-def taker_apart(places: Sequence[Place], names: Sequence[str]) -> Callable[[str, Sequence[Any]], list[Any]] | None:
+def struct_unpacker(
+    field_paths: Sequence[FieldPath], names: Sequence[str]
+) -> Callable[[str, Sequence[Any]], list[Any]] | None:
     """Function that unpacks the structures among a kernel's arguments, or None if there are none."""
-    if not any(place.path for place in places):
+    if not any(field_path.path for field_path in field_paths):
         return None
-    getters = [(p.parameter, operator.attrgetter(".".join(p.path)) if p.path else None) for p in places]
+    getters = [(p.parameter, operator.attrgetter(".".join(p.path)) if p.path else None) for p in field_paths]
 
-    def take_apart(name: str, arguments: Sequence[Any]) -> list[Any]:
+    def unpack_structs(name: str, arguments: Sequence[Any]) -> list[Any]:
         values = []
         for k, read in getters:
             try:
@@ -187,7 +189,7 @@ def taker_apart(places: Sequence[Place], names: Sequence[str]) -> Callable[[str,
                 raise TypeError(f"{name}: {names[k]}: a {kind} lacks a field: {error}") from None
         return values
 
-    return take_apart
+    return unpack_structs
 
 
 def _check_array(annotation: wp.array, argument: Any) -> None:
@@ -209,10 +211,10 @@ def _value(annotation: Any, argument: Any) -> Any:
         return argument if isinstance(argument, annotation) else annotation(*parts.ravel().tolist())
     if kind.scalar in FLOATS:
         return float(argument)
-    return _whole_number(argument, kind.scalar)
+    return _integer(argument, kind.scalar)
 
 
-def _whole_number(argument: Any, scalar: str) -> int:
+def _integer(argument: Any, scalar: str) -> int:
     value, (low, high) = operator.index(argument), LIMITS[scalar]
     if not low <= value < high:
         raise ValueError(f"{value} does not fit into {scalar}")

@@ -62,16 +62,16 @@ def other_writers(folder: Path) -> str:
         inner = [*folder.iterdir()]  # one folder for each version of the compiler
     except OSError:
         inner = []
-    for place in (folder, *inner):
+    for path in (folder, *inner):
         with contextlib.suppress(OSError):
-            status = place.stat()
-            if stat.S_ISDIR(status.st_mode) and (found := _writers_of(status)):
-                return f"{place} {found}"
-    for place in folder.absolute().parents:
+            status = path.stat()
+            if stat.S_ISDIR(status.st_mode) and (writers := _writers_of(status)):
+                return f"{path} {writers}"
+    for path in folder.absolute().parents:
         with contextlib.suppress(OSError):
-            mode = place.stat().st_mode
+            mode = path.stat().st_mode
             if mode & stat.S_IWOTH and not mode & stat.S_ISVTX:
-                return f"{place} can be written to by all users"
+                return f"{path} can be written to by all users"
     return ""
 
 
@@ -127,10 +127,10 @@ def _is_own_group(group: int) -> bool:
     import pwd
 
     try:
-        user, found = pwd.getpwuid(os.getuid()), grp.getgrgid(group)
+        user, entry = pwd.getpwuid(os.getuid()), grp.getgrgid(group)
     except KeyError:
         return False
-    return found.gr_name == user.pw_name and set(found.gr_mem) <= {user.pw_name}
+    return entry.gr_name == user.pw_name and set(entry.gr_mem) <= {user.pw_name}
 
 
 def _is_intact(file: Path) -> bool:

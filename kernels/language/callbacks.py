@@ -37,8 +37,8 @@ def with_callbacks(visitor: ast.NodeTransformer, node: ast.Call, given: dict[str
     called = given.get(node.func.id) if isinstance(node.func, ast.Name) else None
     arguments: list[ast.expr] = []
     for argument in node.args:
-        handed = given.get(argument.id) if isinstance(argument, ast.Name) else None
-        arguments.append(visitor.visit(argument) if handed is None else handed.handed_on())
+        callback_argument = given.get(argument.id) if isinstance(argument, ast.Name) else None
+        arguments.append(visitor.visit(argument) if callback_argument is None else callback_argument.handed_on())
     if called is not None:
         return called.call(arguments)
     node.func, node.args = visitor.visit(node.func), arguments

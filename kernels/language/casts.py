@@ -19,7 +19,7 @@ from .device_lock import lock
 from .module_loading import load_module
 from .warp_compiler import compile_source
 
-MOST = 2**30  # elements a launch
+MAX_ELEMENTS = 2**30  # elements a launch
 
 _launched: set[Any] = set()  # kernels that ran in this process
 
@@ -42,8 +42,8 @@ def cast_into(out: AnyArray, values: AnyArray) -> None:
         if is_first:
             _launched.add(kernel)
             load_module(kernel.module, values.device)
-        for first in range(0, source.size, MOST):
-            part = slice(first, min(first + MOST, source.size))
+        for first in range(0, source.size, MAX_ELEMENTS):
+            part = slice(first, min(first + MAX_ELEMENTS, source.size))
             wp.launch(kernel, part.stop - first, [source[part], target[part]], device=values.device)
 
 

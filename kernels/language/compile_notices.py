@@ -1,4 +1,4 @@
-"""Log record (INFO, logger "pointloom") for a kernel whose compilation lasts longer than `PATIENCE`.
+"""Log record (INFO, logger "pointloom") for a kernel whose compilation lasts longer than `NOTICE_DELAY`.
 
 Loading from a cache is not announced. Taichi blocks other threads while it compiles, so its record comes afterward.
 """
@@ -13,7 +13,7 @@ from collections.abc import Iterator
 
 LOGGER = logging.getLogger("pointloom")
 COMPILES = {"compiles": True}  # of a record, for handlers
-PATIENCE = 1.0  # [s] shorter waits are not reported
+NOTICE_DELAY = 1.0  # [s] shorter waits are not reported
 
 _current = threading.local()  # first launch in progress on this thread, if any
 
@@ -23,11 +23,11 @@ class FirstLaunch:
 
     def __init__(self, name: str):
         self._name, self._began = name, 0.0
-        self._said, self._timer = threading.Event(), threading.Timer(PATIENCE, self._say)
+        self._reported, self._timer = threading.Event(), threading.Timer(NOTICE_DELAY, self._report)
         self._timer.daemon = True
 
-    def _say(self) -> None:
-        self._said.set()
+    def _report(self) -> None:
+        self._reported.set()
         LOGGER.info("compiling %s for its first use on this machine", self._name, extra=COMPILES)
 
     def compiling(self) -> None:
@@ -41,7 +41,7 @@ class FirstLaunch:
         if self._timer.is_alive():
             self._timer.join()
         seconds = time.monotonic() - self._began
-        if self._began and seconds > PATIENCE and not self._said.is_set():
+        if self._began and seconds > NOTICE_DELAY and not self._reported.is_set():
             LOGGER.info("compiled %s for its first use on this machine in %.1f s", self._name, seconds, extra=COMPILES)
 
 

@@ -33,7 +33,7 @@ FORMAT = 1
 ON_BOARDS = {72, 87, 101, 110}  # GPUs of Jetson: their machine code is incompatible with that of others
 
 
-class Placed(NamedTuple):
+class UnpackedFiles(NamedTuple):
     binary: Path
     meta: Path
     architecture: int
@@ -78,7 +78,7 @@ class Archive:
         self.architectures: list[str] = manifest["architectures"]
         self.modules: dict[str, dict[str, Any]] = manifest["modules"]
 
-    def misfit(self) -> str:
+    def mismatch(self) -> str:
         here = made_from()
         others = [name for name in here if self.made_from.get(name) != here[name]]
         named = (
@@ -87,7 +87,7 @@ class Archive:
         words = ", ".join([*named, *(f"other {name}" for name in others if "sources" in name)])
         return f"made from {words}" if words else ""
 
-    def place(self, module: Any, device: Device, block_dim: int) -> Placed | None:
+    def unpack(self, module: Any, device: Device, block_dim: int) -> UnpackedFiles | None:
         """Unpack the code of a module for a GPU into Warp's cache unless it exists. Raises as above or LZMAError."""
         key = module.get_module_hash(block_dim).hex()
         entry = self.modules.get(key)
@@ -96,7 +96,7 @@ class Archive:
             return None
         name = module.get_module_identifier(block_dim)
         folder = Path(wp.config.kernel_cache_dir or tempfile.gettempdir()) / name
-        files = Placed(folder / f"{name}.{chosen}", folder / f"{name}.meta", _architecture(chosen))
+        files = UnpackedFiles(folder / f"{name}.{chosen}", folder / f"{name}.meta", _architecture(chosen))
         if is_intact(files.binary, files.meta):
             return files
         with zipfile.ZipFile(self.path) as file:
@@ -120,18 +120,18 @@ def _architecture(binary: str) -> int:
 def choose(binaries: list[str], device: Device) -> str | None:
     """Select the code for a GPU among "sm90.cubin", "sm90.ptx" and the like, or None. Machine code runs on later
     architectures of the same major number. PTX on all later ones if the driver is not older than the compiler."""
-    own, found = device.arch, {kind: [] for kind in ("cubin", "ptx")}
+    own, candidates = device.arch, {kind: [] for kind in ("cubin", "ptx")}
     for binary in binaries:
         architecture = _architecture(binary)
         is_sibling = architecture // 10 == own // 10 and not {architecture, own} & ON_BOARDS
         if architecture == own or (architecture < own and (is_sibling or binary.endswith(".ptx"))):
-            found[binary.rpartition(".")[2]].append((architecture, binary))
-    if found["cubin"]:
-        return max(found["cubin"])[1]
-    return max(found["ptx"])[1] if found["ptx"] and device.get_cuda_output_format() == "ptx" else None
+            candidates[binary.rpartition(".")[2]].append((architecture, binary))
+    if candidates["cubin"]:
+        return max(candidates["cubin"])[1]
+    return max(candidates["ptx"])[1] if candidates["ptx"] and device.get_cuda_output_format() == "ptx" else None
 
 
-def _is_written(files: Placed, code: bytes, meta: dict[str, int]) -> bool:
+def _is_written(files: UnpackedFiles, code: bytes, meta: dict[str, int]) -> bool:
     """Write both files atomically, the code last."""
     try:
         files.binary.parent.mkdir(parents=True, exist_ok=True)
@@ -147,13 +147,13 @@ def archive_path() -> Path | None:
     named = os.environ.get(VARIABLE)
     if named is not None:
         return Path(named) if named else None
-    found = importlib.util.find_spec(PACKAGE)
-    return Path(found.origin).parent / ARCHIVE if found and found.origin else None
+    spec = importlib.util.find_spec(PACKAGE)
+    return Path(spec.origin).parent / ARCHIVE if spec and spec.origin else None
 
 
 class _Search:
     done = False
-    found: Archive | None = None
+    result: Archive | None = None
     problem = "none is installed"
 
 
@@ -165,17 +165,17 @@ def archive(*, warns: bool = True) -> Archive | None:
         if path is not None:
             try:
                 opened = Archive(path)
-                problem = opened.misfit()
-                _Search.found = None if problem else opened
+                problem = opened.mismatch()
+                _Search.result = None if problem else opened
             except Exception as error:  # zipfile raises some ten types on damaged archives
                 problem = f"cannot be read: {type(error).__name__}: {error}"
             if problem:
                 refuse(path, problem, warns=warns)
-    return _Search.found
+    return _Search.result
 
 
 def refuse(path: Path, problem: str, *, warns: bool = True) -> None:
-    _Search.done, _Search.found, _Search.problem = True, None, f"{path}: {problem}"
+    _Search.done, _Search.result, _Search.problem = True, None, f"{path}: {problem}"
     if not warns:
         return
     warnings.warn(
@@ -187,5 +187,5 @@ def refuse(path: Path, problem: str, *, warns: bool = True) -> None:
 
 
 def described() -> str:
-    found = archive(warns=False)
-    return f"{found.path} for {', '.join(map(str, found.architectures))}" if found else f"none: {_Search.problem}"
+    opened = archive(warns=False)
+    return f"{opened.path} for {', '.join(map(str, opened.architectures))}" if opened else f"none: {_Search.problem}"

@@ -56,13 +56,13 @@ def options() -> dict[str, Any]:
     }
 
 
-def whole(count: int) -> Any:
+def full_bounds(count: int) -> Any:
     """Bounds of a complete launch for Warp's machine code."""
     return wp._src.types.launch_bounds_t((count,))
 
 
 def part(first: int, count: int) -> Any:
     """Bounds of the part of a launch from thread `first` on."""
-    bounds = whole(count)
+    bounds = full_bounds(count)
     bounds.shape[0] = PART | first
     return bounds

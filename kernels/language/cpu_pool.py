@@ -47,13 +47,13 @@ def _functions_of_system() -> tuple[list[Any], Any]:
         semaphore = ctypes.create_string_buffer(64)  # a sem_t has 32 bytes
         if system.sem_init(semaphore, 0, 0):
             raise OSError("the system gives no semaphore")
-        _held.append(semaphore)
+        _semaphores.append(semaphore)
         return ctypes.addressof(semaphore)
 
     return [system.sem_wait, system.sem_post, system.sched_yield], make_posix
 
 
-_held: list[Any] = []  # semaphores, kept while a worker may wait for one
+_semaphores: list[Any] = []  # semaphores, kept while a worker may wait for one
 
 
 class Pool:
@@ -70,7 +70,7 @@ class Pool:
         for name, function in zip(("wait", "post", "give_way"), functions, strict=True):
             words[FIELDS[name]] = ctypes.cast(function, ctypes.c_void_p).value or 0
         self._post = functions[1]
-        self._one = cpu_code.whole(1)
+        self._one = cpu_code.full_bounds(1)
         self._pack = struct.Struct("6Q").pack
         self._threads: list[threading.Thread] = []
         stack = threading.stack_size(STACK)
@@ -119,11 +119,11 @@ _is_over = False  # the program is ending
 
 def default_thread_count() -> int:
     """Number of cores of this process, or POINTLOOM_CPU_THREADS. Raises ValueError if that is not an integer >= 1."""
-    said = os.environ.get(VARIABLE, "")
-    if said:
-        if not (said.isascii() and said.isdigit() and 1 <= int(said[:9]) <= MAX_THREADS):
-            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MAX_THREADS}, got {said[:40]!r}")
-        return int(said)
+    text = os.environ.get(VARIABLE, "")
+    if text:
+        if not (text.isascii() and text.isdigit() and 1 <= int(text[:9]) <= MAX_THREADS):
+            raise ValueError(f"{VARIABLE}: expected a whole number from 1 to {MAX_THREADS}, got {text[:40]!r}")
+        return int(text)
     if sys.platform != "linux":
         return 1  # the waits of other systems are untested
     cores = len(os.sched_getaffinity(0))

@@ -22,7 +22,7 @@ from . import warp_parts
 from .arguments import type_of
 from .device_arrays import Unfit, kind_of
 from .prepared_launches import FORMATS, Parameter
-from .structs import Path, Place
+from .structs import FieldPath, Path
 from .warp_compiler import REDUCTION_BLOCK
 
 if TYPE_CHECKING:
@@ -35,21 +35,23 @@ _BOUNDS = "I4xQQ"  # the extent, the threads, and how many share a coordinate
 _ALIGNMENT = 8
 
 
-def flattener(types: Sequence[Any], device: Device, places: Sequence[Place] | None = None, count: int = 0) -> Flattener:
+def flattener(
+    types: Sequence[Any], device: Device, field_paths: Sequence[FieldPath] | None = None, count: int = 0
+) -> Flattener:
     """Function that flattens a kernel's arguments to bytes and numbers. Raises UNFIT or AttributeError if unusual."""
-    if places is None:
-        places, count = [Place(k, ()) for k in range(len(types))], len(types)
+    if field_paths is None:
+        field_paths, count = [FieldPath(k, ()) for k in range(len(types))], len(types)
     scope: dict[str, Any] = {}
     lines = ["def flatten(arguments):", f"    {''.join(f'a{k}, ' for k in range(count))} = arguments"]
     names: dict[tuple[int, Path], str] = {(k, ()): f"a{k}" for k in range(count)}
-    found = []
-    for k, (kind, place) in enumerate(zip(types, places, strict=True)):
-        for depth in range(1, len(place.path) + 1):
-            path = place.path[:depth]
-            if (place.parameter, path) not in names:
-                names[place.parameter, path] = name = f"x{len(names)}"
-                lines.append(f"    {name} = {names[place.parameter, path[:-1]]}.{path[-1]}")
-        name = names[place.parameter, place.path]
+    expressions = []
+    for k, (kind, field_path) in enumerate(zip(types, field_paths, strict=True)):
+        for depth in range(1, len(field_path.path) + 1):
+            path = field_path.path[:depth]
+            if (field_path.parameter, path) not in names:
+                names[field_path.parameter, path] = name = f"x{len(names)}"
+                lines.append(f"    {name} = {names[field_path.parameter, path[:-1]]}.{path[-1]}")
+        name = names[field_path.parameter, field_path.path]
         if isinstance(kind, wp.array):
             scope[f"kind{k}"] = kind_of(kind.dtype, kind.ndim, device)
             lines.append(f"    if getattr({name}, 'kind_', None) is not kind{k}: kind{k}.mark({name})")
@@ -57,8 +59,8 @@ def flattener(types: Sequence[Any], device: Device, places: Sequence[Place] | No
         elif getattr(type_of(kind), "shape", ()):
             scope[f"bytes{k}"] = _vector_reader(kind)
             name = f"bytes{k}({name})"
-        found.append(name)
-    lines.append(f"    return ({''.join(f'{name}, ' for name in found)})")
+        expressions.append(name)
+    lines.append(f"    return ({''.join(f'{name}, ' for name in expressions)})")
     exec("\n".join(lines), scope)
     return scope["flatten"]
 
@@ -99,7 +101,7 @@ class CudaLaunch:
 
     def _read(self, command: Any) -> None:
         hooks = command.hooks
-        self._held = command.module_exec  # else Warp might unload the module of the handle
+        self._module_exec = command.module_exec  # else Warp might unload the module of the handle
         self._hooks, self._handle = hooks, hooks.forward
         self._grid = (command.max_blocks, command.block_dim, int(command.grid_stride), command.cluster_dim)
         self._shared = hooks.forward_smem_bytes
@@ -157,8 +159,8 @@ def prepared_launch(kernel: Any, thread_count: int, values: Sequence[Any], devic
 
 
 class PreparedKernel:
-    def __init__(self, take_apart: Flattener, launch: CudaLaunch) -> None:
-        self.take_apart, self.launch = take_apart, launch
+    def __init__(self, flatten: Flattener, launch: CudaLaunch) -> None:
+        self.flatten, self.launch = flatten, launch
 
     @classmethod
     def of(cls, kernel: Kernel, thread_count: int, values: Sequence[Any], device: Any) -> PreparedKernel | None:
@@ -166,12 +168,12 @@ class PreparedKernel:
         launch = prepared_launch(kernel.cuda, thread_count, values, device)
         if not launch.is_known:
             return None
-        return cls(flattener(kernel.types, device, kernel.places, len(kernel.takes)), launch)
+        return cls(flattener(kernel.types, device, kernel.field_paths, len(kernel.takes)), launch)
 
 
 class PreparedSum:
     def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
-        self.take_apart = flattener(reduction.types, device, reduction.places, len(reduction.takes))
+        self.flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self.sums = kind_of(reduction.vector, 1, device)
         self._tiles, self._fold = tiles, fold
 

@@ -74,31 +74,31 @@ class Kind:
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
-        made = _bare(_array)
-        made.__dict__ = state
-        return made
+        array = _bare(_array)
+        array.__dict__ = state
+        return array
 
-    def at(self, whole: Any, address: int | None, shape: Shape, strides: Shape, size: int) -> Any:
+    def at(self, parent: Any, address: int | None, shape: Shape, strides: Shape, size: int) -> Any:
         """A view of the memory of another array, which it keeps alive."""
-        state = whole.__dict__.copy()
+        state = parent.__dict__.copy()
         state.update(_OF_PART)
-        state["dtype"], state["ndim"], state["kind_"], state["_ref"] = self.dtype, self.axes, self, whole
+        state["dtype"], state["ndim"], state["kind_"], state["_ref"] = self.dtype, self.axes, self, parent
         state["ptr"], state["capacity"], state["size"] = address, size, size // self.element_bytes
         state["shape"], state["strides"] = shape, strides
         state["packed_"] = self.pack(address or 0, *shape, *strides, self.axes)
-        made = _bare(_array)
-        made.__dict__ = state
-        return made
+        view = _bare(_array)
+        view.__dict__ = state
+        return view
 
 
 _kinds: dict[tuple[Any, int, str], Kind] = {}
 
 
 def kind_of(dtype: Any, axes: int, device: Any) -> Kind:
-    found = _kinds.get((dtype, axes, device.alias))
-    if found is None:
-        found = _kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
-    return found
+    kind = _kinds.get((dtype, axes, device.alias))
+    if kind is None:
+        kind = _kinds.setdefault((dtype, axes, device.alias), Kind(dtype, axes, device))
+    return kind
 
 
 def new(shape: int | Shape, dtype: Any, device: Any) -> Any:
@@ -133,22 +133,22 @@ def rows_of(values: Any, first: int, last: int) -> Any:
 
 
 def flat(values: Any) -> Any:
-    seen = values if values.ndim == 1 else seen_as(values, 0, values.dtype, values.size)
-    return values.flatten() if seen is None else seen
+    view = values if values.ndim == 1 else reinterpreted(values, 0, values.dtype, values.size)
+    return values.flatten() if view is None else view
 
 
-def seen_as(whole: Any, first: int, dtype: Any, shape: int | Shape) -> Any:
+def reinterpreted(parent: Any, first: int, dtype: Any, shape: int | Shape) -> Any:
     """View of an array's memory from a byte on as another type. None if Warp has to create it."""
-    if getattr(whole, "kind_", None) is None or whole.ptr is None:
+    if getattr(parent, "kind_", None) is None or parent.ptr is None:
         return None
     shape = (shape,) if type(shape) is int else tuple(map(int, shape))  # type: ignore[arg-type]
     if not 0 < len(shape) <= warp_parts.MAX_AXES:
         return None
-    first, (kind, strides) = int(first), _kind_and_strides(dtype, shape, whole.device)
+    first, (kind, strides) = int(first), _kind_and_strides(dtype, shape, parent.device)
     size = shape[0] * strides[0]
-    if min(shape) < 0 or not 0 <= first <= first + size <= whole.capacity or strides[0] >= MAX_EXTENT:
+    if min(shape) < 0 or not 0 <= first <= first + size <= parent.capacity or strides[0] >= MAX_EXTENT:
         return None
-    return kind.at(whole, whole.ptr + first, shape, strides, size)
+    return kind.at(parent, parent.ptr + first, shape, strides, size)
 
 
 def _kind_and_strides(dtype: Any, shape: Shape, device: Any) -> tuple[Kind, Shape]:
@@ -167,7 +167,7 @@ class _Releases:
 
     def deallocate(self, address: int, size: int) -> None:
         """Release memory now, or with the next array if another thread has the lock."""
-        device_lock.release_in_turn(self._device, self._release, address, size, sets_context=True)
+        device_lock.release_under_lock(self._device, self._release, address, size, sets_context=True)
 
     def _release(self, address: int, _: int) -> None:
         warp_parts.context.runtime.core.wp_free_device_async(self._device.context, address, None)

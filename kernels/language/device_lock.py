@@ -48,7 +48,7 @@ def why_no_cuda_here() -> str:
     )
 
 
-def turn_on(device: Device | str) -> AbstractContextManager[Any]:
+def lock_for(device: Device | str) -> AbstractContextManager[Any]:
     """The lock for a GPU, else a null context. Raises RuntimeError if the process was forked after CUDA started."""
     if getattr(device, "is_cpu", False):
         return _memory_of_host
@@ -64,11 +64,11 @@ def own(values: Any) -> wp.array:
         release_pending()
         note_use(values.device)
         device, release = values.device, values.deleter
-        values.deleter = partial(release_in_turn, device, release)
+        values.deleter = partial(release_under_lock, device, release)
     return values
 
 
-def release_in_turn(
+def release_under_lock(
     device: Device, release: Callable[[int, int], None], address: int, size: int, *, sets_context: bool = False
 ) -> None:
     """Release memory now, or later if another thread has the lock. `sets_context`: `release` sets the CUDA context."""
@@ -132,7 +132,7 @@ class Recording:
     def __del__(self) -> None:
         graphs = getattr(self, "_graphs", None)
         if graphs:
-            release_in_turn(self._device, lambda _address, _size: graphs.clear(), 0, 0)
+            release_under_lock(self._device, lambda _address, _size: graphs.clear(), 0, 0)
 
 
 class RecordedLoop(Recording):

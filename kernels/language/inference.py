@@ -95,9 +95,11 @@ class Inference:
                 self.truths.add(target.id)
             self.known[target.id] = before or kind
         else:
-            place = self.infer(target)
-            if place and kind and place != kind:
-                self.fail(statement, f"{ast.unparse(target)} is {place}, the value is {kind}: {remedy(place)}")
+            target_kind = self.infer(target)
+            if target_kind and kind and target_kind != kind:
+                self.fail(
+                    statement, f"{ast.unparse(target)} is {target_kind}, the value is {kind}: {remedy(target_kind)}"
+                )
 
     def _change(self, statement: ast.AugAssign, depth: int) -> None:
         target = statement.target
@@ -105,19 +107,19 @@ class Inference:
         while isinstance(root, ast.Subscript):
             root = root.value
         if isinstance(root, ast.Name) and isinstance(self.known.get(root.id), ArrayType):
-            symbol, place = SYMBOLS.get(type(statement.op), "?"), ast.unparse(target)
+            symbol, text = SYMBOLS.get(type(statement.op), "?"), ast.unparse(target)
             self.fail(
                 statement,
-                f"`{symbol}=` on an array hides an atomic: write `{place} = {place} {symbol} ...` for the thread's own "
+                f"`{symbol}=` on an array hides an atomic: write `{text} = {text} {symbol} ...` for the thread's own "
                 "element, atomic_add(array, index, value) for a shared one",
             )
         product = ast.copy_location(ast.BinOp(_loaded(target), statement.op, statement.value), statement)
         kind, statement.value = self.infer(product), product.right
         if isinstance(target, ast.Name):
             self._refuse_change_of_truth(target.id, statement, depth)
-        place = self.infer(target)
-        if place and kind and place != kind:
-            self.fail(statement, f"{ast.unparse(target)} is {place} and would become {kind}; convert first")
+        target_kind = self.infer(target)
+        if target_kind and kind and target_kind != kind:
+            self.fail(statement, f"{ast.unparse(target)} is {target_kind} and would become {kind}; convert first")
 
     def _refuse_change_of_truth(self, name: str, statement: ast.stmt, depth: int) -> None:
         if name in self.truths and depth > 0 and self.known.get(name) == BOOL:
@@ -372,8 +374,8 @@ class Inference:
                 node.args[k] = self.numbers.given(node.args[k], wanted.scalar)
             kind = self.infer(node.args[k])
             if kind and wanted and kind != wanted:
-                mend = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
-                self.fail(node.args[k], f"argument {k + 1} of {name} is {words(wanted)}, got {words(kind)}{mend}")
+                advice = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
+                self.fail(node.args[k], f"argument {k + 1} of {name} is {words(wanted)}, got {words(kind)}{advice}")
         return result
 
 

@@ -21,40 +21,40 @@ import warp as wp
 from . import cpu_archive, cpu_code
 from .cache_folders import is_intact, write_atomically
 from .compiled_ahead import digest_of_sources
-from .structs import Place
+from .structs import FieldPath
 
 FOLDER = "pointloom-kept"  # in Warp's cache
 MAX_FOLDERS = 8  # folders of other sources or processors, before the oldest is removed
 PACKAGE = __name__.rpartition(".language.")[0]
 
 
-class Kept(NamedTuple):
+class CachedKernel(NamedTuple):
     """A cached kernel: sources of the flat parameters, a letter per parameter (a: array, v: vector or matrix, s:
     scalar), the `struct` format of the arguments, symbol, and file of machine code."""
 
-    places: list[Place]
+    field_paths: list[FieldPath]
     plan: str
     layout: str
     symbol: str
     machine_code: str
 
 
-def find(module: str, name: str) -> Kept | None:
+def find(module: str, name: str) -> CachedKernel | None:
     """Kernel or sum of a module that was compiled ahead or by an earlier process, or None."""
     entry = cpu_archive.entry_of(module, name) or _read(module).get(name)
     try:
-        return entry and Kept([Place(k, tuple(path)) for k, path in entry[0]], *entry[1:])
+        return entry and CachedKernel([FieldPath(k, tuple(path)) for k, path in entry[0]], *entry[1:])
     except (TypeError, ValueError):  # of another version
         return None
 
 
-def keep(module: str, name: str, kept: Kept) -> None:
+def store(module: str, name: str, cached: CachedKernel) -> None:
     """Store a kernel for later processes if the folder is writable."""
     path = _path(module)
     if path is None:
         return
     _read.cache_clear()
-    entries = {**_read(module), name: list(kept)}
+    entries = {**_read(module), name: list(cached)}
     with contextlib.suppress(OSError):
         if not path.parent.is_dir():
             path.parent.mkdir(parents=True)
@@ -63,12 +63,12 @@ def keep(module: str, name: str, kept: Kept) -> None:
     _read.cache_clear()
 
 
-def address_of(kept: Kept) -> int:
+def address_of(cached: CachedKernel) -> int:
     """Address of a kernel's loaded machine code. 0 if it is missing or this Warp loads it differently."""
     try:
         llvm = wp._src.context.runtime.llvm
-        handle = _handle(kept.machine_code)
-        return llvm.wp_lookup(handle, kept.symbol.encode()) if handle else 0
+        handle = _handle(cached.machine_code)
+        return llvm.wp_lookup(handle, cached.symbol.encode()) if handle else 0
     except (AttributeError, TypeError):
         return 0
 
@@ -76,8 +76,8 @@ def address_of(kept: Kept) -> int:
 def machine_code_of(kernel: Any) -> str:
     """File of a kernel's machine code in Warp's cache. Empty unless there is exactly one."""
     name = kernel.module.get_module_identifier(block_dim=1)
-    found = [str(path) for path in (Path(wp.config.kernel_cache_dir or ".") / name).glob(f"{name}*.o")]
-    return found[0] if len(found) == 1 else ""
+    files = [str(path) for path in (Path(wp.config.kernel_cache_dir or ".") / name).glob(f"{name}*.o")]
+    return files[0] if len(files) == 1 else ""
 
 
 @cache

@@ -37,10 +37,10 @@ class once(Generic[Value]):  # noqa: N801  a decorator, as `property` is
         if owner is None:
             return self  # type: ignore[return-value]
         with lock, without_collections():
-            found = vars(owner)
-            if self.name not in found:
+            values = vars(owner)
+            if self.name not in values:
                 try:
-                    found[self.name] = self.method(owner)
+                    values[self.name] = self.method(owner)
                 except AttributeError as error:  # which getattr(..., None) would interpret as absence
                     raise RuntimeError(f"{self.name}: {error}") from error
-            return found[self.name]
+            return values[self.name]

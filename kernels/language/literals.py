@@ -15,7 +15,7 @@ from .signatures import FLOAT, INT, RANGES, Inferred, Type
 from .syntax_trees import stored_names
 
 WIDE = {"int64", "uint64", "float64"}
-_WHOLE = RANGES.keys() - {INT.scalar}
+_INTEGERS = RANGES.keys() - {INT.scalar}
 
 
 def number_of(node: ast.expr) -> int | float | None:
@@ -64,7 +64,7 @@ class BareNumbers:
 
     def given(self, node: ast.expr, scalar: str) -> ast.expr:
         kind = type(number_of(node))
-        if (kind is int and scalar in _WHOLE) or (kind is float and scalar == "float64"):
+        if (kind is int and scalar in _INTEGERS) or (kind is float and scalar == "float64"):
             self.widened.add(scalar)
             return typed(scalar, node)
         return node
@@ -108,20 +108,20 @@ class Beginnings:
             if isinstance(statement, ast.If | ast.For | ast.While):
                 is_loop = not isinstance(statement, ast.If)
                 for part in (statement.body, statement.orelse):
-                    found = self.write(part)
-                    inner.anywhere.update(found.anywhere)
-                    inner.in_loops.update(found.anywhere if is_loop else found.in_loops)
+                    changed = self.write(part)
+                    inner.anywhere.update(changed.anywhere)
+                    inner.in_loops.update(changed.anywhere if is_loop else changed.in_loops)
                 continue
             own |= stored_names([statement])
             if isinstance(statement, ast.Assign) and isinstance(statement.targets[0], ast.Name):
                 self._begin(statement, statement.targets[0].id, inner)
         return Changed(inner.anywhere | own, inner.in_loops)
 
-    def _begin(self, statement: ast.Assign, name: str, later: Changed) -> None:
+    def _begin(self, statement: ast.Assign, name: str, following: Changed) -> None:
         value = statement.value
-        if name in later.anywhere and (kind := self._small(value)) is not None:
+        if name in following.anywhere and (kind := self._small(value)) is not None:
             statement.value = typed({INT: "int", FLOAT: "float"}[kind], value)
-        elif name in later.in_loops and self._is_wide_constant(value):
+        elif name in following.in_loops and self._is_wide_constant(value):
             assert isinstance(value, ast.Call) and isinstance(value.func, ast.Name)
             zero = typed(value.func.id, ast.copy_location(ast.Constant(0), value))
             if self.type_named(value.func.id) == Type("float64"):

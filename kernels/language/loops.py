@@ -45,15 +45,15 @@ def check_loop(definition: ast.FunctionDef, fail: Fail) -> None:
 def with_assignments(definition: ast.FunctionDef) -> ast.FunctionDef:
     """Replace `yield` by assignments, for the checks of names and types."""
 
-    class Kept(ast.NodeTransformer):
+    class YieldAssigner(ast.NodeTransformer):
         def visit_Expr(self, node: ast.Expr) -> Any:
             if not isinstance(node.value, ast.Yield):
                 return node
-            found = [(f"{YIELDED}{k}", value) for k, value in enumerate(_yielded(node.value))]
-            kept = [ast.Assign([ast.Name(name, ast.Store())], value) for name, value in found]
-            return [ast.fix_missing_locations(ast.copy_location(statement, node)) for statement in kept]
+            pairs = [(f"{YIELDED}{k}", value) for k, value in enumerate(_yielded(node.value))]
+            assignments = [ast.Assign([ast.Name(name, ast.Store())], value) for name, value in pairs]
+            return [ast.fix_missing_locations(ast.copy_location(statement, node)) for statement in assignments]
 
-    return Kept().visit(copy.deepcopy(definition))
+    return YieldAssigner().visit(copy.deepcopy(definition))
 
 
 def _yielded(node: ast.Yield) -> list[ast.expr]:
@@ -64,7 +64,7 @@ def _yielded(node: ast.Yield) -> list[ast.expr]:
 class Expected(NamedTuple):
     value: ast.expr  # as in the flat function
     wanted: Any
-    place: str
+    description: str
 
 
 class Words(NamedTuple):
@@ -95,11 +95,11 @@ class Writer(ast.NodeTransformer):
         return False
 
     def write(self, statements: list[ast.stmt]) -> list[ast.stmt]:
-        found: list[ast.stmt] = []
+        result: list[ast.stmt] = []
         for statement in statements:
             written = self.visit(statement)
-            found += written if isinstance(written, list) else [written]
-        return found
+            result += written if isinstance(written, list) else [written]
+        return result
 
     def look_up(self, name: str) -> Any:
         return None if name in self.taken else self.names.get(name, self.scope.get(name))
@@ -133,7 +133,7 @@ class Writer(ast.NodeTransformer):
 
     def _write_loop(self, node: ast.For, loop: Any) -> list[ast.stmt]:
         definition: ast.FunctionDef = copy.deepcopy(loop.source.definition)
-        name, walk = definition.name, body_of(definition)
+        name, loop_body = definition.name, body_of(definition)
         parameters = [a.arg for a in definition.args.args]
         assert isinstance(node.iter, ast.Call)
         if node.orelse:
@@ -142,9 +142,9 @@ class Writer(ast.NodeTransformer):
             self.fail(node.iter, f"{name} takes {len(parameters)} arguments, got {len(node.iter.args)}")
         self.count += 1
         owner = f"{name}{JOINT}{self.count}"
-        inner = {local: f"{local}{JOINT}{owner}" for local in stored_names(walk)}
+        inner = {local: f"{local}{JOINT}{owner}" for local in stored_names(loop_body)}
         own_scope = loop.function.__globals__
-        for other in {n.id for n in nodes_of(walk) if isinstance(n, ast.Name)} - set(inner):
+        for other in {n.id for n in nodes_of(loop_body) if isinstance(n, ast.Name)} - set(inner):
             if other in own_scope and other not in parameters:
                 inner[other] = self.alias(node, other, own_scope[other], name)
         before: list[ast.stmt] = []
@@ -167,23 +167,23 @@ class Writer(ast.NodeTransformer):
                 flat = ast.Name(JOINT.join(path) or inner.get(parameter, ""), ast.Load())
                 value = argument if isinstance(argument, ast.Constant) else ast.copy_location(flat, argument)
                 self.expected.append(Expected(value, wanted, f"argument {k + 1} of {name}"))
-        self._check_body(node, walk)
-        for place, target in self._renamed(walk, node.target).items():
-            inner[place] = target
+        self._check_body(node, loop_body)
+        for variable, target in self._renamed(loop_body, node.target).items():
+            inner[variable] = target
         splice = _Splice(inner, put, given, node)
         written: list[ast.stmt] = []
-        for statement in walk:
-            found = splice.visit(statement)
-            written += found if isinstance(found, list) else [found]
+        for statement in loop_body:
+            replacement = splice.visit(statement)
+            written += replacement if isinstance(replacement, list) else [replacement]
         own = {id(n) for n in nodes_of(splice.spliced)}
         for part in nodes_of((*before, *written)):
             if id(part) not in own and "lineno" in part._attributes:
                 ast.copy_location(part, node)
         return self.write([*before, *written])  # the loop's inner loops, and its calls of functions with callbacks
 
-    def _renamed(self, walk: list[ast.stmt], target: ast.expr) -> dict[str, str]:
+    def _renamed(self, loop_body: list[ast.stmt], target: ast.expr) -> dict[str, str]:
         """Loop variables that take the caller's name: those assigned anew for each `yield`."""
-        yields = [n for n in nodes_of(walk) if isinstance(n, ast.Yield)]
+        yields = [n for n in nodes_of(loop_body) if isinstance(n, ast.Yield)]
         targets = target.elts if isinstance(target, ast.Tuple) else [target]
         values = _yielded(yields[0])
         if len(targets) != len(values) or not all(isinstance(t, ast.Name) for t in targets):
@@ -191,10 +191,10 @@ class Writer(ast.NodeTransformer):
         return {
             value.id: name.id  # type: ignore[attr-defined]
             for value, name in zip(values, targets, strict=True)
-            if len(yields) == 1 and isinstance(value, ast.Name) and _is_set_anew(walk, value.id)
+            if len(yields) == 1 and isinstance(value, ast.Name) and _is_set_anew(loop_body, value.id)
         }
 
-    def _check_body(self, node: ast.For, walk: list[ast.stmt]) -> None:
+    def _check_body(self, node: ast.For, loop_body: list[ast.stmt]) -> None:
         targets = {n.id for n in nodes_of([node.target]) if isinstance(n, ast.Name)}
         for name in targets & stored_names(node.body):
             self.fail(node, f"{name} is the variable of a loop: change a copy, `copy = {name}`")
@@ -202,7 +202,7 @@ class Writer(ast.NodeTransformer):
             self.fail(node, f"{name} is what the loop is given, and its variable: choose another name")
         for jump in _jumps(node.body):
             word = "break" if isinstance(jump, ast.Break) else "continue"
-            if not _may_jump(walk, word):
+            if not _may_jump(loop_body, word):
                 reason = "has more loops or more to do" if word == "break" else "does more behind its `yield`"
                 self.fail(jump, f"no `{word}` out of this walk, which {reason}: keep a flag")
 
@@ -261,14 +261,14 @@ class _Splice(ast.NodeTransformer):
             self.generic_visit(node)
             return node
         targets = self.node.target.elts if isinstance(self.node.target, ast.Tuple) else [self.node.target]
-        handed: list[ast.stmt] = []
+        assignments: list[ast.stmt] = []
         for target, value in zip(targets, _yielded(node.value), strict=True):
             value = self.visit(value)
             if not (isinstance(value, ast.Name) and value.id == target.id):  # type: ignore[attr-defined]
-                handed.append(ast.Assign([copy.deepcopy(target)], value))
+                assignments.append(ast.Assign([copy.deepcopy(target)], value))
         body = copy.deepcopy(self.node.body)
         self.spliced += body
-        return [*handed, *body]
+        return [*assignments, *body]
 
     def visit_Name(self, node: ast.Name) -> ast.AST:
         if node.id in self.put:
@@ -282,18 +282,18 @@ class _Splice(ast.NodeTransformer):
 
 def _jumps(statements: list[ast.stmt]) -> list[ast.stmt]:
     """`break` and `continue` statements that belong to the enclosing loop."""
-    found: list[ast.stmt] = []
+    jumps: list[ast.stmt] = []
     for statement in statements:
         if isinstance(statement, ast.Break | ast.Continue):
-            found.append(statement)
+            jumps.append(statement)
         elif isinstance(statement, ast.If):
-            found += _jumps(statement.body) + _jumps(statement.orelse)
-    return found
+            jumps += _jumps(statement.body) + _jumps(statement.orelse)
+    return jumps
 
 
-def _is_set_anew(walk: list[ast.stmt], name: str) -> bool:
+def _is_set_anew(loop_body: list[ast.stmt], name: str) -> bool:
     """True if a variable is assigned only in a loop before the `yield`."""
-    steps = list(_steps(walk, name, in_loop=False))
+    steps = list(_steps(loop_body, name, in_loop=False))
     return None in steps and all(step is None or step for step in steps) and True not in steps[steps.index(None) :]
 
 

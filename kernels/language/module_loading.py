@@ -37,8 +37,8 @@ def load_module(module: Any, device: Device) -> None:
     block_dim = 1 if device.is_cpu else module.options["block_dim"]  # as in launches
     if (device.context, block_dim) in module.execs:
         return
-    place = "cpu" if device.is_cpu else f"sm{device.arch}"
-    with turn_of(f"{module.get_module_identifier(block_dim)}.{place}"):
+    target = "cpu" if device.is_cpu else f"sm{device.arch}"
+    with locked(f"{module.get_module_identifier(block_dim)}.{target}"):
         if device.is_cpu or not _is_loaded_from_archive(module, device, block_dim):
             _load_or_compile(module, device, block_dim)
 
@@ -60,9 +60,9 @@ def _load_or_compile(module: Any, device: Device, block_dim: int) -> None:
     try:
         module.load(device, block_dim)
     except OSError as error:
-        places = " and ".join(dict.fromkeys(map(str, (named, wp.config.kernel_cache_dir))))
+        folders = " and ".join(dict.fromkeys(map(str, (named, wp.config.kernel_cache_dir))))
         raise CacheError(
-            f"compiled kernels cannot be stored in {places}: {error.strerror or error}. Free some space, or set "
+            f"compiled kernels cannot be stored in {folders}: {error.strerror or error}. Free some space, or set "
             "XDG_CACHE_HOME and TMPDIR to folders that can be written to"
         ) from error
     seal(*_files_of(module, device, block_dim))
@@ -75,13 +75,13 @@ def _files_of(module: Any, device: Device, block_dim: int) -> tuple[Path, Path]:
 
 
 def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool:
-    found = compiled_ahead.archive()
-    if found is None:
+    archive = compiled_ahead.archive()
+    if archive is None:
         return False
     try:
-        files = found.place(module, device, block_dim)
+        files = archive.unpack(module, device, block_dim)
     except (OSError, ValueError, KeyError, zipfile.BadZipFile, lzma.LZMAError) as error:
-        compiled_ahead.refuse(found.path, f"cannot be read: {error}")
+        compiled_ahead.refuse(archive.path, f"cannot be read: {error}")
         return False
     if files is None:
         return False
@@ -89,13 +89,13 @@ def _is_loaded_from_archive(module: Any, device: Device, block_dim: int) -> bool
         module.load(device, block_dim, files.binary, files.architecture, files.meta)
     except Exception as error:  # Warp raises no more specific type
         discard(files.binary)  # else Warp would use it
-        compiled_ahead.refuse(found.path, f"{device.alias} does not take {files.binary.name}: {error}")
+        compiled_ahead.refuse(archive.path, f"{device.alias} does not take {files.binary.name}: {error}")
         return False
     return True
 
 
 @contextlib.contextmanager
-def turn_of(name: str) -> Iterator[None]:
+def locked(name: str) -> Iterator[None]:
     """Let one process at a time do the named work, without a lock if unsupported. It ends with the process."""
     descriptor = -1
     try:
@@ -103,14 +103,14 @@ def turn_of(name: str) -> Iterator[None]:
             path = Path(wp.config.kernel_cache_dir or ".") / LOCKS
             path.parent.mkdir(parents=True, exist_ok=True)
             descriptor = os.open(path, os.O_RDWR | os.O_CREAT | getattr(os, "O_CLOEXEC", 0), 0o666)
-            _wait_for_turn(descriptor, zlib.crc32(name.encode()))
+            _wait_for_lock(descriptor, zlib.crc32(name.encode()))
         yield
     finally:
         if descriptor >= 0:
             os.close(descriptor)  # which releases the lock
 
 
-def _wait_for_turn(descriptor: int, position: int) -> None:
+def _wait_for_lock(descriptor: int, position: int) -> None:
     end = time.monotonic() + LONGEST_WAIT
     while fcntl is not None:
         try:

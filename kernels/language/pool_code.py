@@ -32,7 +32,7 @@ FIELDS = {
     **{name: LAUNCH + k for k, name in enumerate(("forward", "arguments", "chunks", "chunk", "total", "first"))},
     **{name: POOL + k for k, name in enumerate(("over", "wait", "post", "give_way", "workers", "spins"))},
 }
-_NATIVE = "".join(f"#define {name}_ p[{place}]\n" for name, place in FIELDS.items()) + (
+_NATIVE = "".join(f"#define {name}_ p[{slot}]\n" for name, slot in FIELDS.items()) + (
     """
     typedef unsigned long long word;
     typedef signed (*waiter)(void*, word, void*);  // int is Warp's name for a cast here
@@ -80,13 +80,13 @@ _SHARE = """
     wake(1);
     work();
     __atomic_fetch_or(&p[0], 1ull << 32, __ATOMIC_SEQ_CST);
-    for (word turns = 0; __atomic_load_n(&p[0], __ATOMIC_ACQUIRE) & 0xffffffffull; ++turns)
-        if (turns < spins_) pause(); else ((yielder)give_way_)();  // a worker without a core may want this one
+    for (word tries = 0; __atomic_load_n(&p[0], __ATOMIC_ACQUIRE) & 0xffffffffull; ++tries)
+        if (tries < spins_) pause(); else ((yielder)give_way_)();  // a worker without a core may want this one
 """
 _SERVE = """
     word* own = p + 32 + 8 * worker;
     for (;;) {
-        for (word turns = 0;;) {  // until it is inside a launch
+        for (word tries = 0;;) {  // until it is inside a launch
             if (__atomic_load_n(&over_, __ATOMIC_ACQUIRE)) return;
             if (is_open()) {
                 word state = __atomic_load_n(&p[0], __ATOMIC_RELAXED);
@@ -94,13 +94,13 @@ _SERVE = """
                     &p[0], &state, state + 1, false, __ATOMIC_ACQ_REL, __ATOMIC_RELAXED)) break;
                 continue;
             }
-            if (turns++ < spins_) { pause(); continue; }
+            if (tries++ < spins_) { pause(); continue; }
             __atomic_store_n(&own[0], (word)1, __ATOMIC_SEQ_CST);
             // A launch that opened before this saw no sleeper; who clears the mark is who ends the sleep.
             if ((is_open() || __atomic_load_n(&over_, __ATOMIC_SEQ_CST))
                 && __atomic_exchange_n(&own[0], (word)0, __ATOMIC_SEQ_CST)) continue;
             while (((waiter)wait_)((void*)own[1], ~0ull, nullptr)) {}  // a signal interrupts it
-            turns = 0;
+            tries = 0;
         }
         wake(2 * worker + 2);
         wake(2 * worker + 3);
@@ -130,10 +130,10 @@ def _serve_kernel(pool: wp.uint64, worker: wp.uint64) -> None:
     _serve(pool, worker)
 
 
-def _try_kernel(given: wp.array(dtype=wp.vec3), turns: int, out: wp.array2d(dtype=wp.float32)):  # type: ignore[valid-type]
+def _try_kernel(given: wp.array(dtype=wp.vec3), count: int, out: wp.array2d(dtype=wp.float32)):  # type: ignore[valid-type]
     i = wp.tid()
     total = wp.float32(0.0)
-    for k in range(turns):
+    for k in range(count):
         if wp.isfinite(given[i]):
             total += given[i][k]
     out[i, 0] = total

@@ -14,7 +14,7 @@ from .driver import driver
 _RESERVED, _USED = 5, 7  # CU_MEMPOOL_ATTR_RESERVED_MEM_CURRENT, CU_MEMPOOL_ATTR_USED_MEM_CURRENT
 
 
-def kept_bytes(device: Any) -> int:
+def reserved_bytes(device: Any) -> int:
     """Bytes that the pool of a GPU reserves beyond its arrays."""
     if not device.is_mempool_enabled:
         return 0
@@ -45,9 +45,9 @@ def _pool(device: Any) -> ctypes.c_void_p:
 
 
 def _attribute(device: Any, pool: ctypes.c_void_p, name: int) -> int:
-    found = ctypes.c_uint64()
-    _check(device, driver().cuMemPoolGetAttribute(pool, ctypes.c_int(name), ctypes.byref(found)))
-    return found.value
+    value = ctypes.c_uint64()
+    _check(device, driver().cuMemPoolGetAttribute(pool, ctypes.c_int(name), ctypes.byref(value)))
+    return value.value
 
 
 def _check(device: Any, error: int) -> None:

@@ -17,7 +17,7 @@ import warp as wp
 
 from . import cpu_code, cpu_pool
 from .arguments import array_of, check_scalar_count, type_of
-from .kernel_cache import Kept
+from .kernel_cache import CachedKernel
 from .pool_code import filled_with
 from .signatures import FLOATS, Type
 
@@ -61,16 +61,16 @@ class WarpLaunch:
             self._layout = None
 
     @classmethod
-    def of_kept(cls, kept: Kept, address: int, kernel: Callable[[], Any]) -> WarpLaunch:
+    def of_cached(cls, cached: CachedKernel, address: int, kernel: Callable[[], Any]) -> WarpLaunch:
         """Restore a cached launch; `kernel` creates Warp's kernel if that is needed after all."""
         made = cls.__new__(cls)
         made._kernel = kernel
-        made._begin(kept.plan, ctypes.CFUNCTYPE(None)(address), None)
-        made._layout = struct.Struct(kept.layout)
+        made._begin(cached.plan, ctypes.CFUNCTYPE(None)(address), None)
+        made._layout = struct.Struct(cached.layout)
         return made
 
-    def _begin(self, plan: str, forward: Any, held: Any) -> None:
-        self.plan, self._forward, self._held = plan, forward, held  # keeps the machine code alive
+    def _begin(self, plan: str, forward: Any, keep_alive: Any) -> None:
+        self.plan, self._forward, self._keep_alive = plan, forward, keep_alive  # keeps the machine code alive
         self._address = ctypes.cast(forward, ctypes.c_void_p).value or 0
 
     @property
@@ -98,16 +98,17 @@ class WarpLaunch:
         count = thread_count + last_count  # sequential on this thread
         return wp.launch(self._kernel(), count, values, device="cpu", record_cmd=True).launch  # type: ignore[union-attr]
 
-    def _bound_packed(self, held: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
-        forward, address, arguments = self._forward, self._address, ctypes.addressof(held[1])
-        whole, place = ctypes.byref(cpu_code.whole(thread_count + last_count)), ctypes.byref(held[1])
+    def _bound_packed(self, packed: tuple[Any, Any], thread_count: int, last_count: int) -> Callable[[], None]:
+        forward, address, arguments = self._forward, self._address, ctypes.addressof(packed[1])
+        bounds = ctypes.byref(cpu_code.full_bounds(thread_count + last_count))
+        pointer = ctypes.byref(packed[1])
         if thread_count <= 1 and last_count <= 1:
-            return lambda _=held: forward(whole, place)
+            return lambda _=packed: forward(bounds, pointer)
 
-        def run(_: Any = held) -> None:
+        def run(_: Any = packed) -> None:
             pool = cpu_pool.pool()
             if pool is None:
-                forward(whole, place)
+                forward(bounds, pointer)
                 return
             if thread_count:
                 pool.share(address, arguments, thread_count, 0)
@@ -154,7 +155,7 @@ class _Context:
     """Arguments in Taichi's launch context, and the values that they were set from."""
 
     def __init__(self, made: Any, count: int) -> None:
-        self.made, self.held = made, list[Any]([None] * count)
+        self.made, self.current = made, list[Any]([None] * count)
         self.put_array = made.set_arg_external_array_with_shape
 
 
@@ -183,7 +184,7 @@ class TaichiLaunch:
         """A repeatable launch that keeps its arrays alive, valid while Taichi's program lives."""
         context = self._new_context()
         self._fill(context, values)
-        return lambda held=values: self._launch(context)
+        return lambda keep_alive=values: self._launch(context)
 
     def _new_context(self) -> _Context:
         return _Context(self._kernel.make_launch_context(), len(self._plan))
@@ -192,22 +193,22 @@ class TaichiLaunch:
         self.program().launch_kernel(self._compiled, context.made)  # type: ignore[union-attr]
 
     def _fill(self, context: _Context, values: Sequence[Any]) -> None:
-        held, put_array, k = context.held, context.put_array, 0
-        for (place, read, put), value in zip(self._plan, values, strict=True):
-            if place is not None:
+        current, put_array, k = context.current, context.put_array, 0
+        for (slot, read, put), value in zip(self._plan, values, strict=True):
+            if slot is not None:
                 wanted = (value.ptr, value.shape)
-                if wanted != held[k]:
+                if wanted != current[k]:
                     count = value.size
                     check_scalar_count(self._name, count * put)
-                    put_array(place, wanted[0] or 0, count * read, wanted[1], 0)
-                    held[k] = wanted
+                    put_array(slot, wanted[0] or 0, count * read, wanted[1], 0)
+                    current[k] = wanted
             elif read is None:
                 put(context.made, value)
             else:
                 wanted = read(value)
-                if wanted != held[k]:
+                if wanted != current[k]:
                     put(context.made, wanted)
-                    held[k] = wanted
+                    current[k] = wanted
             k += 1
 
 
@@ -215,14 +216,14 @@ def _setter(k: int, parameter: Parameter) -> tuple[Callable[[Any], Any] | None, 
     """Functions that compare and set a number or vector. Floats are always set, since -0.0 == 0.0."""
     kind = "float" if parameter.scalar in FLOATS else "uint" if parameter.scalar.startswith("u") else "int"
     if not parameter.is_vector:
-        place, name = (k,), f"set_arg_{kind}"
-        return None if kind == "float" else int, lambda made, number: getattr(made, name)(place, number)
-    places, name = [(k, c) for c in range(parameter.length)], f"set_struct_arg_{kind}"
+        slot, name = (k,), f"set_arg_{kind}"
+        return None if kind == "float" else int, lambda made, number: getattr(made, name)(slot, number)
+    slots, name = [(k, c) for c in range(parameter.length)], f"set_struct_arg_{kind}"
     numbers = struct.Struct(f"{parameter.length}{FORMATS[parameter.scalar]}")
 
     def put_vector(made: Any, vector: bytes) -> None:
         put = getattr(made, name)
-        for place, number in zip(places, numbers.unpack(vector), strict=True):
-            put(place, number)
+        for slot, number in zip(slots, numbers.unpack(vector), strict=True):
+            put(slot, number)
 
     return bytes, put_vector

@@ -81,7 +81,7 @@ def check(
     _read_annotations(source, role)
     if role == "loop":
         check_loop(source.definition, source.fail)
-        _check_walk(source, vocabulary)
+        _check_named_loop(source, vocabulary)
         return source
     source.is_template = callback in source.written.values()
     if source.is_template:
@@ -93,16 +93,20 @@ def check(
     return source
 
 
-def _check_walk(source: Source, vocabulary: Vocabulary) -> None:
+def _check_named_loop(source: Source, vocabulary: Vocabulary) -> None:
     if callback in source.written.values():
         return  # the type of its calls is inferred where it is used
-    walk = replace(source, definition=with_assignments(source.definition))
-    _write_out(walk, vocabulary)
-    known = _check_flat(walk, "loop", vocabulary)
-    parts = walk.result if isinstance(walk.result, tuple) and not isinstance(walk.result, Type) else (walk.result,)
-    found = tuple(known.get(name) for name in sorted(known) if name.startswith(YIELDED))
-    if walk.result is not None and None not in found and parts != found:
-        source.fail(source.definition, f"hands out {words(found)}, declared {words(parts)}")
+    inlined = replace(source, definition=with_assignments(source.definition))
+    _write_out(inlined, vocabulary)
+    known = _check_flat(inlined, "loop", vocabulary)
+    parts = (
+        inlined.result
+        if isinstance(inlined.result, tuple) and not isinstance(inlined.result, Type)
+        else (inlined.result,)
+    )
+    yielded = tuple(known.get(name) for name in sorted(known) if name.startswith(YIELDED))
+    if inlined.result is not None and None not in yielded and parts != yielded:
+        source.fail(source.definition, f"hands out {words(yielded)}, declared {words(parts)}")
 
 
 def _write_out(source: Source, vocabulary: Vocabulary) -> None:
@@ -112,8 +116,8 @@ def _write_out(source: Source, vocabulary: Vocabulary) -> None:
     if writer.has_work(function):
         definition.body, source.expected = writer.write(definition.body), writer.expected
     scope = {**function.__globals__, **writer.names}
-    annotations, source.places = flatten(definition, source.written, scope, source.fail)
-    if not writer.count and len(annotations) == len(source.written) and not any(p.path for p in source.places):
+    annotations, source.field_paths = flatten(definition, source.written, scope, source.fail)
+    if not writer.count and len(annotations) == len(source.written) and not any(p.path for p in source.field_paths):
         return
     if "return" in function.__annotations__:
         annotations["return"] = function.__annotations__["return"]
@@ -302,19 +306,19 @@ def _check_scopes(source: Source, role: str, assigned: set[str]) -> None:
         fixed[index.targets[0].id] = "the thread's index"  # type: ignore[attr-defined]
     fixed |= {name: "an array" for name, kind in source.parameters.items() if isinstance(kind, ArrayType)}
 
-    def walk(statements: list[ast.stmt], known: set[str], fixed: dict[str, str]) -> None:
+    def visit(statements: list[ast.stmt], known: set[str], fixed: dict[str, str]) -> None:
         for statement in statements:
             if isinstance(statement, ast.If | ast.While):
                 read(statement.test, known)
-                walk(statement.body, set(known), fixed)
-                walk(statement.orelse, set(known), fixed)
+                visit(statement.body, set(known), fixed)
+                visit(statement.orelse, set(known), fixed)
             elif isinstance(statement, ast.For):
                 assert isinstance(statement.target, ast.Name)
                 read(statement.iter, known)
                 name = statement.target.id
                 if name in known:
                     source.fail(statement, f"{name} is in use: give the loop a variable of its own")
-                walk(statement.body, known | {name}, fixed | {name: "the variable of a loop"})
+                visit(statement.body, known | {name}, fixed | {name: "the variable of a loop"})
             else:
                 read(statement, known)
                 for name in sorted(stored_names([statement])):
@@ -332,7 +336,7 @@ def _check_scopes(source: Source, role: str, assigned: set[str]) -> None:
             if isinstance(node, ast.Call) and getattr(node.func, "id", "") == "tid" and tree is not index:
                 source.fail(node, "tid() is called once, first in a kernel: pass the index on")
 
-    walk(source.body, set(source.parameters), fixed)
+    visit(source.body, set(source.parameters), fixed)
 
 
 def _check_types(source: Source, vocabulary: Vocabulary, local: set[str]) -> dict[str, Inferred]:
@@ -362,11 +366,11 @@ def _check_types(source: Source, vocabulary: Vocabulary, local: set[str]) -> dic
     inference.run(source.body)
     beginnings = Beginnings(lambda name: None if name in local else constant(name), type_named)
     beginnings.write(source.body)
-    for value, annotation, place in source.expected:
+    for value, annotation, description in source.expected:
         kind, wanted = inference.infer(value), vocabulary.array_of(annotation) or vocabulary.type_of(annotation)
         if kind and wanted and kind != wanted:
-            mend = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
-            source.fail(value, f"{place} is {words(wanted)}, got {words(kind)}{mend}")
+            advice = f": {remedy(wanted)}" if isinstance(wanted, Type) else ""
+            source.fail(value, f"{description} is {words(wanted)}, got {words(kind)}{advice}")
     source.result = source.result or inference.returned
     if beginnings.count or inference.numbers.widened:
         taken = {name: vocabulary.scalar(name) for name in inference.numbers.widened}

@@ -20,7 +20,7 @@ from .warp_compiler import REDUCTION_BLOCK, CudaSegmentReduction
 if TYPE_CHECKING:
     from ..lang import Reduction
 
-_MOST = MAX_THREADS // REDUCTION_BLOCK  # blocks or segments of a launch
+_MAX_BLOCKS = MAX_THREADS // REDUCTION_BLOCK  # blocks or segments of a launch
 
 
 def launch_segments(
@@ -46,7 +46,7 @@ class PreparedSegmentSum:
     """Prepared segmented reduction on a GPU, for sizes that fit in one launch."""
 
     def __init__(self, reduction: Reduction, tiles: CudaLaunch, fold: CudaLaunch, device: Any) -> None:
-        self._take_apart = flattener(reduction.types, device, reduction.places, len(reduction.takes))
+        self._flatten = flattener(reduction.types, device, reduction.field_paths, len(reduction.takes))
         self._sums, self._tables = kind_of(reduction.vector, 1, device), kind_of(wp.int32, 1, device)
         self._tiles, self._fold = tiles, fold
 
@@ -66,10 +66,10 @@ class PreparedSegmentSum:
     ) -> bool:
         """Launch. False without any effect for arguments that need conversion."""
         size, packed = REDUCTION_BLOCK, self._tables.packed
-        if not 0 < blocks.count <= _MOST or not 0 < out.size <= _MOST:
+        if not 0 < blocks.count <= _MAX_BLOCKS or not 0 < out.size <= _MAX_BLOCKS:
             return False
         try:
-            flat, sums = self._take_apart(arguments), self._sums.packed(partials)
+            flat, sums = self._flatten(arguments), self._sums.packed(partials)
             tables = (packed(blocks.firsts), packed(blocks.lasts), packed(blocks.owners), packed(live), sums)
             folded = (packed(blocks.starts), packed(live), sums, self._sums.packed(out))
             with lock:
@@ -81,5 +81,5 @@ class PreparedSegmentSum:
 
 
 def _parts(count: int) -> Iterator[slice]:
-    for first in range(0, count, _MOST):
-        yield slice(first, min(first + _MOST, count))
+    for first in range(0, count, _MAX_BLOCKS):
+        yield slice(first, min(first + _MAX_BLOCKS, count))

@@ -16,7 +16,7 @@ from typing import Any, NoReturn
 from .inference import Inferred
 from .loops import Expected, Words
 from .signatures import ArrayType, Type
-from .structs import JOINT, Place, fields_of
+from .structs import JOINT, FieldPath, fields_of
 from .syntax_trees import body_of
 
 
@@ -45,7 +45,7 @@ class Source:
     filename: str
     first_line: int
     written: dict[str, Any] = field(default_factory=dict)  # types of the parameters in the source
-    places: list[Place] = field(default_factory=list)  # source of each flat parameter
+    field_paths: list[FieldPath] = field(default_factory=list)  # source of each flat parameter
     expected: list[Expected] = field(default_factory=list)  # arguments of its loops
     is_template: bool = False  # compiled for each callback
     for_cuda: bool = False
@@ -73,8 +73,8 @@ class Source:
     def readable(self, text: str) -> str:
         """Replace generated names by those in the source."""
 
-        def name(found: re.Match[str]) -> str:
-            first, *rest = found[0].split(JOINT)
+        def name(match: re.Match[str]) -> str:
+            first, *rest = match[0].split(JOINT)
             return ".".join([first, *rest]) if fields_of(self.written.get(first)) is not None else first
 
         return re.sub(rf"\b[A-Za-z]\w*?{JOINT}\w+", name, text)

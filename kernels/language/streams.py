@@ -52,7 +52,7 @@ def note_use(device: Any) -> None:
 def order_releases() -> None:
     """Make the legacy stream, which releases memory, wait for all non-blocking streams in use. If a stream's object is
     gone, the host waits. Recording streams are left out."""
-    kept = {}
+    remaining = {}
     while _used:
         handle, (device, stream) = _used.popitem()
         with device.context_guard:
@@ -63,8 +63,8 @@ def order_releases() -> None:
             if not is_recorded:
                 wait_for(None, handle, device)
             if is_recorded or handle == device.stream.cuda_stream:
-                kept[handle] = device, stream
-    _used.update(kept)
+                remaining[handle] = device, stream
+    _used.update(remaining)
 
 
 def wait_for(stream: int | None, other: int, device: Any) -> None:

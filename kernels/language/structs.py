@@ -48,19 +48,19 @@ def type_at(kind: Any, path: Path) -> Any:
     return kind
 
 
-class Place(NamedTuple):
+class FieldPath(NamedTuple):
     parameter: int  # index among the parameters in the source
     path: Path
 
 
 def flatten(
     definition: ast.FunctionDef, written: dict[str, Any], scope: dict[str, Any], fail: Callable[..., Any]
-) -> tuple[dict[str, Any], list[Place]]:
+) -> tuple[dict[str, Any], list[FieldPath]]:
     """Replace the structures of a function (modified) by fields in use. Return their types and sources."""
     structures = {name: kind for name, kind in written.items() if fields_of(kind) is not None}
     flattener = _Flattener(scope, structures, fail)
     definition.body = [flattener.visit(statement) for statement in definition.body]
-    parameters, types, places = [], {}, []
+    parameters, types, field_paths = [], {}, []
     for k, argument in enumerate(definition.args.args):
         kind = written.get(argument.arg)
         for path in leaves_of(kind):
@@ -68,9 +68,9 @@ def flatten(
                 name = JOINT.join((argument.arg, *path))
                 parameters.append(ast.copy_location(ast.arg(name), argument))
                 types[name] = type_at(kind, path)
-                places.append(Place(k, path))
+                field_paths.append(FieldPath(k, path))
     definition.args.args = parameters
-    return types, places
+    return types, field_paths
 
 
 class _Flattener(ast.NodeTransformer):
@@ -81,11 +81,11 @@ class _Flattener(ast.NodeTransformer):
         self.used: dict[str, set[Path]] = {name: set() for name in structures}
 
     def visit_Attribute(self, node: ast.Attribute) -> ast.AST:
-        found = self._resolve(node)
-        if found is None:
+        resolved = self._resolve(node)
+        if resolved is None:
             self.generic_visit(node)
             return node
-        name, path, kind = found
+        name, path, kind = resolved
         if fields_of(kind) is not None:
             self._refuse(node)
         if not isinstance(node.ctx, ast.Load):
@@ -105,19 +105,19 @@ class _Flattener(ast.NodeTransformer):
             self.fail(node, f"{ast.unparse(node.func)} takes {len(written)} arguments, got {len(node.args)}")
         arguments: list[ast.expr] = []
         for k, argument in enumerate(node.args):
-            found = self._resolve(argument)
+            resolved = self._resolve(argument)
             wanted: Any = written[k] if k < len(written) else None
-            if found is None or fields_of(found[2]) is None:
+            if resolved is None or fields_of(resolved[2]) is None:
                 if fields_of(wanted) is not None:
                     self.fail(argument, f"argument {k + 1} of {callee_name(node)} is a {wanted.__name__}")
                 arguments.append(self.visit(argument))
                 continue
-            name, path, kind = found
+            name, path, kind = resolved
             if wanted is not kind:
                 self.fail(argument, f"argument {k + 1} of {callee_name(node)} is no {kind.__name__}")
-            for place in source.places:  # type: ignore[union-attr]
-                if place.parameter == k:
-                    arguments.append(self._field(argument, name, path + place.path))
+            for field_path in source.field_paths:  # type: ignore[union-attr]
+                if field_path.parameter == k:
+                    arguments.append(self._field(argument, name, path + field_path.path))
         node.args = arguments
         return node
 
@@ -132,14 +132,14 @@ class _Flattener(ast.NodeTransformer):
         """(parameter, path, type) of an attribute chain from a structure to a field."""
         if isinstance(node, ast.Name):
             return (node.id, (), self.structures[node.id]) if node.id in self.structures else None
-        found = self._resolve(node.value) if isinstance(node, ast.Attribute) else None
-        fields = None if found is None else fields_of(found[2])
-        if found is None or fields is None:
+        resolved = self._resolve(node.value) if isinstance(node, ast.Attribute) else None
+        fields = None if resolved is None else fields_of(resolved[2])
+        if resolved is None or fields is None:
             return None
         assert isinstance(node, ast.Attribute)
         if node.attr not in fields:
-            self.fail(node, f"{found[2].__name__} has no field {node.attr}: it has {', '.join(fields)}")
-        return found[0], (*found[1], node.attr), fields[node.attr]
+            self.fail(node, f"{resolved[2].__name__} has no field {node.attr}: it has {', '.join(fields)}")
+        return resolved[0], (*resolved[1], node.attr), fields[node.attr]
 
 
 def callee_name(node: ast.Call) -> str:

@@ -8,7 +8,7 @@ from collections.abc import Iterable
 
 def nodes_of(trees: Iterable[ast.AST]) -> list[ast.AST]:
     """All nodes in the order of `ast.walk`, without Load and Store."""
-    found: list[ast.AST] = []
+    nodes: list[ast.AST] = []
     for tree in trees:
         level = [tree]
         for node in level:  # which grows
@@ -18,8 +18,8 @@ def nodes_of(trees: Iterable[ast.AST]) -> list[ast.AST]:
                     level += [part for part in value if isinstance(part, ast.AST)]
                 elif isinstance(value, ast.AST) and name != "ctx":
                     level.append(value)
-        found += level
-    return found
+        nodes += level
+    return nodes
 
 
 def body_of(definition: ast.FunctionDef) -> list[ast.stmt]:

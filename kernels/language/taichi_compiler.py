@@ -37,8 +37,8 @@ try:
 except ImportError:  # Windows: Taichi's own lock has to suffice
     fcntl = None
 
-PATIENCE = 10.0  # [s] to wait for the lock, which takes some ms. Then it continues without
-LEFT_BEHIND = 2.0  # [s] after which a ticache.lock is stale
+LOCK_TIMEOUT = 10.0  # [s] to wait for the lock, which takes some ms. Then it continues without
+STALE_AFTER = 2.0  # [s] after which a ticache.lock is stale
 
 
 class TaichiUnavailableError(RuntimeError):
@@ -69,37 +69,37 @@ class KernelFolder:
         self.path = Path(path) if path else None
 
     @contextlib.contextmanager
-    def turn(self) -> Iterator[None]:
+    def locked(self) -> Iterator[None]:
         """Lock the folder among processes and repair it."""
         if self.path is None:
             yield
             return
-        with contextlib.ExitStack() as held:
+        with contextlib.ExitStack() as stack:
             with contextlib.suppress(OSError):  # a full disk, a file system without locks
                 self.path.mkdir(parents=True, exist_ok=True)
-                file = held.enter_context((self.path / "pointloom.lock").open("w"))
-                _take_lock(file.fileno(), held)
+                file = stack.enter_context((self.path / "pointloom.lock").open("w"))
+                _take_lock(file.fileno(), stack)
                 _remove_left_lock(self.path / "ticache.lock")
                 _forget_lost_kernels(self.path)
             yield
 
 
-def _take_lock(descriptor: int, held: contextlib.ExitStack) -> None:
-    last = time.monotonic() + PATIENCE
+def _take_lock(descriptor: int, stack: contextlib.ExitStack) -> None:
+    last = time.monotonic() + LOCK_TIMEOUT
     while fcntl is not None and time.monotonic() < last:
         try:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError:
             time.sleep(0.005)
         else:
-            held.callback(fcntl.flock, descriptor, fcntl.LOCK_UN)  # closing is not enough if another thread forked
+            stack.callback(fcntl.flock, descriptor, fcntl.LOCK_UN)  # closing is not enough if another thread forked
             return
 
 
 def _remove_left_lock(path: Path) -> None:
     """Remove the lock file of a dead Taichi process: no live one holds it that long."""
     with contextlib.suppress(FileNotFoundError):
-        while 0 <= time.time() - path.stat().st_mtime < LEFT_BEHIND:
+        while 0 <= time.time() - path.stat().st_mtime < STALE_AFTER:
             time.sleep(0.02)
         path.unlink()
 
@@ -122,7 +122,7 @@ class OwnProgram:
         self._ti, self._impl = ti, impl
         self._program = weakref.ref(impl.get_runtime().prog)
         self._folder = KernelFolder(ti.cfg.offline_cache_file_path if ti.cfg.offline_cache else None)
-        with self._folder.turn(), warnings.catch_warnings():
+        with self._folder.locked(), warnings.catch_warnings():
             warnings.simplefilter("ignore")  # Taichi's compiler uses features deprecated in newer Pythons
             ti.kernel(_nothing)()
 
@@ -130,7 +130,7 @@ class OwnProgram:
         """End the program while errors can be caught; compiled kernels are saved."""
         if self._impl.get_runtime().prog is not self._program():
             return
-        with self._folder.turn():
+        with self._folder.locked():
             try:
                 self._ti.reset()
             except Exception:
@@ -164,12 +164,12 @@ def same_arithmetic() -> Iterator[None]:
 
 
 NEGATED = "negated_"  # name of the function for a minus sign
-TURNS = 512  # iterations of a parallel loop that Taichi gives to a core at once
+BATCH_SIZE = 512  # iterations of a parallel loop that Taichi gives to a core at once
 
-TURNS_LOOP = f"""
-for turn_ in range(chunk_count_ * {TURNS}):
-    if turn_ % {TURNS} == 0:
-        chunk_ = turn_ // {TURNS}
+BATCH_LOOP = f"""
+for step_ in range(chunk_count_ * {BATCH_SIZE}):
+    if step_ % {BATCH_SIZE} == 0:
+        chunk_ = step_ // {BATCH_SIZE}
 """
 # first + min(...), not min((chunk_ + 1) * size, count): that product can exceed 2^31
 CHUNK_LOOP = """
@@ -222,8 +222,8 @@ class ToTaichi(ast.NodeTransformer):
         name = node.func.id if isinstance(node.func, ast.Name) else ""
         if name.startswith("atomic_"):
             target, *index, value = node.args
-            place = index[0] if len(index) == 1 else ast.Tuple(index, ast.Load())
-            cell = ast.Subscript(target, place, ast.Load())
+            subscript = index[0] if len(index) == 1 else ast.Tuple(index, ast.Load())
+            cell = ast.Subscript(target, subscript, ast.Load())
             return ast.Call(ast.Attribute(ast.Name("ti_", ast.Load()), name, ast.Load()), [cell, value], [])
         made = self.names.get(name)
         scalar = getattr(getattr(made, "_wp_scalar_type_", made), "__name__", name)
@@ -288,7 +288,7 @@ def _loaded(target: ast.expr) -> ast.expr:
 
 
 def in_parallel(body: list[ast.stmt]) -> ast.For:
-    loop: ast.For = ast.parse(TURNS_LOOP).body[0]  # type: ignore[assignment]
+    loop: ast.For = ast.parse(BATCH_LOOP).body[0]  # type: ignore[assignment]
     loop.body[0].body += body  # type: ignore[attr-defined]
     return loop
 
@@ -337,9 +337,9 @@ def sum_types(vector: Any, *, segmented: bool) -> dict[str, Any]:
 def start() -> Taichi:
     """Start Taichi on the first call, or use the program's, since ti.init would destroy its fields. Raises
     TaichiUnavailableError if the import fails or it runs on a GPU."""
-    found = Taichi.instance
-    if found is not None and found.is_running():
-        return found
+    taichi = Taichi.instance
+    if taichi is not None and taichi.is_running():
+        return taichi
     with lock:
         if Taichi.forked:
             raise TaichiUnavailableError(
@@ -409,12 +409,12 @@ class Taichi:
             line = node.lineno  # type: ignore[attr-defined]
             return f'File "{context.file}", line {line + context.lineno_offset}:\n{context.src[line - 1].rstrip()}\n'
 
-        held = self._reader.get_pos_info
+        original = self._reader.get_pos_info
         self._reader.get_pos_info = plain  # type: ignore[assignment]
         try:
             yield
         finally:
-            self._reader.get_pos_info = held
+            self._reader.get_pos_info = original
 
     @property
     def program(self) -> Any:
@@ -425,16 +425,16 @@ class Taichi:
     def settings(self) -> Iterator[None]:
         """Settings during a launch for Warp's results, as the program's fast math and default types may differ."""
         ti, runtime = self.ti, self._impl.get_runtime()
-        held = (ti.cfg.fast_math, runtime.default_fp, runtime.default_ip, runtime.short_circuit_operators)
+        saved = (ti.cfg.fast_math, runtime.default_fp, runtime.default_ip, runtime.short_circuit_operators)
         wanted = (False, ti.f32, ti.i32, True)
-        if held == wanted:
+        if saved == wanted:
             yield
             return
         try:
             self._apply(wanted)
             yield
         finally:
-            self._apply(held)
+            self._apply(saved)
 
     def _apply(self, settings: tuple[bool, Any, Any, bool]) -> None:
         runtime = self._impl.get_runtime()
@@ -536,13 +536,13 @@ class Taichi:
         source = (SEGMENT_REDUCTION if segmented else REDUCTION).format(
             name=definition.name, arguments="".join(f"{a}, " for a in arguments)
         )
-        whole: ast.FunctionDef = ast.parse(source).body[0]  # type: ignore[assignment]
-        whole.body = [in_parallel(whole.body[:2]), *whole.body[2:]]
+        combined: ast.FunctionDef = ast.parse(source).body[0]  # type: ignore[assignment]
+        combined.body = [in_parallel(combined.body[:2]), *combined.body[2:]]
         types = {k: t for k, t in function.__annotations__.items() if k != "return"}
         types |= sum_types(function.__annotations__["return"], segmented=segmented)
         extra = {"element_": element, "vector_": self.type_of(function.__annotations__["return"])}
         annotations = {k: self.argument(t) for k, t in types.items()}
-        return self.ti.kernel(self._compile(function, whole, annotations, is_builtin, extra))
+        return self.ti.kernel(self._compile(function, combined, annotations, is_builtin, extra))
 
     def _rewriter(
         self, function: Callable, definition: ast.FunctionDef, is_builtin: Callable, *, in_kernel: bool

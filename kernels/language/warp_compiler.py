@@ -1,6 +1,6 @@
 """Warp compiler of the kernel language, for CUDA and the CPU.
 
-`@kernel(most_registers=80)` limits registers per thread on CUDA. To try other limits, set
+`@kernel(max_registers=80)` limits registers per thread on CUDA. To try other limits, set
 POINTLOOM_MOST_REGISTERS=KERNEL=NUMBER,... (0: no limit). A CUDA variant has its own name. A reduction has that of its
 function. The limit is part of the module's hash, so such builds are cached separately and never come from an archive.
 """
@@ -43,9 +43,9 @@ def lines_removed_from_stderr(phrase: str) -> Iterator[None]:
         os.close(stderr)
         with file:
             file.seek(0)
-            kept = b"".join(line for line in file if phrase.encode() not in line)
+            remaining = b"".join(line for line in file if phrase.encode() not in line)
         with contextlib.suppress(OSError):
-            os.write(STDERR, kept)
+            os.write(STDERR, remaining)
 
 
 def _redirected() -> tuple[IO[bytes], int] | None:
@@ -68,22 +68,22 @@ VARIABLE = "POINTLOOM_MOST_REGISTERS"
 HIGHEST = 255  # maximum that an instruction can encode
 
 
-def most_registers_of(name: str, own: int) -> int:
+def max_registers_of(name: str, own: int) -> int:
     """Maximum registers per thread on CUDA (0: no limit). Raises ValueError for a malformed environment variable."""
     return _tried(os.environ.get(VARIABLE, "")).get(name, own)
 
 
 @functools.cache
 def _tried(text: str) -> dict[str, int]:
-    found = {}
+    limits = {}
     for part in filter(None, text.split(",")):
         name, _, number = (word.strip() for word in part.partition("="))
         if not name.isidentifier() or not number.isdecimal() or int(number) > HIGHEST:
             raise ValueError(
                 f"{VARIABLE}: expected KERNEL=NUMBER,KERNEL=NUMBER,... with numbers from 0 to {HIGHEST}, got {text!r}"
             )
-        found[name] = int(number)
-    return found
+        limits[name] = int(number)
+    return limits
 
 
 wp.config.log_level = wp.LOG_ERROR  # no banner on stdout: it belongs to the program
@@ -190,12 +190,12 @@ _eight_points = wp.types.vector(24, wp.float32)
 
 @wp.func_native("""
     const float4* quads = (const float4*)(points.data + first);
-    wp::vec_t<24, float> found;
+    wp::vec_t<24, float> result;
     for (int k = 0; k < 6; ++k) {
         float4 quad = quads[k];
-        found[4 * k] = quad.x; found[4 * k + 1] = quad.y; found[4 * k + 2] = quad.z; found[4 * k + 3] = quad.w;
+        result[4 * k] = quad.x; result[4 * k + 1] = quad.y; result[4 * k + 2] = quad.z; result[4 * k + 3] = quad.w;
     }
-    return found;
+    return result;
 """)
 def _load_eight(points: wp.array(dtype=wp.vec3), first: wp.int32) -> _eight_points: ...  # type: ignore[valid-type]
 
@@ -203,18 +203,18 @@ def _load_eight(points: wp.array(dtype=wp.vec3), first: wp.int32) -> _eight_poin
 # Constant stride and one address for all, since each array access multiplies 64-bit numbers.
 @wp.func_native("""
     const float* at = numbers.data + first;
-    wp::vec_t<6, float> found;
-    for (int k = 0; k < 6; ++k) found[k] = at[8 * k];
-    return found;
+    wp::vec_t<6, float> result;
+    for (int k = 0; k < 6; ++k) result[k] = at[8 * k];
+    return result;
 """)
 def _load_six(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types.vector(6, wp.float32): ...  # type: ignore[valid-type]
 
 
 @wp.func_native("""
     const float* at = numbers.data + first;
-    wp::vec_t<9, float> found;
-    for (int k = 0; k < 9; ++k) found[k] = at[8 * k];
-    return found;
+    wp::vec_t<9, float> result;
+    for (int k = 0; k < 9; ++k) result[k] = at[8 * k];
+    return result;
 """)
 def _load_nine(numbers: wp.array(dtype=wp.float32), first: wp.int32) -> wp.types.vector(9, wp.float32): ...  # type: ignore[valid-type]
 
@@ -276,12 +276,12 @@ def make_func(function: Callable, is_builtin: Callable[[Any], bool], *, for_cuda
     return wp.func(twin)
 
 
-def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], place: str, most_registers: int) -> Any:
+def make_kernel(function: Callable, is_builtin: Callable[[Any], bool], target: str, max_registers: int) -> Any:
     """A Warp kernel without adjoint, in the file's module for a device type, or its CUDA-only module."""
     _set_options(function.__module__)
-    home = _module_of(function.__module__, place) if place else None
-    most = 0 if place == "cpu" else most_registers_of(function.__name__, most_registers)
-    return wp.kernel(rebind(function, is_builtin), enable_backward=False, module=home, cuda_max_registers=most or None)
+    home = _module_of(function.__module__, target) if target else None
+    limit = 0 if target == "cpu" else max_registers_of(function.__name__, max_registers)
+    return wp.kernel(rebind(function, is_builtin), enable_backward=False, module=home, cuda_max_registers=limit or None)
 
 
 def cuda_module(module: str) -> Any:
@@ -289,27 +289,27 @@ def cuda_module(module: str) -> Any:
     return _module_of(module, "cuda")
 
 
-def _module_of(module: str, place: str) -> Any:
+def _module_of(module: str, target: str) -> Any:
     """Warp module of a file and a device type: Warp compiles a complete module with one set of options."""
-    found = wp.get_module(f"{module}.{place}")
-    found.options.update(_OPTIONS | pool_code.options() if place == "cpu" else _OPTIONS_FOR_CUDA)
-    return found
+    warp_module = wp.get_module(f"{module}.{target}")
+    warp_module.options.update(_OPTIONS | pool_code.options() if target == "cpu" else _OPTIONS_FOR_CUDA)
+    return warp_module
 
 
 def modules_for_cuda(module: str) -> list[Any]:
     """Warp modules of a file's CUDA kernels. The kernels must exist."""
-    return [found for found in (wp.get_module(module), cuda_module(module)) if found.kernels]
+    return [warp_module for warp_module in (wp.get_module(module), cuda_module(module)) if warp_module.kernels]
 
 
 class _Reduction:
     """Parts of a reduction's kernels: element function, vector, and register limit (0: none)."""
 
     def __init__(
-        self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str, most_registers: int
+        self, name: str, element_source: str, annotations: dict, scope: dict[str, Any], module: str, max_registers: int
     ) -> None:
         _set_options(module)
         self.name, self.module, self.vector = name, module, annotations["return"]
-        self.most_registers = most_registers
+        self.max_registers = max_registers
         self.arguments = {a: t for a, t in annotations.items() if a != "return"}
         element = compile_source(f"{name}_element", element_source, scope, module)
         last = element.__code__.co_varnames[len(self.arguments)]
@@ -325,8 +325,8 @@ class _Reduction:
         function = compile_source(f"{self.name}_{suffix}", source, self.inner, self.module)
         function.__annotations__ = types
         home = _module_of(self.module, "cuda" if suffix.endswith("tiles") else "cpu")
-        most = most_registers_of(self.name, self.most_registers) if suffix == "tiles" else 0
-        return wp.kernel(function, enable_backward=False, module=home, cuda_max_registers=most or None)
+        limit = max_registers_of(self.name, self.max_registers) if suffix == "tiles" else 0
+        return wp.kernel(function, enable_backward=False, module=home, cuda_max_registers=limit or None)
 
 
 class CpuReduction(_Reduction):

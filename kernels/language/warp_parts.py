@@ -44,24 +44,24 @@ def core() -> Any:
 
 def missing() -> list[str]:
     """Parts that this Warp lacks or has in another form."""
-    found = []
+    names = []
     if tuple(name for name, *_ in types.array_t._fields_) != DESCRIPTION or _size(types.array_t) != DESCRIPTION_BYTES:
-        found.append("array_t: an array as kernels get it")
+        names.append("array_t: an array as kernels get it")
     bounds = types.launch_bounds_t(1)
     if tuple(name for name, *_ in bounds._fields_) != BOUNDS or _size(type(bounds)) != 24:
-        found.append("launch_bounds_t: what a kernel gets first")
+        names.append("launch_bounds_t: what a kernel gets first")
     array = wp.empty(0, dtype=wp.int32, device="cpu")
-    found += [f"array.{name}" for name in sorted(ARRAY - set(vars(array)))]
-    found += [f"Device.{name}" for name in DEVICE if not _has(context.Device, name)]
-    found += [f"Launch.{name}" for name in LAUNCH if not _has(context.Launch, name)]
-    found += [f"KernelHooks.{name}" for name in HOOKS if not _has(context.KernelHooks, name)]
-    found += [] if hasattr(context, "_raise_cuda_launch_error") else ["_raise_cuda_launch_error"]
-    found += [f"runtime.{name}" for name in ("_apic_capture", "core", "tape") if not hasattr(context.runtime, name)]
+    names += [f"array.{name}" for name in sorted(ARRAY - set(vars(array)))]
+    names += [f"Device.{name}" for name in DEVICE if not _has(context.Device, name)]
+    names += [f"Launch.{name}" for name in LAUNCH if not _has(context.Launch, name)]
+    names += [f"KernelHooks.{name}" for name in HOOKS if not _has(context.KernelHooks, name)]
+    names += [] if hasattr(context, "_raise_cuda_launch_error") else ["_raise_cuda_launch_error"]
+    names += [f"runtime.{name}" for name in ("_apic_capture", "core", "tape") if not hasattr(context.runtime, name)]
     for name, count in FUNCTIONS.items():
         takes = getattr(getattr(core(), name, None), "argtypes", ())
         if takes is None or (takes and len(takes) != count):
-            found.append(f"{name} with {count} arguments")
-    return found
+            names.append(f"{name} with {count} arguments")
+    return names
 
 
 def _size(structure: Any) -> int:

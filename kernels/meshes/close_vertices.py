@@ -8,7 +8,7 @@ blocks of 4 x 4 x 4. After 64 rounds, one thread processes the rest. About 130 B
 from ..algebra.transform import widen
 from ..array_types import Indices, Integers, Points
 from ..arrays.hash_table import HashTable, find_position, list_keys, mix_bits
-from ..arrays.open_rows import settle_in_rounds
+from ..arrays.open_rows import resolve_in_rounds
 from ..arrays.select import gather_rows
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys, cut_together
@@ -248,7 +248,7 @@ def find_close_vertices(vertices: Points, finite: Integers, reach: float, owners
     if count == 0:
         return
     cells = Cells(gather_rows(vertices, finite), reach)
-    rows = settle_in_rounds(
+    rows = resolve_in_rounds(
         lambda rows, open_rows: launch(try_vertices_kernel, rows.size, [rows, cells, open_rows]), count, device
     )
     launch(settle_rest_kernel, min(1, rows.size), [rows, cells])

@@ -6,7 +6,7 @@ one thread processes the rest. About 100 B per triangle at such edges.
 """
 
 from ..array_types import Indices, Mask, Points, Triangles
-from ..arrays.open_rows import settle_in_rounds
+from ..arrays.open_rows import resolve_in_rounds
 from ..arrays.select import gather_rows, invert_mask, positions_of, positions_of_each
 from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
@@ -182,7 +182,7 @@ def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
     launch(list_area_keys_kernel, found.size, [measure_areas(vertices, triangles), found, keys])
     chosen = gather_rows(found, argsort_keys(keys, 31)[1])
     crowded = CrowdedEdges(chosen, of_half_edge, edge_count)
-    rows = settle_in_rounds(
+    rows = resolve_in_rounds(
         lambda rows, open_rows: launch(try_triangles_kernel, rows.size, [rows, crowded, open_rows]), chosen.size, device
     )
     launch(settle_rest_kernel, min(1, rows.size), [rows, crowded])

@@ -5,7 +5,7 @@ equations 8 to 11 and figure 4. Float64 sums by ascending corner without compile
 Vertices without a closed, consistently oriented ring get NaN.
 """
 
-from ..algebra.angles import HALF_TURN, angle_of
+from ..algebra.angles import PI, angle_of
 from ..algebra.transform import widen
 from ..array_types import Array1, Points, Triangles
 from ..lang import (
@@ -115,7 +115,7 @@ def measure_curvatures_kernel(
         mean = length(bend) / (4.0 * total[6])
         if dot(bend, normal) < 0.0:
             mean = -mean
-        gaussian = (2.0 * float64(HALF_TURN) - total[7]) / total[6]
+        gaussian = (2.0 * float64(PI) - total[7]) / total[6]
         half = sqrt(max(mean * mean - gaussian, 0.0))
         if isfinite(mean) and isfinite(gaussian):
             result = vec4d(mean, gaussian, mean - half, mean + half)

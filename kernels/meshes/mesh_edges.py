@@ -98,7 +98,7 @@ class MeshEdges:
 
     def __init__(self, triangles: Triangles, vertex_count: int, padded: bool = False) -> None:
         device, edges = triangles.device, find_edges(triangles, vertex_count, padded)
-        self.count, self.starts, self.halves, self.told = edges.count, edges.starts, edges.order, edges.told
+        self.count, self.starts, self.halves, self.told = edges.count, edges.starts, edges.order, edges.summary
         self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
         bits = key_bits(vertex_count)
         if self.told is None:

@@ -114,7 +114,7 @@ def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
     return int(fourth * fourth * float64(WEIGHT_UNIT))
 
 
-@kernel(most_registers=128)  # two blocks per SM, not one
+@kernel(max_registers=128)  # two blocks per SM, not one
 def count_neighbors_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),

@@ -8,7 +8,7 @@ own opposite copy last. Same-direction pairs at crowded edges are kept only if t
 100 B per half-edge.
 """
 
-from ..algebra.angles import HALF_TURN, arctangent
+from ..algebra.angles import PI, arctangent
 from ..algebra.transform import widen
 from ..array_types import Indices, Integers, Mask, Points, Triangles
 from ..arrays.select import gather_rows, positions_of
@@ -128,7 +128,7 @@ def measure_angles(
         v = v - along * dot(v, along)
         angle = arctangent(dot(cross(u, v), along), dot(u, v))
         if angle < -float64(SAME_ANGLE):
-            angle = angle + 2.0 * float64(HALF_TURN)
+            angle = angle + 2.0 * float64(PI)
         open_edges.angles[i] = angle
         forward = 1 if corner_vertex(placed, h) < corner_vertex(placed, next_corner(h)) else 0
         open_edges.ends[i] = uint8(1 if forward != int(flips[h // 3]) else 0)
@@ -227,7 +227,7 @@ def match_flattest(
         found = 0
         s = -1
         e = -1
-        least = 2.0 * float64(HALF_TURN)
+        least = 2.0 * float64(PI)
         for p in range(first, last):
             x = open_edges.order[p]
             if is_free(open_edges, naturals, x, tier) == 1:
@@ -242,7 +242,7 @@ def match_flattest(
                         copies = 0
                         if tip_of(placed, h) == tip_of(placed, g):
                             copies = 1
-                        bend = abs(abs(open_edges.angles[x] - open_edges.angles[y]) - float64(HALF_TURN))
+                        bend = abs(abs(open_edges.angles[x] - open_edges.angles[y]) - float64(PI))
                         fits = opposite == against and copies == 0
                         if against == 2:
                             fits = opposite == 1 and copies == 1

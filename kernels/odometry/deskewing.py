@@ -65,9 +65,9 @@ def move_along_screw(p: vec3, share: float, motion: ScrewMotion) -> vec3:
         second = 1.0 - sine / a
     kp = cross(motion.axis, p)
     kv = cross(motion.axis, motion.velocity)
-    turned = p + kp * sine + cross(motion.axis, kp) * versine
+    rotated = p + kp * sine + cross(motion.axis, kp) * versine
     moved = (motion.velocity + kv * first + cross(motion.axis, kv) * second) * share
-    return turned + moved
+    return rotated + moved
 
 
 @kernel

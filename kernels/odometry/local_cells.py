@@ -12,7 +12,7 @@ def cell_holding(x: vec3d, size: float64) -> vec3i:
 
 
 @func
-def place_in_cell(x: vec3d, cell: vec3i, size: float64) -> vec3:
+def offset_in_cell(x: vec3d, cell: vec3i, size: float64) -> vec3:
     """A position [m] relative to its voxel's low corner."""
     y = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * size
     return narrow(x - y)
@@ -27,9 +27,9 @@ class LocalCells:
     bits: int
     skipped: int64
 
-    def __init__(self, size: float, middle: Sequence[int], reach: int) -> None:
-        """Voxels up to `reach` from the voxel `middle` along each axis."""
-        self.size, self.first, self.bits = size, vec3i(*(c - reach for c in middle)), (2 * reach).bit_length()
+    def __init__(self, size: float, middle: Sequence[int], radius: int) -> None:
+        """Voxels up to `radius` from the voxel `middle` along each axis."""
+        self.size, self.first, self.bits = size, vec3i(*(c - radius for c in middle)), (2 * radius).bit_length()
         self.skipped, self.key_bits = 1 << (3 * self.bits), 3 * self.bits + 1
 
 

@@ -16,13 +16,13 @@ from . import map_course
 from .map_course import (
     FOLD,
     GIVEN,
+    ITERATIONS,
     MAX_LEGS,
     ORDER,
     PLANE_RUN,
     RESULT,
     SQSUM,
     STATE,
-    TAKEN,
     Course,
     add_planes_kernel,
     associate_points_kernel,
@@ -44,32 +44,32 @@ MIN_ROOM = 1024  # minimum room for scan points
 @dataclass(frozen=True, eq=False)
 class Leg:
     """Options of an ICP loop: start `pose` if GIVEN; `max_distance` [m], within 27 voxels. Geman-McClure `kernel_scale`
-    [m^2]; `tolerance` of the motion (rad, m); `least` correspondences, else lost. Maximum `turns`; `few`: use the
-    reduced scan; `is_held`: add the course's matrix; `is_needed`: stop if lost.
+    [m^2]; `tolerance` of the motion (rad, m). At least `min_pairs`, else lost; at most `iterations`; `few`: use the
+    reduced scan; `is_regularized`: add the course's matrix; `is_needed`: stop if lost.
     """
 
     pose: np.ndarray
     max_distance: float
     kernel_scale: float
     tolerance: float
-    least: float
-    turns: int
+    min_pairs: float
+    iterations: int
     to_planes: bool = False
     few: bool = False
-    is_held: bool = False
+    is_regularized: bool = False
     start: int = GIVEN
     is_needed: bool = False
 
 
 @dataclass(frozen=True, eq=False)
 class Reached:
-    """Result of a leg: T_map_sensor; `state`; iterations `turns`; before the last motion: pair count, `sqsum` [m^2],
+    """Result of a leg: T_map_sensor; `state`; `iterations`; before the last motion: pair count, `sqsum` [m^2],
     mean `cost` 0..1 over informative pairs and unpaired points, `disagreement` over informative pairs.
     """
 
     pose: np.ndarray
     state: int
-    turns: int
+    iterations: int
     paired: int
     sqsum: float
     cost: float
@@ -93,10 +93,10 @@ class MapAligner:
         few = points[:0] if few is None else few
         total = points.size + few.size
         table = voxel_map.table
-        arrays = (table.keys, table.positions, voxel_map.counts, voxel_map.places, voxel_map.voxel_size)
+        arrays = (table.keys, table.positions, voxel_map.counts, voxel_map.offsets, voxel_map.voxel_size)
         room = 0 if self._course is None else self._course.points.size
-        is_kept = len(arrays) == len(self._arrays) and all(map(_is_same, arrays, self._arrays))
-        if total > room or not is_kept:
+        is_unchanged = len(arrays) == len(self._arrays) and all(map(_is_same, arrays, self._arrays))
+        if total > room or not is_unchanged:
             self._make(max(MIN_ROOM, room, 1 << (total - 1).bit_length()), voxel_map, points.device)
             self._arrays = arrays
         self._counts = (points.size, few.size)
@@ -110,57 +110,57 @@ class MapAligner:
         folded = empty((-(-threads // FOLD), SUMS), float64, device) if device.is_cuda else rows
         per_row = run * FOLD if device.is_cuda else run
 
-        def turn() -> None:
+        def iterate() -> None:
             launch(associate_points_kernel, threads, [run, course, rows])
             if device.is_cuda:
                 launch(fold_rows_kernel, folded.size, [run, course, rows, folded])
             launch(step_pose_kernel, 1, [per_row, course, folded])
 
-        self._course, self._loop = course, DeviceLoop(course.running, turn)
-        self._told = empty((-(-room // PLANE_RUN), TRIANGLE), float64, device)
+        self._course, self._loop = course, DeviceLoop(course.running, iterate)
+        self._plane_rows = empty((-(-room // PLANE_RUN), TRIANGLE), float64, device)
 
-    def run(self, legs: Sequence[Leg], held: np.ndarray | None = None) -> tuple[list[Reached], np.ndarray]:
+    def run(self, legs: Sequence[Leg], regularization: np.ndarray | None = None) -> tuple[list[Reached], np.ndarray]:
         """Run at most MAX_LEGS legs (else ValueError): (results, information of the planes (6, 6) over rotation [rad]
-        about the sensor and translation [m]). `held` is in units of the trace over translations. One sync.
+        about the sensor and translation [m]). `regularization` is in units of the trace over translations. One sync.
         """
         course, corner = self._course, np.triu_indices(UNKNOWNS)
         assert course is not None
-        write(course.orders, self._orders(legs, None if held is None else held[corner]))
+        write(course.orders, self._orders(legs, None if regularization is None else regularization[corner]))
         launch(begin_course_kernel, len(legs), [course])
         self._loop.run()
         if legs[-1].to_planes:
-            launch(sum_planes_kernel, self._told.shape[0], [course, self._told])
-            launch(add_planes_kernel, TRIANGLE, [self._told, course])
-        found = download(course.results)  # sync
-        told = np.zeros((UNKNOWNS, UNKNOWNS))
+            launch(sum_planes_kernel, self._plane_rows.shape[0], [course, self._plane_rows])
+            launch(add_planes_kernel, TRIANGLE, [self._plane_rows, course])
+        results = download(course.results)  # sync
+        information = np.zeros((UNKNOWNS, UNKNOWNS))
         if legs[-1].to_planes:
-            told[corner] = found[MAX_LEGS, :TRIANGLE]
-            told += np.triu(told, 1).T
-        return [self._reached(leg, row) for leg, row in zip(legs, found, strict=False)], told
+            information[corner] = results[MAX_LEGS, :TRIANGLE]
+            information += np.triu(information, 1).T
+        return [self._reached(leg, row) for leg, row in zip(legs, results, strict=False)], information
 
-    def _orders(self, legs: Sequence[Leg], held: np.ndarray | None) -> np.ndarray:
+    def _orders(self, legs: Sequence[Leg], regularization: np.ndarray | None) -> np.ndarray:
         if len(legs) > MAX_LEGS:
             raise ValueError(f"legs: expected up to {MAX_LEGS}, got {len(legs)}")
         orders = np.zeros((MAX_LEGS + 1, ORDER))
         for row, leg in zip(orders, legs, strict=False):
             row[:16] = leg.pose.ravel()
             row[16:] = (
-                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.least, MIN_PAIRS),
-                leg.turns, leg.to_planes, self._counts[0] if leg.few else 0, self._counts[leg.few], leg.is_held,
-                leg.start, leg.is_needed,
+                np.float32(leg.max_distance) ** 2, leg.kernel_scale, leg.tolerance, max(leg.min_pairs, MIN_PAIRS),
+                leg.iterations, leg.to_planes, self._counts[0] if leg.few else 0, self._counts[leg.few],
+                leg.is_regularized, leg.start, leg.is_needed,
             )  # fmt: skip
-        if held is not None:
-            orders[MAX_LEGS, :TRIANGLE] = held
+        if regularization is not None:
+            orders[MAX_LEGS, :TRIANGLE] = regularization
         orders[MAX_LEGS, map_course.LEGS] = len(legs)
         return orders
 
     def _reached(self, leg: Leg, row: np.ndarray) -> Reached:
-        sqsum, paired, cost, telling = row[SQSUM:RESULT].tolist()
-        alone = self._counts[leg.few] - paired
-        disagreement = cost / telling if telling > 0 else 0.0
-        cost = (cost + alone) / (telling + alone) if telling + alone > 0 else 1.0
+        sqsum, paired, cost, informative = row[SQSUM:RESULT].tolist()
+        unpaired = self._counts[leg.few] - paired
+        disagreement = cost / informative if informative > 0 else 0.0
+        cost = (cost + unpaired) / (informative + unpaired) if informative + unpaired > 0 else 1.0
         pose = row[:16].reshape(4, 4).copy()
-        return Reached(pose, int(row[STATE]), int(row[TAKEN]), int(paired), sqsum, cost, disagreement)
+        return Reached(pose, int(row[STATE]), int(row[ITERATIONS]), int(paired), sqsum, cost, disagreement)
 
 
 def _is_same(a: Any, b: Any) -> bool:

@@ -6,7 +6,16 @@ solves, moves the pose and decides. Source: as map_icp.py.
 """
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import TRIANGLE, UNKNOWNS, place_of, rotation_about, solve_system, triangle, turn, vec6d
+from ..algebra.rigid_solve import (
+    TRIANGLE,
+    UNKNOWNS,
+    rotate,
+    rotation_about,
+    solve_system,
+    triangle,
+    triangle_index,
+    vec6d,
+)
 from ..algebra.transform import widen
 from ..array_types import Device
 from ..lang import INFINITY, array, cross, float64, func, int32, kernel, mat44d, sqrt, struct, tid, vec3, vec3d
@@ -21,11 +30,13 @@ MAX_LEGS = 64
 RUNNING, CONVERGED, EXHAUSTED, LOST = 0, 1, 2, 3  # states of a leg
 GIVEN, OF_FIRST, CHEAPEST = 0, 1, 2  # starts of a leg
 # columns of an order: pose (16), then these
-LIMIT, SCALE, TOLERANCE, LEAST, TURNS, TO_PLANES, FIRST, COUNT, HELD, START, NEEDED = range(16, 27)
+LIMIT, SCALE, TOLERANCE, REQUIRED_PAIRS, MAX_ITERATIONS, TO_PLANES, FIRST, COUNT, REGULARIZED, START, NEEDED = range(
+    16, 27
+)
 ORDER = 27
 LEGS = TRIANGLE  # column in the last row, behind the held matrix, with the number of legs
 # columns of a result: pose (16), then these, and the cost and count of informative pairs
-STATE, TAKEN, SQSUM, PAIRED = range(16, 20)
+STATE, ITERATIONS, SQSUM, PAIRED = range(16, 20)
 RESULT = 22
 
 
@@ -33,7 +44,7 @@ RESULT = 22
 class Course:
     """State of a course: `points` with the reduced scan behind; `planes` and `known` map positions (-1) per point. A
     row per leg in `orders` (last: held matrix, leg count) and `results` (last: plane information); `states`: leg and
-    iteration; `poses` T_map_sensor; `plane_reach` [m].
+    iteration; `poses` T_map_sensor; `plane_radius` [m].
     """
 
     points: array(dtype=vec3)
@@ -45,14 +56,14 @@ class Course:
     running: array(dtype=int32)
     poses: array(dtype=mat44d)
     voxel_map: VoxelMap
-    plane_reach: float
+    plane_radius: float
 
-    def __init__(self, room: int, voxel_map: VoxelMap, plane_reach: float, device: Device) -> None:
+    def __init__(self, room: int, voxel_map: VoxelMap, plane_radius: float, device: Device) -> None:
         self.points, self.planes = empty(room, vec3, device), empty(room, plane, device)
         self.known, self.states, self.running = (empty(n, int32, device) for n in (room, 2, 1))
         self.orders = zeros((MAX_LEGS + 1, ORDER), float64, device)
         self.results = zeros((MAX_LEGS + 1, RESULT), float64, device)
-        self.poses, self.voxel_map, self.plane_reach = empty(1, mat44d, device), voxel_map, plane_reach
+        self.poses, self.voxel_map, self.plane_radius = empty(1, mat44d, device), voxel_map, plane_radius
 
 
 @func
@@ -71,11 +82,11 @@ def pose_in(rows: array(dtype=float64, ndim=2), row: int) -> mat44d:
 
 @func
 def cost_of(leg: int, course: Course) -> float64:
-    alone = course.orders[leg, COUNT] - course.results[leg, PAIRED]
-    telling = course.results[leg, PAIRED + 2]
+    unpaired = course.orders[leg, COUNT] - course.results[leg, PAIRED]
+    informative = course.results[leg, PAIRED + 2]
     cost = float64(1.0)
-    if telling + alone > 0.0:
-        cost = (course.results[leg, PAIRED + 1] + alone) / (telling + alone)
+    if informative + unpaired > 0.0:
+        cost = (course.results[leg, PAIRED + 1] + unpaired) / (informative + unpaired)
     return cost
 
 
@@ -86,12 +97,12 @@ def start_of(leg: int, course: Course) -> mat44d:
     if start != GIVEN:
         chosen = int(0)
         if start == CHEAPEST:
-            least = float64(INFINITY)
+            min_cost = float64(INFINITY)
             for k in range(1, leg):
                 if course.results[k, STATE] != float64(LOST):
                     cost = cost_of(k, course)
-                    if cost < least:
-                        least = cost
+                    if cost < min_cost:
+                        min_cost = cost
                         chosen = k
         pose = pose_in(course.results, chosen)
     return pose
@@ -114,7 +125,7 @@ def begin_course_kernel(course: Course):
     """Initialize the first leg and all results. One thread per leg."""
     i = tid()
     course.results[i, STATE] = float64(RUNNING)
-    course.results[i, TAKEN] = 0.0
+    course.results[i, ITERATIONS] = 0.0
     if i == 0:
         course.poses[0] = start_of(0, course)
         course.states[0] = 0
@@ -138,18 +149,18 @@ def associate_points_kernel(run: int, course: Course, rows: array(dtype=float64,
         total = sums(0.0)
         for k in range(i * run, i * run + min(run, count - i * run)):
             j = begin + k
-            y = turn(pose, widen(course.points[j]))
+            y = rotate(pose, widen(course.points[j]))
             x = y + t
-            found = find_nearest_in_map(x, limit, course.voxel_map)
-            nearest = int(found[4])
+            nearest_point = find_nearest_in_map(x, limit, course.voxel_map)
+            nearest = int(nearest_point[4])
             if nearest >= 0:
-                r = vec3d(found[0], found[1], found[2])
+                r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
                 at = plane(0.0, 0.0, 0.0, 0.0, 1.0)
-                if to_planes == 1 and course.plane_reach > 0.0:
+                if to_planes == 1 and course.plane_radius > 0.0:
                     if course.known[j] == nearest:
                         at = course.planes[j]
                     else:
-                        at = plane_of(moments_in_map(x - r, course.plane_reach, course.voxel_map))
+                        at = plane_of(moments_in_map(x - r, course.plane_radius, course.voxel_map))
                         course.known[j] = nearest
                         course.planes[j] = at
                 total = add_pair(total, y, r, at, kernel_scale)
@@ -190,7 +201,7 @@ def end_leg(leg: int, state: int, total: sums, course: Course):
             course.results[leg, 4 * i + j] = pose[i, j]
         course.results[leg, SQSUM + i] = total[SQUARES + i]
     course.results[leg, STATE] = float64(state)
-    course.results[leg, TAKEN] = float64(course.states[1])
+    course.results[leg, ITERATIONS] = float64(course.states[1])
     following = leg + 1
     count = leg_number(MAX_LEGS, LEGS, course)
     if state == LOST and course.orders[leg, NEEDED] == 1.0:
@@ -212,17 +223,17 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
     for j in range((leg_number(leg, COUNT, course) + per_row - 1) // per_row):
         for column in range(SUMS):
             total[column] = total[column] + rows[j, column]
-    taken = course.states[1] + 1
-    course.states[1] = taken
+    iterations = course.states[1] + 1
+    course.states[1] = iterations
     state = int(RUNNING)
-    if total[PAIRS] < course.orders[leg, LEAST]:
+    if total[PAIRS] < course.orders[leg, REQUIRED_PAIRS]:
         state = int(LOST)
     else:
         h = triangle(0.0)
-        trace = total[place_of(3, 3)] + total[place_of(4, 4)] + total[place_of(5, 5)]
+        trace = total[triangle_index(3, 3)] + total[triangle_index(4, 4)] + total[triangle_index(5, 5)]
         for k in range(TRIANGLE):
             h[k] = total[k]
-            if course.orders[leg, HELD] == 1.0:
+            if course.orders[leg, REGULARIZED] == 1.0:
                 h[k] = h[k] + course.orders[MAX_LEGS, k] * trace
         b = vec6d(0.0)
         for k in range(UNKNOWNS):
@@ -236,7 +247,7 @@ def step_pose_kernel(per_row: int, course: Course, rows: array(dtype=float64, nd
             if sqrt(size) < course.orders[leg, TOLERANCE]:
                 state = int(CONVERGED)
             else:
-                if taken >= leg_number(leg, TURNS, course):
+                if iterations >= leg_number(leg, MAX_ITERATIONS, course):
                     state = int(EXHAUSTED)
         else:
             state = int(LOST)
@@ -259,11 +270,11 @@ def sum_planes_kernel(course: Course, rows: array(dtype=float64, ndim=2)):
             at = course.planes[j]
             if at[3] > 0.0:
                 n = vec3d(float64(at[0]), float64(at[1]), float64(at[2]))
-                m = cross(turn(pose, widen(course.points[j])), n)
+                m = cross(rotate(pose, widen(course.points[j])), n)
                 row = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
                 for a in range(UNKNOWNS):
                     for b in range(a, UNKNOWNS):
-                        total[place_of(a, b)] = total[place_of(a, b)] + row[a] * row[b]
+                        total[triangle_index(a, b)] = total[triangle_index(a, b)] + row[a] * row[b]
     for column in range(TRIANGLE):
         rows[i, column] = total[column]
 

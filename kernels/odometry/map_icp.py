@@ -8,7 +8,7 @@ Medioni 1991 for planes.
 
 from ..algebra.eigen import eigenvalues, smallest_eigenvector
 from ..algebra.matrices import multiply33
-from ..algebra.rigid_solve import TRIANGLE, place_of
+from ..algebra.rigid_solve import TRIANGLE, triangle_index
 from ..lang import float32, float64, func, mat33d, outer, transpose, vec3d, vector
 from .voxel_map_search import map_moments
 
@@ -18,17 +18,17 @@ plane = vector(5, float32)  # normal, weight along it, isotropic weight
 SQUARES = 27
 PAIRS = 28
 COST = 29
-TELLING = 30
+INFORMATIVE = 30
 FEW = 5.0  # points around the nearest one. Fewer define no plane
 FLAT = 0.1  # of the next larger eigenvalue: below, the neighborhood is a plane or a line
 SCATTERED = 0.1  # weight of a pair among scattered points, whose nearest one changes often
-HELD = 1.0e-3  # weight of undetermined directions: keeps the system solvable
+WEAK_WEIGHT = 1.0e-3  # weight of undetermined directions: keeps the system solvable
 
 
 @func
 def plane_of(m: map_moments) -> plane:
     """Plane from the moments of the points around the nearest one."""
-    result = plane(0.0, 0.0, 0.0, 0.0, HELD)
+    result = plane(0.0, 0.0, 0.0, 0.0, WEAK_WEIGHT)
     if m[0] >= FEW:
         n = float64(m[0])
         mean = vec3d(float64(m[1]) / n, float64(m[2]) / n, float64(m[3]) / n)
@@ -43,7 +43,7 @@ def plane_of(m: map_moments) -> plane:
         if spread[1] > float64(FLAT) * spread[2]:
             if spread[0] < float64(FLAT) * spread[1]:
                 normal = smallest_eigenvector(C)
-                result = plane(float(normal[0]), float(normal[1]), float(normal[2]), 1.0, HELD)
+                result = plane(float(normal[0]), float(normal[1]), float(normal[2]), 1.0, WEAK_WEIGHT)
             else:
                 result = plane(0.0, 0.0, 0.0, 0.0, SCATTERED)
     return result
@@ -71,17 +71,17 @@ def add_pair(total: sums, y: vec3d, r: vec3d, at: plane, kernel_scale: float64) 
     result = total
     for i in range(3):
         for j in range(i, 3):
-            result[place_of(i, j)] = result[place_of(i, j)] + rotation[i, j]
-            result[place_of(i + 3, j + 3)] = result[place_of(i + 3, j + 3)] + A[i, j]
+            result[triangle_index(i, j)] = result[triangle_index(i, j)] + rotation[i, j]
+            result[triangle_index(i + 3, j + 3)] = result[triangle_index(i + 3, j + 3)] + A[i, j]
         for j in range(3):
-            result[place_of(i, j + 3)] = result[place_of(i, j + 3)] + turning[i, j]
+            result[triangle_index(i, j + 3)] = result[triangle_index(i, j + 3)] + turning[i, j]
         result[TRIANGLE + 3 + i] = result[TRIANGLE + 3 + i] - f[i]
     result[TRIANGLE] = result[TRIANGLE] - (y[1] * f[2] - y[2] * f[1])
     result[TRIANGLE + 1] = result[TRIANGLE + 1] - (y[2] * f[0] - y[0] * f[2])
     result[TRIANGLE + 2] = result[TRIANGLE + 2] - (y[0] * f[1] - y[1] * f[0])
     result[SQUARES] = result[SQUARES] + sqdist
     result[PAIRS] = result[PAIRS] + 1.0
-    if at[3] + at[4] > 2.0 * HELD:
+    if at[3] + at[4] > 2.0 * WEAK_WEIGHT:
         result[COST] = result[COST] + 1.0 - root
-        result[TELLING] = result[TELLING] + 1.0
+        result[INFORMATIVE] = result[INFORMATIVE] + 1.0
     return result

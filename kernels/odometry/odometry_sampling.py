@@ -27,13 +27,13 @@ def shift_points_kernel(points: array(dtype=vec3), origin: vec3d, out: array(dty
 
 
 @func
-def key_in_range(p: vec3, least: float64, most: float64, cells: LocalCells) -> int64:
-    """Voxel of a point with distance in the open range least..most."""
+def key_in_range(p: vec3, min_range: float64, max_range: float64, cells: LocalCells) -> int64:
+    """Voxel of a point with distance in the open range min_range..max_range."""
     key = cells.skipped
     if isfinite(p):
         x = widen(p)
         sqdist = x[0] * x[0] + x[1] * x[1] + x[2] * x[2]
-        if sqdist > least * least and sqdist < most * most:
+        if sqdist > min_range * min_range and sqdist < max_range * max_range:
             key = local_key(cell_holding(x, cells.size), cells)
     return key
 
@@ -41,15 +41,15 @@ def key_in_range(p: vec3, least: float64, most: float64, cells: LocalCells) -> i
 @kernel
 def enter_points_kernel(
     points: array(dtype=vec3),
-    least: float64,
-    most: float64,
+    min_range: float64,
+    max_range: float64,
     cells: LocalCells,
     index_bits: int,
     mask: int64,
     entries: array(dtype=int64),
 ):
     i = tid()
-    key = key_in_range(points[i], least, most, cells)
+    key = key_in_range(points[i], min_range, max_range, cells)
     if key != cells.skipped:
         insert_entry((key << int64(index_bits)) | int64(i), index_bits, entries, mask)
 
@@ -64,10 +64,10 @@ def mark_entries_kernel(entries: array(dtype=int64), index_bits: int, marks: arr
 
 @kernel
 def encode_in_range_kernel(
-    points: array(dtype=vec3), least: float64, most: float64, cells: LocalCells, keys: array(dtype=int64)
+    points: array(dtype=vec3), min_range: float64, max_range: float64, cells: LocalCells, keys: array(dtype=int64)
 ):
     i = tid()
-    keys[i] = key_in_range(points[i], least, most, cells)
+    keys[i] = key_in_range(points[i], min_range, max_range, cells)
 
 
 @kernel
@@ -89,7 +89,7 @@ def keep_firsts_kernel(
     points: array(dtype=vec3),
     ranks: array(dtype=int32),
     level: int,
-    kept: array(dtype=vec3),
+    selected: array(dtype=vec3),
     counts: array(dtype=int32),
 ):
     """Flagged points in order, then padding outside all voxels; and the count."""
@@ -99,9 +99,9 @@ def keep_firsts_kernel(
     if i > 0:
         before = ranks[i - 1]
     if ranks[i] > before:
-        kept[before] = points[i]
+        selected[before] = points[i]
     if i >= total:
-        kept[i] = vec3(NAN, NAN, NAN)
+        selected[i] = vec3(NAN, NAN, NAN)
     if i == 0:
         counts[level] = total
 
@@ -115,32 +115,32 @@ def shift_points(points: Points, origin: np.ndarray) -> Points:
     return out
 
 
-def first_in_voxels(points: Points, voxel_size: float, least: float, most: float) -> Points:
+def first_in_voxels(points: Points, voxel_size: float, min_range: float, max_range: float) -> Points:
     """First nonzero point of each voxel in the open range [m], in order. Raises ValueError for 2^20 voxels per axis."""
     if points.size == 0:
         return points
-    cells = _cells_within(most, voxel_size)
+    cells = _cells_within(max_range, voxel_size)
     marks = zeros(points.size, uint8, points.device)
     index_bits = (points.size - 1).bit_length()
     if cells.key_bits + index_bits <= ENTRY_BITS:
         capacity = 1 << (2 * points.size - 1).bit_length()
         entries = full(capacity, EMPTY, int64, points.device)
-        entered = [points, least, most, cells, index_bits, capacity - 1, entries]
+        entered = [points, min_range, max_range, cells, index_bits, capacity - 1, entries]
         launch(enter_points_kernel, points.size, entered)
         launch(mark_entries_kernel, capacity, [entries, index_bits, marks])
     else:
-        _mark_by_sorting(points, least, most, cells, marks)
+        _mark_by_sorting(points, min_range, max_range, cells, marks)
     return gather_rows(points, positions_of(marks))  # sync
 
 
-def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, most: float) -> list[Points]:
+def thin_successively(points: Points, voxel_sizes: Sequence[float], min_range: float, max_range: float) -> list[Points]:
     """Repeated `first_in_voxels` with each size [m]. One sync on CUDA."""
     index_bits = max(points.size - 1, 0).bit_length()
-    chain = [_cells_within(most, size) for size in voxel_sizes]
+    chain = [_cells_within(max_range, size) for size in voxel_sizes]
     if not points.device.is_cuda or not points.size or max(c.key_bits for c in chain) + index_bits > ENTRY_BITS:
         thinned = []
         for size in voxel_sizes:
-            points = first_in_voxels(points, size, least, most)
+            points = first_in_voxels(points, size, min_range, max_range)
             thinned.append(points)
         return thinned
     device, n = points.device, points.size
@@ -148,28 +148,28 @@ def thin_in_turn(points: Points, voxel_sizes: Sequence[float], least: float, mos
     counts, levels = empty(len(chain), int32, device), []
     for level, cells in enumerate(chain):  # launched over the maximum count, to avoid a sync
         ranks, entries = zeros(n, int32, device), full(capacity, EMPTY, int64, device)
-        launch(enter_points_kernel, n, [points, least, most, cells, index_bits, capacity - 1, entries])
+        launch(enter_points_kernel, n, [points, min_range, max_range, cells, index_bits, capacity - 1, entries])
         launch(count_entries_kernel, capacity, [entries, index_bits, ranks])
         inclusive_scan(ranks, ranks)
-        kept = empty(n, vec3, device)
-        launch(keep_firsts_kernel, n, [points, ranks, level, kept, counts])
-        points = kept
-        levels.append(kept)
-    return [kept[:count] for kept, count in zip(levels, download(counts).tolist(), strict=True)]  # sync
+        selected = empty(n, vec3, device)
+        launch(keep_firsts_kernel, n, [points, ranks, level, selected, counts])
+        points = selected
+        levels.append(selected)
+    return [selected[:count] for selected, count in zip(levels, download(counts).tolist(), strict=True)]  # sync
 
 
-def _cells_within(most: float, voxel_size: float) -> LocalCells:
-    reach = math.ceil(most / voxel_size) + 1
-    cells = LocalCells(voxel_size, (0, 0, 0), reach)
+def _cells_within(max_range: float, voxel_size: float) -> LocalCells:
+    radius = math.ceil(max_range / voxel_size) + 1
+    cells = LocalCells(voxel_size, (0, 0, 0), radius)
     if cells.bits > 20:
-        raise ValueError(f"voxel_size: {voxel_size} makes {2 * reach:,} voxels of the range; take larger ones")
+        raise ValueError(f"voxel_size: {voxel_size} makes {2 * radius:,} voxels of the range; take larger ones")
     return cells
 
 
-def _mark_by_sorting(points: Points, least: float, most: float, cells: LocalCells, marks: Mask) -> None:
+def _mark_by_sorting(points: Points, min_range: float, max_range: float, cells: LocalCells, marks: Mask) -> None:
     """Fallback by sorting if voxel and index do not fit into one entry."""
     keys = empty(points.size, int64, points.device)
-    launch(encode_in_range_kernel, points.size, [points, least, most, cells, keys])
+    launch(encode_in_range_kernel, points.size, [points, min_range, max_range, cells, keys])
     groups = UniqueKeys(keys, cells.key_bits)  # sync
     groups.drop_last(cells.skipped)  # sync
     launch(mark_firsts_kernel, groups.count, [groups, marks])

@@ -6,7 +6,7 @@ Related to Tuna et al. 2023, "X-ICP"; here the curvature of the error is measure
 
 import numpy as np
 
-from ..algebra.rigid_solve import turn
+from ..algebra.rigid_solve import rotate
 from ..algebra.transform import widen
 from ..array_types import Points
 from ..lang import array, float32, float64, func, kernel, launch, mat44d, tid, vec3, vec3d
@@ -18,13 +18,13 @@ from .voxel_map_search import find_nearest_in_map, moments_in_map
 
 
 @func
-def plane_square(x: vec3d, limit: float, reach: float, voxel_map: VoxelMap) -> float:
+def plane_square(x: vec3d, limit: float, radius: float, voxel_map: VoxelMap) -> float:
     """Squared distance [m^2] from the plane around the nearest map point; -1 without a plane."""
     square = -1.0
-    found = find_nearest_in_map(x, limit, voxel_map)
-    if found[4] >= 0.0:
-        r = vec3d(found[0], found[1], found[2])
-        at = plane_of(moments_in_map(x - r, reach, voxel_map))
+    nearest_point = find_nearest_in_map(x, limit, voxel_map)
+    if nearest_point[4] >= 0.0:
+        r = vec3d(nearest_point[0], nearest_point[1], nearest_point[2])
+        at = plane_of(moments_in_map(x - r, radius, voxel_map))
         if at[3] > 0.0:
             along = float64(at[0]) * r[0] + float64(at[1]) * r[1] + float64(at[2]) * r[2]
             square = float(along * along)
@@ -38,7 +38,7 @@ def find_squares_kernel(
     poses: array(dtype=mat44d),
     run: int,
     limit: float,
-    reach: float,
+    radius: float,
     voxel_map: VoxelMap,
     squares: array(dtype=float32, ndim=2),
 ):
@@ -51,19 +51,19 @@ def find_squares_kernel(
     pose = poses[k]
     t = vec3d(pose[0, 3], pose[1, 3], pose[2, 3])
     for j in range(first, first + min(run, count - first)):
-        squares[k, j] = plane_square(turn(pose, widen(points[j * step])) + t, limit, reach, voxel_map)
+        squares[k, j] = plane_square(rotate(pose, widen(points[j * step])) + t, limit, radius, voxel_map)
 
 
-def compare_poses(points: Points, most: int, voxel_map: VoxelMap, poses: np.ndarray, reach: float) -> np.ndarray:
-    """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync. `most`:
-    approximate points used; `reach` [m]: radius of plane neighborhoods, planes are searched twice as far.
+def compare_poses(points: Points, max_points: int, voxel_map: VoxelMap, poses: np.ndarray, radius: float) -> np.ndarray:
+    """Cost changes of a scan from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync.
+    `max_points`: approximate points used; `radius` [m] of plane neighborhoods, planes are searched twice as far.
     """
     device = points.device
-    step = max(1, points.size // max(most, 1))
+    step = max(1, points.size // max(max_points, 1))
     squares = empty((len(poses), -(-points.size // step)), float32, device)
     run = run_length(squares)
-    placed = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
-    limit = np.float32(2 * reach) ** 2
+    device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
+    limit = np.float32(2 * radius) ** 2
     runs = -(-squares.shape[1] // run)
-    launch(find_squares_kernel, len(poses) * runs, [points, step, placed, run, limit, reach, voxel_map, squares])
+    launch(find_squares_kernel, len(poses) * runs, [points, step, device_poses, run, limit, radius, voxel_map, squares])
     return compare_costs(squares, voxel_map.voxel_size)

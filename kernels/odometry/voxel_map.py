@@ -38,7 +38,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import Readback, copy, empty, full, zeros
-from .local_cells import LocalCells, cell_holding, key_cell, local_key, place_in_cell
+from .local_cells import LocalCells, cell_holding, key_cell, local_key, offset_in_cell
 
 
 @struct
@@ -48,14 +48,14 @@ class TouchedVoxels:
     keys: array(dtype=int64)
     order: array(dtype=int32)
     starts: array(dtype=int32)
-    told: array(dtype=int32)
+    summary: array(dtype=int32)
     voxels: array(dtype=int32)
     fresh: array(dtype=int32)
 
     def __init__(
-        self, keys: Keys, order: Indices, starts: Integers, told: Integers, voxels: Indices, fresh: Integers
+        self, keys: Keys, order: Indices, starts: Integers, summary: Integers, voxels: Indices, fresh: Integers
     ) -> None:
-        self.keys, self.order, self.starts, self.told = keys, order, starts, told
+        self.keys, self.order, self.starts, self.summary = keys, order, starts, summary
         self.voxels, self.fresh = voxels, fresh
 
 
@@ -63,7 +63,7 @@ class TouchedVoxels:
 def touched_key(i: int, touched: TouchedVoxels, cells: LocalCells) -> int64:
     """Map key of a touched voxel; -1 behind the last."""
     key = int64(-1)
-    if i < touched.told[0]:
+    if i < touched.summary[0]:
         if touched.keys[i] != cells.skipped:
             cell = key_cell(touched.keys[i], cells)
             key = block_key(cell[0], cell[1], cell[2])
@@ -123,7 +123,7 @@ SPARE_CELLS = 2  # voxels that a scan may exceed its range by: rounding, and the
 @struct
 class VoxelMap:
     """Points in voxels: `voxel_size` [m]; `room` points per voxel. Minimum squared distance `sqspacing` [m^2]; `keys`
-    in insertion order; `places` relative to voxel corners [m]; `totals`: CUDA voxel counts after even and odd changes.
+    in insertion order; `offsets` from voxel corners [m]; `totals`: CUDA voxel counts after even and odd changes.
     """
 
     voxel_size: float64
@@ -132,7 +132,7 @@ class VoxelMap:
     keys: array(dtype=int64)
     table: HashTable
     counts: array(dtype=int32)
-    places: array(dtype=vec3)
+    offsets: array(dtype=vec3)
     totals: array(dtype=int32)
     changes: Changes
 
@@ -147,12 +147,12 @@ class VoxelMap:
 
     def _begin(self, count: int) -> None:
         self.totals, self.changes = full(2, count, int32, self.device), Changes(count, self.device)
-        self._told, self._read = Readback(self.totals), (0, count)
+        self._readback, self._read = Readback(self.totals), (0, count)
 
     @property
     def count(self) -> int:
         """Occupied voxels; syncs on CUDA if not yet read since the last addition."""
-        self._settle()
+        self._recover()
         return self._known()
 
     def _known(self) -> int:
@@ -160,29 +160,29 @@ class VoxelMap:
         if not self.device.is_cuda:
             return self.changes.value
         if self._read[0] != number:
-            self._read = (number, int(self._told.read()[number & 1]))  # sync
+            self._read = (number, int(self._readback.read()[number & 1]))  # sync
         return self._read[1]
 
     @property
     def additions(self) -> int:
-        self._settle()
+        self._recover()
         return self.changes.count
 
-    def _settle(self) -> None:
+    def _recover(self) -> None:
         """Complete an interrupted addition if its launch was made, else undo it (sync)."""
-        self.changes.settle(self._list_keys)
+        self.changes.recover(self._list_keys)
 
     def _list_keys(self) -> None:
         self.table = list_keys(self.keys, self._known())
 
-    def cell_of(self, place: np.ndarray) -> list[int]:
-        return [math.floor(float(x) / self.voxel_size) for x in place]
+    def cell_of(self, position: np.ndarray) -> list[int]:
+        return [math.floor(float(x) / self.voxel_size) for x in position]
 
-    def add(self, points: Points, pose: np.ndarray, reach: float) -> None:
-        """Add finite points under a pose, none farther than `reach` [m]. Raises ValueError beyond 2^20 voxels."""
+    def add(self, points: Points, pose: np.ndarray, max_range: float) -> None:
+        """Add finite points under a pose, none farther than `max_range` [m]. Raises ValueError beyond 2^20 voxels."""
         if points.size == 0:
             return
-        cells = math.ceil(reach / self.voxel_size) + SPARE_CELLS
+        cells = math.ceil(max_range / self.voxel_size) + SPARE_CELLS
         center = self.cell_of(pose[:3, 3])
         if max(abs(c) for c in center) + cells > CELL_LIMIT:
             raise ValueError(
@@ -190,16 +190,16 @@ class VoxelMap:
                 f"the sensor is at {[round(float(x)) for x in pose[:3, 3]]}"
             )
         local = LocalCells(self.voxel_size, center, cells)
-        keys, places = empty(points.size, int64, self.device), empty(points.size, vec3, self.device)
-        launch(encode_points_kernel, points.size, [points, mat44d(*pose.ravel()), local, keys, places])
+        keys, offsets = empty(points.size, int64, self.device), empty(points.size, vec3, self.device)
+        launch(encode_points_kernel, points.size, [points, mat44d(*pose.ravel()), local, keys, offsets])
         if self.device.is_cuda:
-            self._insert_unread(keys, local, places)
+            self._insert_unread(keys, local, offsets)
             return
         groups = UniqueKeys(keys, local.key_bits)
         groups.drop_last(local.skipped)
-        self._insert(groups, local, places)
+        self._insert(groups, local, offsets)
 
-    def _insert(self, groups: UniqueKeys, local: LocalCells, places: Points) -> None:
+    def _insert(self, groups: UniqueKeys, local: LocalCells, offsets: Points) -> None:
         known = self.count
         touched = empty(groups.count, int64, self.device)
         launch(widen_keys_kernel, groups.count, [groups, local, touched])
@@ -212,30 +212,30 @@ class VoxelMap:
             launch(gather_keys_kernel, rows.size, [touched, rows, known, self.keys])
             number_new(rows, known, voxels)
             self.table.append(self.keys, count, rows.size)
-        launch(insert_points_kernel, groups.count, [voxels, groups, places, known, self])
+        launch(insert_points_kernel, groups.count, [voxels, groups, offsets, known, self])
         self.changes.end()
 
-    def _insert_unread(self, keys: Keys, local: LocalCells, places: Points) -> None:
+    def _insert_unread(self, keys: Keys, local: LocalCells, offsets: Points) -> None:
         """As `_insert` without a sync, over as many voxels as points."""
         n = keys.size
-        most = self.count + n
-        self._grow(most)
+        max_count = self.count + n
+        self._grow(max_count)
         sorted_keys, order = argsort_keys(keys, local.key_bits)
-        heads, starts, told = write_heads(sorted_keys)
-        self._told.forget()
+        heads, starts, summary = write_heads(sorted_keys)
+        self._readback.forget()
         self.changes.begin(None)
-        if 2 * most > self.table.capacity:
-            self.table = list_keys(self.keys, most - n, 2 * most)
+        if 2 * max_count > self.table.capacity:
+            self.table = list_keys(self.keys, max_count - n, 2 * max_count)
         voxels, fresh = empty(n, int32, self.device), empty(n, int32, self.device)
-        touched = TouchedVoxels(heads, order, starts, told, voxels, fresh)
+        touched = TouchedVoxels(heads, order, starts, summary, voxels, fresh)
         after = self.changes.number & 1
         launch(find_voxels_kernel, n, [touched, local, self.table])
         inclusive_scan(fresh, fresh)
         launch(number_voxels_kernel, n, [touched, local, after, self.totals, self.keys, self.table])
-        launch(store_voxels_kernel, most, [self.keys, after, self.totals, self.table])
-        launch(insert_touched_kernel, n, [touched, places, self])
+        launch(store_voxels_kernel, max_count, [self.keys, after, self.totals, self.table])
+        launch(insert_touched_kernel, n, [touched, offsets, self])
         self.changes.end()
-        self._told.send()
+        self._readback.send()
 
     def _grow(self, count: int) -> None:
         if count <= self.capacity:
@@ -245,12 +245,12 @@ class VoxelMap:
             raise ValueError(f"max_points_per_voxel: {self.room} x {capacity:,} voxels are more than 2^31 points")
         known = self._known()
         keys, counts = empty(capacity, int64, self.device), zeros(capacity, int32, self.device)
-        places = empty(capacity * self.room, vec3, self.device)
+        offsets = empty(capacity * self.room, vec3, self.device)
         if known:
             copy(keys, self.keys, count=known)
             copy(counts, self.counts, count=known)
-            copy(places, self.places, count=known * self.room)
-        self.keys, self.counts, self.places = keys, counts, places
+            copy(offsets, self.offsets, count=known * self.room)
+        self.keys, self.counts, self.offsets = keys, counts, offsets
         self.capacity = capacity  # last: it defines the room of all three
 
     def without_far(self, center: np.ndarray, limit: float) -> "VoxelMap":
@@ -261,13 +261,13 @@ class VoxelMap:
         rows = positions_of(marks)  # sync
         if rows.size == count:
             return self
-        kept = VoxelMap(self.voxel_size, self.room, self.device)
-        kept._grow(rows.size + rows.size // 2)
-        launch(gather_keys_kernel, rows.size, [self.keys, rows, 0, kept.keys])
-        launch(gather_voxels_kernel, rows.size, [rows, self.counts, self.places, kept])
-        kept.table = list_keys(kept.keys, rows.size)
-        kept._begin(rows.size)
-        return kept
+        nearby = VoxelMap(self.voxel_size, self.room, self.device)
+        nearby._grow(rows.size + rows.size // 2)
+        launch(gather_keys_kernel, rows.size, [self.keys, rows, 0, nearby.keys])
+        launch(gather_voxels_kernel, rows.size, [rows, self.counts, self.offsets, nearby])
+        nearby.table = list_keys(nearby.keys, rows.size)
+        nearby._begin(rows.size)
+        return nearby
 
     def points(self, near: np.ndarray) -> tuple[Points, list[float]]:
         """Points by voxel in insertion order about the returned origin (3): the corner of `near`'s voxel."""
@@ -283,19 +283,19 @@ class VoxelMap:
 
 @kernel
 def encode_points_kernel(
-    points: array(dtype=vec3), pose: mat44d, cells: LocalCells, keys: array(dtype=int64), places: array(dtype=vec3)
+    points: array(dtype=vec3), pose: mat44d, cells: LocalCells, keys: array(dtype=int64), offsets: array(dtype=vec3)
 ):
     i = tid()
     p = points[i]
     key = cells.skipped
-    place = vec3(0.0, 0.0, 0.0)
+    offset = vec3(0.0, 0.0, 0.0)
     if isfinite(p):
         x = move(pose, widen(p))
         cell = cell_holding(x, cells.size)
         key = local_key(cell, cells)
-        place = place_in_cell(x, cell, cells.size)
+        offset = offset_in_cell(x, cell, cells.size)
     keys[i] = key
-    places[i] = place
+    offsets[i] = offset
 
 
 @kernel(for_cpu=True)
@@ -318,7 +318,7 @@ def take_points(
     begin: int,
     end: int,
     order: array(dtype=int32),
-    new_places: array(dtype=vec3),
+    new_offsets: array(dtype=vec3),
     voxel_map: VoxelMap,
 ):
     """Add new points of a voxel in order, while there is room and none is near."""
@@ -328,35 +328,35 @@ def take_points(
         count = voxel_map.counts[voxel]
     for j in range(begin, end):
         if count < voxel_map.room:
-            p = new_places[order[j]]
+            p = new_offsets[order[j]]
             near = 0
             for slot in range(first, first + count):
-                d = p - voxel_map.places[slot]
+                d = p - voxel_map.offsets[slot]
                 if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] < voxel_map.sqspacing:
                     near = 1
             if near == 0:
-                voxel_map.places[first + count] = p
+                voxel_map.offsets[first + count] = p
                 count += 1
     voxel_map.counts[voxel] = count
 
 
 @kernel(for_cpu=True)
 def insert_points_kernel(
-    voxels: array(dtype=int32), groups: UniqueKeys, new_places: array(dtype=vec3), known: int, voxel_map: VoxelMap
+    voxels: array(dtype=int32), groups: UniqueKeys, new_offsets: array(dtype=vec3), known: int, voxel_map: VoxelMap
 ):
     i = tid()
     note_change(i, voxel_map.changes)
-    take_points(voxels[i], known, groups.starts[i], groups.starts[i + 1], groups.order, new_places, voxel_map)
+    take_points(voxels[i], known, groups.starts[i], groups.starts[i + 1], groups.order, new_offsets, voxel_map)
 
 
 @kernel
-def insert_touched_kernel(touched: TouchedVoxels, new_places: array(dtype=vec3), voxel_map: VoxelMap):
+def insert_touched_kernel(touched: TouchedVoxels, new_offsets: array(dtype=vec3), voxel_map: VoxelMap):
     i = tid()
     note_change(i, voxel_map.changes)
     known = voxel_map.totals[1 - int(voxel_map.changes.number & 1)]
     voxel = touched.voxels[i]
     if voxel >= 0:
-        take_points(voxel, known, touched.starts[i], touched.starts[i + 1], touched.order, new_places, voxel_map)
+        take_points(voxel, known, touched.starts[i], touched.starts[i + 1], touched.order, new_offsets, voxel_map)
 
 
 @kernel
@@ -367,22 +367,22 @@ def mark_near_voxels_kernel(voxel_map: VoxelMap, center: vec3d, limit: float64, 
     x = (float64(cell[0]) + 0.5) * voxel_map.voxel_size - center[0]
     y = (float64(cell[1]) + 0.5) * voxel_map.voxel_size - center[1]
     z = (float64(cell[2]) + 0.5) * voxel_map.voxel_size - center[2]
-    kept = 0
+    is_near = 0
     if x * x + y * y + z * z <= limit * limit:
-        kept = 1
-    marks[i] = uint8(kept)
+        is_near = 1
+    marks[i] = uint8(is_near)
 
 
 @kernel
 def gather_voxels_kernel(
-    rows: array(dtype=int32), counts: array(dtype=int32), places: array(dtype=vec3), voxel_map: VoxelMap
+    rows: array(dtype=int32), counts: array(dtype=int32), offsets: array(dtype=vec3), voxel_map: VoxelMap
 ):
     i = tid()
     voxel = rows[i]
     count = counts[voxel]
     voxel_map.counts[i] = count
     for slot in range(count):
-        voxel_map.places[i * voxel_map.room + slot] = places[voxel * voxel_map.room + slot]
+        voxel_map.offsets[i * voxel_map.room + slot] = offsets[voxel * voxel_map.room + slot]
 
 
 @kernel
@@ -392,4 +392,4 @@ def gather_map_kernel(voxel_map: VoxelMap, offsets: array(dtype=int32), first: v
     cell = key_block(voxel_map.keys[i]) - first
     corner = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * voxel_map.voxel_size
     for j in range(offsets[i], offsets[i + 1]):
-        points[j] = narrow(corner + widen(voxel_map.places[i * voxel_map.room + j - offsets[i]]))
+        points[j] = narrow(corner + widen(voxel_map.offsets[i * voxel_map.room + j - offsets[i]]))

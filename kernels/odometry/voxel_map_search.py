@@ -5,10 +5,10 @@ exact at any distance. The query's voxel comes first, then the others that may b
 from ..arrays.block_keys import block_key
 from ..arrays.hash_table import find_position
 from ..lang import callback, float32, float64, func, loop, vec3, vec3d, vec3i, vector
-from .local_cells import cell_holding, place_in_cell
+from .local_cells import cell_holding, offset_in_cell
 from .voxel_map import VoxelMap
 
-nearest_place = vector(5, float64)  # vector, its square, index of the point
+nearest_point = vector(5, float64)  # vector, its square, index of the point
 map_moments = vector(10, float32)  # count, sums of x y z, of xx xy xz yy yz zz
 
 
@@ -48,62 +48,62 @@ def nearer_side(offset: float, size: float) -> int:
 
 @loop
 def voxels_around(
-    cell: vec3i, place: vec3, sqreach: float, side: callback, near: vec3i, voxel_map: VoxelMap
+    cell: vec3i, position: vec3, sqradius: float, side: callback, near: vec3i, voxel_map: VoxelMap
 ) -> tuple[int, vec3]:
-    """Occupied voxels of the 27 within sqrt(`sqreach`), and offsets [m]; `side` gives the order along an axis."""
+    """Occupied voxels of the 27 within sqrt(`sqradius`), and offsets [m]; `side` gives the order along an axis."""
     edge = float(voxel_map.voxel_size)
-    for turn in range(27):
-        sx = side(turn % 3, near[0])
-        sy = side((turn // 3) % 3, near[1])
-        sz = side(turn // 9, near[2])
-        gx = gap_to(place[0], sx, edge)
-        gy = gap_to(place[1], sy, edge)
-        gz = gap_to(place[2], sz, edge)
-        if gx * gx + gy * gy + gz * gz < sqreach:
+    for k in range(27):
+        sx = side(k % 3, near[0])
+        sy = side((k // 3) % 3, near[1])
+        sz = side(k // 9, near[2])
+        gx = gap_to(position[0], sx, edge)
+        gy = gap_to(position[1], sy, edge)
+        gz = gap_to(position[2], sz, edge)
+        if gx * gx + gy * gy + gz * gz < sqradius:
             voxel = find_position(block_key(cell[0] + sx, cell[1] + sy, cell[2] + sz), voxel_map.table)
             if voxel >= 0:
-                way = vec3(float(sx) * edge, float(sy) * edge, float(sz) * edge)
-                yield voxel, way
+                shift = vec3(float(sx) * edge, float(sy) * edge, float(sz) * edge)
+                yield voxel, shift
 
 
 @func
-def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_place:
+def find_nearest_in_map(x: vec3d, limit: float, voxel_map: VoxelMap) -> nearest_point:
     """Vector [m] from the nearest of the 27 voxels' points to x, its square, and index; (>= limit, -1) if none."""
     cell = cell_holding(x, voxel_map.voxel_size)
-    place = place_in_cell(x, cell, voxel_map.voxel_size)
+    position = offset_in_cell(x, cell, voxel_map.voxel_size)
     edge = float(voxel_map.voxel_size)
-    near = vec3i(nearer_side(place[0], edge), nearer_side(place[1], edge), nearer_side(place[2], edge))
+    near = vec3i(nearer_side(position[0], edge), nearer_side(position[1], edge), nearer_side(position[2], edge))
     best = vec3(0.0, 0.0, 0.0)
-    least = limit
+    min_sqdist = limit
     nearest = -1
-    for voxel, way in voxels_around(cell, place, least, side_of, near, voxel_map):
-        q = place - way
+    for voxel, shift in voxels_around(cell, position, min_sqdist, side_of, near, voxel_map):
+        q = position - shift
         first = voxel * voxel_map.room
         for slot in range(first, first + voxel_map.counts[voxel]):
-            d = q - voxel_map.places[slot]
+            d = q - voxel_map.offsets[slot]
             sqdist = d[0] * d[0] + d[1] * d[1] + d[2] * d[2]
-            if sqdist < least:
+            if sqdist < min_sqdist:
                 best = d
-                least = sqdist
+                min_sqdist = sqdist
                 nearest = slot
-    return nearest_place(float64(best[0]), float64(best[1]), float64(best[2]), float64(least), float64(nearest))
+    return nearest_point(float64(best[0]), float64(best[1]), float64(best[2]), float64(min_sqdist), float64(nearest))
 
 
 @func
-def moments_in_map(center: vec3d, reach: float, voxel_map: VoxelMap) -> map_moments:
-    """Count of points within `reach` [m], sums of differences and of products (xx, xy, xz, yy, yz, zz)."""
+def moments_in_map(center: vec3d, radius: float, voxel_map: VoxelMap) -> map_moments:
+    """Count of points within `radius` [m], sums of differences and of products (xx, xy, xz, yy, yz, zz)."""
     cell = cell_holding(center, voxel_map.voxel_size)
-    place = place_in_cell(center, cell, voxel_map.voxel_size)
+    position = offset_in_cell(center, cell, voxel_map.voxel_size)
     near = vec3i(1, 1, 1)
-    sqreach = reach * reach
+    sqradius = radius * radius
     total = map_moments(0.0)
-    for voxel, way in voxels_around(cell, place, sqreach, side_in_order, near, voxel_map):
+    for voxel, shift in voxels_around(cell, position, sqradius, side_in_order, near, voxel_map):
         first = voxel * voxel_map.room
         for slot in range(first, first + voxel_map.counts[voxel]):
-            d = voxel_map.places[slot] + way - place
+            d = voxel_map.offsets[slot] + shift - position
             x = d[0]
             y = d[1]
             z = d[2]
-            if x * x + y * y + z * z < sqreach:
+            if x * x + y * y + z * z < sqradius:
                 total += map_moments(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
     return total

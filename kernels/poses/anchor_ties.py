@@ -17,7 +17,7 @@ def rest_between(k: int, cell_size: float64) -> vec3d:
 
 
 @kernel
-def turn_anchors_kernel(lattice: ControlLattice, rotations: array(dtype=mat33d)):
+def fit_anchor_rotations_kernel(lattice: ControlLattice, rotations: array(dtype=mat33d)):
     """Rotation that best fits the displacement of an anchor's neighbors."""
     i = tid()
     sums = mat33d(0.0)

@@ -32,7 +32,7 @@ from ..lang import (
 )
 from ..memory import cast, download, empty, upload, zeros
 from .pair_fits import (
-    FEWEST,
+    MIN_PAIRS,
     SUMS,
     PairCoordinates,
     PoseSums,
@@ -54,8 +54,8 @@ SUM_BITS = 45  # of a sum of common neighbors: below m^2, with m^2 / 8 bytes in 
 
 @struct
 class CompatibilityGraph:
-    """Graph of correspondences: edges join two with distances that differ by at most `bound` [m] and exceed `least`
-    [m]. `bits`: bit j % 32 of word j // 32 of row i is the edge (i, j).
+    """Graph of correspondences: edges join two with distances that differ by at most `bound` [m] and exceed
+    `min_length` [m]. `bits`: bit j % 32 of word j // 32 of row i is the edge (i, j).
     """
 
     pairs: PairCoordinates
@@ -63,12 +63,12 @@ class CompatibilityGraph:
     bits: array(dtype=int32)
     degrees: array(dtype=int32)
 
-    def __init__(self, pairs: PairCoordinates, bound: float, least: float) -> None:
+    def __init__(self, pairs: PairCoordinates, bound: float, min_length: float) -> None:
         self.pairs, self.device, self.count = pairs, pairs.device, pairs.count
         self.words = -(-self.count // WORD)
         self.bits = empty(self.count * self.words, int32, self.device)
         self.degrees = empty(self.count, int32, self.device)
-        launch(connect_pairs_kernel, self.count, [self, bound, least])
+        launch(connect_pairs_kernel, self.count, [self, bound, min_length])
 
     def support(self, work: int = WORK) -> LongIntegers:
         """Twice the triangles of each vertex, int64 (m). 0 for low degrees beyond `work` words."""
@@ -80,7 +80,7 @@ class CompatibilityGraph:
         launch(sum_common_kernel, counted, [self, order[:counted], sums])
         return sums
 
-    def peaks(self, sums: LongIntegers, distance: float, most: int) -> Integers:
+    def peaks(self, sums: LongIntegers, distance: float, max_count: int) -> Integers:
         """Vertices with the largest sums, none near a larger one at both ends; int32, descending."""
         mask = empty(self.count, uint8, self.device)
         launch(mark_peaks_kernel, self.count, [self.pairs, distance * distance, sums, mask])
@@ -88,7 +88,7 @@ class CompatibilityGraph:
         if rows.size == 0:
             return rows
         order = order_descending(gather_rows(sums, rows))
-        return gather_rows(rows, order[: min(most, rows.size)])
+        return gather_rows(rows, order[: min(max_count, rows.size)])
 
     def common(self, rows: Indices) -> Integers:
         """Common neighbors of some rows with all vertices, int32 (rows * m). 0 without an edge."""
@@ -98,7 +98,7 @@ class CompatibilityGraph:
 
 
 @kernel
-def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, least: float):
+def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, min_length: float):
     """One row of the graph and its degree."""
     i = tid()
     px = graph.pairs.coordinates[i]
@@ -121,8 +121,8 @@ def connect_pairs_kernel(graph: CompatibilityGraph, bound: float, least: float):
             a = sqrt(x * x + y * y + z * z)
             b = sqrt(u * u + v * v + t * t)
             alike = 1 if abs(a - b) <= bound else 0
-            apart = 1 if smaller(a, b) > least else 0  # false for a correspondence with itself
-            word = word | ((alike & apart) << (j - first))
+            is_long = 1 if smaller(a, b) > min_length else 0  # false for a correspondence with itself
+            word = word | ((alike & is_long) << (j - first))
         graph.bits[i * graph.words + w] = word
         degree += bit_count(word)
     graph.degrees[i] = degree
@@ -183,7 +183,7 @@ def list_common_kernel(graph: CompatibilityGraph, rows: array(dtype=int32), comm
 
 
 @kernel
-def mark_peaks_kernel(pairs: PairCoordinates, reach: float, sums: array(dtype=int64), peaks: array(dtype=uint8)):
+def mark_peaks_kernel(pairs: PairCoordinates, sqradius: float, sums: array(dtype=int64), peaks: array(dtype=uint8)):
     """1 if no correspondence near this one at both ends has more support (ties: lower index)."""
     i = tid()
     own = sums[i]
@@ -193,7 +193,7 @@ def mark_peaks_kernel(pairs: PairCoordinates, reach: float, sums: array(dtype=in
     qx = pairs.coordinates[3 * pairs.count + i]
     qy = pairs.coordinates[4 * pairs.count + i]
     qz = pairs.coordinates[5 * pairs.count + i]
-    beaten = 0
+    is_exceeded = 0
     for j in range(pairs.count):
         x = pairs.coordinates[j] - px
         y = pairs.coordinates[pairs.count + j] - py
@@ -201,11 +201,11 @@ def mark_peaks_kernel(pairs: PairCoordinates, reach: float, sums: array(dtype=in
         u = pairs.coordinates[3 * pairs.count + j] - qx
         v = pairs.coordinates[4 * pairs.count + j] - qy
         t = pairs.coordinates[5 * pairs.count + j] - qz
-        near = (1 if x * x + y * y + z * z < reach else 0) & (1 if u * u + v * v + t * t < reach else 0)
+        near = (1 if x * x + y * y + z * z < sqradius else 0) & (1 if u * u + v * v + t * t < sqradius else 0)
         more = (1 if sums[j] > own else 0) | ((1 if sums[j] == own else 0) & (1 if j < i else 0))
-        beaten = beaten | (near & more)
+        is_exceeded = is_exceeded | (near & more)
     peak = 0
-    if beaten == 0 and own > 0:
+    if is_exceeded == 0 and own > 0:
         peak = 1
     peaks[i] = uint8(peak)
 
@@ -237,7 +237,7 @@ def truncated_weight(sqdist: float64, limit: float64, share: float64) -> float64
 
 
 @func
-def least_common(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
+def common_threshold(common: array(dtype=int32), row: int, count: int, wanted: int) -> int:
     """Largest number >= 1 that at least `wanted` entries of a row reach."""
     low = 1
     high = 1
@@ -245,10 +245,10 @@ def least_common(common: array(dtype=int32), row: int, count: int, wanted: int) 
         high = max(high, common[j])
     while high > low:
         middle = (low + high + 1) // 2
-        found = 0
+        reaching = 0
         for j in range(row, row + count):
-            found += 1 if common[j] >= middle else 0
-        if found >= wanted:
+            reaching += 1 if common[j] >= middle else 0
+        if reaching >= wanted:
             low = middle
         else:
             high = middle - 1
@@ -267,16 +267,16 @@ def fit_seeds_kernel(
     """Pose of each seed and its best neighbors, weighted by common neighbors."""
     i = tid()
     row = i * pairs.count
-    least = least_common(common, row, pairs.count, wanted)
+    threshold = common_threshold(common, row, pairs.count, wanted)
     s = pair_sums(0.0)
-    most = 0
+    max_shared = 0
     for j in range(pairs.count):
         shared = common[row + j]
-        if shared >= least:
-            most = max(most, shared)
+        if shared >= threshold:
+            max_shared = max(max_shared, shared)
             s += sums_of_pair(source_point(pairs, j), target_point(pairs, j), float64(shared))
     seed = seeds[i]
-    s += sums_of_pair(source_point(pairs, seed), target_point(pairs, seed), float64(max(most, 1)))
+    s += sums_of_pair(source_point(pairs, seed), target_point(pairs, seed), float64(max(max_shared, 1)))
     poses[i] = fit_pose(s, 0)
     scores[i] = 0
 
@@ -329,7 +329,7 @@ def step_poses_kernel(
     i = tid()
     total = fold_blocks(partials, i * blocks, blocks)
     saved[i] = total[SUMS]
-    if last == 0 and total[0] >= float64(FEWEST):
+    if last == 0 and total[0] >= float64(MIN_PAIRS):
         poses[i] = fit_of(total, poses[i], 0)
 
 
@@ -352,17 +352,17 @@ def refit_truncated(pairs: PairCoordinates, poses: Poses, distance: float, steps
     return saved
 
 
-def distinct_poses(poses: np.ndarray, spread: np.ndarray, apart: float) -> np.ndarray:
-    """Ascending indices of poses that differ from all earlier ones by RMS >= `apart` [m] of the points `spread`."""
+def distinct_poses(poses: np.ndarray, spread: np.ndarray, min_rms: float) -> np.ndarray:
+    """Ascending indices of poses that differ from all earlier ones by RMS >= `min_rms` [m] of the points `spread`."""
     moved = np.einsum("kij,pj->kpi", poses[:, :3, :3], spread) + poses[:, None, :3, 3]
     flat = moved.reshape(len(poses), 3 * len(spread)) / np.sqrt(max(len(spread), 1))
-    kept, left = [], np.ones(len(poses), bool)
+    selected, left = [], np.ones(len(poses), bool)
     while left.any():
-        kept.append(int(np.argmax(left)))
-        gaps = flat - flat[kept[-1]]
-        left &= ~((gaps * gaps).sum(axis=1) <= apart * apart)
-        left[kept[-1]] = False
-    return np.array(kept, np.int64)
+        selected.append(int(np.argmax(left)))
+        gaps = flat - flat[selected[-1]]
+        left &= ~((gaps * gaps).sum(axis=1) <= min_rms * min_rms)
+        left[selected[-1]] = False
+    return np.array(selected, np.int64)
 
 
 @kernel
@@ -379,8 +379,8 @@ def read_poses(poses: Poses, values: Doubles) -> tuple[np.ndarray, np.ndarray]:
     """A value per pose, float64 (k), and the poses (k, 4, 4) on the host. One sync."""
     rows = empty((poses.size, 17), float64, poses.device)
     launch(stack_poses_kernel, poses.size, [poses, values, rows])
-    found = download(rows).copy()  # sync
-    return found[:, 0], found[:, 1:].reshape(-1, 4, 4)
+    host = download(rows).copy()  # sync
+    return host[:, 0], host[:, 1:].reshape(-1, 4, 4)
 
 
 def find_consensus(
@@ -390,7 +390,7 @@ def find_consensus(
     difference [m] of compatible pairs; `distance`: inlier distance [m].
     """
     nothing = np.empty((0, 4, 4)), np.empty(0)
-    if pairs.count < FEWEST:
+    if pairs.count < MIN_PAIRS:
         return nothing
     graph = CompatibilityGraph(pairs, bound, bound)
     seeds = graph.peaks(graph.support(), 2 * distance, SEEDS)
@@ -398,12 +398,12 @@ def find_consensus(
         return nothing
     poses, scores = seed_poses(graph, seeds)
     score_poses(pairs, poses, distance, scores)
-    ranked, placed = read_poses(poses, cast(scores, float64))  # sync
+    ranked, host_poses = read_poses(poses, cast(scores, float64))  # sync
     order = np.argsort(-ranked, kind="stable")
-    order = order[distinct_poses(placed[order], spread, SAME * distance)][:FITTED]
-    chosen = upload(placed[order], mat44d, pairs.device)
+    order = order[distinct_poses(host_poses[order], spread, SAME * distance)][:FITTED]
+    chosen = upload(host_poses[order], mat44d, pairs.device)
     saved, refitted = read_poses(chosen, refit_truncated(pairs, chosen, distance))  # sync
     best = np.argsort(-saved, kind="stable")
     fitted = refitted[best]
-    kept = distinct_poses(fitted, spread, SAME * distance)
-    return fitted[kept], saved[best][kept]
+    distinct = distinct_poses(fitted, spread, SAME * distance)
+    return fitted[distinct], saved[best][distinct]

@@ -39,7 +39,7 @@ from ..memory import download, empty, zeros
 CORNERS = 8
 AROUND = 6
 FARTHEST = 1 << 19  # cells from the origin: range of a key, with room for neighbors
-REACH = float(FARTHEST)
+MAX_COORDINATE = float(FARTHEST)
 NOWHERE = 0x7FFF_FFFF_FFFF_FFFF  # key of points outside all cells
 
 
@@ -78,19 +78,19 @@ class ControlLattice:
 @func
 def find_cell(p: vec3, cell_size: float64) -> vec3i:
     """Cell of a finite position; (FARTHEST, ..) beyond all keys."""
-    place = widen(p) / cell_size
-    limit = float64(REACH)
+    scaled = widen(p) / cell_size
+    limit = float64(MAX_COORDINATE)
     cell = vec3i(FARTHEST, FARTHEST, FARTHEST)
-    if max(abs(place[0]), max(abs(place[1]), abs(place[2]))) < limit:
-        cell = vec3i(int(floor(place[0])), int(floor(place[1])), int(floor(place[2])))
+    if max(abs(scaled[0]), max(abs(scaled[1]), abs(scaled[2]))) < limit:
+        cell = vec3i(int(floor(scaled[0])), int(floor(scaled[1])), int(floor(scaled[2])))
     return cell
 
 
 @func
 def share_of(p: vec3, cell: vec3i, cell_size: float64) -> vec3d:
     """Position within a cell, 0 to 1 per axis."""
-    place = widen(p) / cell_size
-    return place - vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2]))
+    scaled = widen(p) / cell_size
+    return scaled - vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2]))
 
 
 @func
@@ -157,17 +157,17 @@ def join_anchors_kernel(
     around: array(dtype=int32),
 ):
     i = tid()
-    place = key_block(anchor_keys[i])
+    position = key_block(anchor_keys[i])
     n = int(CORNERS)
     for k in range(n):
-        key = block_key(place[0] - (k >> 2), place[1] - ((k >> 1) & 1), place[2] - (k & 1))
+        key = block_key(position[0] - (k >> 2), position[1] - ((k >> 1) & 1), position[2] - (k & 1))
         sharers[CORNERS * i + k] = find_position(key, cells)
     m = int(AROUND)
     for k in range(m):
         step = 2 * (k & 1) - 1
-        x = place[0]
-        y = place[1]
-        z = place[2]
+        x = position[0]
+        y = position[1]
+        z = position[2]
         if (k >> 1) == 0:
             x += step
         if (k >> 1) == 1:
@@ -181,12 +181,12 @@ def join_anchors_kernel(
 def locate_points_kernel(points: array(dtype=vec3), lattice: ControlLattice, cells: array(dtype=int32)):
     i = tid()
     p = points[i]
-    found = -1
+    cell_index = -1
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
         if cell[0] < FARTHEST:
-            found = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
-    cells[i] = found
+            cell_index = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
+    cells[i] = cell_index
 
 
 @kernel
@@ -230,15 +230,15 @@ def bend_normals_kernel(
     if isfinite(p):
         cell = find_cell(p, lattice.cell_size)
         if cell[0] < FARTHEST:
-            found = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
-            if found >= 0:
+            cell_index = find_position(block_key(cell[0], cell[1], cell[2]), lattice.cells)
+            if cell_index >= 0:
                 share = share_of(p, cell, lattice.cell_size)
                 x = vec3d(1.0, 0.0, 0.0)
                 y = vec3d(0.0, 1.0, 0.0)
                 z = vec3d(0.0, 0.0, 1.0)
                 count = int(CORNERS)
                 for k in range(count):
-                    shift = lattice.shifts[lattice.corners[CORNERS * found + k]]
+                    shift = lattice.shifts[lattice.corners[CORNERS * cell_index + k]]
                     slope = corner_slope(k, share) / lattice.cell_size
                     x += shift[0] * slope
                     y += shift[1] * slope
@@ -258,22 +258,22 @@ def length_of(v: vec3d) -> float64:
 
 
 @kernel
-def place_anchors_kernel(
-    anchor_keys: array(dtype=int64), cell_size: float64, shifts: array(dtype=vec3d), places: array(dtype=vec3d)
+def anchor_positions_kernel(
+    anchor_keys: array(dtype=int64), cell_size: float64, shifts: array(dtype=vec3d), positions: array(dtype=vec3d)
 ):
     i = tid()
     cell = key_block(anchor_keys[i])
-    places[i] = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * cell_size + shifts[i]
+    positions[i] = vec3d(float64(cell[0]), float64(cell[1]), float64(cell[2])) * cell_size + shifts[i]
 
 
 @kernel
 def carry_shifts_kernel(anchor_keys: array(dtype=int64), known: ControlLattice, shifts: array(dtype=vec3d)):
     """Shifts of the anchors that another lattice has. Zero for new ones."""
     i = tid()
-    found = find_position(anchor_keys[i], known.anchors)
+    anchor = find_position(anchor_keys[i], known.anchors)
     shift = vec3d(0.0, 0.0, 0.0)
-    if found >= 0:
-        shift = known.shifts[found]
+    if anchor >= 0:
+        shift = known.shifts[anchor]
     shifts[i] = shift
 
 
@@ -292,9 +292,9 @@ def make_lattice(cell_size: float, points: Points, known: ControlLattice | None 
     device = points.device
     keys = empty(points.size, int64, device)
     launch(key_cells_kernel, points.size, [points, float(cell_size), keys])
-    found = UniqueKeys(keys)
-    found.drop_last(NOWHERE)
-    cell_keys = found.keys
+    groups = UniqueKeys(keys)
+    groups.drop_last(NOWHERE)
+    cell_keys = groups.keys
     if known is not None and known.cell_count:
         cell_keys = UniqueKeys(concatenate_rows([known.cell_keys, cell_keys])).keys
     lattice = ControlLattice(cell_size, cell_keys)

@@ -38,7 +38,7 @@ def weigh_squares_kernel(
 
 
 @kernel
-def scale_costs_kernel(rows: array(dtype=float64, ndim=2), least: float64, scales: array(dtype=float64)):
+def scale_costs_kernel(rows: array(dtype=float64, ndim=2), min_scale: float64, scales: array(dtype=float64)):
     i = tid()
     total = float64(0.0)
     weight = float64(0.0)
@@ -46,7 +46,7 @@ def scale_costs_kernel(rows: array(dtype=float64, ndim=2), least: float64, scale
         total += rows[j, 0]
         weight += rows[j, 1]
     if weight > 0.0:
-        scales[i] = max(least, min(scales[i], float64(SCALES) * total / weight))
+        scales[i] = max(min_scale, min(scales[i], float64(SCALES) * total / weight))
 
 
 @kernel
@@ -100,11 +100,11 @@ def compare_costs(squares: Array2[float32], voxel_size: float) -> np.ndarray:
     """
     device, (k, count), run = squares.device, squares.shape, run_length(squares)
     runs = -(-count // run)
-    first, least = (scale * voxel_size * voxel_size for scale in (FIRST_SCALE, MIN_SCALE))
+    first, min_scale = (scale * voxel_size * voxel_size for scale in (FIRST_SCALE, MIN_SCALE))
     scales, weights = full(1, first, float64, device), empty((runs, 2), float64, device)
     for _ in range(ROUNDS):
         launch(weigh_squares_kernel, runs, [squares, run, scales, weights])
-        launch(scale_costs_kernel, 1, [weights, least, scales])
+        launch(scale_costs_kernel, 1, [weights, min_scale, scales])
     rows, sums = empty((k, runs, COLUMNS), float64, device), empty((k, COLUMNS), float64, device)
     launch(compare_squares_kernel, k * runs, [squares, run, scales, rows])
     launch(add_runs_kernel, k * COLUMNS, [rows, sums])

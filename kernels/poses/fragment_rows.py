@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ..algebra.rigid_solve import move, turn
+from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, transform_points, widen
 from ..array_types import Integers, Points, Vectors
 from ..arrays.key_starts import find_key_starts
@@ -59,14 +59,14 @@ slope_sums = vector(6, float64)
 
 @struct
 class FragmentRows:
-    """Rows at given poses and shifts. `ends`: source and target fragments per pair; `places`, `normals`: q' and n' in
-    the pose frame. Cells (-1: rigid); `residuals` [m]; `images`: product with a step; `order`: 2 row + 1 for the
+    """Rows at given poses and shifts. `ends`: source and target fragments per pair; `positions`, `normals`: q' and
+    n' in the pose frame. Cells (-1: rigid); `residuals` [m]; `images`: product with a step; `order`: 2 row + 1 for the
     target.
     """
 
     ends: array(dtype=int32)
     pairs: array(dtype=int32)
-    places: array(dtype=vec3)
+    positions: array(dtype=vec3)
     normals: array(dtype=vec3)
     source_normals: array(dtype=vec3)
     target_normals: array(dtype=vec3)
@@ -83,7 +83,7 @@ class FragmentRows:
         self.pairs = empty(count, int32, device)
         self.starts = np.zeros(1, np.int64)
         self.sums: SegmentBlocks  # of the rows of each pair. Set once they are known
-        for name in ("places", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
+        for name in ("positions", "normals", "source_normals", "target_normals", "source_shares", "target_shares"):
             setattr(self, name, empty(count, vec3, device))
         self.source_cells, self.target_cells = empty(count, int32, device), empty(count, int32, device)
         self.residuals, self.images = empty(count, float64, device), empty(count, float64, device)
@@ -138,11 +138,11 @@ def pair_points_kernel(
     target_first: int,
     first: int,
     T_target_source: mat44d,
-    least_cosine: float64,
+    min_cosine: float64,
     sided: int,
     fragments: Fragments,
     partners: array(dtype=int32),
-    kept: array(dtype=uint8),
+    mask: array(dtype=uint8),
 ):
     """Partner of each point if the normals agree. Of either sign if they are unoriented."""
     i = tid()
@@ -150,15 +150,15 @@ def pair_points_kernel(
     keep = 0
     if partner >= 0:
         partner += target_first
-        n = turn(T_target_source, widen(fragments.bent[source_first + i]))
+        n = rotate(T_target_source, widen(fragments.bent[source_first + i]))
         m = widen(fragments.bent[partner])
         agreement = dot(n, m)
         if sided == 0:
             agreement = abs(agreement)
-        if isfinite(agreement) and agreement >= least_cosine:
+        if isfinite(agreement) and agreement >= min_cosine:
             keep = 1
     partners[first + i] = partner
-    kept[first + i] = uint8(keep)
+    mask[first + i] = uint8(keep)
 
 
 @kernel
@@ -181,14 +181,14 @@ def fill_rows_kernel(
     source = poses[rows.ends[2 * owner]]
     target = poses[rows.ends[2 * owner + 1]]
     normal = widen(fragments.bent[p])
-    turned = turn(source, normal)
-    place = move(target, widen(fragments.moved[q]))
+    rotated_normal = rotate(source, normal)
+    target_position = move(target, widen(fragments.moved[q]))
     rows.pairs[i] = owner
-    rows.places[i] = narrow(place)
-    rows.normals[i] = narrow(turned)
+    rows.positions[i] = narrow(target_position)
+    rows.normals[i] = narrow(rotated_normal)
     rows.source_normals[i] = fragments.bent[p]
-    rows.target_normals[i] = narrow(turn(transpose(target), turned))
-    rows.residuals[i] = dot(move(source, widen(fragments.moved[p])) - place, turned)
+    rows.target_normals[i] = narrow(rotate(transpose(target), rotated_normal))
+    rows.residuals[i] = dot(move(source, widen(fragments.moved[p])) - target_position, rotated_normal)
     rows.source_cells[i] = fragments.cells[p]
     rows.target_cells[i] = fragments.cells[q]
     at = fragments.points[p]
@@ -227,7 +227,7 @@ def map_rows_kernel(first: int, steps: array(dtype=vec3d), lattice: ControlLatti
     a = 2 * rows.ends[2 * rows.pairs[i]]
     b = 2 * rows.ends[2 * rows.pairs[i] + 1]
     n = widen(rows.normals[i])
-    value = dot(cross(widen(rows.places[i]), n), steps[a] - steps[b]) + dot(n, steps[a + 1] - steps[b + 1])
+    value = dot(cross(widen(rows.positions[i]), n), steps[a] - steps[b]) + dot(n, steps[a + 1] - steps[b + 1])
     p = shift_within(rows.source_cells[i], rows.source_shares[i], lattice, first, steps)
     q = shift_within(rows.target_cells[i], rows.target_shares[i], lattice, first, steps)
     rows.images[i] = value + dot(widen(rows.source_normals[i]), p) - dot(widen(rows.target_normals[i]), q)
@@ -237,17 +237,17 @@ class Pairs:
     """Fragment pairs and the search for correspondences within `distance` [m]; `sided`: normals are oriented."""
 
     def __init__(
-        self, ends: ArrayLike, fragments: Fragments, distance: float, least_cosine: float, *, sided: bool
+        self, ends: ArrayLike, fragments: Fragments, distance: float, min_cosine: float, *, sided: bool
     ) -> None:
         self.fragments, self.distance = fragments, distance
-        self.least_cosine, self.sided = float(least_cosine), int(sided)
+        self.min_cosine, self.sided = float(min_cosine), int(sided)
         self.ends = np.asarray(ends, np.int64).reshape(-1, 2)
         device = fragments.points.device
         counts = fragments.counts[self.ends[:, 0]]
         self.firsts = np.concatenate([[0], np.cumsum(counts)])
         self.device_ends = upload(self.ends.ravel().astype(np.int32), int32, device)
         self.partners = empty(int(self.firsts[-1]), int32, device)
-        self.kept = empty(int(self.firsts[-1]), uint8, device)
+        self.mask = empty(int(self.firsts[-1]), uint8, device)
 
     def match(self, poses: np.ndarray) -> FragmentRows:
         """Rows at poses (fragments, 4, 4) and the current lattice; syncs."""
@@ -258,17 +258,19 @@ class Pairs:
             queries = transform_points(fragments.part(s), T[:3, :3], T[:3, 3])
             nearest = find_nearest(trees[t], queries, radius=self.distance)
             where = [int(fragments.firsts[s]), int(fragments.firsts[t]), int(self.firsts[k])]
-            rule = [mat44d(*T.ravel()), self.least_cosine, self.sided]
-            launch(pair_points_kernel, queries.size, [nearest, *where, *rule, fragments, self.partners, self.kept])
-        positions, starts = positions_and_starts(self.kept, self.firsts)  # sync
+            rule = [mat44d(*T.ravel()), self.min_cosine, self.sided]
+            launch(pair_points_kernel, queries.size, [nearest, *where, *rule, fragments, self.partners, self.mask])
+        positions, starts = positions_and_starts(self.mask, self.firsts)  # sync
         rows = FragmentRows(positions.size, self.device_ends)
         rows.starts = starts
         rows.sums = SegmentBlocks(rows.starts[:-1], np.diff(rows.starts), device)
         tables = [self.firsts[:-1], fragments.firsts[self.ends[:, 0]], rows.starts]
         given = [upload(table.astype(np.int32), int32, device) for table in tables]
-        placed = upload(np.ascontiguousarray(poses), mat44d, device)
+        device_poses = upload(np.ascontiguousarray(poses), mat44d, device)
         launch(
-            fill_rows_kernel, rows.count, [positions, self.partners, *given, placed, fragments.lattice, fragments, rows]
+            fill_rows_kernel,
+            rows.count,
+            [positions, self.partners, *given, device_poses, fragments.lattice, fragments, rows],
         )
         rows.sort_by_cell(fragments.lattice.cell_count)
         return rows

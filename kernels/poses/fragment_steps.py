@@ -9,7 +9,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.rigid_solve import factor_system, place_of, solve_factored, square, triangle, vec6d
+from ..algebra.rigid_solve import factor_system, solve_factored, square, triangle, triangle_index, vec6d
 from ..algebra.transform import widen
 from ..array_types import Doubles, Positions
 from ..arrays.concatenation import concatenate_rows
@@ -34,20 +34,20 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, full, upload, zeros
-from .anchor_ties import pull_anchors_kernel, sum_stretch, turn_anchors_kernel
+from .anchor_ties import fit_anchor_rotations_kernel, pull_anchors_kernel, sum_stretch
 from .control_lattice import AROUND, CORNERS, ControlLattice, corner_weight
 from .fragment_rows import FragmentRows, corner_sums, map_rows_kernel, slope_sums
 
 DAMPING = 1.0e-6  # of the diagonal: fixes undetermined unknowns, negligible elsewhere
 TOLERANCE = 1.0e-4  # of a solve: remaining fraction of the right side (preconditioned). 1e-6 changes no point by 10 um
-MAX_TURNS = 1000
+MAX_ITERATIONS = 1000
 pose_block = vector(21, float64)
 anchor_block = vector(6, float64)  # xx, xy, xz, yy, yz, zz
 
 
 @struct
 class StepSystem:
-    """The normal equations except the rows. `held`: fixed fragments; `tie`: weight of squared shift differences;
+    """The normal equations except the rows. `fixed` fragments; `tie`: weight of squared shift differences;
     `fragment_ends`: 2 pair + 1 as target. Vectors have two rows per fragment, then one per anchor.
     """
 
@@ -66,11 +66,11 @@ class StepSystem:
     rotations: array(dtype=mat33d)
     tie: float64
 
-    def __init__(self, lattice: ControlLattice, held: np.ndarray, ends: Any, tie: float) -> None:
+    def __init__(self, lattice: ControlLattice, fixed: np.ndarray, ends: Any, tie: float) -> None:
         device = lattice.shifts.device
-        count, anchors, cells, pairs = len(held), lattice.anchor_count, lattice.cell_count, len(ends)
+        count, anchors, cells, pairs = len(fixed), lattice.anchor_count, lattice.cell_count, len(ends)
         self.fragment_count, self.size, self.tie = count, 2 * count + anchors, float(tie)
-        self.free = upload((~np.asarray(held)).astype(np.int32), int32, device)
+        self.free = upload((~np.asarray(fixed)).astype(np.int32), int32, device)
         flat = np.asarray(ends, np.int64).ravel()
         order = np.argsort(flat, kind="stable")
         starts = np.searchsorted(flat[order], np.arange(count + 1))
@@ -88,7 +88,7 @@ def sum_pair_slopes(rows: FragmentRows, values: array(dtype=float64)) -> slope_s
     """Derivatives of a row by its source's pose, times the row's value."""
     i = tid()
     n = widen(rows.normals[i])
-    m = cross(widen(rows.places[i]), n)
+    m = cross(widen(rows.positions[i]), n)
     v = values[i]
     return slope_sums(m[0] * v, m[1] * v, m[2] * v, n[0] * v, n[1] * v, n[2] * v)
 
@@ -98,7 +98,7 @@ def sum_pair_squares(rows: FragmentRows) -> pose_block:
     """Products of a row's derivatives by its source's pose; equal to those by the target's."""
     i = tid()
     n = widen(rows.normals[i])
-    m = cross(widen(rows.places[i]), n)
+    m = cross(widen(rows.positions[i]), n)
     g = vec6d(m[0], m[1], m[2], n[0], n[1], n[2])
     total = pose_block(0.0)
     at = 0
@@ -161,22 +161,22 @@ def sum_residuals(rows: FragmentRows) -> vec2d:
 @kernel
 def gather_fragments_kernel(steps: array(dtype=vec3d), system: StepSystem, images: array(dtype=vec3d)):
     i = tid()
-    turned = vec3d(0.0, 0.0, 0.0)
+    torque = vec3d(0.0, 0.0, 0.0)
     moved = vec3d(0.0, 0.0, 0.0)
     if system.free[i] == 1:
         for k in range(system.fragment_starts[i], system.fragment_starts[i + 1]):
             end = system.fragment_ends[k]
             sums = system.pair_sums[end // 2]
             sign = float64(1 - 2 * (end % 2))
-            turned += sign * vec3d(sums[0], sums[1], sums[2])
+            torque += sign * vec3d(sums[0], sums[1], sums[2])
             moved += sign * vec3d(sums[3], sums[4], sums[5])
         a = system.lifts[2 * i]
         b = system.lifts[2 * i + 1]
         x = steps[2 * i]
         y = steps[2 * i + 1]
-        turned += vec3d(a[0] * x[0], a[1] * x[1], a[2] * x[2])
+        torque += vec3d(a[0] * x[0], a[1] * x[1], a[2] * x[2])
         moved += vec3d(b[0] * y[0], b[1] * y[1], b[2] * y[2])
-    images[2 * i] = turned
+    images[2 * i] = torque
     images[2 * i + 1] = moved
 
 
@@ -214,7 +214,7 @@ def factor_fragments_kernel(damping: float64, system: StepSystem):
         total += system.pair_blocks[system.fragment_ends[k] // 2]
     lifts = vec6d(0.0)
     for k in range(6):
-        at = place_of(k, k)
+        at = triangle_index(k, k)
         lifts[k] = damping * total[at]
         total[at] = total[at] + lifts[k]
     system.lifts[2 * i] = vec3d(lifts[0], lifts[1], lifts[2])
@@ -299,7 +299,7 @@ class FragmentStep:
         self.live_cells = full(max(lattice.cell_count, 1), 1, int32, device)
         self.pair_partials = empty(rows.sums.count, slope_sums, device)
         self.cell_partials = empty(rows.cells.count, corner_sums, device)
-        launch(turn_anchors_kernel, lattice.anchor_count, [lattice, system.rotations])
+        launch(fit_anchor_rotations_kernel, lattice.anchor_count, [lattice, system.rotations])
 
     def errors(self) -> tuple[float, int, float]:
         """(sum of squared residuals, rows, regularization error); syncs."""
@@ -313,7 +313,7 @@ class FragmentStep:
         """The step, vec3d (2 fragments + anchors), and the iteration count."""
         system, device = self.system, self.lattice.shifts.device
         self._make_blocks()
-        state = Gradients(zeros(system.size, vec3d, device), 0.0, MAX_TURNS)
+        state = Gradients(zeros(system.size, vec3d, device), 0.0, MAX_ITERATIONS)
         self._gather(self.rows.residuals, state.solution, state.image)
         ties = [self.lattice, system.tie, system.rotations, 2 * system.fragment_count, state.image]
         launch(pull_anchors_kernel, self.lattice.anchor_count, ties)
@@ -322,7 +322,7 @@ class FragmentStep:
         descent.weigh()
         state.limit = tolerance * tolerance * float(download(state.remains)[0][0])  # sync
         descent.descend()
-        return state.solution, int(download(state.turns)[0])  # sync
+        return state.solution, int(download(state.iterations)[0])  # sync
 
     def _map(self, state: Gradients) -> None:
         launch(

@@ -11,7 +11,7 @@ from ..algebra.rigid_solve import move
 from ..algebra.transform import widen
 from ..array_types import Integers, Points
 from ..arrays.bounds import bound_points
-from ..extent.hull_filter import grid_place, locate_direction
+from ..extent.hull_filter import grid_index, locate_direction
 from ..lang import (
     INFINITY,
     array,
@@ -32,9 +32,9 @@ from ..lang import (
 from ..memory import contiguous, download, full, upload, zeros
 
 WIDTH = 40  # cells per face edge: 2.25 degrees, some 5 cm at 1.3 m
-PLACES = 8  # viewpoints per axis of the box: 0.5 to 1 m apart in a room
+VIEWPOINTS_PER_AXIS = 8  # viewpoints per axis of the box: 0.5 to 1 m apart in a room
 SAMPLE = 2048  # maximum points used to compare viewpoints
-KEPT = 48  # maximum viewpoints
+MAX_VIEWPOINTS = 48
 EQUAL = 0.02  # of the points: tolerance on hidden points relative to the best viewpoint, since sensors move a little
 HIDDEN = 0.1  # of the points hidden from the best viewpoint, above which no viewpoint is accepted
 SLACK = 0.1  # of a distance: minimum separation of two surfaces, since a cell is 2.25 degrees wide
@@ -45,48 +45,48 @@ RUN = 32  # points per thread
 class Sight:
     """A cloud seen from viewpoints: `ranges` [m] per cube-map cell, infinite if empty. Surface `margin` [m]."""
 
-    places: array(dtype=vec3d)
+    viewpoints: array(dtype=vec3d)
     ranges: array(dtype=float32)
-    place_count: int
+    viewpoint_count: int
     width: int
     margin: float
 
-    def __init__(self, points: Points, places: np.ndarray, margin: float) -> None:
+    def __init__(self, points: Points, viewpoints: np.ndarray, margin: float) -> None:
         """Render finite points from viewpoints, float64 (k, 3)."""
-        self.place_count, self.width, self.margin, self.device = len(places), WIDTH, margin, points.device
-        self.places = upload(places, vec3d, points.device)
-        self.ranges = full(self.place_count * 6 * WIDTH * WIDTH, INFINITY, float32, points.device)
-        launch(draw_ranges_kernel, self.place_count * points.size, [points, self, self.ranges])
+        self.viewpoint_count, self.width, self.margin, self.device = len(viewpoints), WIDTH, margin, points.device
+        self.viewpoints = upload(viewpoints, vec3d, points.device)
+        self.ranges = full(self.viewpoint_count * 6 * WIDTH * WIDTH, INFINITY, float32, points.device)
+        launch(draw_ranges_kernel, self.viewpoint_count * points.size, [points, self, self.ranges])
 
     def count_hidden(self, points: Points) -> np.ndarray:
         """Points behind the surface from each viewpoint: int32 (k). One sync."""
-        counts = zeros(self.place_count, int32, self.device)
+        counts = zeros(self.viewpoint_count, int32, self.device)
         runs = -(-points.size // RUN)
-        launch(count_hidden_kernel, self.place_count * runs, [points, points.size, self, counts])
+        launch(count_hidden_kernel, self.viewpoint_count * runs, [points, points.size, self, counts])
         return download(counts)  # sync
 
-    def count_in_the_way(self, points: Points, pose: np.ndarray) -> Integers:
+    def count_occluding(self, points: Points, pose: np.ndarray) -> Integers:
         """Posed points in front of the surface from each viewpoint: int32 (k)."""
-        counts = zeros(self.place_count, int32, self.device)
+        counts = zeros(self.viewpoint_count, int32, self.device)
         runs = -(-points.size // RUN)
         arguments = [points, points.size, mat44d(*pose.ravel().tolist()), self, counts]
-        launch(count_in_the_way_kernel, self.place_count * runs, arguments)
+        launch(count_occluding_kernel, self.viewpoint_count * runs, arguments)
         return counts
 
 
 @func
 def cell_of(p: vec3d, width: int) -> int:
-    place = locate_direction(p)
-    row = int(place[0]) * width + grid_place(place[1], width)
-    return row * width + grid_place(place[2], width)
+    location = locate_direction(p)
+    row = int(location[0]) * width + grid_index(location[1], width)
+    return row * width + grid_index(location[2], width)
 
 
 @kernel
 def draw_ranges_kernel(points: array(dtype=vec3), sight: Sight, ranges: array(dtype=float32)):
     i = tid()
-    place = i % sight.place_count
-    p = widen(points[i // sight.place_count]) - sight.places[place]
-    cell = place * 6 * sight.width * sight.width + cell_of(p, sight.width)
+    viewpoint = i % sight.viewpoint_count
+    p = widen(points[i // sight.viewpoint_count]) - sight.viewpoints[viewpoint]
+    cell = viewpoint * 6 * sight.width * sight.width + cell_of(p, sight.width)
     distance = float(length(p))
     if distance < ranges[cell]:  # usually false, which limits contention
         atomic_min(ranges, cell, distance)  # minimum: order-independent
@@ -95,48 +95,48 @@ def draw_ranges_kernel(points: array(dtype=vec3), sight: Sight, ranges: array(dt
 @kernel
 def count_hidden_kernel(points: array(dtype=vec3), count: int, sight: Sight, counts: array(dtype=int32)):
     i = tid()
-    place = i % sight.place_count
-    first = i // sight.place_count * RUN
+    viewpoint = i % sight.viewpoint_count
+    first = i // sight.viewpoint_count * RUN
     hidden = 0
     for k in range(first, min(first + RUN, count)):
-        p = widen(points[k]) - sight.places[place]
-        cell = place * 6 * sight.width * sight.width + cell_of(p, sight.width)
+        p = widen(points[k]) - sight.viewpoints[viewpoint]
+        cell = viewpoint * 6 * sight.width * sight.width + cell_of(p, sight.width)
         if float(length(p)) > sight.ranges[cell] * float(1.0 + SLACK) + sight.margin:
             hidden += 1
     if hidden > 0:
-        atomic_add(counts, place, hidden)  # integer sum: order-independent
+        atomic_add(counts, viewpoint, hidden)  # integer sum: order-independent
 
 
 @func
-def least_around(sight: Sight, place: int, p: vec3d) -> float:
+def min_range_around(sight: Sight, viewpoint: int, p: vec3d) -> float:
     """Minimum over the nine cells around a direction, within its face. 0 if its own is empty."""
-    located = locate_direction(p)
-    u = grid_place(located[1], sight.width)
-    v = grid_place(located[2], sight.width)
-    face = (place * 6 + int(located[0])) * sight.width * sight.width
-    least = float(0.0)
+    location = locate_direction(p)
+    u = grid_index(location[1], sight.width)
+    v = grid_index(location[2], sight.width)
+    face = (viewpoint * 6 + int(location[0])) * sight.width * sight.width
+    minimum = float(0.0)
     if sight.ranges[face + u * sight.width + v] < INFINITY:
-        least = sight.ranges[face + u * sight.width + v]
+        minimum = sight.ranges[face + u * sight.width + v]
         for a in range(max(u - 1, 0), min(u + 2, sight.width)):
             for b in range(max(v - 1, 0), min(v + 2, sight.width)):
-                least = min(least, sight.ranges[face + a * sight.width + b])
-    return least
+                minimum = min(minimum, sight.ranges[face + a * sight.width + b])
+    return minimum
 
 
 @kernel
-def count_in_the_way_kernel(
+def count_occluding_kernel(
     points: array(dtype=vec3), count: int, pose: mat44d, sight: Sight, counts: array(dtype=int32)
 ):
     i = tid()
-    place = i % sight.place_count
-    first = i // sight.place_count * RUN
+    viewpoint = i % sight.viewpoint_count
+    first = i // sight.viewpoint_count * RUN
     before = 0
     for k in range(first, min(first + RUN, count)):
-        p = move(pose, widen(points[k])) - sight.places[place]
-        if float(length(p)) < least_around(sight, place, p) * float(1.0 - SLACK) - sight.margin:
+        p = move(pose, widen(points[k])) - sight.viewpoints[viewpoint]
+        if float(length(p)) < min_range_around(sight, viewpoint, p) * float(1.0 - SLACK) - sight.margin:
             before += 1
     if before > 0:
-        atomic_add(counts, place, before)  # integer sum: order-independent
+        atomic_add(counts, viewpoint, before)  # integer sum: order-independent
 
 
 def find_sight(points: Points, margin: float) -> Sight | None:
@@ -145,12 +145,12 @@ def find_sight(points: Points, margin: float) -> Sight | None:
         return None
     some = contiguous(points[:: max(1, -(-points.size // SAMPLE))])
     low, high = (corner.astype(np.float64) for corner in bound_points(some)[:2])  # sync
-    step = (high - low) / PLACES
-    axes = [low[k] + step[k] * (np.arange(PLACES) + 0.5) for k in range(3)]
-    places = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
-    hidden = Sight(some, places, margin).count_hidden(some) / some.size
+    step = (high - low) / VIEWPOINTS_PER_AXIS
+    axes = [low[k] + step[k] * (np.arange(VIEWPOINTS_PER_AXIS) + 0.5) for k in range(3)]
+    viewpoints = np.stack(np.meshgrid(*axes, indexing="ij"), -1).reshape(-1, 3)
+    hidden = Sight(some, viewpoints, margin).count_hidden(some) / some.size
     order = np.argsort(hidden, kind="stable")
-    kept = order[hidden[order] <= hidden[order[0]] + EQUAL]
+    selected = order[hidden[order] <= hidden[order[0]] + EQUAL]
     if hidden[order[0]] > HIDDEN:
         return None
-    return Sight(points, places[kept[:: -(-len(kept) // KEPT)]], margin)
+    return Sight(points, viewpoints[selected[:: -(-len(selected) // MAX_VIEWPOINTS)]], margin)

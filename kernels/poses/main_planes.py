@@ -36,7 +36,7 @@ from ..search.nearest_point import NO_POINT
 VOTERS, PLANES = 2048, 256  # maxima, evenly spaced: a dominant plane has 10 % of the voters
 PARALLEL = 0.95  # 18 degrees: cosine between a plane normal and its points' normals
 FIT_STEPS = 2  # of the plane to its inliers: the first normal comes from a few voxels
-FEWEST = 5  # points of a plane
+MIN_POINTS = 5  # points of a plane
 
 
 VOTERS_AT, STEP_AT, DONE_AT = 0, 1, 2  # indices in `sizes`
@@ -69,22 +69,22 @@ class MainPlanes:
 
 @struct
 class Voters:
-    """Subset of points and the current plane (`place`, `way`). `ways`: normals, zero once assigned; `firsts`: original
+    """Subset of points and the current plane (`point`, `normal`). `normals`, zero once assigned; `firsts`: original
     normals; `sizes`: voter count, proposal step, 1 when finished; `counts`: inliers.
     """
 
-    places: array(dtype=vec3)
-    ways: array(dtype=vec3)
+    points: array(dtype=vec3)
+    normals: array(dtype=vec3)
     firsts: array(dtype=vec3)
     sizes: array(dtype=int32)
     counts: array(dtype=int32)
-    place: array(dtype=vec3d)
-    way: array(dtype=vec3d)
+    point: array(dtype=vec3d)
+    normal: array(dtype=vec3d)
 
     def __init__(self, device: Device) -> None:
-        self.places, self.ways, self.firsts = (empty(VOTERS, vec3, device) for _ in range(3))
+        self.points, self.normals, self.firsts = (empty(VOTERS, vec3, device) for _ in range(3))
         self.sizes, self.counts = empty(3, int32, device), empty(PLANES, int32, device)
-        self.place, self.way = empty(1, vec3d, device), empty(1, vec3d, device)
+        self.point, self.normal = empty(1, vec3d, device), empty(1, vec3d, device)
 
 
 @kernel
@@ -100,8 +100,8 @@ def choose_voters_kernel(
         before = ranks[i - 1]
     if ranks[i] > before and before % step == 0:
         at = before // step
-        voters.places[at] = points[i]
-        voters.ways[at] = normals[i]
+        voters.points[at] = points[i]
+        voters.normals[at] = normals[i]
         voters.firsts[at] = normals[i]
     if i == 0:
         count = (total + step - 1) // step
@@ -117,12 +117,12 @@ def count_coplanar_kernel(voters: Voters, slab: float, cosine: float):
     at = i * voters.sizes[STEP_AT]
     total = -1
     if at < voters.sizes[VOTERS_AT] and voters.sizes[DONE_AT] == 0:
-        p = voters.places[at]
-        n = voters.ways[at]
+        p = voters.points[at]
+        n = voters.normals[at]
         total = 0
         for j in range(voters.sizes[VOTERS_AT]):
-            if abs(dot(n, voters.ways[j])) > cosine:
-                if abs(dot(n, voters.places[j] - p)) < slab:
+            if abs(dot(n, voters.normals[j])) > cosine:
+                if abs(dot(n, voters.points[j] - p)) < slab:
                     total += 1
     voters.counts[i] = total
 
@@ -136,19 +136,19 @@ def choose_plane_kernel(voters: Voters):
         if voters.counts[k] > voters.counts[best]:
             best = k
     if voters.sizes[DONE_AT] == 0:
-        voters.place[i] = widen(voters.places[best * voters.sizes[STEP_AT]])
-        voters.way[i] = widen(voters.firsts[best * voters.sizes[STEP_AT]])
+        voters.point[i] = widen(voters.points[best * voters.sizes[STEP_AT]])
+        voters.normal[i] = widen(voters.firsts[best * voters.sizes[STEP_AT]])
 
 
 @func
 def is_coplanar(i: int, voters: Voters, slab: float, cosine: float) -> int:
-    found = 0
+    is_inlier = 0
     if i < voters.sizes[VOTERS_AT] and voters.sizes[DONE_AT] == 0:
-        n = narrow(voters.way[0])
-        if abs(dot(n, voters.ways[i])) > cosine:
-            if abs(dot(n, voters.places[i] - narrow(voters.place[0]))) < slab:
-                found = 1
-    return found
+        n = narrow(voters.normal[0])
+        if abs(dot(n, voters.normals[i])) > cosine:
+            if abs(dot(n, voters.points[i] - narrow(voters.point[0]))) < slab:
+                is_inlier = 1
+    return is_inlier
 
 
 @reduction
@@ -156,7 +156,7 @@ def sum_coplanar(voters: Voters, slab: float, cosine: float) -> moments:
     i = tid()
     total = moments(0.0)
     if is_coplanar(i, voters, slab, cosine) == 1:
-        total = add_difference(total, narrow(voters.place[0]), voters.places[i])
+        total = add_difference(total, narrow(voters.point[0]), voters.points[i])
     return total
 
 
@@ -165,7 +165,7 @@ def fit_plane_kernel(sums: array(dtype=moments), is_last: int, voters: Voters, p
     """Fit the plane to its inliers. Store it in the last step if there are enough. One thread."""
     i = tid()
     m = sums[i]
-    if m[0] < float64(FEWEST):
+    if m[0] < float64(MIN_POINTS):
         voters.sizes[DONE_AT] = 1
     if voters.sizes[DONE_AT] == 0:
         c = m[0]
@@ -174,10 +174,10 @@ def fit_plane_kernel(sums: array(dtype=moments), is_last: int, voters: Voters, p
         xz = m[6] / c
         yz = m[8] / c
         squares = mat33d(m[4] / c, xy, xz, xy, m[7] / c, yz, xz, yz, m[9] / c)
-        p = voters.place[i] + mean
+        p = voters.point[i] + mean
         n = smallest_eigenvector(squares - outer(mean, mean))
-        voters.place[i] = p
-        voters.way[i] = n
+        voters.point[i] = p
+        voters.normal[i] = n
         if is_last == 1:
             at = planes.count[0]
             planes.middles[at] = narrow(p)
@@ -190,7 +190,7 @@ def silence_coplanar_kernel(voters: Voters, slab: float, cosine: float):
     """Zero the normals of the inliers, which removes them."""
     i = tid()
     if is_coplanar(i, voters, slab, cosine) == 1:
-        voters.ways[i] = vec3(0.0, 0.0, 0.0)
+        voters.normals[i] = vec3(0.0, 0.0, 0.0)
 
 
 @kernel

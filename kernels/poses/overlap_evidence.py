@@ -10,7 +10,7 @@ from typing import Any
 
 import numpy as np
 
-from ..algebra.rigid_solve import move, turn
+from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, widen
 from ..array_types import Array1, Integers, Vectors
 from ..arrays.packed_keys import key_index, key_number
@@ -61,11 +61,11 @@ def move_surface_kernel(
     normals: array(dtype=vec3),
     pose: mat44d,
     moved: array(dtype=vec3),
-    turned: array(dtype=vec3),
+    moved_normals: array(dtype=vec3),
 ):
     i = tid()
     moved[i] = narrow(move(pose, widen(points[i])))
-    turned[i] = narrow(turn(pose, widen(normals[i])))
+    moved_normals[i] = narrow(rotate(pose, widen(normals[i])))
 
 
 @reduction
@@ -80,12 +80,12 @@ def sum_near(moved: array(dtype=vec3), nearest: array(dtype=int64)) -> middle_su
 
 @struct
 class Overlap:
-    """Two surfaces, the first moved by a pose (`moved`, `turned`). `middle` [m] and `scale` [1 / m] (inverse RMS
+    """Two surfaces, the first moved by a pose (`moved`, `moved_normals`). `middle` [m] and `scale` [1 / m] (inverse RMS
     distance) of points with a nearest one; `tight` [m]: weights end; `frame`: directions of removed planes.
     """
 
     moved: array(dtype=vec3)
-    turned: array(dtype=vec3)
+    moved_normals: array(dtype=vec3)
     nearest: array(dtype=int64)
     points: array(dtype=vec3)
     normals: array(dtype=vec3)
@@ -112,8 +112,8 @@ class Overlap:
         self.distance, self.cosine, self.tight = distance, cosine, tight
         self.frame, self.frame_size = empty(MAX_DIRECTIONS, vec3, device), zeros(1, int32, device)
         self.middle, self.scale = empty(1, vec3d, device), empty(1, float64, device)
-        self.moved, self.turned = empty(count, vec3, device), empty(count, vec3, device)
-        arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.turned]
+        self.moved, self.moved_normals = empty(count, vec3, device), empty(count, vec3, device)
+        arguments = [source.points, source.normals, mat44d(*pose.ravel().tolist()), self.moved, self.moved_normals]
         launch(move_surface_kernel, count, arguments)
         self.nearest = find_nearest(target.tree, self.moved, radius=near)
         self.find_middle()
@@ -128,8 +128,8 @@ class Overlap:
         mask = empty(count, uint8, self.moved.device)
         launch(mask_matched_kernel, count, [self, mask])
         fitted, slab, edge = (share * self.distance for share in (FITTED, ON_PLANE, BENT))
-        planes = find_main_planes(self.moved, self.turned, mask, PLANES, fitted, slab, self.cosine)
-        leave_out_planes(self.moved, self.turned, planes, slab, self.cosine, edge, self.nearest)
+        planes = find_main_planes(self.moved, self.moved_normals, mask, PLANES, fitted, slab, self.cosine)
+        leave_out_planes(self.moved, self.moved_normals, planes, slab, self.cosine, edge, self.nearest)
         self.find_middle()
         find_directions(planes, self.frame, self.frame_size)
 
@@ -152,7 +152,7 @@ def find_middle_kernel(total: array(dtype=middle_sums), overlap: Overlap):
 def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), count: array(dtype=int32)):
     """Unit normals of planes, and those orthogonal to any two mutually orthogonal ones. One thread."""
     i = tid()
-    found = planes.count[i]
+    total = planes.count[i]
     for k in range(planes.count[i]):
         directions[k] = planes.directions[k]
         for j in range(k):
@@ -160,9 +160,9 @@ def find_directions_kernel(planes: MainPlanes, directions: array(dtype=vec3), co
             b = planes.directions[j]
             if abs(dot(a, b)) < SQUARE:
                 third = cross(a, b)
-                directions[found] = third * (1.0 / length(third))
-                found += 1
-    count[i] = found
+                directions[total] = third * (1.0 / length(third))
+                total += 1
+    count[i] = total
 
 
 def find_directions(planes: MainPlanes, directions: Vectors, count: Integers) -> None:
@@ -176,7 +176,7 @@ def agrees(overlap: Overlap, i: int) -> int:
     key = overlap.nearest[i]
     agreeing = 0
     if key_number(key) < overlap.distance * overlap.distance:
-        if abs(dot(overlap.turned[i], overlap.normals[key_index(key)])) > overlap.cosine:
+        if abs(dot(overlap.moved_normals[i], overlap.normals[key_index(key)])) > overlap.cosine:
             agreeing = 1
     return agreeing
 
@@ -194,7 +194,7 @@ def is_aligned(overlap: Overlap, i: int) -> int:
     """True if a normal is along a removed plane's normal, or orthogonal to two."""
     aligned = 0
     for k in range(overlap.frame_size[0]):
-        if abs(dot(overlap.frame[k], overlap.turned[i])) > ALIGNED:
+        if abs(dot(overlap.frame[k], overlap.moved_normals[i])) > ALIGNED:
             aligned = 1
     return aligned
 
@@ -216,7 +216,7 @@ def sum_evidence(overlap: Overlap) -> evidence_sums:
     i = tid()
     out = evidence_sums(0.0)
     if overlap.nearest[i] != int64(NO_POINT):
-        n = widen(overlap.turned[i])
+        n = widen(overlap.moved_normals[i])
         r = (widen(overlap.moved[i]) - overlap.middle[0]) * overlap.scale[0]
         c = cross(r, n)
         agreeing = float64(0.0)

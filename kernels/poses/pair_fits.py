@@ -43,7 +43,7 @@ from ..memory import empty, fill, full, zeros
 BLOCK = 512  # correspondences whose coordinates (12 KB) stay in the L1 cache
 SUMS = 18  # numbers of a fit
 COLUMNS = SUMS + 1  # plus the weighted sum of squared distances
-FEWEST = 3  # correspondences that fix a pose
+MIN_PAIRS = 3  # correspondences that fix a pose
 WITHIN = 0  # weighting: 1 below a squared distance
 GEMAN_MCCLURE = 1  # weighting: (mu / (mu + d^2))^2
 all_sums = vector(19, float64)
@@ -103,17 +103,17 @@ class PairCoordinates:
             launch(refit_poses_kernel, k, [sums.rows, sums.blocks, int(with_scaling), poses, best, scores])
         return best, scores
 
-    def anneal(self, pose: Poses, mu: float, least: float, divisor: float, every: int, steps: int) -> Poses:
+    def anneal(self, pose: Poses, mu: float, min_scale: float, divisor: float, every: int, steps: int) -> Poses:
         """Minimize the Geman-McClure cost with decreasing scale mu [m^2]. Returns the pose before the last step."""
         previous, limits = empty(1, mat44d, self.device), full(1, mu, float64, self.device)
         sums, left = PoseSums(self, 1), full(1, steps, int32, self.device)
-        step = [divisor, least, every, steps, left, pose, previous, limits]
+        step = [divisor, min_scale, every, steps, left, pose, previous, limits]
 
-        def turn() -> None:
+        def iterate() -> None:
             sums.add_up(sum_pairs_kernel, sum_weighted, [pose, limits, GEMAN_MCCLURE])
             launch(anneal_poses_kernel, 1, [sums.rows, sums.blocks, *step])
 
-        loop_while(left, turn)
+        loop_while(left, iterate)
         return previous
 
 
@@ -306,7 +306,7 @@ def refit_poses_kernel(
         best_poses[i] = poses[i]
         scores[i, 0] = total[0]
         scores[i, 1] = total[SUMS]
-    if total[0] >= float64(FEWEST):
+    if total[0] >= float64(MIN_PAIRS):
         poses[i] = fit_of(total, poses[i], with_scaling)
 
 
@@ -315,7 +315,7 @@ def anneal_poses_kernel(
     partials: array(dtype=float64, ndim=2),
     blocks: int,
     divisor: float64,
-    least: float64,
+    min_scale: float64,
     every: int,
     steps: int,
     left: array(dtype=int32),
@@ -323,11 +323,11 @@ def anneal_poses_kernel(
     previous: array(dtype=mat44d),
     limits: array(dtype=float64),
 ):
-    """Refit a pose, and every `every` steps divide its scale while it is above `least`."""
+    """Refit a pose, and every `every` steps divide its scale while it is above `min_scale`."""
     i = tid()
     previous[i] = poses[i]
     poses[i] = fit_of(fold_blocks(partials, i * blocks, blocks), poses[i], 0)
-    if limits[i] > least and (steps - left[i]) % every == 0:
+    if limits[i] > min_scale and (steps - left[i]) % every == 0:
         limits[i] = limits[i] / divisor
     left[i] = left[i] - 1
 

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from ..algebra.rigid_solve import move, turn
+from ..algebra.rigid_solve import move, rotate
 from ..algebra.transform import narrow, widen
 from ..arrays.packed_keys import key_index
 from ..lang import array, dot, float32, int64, kernel, launch, mat44d, tid, vec3
@@ -20,7 +20,7 @@ from .overlap_evidence import MATCHED_AT, Overlap
 
 
 @dataclass(frozen=True)
-class Hold:
+class PoseConstraint:
     """Constraint of a pose: `triangle` (21) of the normal matrix (rotation first, in units of the RMS distance
     `lever`). Weighted `matches`; `middle` about the target's origin [m].
     """
@@ -31,16 +31,18 @@ class Hold:
     lever: float
 
 
-def find_hold(source: Surface, target: Surface, pose: np.ndarray, distance: float, near: float, cosine: float) -> Hold:
+def find_pose_constraint(
+    source: Surface, target: Surface, pose: np.ndarray, distance: float, near: float, cosine: float
+) -> PoseConstraint:
     """Constraint of T_target_source about the clouds' origins; `near`: overlap distance [m]. Three syncs."""
     overlap = Overlap(source, target, pose, distance, near, cosine, distance)
     sums = download(overlap.weigh())[0]  # sync
     middle, scale = download(overlap.middle)[0], float(download(overlap.scale)[0])  # sync
-    return Hold(sums[21:42].copy(), float(sums[MATCHED_AT]), middle.copy(), 1 / scale)
+    return PoseConstraint(sums[21:42].copy(), float(sums[MATCHED_AT]), middle.copy(), 1 / scale)
 
 
 @kernel
-def place_samples_kernel(
+def transform_samples_kernel(
     points: array(dtype=vec3), step: int, count: int, poses: array(dtype=mat44d), moved: array(dtype=vec3)
 ):
     i = tid()
@@ -65,26 +67,32 @@ def measure_offsets_kernel(
     square = -1.0
     if nearest[i] != int64(NO_POINT):
         row = key_index(nearest[i])
-        turned = narrow(turn(poses[i // count], widen(directions[(i % count) * step])))
-        if abs(dot(turned, normals[row])) > cosine:
+        rotated = narrow(rotate(poses[i // count], widen(directions[(i % count) * step])))
+        if abs(dot(rotated, normals[row])) > cosine:
             height = dot(moved[i] - points[row], normals[row])
             square = height * height
     squares[i // count, i % count] = square
 
 
 def compare_pair(
-    source: Surface, target: Surface, most: int, poses: np.ndarray, reach: float, cosine: float, voxel_size: float
+    source: Surface,
+    target: Surface,
+    max_points: int,
+    poses: np.ndarray,
+    radius: float,
+    cosine: float,
+    voxel_size: float,
 ) -> np.ndarray:
     """Cost changes when one surface moves from its pose (the first) to others, (k, 4) as of `compare_costs`. One sync.
     The surfaces must not be thinned on a common grid, which would bias the result.
     """
     device = source.device
-    step = max(1, len(source) // max(most, 1))
+    step = max(1, len(source) // max(max_points, 1))
     count = -(-len(source) // step)
-    placed = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
+    device_poses = upload(np.ascontiguousarray(poses, np.float64), mat44d, device)
     moved, squares = empty(len(poses) * count, vec3, device), empty((len(poses), count), float32, device)
-    launch(place_samples_kernel, moved.size, [source.points, step, count, placed, moved])
-    nearest = find_nearest(target.tree, moved, radius=reach)
-    compared = [source.normals, step, placed, target.points, target.normals, cosine, squares]
+    launch(transform_samples_kernel, moved.size, [source.points, step, count, device_poses, moved])
+    nearest = find_nearest(target.tree, moved, radius=radius)
+    compared = [source.normals, step, device_poses, target.points, target.normals, cosine, squares]
     launch(measure_offsets_kernel, moved.size, [moved, nearest, *compared])
     return compare_costs(squares, voxel_size)

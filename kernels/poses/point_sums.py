@@ -11,18 +11,18 @@ from ..lang import array, float64, int64, mat33d, reduce, reduction, tid, vec2d,
 from ..memory import download
 from ..search.nearest_point import NO_POINT
 
-place_sums = vector(10, float64)
+position_sums = vector(10, float64)
 
 
 @reduction
-def sum_places(points: array(dtype=vec3), origin: vec3d) -> place_sums:
+def sum_positions(points: array(dtype=vec3), origin: vec3d) -> position_sums:
     """Count, coordinates and products xx xy xz yy yz zz of points about an origin."""
     i = tid()
     q = widen(points[i]) + origin
     x = q[0]
     y = q[1]
     z = q[2]
-    return place_sums(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
+    return position_sums(1.0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)
 
 
 @reduction
@@ -32,9 +32,9 @@ def sum_agreeing(
     nearest: array(dtype=int64),
     source_origin: vec3d,
     target_origin: vec3d,
-    source_turn: mat33d,
+    source_rotation: mat33d,
     source_shift: vec3d,
-    target_turn: mat33d,
+    target_rotation: mat33d,
     target_shift: vec3d,
     limit: float64,
 ) -> vec2d:
@@ -43,8 +43,8 @@ def sum_agreeing(
     total = vec2d(0.0, 0.0)
     key = nearest[i]
     if key != int64(NO_POINT):
-        p = source_turn @ (widen(source[i]) + source_origin) + source_shift
-        q = target_turn @ (widen(target[key_index(key)]) + target_origin) + target_shift
+        p = source_rotation @ (widen(source[i]) + source_origin) + source_shift
+        q = target_rotation @ (widen(target[key_index(key)]) + target_origin) + target_shift
         d = p - q
         total[0] = 1.0
         if d[0] * d[0] + d[1] * d[1] + d[2] * d[2] <= limit:
@@ -52,9 +52,9 @@ def sum_agreeing(
     return total
 
 
-def place_moments(points: Points, origin: np.ndarray) -> np.ndarray:
+def position_moments(points: Points, origin: np.ndarray) -> np.ndarray:
     """Count, coordinate sums and sums of products, float64 (10) on the host. One sync."""
-    return download(reduce(sum_places, points.size, [points, vec3d(*origin)]))[0].copy()  # sync
+    return download(reduce(sum_positions, points.size, [points, vec3d(*origin)]))[0].copy()  # sync
 
 
 def count_agreeing(
@@ -66,6 +66,6 @@ def count_agreeing(
     distance: float,
 ) -> Array1[Any]:
     """Count of pairs and of those within `distance` [m] (inclusive) under the poses: vec2d (1)."""
-    placed = [part for T in poses for part in (mat33d(*T[:3, :3].ravel()), vec3d(*T[:3, 3]))]
-    arguments = [source, target, nearest, *(vec3d(*origin) for origin in origins), *placed, distance * distance]
+    transforms = [part for T in poses for part in (mat33d(*T[:3, :3].ravel()), vec3d(*T[:3, 3]))]
+    arguments = [source, target, nearest, *(vec3d(*origin) for origin in origins), *transforms, distance * distance]
     return reduce(sum_agreeing, source.size, arguments)

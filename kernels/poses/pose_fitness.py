@@ -42,7 +42,7 @@ from ..search.hilbert_order import HilbertOrder
 from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, find_bucket, measure_boxes
 from ..search.tree_search import reach_of
-from .pair_fits import FEWEST, SUMS
+from .pair_fits import MIN_PAIRS, SUMS
 
 CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points per thread: few atomics on the CPU, many threads on CUDA
 STILL = 1.0e-6  # relative decrease of the sum that counts as progress
@@ -64,12 +64,12 @@ class PoseFitness:
 
     def __init__(self, source: Points, tree: PointTree) -> None:
         """Prepare scores of a device array of vec3 against a PointTree."""
-        found = HilbertOrder(source)
-        rows = found.order[: found.finite_count] if found.finite_count else empty(0, int32, source.device)
+        hilbert = HilbertOrder(source)
+        rows = hilbert.order[: hilbert.finite_count] if hilbert.finite_count else empty(0, int32, source.device)
         self.source = gather_rows(source, rows)
         self.tree, self.target, self.device = tree, tree.source, source.device
-        self.middles = [middle_of(c.low, c.high) for c in (found, tree)]
-        self.size = half_diagonal(found.low, found.high)
+        self.middles = [middle_of(c.low, c.high) for c in (hilbert, tree)]
+        self.size = half_diagonal(hilbert.low, hilbert.high)
         self.source_middle, self.target_middle = (vec3(*middle) for middle in self.middles)
 
     def count(self, poses: Poses, distance: float) -> np.ndarray:
@@ -84,7 +84,7 @@ class PoseFitness:
             return
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         runs = -(-self.source.size // (LEAF * run))
-        launch(count_met_kernel, poses.size * runs, [self, run, poses, wanted, reach_of(distance), counts])
+        launch(count_matched_kernel, poses.size * runs, [self, run, poses, wanted, reach_of(distance), counts])
 
     def match(self, pose: Poses, distance: float) -> Array1[Any]:
         """Sums of `fit_pose` over all matches under one pose, about the centers, then of squared distances [m^2]."""
@@ -107,8 +107,8 @@ class PoseFitness:
         else:
             while download(course.running)[0]:  # the nearest-point search sorts on the host
                 step()
-        found = course.states.download()  # sync
-        return found["best"][0].copy(), int(found["counts"][0]), float(found["squares"][0])
+        states = course.states.download()  # sync
+        return states["best"][0].copy(), int(states["counts"][0]), float(states["squares"][0])
 
 
 class Matching:
@@ -166,18 +166,24 @@ def moved_point(pose: mat44d, row: int, fitness: PoseFitness) -> vec3:
 
 
 @func
-def meet_leaf(
-    first: int, tree: PointTree, xs: lane_numbers, ys: lane_numbers, zs: lane_numbers, reach: float, met: lane_flags
+def match_leaf(
+    first: int,
+    tree: PointTree,
+    xs: lane_numbers,
+    ys: lane_numbers,
+    zs: lane_numbers,
+    sqradius: float,
+    matched: lane_flags,
 ) -> lane_flags:
-    """Set the flags of lanes with a leaf point within reach."""
-    flags = met
+    """Set the flags of lanes with a leaf point within the radius."""
+    flags = matched
     for i in range(first, min(first + LEAF, tree.count)):
         p = tree.points[i]
         for j in range(LEAF):
             x = p[0] - xs[j]
             y = p[1] - ys[j]
             z = p[2] - zs[j]
-            flags[j] = flags[j] | (1 if x * x + y * y + z * z <= reach else 0)
+            flags[j] = flags[j] | (1 if x * x + y * y + z * z <= sqradius else 0)
     return flags
 
 
@@ -189,13 +195,13 @@ def count_flags(flags: lane_flags) -> int:
     return total
 
 
-@kernel(most_registers=128)  # for two blocks per SM
-def count_met_kernel(
+@kernel(max_registers=128)  # for two blocks per SM
+def count_matched_kernel(
     fitness: PoseFitness,
     run: int,
     poses: array(dtype=mat44d),
     wanted: array(dtype=int32),
-    reach: float,
+    sqradius: float,
     counts: array(dtype=int32),
 ):
     """Count the matches of a run of groups under one wanted pose. Integer sums."""
@@ -222,25 +228,25 @@ def count_met_kernel(
             zs[j] = p[2]
             a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
             b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
-        met = lane_flags(0)
+        matched = lane_flags(0)
         if isfinite(a) and isfinite(b):
             for j in range(size, LEAF):
-                met[j] = 1
+                matched[j] = 1
             step = start_walk(find_bucket(vec3(xs[0], ys[0], zs[0]), fitness.tree))
             while int(step[0]) <= fitness.tree.root:
                 bucket = int(step[2])
                 distances = measure_boxes(fitness.tree.boxes, bucket, a, b)
-                missing = LEAF - count_flags(met)
+                missing = LEAF - count_flags(matched)
                 for leaf in range(FAN):
-                    if missing > 0 and distances[leaf] <= reach:
+                    if missing > 0 and distances[leaf] <= sqradius:
                         first = bucket * BUCKET + leaf * LEAF
-                        met = meet_leaf(first, fitness.tree, xs, ys, zs, reach, met)
-                        missing = LEAF - count_flags(met)
+                        matched = match_leaf(first, fitness.tree, xs, ys, zs, sqradius, matched)
+                        missing = LEAF - count_flags(matched)
                 if missing > 0:
-                    step = next_bucket(step, a, b, reach, fitness.tree)
+                    step = next_bucket(step, a, b, sqradius, fitness.tree)
                 else:
                     step = walk(int64(fitness.tree.root + 1), 0, 0, 0)
-            total += count_flags(met) - (LEAF - size)
+            total += count_flags(matched) - (LEAF - size)
     if total > 0:
         atomic_add(counts, i // runs, total)
 
@@ -267,7 +273,7 @@ def sum_matches(fitness: PoseFitness, nearest: array(dtype=int64)) -> match_sums
     return out
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_scaling: int, course: Course):
     """Keep and refit a pose whose cost is below the best. Else stop."""
     i = tid()
@@ -280,7 +286,7 @@ def judge_matches_kernel(sums: array(dtype=match_sums), limit: float64, with_sca
         course.squares[i] = total[SUMS]
         course.costs[i] = cost
         course.left[i] = course.left[i] - 1
-        if course.left[i] > 0 and total[0] >= float64(FEWEST):
+        if course.left[i] > 0 and total[0] >= float64(MIN_PAIRS):
             s = pair_sums(0.0)
             for k in range(SUMS):
                 s[k] = total[k]

@@ -8,7 +8,7 @@ import math
 from collections.abc import Sequence
 from functools import cached_property
 
-from ..algebra.rigid_solve import fit_pose, move, pair_sums, sums_of_pair, turn
+from ..algebra.rigid_solve import fit_pose, move, pair_sums, rotate, sums_of_pair
 from ..algebra.transform import widen
 from ..array_types import Indices, Integers, Poses, Vectors
 from ..arrays.random import random_below, random_bits
@@ -73,25 +73,25 @@ class Checks:
 
 @struct
 class Samples:
-    """Samples of a round, from number `first`, with length checks: `rows` (count * size); `kept`: 1 if valid."""
+    """Samples of a round, from number `first`: `rows` (count * size); `is_valid`: 1 if the length checks pass."""
 
     pairs: PairCoordinates
     size: int
     rows: array(dtype=int32)
-    kept: array(dtype=uint8)
+    is_valid: array(dtype=uint8)
 
     def __init__(
         self, pairs: PairCoordinates, size: int, count: int, checks: Checks, seed: int, first: int = 0
     ) -> None:
         device = pairs.device
         self.pairs, self.size, self.rows = pairs, size, empty(count * size, int32, device)
-        self.kept = empty(count, uint8, device)
+        self.is_valid = empty(count, uint8, device)
         launch(draw_samples_kernel, count, [self, checks, seed, first])
 
     @cached_property
     def similar(self) -> Integers:
         """Samples whose lengths agree, int32 device array. One sync."""
-        return positions_of(self.kept)
+        return positions_of(self.is_valid)
 
     def fit(
         self, checks: Checks, normals: Sequence[Vectors], with_scaling: bool, chosen: Indices | None = None
@@ -104,14 +104,14 @@ class Samples:
 
 
 @func
-def keep_lengths(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity: float64) -> int:
+def agree_in_length(p: vec3d, q: vec3d, other_p: vec3d, other_q: vec3d, similarity: float64) -> int:
     """1 if the source and target lengths are similar and nonzero."""
     u = p - other_p
     v = q - other_q
     a = dot(u, u)
     b = dot(v, v)
-    least = similarity * similarity
-    return 0 if a < least * b or b < least * a or a == 0.0 or b == 0.0 else 1
+    min_sqratio = similarity * similarity
+    return 0 if a < min_sqratio * b or b < min_sqratio * a or a == 0.0 or b == 0.0 else 1
 
 
 @kernel
@@ -134,13 +134,13 @@ def draw_samples_kernel(samples: Samples, checks: Checks, seed: int, first: int)
                 row = samples.rows[earlier]
                 other_p = source_point(samples.pairs, row)
                 other_q = target_point(samples.pairs, row)
-                if keep_lengths(p, q, other_p, other_q, checks.similarity) == 0:
+                if agree_in_length(p, q, other_p, other_q, checks.similarity) == 0:
                     similar = 0
-    samples.kept[i] = uint8(similar)
+    samples.is_valid[i] = uint8(similar)
 
 
 @func
-def turns_within(pose: mat44d, scale: float64, limits: vec3d) -> int:
+def is_rotation_within(pose: mat44d, scale: float64, limits: vec3d) -> int:
     """1 if no angle [rad] of a rotation Rz Ry Rx exceeds its limit."""
     x = abs(atan2(pose[2, 1], pose[2, 2]))
     y = abs(asin(max(min(pose[2, 0] / scale, 1.0), -1.0)))
@@ -153,7 +153,7 @@ def scale_of(pose: mat44d) -> float64:
     return sqrt(pose[0, 0] * pose[0, 0] + pose[1, 0] * pose[1, 0] + pose[2, 0] * pose[2, 0])
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def fit_samples_kernel(
     samples: Samples,
     chosen: array(dtype=int32),
@@ -166,7 +166,7 @@ def fit_samples_kernel(
 ):
     """Pose of each chosen sample. Score 0, or REFUSED if a check fails."""
     i = tid()
-    if samples.kept[chosen[i]] == 0:
+    if samples.is_valid[chosen[i]] == 0:
         scores[i] = REFUSED
         return
     base = chosen[i] * samples.size
@@ -182,7 +182,7 @@ def fit_samples_kernel(
     score = 0
     if scale * scale * s[16] < float64(COLLAPSED * COLLAPSED) * s[17]:
         score = REFUSED
-    shift = middle_q - turn(pose, middle_p)
+    shift = middle_q - rotate(pose, middle_p)
     for axis in range(3):
         pose[axis, 3] = pose[axis, 3] + shift[axis]
     for j in range(base, base + samples.size):
@@ -191,10 +191,10 @@ def fit_samples_kernel(
         if dot(r, r) > checks.distance * checks.distance:
             score = REFUSED
         if source_normals.shape[0] > 0:
-            n = turn(pose, widen(source_normals[samples.pairs.rows[row, 0]]))
+            n = rotate(pose, widen(source_normals[samples.pairs.rows[row, 0]]))
             if dot(n, widen(target_normals[samples.pairs.rows[row, 1]])) < checks.cosine * scale:
                 score = REFUSED
-    if turns_within(pose, scale, checks.rotation) == 0:
+    if is_rotation_within(pose, scale, checks.rotation) == 0:
         score = REFUSED
     poses[i] = pose
     scores[i] = score
@@ -243,11 +243,11 @@ def score_poses_kernel(
         for k in range(size):
             if scores[start + k] != REFUSED:
                 pose = narrow_pose(poses[start + k])
-                found = 0
+                count = 0
                 for j in range(first, last):
                     if paired_sqdist(j, pose, pairs) < limit:
-                        found += 1
-                totals[k] = totals[k] + found
+                        count += 1
+                totals[k] = totals[k] + count
     for k in range(size):
         if totals[k] > 0:
             atomic_add(scores, start + k, totals[k])
@@ -271,16 +271,16 @@ def score_in_lanes_kernel(
     for k in range(start, min(start + GROUP, poses.shape[0])):
         if scores[k] != REFUSED:
             pose = narrow_pose(poses[k])
-            found = 0
-            for turn in range((last - first + WARP - 1) // WARP):
-                j = first + turn * WARP + lane()
+            count = 0
+            for step in range((last - first + WARP - 1) // WARP):
+                j = first + step * WARP + lane()
                 is_near = 0
                 if j < last:
                     if paired_sqdist(j, pose, pairs) < limit:
                         is_near = 1
-                found += bit_count(ballot(is_near))
-            if lane() == 0 and found > 0:
-                atomic_add(scores, k, found)  # integer sum: order-independent
+                count += bit_count(ballot(is_near))
+            if lane() == 0 and count > 0:
+                atomic_add(scores, k, count)  # integer sum: order-independent
 
 
 def score_poses(pairs: PairCoordinates, poses: Poses, distance: float, scores: Integers) -> None:

@@ -26,8 +26,8 @@ if TYPE_CHECKING:
 FIRST_ROUND, MIN_ROUND, MAX_ROUND = 4096, 1024, 16384  # hypotheses per round
 SCORED = 4096  # correspondences that rank the hypotheses of a round. At 1 % inliers 40 of them support a correct one
 RANKED = 2048  # hypotheses of a round considered for refitting
-KEPT = 16  # distinct ones scored by the whole cloud
-APART = 2.0  # match distances: minimum displacement of some source box point between distinct poses
+MAX_DISTINCT = 16  # distinct ones scored by the whole cloud
+MIN_SEPARATION = 2.0  # match distances: minimum displacement of some source box point between distinct poses
 CONTENDER = 0.25  # of the best inlier count: minimum for scoring by the whole cloud
 FITS = 4  # refits to the inliers of each of these
 PROBE = 12  # numbers of the four points that distinguish two poses
@@ -36,10 +36,10 @@ LAST_FITS = 8  # refits of the winner to the clouds themselves, while it improve
 
 
 @kernel
-def rank_keys_kernel(scores: array(dtype=int32), most: int, keys: array(dtype=int64)):
+def rank_keys_kernel(scores: array(dtype=int32), max_score: int, keys: array(dtype=int64)):
     """Keys whose ascending order is that of descending scores."""
     i = tid()
-    keys[i] = int64(most - scores[i])
+    keys[i] = int64(max_score - scores[i])
 
 
 @func
@@ -54,8 +54,8 @@ def probe_of(pose: mat44d, size: float64) -> probe:
 
 
 @func
-def lies_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -> int:
-    """1 if some point of a probe is farther than sqrt(limit) from that of the kept probe k."""
+def is_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -> int:
+    """1 if some point of a probe is farther than sqrt(limit) from that of the stored probe k."""
     farthest = float64(0.0)
     total = float64(0.0)
     for point in range(4):
@@ -69,60 +69,60 @@ def lies_apart(p: probe, k: int, probes: array(dtype=float64), limit: float64) -
 
 
 @kernel
-def keep_apart_kernel(
+def select_distinct_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
     order: array(dtype=int32),
     size: float64,
     limit: float64,
     probes: array(dtype=float64),
-    kept: array(dtype=mat44d),
-    kept_count: array(dtype=int32),
+    distinct: array(dtype=mat44d),
+    distinct_count: array(dtype=int32),
 ):
-    """The first KEPT distinct poses in order, up to the REFUSED, in one thread. The rest repeats the first."""
+    """The first MAX_DISTINCT distinct poses in order, up to the REFUSED, in one thread. The rest repeats the first."""
     i = tid()
-    found = 0
+    count = 0
     ranked = min(order.shape[0], RANKED)
     k = 0
-    while k < ranked and found < KEPT:
+    while k < ranked and count < MAX_DISTINCT:
         row = order[k]
         k += 1
         if scores[row] == REFUSED:
             k = ranked
         else:
             p = probe_of(poses[row], size)
-            apart = 1
-            for j in range(found):
-                if apart == 1:
-                    apart = lies_apart(p, j, probes, limit)
-            if apart == 1:
+            is_distinct = 1
+            for j in range(count):
+                if is_distinct == 1:
+                    is_distinct = is_apart(p, j, probes, limit)
+            if is_distinct == 1:
                 for j in range(PROBE):
-                    probes[found * PROBE + j] = p[j]
-                kept[found] = poses[row]
-                found += 1
-    if found > 0:
-        for j in range(found, KEPT):
-            kept[j] = kept[0]
-    kept_count[i] = found
+                    probes[count * PROBE + j] = p[j]
+                distinct[count] = poses[row]
+                count += 1
+    if count > 0:
+        for j in range(count, MAX_DISTINCT):
+            distinct[j] = distinct[0]
+    distinct_count[i] = count
 
 
-@keep_apart_kernel.on_cuda
-def keep_apart_in_lanes_kernel(
+@select_distinct_kernel.on_cuda
+def select_distinct_in_lanes_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=int32),
     order: array(dtype=int32),
     size: float64,
     limit: float64,
     probes: array(dtype=float64),
-    kept: array(dtype=mat44d),
-    kept_count: array(dtype=int32),
+    distinct: array(dtype=mat44d),
+    distinct_count: array(dtype=int32),
 ):
     """CUDA variant: a warp tests 32 poses at a time."""
     i = tid()
-    found = 0
+    count = 0
     ranked = min(order.shape[0], RANKED)
     head = 0
-    while head < ranked and found < KEPT:
+    while head < ranked and count < MAX_DISTINCT:
         row = -1
         p = probe(0.0)
         if head + i < ranked:
@@ -131,45 +131,45 @@ def keep_apart_in_lanes_kernel(
                 row = -1
             else:
                 p = probe_of(poses[row], size)
-        for j in range(found):
+        for j in range(count):
             if row >= 0:
-                if lies_apart(p, j, probes, limit) == 0:
+                if is_apart(p, j, probes, limit) == 0:
                     row = -1
         waiting = ballot(1 if row >= 0 else 0)
-        while waiting != 0 and found < KEPT:
+        while waiting != 0 and count < MAX_DISTINCT:
             if i == lowest_bit(waiting):
                 for j in range(PROBE):
-                    probes[found * PROBE + j] = p[j]
-                kept[found] = poses[row]
+                    probes[count * PROBE + j] = p[j]
+                distinct[count] = poses[row]
                 row = -1
             sync_lanes()
             if row >= 0:
-                if lies_apart(p, found, probes, limit) == 0:
+                if is_apart(p, count, probes, limit) == 0:
                     row = -1
-            found += 1
+            count += 1
             waiting = ballot(1 if row >= 0 else 0)
         head += 32
-    if i >= found and i < KEPT and found > 0:
-        kept[i] = kept[0]
+    if i >= count and i < MAX_DISTINCT and count > 0:
+        distinct[i] = distinct[0]
     if i == 0:
-        kept_count[0] = found
+        distinct_count[0] = count
 
 
 @kernel
 def mark_contenders_kernel(
     poses: array(dtype=mat44d),
     scores: array(dtype=float64, ndim=2),
-    kept_count: array(dtype=int32),
-    most: int,
+    distinct_count: array(dtype=int32),
+    best_inliers: int,
     contends: array(dtype=int32),
     counts: array(dtype=int32),
 ):
     """1 for distinct refitted poses with nearly the best inlier count."""
     i = tid()
-    best = float64(most)
-    for k in range(kept_count[0]):
+    best = float64(best_inliers)
+    for k in range(distinct_count[0]):
         best = max(best, scores[k, 0])
-    contender = 1 if i < kept_count[0] and scores[i, 0] >= float64(CONTENDER) * best else 0
+    contender = 1 if i < distinct_count[0] and scores[i, 0] >= float64(CONTENDER) * best else 0
     for k in range(i):
         alike = 1
         for row in range(4):
@@ -182,7 +182,7 @@ def mark_contenders_kernel(
     counts[i] = 0
 
 
-class FoundPose:
+class PoseSearchResult:
     """Best `pose` about the cloud centers or None; matched points `count` and their `squares` [m^2]; `inliers`; `drawn`
     hypotheses; `confident`: ended because a better pose was unlikely.
     """
@@ -203,14 +203,17 @@ class PoseSearch:
             rows = np.arange(SCORED, dtype=np.int64) * self.pairs.count // SCORED
             self.ranking = self.pairs.select(upload(rows, int32, self.device))
         values = {
-            "best": (np.tile(np.eye(4), (KEPT, 1, 1)), mat44d),
-            "inliers": (np.zeros((KEPT, 2)), float64),
-            "contends": (np.zeros(KEPT), int32),
-            "counts": (np.zeros(KEPT), int32),
+            "best": (np.tile(np.eye(4), (MAX_DISTINCT, 1, 1)), mat44d),
+            "inliers": (np.zeros((MAX_DISTINCT, 2)), float64),
+            "contends": (np.zeros(MAX_DISTINCT), int32),
+            "counts": (np.zeros(MAX_DISTINCT), int32),
         }
         self._round_states = SideBySide(values, self.device)
-        self._kept, self._kept_count = upload(values["best"][0], mat44d, self.device), zeros(1, int32, self.device)
-        self._probes = empty(KEPT * PROBE, float64, self.device)
+        self._distinct, self._distinct_count = (
+            upload(values["best"][0], mat44d, self.device),
+            zeros(1, int32, self.device),
+        )
+        self._probes = empty(MAX_DISTINCT * PROBE, float64, self.device)
 
     def find(
         self,
@@ -218,30 +221,30 @@ class PoseSearch:
         sample_size: int,
         checks: Checks,
         normals: Sequence[AnyArray],
-        most: int,
+        max_hypotheses: int,
         confidence: float,
         with_scaling: bool,
         seed: int,
-    ) -> FoundPose:
-        """Best of at most `most` hypotheses (ties by distance); ends early at `confidence` of an all-inlier sample."""
-        found = FoundPose()
-        needed, size = float(most), FIRST_ROUND
-        while found.drawn < min(most, needed):
-            size = min(size, most - found.drawn, max(math.ceil(needed) - found.drawn, MIN_ROUND))
-            self._round(found, size, distance, sample_size, checks, normals, with_scaling, seed)
-            found.drawn += size
+    ) -> PoseSearchResult:
+        """Best of `max_hypotheses` at most (ties by distance); ends early at `confidence` of an all-inlier sample."""
+        result = PoseSearchResult()
+        needed, size = float(max_hypotheses), FIRST_ROUND
+        while result.drawn < min(max_hypotheses, needed):
+            size = min(size, max_hypotheses - result.drawn, max(math.ceil(needed) - result.drawn, MIN_ROUND))
+            self._round(result, size, distance, sample_size, checks, normals, with_scaling, seed)
+            result.drawn += size
             if confidence < 1.0:
-                needed = samples_needed(found.inliers / self.pairs.count, sample_size, confidence, most)
+                needed = samples_needed(result.inliers / self.pairs.count, sample_size, confidence, max_hypotheses)
             size = min(2 * size, MAX_ROUND)
-        found.confident = found.pose is not None and confidence < 1.0 and needed <= found.drawn
-        if found.pose is not None:
-            pose = upload(found.pose[None], mat44d, self.device)
-            found.pose, found.count, found.squares = self.fitness.refine(pose, distance, LAST_FITS, with_scaling)
-        return found
+        result.confident = result.pose is not None and confidence < 1.0 and needed <= result.drawn
+        if result.pose is not None:
+            pose = upload(result.pose[None], mat44d, self.device)
+            result.pose, result.count, result.squares = self.fitness.refine(pose, distance, LAST_FITS, with_scaling)
+        return result
 
     def _round(
         self,
-        found: FoundPose,
+        result: PoseSearchResult,
         size: int,
         distance: float,
         sample_size: int,
@@ -250,58 +253,58 @@ class PoseSearch:
         with_scaling: bool,
         seed: int,
     ) -> None:
-        samples = Samples(self.pairs, sample_size, size, checks, seed, found.drawn)
+        samples = Samples(self.pairs, sample_size, size, checks, seed, result.drawn)
         # on CUDA the others are evaluated too, which avoids a sync
         chosen = positions(size, self.device) if self.device.is_cuda else samples.similar
         if chosen.size == 0:
             return
         poses, scores = samples.fit(checks, normals, with_scaling, chosen)
         score_poses(self.ranking, poses, distance, scores)
-        kept = self._keep_apart(poses, scores, APART * distance)
-        if kept == 0:
+        count = self._select_distinct(poses, scores, MIN_SEPARATION * distance)
+        if count == 0:
             return
         best, inliers, contends, counts = (
-            self._round_states.arrays[name][:kept] for name in ("best", "inliers", "contends", "counts")
+            self._round_states.arrays[name][:count] for name in ("best", "inliers", "contends", "counts")
         )
-        self.pairs.refine(self._kept[:kept], distance, FITS, with_scaling, (best, inliers))
-        launch(mark_contenders_kernel, kept, [best, inliers, self._kept_count, found.inliers, contends, counts])
+        self.pairs.refine(self._distinct[:count], distance, FITS, with_scaling, (best, inliers))
+        launch(mark_contenders_kernel, count, [best, inliers, self._distinct_count, result.inliers, contends, counts])
         self.fitness.add_counts(best, contends, distance, counts)
         states = self._round_states.download()  # sync
-        rows = np.flatnonzero(states["contends"][:kept])
+        rows = np.flatnonzero(states["contends"][:count])
         poses, inliers = states["best"][rows].copy(), states["inliers"][rows, 0].astype(int)
-        self._contest(found, poses, inliers, states["counts"][rows].copy(), distance)
+        self._contest(result, poses, inliers, states["counts"][rows].copy(), distance)
 
-    def _keep_apart(self, poses: Poses, scores: Integers, distance: float) -> int:
+    def _select_distinct(self, poses: Poses, scores: Integers, distance: float) -> int:
         """Keep the best distinct poses. Return how many to evaluate, all on CUDA."""
         keys = empty(scores.size, int64, self.device)
-        most = self.ranking.count
-        launch(rank_keys_kernel, scores.size, [scores, most, keys])
-        order = argsort_keys(keys, (most + 1).bit_length())[1]
+        max_score = self.ranking.count
+        launch(rank_keys_kernel, scores.size, [scores, max_score, keys])
+        order = argsort_keys(keys, (max_score + 1).bit_length())[1]
         threads = 32 if self.device.is_cuda else 1
-        limits = [self.fitness.size, distance * distance, self._probes, self._kept, self._kept_count]
-        launch(keep_apart_kernel, threads, [poses, scores, order, *limits])
-        return KEPT if self.device.is_cuda else int(download(self._kept_count)[0])
+        limits = [self.fitness.size, distance * distance, self._probes, self._distinct, self._distinct_count]
+        launch(select_distinct_kernel, threads, [poses, scores, order, *limits])
+        return MAX_DISTINCT if self.device.is_cuda else int(download(self._distinct_count)[0])
 
     def _contest(
-        self, found: FoundPose, poses: np.ndarray, inliers: np.ndarray, counts: np.ndarray, distance: float
+        self, result: PoseSearchResult, poses: np.ndarray, inliers: np.ndarray, counts: np.ndarray, distance: float
     ) -> None:
         """Replace the best so far if one of some poses is better."""
         if len(poses) == 0:
             return
         top = int(counts.max())
-        if top < found.count:
+        if top < result.count:
             return
         for row in np.flatnonzero(counts == top):
             squares = None
-            if top == found.count:
-                if (poses[row] == found.pose).all():  # the same pose was found again
+            if top == result.count:
+                if (poses[row] == result.pose).all():  # the same pose was found again
                     continue
-                if found.squares is None:
-                    found.squares = self._squares(found.pose, distance)
+                if result.squares is None:
+                    result.squares = self._squares(result.pose, distance)
                 squares = self._squares(poses[row], distance)
-                if squares >= found.squares:
+                if squares >= result.squares:
                     continue
-            found.pose, found.count, found.squares, found.inliers = poses[row], top, squares, int(inliers[row])
+            result.pose, result.count, result.squares, result.inliers = poses[row], top, squares, int(inliers[row])
 
     def _squares(self, pose: np.ndarray, distance: float) -> float:
         sums = self.fitness.match(upload(pose[None], mat44d, self.device), distance)

@@ -50,20 +50,20 @@ def list_tuples_kernel(tuples: array(dtype=int32, ndim=2), chosen: array(dtype=i
     rows[i] = tuples[chosen[i // TRIPLE], i % TRIPLE]
 
 
-def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float, most: int) -> Integers:
-    """Rows of the first triples that pass, int32 (3 t), t <= `most`; repeats act as weights. One sync per batch."""
-    device, found, total, done = pairs.device, [], 0, 0
+def similar_tuples(pairs: PairCoordinates, seed: int, trials: int, ratio: float, max_triples: int) -> Integers:
+    """Rows of the first triples that pass, int32 (3 t), t <= `max_triples`; repeats are weights. One sync per batch."""
+    device, batches, total, done = pairs.device, [], 0, 0
     batch = CUDA_BATCH if device.is_cuda else CPU_BATCH
-    while done < trials and total < most and pairs.count:
+    while done < trials and total < max_triples and pairs.count:
         size = min(batch, trials - done)
         tuples, passed = empty((size, TRIPLE), int32, device), empty(size, uint8, device)
         launch(test_tuples_kernel, size, [pairs, seed, done, ratio, tuples, passed])
         chosen = positions_of(passed)  # sync
         if chosen.size:
-            chosen = chosen[: min(chosen.size, most - total)]
+            chosen = chosen[: min(chosen.size, max_triples - total)]
             rows = empty(TRIPLE * chosen.size, int32, device)
             launch(list_tuples_kernel, rows.size, [tuples, chosen, rows])
-            found.append(rows)
+            batches.append(rows)
             total += chosen.size
         done, batch = done + size, min(2 * batch, MAX_BATCH)
-    return concatenate_rows(found) if found else empty(0, int32, device)
+    return concatenate_rows(batches) if batches else empty(0, int32, device)

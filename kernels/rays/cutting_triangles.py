@@ -330,7 +330,7 @@ def find_partners(
     return count
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def count_partners_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
@@ -345,7 +345,7 @@ def count_partners_kernel(
     counts[i] = find_partners(i, vertices, triangles, within, tree, others, -1, no_partners, no_verdicts)
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def list_partners_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),

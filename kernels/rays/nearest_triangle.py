@@ -333,7 +333,7 @@ class NearestTriangles:
         launch(find_nearest_triangles_kernel, threads, search)
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def find_nearest_triangles_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),

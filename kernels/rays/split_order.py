@@ -3,7 +3,7 @@
 """
 
 from ..array_types import Indices, Points
-from ..arrays.lanes import least_of_each, most_of_each
+from ..arrays.lanes import lane_max_corner, lane_min_corner
 from ..arrays.select import gather_rows
 from ..arrays.sort import SortKeys, put_key
 from ..lang import (
@@ -72,8 +72,8 @@ def bound_runs_by_lanes_kernel(
         a = vec3(min(a[0], p[0]), min(a[1], p[1]), min(a[2], p[2]))
         b = vec3(max(b[0], p[0]), max(b[1], p[1]), max(b[2], p[2]))
         j += WARP
-    a = least_of_each(a)
-    b = most_of_each(b)
+    a = lane_min_corner(a)
+    b = lane_max_corner(b)
     if i % WARP == 0:
         for axis in range(3):
             atomic_min(low, 3 * (head // size) + axis, a[axis])

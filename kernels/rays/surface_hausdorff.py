@@ -176,7 +176,7 @@ def measure_row(p: vec3, vertices: array(dtype=vec3), t: vec3i) -> float64:
     return found[3]
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: array(dtype=vec3i)):
     """Upper bound of a piece. Its center is a sample (atomic maxima)."""
     i = tid()

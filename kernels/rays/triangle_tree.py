@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from ..algebra.transform import narrow, widen
 from ..array_types import AnyArray, Points, Triangles
-from ..arrays.bounds import NOTHING, WIDTH, box_of, settle_box
+from ..arrays.bounds import NOTHING, WIDTH, box_of, merge_box
 from ..arrays.runs import Runs, elements_of
 from ..arrays.select import positions_of
 from ..arrays.side_by_side import read_together
@@ -158,7 +158,7 @@ def bound_triangles_kernel(
         middles[j] = middle
         mask[j] = uint8(is_finite)
         count += is_finite
-    settle_box(i, low, high, count, runs, extremes)
+    merge_box(i, low, high, count, runs, extremes)
 
 
 @kernel

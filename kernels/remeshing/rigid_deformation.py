@@ -94,8 +94,8 @@ class LaplacianSolver:
     def check(self) -> None:
         if download(self.state.stuck)[0]:  # sync
             raise UnsolvedError(
-                f"positions did not settle in {self.state.most:,} turns of conjugate gradients: the mesh has triangles "
-                "so thin that numbers of 64 bits do not tell their corners apart; remove them first"
+                f"positions did not settle in {self.state.max_iterations:,} turns of conjugate gradients: the mesh has "
+                "triangles so thin that numbers of 64 bits do not tell their corners apart; remove them first"
             )
 
     def _map(self) -> None:

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import small_motion, solve_system, triangle, triangle_index, vec6d
 from ..arrays.segment_blocks import SegmentBlocks
 from ..arrays.side_by_side import SideBySide
 from ..lang import (
@@ -188,7 +188,7 @@ def damped_solution(total: row_sums) -> vec6d:
     for k in range(m):
         h[k] = total[k]
     for k in range(n):
-        at = place_of(k, k)
+        at = triangle_index(k, k)
         h[at] = h[at] * (1.0 + float64(DAMPING)) + 1.0e-12
         b[k] = -total[21 + k]
     return solve_system(h, b)

@@ -100,7 +100,7 @@ def sum_rows(g: row, j: row, r: float, h: row, k: row, s: float, extra: extra_su
     )  # fmt: skip
 
 
-@segment_reduction(most_registers=128)
+@segment_reduction(max_registers=128)
 def sum_alignment_rows(
     source: FrameLevels, target: FrameLevels, rules: AlignmentRules, state: AlignmentState
 ) -> row_sums:

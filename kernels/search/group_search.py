@@ -8,7 +8,7 @@ the tree alone, with the same result. On CUDA a group is a warp (lane_search.py)
 from collections.abc import Sequence
 from typing import Any
 
-from ..arrays.lanes import most
+from ..arrays.lanes import lane_max
 from ..arrays.packed_keys import key_number, pack_key
 from ..arrays.sort import positions
 from ..lang import (
@@ -227,7 +227,7 @@ def nearest_of_lanes(
         p = tree.points[rank]
         start = (group * WARP) // BUCKET
         found = search_lanes(p, is_query, start, guess, tree, labels, scratch, thread, reach, 1)
-        guess = most(bits_float(found[1])) * GUESS
+        guess = lane_max(bits_float(found[1])) * GUESS
         size = found[0]
         if sort == 1:
             sort_keys(scratch.keys, thread, scratch.stride, size)

@@ -6,7 +6,7 @@ A lane that does not converge searches alone. Scratch memory is reused so that i
 """
 
 from ..algebra.plain_min_max import larger
-from ..arrays.lanes import high_of_eight, least, least_of_each, low_of_eight, most_of_each, most_of_eight
+from ..arrays.lanes import high_of_eight, lane_max_corner, lane_min, lane_min_corner, low_of_eight, max_of_eight
 from ..arrays.packed_keys import key_bits, key_index, key_number, pack_bits, pack_key
 from ..lang import (
     INFINITY,
@@ -84,7 +84,7 @@ def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: Gro
     """List the leaves near the lanes' points by boxes of eight lanes. Return the count, partial beyond `gather`."""
     a = low_of_eight(p)
     b = high_of_eight(p)
-    widest = most_of_eight(reach)
+    widest = max_of_eight(reach)
     own = lane()
     sync_lanes()  # after lanes have read the previous list
     size = 0
@@ -168,11 +168,11 @@ def keep_nearer(
 @cuda_func
 def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
     """Squared distance within which k points are expected around each lane's, from a nearby bucket."""
-    a = least_of_each(p)
-    b = most_of_each(p)
+    a = lane_min_corner(p)
+    b = lane_max_corner(p)
     at = bucket * SIDES + (lane() & (FAN - 1))
-    low = least_of_each(vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN]))
-    high = most_of_each(vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN]))
+    low = lane_min_corner(vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN]))
+    high = lane_max_corner(vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN]))
     x = larger(larger(low[0] - b[0], a[0] - high[0]), 0.0)
     y = larger(larger(low[1] - b[1], a[1] - high[1]), 0.0)
     z = larger(larger(low[2] - b[2], a[2] - high[2]), 0.0)
@@ -201,7 +201,7 @@ def keep_for_lanes(
             covered = covered * SHRUNK
         else:
             found = keep_near(p, covered, tree, scratch, listing, listed, base)
-            fewest = least(float(found))
+            fewest = lane_min(float(found))
             if fewest >= float(scratch.k) or covered >= reach or turn >= TURNS:
                 turn = TURNS + 1
             else:

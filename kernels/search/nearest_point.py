@@ -215,7 +215,7 @@ def find_nearest_kernel(
         nearest[row] = key
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def find_alone_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),

@@ -31,7 +31,7 @@ from .point_tree import LARGEST_SQDIST, PointTree
 count_sum = vector(2, float64)
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def average_distances_kernel(
     part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):

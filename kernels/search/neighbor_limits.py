@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from ..array_types import Integers
-from ..arrays.lanes import most
+from ..arrays.lanes import lane_max
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..arrays.sort import positions
 from ..lang import (
@@ -105,7 +105,7 @@ def widest_reach(ranks: array(dtype=int32), head: int, tail: int, limits: array(
     return key_number(widest)
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def find_limits_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
@@ -164,7 +164,7 @@ def find_limits_of_lanes_kernel(
         is_query = 1 if j < ranks.shape[0] else 0
         start = ranks[group * WARP] // BUCKET
         found = search_lanes(tree.points[rank], is_query, start, guess, tree, places, scratch, i, reach, 1)
-        guess = most(bits_float(found[1])) * GUESS
+        guess = lane_max(bits_float(found[1])) * GUESS
         if is_query == 1:
             limit = key_limit(reach)
             if found[0] == scratch.k:

@@ -15,7 +15,7 @@ from .tree_search import reach_of
 MAX_ENTRIES = 2**30  # per part: below the array size limit of a launch
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def list_neighbors_kernel(
     part: LaunchPart,
     begin: int,

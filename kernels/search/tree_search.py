@@ -5,7 +5,7 @@ curve, so scratch stays cached and each starts with the previous reach.
 import numpy as np
 
 from ..array_types import Array2, Indices, Integers, Points, Scalars
-from ..arrays.lanes import most
+from ..arrays.lanes import lane_max
 from ..arrays.packed_keys import key_index, key_number, pack_key
 from ..arrays.prefix_sum import exclusive_scan
 from ..lang import (
@@ -61,7 +61,7 @@ def write_row(
     counts[row] = size
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def search_nearest_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
@@ -147,7 +147,7 @@ def search_nearest_of_lanes_kernel(
             if self_query == 0:
                 start = find_bucket(leader, tree)
             found = search_lanes(p, is_query, start, guess, tree, tree.order, scratch, i, reach, 0)
-            guess = most(bits_float(found[1])) * GUESS
+            guess = lane_max(bits_float(found[1])) * GUESS
             size = found[0] * is_query
             sort_keys(scratch.keys, i, scratch.stride, size)
         if is_row == 1:

@@ -130,7 +130,7 @@ def unite_part(core: int, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, lea
                     unite_leaf(core, xs, ys, zs, first, last, cores)
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def unite_cores_kernel(cores: Cores):
     leaf = tid()
     head = leaf * LEAF

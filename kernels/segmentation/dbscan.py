@@ -97,7 +97,7 @@ def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tre
     return total
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def find_cores_kernel(cores: Cores, needed: int):
     """Link each core of a leaf (`needed` points in the radius) to its lowest connected core, others to NOISE."""
     leaf = tid()

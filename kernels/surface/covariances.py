@@ -4,7 +4,7 @@ Moments are integer sums of quantized differences to the point, so they are inde
 `max_nn`, neighbors are listed in parts of 64 MB.
 """
 
-from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
+from ..algebra.moments import add_integer_moments, covariance_of, in_meters, integer_moments, moments, steps_for
 from ..array_types import Array2, Points
 from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, launch, tid, vec3
 from ..memory import empty
@@ -43,14 +43,14 @@ def fit_covariances_nearest_kernel(
         if lists[j] >= 0:
             farthest = max(farthest, square_distance(p, tree.points[lists[j]]))
     steps = steps_for(farthest, k)
-    total = whole_moments(0)
+    total = integer_moments(0)
     for j in range(i * k, (i + 1) * k):
         if lists[j] >= 0:
-            total = add_whole(total, p, tree.points[lists[j]], steps)
-    write_covariance(in_metres(total, steps), tree.order[begin + i], covariances)
+            total = add_integer_moments(total, p, tree.points[lists[j]], steps)
+    write_covariance(in_meters(total, steps), tree.order[begin + i], covariances)
 
 
-@kernel(most_registers=128)
+@kernel(max_registers=128)
 def fit_covariances_within_kernel(
     tree: PointTree, reach: float, widest: float, covariances: array(dtype=float32, ndim=2)
 ):

@@ -19,7 +19,7 @@ FEWEST = 5.0  # neighbors, including the point, that determine a surface
 STRAIGHT = 1.0e-3  # ratio of variances below which they are collinear, and the plane is arbitrary
 
 
-@kernel(most_registers=128)
+@kernel(max_registers=128)
 def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: array(dtype=vec3)):
     """Normal of each narrow neighborhood, oriented to the mean of the wide one."""
     i = tid()

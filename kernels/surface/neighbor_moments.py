@@ -6,7 +6,15 @@ radius squared. `moments_within` sums integers and is independent of the order.
 
 from typing import Any
 
-from ..algebra.moments import MAX_WHOLE, add_difference, add_whole, in_metres, moments, steps_for, whole_moments
+from ..algebra.moments import (
+    MAX_EXACT_POINTS,
+    add_difference,
+    add_integer_moments,
+    in_meters,
+    integer_moments,
+    moments,
+    steps_for,
+)
 from ..array_types import Array1
 from ..arrays.packed_keys import key_index
 from ..lang import array, func, int32, int64, kernel, tid, vec3
@@ -21,18 +29,18 @@ from ..search.point_tree import PointTree
 def moments_within(start: int, p: vec3, reach: float, widest: float, tree: PointTree) -> moments:
     """Moments of the points within reach of p in integer steps, starting at a bucket; `widest` bounds the reach."""
     steps = steps_for(widest, 0)
-    total = whole_moments(0)
+    total = integer_moments(0)
     for j, sqdist in points_in_reach(start, p, reach, tree):
-        total = add_whole(total, p, tree.points[j], steps)
-    if total[0] > int64(MAX_WHOLE):  # too many for these steps; testing in the loop would take 50 % longer
+        total = add_integer_moments(total, p, tree.points[j], steps)
+    if total[0] > int64(MAX_EXACT_POINTS):  # too many for these steps; testing in the loop would take 50 % longer
         steps = steps_for(widest, int(total[0]))
-        total = whole_moments(0)
+        total = integer_moments(0)
         for j, sqdist in points_in_reach(start, p, reach, tree):
-            total = add_whole(total, p, tree.points[j], steps)
-    return in_metres(total, steps)
+            total = add_integer_moments(total, p, tree.points[j], steps)
+    return in_meters(total, steps)
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def sum_moments_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),

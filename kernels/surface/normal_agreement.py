@@ -38,7 +38,7 @@ def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
     return side
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def count_sides_kernel(
     part: LaunchPart,
     tree: PointTree,

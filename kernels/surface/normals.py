@@ -9,7 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 
 from ..algebra.eigen import smallest_eigenvector
-from ..algebra.moments import add_whole, covariance_of, in_metres, moments, steps_for, whole_moments
+from ..algebra.moments import add_integer_moments, covariance_of, in_meters, integer_moments, moments, steps_for
 from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
@@ -33,7 +33,7 @@ def normal_of(m: moments) -> vec3:
     return n
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def fit_normals_nearest_kernel(
     part: LaunchPart,
     tree: PointTree,
@@ -47,13 +47,13 @@ def fit_normals_nearest_kernel(
     for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
         p = tree.points[rank]
         steps = steps_for(farthest_key(scratch, base, size), size)
-        total = whole_moments(0)
+        total = integer_moments(0)
         for j in range(size):
-            total = add_whole(total, p, tree.points[key_index(held_key(scratch, base, j))], steps)
-        normals[tree.order[rank]] = normal_of(in_metres(total, steps))
+            total = add_integer_moments(total, p, tree.points[key_index(held_key(scratch, base, j))], steps)
+        normals[tree.order[rank]] = normal_of(in_meters(total, steps))
 
 
-@kernel(most_registers=128)
+@kernel(max_registers=128)
 def fit_normals_within_kernel(tree: PointTree, reach: float, widest: float, normals: array(dtype=vec3)):
     i = tid()
     normals[tree.order[i]] = normal_of(moments_within(i // BUCKET, tree.points[i], reach, widest, tree))

@@ -194,7 +194,7 @@ def nearest_foreign(rank: int, bridges: Bridges) -> int64:
     return nearest
 
 
-@kernel(most_registers=128)  # for two blocks per SM
+@kernel(max_registers=128)  # for two blocks per SM
 def find_ways_kernel(bridges: Bridges):
     """Shortest bridge from each point of a leaf; pruning never drops the component's shortest bridge."""
     i = tid()

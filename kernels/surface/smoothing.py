@@ -110,7 +110,7 @@ def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Smo
     rule.moved[row] = narrow(widen(p) + move)
 
 
-@kernel(most_registers=80)
+@kernel(max_registers=80)
 def smooth_nearest_kernel(
     part: LaunchPart,
     tree: PointTree,
@@ -131,7 +131,7 @@ def smooth_nearest_kernel(
         store_smoothed(total, size, p, n, row, rule)
 
 
-@kernel(most_registers=128)
+@kernel(max_registers=128)
 def smooth_within_kernel(tree: PointTree, reach: float, rule: SmoothingPass):
     i = tid()
     p = tree.points[i]

@@ -6,7 +6,7 @@ Brightness is bilinear, and derivatives match.
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import small_motion, solve_system, triangle, triangle_index, vec6d
 from ..array_types import Device, Points
 from ..arrays.segment_blocks import SegmentBlocks
 from ..lang import (
@@ -175,7 +175,7 @@ def damped_step(total: pose_sums, damping: float64) -> vec6d:
     for k in range(m):
         h[k] = total[k]
     for k in range(n):
-        at = place_of(k, k)
+        at = triangle_index(k, k)
         h[at] = h[at] * (1.0 + damping)
         b[k] = -total[21 + k]
     return solve_system(h, b)

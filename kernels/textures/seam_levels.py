@@ -241,7 +241,7 @@ class SeamLevels:
 
         launch(begin_levels_kernel, count, [self.seams, PULL_LEVEL if level else PULL, weights, state])
         ConjugateGradients(state, apply, weigh).solve()
-        self.turns = int(download(state.turns)[0])  # sync
+        self.turns = int(download(state.iterations)[0])  # sync
 
     def mean_step(self) -> float | None:
         """Mean step across seams, 0..255. None without seams. One sync."""

@@ -8,7 +8,7 @@ border of six columns. Pairs are sorted by cell and sums have a fixed order. One
 import numpy as np
 
 from ..algebra.matrices import multiply44
-from ..algebra.rigid_solve import place_of, small_motion, solve_system, triangle, vec6d
+from ..algebra.rigid_solve import small_motion, solve_system, triangle, triangle_index, vec6d
 from ..array_types import Points
 from ..arrays.key_starts import find_key_starts
 from ..arrays.side_by_side import read_together
@@ -287,12 +287,12 @@ def solve_pose(first: int, count: int, total: pose_sums, damping: float64, syste
     n = int(6)
     for i in range(n):
         for j in range(i, n):
-            value = total[place_of(i, j)]
+            value = total[triangle_index(i, j)]
             if i == j:
                 value = value * (1.0 + damping)
             for k in range(first, first + count):
                 value -= system.border[k, i] * system.border[k, j]
-            h[place_of(i, j)] = value
+            h[triangle_index(i, j)] = value
         value = -total[21 + i]
         for k in range(first, first + count):
             value -= system.border[k, i] * system.border[k, 6]

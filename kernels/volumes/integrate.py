@@ -90,7 +90,7 @@ def note_frame(i: int, counts: array(dtype=int32), record: array(dtype=float64),
         blocks.changes.latest[0] = int64(record[NUMBER])
 
 
-@kernel(most_registers=64)
+@kernel(max_registers=64)
 def integrate_depth_kernel(
     touched: array(dtype=int32),
     counts: array(dtype=int32),

@@ -77,12 +77,12 @@ class OddsBlocks:
 
     @property
     def count(self) -> int:
-        self.changes.settle(self._list_keys)
+        self.changes.recover(self._list_keys)
         return int(self.changes.value)
 
     @property
     def scan_count(self) -> int:
-        self.changes.settle(self._list_keys)
+        self.changes.recover(self._list_keys)
         return self.changes.count
 
     def _list_keys(self) -> None:

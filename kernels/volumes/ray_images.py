@@ -175,7 +175,7 @@ def turned_back(v: vec3, R: mat33d) -> vec3:
     )
 
 
-@kernel(most_registers=128)
+@kernel(max_registers=128)
 def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
     i = tid()
     if images.has_points == 1:

@@ -165,7 +165,7 @@ def cell_beyond(t: float, exits: vec3, low: vec3i, size: int, ahead: vec3i, ray:
     return vec3i(x, y, z)
 
 
-@kernel(most_registers=128)
+@kernel(max_registers=128)
 def cast_rays_kernel(
     rays: CameraRays, seen: SeenBlocks, signs: BlockSigns, depth: array(dtype=float32), met: array(dtype=int32)
 ):

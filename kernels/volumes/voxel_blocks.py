@@ -120,7 +120,7 @@ class VoxelBlocks:
 
     def _settle(self) -> None:
         """Complete or undo an interrupted frame, depending on its launch (sync)."""
-        self.changes.settle(self._list_keys)
+        self.changes.recover(self._list_keys)
 
     def _list_keys(self) -> None:
         room = self.keys.size if self.device.is_cuda else 0  # if launches insert without the host

@@ -80,14 +80,14 @@ class _Measured:
         size = float(np.max(tree.high.astype(np.float64) - tree.low))
         triangles, known = mesh._device_arrays["triangles"], self._sums.largest
         self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
-        self.arrays = [self._sums.whole, sum_squares(sampled), self.farthest.known]
+        self.arrays = [self._sums.buffer, sum_squares(sampled), self.farthest.known]
 
     def check(self, whole: NDArray[Any]) -> None:
-        if self._sums.told(whole)[0] < self._count:
+        if self._sums.unpack(whole)[0] < self._count:
             raise ValueError(UNREACHED)
 
     def told(self, whole: NDArray[Any], squares: NDArray[Any], bounds: tuple[float, float]) -> _OneWay:
-        _, total, _, within = self._sums.told(whole)
+        _, total, _, within = self._sums.unpack(whole)
         count = self._count
         return _OneWay(total / count, root_mean_square(squares, count), 100 * within / count, *bounds)
 

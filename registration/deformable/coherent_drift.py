@@ -22,7 +22,14 @@ from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, failed, with_warnings
 from ...core.wording import format_share
 from ...kernels.arrays.side_by_side import read_together
-from ...kernels.bending.coherent_drift import Drift, map_places_kernel, place_points, sum_places, sum_pulls, sum_targets
+from ...kernels.bending.coherent_drift import (
+    Drift,
+    map_positions_kernel,
+    sum_positions,
+    sum_pulls,
+    sum_targets,
+    transform_to_positions,
+)
 from ...kernels.bending.coherent_field import CoherentField, move_points
 from ...kernels.lang import launch, mat33d, reduce, vec3d
 from ...kernels.linear_algebra import EPSILON, matmul, pinvh
@@ -184,9 +191,9 @@ class _Drifting:
         self.source, self.target, self.begin = source, target, begin
         points, others = source.remove_non_finite_points(), target.remove_non_finite_points()
         start = points.transform(begin)
-        first = place_points(start._device_array("points"), np.eye(3), np.zeros(3))
+        first = transform_to_positions(start._device_array("points"), np.eye(3), np.zeros(3))
         count = first.size
-        total = np.asarray(download(reduce(sum_places, count, [first])), np.float64).ravel() / count  # sync
+        total = np.asarray(download(reduce(sum_positions, count, [first])), np.float64).ravel() / count  # sync
         radius = float(np.sqrt(max(total[3] - matmul(total[:3], total[:3]), 0.0)))
         if radius <= 0:
             raise ValueError("source: all of its points are at one place")
@@ -195,7 +202,7 @@ class _Drifting:
         self.drift = Drift(self._placed(others), count)
         self.moved, self.A, self.t = self.places, np.eye(3), np.zeros(3)
         self.size, self.number = count, self.drift.targets.size
-        sums = [reduce(sum_places, places.size, [places]) for places in (self.places, self.drift.targets)]
+        sums = [reduce(sum_positions, places.size, [places]) for places in (self.places, self.drift.targets)]
         ours, theirs = (np.asarray(part, np.float64).ravel() for part in read_together(sums))  # sync
         cross = matmul(ours[:3], theirs[:3])
         squares = self.number * ours[3] + self.size * theirs[3] - 2 * cross
@@ -205,7 +212,7 @@ class _Drifting:
         self.values = np.zeros((0, 3))
 
     def _placed(self, cloud: PointCloud) -> Any:
-        return place_points(
+        return transform_to_positions(
             cloud._device_array("points"), self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
         )
 
@@ -259,7 +266,7 @@ class _Drifting:
         )
         self.variance, self.matched = float(rest) / 3, float(total) / self.number
         self.moved = empty(self.size, vec3d, self.places.device)
-        launch(map_places_kernel, self.size, [self.places, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
+        launch(map_positions_kernel, self.size, [self.places, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
 
     def _bend(self) -> None:
         assert self.field is not None

@@ -18,10 +18,10 @@ from ...kernels.memory import download, empty, upload, write
 from ...kernels.poses.control_lattice import (
     FARTHEST,
     ControlLattice,
+    anchor_positions_kernel,
     bend_normals,
     bend_points,
     make_lattice,
-    place_anchors_kernel,
 )
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
@@ -199,5 +199,5 @@ class ControlGrid:
         lattice = self._lattice
         places = empty(len(self), vec3d, self.device)
         given = upload(shifts, vec3d, self.device)
-        launch(place_anchors_kernel, len(self), [lattice.anchor_keys, lattice.cell_size, given, places])
+        launch(anchor_positions_kernel, len(self), [lattice.anchor_keys, lattice.cell_size, given, places])
         return np.asarray(download(places), np.float64).reshape(-1, 3) + self._origin

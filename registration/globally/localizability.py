@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_positive, check_rigid
 from ...core.reports import AssessedRecord
 from ...kernels.linear_algebra import eigh, matmul
-from ...kernels.poses.pair_probes import compare_pair, find_hold
+from ...kernels.poses.pair_probes import compare_pair, find_pose_constraint
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
 from ..icp.constraint import Prior
@@ -132,7 +132,9 @@ def localizability(
     except ValueError as error:
         raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
     pose = to_local(T, source.origin, target.origin)
-    hold = find_hold(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None
+    hold = (
+        find_pose_constraint(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None
+    )
     if hold is None or hold.matches < ENOUGH:
         return Localizability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
     (matrix,) = symmetric_matrices(hold.triangle[None])

@@ -246,7 +246,7 @@ def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -
     counted = []
     for watched, other, T in ((target, source, pose), (source, target, invert_pose(pose))):
         if watched.sight is not None:
-            counted.append(watched.sight.count_in_the_way(other.surface.points, T))
+            counted.append(watched.sight.count_occluding(other.surface.points, T))
     if not counted:
         return 0.0
     counts = np.split(download(concatenate_rows(counted)), np.cumsum([way.size for way in counted])[:-1])  # sync

@@ -224,10 +224,10 @@ def make_freedom(
         "firsts": (poses, mat44d),
         "pivots": (np.zeros((count, 3)) if pivots is None else pivots, vec3d),
         "states": (np.tile(still, (count, 1)) if constraint.states is None else constraint.states, motion_state),
-        "turned": (turned, mat33d),
+        "prior_rotations": (turned, mat33d),
         "shifted": (shifted, vec3d),
         "information": (information, square),
-        "held_counts": (np.zeros(count), int32),
+        "prior_counts": (np.zeros(count), int32),
     }
     freedom = Freedom(
         values,

@@ -80,7 +80,7 @@ class IterativeRegistration:
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
         geometry = estimation.geometry()
         local = self._local_poses(poses)
-        self.loop = RegistrationLoop(jobs, local, distance, gaussians, judged_apart=geometry is not None)
+        self.loop = RegistrationLoop(jobs, local, distance, gaussians, separate_geometry=geometry is not None)
         self._constrain(constraint, weights, local)
         if gaussians is not None:
             target = PointColumns(covariances=self.loop.target_covariances)
@@ -224,8 +224,8 @@ class IterativeRegistration:
         """Constraint results of each job: free motions, prior directions, and parameters."""
         if self.constraint is None or self.freedom is None:
             return [{}] * self.loop.jobs.count
-        found = self.freedom.kept.download("states", "held_counts")  # sync
-        pairs = zip(found["states"], found["held_counts"], strict=True)
+        found = self.freedom.storage.download("states", "prior_counts")  # sync
+        pairs = zip(found["states"], found["prior_counts"], strict=True)
         free = self.constraint.free
         return [{"free": free, "held_count": int(count), "motion": state.copy()} for state, count in pairs]
 

@@ -22,7 +22,7 @@ from ...kernels.linear_algebra import elementwise, matmul, norm
 from ...kernels.memory import clone, contiguous, download
 from ...kernels.odometry.deskewing import bound_times, deskew_points
 from ...kernels.odometry.map_aligner import MapAligner
-from ...kernels.odometry.odometry_sampling import shift_points, thin_in_turn
+from ...kernels.odometry.odometry_sampling import shift_points, thin_successively
 from ...kernels.odometry.voxel_map import VoxelMap
 from ...pcd.cloud import PointCloud
 from ...pcd.point_arrays import check_cloud
@@ -246,7 +246,7 @@ class LidarOdometry:
 
     def _thin(self, raw: RawScan, motion: Matrix) -> Thinned:
         sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS, START_VOXELS)]
-        return Thinned(*thin_in_turn(raw.straightened(motion), sizes, self.min_range, self.max_range))
+        return Thinned(*thin_successively(raw.straightened(motion), sizes, self.min_range, self.max_range))
 
     def _match(
         self, voxel_map: VoxelMap, scan: Thinned, predicted: Matrix, *, has_prior: bool = False, is_start: bool = False

@@ -98,7 +98,7 @@ def match_scan(
     if not far.is_found:
         return far
     last = _match_of(found[-1], legs[-1], count, told)
-    turns = sum(reached.turns for reached in found)
+    turns = sum(reached.iterations for reached in found)
     if not last.is_found:
         return replace(far, turns=turns)
     dense, rivals = points if dense is None else dense, ()
@@ -109,7 +109,7 @@ def match_scan(
     if free is None or free.is_blind:
         return replace(last, turns=turns, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    held = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_held=True), count, free.weight())
+    held = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_regularized=True), count, free.weight())
     return replace(held if held.is_found else replace(last, pose=start), turns=turns + held.turns, open=free)
 
 
@@ -177,8 +177,8 @@ def _match_of(reached: Reached, leg: Leg, count: int, told: Matrix) -> ScanMatch
     T, is_found = reached.pose, reached.state != LOST
     return ScanMatch(
         make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_found else leg.pose, is_found,
-        reached.state == CONVERGED, reached.turns, reached.paired, reached.paired / count, reached.sqsum, reached.cost,
-        reached.disagreement, told,
+        reached.state == CONVERGED, reached.iterations, reached.paired, reached.paired / count, reached.sqsum,
+        reached.cost, reached.disagreement, told,
     )  # fmt: skip
 
 

@@ -36,7 +36,7 @@ def compile_module(name: str) -> None:
 
     importlib.import_module(name)
     if name in lang.LAUNCHED:
-        lang.settle(name)
+        lang.resolve_module(name)
         for module in (wp.get_module(name), cuda_module(name)):
             if module.kernels:
                 module.load(wp.get_device("cuda:0"))

@@ -167,12 +167,12 @@ def test_shapes_that_are_none_are_refused_by_warp(where):
 def test_memory_that_is_seen_as_another_type_is_what_warp_sees(where):
     whole = memory.upload(np.arange(96, dtype=np.uint8), wp.uint8, where)
     for first, dtype, shape in ((0, wp.float32, 24), (48, wp.vec3, (2, 2)), (95, wp.uint8, (1,)), (4, wp.int32, (0,))):
-        ours = device_arrays.seen_as(whole, first, dtype, shape)
+        ours = device_arrays.reinterpreted(whole, first, dtype, shape)
         warps = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=where)
         assert state_of(ours) == state_of(warps) and ours.ptr == warps.ptr and ours._ref is whole
         assert ours.numpy().tobytes() == warps.numpy().tobytes()
     for first, dtype, shape in ((0, wp.float32, 25), (95, wp.int32, 1), (-4, wp.int32, 1), (0, wp.uint8, (1,) * 5)):
-        assert device_arrays.seen_as(whole, first, dtype, shape) is None
+        assert device_arrays.reinterpreted(whole, first, dtype, shape) is None
     rows = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.float32, where)
     assert memory.download(memory.flat(memory.rows_of(rows, 2, 4))).tolist() == [6, 7, 8, 9, 10, 11]
 

@@ -34,7 +34,7 @@ def test_what_is_released_is_kept_and_counts_as_room(emulated, gpu):
     assert free_bytes(gpu) == before - 4 * SIZE
     del array
     emulated.synchronize()
-    assert emulated.memory.reserved - emulated.memory.used == pools.kept_bytes(gpu) == 4 * SIZE
+    assert emulated.memory.reserved - emulated.memory.used == pools.reserved_bytes(gpu) == 4 * SIZE
     assert free_bytes(gpu) == before
 
 
@@ -71,9 +71,9 @@ def test_a_large_thing_is_asked_of_an_empty_pool(emulated, gpu):
     del array
     emulated.synchronize()
     check_room(gpu, gpu.free_memory, "a thing that fits")
-    assert pools.kept_bytes(gpu) == 4 * SIZE
+    assert pools.reserved_bytes(gpu) == 4 * SIZE
     check_room(gpu, gpu.free_memory + 1, "a thing that the pool has to make room for")
-    assert pools.kept_bytes(gpu) == 0
+    assert pools.reserved_bytes(gpu) == 0
     with pytest.raises(MemoryError, match=r"a huge thing would take about 8\.59 GB, and cuda:0 has 8\.\d\d GB free"):
         check_room(gpu, emulated.memory.room + 1, "a huge thing")
 

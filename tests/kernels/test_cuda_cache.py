@@ -63,7 +63,7 @@ def test_a_damaged_archive_is_not_used_and_doctor_names_it(manifest, tmp_path, m
     with zipfile.ZipFile(path, "w") as file:
         file.writestr("manifest.json", json.dumps(manifest))
     monkeypatch.setenv(compiled_ahead.VARIABLE, str(path))
-    monkeypatch.setattr(compiled_ahead, "_Search", type("_Search", (), {"done": False, "found": None}))
+    monkeypatch.setattr(compiled_ahead, "_Search", type("_Search", (), {"done": False, "result": None}))
     assert compiled_ahead.described().startswith(f"none: {path}: cannot be read")
 
 
@@ -82,7 +82,7 @@ def test_an_archive_says_what_it_was_made_from_and_is_the_same_for_the_same_code
     path = tmp_path / "kernels.zip"
     path.write_bytes(content)
     archive = compiled_ahead.Archive(path)
-    assert archive.misfit() == ""
+    assert archive.mismatch() == ""
     assert archive.architectures == ["sm90.cubin", "sm100.cubin"]
     assert archive.modules["ab" * 32]["name"] == "pointloom.kernels.made_up"
 

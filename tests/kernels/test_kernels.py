@@ -27,4 +27,4 @@ def device_code(kind):
 )
 def test_everything_is_in_the_language(kind):
     for _, value in device_code(kind):
-        value.settle()
+        value.resolve()

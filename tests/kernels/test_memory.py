@@ -142,7 +142,7 @@ class Pooled:
         self.threshold, self.kept, self.calls = threshold, 600, []
         monkeypatch.setattr(wp, "get_mempool_release_threshold", lambda device: device.threshold)
         monkeypatch.setattr(wp, "set_mempool_release_threshold", Pooled.set)
-        monkeypatch.setattr(pools, "kept_bytes", lambda device: device.kept)
+        monkeypatch.setattr(pools, "reserved_bytes", lambda device: device.kept)
         monkeypatch.setattr(pools, "trim", Pooled.trim)
         monkeypatch.setattr(memory, "_pools", {"cuda:7"} if threshold else set())
 

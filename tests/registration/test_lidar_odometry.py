@@ -233,7 +233,7 @@ def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
     aligner = MapAligner(0.0)
     aligner.load(upload(points + np.float32(0.1), vec3, where), None, voxel_map)
     (end,), _ = aligner.run([Leg(np.eye(4), 0.9, 0.2, 0.0, 6, turns)])
-    assert (end.state, end.turns) == (EXHAUSTED, turns)
+    assert (end.state, end.iterations) == (EXHAUSTED, turns)
 
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])

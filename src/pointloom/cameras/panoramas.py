@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ..core.checks import check_count, check_numeric
 from ..core.devices import resolve_device
-from ..kernels.images.sphere import find_sphere_places
-from ..kernels.images.undistortion import read_places
+from ..kernels.images.sphere import find_sphere_positions
+from ..kernels.images.undistortion import sample_image
 from ..kernels.lang import mat33d, uint8
 from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
@@ -78,7 +78,7 @@ class Panorama:
         middle = (self.side - 1) / 2
         self.intrinsic = PinholeCameraIntrinsic(self.side, self.side, self.side / 2, self.side / 2, middle, middle)
         turns = upload(TURNS, mat33d, self.device)
-        self._places = find_sphere_places(self.side, self.side / 2, turns, self.width, self.height, self.device)
+        self._places = find_sphere_positions(self.side, self.side / 2, turns, self.width, self.height, self.device)
 
     def apply(self, picture: ArrayLike) -> NDArray[np.uint8]:
         """Compute the cube faces of a panorama.
@@ -104,6 +104,6 @@ class Panorama:
         channels = image.shape[2] if image.ndim == 3 else 1
         ring = np.concatenate([image[:, -1:], image, image[:, :1]], axis=1).reshape(-1, channels)
         pixels = upload(np.ascontiguousarray(ring), uint8, self.device)
-        faces = read_places(pixels, self.width + 2, self.height, 1, self._places)
+        faces = sample_image(pixels, self.width + 2, self.height, 1, self._places)
         shape = (len(FACES), self.side, self.side, *((3,) if image.ndim == 3 else ()))
         return np.array(download(faces)).reshape(shape)  # sync

@@ -13,7 +13,7 @@ from ..core.array_libraries import form_of, view_as
 from ..core.checks import check_numeric
 from ..core.devices import resolve_device
 from ..core.gpu_arrays import device_for, take_numbers
-from ..kernels.images.undistortion import LensOptics, find_places, mark_seen, read_places
+from ..kernels.images.undistortion import LensOptics, find_lens_positions, mask_visible, sample_image
 from ..kernels.lang import uint8
 from ..kernels.memory import download, upload
 from .camera import PinholeCameraIntrinsic
@@ -72,7 +72,7 @@ class Undistortion:
         thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < THIN
         wide = 2.0 * math.tan(lens.shape[0] / 2.0) if lens.kind == FIELD_OF_VIEW and not thin else 0.0
         optics = LensOptics(lens, width, height, lens.reach, wide, int(thin))
-        self._places = find_places(optics, self.intrinsic, self.device)
+        self._places = find_lens_positions(optics, self.intrinsic, self.device)
         steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
         self._side = min(max(1, math.floor(min(steps) + 1e-9)), MAX_SIDE)  # lens pixels per pinhole pixel
 
@@ -80,7 +80,7 @@ class Undistortion:
     def seen(self) -> NDArray[np.bool_]:
         """Mask of the pixels that the lens saw, shape (h, w)."""
         shape = (self.intrinsic.height, self.intrinsic.width)
-        return download(mark_seen(self._places)).reshape(shape).astype(bool)
+        return download(mask_visible(self._places)).reshape(shape).astype(bool)
 
     def apply(self, picture: ArrayLike) -> Any:
         """Undistort an image.
@@ -97,7 +97,7 @@ class Undistortion:
         """
         form = form_of(picture)
         pixels, channels = self._upload(picture, form.on_host)
-        straight = read_places(pixels, self.camera.width, self.camera.height, self._side, self._places)
+        straight = sample_image(pixels, self.camera.width, self.camera.height, self._side, self._places)
         shape = (self.intrinsic.height, self.intrinsic.width, *([channels] if channels else []))
         return form.hand_out(straight, shape=shape)
 

@@ -15,8 +15,8 @@ import warp as wp
 from numpy.typing import DTypeLike
 
 from ..kernels.arrays.side_by_side import read_together
-from ..kernels.language.device_arrays import seen_as
-from ..kernels.language.device_lock import turn_on
+from ..kernels.language.device_arrays import reinterpreted
+from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import cast, download, empty, move, upload
 from .checks import is_on_gpu, shown
 from .devices import resolve_device
@@ -65,7 +65,7 @@ def hand_out(
         array = view_as(array, array.dtype, shape)
     if library == WARP:
         return array
-    with turn_on(array.device):  # its stream waits for ours
+    with lock_for(array.device):  # its stream waits for ours
         return _import(library).from_dlpack(array)
 
 
@@ -131,7 +131,7 @@ def view_as(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
     """A view of an array's memory, possibly shorter, that keeps the array alive."""
     if not array.size or 0 in shape:  # empty
         return empty(shape, dtype, array.device)
-    seen: Any = seen_as(array, 0, dtype, shape)
+    seen: Any = reinterpreted(array, 0, dtype, shape)
     if seen is not None:
         return seen
     view: Any = wp.array(ptr=array.ptr, dtype=dtype, shape=shape, device=array.device, copy=False)

@@ -12,7 +12,7 @@ import warp as wp
 from numpy.typing import NDArray
 
 from ..kernels.arrays.bounds import bound_points
-from ..kernels.arrays.origins import reaches_beyond, shift_rays, subtract_origin
+from ..kernels.arrays.origins import has_far_points, shift_rays, subtract_origin
 from ..kernels.arrays.row_numbers import limits_of, resolve_rows
 from ..kernels.images.depth import PixelGrid, color_pixels
 from ..kernels.lang import float32, float64, int32, int64, uint8, vec3, vec3d, vec3i
@@ -206,7 +206,7 @@ def _choose_origin(name: str, points: wp.array) -> tuple[NDArray[np.float64], bo
     Copies about 128 points to the host, about 4,096 if the origin is not zero, and all if none of these is finite."""
     if not points.size:
         return np.zeros(3), False
-    is_far, sample = reaches_beyond(points, ORIGIN_LIMIT, points.size // SPREAD_SAMPLE | 1)  # sync
+    is_far, sample = has_far_points(points, ORIGIN_LIMIT, points.size // SPREAD_SAMPLE | 1)  # sync
     if not is_far and not is_far_from_zero(_usable(sample, points)):
         return np.zeros(3), False
     sample = _usable(download(contiguous(points[:: points.size // MEDIAN_SAMPLE | 1])), points)  # sync

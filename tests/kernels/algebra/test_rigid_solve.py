@@ -14,12 +14,12 @@ from pointloom.kernels.algebra.rigid_solve import (
     fit_pose,
     move,
     pair_sums,
+    rotate,
     rotation_about,
     solve_system,
     square,
     sums_of_pair,
     triangle,
-    turn,
     vec6d,
 )
 from pointloom.kernels.lang import array, float64, func, kernel, launch, mat44d, tid, vec3d
@@ -76,7 +76,7 @@ def turn_kernel(
     motions[i] = euler_motion(steps[i])
     turned[i] = rotation_about(quaternions[i, 0], quaternions[i, 1], quaternions[i, 2], quaternions[i, 3])
     moved[i] = move(motions[i], points[i])
-    directions[i] = turn(motions[i], points[i])
+    directions[i] = rotate(motions[i], points[i])
 
 
 def solve(device, matrices, sides):

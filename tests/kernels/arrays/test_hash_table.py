@@ -59,7 +59,7 @@ def find(table, keys, device):
 def test_keys_inserted_in_turn_lie_and_are_found_as_those_inserted_at_once(device, rng, monkeypatch):
     keys, tables = random_keys(rng, 1500), []
     for most in (0, 10_000):
-        monkeypatch.setattr(hash_table, "IN_TURN", most)
+        monkeypatch.setattr(hash_table, "MAX_SEQUENTIAL", most)
         tables.append(fill(keys, device, parts=7))
     at_once, in_turn = tables
     assert at_once.keys.numpy().tobytes() == in_turn.keys.numpy().tobytes()

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.open_rows import LOOKS, ROUNDS, settle_in_rounds
+from pointloom.kernels.arrays.open_rows import CHECKED_ROUNDS, ROUNDS, resolve_in_rounds
 from pointloom.kernels.lang import array, int32, kernel, launch, tid, uint8
 from pointloom.kernels.memory import download, upload
 
@@ -28,8 +28,8 @@ def test_the_rows_that_are_left_are_those_that_want_more_rounds(device, rng, mos
         turns.append(rows.size)
         launch(wait_some_rounds_kernel, rows.size, [rows, left, open_rows])
 
-    found = settle_in_rounds(attempt, len(wanted), home)
+    found = resolve_in_rounds(attempt, len(wanted), home)
     assert download(found).tolist() == np.flatnonzero(wanted > ROUNDS).tolist()
-    looks = range(1, ROUNDS + 1) if home.is_cpu else LOOKS
+    looks = range(1, ROUNDS + 1) if home.is_cpu else CHECKED_ROUNDS
     assert len(turns) == next(look for look in looks if look >= min(most, ROUNDS))
     assert turns[0] == 200 and turns[-1] == (wanted > max([0, *(n for n in looks if n < len(turns))])).sum()

@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from pointloom.kernels.arrays.origins import add_origin, reaches_beyond, shift_rays, subtract_origin
+from pointloom.kernels.arrays.origins import add_origin, has_far_points, shift_rays, subtract_origin
 from pointloom.kernels.lang import float64, vec3, vec3d
 from pointloom.kernels.memory import download, upload
 
@@ -16,13 +16,13 @@ def test_a_coordinate_beyond_a_limit_is_seen_and_one_that_is_not_finite_is_none(
     points[7] = np.nan, 1e9, 0
     points[8] = np.inf, 0, 1e9
     kind = vec3 if dtype == np.float32 else vec3d
-    far, sample = reaches_beyond(upload(points, kind, device), 1.0, 3)
+    far, sample = has_far_points(upload(points, kind, device), 1.0, 3)
     assert not far
     np.testing.assert_array_equal(sample, points[::3])
     for axis in range(3):
         far = points.copy()
         far[[399, 400], axis] = 1.5, -1.5
-        assert reaches_beyond(upload(far, kind, device), 1.0, 3)[0]
+        assert has_far_points(upload(far, kind, device), 1.0, 3)[0]
 
 
 def test_points_are_rounded_once_and_come_back(rng, device):

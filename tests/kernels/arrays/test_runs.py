@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pointloom.core.devices import resolve_device
-from pointloom.kernels.arrays.runs import CUDA_LEAST, CUDA_THREADS, Runs, elements_of, row_of
+from pointloom.kernels.arrays.runs import CUDA_MIN_LENGTH, CUDA_THREADS, Runs, elements_of, row_of
 from pointloom.kernels.lang import array, atomic_add, int32, kernel, launch, tid
 from pointloom.kernels.memory import download, zeros
 
@@ -20,7 +20,7 @@ def visit_elements_kernel(runs: Runs, visits: array(dtype=int32), taken: array(d
         atomic_add(taken, row_of(i, runs), 1)
 
 
-@pytest.mark.parametrize("count", [0, 1, LENGTH - 1, LENGTH, LENGTH + 1, 1000, CUDA_LEAST * CUDA_THREADS + 5])
+@pytest.mark.parametrize("count", [0, 1, LENGTH - 1, LENGTH, LENGTH + 1, 1000, CUDA_MIN_LENGTH * CUDA_THREADS + 5])
 def test_each_element_is_taken_once(device, count):
     where = resolve_device(device)
     runs = Runs(count, where, LENGTH)
@@ -46,7 +46,7 @@ def test_a_gpu_has_whole_warps_for_every_few_elements_and_never_more_than_it_hol
 def test_all_numbers_of_the_largest_arrays_fit_in_32_bits(count):
     runs = Runs(count, Gpu(), 4096)
     last = runs.threads - 1
-    assert last * runs.apart < 2**31
+    assert last * runs.stride < 2**31
     assert max((count - 1 - last) // runs.step + 1, runs.length) < 2**31
     assert last + ((count - 1 - last) // runs.step) * runs.step <= count - 1
     assert np.int64(runs.rows) <= 256

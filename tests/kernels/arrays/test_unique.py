@@ -49,7 +49,7 @@ def test_padded_keys_are_cut_together_to_those_that_there_are(device, rng):
     assert found.tolist() == [7, -3]
     for keys, group in zip(lists, groups, strict=True):
         expected, counts = np.unique(keys, return_counts=True)
-        assert group.count == len(expected) and group.told is None
+        assert group.count == len(expected) and group.summary is None
         assert (download(group.keys) == expected).all() and (download(group.counts()) == counts).all()
 
 

@@ -5,7 +5,7 @@ import pytest
 
 from pointloom.kernels import memory
 from pointloom.kernels.drawing import value_colors
-from pointloom.kernels.drawing.value_colors import SEEN, Ramp
+from pointloom.kernels.drawing.value_colors import MAX_LABELS, Ramp
 from pointloom.kernels.lang import float32, float64, int32, int64, vec3
 
 TABLE = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]], np.float32)
@@ -61,7 +61,7 @@ def test_labels_begin_the_palette_again_and_are_told(device, dtype):
     found, seen = value_colors.color_labels(labels, TABLE, GRAY)
     expected = [TABLE[0], TABLE[2], TABLE[0], GRAY, GRAY, TABLE[10_000_000 % 3]]
     np.testing.assert_array_equal(found.numpy(), np.array(expected, np.float32))
-    assert seen == [-1, 0, 2, 3, SEEN - 2]
+    assert seen == [-1, 0, 2, 3, MAX_LABELS - 2]
 
 
 def test_directions_are_their_coordinates(device):

@@ -34,7 +34,7 @@ def make_loop(device, sources, targets, source_of=None, target_of=None, *, dista
         [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, where) for p in c] for c in (sources, targets)
     )
     jobs = Jobs(ManyClouds(left), PointForest(right), source_of or [0], target_of or [0])
-    return RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)), distance, alone=alone)
+    return RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)), distance, per_point=alone)
 
 
 def turn(loop, poses, margin):

@@ -32,18 +32,18 @@ def test_what_lasts_is_announced_once(caplog, monkeypatch, holds_all_threads):
     with caplog.at_level(logging.INFO, "pointloom"):
         with compile_notices.announced("slow_kernel"):
             compile_notices.compiling()
-            take(2 * compile_notices.PATIENCE)
+            take(2 * compile_notices.NOTICE_DELAY)
         with compile_notices.announced("loaded_kernel"):  # from a cache, on a slow machine
-            take(2 * compile_notices.PATIENCE)
+            take(2 * compile_notices.NOTICE_DELAY)
         with compile_notices.announced("quick_kernel"):
             compile_notices.compiling()
-            now[0] += 0.5 * compile_notices.PATIENCE
+            now[0] += 0.5 * compile_notices.NOTICE_DELAY
     (message,) = records(caplog)
     assert "slow_kernel for its first use on this machine" in message
 
 
 def test_an_error_ends_the_announcement(caplog, monkeypatch):
-    monkeypatch.setattr(compile_notices, "PATIENCE", 60.0)
+    monkeypatch.setattr(compile_notices, "NOTICE_DELAY", 60.0)
     with (
         caplog.at_level(logging.INFO, "pointloom"),
         pytest.raises(ValueError),

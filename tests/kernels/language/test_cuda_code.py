@@ -57,7 +57,7 @@ def test_elements_lie_where_they_should(device):
 
 
 def test_no_element_costs_a_product_of_64_bits(tmp_path):
-    lang.settle(__name__)
+    lang.resolve_module(__name__)
     (module,) = modules_for_cuda(__name__)
     assert module.options["extra_build_options"].extra_cuda_preamble == cuda_code.header()
     (path,) = wp.compile_aot_module(module, arch=[90], module_dir=str(tmp_path), use_ptx=True)

@@ -20,7 +20,7 @@ from pointloom.kernels import lang
 points = np.random.default_rng(0).random((2000, 3))
 cloud = loom.PointCloud(points).estimate_normals(max_nn=10)
 read = sum("source" in vars(what) for kinds in lang.LAUNCHED.values() for what in kinds.values())
-known = sum("kept" in vars(what) for kinds in lang.LAUNCHED.values() for what in kinds.values())
+known = sum("cached" in vars(what) for kinds in lang.LAUNCHED.values() for what in kinds.values())
 print(read, known, cloud.normals.tobytes().hex()[:64])
 """
 
@@ -82,7 +82,7 @@ def test_what_is_amiss_is_not_used(cache, harm):
 
 
 def test_other_sources_keep_apart(monkeypatch, tmp_path):
-    kept = kernel_cache.Kept([], "a", "=Q", "symbol", "code.o")
+    kept = kernel_cache.CachedKernel([], "a", "=Q", "symbol", "code.o")
     module = f"{kernel_cache.PACKAGE}.room.file"
     monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
 
@@ -95,10 +95,10 @@ def test_other_sources_keep_apart(monkeypatch, tmp_path):
         for number in range(kernel_cache.MAX_FOLDERS + 3):
             folder_of(f"sources {number}")
             assert kernel_cache.find(module, "k") is None
-            kernel_cache.keep(module, "k", kept)
+            kernel_cache.store(module, "k", kept)
             assert kernel_cache.find(module, "k") == kept
         assert len(list((tmp_path / kernel_cache.FOLDER).iterdir())) == kernel_cache.MAX_FOLDERS
-        kernel_cache.keep("elsewhere.kernels", "k", kept)
+        kernel_cache.store("elsewhere.kernels", "k", kept)
         assert kernel_cache.find("elsewhere.kernels", "k") is None
     finally:
         monkeypatch.undo()
@@ -111,7 +111,9 @@ def test_a_folder_that_cannot_be_written_to_keeps_nothing(monkeypatch, tmp_path)
     monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
     kernel_cache._folder.cache_clear()
     try:
-        kernel_cache.keep(f"{kernel_cache.PACKAGE}.room.file", "k", kernel_cache.Kept([], "a", "=Q", "s", "c.o"))
+        kernel_cache.store(
+            f"{kernel_cache.PACKAGE}.room.file", "k", kernel_cache.CachedKernel([], "a", "=Q", "s", "c.o")
+        )
         assert kernel_cache.find(f"{kernel_cache.PACKAGE}.room.file", "k") is None
     finally:
         monkeypatch.undo()

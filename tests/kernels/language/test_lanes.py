@@ -86,7 +86,7 @@ def others_of_lanes(i: int, row: Row) -> tuple[int, float]:
             yield j, value
 
 
-@kernel(most_registers=64)
+@kernel(max_registers=64)
 def sum_groups_kernel(row: Row, totals: array(dtype=int32), sums: array(dtype=float32), last: array(dtype=int32)):
     i = tid()
     totals[i] = twice_the_total(i, row)
@@ -191,7 +191,7 @@ def test_lanes_take_whole_numbers_of_32_bits_and_floats():
         return shuffle(x, x)
 
     with pytest.raises(KernelLanguageError, match=r"^far:.*int32.*float32.*float64.*int32"):
-        far.settle()
+        far.resolve()
 
 
 @kernel(for_cpu=True)
@@ -210,7 +210,7 @@ def test_a_kernel_for_the_cpu_is_not_made_for_cuda(device):
     else:
         launch(count_on_the_cpu_kernel, 32, [row, totals])
         assert (download(totals) == 64).all()
-    lang.settle(__name__)
+    lang.resolve_module(__name__)
     made = {found.key for module in modules_for_cuda(__name__) for found in module.kernels.values()}
     assert "copy_kernel" in made and "count_on_the_cpu_kernel" not in made
 
@@ -221,7 +221,7 @@ def test_a_variant_is_not_made_for_the_cpu():
     assert variants == [fill_in_lanes_kernel]
     before = set(wp.get_module(f"{__name__}.cpu").kernels)
     for variant in variants:
-        variant.settle()
+        variant.resolve()
         with pytest.raises(TypeError, match=f"{variant.name} is CUDA's alone"):
             _ = variant.cpu
     assert set(wp.get_module(f"{__name__}.cpu").kernels) - before <= set(lang.LAUNCHED[__name__])

@@ -39,8 +39,8 @@ print(json.dumps({"compiled": compiled, "points": cloud.points.tolist()}))
 HOLD = """
 import sys, time
 from pointloom.kernels import lang  # starts Warp, whose folder the turns are in
-from pointloom.kernels.language.module_loading import turn_of
-with turn_of("a module"):
+from pointloom.kernels.language.module_loading import locked
+with locked("a module"):
     print("held", flush=True)
     time.sleep(600)
 """
@@ -84,25 +84,25 @@ def holder(monkeypatch, tmp_path):
 def test_a_turn_is_waited_for_until_its_process_ends_and_not_for_ever(holder, monkeypatch):
     with monkeypatch.context() as patched:
         patched.setattr(module_loading, "PAUSE", 1e6)  # who waited would sleep
-        with module_loading.turn_of("another module"):
+        with module_loading.locked("another module"):
             pass
     monkeypatch.setattr(module_loading, "LONGEST_WAIT", 0.2)
     holder.send_signal(signal.SIGSTOP)
     begin = time.monotonic()
-    with module_loading.turn_of("a module"):
+    with module_loading.locked("a module"):
         assert 0.2 <= time.monotonic() - begin < 30
     monkeypatch.setattr(module_loading, "LONGEST_WAIT", 60.0)
     holder.kill()
     holder.wait()
     begin = time.monotonic()
-    with module_loading.turn_of("a module"):
+    with module_loading.locked("a module"):
         assert time.monotonic() - begin < 30
 
 
 def test_a_cache_without_locks_is_used_without_turns(monkeypatch, tmp_path):
     monkeypatch.setattr(wp.config, "kernel_cache_dir", str(tmp_path / "nowhere"))
     done = []
-    with module_loading.turn_of("a module"):
+    with module_loading.locked("a module"):
         done.append(True)
     assert done
 
@@ -120,7 +120,7 @@ for name in names:
     importlib.import_module(name)
     items = list(lang.LAUNCHED.get(name, {}).values())
     for item in items[::-1] if sys.argv[1] == "backward" else items:
-        item.settle()
+        item.resolve()
         _ = item.cpu
 modules = [m for name in names for m in (*modules_for_cuda(name), wp.get_module(name + ".cpu")) if m.kernels]
 hashes = {m.name: m.get_module_hash().hex() for m in modules}
@@ -154,7 +154,7 @@ def test_a_module_that_is_loaded_takes_no_turn(monkeypatch, write_kernels):
     out = wp.zeros(4, dtype=int, device="cpu")
     with lang.cpu_compiler("warp"):
         lang.launch(module.count_kernel, 4, [out])
-    monkeypatch.setattr(module_loading, "turn_of", lambda name: pytest.fail(f"waits for {name}"))
+    monkeypatch.setattr(module_loading, "locked", lambda name: pytest.fail(f"waits for {name}"))
     module_loading.load_module(module.count_kernel.cpu.module, wp.get_device("cpu"))
     assert out.numpy().tolist() == [0, 1, 2, 3]
 

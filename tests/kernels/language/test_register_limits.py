@@ -3,7 +3,7 @@
 import pytest
 
 from pointloom.kernels.lang import array, float32, kernel, segment_reduction, tid, vector
-from pointloom.kernels.language.warp_compiler import VARIABLE, most_registers_of
+from pointloom.kernels.language.warp_compiler import VARIABLE, max_registers_of
 
 Two = vector(2, float32)
 
@@ -11,7 +11,7 @@ Two = vector(2, float32)
 def bounded_kernel() -> object:
     """A kernel that nothing has made yet."""
 
-    @kernel(most_registers=80)
+    @kernel(max_registers=80)
     def double_numbers_kernel(x: array(dtype=float32)):
         i = tid()
         x[i] = x[i] + x[i]
@@ -48,7 +48,7 @@ def test_the_cpu_has_no_registers_to_bound(monkeypatch):
 def test_a_sum_goes_by_the_name_of_its_function(monkeypatch):
     monkeypatch.setenv(VARIABLE, "sum_of_squares=40")
 
-    @segment_reduction(most_registers=128)
+    @segment_reduction(max_registers=128)
     def sum_of_squares(x: array(dtype=float32)) -> Two:
         i = tid()
         return Two(x[i], x[i] * x[i])
@@ -60,9 +60,9 @@ def test_a_sum_goes_by_the_name_of_its_function(monkeypatch):
 def test_another_form_is_refused(monkeypatch, text):
     monkeypatch.setenv(VARIABLE, text)
     with pytest.raises(ValueError, match=rf"{VARIABLE}: expected KERNEL=NUMBER"):
-        most_registers_of("a", 80)
+        max_registers_of("a", 80)
 
 
 def test_several_kernels_are_listed_with_commas(monkeypatch):
     monkeypatch.setenv(VARIABLE, " a=64, b = 0,")
-    assert [most_registers_of(name, 80) for name in "abc"] == [64, 0, 80]
+    assert [max_registers_of(name, 80) for name in "abc"] == [64, 0, 80]

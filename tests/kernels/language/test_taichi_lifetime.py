@@ -101,7 +101,7 @@ def is_free(folder: Path) -> bool:
 
 
 def test_one_process_at_a_time_has_its_turn(tmp_path):
-    with KernelFolder(str(tmp_path)).turn():
+    with KernelFolder(str(tmp_path)).locked():
         assert not is_free(tmp_path)
     assert is_free(tmp_path)
 
@@ -110,7 +110,7 @@ def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
     program = """
         import os, signal, sys
         from pointloom.kernels.language.taichi_compiler import KernelFolder
-        with KernelFolder(sys.argv[1]).turn():
+        with KernelFolder(sys.argv[1]).locked():
             os.kill(os.getpid(), signal.SIGKILL)
     """
     done = subprocess.run([sys.executable, "-c", textwrap.dedent(program), str(tmp_path)], timeout=300)
@@ -119,14 +119,14 @@ def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
 
 
 def test_a_turn_that_does_not_come_is_done_without(tmp_path, monkeypatch):
-    monkeypatch.setattr(taichi_compiler, "PATIENCE", 0.0)
-    with KernelFolder(str(tmp_path)).turn(), KernelFolder(str(tmp_path)).turn():
+    monkeypatch.setattr(taichi_compiler, "LOCK_TIMEOUT", 0.0)
+    with KernelFolder(str(tmp_path)).locked(), KernelFolder(str(tmp_path)).locked():
         pass
 
 
 def test_a_folder_that_cannot_be_made_is_done_without(tmp_path):
     (tmp_path / "file").touch()
-    with KernelFolder(str(tmp_path / "file" / "folder")).turn():
+    with KernelFolder(str(tmp_path / "file" / "folder")).locked():
         pass
 
 

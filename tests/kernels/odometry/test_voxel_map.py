@@ -56,7 +56,7 @@ def add(voxel_map, points, pose=None, reach=60.0):
 def content(voxel_map) -> dict[tuple[int, ...], list[list[float]]]:
     """The places kept in each voxel."""
     keys = voxel_map.keys.numpy()[: voxel_map.count]
-    counts, places = voxel_map.counts.numpy(), voxel_map.places.numpy().reshape(-1, 3)
+    counts, places = voxel_map.counts.numpy(), voxel_map.offsets.numpy().reshape(-1, 3)
     mask, bias = (1 << 21) - 1, 1 << 20
     found = {}
     for i, key in enumerate(keys.tolist()):

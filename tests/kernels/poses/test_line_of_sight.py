@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.kernels.poses import line_of_sight
-from pointloom.kernels.poses.line_of_sight import KEPT, Sight, find_sight
+from pointloom.kernels.poses.line_of_sight import MAX_VIEWPOINTS, Sight, find_sight
 
 EYE = np.zeros((1, 3))
 
@@ -36,7 +36,7 @@ def test_what_stands_before_a_wall_is_in_the_way(device, x, y, share):
     screen, origin = shifted(plate(x, y, (-0.4, 0.4)), device)
     pose = np.eye(4)
     pose[:3, 3] = origin - there
-    counts = Sight(wall, EYE - there, 0.1).count_in_the_way(screen, pose)
+    counts = Sight(wall, EYE - there, 0.1).count_occluding(screen, pose)
     assert counts.numpy().tolist() == [share * screen.size]
 
 
@@ -51,8 +51,8 @@ def test_what_lies_behind_another_plate_is_hidden(device):
 def test_places_are_kept_from_which_least_is_hidden(device):
     points = points_of(np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0), plate(-2.0)], device)
     found = find_sight(points, 0.1)
-    assert found is not None and 0 < found.place_count <= KEPT
-    x = np.asarray(found.places.numpy())[:, 0]
+    assert found is not None and 0 < found.viewpoint_count <= MAX_VIEWPOINTS
+    x = np.asarray(found.viewpoints.numpy())[:, 0]
     assert x.min() > 0.5  # farther back the small plate hides the wall behind it
 
 

@@ -6,7 +6,7 @@ from scipy.spatial.transform import Rotation
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int64, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.poses.point_sums import count_agreeing, place_moments
+from pointloom.kernels.poses.point_sums import count_agreeing, position_moments
 from pointloom.kernels.search.nearest_point import NO_POINT
 
 
@@ -15,7 +15,7 @@ def test_moments_are_the_sums_of_coordinates_and_their_products(device, rng):
     x, y, z = (points.astype(float) + origin).T
     expected = [np.sum(a) for a in (x**0, x, y, z, x * x, x * y, x * z, y * y, y * z, z * z)]
     np.testing.assert_allclose(
-        place_moments(upload(points, vec3, resolve_device(device)), origin), expected, rtol=1e-12
+        position_moments(upload(points, vec3, resolve_device(device)), origin), expected, rtol=1e-12
     )
 
 

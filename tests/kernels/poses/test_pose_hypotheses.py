@@ -11,7 +11,7 @@ from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.poses.pair_fits import BLOCK, PairCoordinates
 from pointloom.kernels.poses.pose_fitness import PoseFitness
 from pointloom.kernels.poses.pose_hypotheses import REFUSED, Checks, Samples, score_poses
-from pointloom.kernels.poses.pose_search import KEPT, RANKED, PoseSearch
+from pointloom.kernels.poses.pose_search import MAX_DISTINCT, RANKED, PoseSearch
 from pointloom.kernels.poses.similar_tuples import similar_tuples
 from pointloom.kernels.search.point_tree import PointTree
 
@@ -246,7 +246,7 @@ def first_apart(poses, scores, size, distance):
     order = order[scores[order] > REFUSED][:RANKED]
     probes = np.concatenate([poses[:, :3, 3:], poses[:, :3, :3] * size + poses[:, :3, 3:]], axis=2)[order]
     left, kept = np.ones(len(order), bool), []
-    while left.any() and len(kept) < KEPT:
+    while left.any() and len(kept) < MAX_DISTINCT:
         first = int(np.argmax(left))
         kept.append(first)
         left &= ((probes - probes[first]) ** 2).sum(axis=1).max(axis=1) > distance * distance
@@ -262,9 +262,9 @@ def test_the_best_poses_that_are_unlike_each_other_are_chosen(device, rng, count
     poses = near_poses(rng, count, 0.2, 0.2)
     poses[rng.random(count) < 0.3] = poses[0]
     scores = rng.integers(REFUSED, 20, count).astype(np.int32)
-    found = search._keep_apart(upload(poses, mat44d, device), upload(scores, int32, device), distance)
-    chosen, kept = first_apart(poses, scores, search.fitness.size, distance), download(search._kept)
-    assert download(search._kept_count)[0] == len(chosen) and found in (len(chosen), KEPT)
+    found = search._select_distinct(upload(poses, mat44d, device), upload(scores, int32, device), distance)
+    chosen, kept = first_apart(poses, scores, search.fitness.size, distance), download(search._distinct)
+    assert download(search._distinct_count)[0] == len(chosen) and found in (len(chosen), MAX_DISTINCT)
     np.testing.assert_array_equal(kept[: len(chosen)], poses[chosen])
     if len(chosen):
         assert (kept[len(chosen) :] == kept[0]).all()
@@ -273,8 +273,8 @@ def test_the_best_poses_that_are_unlike_each_other_are_chosen(device, rng, count
 def test_where_all_poses_are_refused_none_is_chosen(device, rng):
     search = search_over(rng.random((40, 3)), rng.random((40, 3)), identity_pairs(40), device)
     scores = upload(np.full(70, REFUSED), int32, device)
-    search._keep_apart(upload(near_poses(rng, 70), mat44d, device), scores, 0.1)
-    assert download(search._kept_count)[0] == 0
+    search._select_distinct(upload(near_poses(rng, 70), mat44d, device), scores, 0.1)
+    assert download(search._distinct_count)[0] == 0
 
 
 def test_refined_poses_never_agree_with_fewer(device, clutter):

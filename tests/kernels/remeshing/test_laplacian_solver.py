@@ -96,6 +96,6 @@ def test_a_limit_that_is_never_reached_is_an_error(device):
     system = System(device)
     solver = LaplacianSolver(system.level, system.solution, -1.0, most=7)
     solver.solve(system.sides)
-    assert solver.state.turns.numpy()[0] == 7
+    assert solver.state.iterations.numpy()[0] == 7
     with pytest.raises(UnsolvedError, match="7 turns"):
         solver.check()

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...core.checks import check_positive, check_progress, check_seed
 from ...core.progress import ReportProgress
 from ...kernels.linear_algebra import matmul
-from ...kernels.poses.point_sums import place_moments
+from ...kernels.poses.point_sums import position_moments
 from ...meshing.volume.tsdf import TSDFVolume
 from ...meshing.volume.volume_fusion import fuse_volumes
 from ...registration.pose_graphs.pose_graph import PoseGraph, PoseGraphEdge, PoseGraphNode
@@ -284,7 +284,7 @@ def _point_information(surface: SubmapSurface) -> Matrix:
     """Information matrix of a pose with exact correspondences for all points of a submap."""
     if surface.thinned is None:
         return np.eye(6)
-    count, *moments = place_moments(surface.thinned._device_array("points"), surface.thinned.origin)  # sync
+    count, *moments = position_moments(surface.thinned._device_array("points"), surface.thinned.origin)  # sync
     return spread_information(count, np.array(moments))
 
 

@@ -183,7 +183,7 @@ def name_labels(seen: list[int], attribute: str) -> dict[int, str]:
             name = "noise"
         elif attribute == "classification" and label < len(_LAS_CLASSES):
             name = _LAS_CLASSES[label]
-        elif label == value_colors.SEEN - 2:
+        elif label == value_colors.MAX_LABELS - 2:
             name = f"label {label} and above"
         names[label] = name
     return names

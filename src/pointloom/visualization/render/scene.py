@@ -19,7 +19,7 @@ from ...kernels.algebra.camera import Camera
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.drawing.layers import LAYERS, before_all, has_more, start_layer, take_words
 from ...kernels.drawing.lines import Pen, draw_lines
-from ...kernels.drawing.placing import find_extremes, place_points, shift_indices
+from ...kernels.drawing.placing import find_extremes, shift_indices, transform_points
 from ...kernels.drawing.points import SQUARE, Splat, count_in_squares, draw_points
 from ...kernels.drawing.shading import (
     SAMPLES,
@@ -213,7 +213,7 @@ class Drawing:
             splat = self._closing_splat(placed, view)  # sync
         start = self._number(part.positions.size)
         draw_points(part.positions, view, buffer, splat=splat, start=start)
-        return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.reach / SAMPLES))
+        return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.scaled_radius / SAMPLES))
 
     def _closing_splat(self, placed: Placed, view: PartView) -> Splat:
         """Splats of one world size that touch most neighbors, limited to a few pixels."""
@@ -301,11 +301,11 @@ def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any
     first = corner = 0
     for part in parts:
         A, t = _motion_of(part)
-        place_points(part.positions, A, A @ part.origin + t - origin, positions, first)
+        transform_points(part.positions, A, A @ part.origin + t - origin, positions, first)
         shift_indices(part.indices, first, indices, corner)
         lines = part.indices.size // 2
         given = part.colors if part.colors.size else upload(np.tile(part.plain, (lines, 1)), vec3, device)
-        place_points(given, np.eye(3), np.zeros(3), colors, corner // 2)
+        transform_points(given, np.eye(3), np.zeros(3), colors, corner // 2)
         first, corner = first + part.positions.size, corner + part.indices.size
     return Lines(positions, origin, indices, colors)
 

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from ....cameras.camera import PinholeCameraIntrinsic
 from ....core.checks import check_finite, check_rows, check_shape, check_transformation
 from ....kernels.arrays.select import positions_of
-from ....kernels.drawing.picking import mask_seen
+from ....kernels.drawing.picking import mask_visible
 from ....kernels.lang import vec2d
 from ....kernels.memory import download, upload
 from ....pcd.cloud import PointCloud
@@ -113,7 +113,7 @@ def seen_inside(cloud: PointCloud, view: View, polygon: Any, *, pose: Any = None
     T_world = np.eye(4) if pose is None else check_transformation("pose", pose)
     on_device = upload(corners, vec2d, cloud.device)
     T = T_camera_points(view, cloud, T_world)
-    mask = mask_seen(cloud._device_array("points"), T, view.intrinsic, on_device)
+    mask = mask_visible(cloud._device_array("points"), T, view.intrinsic, on_device)
     return download(positions_of(mask))  # sync
 
 
