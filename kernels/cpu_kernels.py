@@ -39,7 +39,7 @@ def _zero_of(kind: Any) -> Any:
 
 
 def _entry(field_paths: Sequence[Any], kernel: Any) -> list[Any]:
-    """Fields of `kernel_cache.CachedKernel` without the path of the machine code. Raises RuntimeError for unknown layouts."""
+    """Fields of a CachedKernel without the path of the machine code. Raises RuntimeError for unknown layouts."""
     made = WarpLaunch(kernel, [_zero_of(argument.type) for argument in kernel.adj.args])
     if not made.layout:
         raise RuntimeError(f"{kernel.key}: unknown layout of the arguments")
@@ -65,7 +65,7 @@ def compile_file(file: str, level: str, work: Path, output: Path) -> tuple[int, 
     if len(paths) != 1 or "" in paths:
         raise RuntimeError(f"expected one file of machine code, got {sorted(paths)}")
     content = Path(paths.pop()).read_bytes()
-    entries = {name: _entry(field_paths, kernel) for name, (places, kernel) in kernels.items()}
+    entries = {name: _entry(field_paths, kernel) for name, (field_paths, kernel) in kernels.items()}
     name = cpu_archive.name_of(file)
     (output / f"{name}.o").write_bytes(content)
     text = json.dumps({"sha256": hashlib.sha256(content).hexdigest(), "kernels": entries}, separators=(",", ":"))

@@ -8,7 +8,7 @@ captures launches as one CUDA graph and `replay` runs it.
 - `@f.on_cuda` of a loop, function or kernel: CUDA variant, which may use the 32 lanes of a warp. `@cuda_func` and
 `@cuda_loop` are used only by such variants.
 - `@struct`: host class whose annotated attributes kernels read. `@loop`: generator, used as
-`for j in points_in_reach(...)`. `children: callback` takes a device function or `partial(function, first, arguments)`.
+`for j in points_within(...)`. `children: callback` takes a device function or `partial(function, first, arguments)`.
 
 Rules, checked when a function is decorated, or at first use in this package (kernel_cache.py):
 

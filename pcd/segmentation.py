@@ -195,7 +195,7 @@ class Segmentation(Selection):
             return []
         neighbors = self._neighbor_graph(min(neighbor_count, rows.size), reach)
         patches = Patches(points, normals, labels, planes, neighbors)
-        patches.settle()
+        patches.converge()
         boxes = patches.boxes(shortest or EDGE_SHARE * octree.extent)
         return [OrientedBoundingBox(c + self._origin, R, extent) for c, R, extent in zip(*boxes, strict=True)]
 

@@ -17,7 +17,7 @@ from ..kernels.arrays.sort import positions
 from ..kernels.lang import int32
 from ..kernels.linear_algebra import det, matmul, norm
 from ..kernels.memory import upload
-from ..kernels.segmentation.shape_parts import bounds_in_frame, reach_across, rows_labeled
+from ..kernels.segmentation.shape_parts import bounds_in_frame, heights_across, rows_labeled
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .shape import Shape, ShapeSurface
@@ -147,7 +147,7 @@ class _Sides:
         places = np.array([plane.center - cloud.origin for plane in planes.values()])
         normals = np.array([plane.axis for plane in planes.values()])
         points = cloud._device_array("points")
-        self._low, self._high = reach_across(points, numbers[found.labels], places, normals, gap / STEPS)
+        self._low, self._high = heights_across(points, numbers[found.labels], places, normals, gap / STEPS)
 
     def side(self, plane: int, other: int) -> int:
         """1 or -1 if all points of `other` are on one side of `plane`, else 0."""

@@ -14,7 +14,7 @@ from ..kernels.arrays.side_by_side import read_together
 from ..kernels.segmentation.shape_alternatives import Band, Rival, RivalStarts, count_band
 from ..kernels.segmentation.shape_fit import FlatFit, ShapeFit, flat_fit
 from ..kernels.segmentation.shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
-from ..kernels.segmentation.shape_search import BANDS, SECTORS, Found, ShapeLimits, ShapeSearch, spread_of
+from ..kernels.segmentation.shape_search import BANDS, SECTORS, DetectedShape, ShapeLimits, ShapeSearch, spread_of
 from .shape import KINDS, Shape
 
 ROUNDING = 2e-6  # of the cloud's size: float32 rounding of positions
@@ -42,7 +42,7 @@ TURNED = {PLANE: [-1, -1, 1], CYLINDER: [1, -1, -1, 1, 1], TORUS: [1, -1, -1, -1
 
 def shape_of(
     search: ShapeSearch,
-    found: Found,
+    found: DetectedShape,
     limits: ShapeLimits,
     origin: NDArray[np.float64],
     every: ShapeSearch | None = None,
@@ -55,7 +55,7 @@ def shape_of(
     return _looked_over(search, found, limits, origin, every, (extremes, cells, band))
 
 
-def fitted_shape(search: ShapeSearch, found: Found, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
+def fitted_shape(search: ShapeSearch, found: DetectedShape, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
     """Shape fitted to all points, with failed checks. Three syncs."""
     extremes, _, cells = search.spread_unread(found)
     return _looked_over(search, found, limits, origin, search, (extremes, cells))
@@ -63,7 +63,7 @@ def fitted_shape(search: ShapeSearch, found: Found, limits: ShapeLimits, origin:
 
 def _looked_over(
     search: ShapeSearch,
-    found: Found,
+    found: DetectedShape,
     limits: ShapeLimits,
     origin: NDArray[np.float64],
     every: ShapeSearch,
@@ -71,7 +71,7 @@ def _looked_over(
 ) -> Shape:
     """Shape with the checks of its points, nearby points and other kinds; `asked` are their device statistics."""
     starts = RivalStarts(search, found, limits)
-    given = [*asked, search.fitter.add_places(found.rows)]
+    given = [*asked, search.fitter.add_moments(found.rows)]
     told = read_together([*given, *starts.unread])  # sync
     told, drawn = told[: len(given)], told[len(given) :]
     shape = _shape_in_world(search, found, origin, *spread_of(found.kind, told[0], told[1]))
@@ -88,7 +88,7 @@ def _undetermined(shape: Shape, fit: ShapeFit) -> str:
 
 
 def _shape_in_world(
-    search: ShapeSearch, found: Found, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
+    search: ShapeSearch, found: DetectedShape, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
 ) -> Shape:
     """Shape in world coordinates without checks. Bounds of its points are in its own frame."""
     kind, fit = found.kind, found.fit
@@ -120,7 +120,7 @@ def _shape_in_world(
     )
 
 
-def _from_fit(search: ShapeSearch, found: Found, shape: Shape, plane: FlatFit) -> list[str]:
+def _from_fit(search: ShapeSearch, found: DetectedShape, shape: Shape, plane: FlatFit) -> list[str]:
     said, kind, sigma = [], found.kind, shape.sigma
     if kind != PLANE and is_flat(search, found, plane):
         said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
@@ -146,7 +146,7 @@ def _beside(band: Band) -> list[str]:
     return []
 
 
-def _against(found: Found, rivals: Sequence[Rival]) -> list[str]:
+def _against(found: DetectedShape, rivals: Sequence[Rival]) -> list[str]:
     """Check for a kind that fits better, or as well and is simpler."""
     better = min(rivals, key=lambda rival: rival.ratio, default=None)
     if better is not None and better.ratio < BETTER:
@@ -166,15 +166,15 @@ def is_small_part(kind: int, shape: Shape) -> bool:
     return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
 
 
-def is_flat(search: ShapeSearch, found: Found, plane: FlatFit) -> bool:
+def is_flat(search: ShapeSearch, found: DetectedShape, plane: FlatFit) -> bool:
     return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
 
 
-def is_open(found: Found, length: float) -> bool:
+def is_open(found: DetectedShape, length: float) -> bool:
     """True if a cone may be a cylinder: half angle within its error, or taper below the noise."""
     angle = math.atan2(found.fit.shape[7], found.fit.shape[6])
     return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or math.tan(angle) * length < found.fit.rms)
 
 
-def plane_of(search: ShapeSearch, found: Found) -> FlatFit:
+def plane_of(search: ShapeSearch, found: DetectedShape) -> FlatFit:
     return search.fitter.fit_plane(found.rows)

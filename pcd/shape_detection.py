@@ -21,7 +21,7 @@ from ..kernels.search.neighbor_distances import nearest_distances
 from ..kernels.segmentation.plane_fit import label_rows
 from ..kernels.segmentation.shape_models import CONE, NUMBERS, PLANE
 from ..kernels.segmentation.shape_parts import largest_part, rows_labeled, write_distances
-from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch, chance_of
+from ..kernels.segmentation.shape_search import DetectedShape, ShapeLimits, ShapeSearch, chance_of
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .segmentation import check_samples, limits_of, search_of
@@ -163,7 +163,7 @@ class _Rounds:
         self._has_found = False  # a shape was detected since then, which most kept candidates may have been
         self._shapes, self._of, self._counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), np.zeros(0, np.int64)
 
-    def next_shape(self) -> Found | None:
+    def next_shape(self) -> DetectedShape | None:
         """Next shape. None if no shape with enough points remains, at the required probability."""
         while self.search.rows.size >= self._fewest:
             while len(self._counts) and (self._is_safe(self._counts[0], self._of[0]) or not self._open()):
@@ -178,7 +178,7 @@ class _Rounds:
             self._draw()
         return None
 
-    def remove(self, found: Found, number: int) -> None:
+    def remove(self, found: DetectedShape, number: int) -> None:
         self._has_found = True
         label_rows(found.rows, number, self.labels)
         rows = rows_labeled(self.labels, self.search.rows, -1)
@@ -219,7 +219,7 @@ class _Rounds:
         order = order[counts[order] >= self._fewest][:POOL]
         self._shapes, self._of, self._counts = shapes[order], of[order], counts[order]
 
-    def _best(self) -> Found | None:
+    def _best(self) -> DetectedShape | None:
         """Best of the first candidates, fitted to its largest component; invalid ones are dropped."""
         first = slice(min(TRIED, len(self._counts)))
         refined = self.search.each_refined(self._of[first].tolist(), self._shapes[first], self.limits)
@@ -231,18 +231,18 @@ class _Rounds:
         self._shapes, self._of, self._counts = self._shapes[kept], self._of[kept], self._counts[kept]
         return max(tried, key=lambda found: found.rows.size * WORTH[found.kind], default=None)
 
-    def _settled(self, refined: Found) -> Found | None:
+    def _settled(self, refined: DetectedShape) -> DetectedShape | None:
         """Candidate fitted to its largest component. None if it is too small or of another kind."""
         search, kind = self.search, refined.kind
         found = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._reach))
         if found is not None and kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
             found = self._fitted(PLANE, plane.shape, found.rows) if PLANE in self._kinds else None
         if found is not None and found.kind == CONE:
-            low, high = bound_points(search.turned(found.fit.shape, found.rows))[:2]  # sync
+            low, high = bound_points(search.in_frame(found.fit.shape, found.rows))[:2]  # sync
             found = None if is_open(found, float(high[2] - low[2])) else found
         return found
 
-    def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Any) -> Found | None:
+    def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Any) -> DetectedShape | None:
         """Shape fitted to points, with the largest component of its inliers. None if too small."""
         if rows.size < self._fewest:
             return None
@@ -250,7 +250,7 @@ class _Rounds:
         if not self.limits.allow(kind, fit.shape):
             return None
         part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._reach)
-        return Found(kind, fit, part) if part.size >= self._fewest and not fit.reason else None
+        return DetectedShape(kind, fit, part) if part.size >= self._fewest and not fit.reason else None
 
 
 def _check_kinds(kinds: Any) -> list[int]:

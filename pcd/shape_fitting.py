@@ -16,7 +16,7 @@ from ..kernels.segmentation.shape_alternatives import COMPARED, FREE_SIZE
 from ..kernels.segmentation.shape_fit import ShapeFit, ShapeFitter
 from ..kernels.segmentation.shape_models import CONE, PLANE
 from ..kernels.segmentation.shape_rows import every_of, rows_of_weight, usable_in_order
-from ..kernels.segmentation.shape_search import Found, ShapeLimits, ShapeSearch
+from ..kernels.segmentation.shape_search import DetectedShape, ShapeLimits, ShapeSearch
 from .cloud import PointCloud
 from .point_arrays import check_cloud
 from .shape import KINDS, UNKNOWNS, Shape
@@ -88,7 +88,7 @@ def fit_shape(
     fit = _fit(search, number, fit.shape)
     reach = max(SPREAD * fit.rms, ROUNDING * search.size)
     limits = ShapeLimits(reach, 0.0, 0.0, FREE_SIZE * search.size)
-    return fitted_shape(search, Found(number, fit, rows), limits, cloud.origin)
+    return fitted_shape(search, DetectedShape(number, fit, rows), limits, cloud.origin)
 
 
 def _search_of(cloud: PointCloud, weights: NDArray[np.float64] | None) -> ShapeSearch:

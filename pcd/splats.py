@@ -23,7 +23,7 @@ from ..core.dropped_results import returns_new
 from ..core.quaternions import nearest_rotations
 from ..kernels.arrays.select import positions_of
 from ..kernels.linear_algebra import cube_root, det, matmul
-from ..kernels.splats.motion import mask_splats, turn_harmonics, turn_quaternions
+from ..kernels.splats.motion import mask_splats, rotate_harmonics, rotate_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
 from .harmonics import FIRST, MAX_DEGREE, degree_of, turns_of_harmonics
@@ -304,9 +304,9 @@ class GaussianSplats(Movable, Pictured):
         arrays = moved._device_arrays
         q = np.roll(Rotation.from_matrix(R).as_quat(), 1)
         if not np.array_equal(R, np.eye(3)):
-            arrays["rot"] = turn_quaternions(arrays["rot"], q)
+            arrays["rot"] = rotate_quaternions(arrays["rot"], q)
             if self.degree:
-                arrays["f_rest"] = turn_harmonics(arrays["f_rest"], turns_of_harmonics(R, self.degree), self.degree)
+                arrays["f_rest"] = rotate_harmonics(arrays["f_rest"], turns_of_harmonics(R, self.degree), self.degree)
         cloud = moved._with_arrays(arrays)
         if factor != 1:
             cloud["scale"] = (cloud["scale"].astype(np.float64) + math.log(factor)).astype(np.float32)

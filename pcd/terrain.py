@@ -18,7 +18,7 @@ from ..core.errors import FilePath
 from ..kernels.lang import float32, vec3
 from ..kernels.memory import cast, download, upload
 from ..kernels.terrain.cells import CellGroups, FixedCells
-from ..kernels.terrain.ground_in_reach import reach_in_cells
+from ..kernels.terrain.ground_in_reach import radius_in_cells
 from ..kernels.terrain.inverse_distance import interpolate_centers
 from .cloud import PointCloud
 from .geotiff import geotiff
@@ -276,4 +276,4 @@ def ground_reach(cell_size: float = CELL, max_window: float = WINDOW) -> float:
     """
     cell, window = check_positive("cell_size", cell_size), check_positive("max_window", max_window)
     check_window(window, cell)
-    return (reach_in_cells(math.ceil(window / cell)) + 1) * cell
+    return (radius_in_cells(math.ceil(window / cell)) + 1) * cell

@@ -27,7 +27,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty
-from ..search.bucket_walk import points_in_reach
+from ..search.bucket_walk import points_within
 from ..search.point_tree import PointTree, find_bucket
 
 FARTHEST = 43.0  # maximum exponent
@@ -213,7 +213,7 @@ def weigh_near_targets_kernel(
     x = targets[i]
     p = narrow(x)
     total = float64(0.0)
-    for j, sqdist in points_in_reach(find_bucket(p, tree), p, sqradius, tree):
+    for j, sqdist in points_within(find_bucket(p, tree), p, sqradius, tree):
         d = x - moved[tree.order[j]]
         total += falloff(scale * dot(d, d))
     inverse = inverse_of(total, uniform)
@@ -235,7 +235,7 @@ def pull_near_sources_kernel(
     y = moved[i]
     q = narrow(y)
     total = pulls(0.0)
-    for j, sqdist in points_in_reach(find_bucket(q, tree), q, sqradius, tree):
+    for j, sqdist in points_within(find_bucket(q, tree), q, sqradius, tree):
         k = tree.order[j]
         total += pull_between(y, targets[k], scale, inverses[k])
     sums[i] = total

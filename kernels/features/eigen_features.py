@@ -13,7 +13,7 @@ from ..array_types import Array2, Device, Scalars
 from ..arrays.packed_keys import key_number
 from ..lang import NAN, array, float32, float64, func, int32, kernel, launch, log, pow, sqrt, struct, tid, vec3d
 from ..memory import empty, full
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import LARGEST_SQDIST
 from ..surface.neighbor_moments import sum_neighbor_moments
@@ -113,7 +113,7 @@ def find_ends_kernel(
                 count += 1
                 farthest = max(farthest, sqdist)
         for j in range(stored):
-            key = held_key(scratch, base, j)
+            key = stored_key(scratch, base, j)
             if key <= limit:
                 count += 1
                 farthest = max(farthest, key_number(key))
@@ -165,10 +165,10 @@ def measure_shapes(tree: "PointTree", radius: float, max_nn: int | None) -> dict
     sums = sum_neighbor_moments(around)
     shapes = Shapes(tree.source.size, tree.device)
     if max_nn is None:
-        ends = full(tree.count, around.reach, float32, tree.device)
+        ends = full(tree.count, around.max_sqdist, float32, tree.device)
     else:
         ends = empty(tree.count, float32, tree.device)
-        around.visit(find_ends_kernel, around.places, [max_nn, around.reach, ends])
+        around.visit(find_ends_kernel, around.positions, [max_nn, around.max_sqdist, ends])
     launch(measure_shapes_kernel, tree.count, [sums, ends, tree.order, shapes])
     return {name: getattr(shapes, name) for name in ("eigenvalues", *SHAPES)}
 

@@ -34,8 +34,8 @@ from ..lang import (
     vector,
 )
 from ..memory import cast, download, empty, zeros
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
-from ..search.neighbor_limits import Neighborhood, hold_members, members_of, neighbors_of
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
+from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of, store_members
 from ..search.point_tree import LEAF
 from .pair_angles import BIN_BITS, BIN_MASK, BINS, COLUMNS, MIDDLE, quick_bins, resolved_bins
 
@@ -68,7 +68,7 @@ def bin_listed(
         first = chunk * LEAF
         last = stored - 1
         for j in range(LEAF):
-            other = key_index(held_key(scratch, base, min(first + j, last)))
+            other = key_index(stored_key(scratch, base, min(first + j, last)))
             q = neighborhood.tree.points[other]
             m = normals[other]
             dx[j] = q[0] - p[0]
@@ -80,7 +80,7 @@ def bin_listed(
         for j in range(LEAF):
             pairs[j] = quick_bins(vec3(dx[j], dy[j], dz[j]), n, vec3(mx[j], my[j], mz[j]))
         for j in range(min(LEAF, last - first + 1)):
-            key = held_key(scratch, base, first + j)
+            key = stored_key(scratch, base, first + j)
             if key <= limit:
                 other = key_index(key)
                 bins = resolved_bins(pairs[j], p, n, neighborhood.tree.points[other], normals[other])
@@ -346,7 +346,7 @@ def sum_histograms_of_lanes_kernel(
     i = tid()
     first = part.first + (i // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
-        stored = hold_members(i, group, ranks, neighborhood, scratch)
+        stored = store_members(i, group, ranks, neighborhood, scratch)
         sync_lanes()
         for owner in range(min(WARP, ranks.shape[0] - group * WARP)):
             member = group * WARP + owner
@@ -415,8 +415,8 @@ def compute_features(
         return _compute_chosen(tree, sorted_normals, radius, max_nn, rows)
     features = empty((n, COLUMNS), float32, device)
     neighborhood = Neighborhood(tree, radius, max_nn)
-    histograms = count_angles(neighborhood, sorted_normals, neighborhood.places)
-    sum_histograms(neighborhood, histograms, neighborhood.places, tree.order, features)
+    histograms = count_angles(neighborhood, sorted_normals, neighborhood.positions)
+    sum_histograms(neighborhood, histograms, neighborhood.positions, tree.order, features)
     launch(fill_missing_features_kernel, n - tree.count, [tree.order, tree.count, features])
     return features
 

@@ -9,11 +9,11 @@ from ..arrays.packed_keys import key_index
 from ..arrays.select import positions_of
 from ..lang import array, float64, func, int32, int64, kernel, launch, reduce, reduction, sqrt, tid, uint8, vec3, vector
 from ..memory import download, empty, zeros
-from ..search.bucket_walk import points_in_reach
+from ..search.bucket_walk import points_within
 from ..search.nearest_point import find_nearest
 from ..search.neighbor_limits import Neighborhood
 from ..search.point_tree import BUCKET, PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from ..surface.neighbor_moments import sum_neighbor_moments
 
 SALIENT_SPACINGS = 6.0  # Open3D's default radii, in mean nearest neighbor distances
@@ -81,7 +81,7 @@ def keep_maxima_kernel(
     own = saliency[rank] + tie
     neighbor_count = 0
     bound = sqradius
-    for j, sqdist in points_in_reach(rank // BUCKET, tree.points[rank], bound, tree):
+    for j, sqdist in points_within(rank // BUCKET, tree.points[rank], bound, tree):
         neighbor_count += 1
         if saliency[j] > own:
             bound = float(NOWHERE)  # ends the traversal
@@ -115,6 +115,6 @@ def find_iss_keypoints(
     launch(measure_saliency_kernel, tree.count, [sums, *shape, saliency, salient])
     ranks = positions_of(salient)  # sync
     keypoints = zeros(tree.source.size, uint8, tree.device)
-    search = [ranks, tree, reach_of(non_max_radius), min_neighbors]
+    search = [ranks, tree, squared_radius(non_max_radius), min_neighbors]
     launch(keep_maxima_kernel, ranks.size, [*search, TIE * square, saliency, keypoints])
     return positions_of(keypoints)  # sync

@@ -27,10 +27,10 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 
 MIN_NEIGHBORS = 4.0  # including the point itself. With fewer, noise dominates the gradient
 FLATTEST = 1.0e-6  # of the squared neighborhood length: thinner ones (1:1000) determine one direction
@@ -112,7 +112,7 @@ def fit_gradients_kernel(
             v = cross(n / length, u)
             total = plane_sums(0.0)
             for j in range(size):
-                q = key_index(held_key(scratch, base, j))
+                q = key_index(stored_key(scratch, base, j))
                 total = add_difference(total, tree.points[q] - p, intensities[q] - intensities[rank], u, v)
             gradients[tree.order[rank]] = narrow(solve_gradient(total, u, v))
 
@@ -135,6 +135,6 @@ def estimate_color_gradients(
     sorted_normals, sorted_intensities = empty(count, vec3, device), empty(count, float32, device)
     launch(gather_vec3_kernel, count, [normals, tree.order, sorted_normals])
     launch(gather_intensities_kernel, count, [intensities, tree.order, sorted_intensities])
-    arguments = [reach_of(radius), sorted_normals, sorted_intensities, gradients]
+    arguments = [squared_radius(radius), sorted_normals, sorted_intensities, gradients]
     launch_over_leaves(fit_gradients_kernel, tree, max_nn, arguments)
     return intensities, gradients

@@ -32,7 +32,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from ..search.bucket_walk import next_step, start_walk, walk
+from ..search.bucket_walk import next_step, start_traversal, traversal
 from ..search.lane_search import nearby_children, nearby_nodes, sqdist_of
 from ..search.nearest_point import closest_leaf, lane_distances, lane_numbers
 from ..search.point_forest import HEIGHTS, PointForest, find_bucket_of, next_bucket_of
@@ -144,7 +144,7 @@ def leaves_nearer(bucket: int, a: vec3, b: vec3, limit: float, target: int, fore
     """Leaves (bucket record, leaf) nearer to the box (a, b) than the squared `limit`, which may shrink."""
     root = forest.roots[target]
     first_bucket = forest.levels[target * HEIGHTS]
-    step = start_walk(bucket)
+    step = start_traversal(bucket)
     while int(step[0]) <= root:
         record = first_bucket + int(step[2])
         distances = measure_boxes(forest.boxes, record, a, b)
@@ -295,7 +295,9 @@ def match_points_kernel(matches: Matches, forest: PointForest):
 
 
 @cuda_func
-def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, target: int, forest: PointForest) -> walk:
+def next_bucket_of_lanes(
+    step: traversal, a: vec3, b: vec3, bound: float, target: int, forest: PointForest
+) -> traversal:
     nodes = target * HEIGHTS
     return next_step(step, forest.roots[target], partial(nearby_nodes, forest.levels, nodes, forest.boxes, a, b, bound))
 
@@ -352,7 +354,7 @@ def match_lanes_kernel(matches: Matches, forest: PointForest):
         b = high_of_eight(high)
         widest = max_of_eight(limit)
         first_bucket = forest.levels[shared * HEIGHTS]
-        step = start_walk(shuffle(bucket, leader))
+        step = start_traversal(shuffle(bucket, leader))
         while int(step[0]) <= forest.roots[shared]:
             record = first_bucket + int(step[2])
             near = nearby_children(forest.boxes, record, a, b, widest)

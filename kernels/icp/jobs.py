@@ -82,4 +82,4 @@ def sum_moments(points: array(dtype=vec3)) -> first_moments:
 @func
 def source_position(i: int, jobs: Jobs) -> int:
     job = jobs.group_jobs[i // LEAF]
-    return jobs.sources.first_places[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF
+    return jobs.sources.first_positions[jobs.job_sources[job]] + i - jobs.job_groups[job] * LEAF

@@ -8,7 +8,7 @@ from ..array_types import AnyArray, Points
 from ..lang import array, float32, float64, func, int32, mat44d, struct, vec3, vec3d
 from ..memory import full
 from ..search.point_tree import LEAF
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from .jobs import Jobs, source_position
 
 if TYPE_CHECKING:
@@ -39,7 +39,7 @@ class Matches:
 
     def __init__(self, jobs: Jobs, states: "SideBySide", max_distance: float, targets: Points) -> None:
         device, elements = jobs.device, jobs.group_count * LEAF
-        self.jobs, self.targets, self.max_sqdist = jobs, targets, min(reach_of(max_distance), LARGEST_SQDIST)
+        self.jobs, self.targets, self.max_sqdist = jobs, targets, min(squared_radius(max_distance), LARGEST_SQDIST)
         for name in ("poses", "earlier", "live", "margins"):
             setattr(self, name, states.arrays[name])
         self.nearest, self.pairs = (full(elements, NO_PAIR, int32, device) for _ in range(2))

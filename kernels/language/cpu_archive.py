@@ -50,7 +50,7 @@ def name_of(module: str) -> str:
 
 
 def entry_of(module: str, kernel: str) -> list[Any] | None:
-    """Fields of `kernel_cache.CachedKernel` of a kernel, the last one the path of its machine code. None if there is none."""
+    """Fields of the CachedKernel of a kernel, with the path of its machine code last. None if there is none."""
     kernels, machine_code = _read(module)
     return [*kernels[kernel], machine_code] if kernel in kernels else None
 

@@ -1,6 +1,6 @@
 """Named loops (`@loop` generators), inlined before compilation.
 
-`for j in points_in_reach(...)` is replaced by the generator's code, with the body in place of `yield`. Arguments that
+`for j in points_within(...)` is replaced by the generator's code, with the body in place of `yield`. Arguments that
 are names stay the caller's variables: the loop sees changes by the body. Callbacks are resolved in the same pass.
 """
 

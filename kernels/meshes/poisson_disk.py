@@ -29,7 +29,7 @@ from ..lang import (
     tid,
 )
 from ..memory import check_room, download, empty, full, zeros
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
 
@@ -77,13 +77,13 @@ class Elimination:
         self.firsts, self.lasts = (empty(count, int32, device) for _ in range(2))
         self.lists, self.shares = (empty(count * room, int32, device) for _ in range(2))
         lacking = zeros(1, int32, device)
-        near.visit(list_neighbors_kernel, near.places, [room, self, lacking])
+        near.visit(list_neighbors_kernel, near.positions, [room, self, lacking])
         return not download(lacking)[0]  # sync
 
     def _list_counted(self, near: Neighborhood) -> None:
         device, count = self.tree.device, self.tree.count
         counts = empty(count, int32, device)
-        near.visit(count_neighbors_kernel, near.places, [counts])
+        near.visit(count_neighbors_kernel, near.positions, [counts])
         total = sum_counts(counts)  # sync
         if total > MAX_PAIRS:
             raise CrowdedError(total)
@@ -91,7 +91,7 @@ class Elimination:
         starts = offsets_of(counts)
         self.firsts, self.lasts = starts[:count], starts[1:]
         self.lists, self.shares = (empty(total, int32, device) for _ in range(2))
-        near.visit(list_neighbors_kernel, near.places, [0, self, zeros(1, int32, device)])
+        near.visit(list_neighbors_kernel, near.positions, [0, self, zeros(1, int32, device)])
 
     def round(self) -> None:
         launch(find_peaks_kernel, self.tree.count, [self])
@@ -159,7 +159,7 @@ def list_neighbors_kernel(
                 count = 0
                 atomic_max(lacking, 0, 1)
             for slot in range(count):
-                key = held_key(scratch, base, slot)
+                key = stored_key(scratch, base, slot)
                 if key_index(key) != rank:
                     share = pair_weight(key_number(key), samples.widest, samples.gain)
                     samples.lists[at] = key_index(key)

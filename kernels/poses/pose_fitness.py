@@ -37,11 +37,11 @@ from ..lang import (
 )
 from ..linear_algebra import norm
 from ..memory import copy, download, empty, full, zeros
-from ..search.bucket_walk import next_bucket, start_walk, walk
+from ..search.bucket_walk import next_bucket, start_traversal, traversal
 from ..search.hilbert_order import HilbertOrder
 from ..search.nearest_point import NO_POINT, find_nearest, lane_numbers
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, find_bucket, measure_boxes
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from .pair_fits import MIN_PAIRS, SUMS
 
 CPU_RUN, CUDA_RUN = 16, 1  # groups of LEAF points per thread: few atomics on the CPU, many threads on CUDA
@@ -84,7 +84,7 @@ class PoseFitness:
             return
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         runs = -(-self.source.size // (LEAF * run))
-        launch(count_matched_kernel, poses.size * runs, [self, run, poses, wanted, reach_of(distance), counts])
+        launch(count_matched_kernel, poses.size * runs, [self, run, poses, wanted, squared_radius(distance), counts])
 
     def match(self, pose: Poses, distance: float) -> Array1[Any]:
         """Sums of `fit_pose` over all matches under one pose, about the centers, then of squared distances [m^2]."""
@@ -232,7 +232,7 @@ def count_matched_kernel(
         if isfinite(a) and isfinite(b):
             for j in range(size, LEAF):
                 matched[j] = 1
-            step = start_walk(find_bucket(vec3(xs[0], ys[0], zs[0]), fitness.tree))
+            step = start_traversal(find_bucket(vec3(xs[0], ys[0], zs[0]), fitness.tree))
             while int(step[0]) <= fitness.tree.root:
                 bucket = int(step[2])
                 distances = measure_boxes(fitness.tree.boxes, bucket, a, b)
@@ -245,7 +245,7 @@ def count_matched_kernel(
                 if missing > 0:
                     step = next_bucket(step, a, b, sqradius, fitness.tree)
                 else:
-                    step = walk(int64(fitness.tree.root + 1), 0, 0, 0)
+                    step = traversal(int64(fitness.tree.root + 1), 0, 0, 0)
             total += count_flags(matched) - (LEAF - size)
     if total > 0:
         atomic_add(counts, i // runs, total)

@@ -36,7 +36,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty
-from ..search.bucket_walk import children_in_reach, next_step, start_walk, walk
+from ..search.bucket_walk import level_children_within, next_step, start_traversal, traversal
 from ..search.point_tree import FAN, measure_boxes
 from .triangle_sides import UNSURE, ExactSides, exact_side_of_line, exact_side_of_plane, side_of_line, side_of_plane
 from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
@@ -246,9 +246,9 @@ def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -
 
 
 @func
-def next_bucket_touching(step: walk, a: vec3, b: vec3, tree: TriangleTree) -> walk:
+def next_bucket_touching(step: traversal, a: vec3, b: vec3, tree: TriangleTree) -> traversal:
     """Advance to the next node of level 0 whose box touches the box (a, b)."""
-    return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, 0.0))
+    return next_step(step, tree.root, partial(level_children_within, tree.levels, 0, tree.boxes, a, b, 0.0))
 
 
 @func
@@ -301,7 +301,7 @@ def find_partners(
     if tree.count > 0 and isfinite(p) and isfinite(q) and isfinite(r):
         a = vec3(min(p[0], min(q[0], r[0])), min(p[1], min(q[1], r[1])), min(p[2], min(q[2], r[2])))
         b = vec3(max(p[0], max(q[0], r[0])), max(p[1], max(q[1], r[1])), max(p[2], max(q[2], r[2])))
-        step = start_walk(0)
+        step = start_traversal(0)
         leaves = int(FAN)
         lanes = int(LEAF)
         while int(step[0]) <= tree.root:

@@ -39,7 +39,7 @@ from ..lang import (
     vector,
 )
 from ..memory import full
-from ..search.bucket_walk import byte_place
+from ..search.bucket_walk import byte_shift
 from ..search.hilbert_order import order_in_box
 from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES, measure_boxes
 from .triangle_bounds import SMALLEST, bound_distance, load_corners, measure_place, reach_of
@@ -118,7 +118,7 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
     sqdist = float64(-1.0)  # and the exact one if it was needed
     level = tree.root
     node = 0
-    pending = int64(EVERY) << byte_place(level)  # one byte per level from 1 on: pending children
+    pending = int64(EVERY) << byte_shift(level)  # one byte per level from 1 on: pending children
     distance = float(INFINITY)
     above = float(INFINITY)  # distances of the node of level 1
     if searching == 1:
@@ -149,12 +149,12 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
                         if level == 0:
                             above = distance
                         else:
-                            pending = pending & ~(int64(1 << child) << byte_place(level + 1))
-                            pending = pending | (int64(EVERY) << byte_place(level))
+                            pending = pending & ~(int64(1 << child) << byte_shift(level + 1))
+                            pending = pending | (int64(EVERY) << byte_shift(level))
                 elif level < tree.root:
                     level += 1
                     node = node >> GROUP_BITS
-                    left = int(pending >> byte_place(level)) & BYTE
+                    left = int(pending >> byte_shift(level)) & BYTE
                 else:
                     searching = 0
                     moving = 0
@@ -280,12 +280,12 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
     best = near + vec4d(0.0, 0.0, 0.0, 0.0)
     level = tree.root
     node = 0
-    pending = int64(EVERY) << byte_place(level)  # one byte per level: pending children
+    pending = int64(EVERY) << byte_shift(level)  # one byte per level: pending children
     if level == 0:
         best = measure_bucket(0, q, tree, scale, best)
         level = 1
     while level <= tree.root:
-        left = int(pending >> byte_place(level)) & BYTE
+        left = int(pending >> byte_shift(level)) & BYTE
         chosen = -1
         if left != 0:
             distances = measure_boxes(tree.boxes, tree.levels[level] + node, q, q)
@@ -294,17 +294,17 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
             if ((left >> j) & 1) == 1 and distances[j] <= reach:
                 chosen = j
         if chosen < 0:
-            pending = pending & ~(int64(EVERY) << byte_place(level))
+            pending = pending & ~(int64(EVERY) << byte_shift(level))
             level += 1
             node = node // FAN
         else:
-            pending = pending & ~(int64(1 << chosen) << byte_place(level))
+            pending = pending & ~(int64(1 << chosen) << byte_shift(level))
             if level == 1:
                 best = measure_bucket(node * FAN + chosen, q, tree, scale, best)
             else:
                 node = node * FAN + chosen
                 level -= 1
-                pending = pending | (int64(EVERY) << byte_place(level))
+                pending = pending | (int64(EVERY) << byte_shift(level))
     return best
 
 

@@ -42,7 +42,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, upload, zeros
-from ..search.bucket_walk import BYTE, byte_place
+from ..search.bucket_walk import BYTE, byte_shift
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, FAN, LARGEST_SQDIST, LEAF, SIDES, PointTree, measure_boxes, square_distance
 from .alpha_predicates import EXACT_BITS, Predicates, ball, is_within_radius, offset_of, side_of_sphere, sphere_through
@@ -337,10 +337,10 @@ def grow_star(
                 if level == 0:
                     leaves = inside
                 else:
-                    pending = pending | (int64(inside) << byte_place(level))
+                    pending = pending | (int64(inside) << byte_shift(level))
             left = leaves
             if level > 0:
-                left = int(pending >> byte_place(level)) & BYTE
+                left = int(pending >> byte_shift(level)) & BYTE
             lowest = left & (-left)
             if left == 0:
                 level += 1
@@ -350,7 +350,7 @@ def grow_star(
                 low = node * BUCKET + bit_count(lowest - 1) * LEAF
                 count = min(LEAF, tree.count - low)
             else:
-                pending = pending ^ (int64(lowest) << byte_place(level))
+                pending = pending ^ (int64(lowest) << byte_shift(level))
                 node = node * FAN + bit_count(lowest - 1)
                 level = level - 1
                 entering = 1

@@ -43,7 +43,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty, fill
-from ..search.bucket_walk import points_in_reach
+from ..search.bucket_walk import points_within
 from ..search.neighbor_keys import keep_nearest
 from ..search.point_tree import BUCKET, PointTree
 
@@ -415,7 +415,7 @@ def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base:
     """List up to `room` neighbors of a point by distance. Return their total number."""
     p = points.tree.points[place]
     held = 0
-    for j, sqdist in points_in_reach(place // BUCKET, p, points.reach, points.tree):
+    for j, sqdist in points_within(place // BUCKET, p, points.reach, points.tree):
         if j != place:
             if held < scratch.room:
                 scratch.keys[2 * base + held] = pack_key(sqdist, j)

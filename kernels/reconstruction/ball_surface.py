@@ -35,7 +35,7 @@ from ..meshes.mesh_edits import gather_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from ..sampling.duplicates import first_occurrences, same_point
 from ..search.point_tree import PointTree
-from ..search.tree_search import count_within_kernel, reach_of
+from ..search.tree_search import count_within_kernel, squared_radius
 from .ball_faces import BallPoints, list_faces
 
 REFUSED, UNDECIDED, TAKEN = 0, 1, 2
@@ -315,7 +315,7 @@ def count_around(tree: PointTree, places: Indices, radius: float) -> float:
     size = -(-places.size // step)
     sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
     launch(sample_points_kernel, size, [tree.points, places, step, sample])
-    launch(count_within_kernel, size, [sample, positions(size, tree.device), tree, reach_of(radius), counts])
+    launch(count_within_kernel, size, [sample, positions(size, tree.device), tree, squared_radius(radius), counts])
     return float(download(counts).mean())  # sync
 
 

@@ -50,11 +50,11 @@ from .alignment_rows import (
     row_sums,
     sum_alignment_rows,
 )
-from .check_rows import INLIER_REACH, sum_verdict, verdict_sums
+from .check_rows import INLIER_LIMIT, consistency_sums, sum_consistency
 from .level_copies import copy_levels_kernel
 from .pyramid import FrameLevels
 from .seen_pixels import (
-    REACH_SHARE,
+    SLOPE_MARGIN,
     axis,
     brightness_row,
     depth_noise,
@@ -153,7 +153,7 @@ def sum_certainty(
         if at >= 0:
             there = target.depth[at]
         noise = depth_noise(p[2])
-        if there > 0.0 and abs(p[2] - there) < INLIER_REACH * (noise + REACH_SHARE * p[2]):
+        if there > 0.0 and abs(p[2] - there) < INLIER_LIMIT * (noise + SLOPE_MARGIN * p[2]):
             count = 1.0
             plane = target.planes[at]
             inside = is_inside(at, margin, other, target)
@@ -161,9 +161,9 @@ def sum_certainty(
                 j = surface_row(p, plane)
                 g = j * (surface_share / (noise * noise))
             if source.brightness[i] >= 0.0 and brightness_share > 0.0 and inside == 1:
-                look = seen_brightness(u, v, other, target)
-                if look[1] * look[1] + look[2] * look[2] > MIN_SLOPE * MIN_SLOPE:
-                    k = brightness_row(p, look, other, target)
+                sample = seen_brightness(u, v, other, target)
+                if sample[1] * sample[1] + sample[2] * sample[2] > MIN_SLOPE * MIN_SLOPE:
+                    k = brightness_row(p, sample, other, target)
                     weight = 1.0 / (SHADE_NOISE * SHADE_NOISE)
                     if margin > 0:
                         weight = scales[1] * ALIKE
@@ -195,8 +195,8 @@ def damped_solution(total: row_sums) -> vec6d:
 
 
 @func
-def bounded(value: float64, least: float64, most: float64) -> float64:
-    return min(max(value, least), most)
+def bounded(value: float64, low: float64, high: float64) -> float64:
+    return min(max(value, low), high)
 
 
 @func
@@ -229,9 +229,9 @@ def learn_noise(total: row_sums, state: AlignmentState):
         state.scales[0] = float(1.0 / variance)
     count = total[BRIGHTNESS_COUNT]
     if count > float64(MIN_PIXELS):
-        least = float64(MIN_SHADE_NOISE) * float64(MIN_SHADE_NOISE)
-        most = float64(MAX_SHADE_NOISE) * float64(MAX_SHADE_NOISE)
-        state.scales[1] = float(1.0 / bounded(total[BRIGHTNESS_ERROR] / count, least, most))
+        low = float64(MIN_SHADE_NOISE) * float64(MIN_SHADE_NOISE)
+        high = float64(MAX_SHADE_NOISE) * float64(MAX_SHADE_NOISE)
+        state.scales[1] = float(1.0 / bounded(total[BRIGHTNESS_ERROR] / count, low, high))
         weight = total[SHADES]
         source = total[SHADES + 1] / weight
         target = total[SHADES + 2] / weight
@@ -261,17 +261,17 @@ def step_alignment_kernel(
         done = 1
     else:
         x = damped_solution(total)
-        turned = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
+        rotated = sqrt(x[0] * x[0] + x[1] * x[1] + x[2] * x[2])
         moved = sqrt(x[3] * x[3] + x[4] * x[4] + x[5] * x[5])
-        if turned < 1.0 and moved < 2.0:  # otherwise (or NaN) the step is rejected
+        if rotated < 1.0 and moved < 2.0:  # otherwise (or NaN) the step is rejected
             pose = multiply44(small_motion(x), pose)
             state.pose[0] = pose
             limit = float64(rules.short_step) / float64(source.lenses[level][0])
-            if taken > 1 and turned < limit and moved < limit:
+            if taken > 1 and rotated < limit and moved < limit:
                 done = 1
         else:
             done = 1
-    if taken >= state.most_steps[level]:
+    if taken >= state.max_steps[level]:
         done = 1
     if done == 1:
         state.live[level] = 0
@@ -293,51 +293,51 @@ def begin_alignment_kernel(source: FrameLevels, level: int, state: AlignmentStat
     set_warps(level, source, state.pose[i], state.warps)
 
 
-MAX_KEPT = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
-KEPT = ("verdict", "certainty", "firm")
+MAX_CACHED = 8  # loops: 24 B per level pixel of both frames, 5 MB for VGA
+SUM_NAMES = ("consistency", "certainty", "firm")
 EDGE = 27.0  # 1/27 of the columns (3 px of 80): margin at surface edges, for plane windows and rounding
 
 
 @kernel
-def keep_sums_kernel(
-    verdict: array(dtype=verdict_sums),
+def copy_sums_kernel(
+    consistency: array(dtype=consistency_sums),
     certainty: array(dtype=certainty_sums),
     firm: array(dtype=certainty_sums),
-    kept_verdict: array(dtype=verdict_sums),
-    kept_certainty: array(dtype=certainty_sums),
-    kept_firm: array(dtype=certainty_sums),
+    consistency_copy: array(dtype=consistency_sums),
+    certainty_copy: array(dtype=certainty_sums),
+    firm_copy: array(dtype=certainty_sums),
 ):
     """Copy them beside the pose for a single sync. One thread."""
     i = tid()
-    kept_verdict[i] = verdict[i]
-    kept_certainty[i] = certainty[i]
-    kept_firm[i] = firm[i]
+    consistency_copy[i] = consistency[i]
+    certainty_copy[i] = certainty[i]
+    firm_copy[i] = firm[i]
 
 
 @dataclasses.dataclass
 class Alignment:
     """Result: T_target_source; `scales`: inverse variances of surface and brightness, gain, offset; `sums` of the last
-    step; `verdict` and `certainty` sums; `firm`: the latter without surface edges.
+    step; `consistency` and `certainty` sums; `firm`: the latter without surface edges.
     """
 
     pose: np.ndarray
     steps: int
     scales: np.ndarray
     sums: np.ndarray
-    verdict: np.ndarray
+    consistency: np.ndarray
     certainty: np.ndarray
     firm: np.ndarray
 
 
 def first_state(
-    source: "FrameLevels", pose: np.ndarray, most_steps: Sequence[int], first_level: int, last: int
+    source: "FrameLevels", pose: np.ndarray, max_steps: Sequence[int], first_level: int, last: int
 ) -> dict[str, tuple[np.ndarray, Any]]:
     """Initial arrays of the AlignmentState and results, for SideBySide."""
     levels = source.count
     live = np.zeros(levels, np.int64)
     live[last] = 1
     steps = np.zeros(levels, np.int64)
-    steps[first_level : last + 1] = most_steps
+    steps[first_level : last + 1] = max_steps
     return {
         "pose": (pose[None], mat44d),
         "counts": (np.array([last, 0, 0, 0]), int32),
@@ -345,16 +345,16 @@ def first_state(
         "sums": (np.zeros((levels, len(row_sums(0.0)))), row_sums),
         "running": (np.array([1]), int32),
         "live": (live, int32),
-        "most_steps": (steps, int32),
+        "max_steps": (steps, int32),
         "warps": (np.zeros((3, 4)), vec4),
-        "verdict": (np.zeros((1, len(verdict_sums(0.0)))), verdict_sums),
+        "consistency": (np.zeros((1, len(consistency_sums(0.0)))), consistency_sums),
         "certainty": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
         "firm": (np.zeros((1, len(certainty_sums(0.0)))), certainty_sums),
     }
 
 
 class Descent:
-    """Loop over the levels of two frames. With `is_kept` it copies frames into its own, reusing the CUDA graph."""
+    """Loop over the levels of two frames. With `is_cached` it copies frames into its own, reusing the CUDA graph."""
 
     def __init__(
         self,
@@ -363,41 +363,41 @@ class Descent:
         rules: AlignmentRules,
         begin: dict[str, tuple[np.ndarray, Any]],
         *,
-        is_kept: bool,
+        is_cached: bool,
     ) -> None:
-        self._is_kept = is_kept
-        self.source, self.target = (source.like(), target.like()) if is_kept else (source, target)
-        self.kept = SideBySide(begin, source.device)
-        state = self.state = AlignmentState(self.kept.arrays)
-        sums, blocks = self.kept.arrays["sums"], SegmentBlocks(source.firsts, source.counts, source.device)
+        self._is_cached = is_cached
+        self.source, self.target = (source.like(), target.like()) if is_cached else (source, target)
+        self.buffers = SideBySide(begin, source.device)
+        state = self.state = AlignmentState(self.buffers.arrays)
+        sums, blocks = self.buffers.arrays["sums"], SegmentBlocks(source.firsts, source.counts, source.device)
         partials = empty(blocks.count, row_sums, source.device)
 
-        def turn() -> None:
+        def iterate() -> None:
             arguments = [self.source, self.target, rules, state]
             reduce_segments(sum_alignment_rows, blocks, state.live, arguments, partials, sums)
             launch(step_alignment_kernel, 1, [self.source, rules, sums, state])
 
-        self._loop = DeviceLoop(state.running, turn)
+        self._loop = DeviceLoop(state.running, iterate)
 
     def run(
         self, source: "FrameLevels", target: "FrameLevels", begin: dict[str, tuple[np.ndarray, Any]], last: int
     ) -> None:
         """Align a source to a target. The pose is in `state`."""
-        if self._is_kept:
-            self.kept.rewrite(begin)
+        if self._is_cached:
+            self.buffers.rewrite(begin)
             for levels, own in ((source, self.source), (target, self.target)):
                 launch(copy_levels_kernel, own.total, [levels, own])
         launch(begin_alignment_kernel, 1, [self.source, last, self.state])
         self._loop.run()
 
 
-_descents: LruCache[Descent] = LruCache(MAX_KEPT)  # on GPUs, by frame sizes and rules
-_turn = threading.Lock()
+_descents: LruCache[Descent] = LruCache(MAX_CACHED)  # on GPUs, by frame sizes and rules
+_lock = threading.Lock()
 
 
 def clear_descents() -> None:
-    """Release GPU memory kept for further alignments: levels of two frames, MAX_KEPT times."""
-    with _turn:
+    """Release GPU memory cached for further alignments: levels of two frames, MAX_CACHED times."""
+    with _lock:
         _descents.clear()
 
 
@@ -411,16 +411,16 @@ def _descent_of(
     """A cached unused descent for two frames, or a new one."""
     device = source.device
     if not device.is_cuda:
-        yield Descent(source, target, rules, begin, is_kept=False)
+        yield Descent(source, target, rules, begin, is_cached=False)
         return
     sizes = [tuple(levels.sizes.reshape(-1).tolist()) for levels in (source, target)]
     key = (device.alias, *sizes, *vars(rules).values())
-    with _turn:
+    with _lock:
         descent = _descents.pop(key)
     if descent is None:
-        descent = Descent(source, target, rules, begin, is_kept=True)
+        descent = Descent(source, target, rules, begin, is_cached=True)
     yield descent
-    with _turn:
+    with _lock:
         _descents.put(key, descent)
 
 
@@ -429,31 +429,31 @@ def align_levels(
     target: "FrameLevels",
     pose: np.ndarray,
     rules: AlignmentRules,
-    most_steps: Sequence[int],
+    max_steps: Sequence[int],
     last: int,
-    verdict_level: int,
+    check_level: int,
 ) -> Alignment:
     """Align two FrameLevels from the start pose T_target_source, from source level `last` down to the first."""
-    begin = first_state(source, pose, most_steps, rules.first_level, last)
+    begin = first_state(source, pose, max_steps, rules.first_level, last)
     with _descent_of(source, target, rules, begin) as descent:
         descent.run(source, target, begin, last)
-        state, kept = descent.state, descent.kept
-        launch(begin_alignment_kernel, 1, [source, verdict_level, state])
-        count = int(source.counts[verdict_level])
-        arguments = [source, target, verdict_level, verdict_level + rules.shift, state.warps, state.scales]
-        verdict = reduce(sum_verdict, count, arguments)
+        state, buffers = descent.state, descent.buffers
+        launch(begin_alignment_kernel, 1, [source, check_level, state])
+        count = int(source.counts[check_level])
+        arguments = [source, target, check_level, check_level + rules.shift, state.warps, state.scales]
+        consistency = reduce(sum_consistency, count, arguments)
         shares = [float(rules.surface_share > 0), float(rules.brightness_share > 0)]  # all nonzero terms
-        edge = max(1, round(float(source.sizes[verdict_level, 0]) / EDGE))
+        edge = max(1, round(float(source.sizes[check_level, 0]) / EDGE))
         certainty = reduce(sum_certainty, count, [*arguments[:4], *shares, 0, *arguments[4:]])
         firm = reduce(sum_certainty, count, [*arguments[:4], *shares, edge, *arguments[4:]])
-        launch(keep_sums_kernel, 1, [verdict, certainty, firm, *(kept.arrays[name] for name in KEPT)])
-        found = kept.download("pose", "counts", "scales", "sums", *KEPT)  # sync
+        launch(copy_sums_kernel, 1, [consistency, certainty, firm, *(buffers.arrays[name] for name in SUM_NAMES)])
+        results = buffers.download("pose", "counts", "scales", "sums", *SUM_NAMES)  # sync
     return Alignment(
-        found["pose"][0].copy(),
-        int(found["counts"][2]),
-        found["scales"].copy(),
-        found["sums"][rules.first_level].copy(),
-        found["verdict"][0].copy(),
-        found["certainty"][0].copy(),
-        found["firm"][0].copy(),
+        results["pose"][0].copy(),
+        int(results["counts"][2]),
+        results["scales"].copy(),
+        results["sums"][rules.first_level].copy(),
+        results["consistency"][0].copy(),
+        results["certainty"][0].copy(),
+        results["firm"][0].copy(),
     )

@@ -9,7 +9,7 @@ from ..array_types import Array1, Integers, Poses, Scalars
 from ..lang import array, dot, float32, float64, func, int32, mat44d, segment_reduction, struct, tid, vec4, vector
 from .pyramid import FrameLevels
 from .seen_pixels import (
-    REACH_SHARE,
+    SLOPE_MARGIN,
     axis,
     brightness_row,
     depth_noise,
@@ -38,27 +38,27 @@ class AlignmentState:
     running: array(dtype=int32)
     live: array(dtype=int32)
     counts: array(dtype=int32)
-    most_steps: array(dtype=int32)
+    max_steps: array(dtype=int32)
     warps: array(dtype=vec4)
     scales: array(dtype=float32)
     pose: array(dtype=mat44d)
 
     def __init__(self, arrays: dict[str, Scalars | Integers | Poses | Array1[vec4] | Array1[Any]]) -> None:
         self.running, self.live, self.counts = arrays["running"], arrays["live"], arrays["counts"]
-        self.most_steps, self.warps, self.scales = arrays["most_steps"], arrays["warps"], arrays["scales"]
+        self.max_steps, self.warps, self.scales = arrays["max_steps"], arrays["warps"], arrays["scales"]
         self.pose = arrays["pose"]
 
 
 @struct
 class AlignmentRules:
-    """Weights: `shift`: target level minus source level; shares of both terms; `reach` in noise deviations; finest
-    `first_level`. A `short_step` [px at 1 m] ends a level.
+    """Weights: `shift`: target level minus source level; shares of both terms; `max_deviation` in noise
+    deviations; finest `first_level`. A `short_step` [px at 1 m] ends a level.
     """
 
     shift: int
     surface_share: float
     brightness_share: float
-    reach: float
+    max_deviation: float
     first_level: int
     short_step: float
 
@@ -67,11 +67,11 @@ class AlignmentRules:
         shift: int,
         surface_share: float,
         brightness_share: float,
-        reach: float,
+        max_deviation: float,
         first_level: int,
         short_step: float,
     ) -> None:
-        self.shift, self.reach, self.first_level = int(shift), float(reach), int(first_level)
+        self.shift, self.max_deviation, self.first_level = int(shift), float(max_deviation), int(first_level)
         self.surface_share, self.brightness_share = float(surface_share), float(brightness_share)
         self.short_step = float(short_step)
 
@@ -124,23 +124,23 @@ def sum_alignment_rows(
         if at >= 0:
             there = target.depth[at]
         noise = depth_noise(p[2])
-        if there > 0.0 and abs(p[2] - there) < rules.reach * (noise + REACH_SHARE * p[2]):
+        if there > 0.0 and abs(p[2] - there) < rules.max_deviation * (noise + SLOPE_MARGIN * p[2]):
             shade = source.brightness[i]
             if shade >= 0.0 and rules.brightness_share > 0.0:
-                look = seen_brightness(u, v, other, target)
-                if look[3] > 0.0:
-                    s = look[0] - shade * state.scales[2] - state.scales[3]
-                    k = brightness_row(p, look, other, target)
+                sample = seen_brightness(u, v, other, target)
+                if sample[3] > 0.0:
+                    s = sample[0] - shade * state.scales[2] - state.scales[3]
+                    k = brightness_row(p, sample, other, target)
                     t = (NU + 1.0) / (NU + s * s * state.scales[1])
                     h = k * (t * state.scales[1] * rules.brightness_share)
                     extra[3] = 1.0
                     extra[4] = t * s * s
                     extra[5] = t
                     extra[6] = t * shade
-                    extra[7] = t * look[0]
+                    extra[7] = t * sample[0]
                     extra[8] = t * shade * shade
-                    extra[9] = t * look[0] * look[0]
-                    extra[10] = t * shade * look[0]
+                    extra[9] = t * sample[0] * sample[0]
+                    extra[10] = t * shade * sample[0]
             plane = target.planes[at]
             if plane[3] < 0.0 and rules.surface_share > 0.0:
                 r = dot(axis(plane), p) - plane[3]

@@ -4,7 +4,7 @@ pose. One behind it is occluded. Normals and brightness must agree where surface
 
 from ..lang import array, dot, float32, float64, func, reduction, tid, vec3, vec4, vector
 from .pyramid import FrameLevels
-from .seen_pixels import REACH_SHARE, axis, depth_noise, moved_point, seen_at, seen_brightness
+from .seen_pixels import SLOPE_MARGIN, axis, depth_noise, moved_point, seen_at, seen_brightness
 
 PIXELS, INSIDE, SEEN, INLIERS, IN_FRONT, BEHIND = 0, 1, 2, 3, 4, 5
 NORMALS, COSINES, AGREEING = 6, 7, 8
@@ -12,28 +12,28 @@ SHADE_COUNT = 9  # then source, target, source^2, target^2, product
 SQUARES, SHADE_SQUARES = 15, 16  # of plane distances [m^2], of brightness differences
 POINTS = 17  # sums of the inliers' target points, then of products above the diagonal
 PLANES, EXCESS = 26, 27  # pixels with a plane, and bounded sum of squares in noise variances
-verdict_sums = vector(28, float64)
-verdict_row = vector(28, float32)
-INLIER_REACH = 4.0  # deviations of the noise
-MAX_EXCESS = 16.0  # per pixel, the squared reach: pixels of thin objects must not dominate
+consistency_sums = vector(28, float64)
+consistency_row = vector(28, float32)
+INLIER_LIMIT = 4.0  # deviations of the noise
+MAX_EXCESS = 16.0  # per pixel, the squared limit: pixels of thin objects must not dominate
 AGREEMENT = 0.8  # cosine between normals of one surface
 
 
 @reduction
-def sum_verdict(
+def sum_consistency(
     source: FrameLevels,
     target: FrameLevels,
     level: int,
     other: int,
     warps: array(dtype=vec4),
     scales: array(dtype=float32),
-) -> verdict_sums:
+) -> consistency_sums:
     """Source pixel's part; `level` and `other` are of source and target."""
     e = tid()
     size = source.layout[level]
     i = size[2] + e
     z = source.depth[i]
-    out = verdict_row(0.0)
+    out = consistency_row(0.0)
     inlier = vec3(0.0)
     if z > 0.0:
         out[PIXELS] = 1.0
@@ -47,7 +47,7 @@ def sum_verdict(
             out[SEEN] = 1.0
             gap = p[2] - there
             noise = depth_noise(p[2])
-            limit = INLIER_REACH * (noise + REACH_SHARE * p[2])
+            limit = INLIER_LIMIT * (noise + SLOPE_MARGIN * p[2])
             if gap < -limit:
                 out[IN_FRONT] = 1.0
             elif gap > limit:
@@ -62,28 +62,28 @@ def sum_verdict(
                     out[PLANES] = 1.0
                     out[EXCESS] = min(r * r / (noise * noise), MAX_EXCESS)
                     if source.planes[i][3] < 0.0:
-                        cosine = dot(turned_normal(source.planes[i], source.lenses[level], warps), axis(plane))
+                        cosine = dot(rotated_normal(source.planes[i], source.lenses[level], warps), axis(plane))
                         out[NORMALS] = 1.0
                         out[COSINES] = cosine
                         if cosine > AGREEMENT:
                             out[AGREEING] = 1.0
                 shade = source.brightness[i]
                 if shade >= 0.0:
-                    look = seen_brightness(u, v, other, target)
-                    if look[3] > 0.0:
-                        s = look[0] - shade * scales[2] - scales[3]
+                    sample = seen_brightness(u, v, other, target)
+                    if sample[3] > 0.0:
+                        s = sample[0] - shade * scales[2] - scales[3]
                         out[SHADE_COUNT] = 1.0
                         out[SHADE_COUNT + 1] = shade
-                        out[SHADE_COUNT + 2] = look[0]
+                        out[SHADE_COUNT + 2] = sample[0]
                         out[SHADE_COUNT + 3] = shade * shade
-                        out[SHADE_COUNT + 4] = look[0] * look[0]
-                        out[SHADE_COUNT + 5] = shade * look[0]
+                        out[SHADE_COUNT + 4] = sample[0] * sample[0]
+                        out[SHADE_COUNT + 5] = shade * sample[0]
                         out[SHADE_SQUARES] = s * s
     return summed(out, inlier)
 
 
 @func
-def turned_normal(plane: vec4, lens: vec4, warps: array(dtype=vec4)) -> vec3:
+def rotated_normal(plane: vec4, lens: vec4, warps: array(dtype=vec4)) -> vec3:
     """Source plane's normal in the target frame, rotated like its lens's rays."""
     a = axis(warps[0])
     b = axis(warps[1])
@@ -92,9 +92,9 @@ def turned_normal(plane: vec4, lens: vec4, warps: array(dtype=vec4)) -> vec3:
 
 
 @func
-def summed(sums: verdict_row, p: vec3) -> verdict_sums:
+def summed(sums: consistency_row, p: vec3) -> consistency_sums:
     """The sums in float64, with an inlier's point and its products."""
-    out = verdict_sums(0.0)
+    out = consistency_sums(0.0)
     for k in range(28):
         out[k] = float64(sums[k])
     for a in range(3):

@@ -9,10 +9,10 @@ from ..lang import array, float32, func, int32, kernel, launch, tid, uint8, vec4
 from ..memory import empty
 
 FERNS = 512  # 2,048 tests, one byte each
-PLACES, SIZES = 0, 1  # streams of random numbers
+PIXEL_STREAM, RATIO_STREAM = 0, 1  # streams of random numbers
 SHALLOWEST, RANGE = 0.4, 4.0  # [m] depth thresholds: minimum and range
 MIN_RATIO, RATIOS = 0.6, 0.9  # ratios of depths or brightnesses: minimum and range
-ANSWERED = 4  # shift of the validity bits
+VALID_SHIFT = 4  # shift of the validity bits
 
 
 @func
@@ -23,13 +23,13 @@ def fern_pixel(share: float, fern: int, stream: int, seed: int, width: int, heig
 
 
 @func
-def answer(place: int, a: float, b: float, ratio: float) -> int:
+def comparison_bits(bit: int, a: float, b: float, ratio: float) -> int:
     """Bits of a test: a exceeds b by a ratio, and validity."""
     bits = 0
     if a > 0.0 and b > 0.0:
-        bits = 1 << (place + ANSWERED)
+        bits = 1 << (bit + VALID_SHIFT)
         if a > b * ratio:
-            bits = bits | (1 << place)
+            bits = bits | (1 << bit)
     return bits
 
 
@@ -46,16 +46,16 @@ def encode_ferns_kernel(
 ):
     """Code of a fern for the image from element `first` on. Brightness below 0 without color."""
     i = tid()
-    u = random_uniform(seed, i, PLACES)
-    w = random_uniform(seed, i, SIZES)
+    u = random_uniform(seed, i, PIXEL_STREAM)
+    w = random_uniform(seed, i, RATIO_STREAM)
     a = first + fern_pixel(u[0], i, 2, seed, width, height)
     b = first + fern_pixel(u[1], i, 3, seed, width, height)
     c = first + fern_pixel(u[2], i, 4, seed, width, height)
     ratios = vec4(w[0], w[1], w[2], w[3]) * RATIOS + vec4(MIN_RATIO, MIN_RATIO, MIN_RATIO, MIN_RATIO)
-    code = answer(0, depth[a], SHALLOWEST + w[0] * RANGE, 1.0)
-    code = code | answer(1, depth[a], depth[b], ratios[1])
-    code = code | answer(2, brightness[a], brightness[b], ratios[2])
-    code = code | answer(3, brightness[b], brightness[c], ratios[3])
+    code = comparison_bits(0, depth[a], SHALLOWEST + w[0] * RANGE, 1.0)
+    code = code | comparison_bits(1, depth[a], depth[b], ratios[1])
+    code = code | comparison_bits(2, brightness[a], brightness[b], ratios[2])
+    code = code | comparison_bits(3, brightness[b], brightness[c], ratios[3])
     codes[offset + i] = uint8(code)
 
 
@@ -73,7 +73,7 @@ def compare_codes_kernel(code: array(dtype=uint8), codes: array(dtype=uint8), co
     for j in range(code.shape[0]):
         x = int(code[j])
         y = int(codes[i * FERNS + j])
-        both = (x & y) >> ANSWERED
+        both = (x & y) >> VALID_SHIFT
         common += count_bits(both)
         different += count_bits((x ^ y) & both)
     counts[i, 0] = common

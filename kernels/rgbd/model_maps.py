@@ -22,13 +22,13 @@ GRAY = 0.5  # color of empty pixels
 
 
 @func
-def whole_of(x: float) -> int:
+def round_half_even(x: float) -> int:
     """Nearest integer of a non-negative number, halves to even."""
     up = floor(x + 0.5)
-    whole = int(up)
-    if up - x == 0.5 and whole % 2 == 1:
-        whole = whole - 1
-    return whole
+    nearest = int(up)
+    if up - x == 0.5 and nearest % 2 == 1:
+        nearest = nearest - 1
+    return nearest
 
 
 @kernel
@@ -38,7 +38,7 @@ def write_colors_kernel(depth: array(dtype=float32), colors: array(dtype=vec3), 
     if depth[i] > 0.0:
         color = colors[i]
     for k in range(3):
-        pixels[i, k] = uint8(whole_of(255.0 * color[k]))
+        pixels[i, k] = uint8(round_half_even(255.0 * color[k]))
 
 
 def colors_of(depth: Scalars, colors: Vectors) -> Array2[uint8]:

@@ -26,13 +26,13 @@ SHORT_NORMAL = 1.0e-5  # [m^2] minimum divisor in Open3D
 
 
 @kernel
-def mark_missing_kernel(depth: array(dtype=float32), least: float, most: float, marked: array(dtype=float32)):
+def mark_missing_kernel(depth: array(dtype=float32), min_depth: float, max_depth: float, marked: array(dtype=float32)):
     i = tid()
     d = depth[i]
-    kept = float(NAN)
-    if d > 0.0 and d >= least and d <= most:
-        kept = d
-    marked[i] = kept
+    value = float(NAN)
+    if d > 0.0 and d >= min_depth and d <= max_depth:
+        value = d
+    marked[i] = value
 
 
 @func
@@ -92,15 +92,15 @@ def spread_holes_kernel(
     i = tid()
     u = i % width
     v = i // width
-    kept = smoothed[i]
+    value = smoothed[i]
     n = int(2)
     for dv in range(-n, n + 1):
         for du in range(-n, n + 1):
             if du * du + dv * dv <= n * n:
                 at = min(max(v + dv, 0), height - 1) * width + min(max(u + du, 0), width - 1)
                 if not isfinite(depth[at]):
-                    kept = NAN
-    spread[i] = kept
+                    value = NAN
+    spread[i] = value
 
 
 @kernel
@@ -120,10 +120,10 @@ def scale_kernel(image: array(dtype=float32), factor: float, scaled: array(dtype
 def fill_missing_kernel(depth: array(dtype=float32), filled: array(dtype=float32)):
     i = tid()
     d = depth[i]
-    kept = 0.0
+    value = 0.0
     if d > 0.0:
-        kept = d
-    filled[i] = kept
+        value = d
+    filled[i] = value
 
 
 @kernel
@@ -179,10 +179,10 @@ def short_normals(depth: Scalars, width: int, height: int, lens: np.ndarray) -> 
     return normals
 
 
-def mark_missing(depth: Scalars, least: float, most: float) -> Scalars:
+def mark_missing(depth: Scalars, min_depth: float, max_depth: float) -> Scalars:
     """Depth with NaN for none or out of range."""
     marked = empty(depth.size, float32, depth.device)
-    launch(mark_missing_kernel, depth.size, [depth, float(least), float(most), marked])
+    launch(mark_missing_kernel, depth.size, [depth, float(min_depth), float(max_depth), marked])
     return marked
 
 

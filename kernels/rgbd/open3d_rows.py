@@ -53,11 +53,11 @@ class Open3DLevel:
 
 @struct
 class Open3DRules:
-    """Odometry variant: LEGACY or TENSOR. COLOR, HYBRID or PLANE; `reach` [m]. Huber limits; roots of term weights."""
+    """Odometry variant: LEGACY or TENSOR. COLOR, HYBRID or PLANE; `max_distance` [m]. Huber limits; weight roots."""
 
     form: int
     method: int
-    reach: float64
+    max_distance: float64
     depth_delta: float64
     shade_delta: float64
     depth_root: float64
@@ -67,13 +67,13 @@ class Open3DRules:
         self,
         form: int,
         method: int,
-        reach: float,
+        max_distance: float,
         depth_delta: float = 0.0,
         shade_delta: float = 0.0,
         depth_root: float = 1.0,
         shade_root: float = 1.0,
     ) -> None:
-        self.form, self.method, self.reach = form, method, reach
+        self.form, self.method, self.max_distance = form, method, max_distance
         self.depth_delta, self.shade_delta = depth_delta, shade_delta
         self.depth_root, self.shade_root = depth_root, shade_root
 
@@ -81,10 +81,10 @@ class Open3DRules:
 @func
 def away_from_zero(x: float64) -> float64:
     """Nearest integer, halves away from zero."""
-    whole = floor(abs(x) + 0.5)
+    nearest = floor(abs(x) + 0.5)
     if x < 0.0:
-        whole = -whole
-    return whole
+        nearest = -nearest
+    return nearest
 
 
 @func
@@ -136,7 +136,7 @@ def with_row(total: open3d_sums, j: vec6d, r: float64) -> open3d_sums:
 
 
 @func
-def whole_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
+def rounded_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
     """Column and row of a target camera point, rounded as in the form, and 1 inside."""
     pu = target.fx * p[0] / p[2] + target.cx
     pv = target.fy * p[1] / p[2] + target.cy
@@ -146,22 +146,24 @@ def whole_pixel(p: vec3d, form: int, target: Open3DLevel) -> vec3d:
     else:
         pu = away_from_zero(pu)
         pv = away_from_zero(pv)
-    wide = float64(target.width) - 0.5
-    high = float64(target.height) - 0.5
+    max_u = float64(target.width) - 0.5
+    max_v = float64(target.height) - 0.5
     inside = float64(0.0)
-    if pu > -float64(0.5) and pv > -float64(0.5) and pu < wide and pv < high:
+    if pu > -float64(0.5) and pv > -float64(0.5) and pu < max_u and pv < max_v:
         inside = 1.0
     return vec3d(pu, pv, inside)
 
 
 @func
-def picture_part(p: vec3d, at: int, gap: float64, own: float64, rules: Open3DRules, target: Open3DLevel) -> open3d_sums:
+def image_part(
+    p: vec3d, at: int, gap: float64, source_shade: float64, rules: Open3DRules, target: Open3DLevel
+) -> open3d_sums:
     """Rows of brightness and, for HYBRID, depth, at target pixel `at`."""
     total = open3d_sums(0.0)
     total[COUNT] = 1.0
-    seen = float64(target.brightness[at])
-    total[SOURCE_SHADE] = own
-    total[TARGET_SHADE] = seen
+    target_shade = float64(target.brightness[at])
+    total[SOURCE_SHADE] = source_shade
+    total[TARGET_SHADE] = target_shade
     d_along = float64(0.0)
     d_down = float64(0.0)
     if rules.method == HYBRID:
@@ -180,7 +182,7 @@ def picture_part(p: vec3d, at: int, gap: float64, own: float64, rules: Open3DRul
         along = float64(SOBEL) * float64(target.along[at])
         down = float64(SOBEL) * float64(target.down[at])
         j = motion_row(p, slope_in_space(p, along, down, target.fx, target.fy)) * rules.shade_root
-        r = rules.shade_root * (seen - own)
+        r = rules.shade_root * (target_shade - source_shade)
         if rules.form == TENSOR:
             total[SQUARES] = total[SQUARES] + bounded_loss(r, rules.shade_delta)
             r = bounded_slope(r, rules.shade_delta)
@@ -213,10 +215,10 @@ def sum_open3d_rows(
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
         if p[2] != 0.0 and (rules.form == LEGACY or p[2] > 0.0):
-            place = whole_pixel(p, rules.form, target)
-            pu = place[0]
-            pv = place[1]
-            if place[2] > 0.0:
+            pixel = rounded_pixel(p, rules.form, target)
+            pu = pixel[0]
+            pv = pixel[1]
+            if pixel[2] > 0.0:
                 at = int(pv) * target.width + int(pu)
                 there = float64(target.depth[at])
                 gap = there - p[2]
@@ -227,12 +229,12 @@ def sum_open3d_rows(
                         qx = (pu - target.cx) * there / target.fx
                         qy = (pv - target.cy) * there / target.fy
                         r = (p[0] - qx) * normal[0] + (p[1] - qy) * normal[1] + (p[2] - there) * normal[2]
-                        if abs(r) <= rules.reach:
+                        if abs(r) <= rules.max_distance:
                             total = with_row(total, motion_row(p, normal), bounded_slope(r, rules.depth_delta))
                             total[SQUARES] = bounded_loss(r, rules.depth_delta)
                             total[COUNT] = 1.0
-                elif abs(gap) <= rules.reach:
-                    total = picture_part(p, at, gap, float64(source_brightness[i]), rules, target)
+                elif abs(gap) <= rules.max_distance:
+                    total = image_part(p, at, gap, float64(source_brightness[i]), rules, target)
     return total
 
 
@@ -241,9 +243,9 @@ information_sums = vector(11, float64)  # pairs, sums of q and of its products a
 
 @reduction
 def sum_open3d_information(
-    source_depth: array(dtype=float32), target: Open3DLevel, pose: mat44d, form: int, reach: float64
+    source_depth: array(dtype=float32), target: Open3DLevel, pose: mat44d, form: int, max_distance: float64
 ) -> information_sums:
-    """Target points of pairs whose depths (LEGACY) or points (TENSOR) are within reach."""
+    """Target points of pairs whose depths (LEGACY) or points (TENSOR) are within `max_distance`."""
     i = tid()
     total = information_sums(0.0)
     z = float64(source_depth[i])
@@ -253,20 +255,20 @@ def sum_open3d_information(
         v = float64(i // target.width)
         p = move(pose, vec3d((u - target.cx) * z / target.fx, (v - target.cy) * z / target.fy, z))
         if p[2] != 0.0 and (form == LEGACY or p[2] > 0.0):
-            place = whole_pixel(p, form, target)
-            pu = place[0]
-            pv = place[1]
-            if place[2] > 0.0:
+            pixel = rounded_pixel(p, form, target)
+            pu = pixel[0]
+            pv = pixel[1]
+            if pixel[2] > 0.0:
                 there = float64(target.depth[int(pv) * target.width + int(pu)])
                 x = (pu - target.cx) * there / target.fx
                 y = (pv - target.cy) * there / target.fy
                 gap = abs(p[2] - there)
                 if form == TENSOR:
                     square = (p[0] - x) * (p[0] - x) + (p[1] - y) * (p[1] - y) + gap * gap
-                    gap = 2.0 * reach
-                    if square <= reach * reach:
+                    gap = 2.0 * max_distance
+                    if square <= max_distance * max_distance:
                         gap = 0.0
-                if gap <= reach:
+                if gap <= max_distance:
                     one = float64(1.0)
                     total = information_sums(
                         one, x, y, there, x * x, x * y, x * there, y * y, y * there, there * there, one

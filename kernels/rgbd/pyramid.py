@@ -198,12 +198,12 @@ def slopes_of(sums: nine, w0: float) -> vec4:
     cuw = sums[7] / n - mu * mw
     cvw = sums[8] / n - mv * mw
     det = cuu * cvv - cuv * cuv
-    found = vec4(0.0, 0.0, 0.0, 0.0)
+    slopes = vec4(0.0, 0.0, 0.0, 0.0)
     if det > 0.1:
         a = (cuw * cvv - cvw * cuv) / det
         b = (cvw * cuu - cuw * cuv) / det
-        found = vec4(a, b, w0 + mw - a * mu - b * mv, 1.0)
-    return found
+        slopes = vec4(a, b, w0 + mw - a * mu - b * mv, 1.0)
+    return slopes
 
 
 @kernel
@@ -268,20 +268,20 @@ def take_normals_kernel(
 
 
 def level_sizes(
-    width: int, height: int, lens: tuple[float, float, float, float], most_pixels: int, least_side: int
+    width: int, height: int, lens: tuple[float, float, float, float], max_pixels: int, min_side: int
 ) -> tuple[list[tuple[int, int]], list[np.ndarray], int]:
-    """(sizes, lenses, initial halvings to `most_pixels`) of an image's levels, finest first; sides >= `least_side`."""
+    """(sizes, lenses, initial halvings to `max_pixels`) of an image's levels, finest first; sides >= `min_side`."""
     sizes, lenses, halvings = [], [], 0
     size, camera = (width, height), np.asarray(lens, np.float64)
     while True:
-        if size[0] * size[1] <= most_pixels or min(size) < 2:
+        if size[0] * size[1] <= max_pixels or min(size) < 2:
             sizes.append(size)
             lenses.append(camera)
         else:
             halvings += 1
         size = (size[0] // 2, size[1] // 2)
         camera = np.concatenate([camera[:2] / 2, (camera[2:] + 0.5) / 2 - 0.5])
-        if min(size) < least_side and sizes:
+        if min(size) < min_side and sizes:
             return sizes, lenses, halvings
 
 
@@ -292,8 +292,8 @@ def make_levels(
     height: int,
     lens: tuple[float, float, float, float],
     *,
-    most_pixels: int,
-    least_side: int,
+    max_pixels: int,
+    min_side: int,
     radius: int,
     normals: Points | None = None,
 ) -> FrameLevels:
@@ -301,7 +301,7 @@ def make_levels(
     [px]; `normals` for the first level if it is the image itself, None fits them.
     """
     device = depth.device
-    sizes, lenses, halvings = level_sizes(width, height, lens, most_pixels, least_side)
+    sizes, lenses, halvings = level_sizes(width, height, lens, max_pixels, min_side)
     levels = FrameLevels(sizes, lenses, device)
     if brightness is None:
         brightness = full(depth.size, NO_COLOR, float32, device)

@@ -9,7 +9,7 @@ row = vector(6, float32)
 NOISE_FLOOR, NOISE_SLOPE = 0.0012, 0.0019  # depth deviation [m] and its growth [1/m] (Nguyen et al. 2012, Kinect)
 NOISE_NEAR = 0.4  # [m] start of the growth
 NEAREST = 1.0e-3  # [m] minimum depth
-REACH_SHARE = 0.01  # of the depth, in addition to noise: slope within a pixel
+SLOPE_MARGIN = 0.01  # of the depth, in addition to noise: slope within a pixel
 
 
 @func
@@ -61,25 +61,25 @@ def seen_brightness(u: float, v: float, level: int, frame: FrameLevels) -> vec4:
     d = frame.brightness[at + size[0] + 1]
     s = u - float(left)
     t = v - float(top)
-    seen = vec4(0.0, 0.0, 0.0, 0.0)
+    sample = vec4(0.0, 0.0, 0.0, 0.0)
     if min(min(a, b), min(c, d)) >= 0.0:
         upper = a + (b - a) * s
         lower = c + (d - c) * s
-        seen = vec4(upper + (lower - upper) * t, (b - a) * (1.0 - t) + (d - c) * t, lower - upper, 1.0)
-    return seen
+        sample = vec4(upper + (lower - upper) * t, (b - a) * (1.0 - t) + (d - c) * t, lower - upper, 1.0)
+    return sample
 
 
 @func
 def surface_row(p: vec3, plane: vec4) -> row:
     n = axis(plane)
-    turn = cross(p, n)
-    return row(turn[0], turn[1], turn[2], n[0], n[1], n[2])
+    moment = cross(p, n)
+    return row(moment[0], moment[1], moment[2], n[0], n[1], n[2])
 
 
 @func
-def brightness_row(p: vec3, look: vec4, level: int, frame: FrameLevels) -> row:
+def brightness_row(p: vec3, sample: vec4, level: int, frame: FrameLevels) -> row:
     lens = frame.lenses[level]
-    a = look[1] * lens[0] / p[2]
-    b = look[2] * lens[1] / p[2]
+    a = sample[1] * lens[0] / p[2]
+    b = sample[2] * lens[1] / p[2]
     c = -(a * p[0] + b * p[1]) / p[2]
     return row(p[1] * c - p[2] * b, p[2] * a - p[0] * c, p[0] * b - p[1] * a, a, b, c)

@@ -14,10 +14,10 @@ from .pyramid import NO_COLOR, luma
 def hide_near_kernel(depth: array(dtype=float32), limit: float, far: array(dtype=float32)):
     i = tid()
     d = depth[i]
-    kept = 0.0
+    value = 0.0
     if d > limit:
-        kept = d
-    far[i] = kept
+        value = d
+    far[i] = value
 
 
 def hide_near(depth: Scalars, limit: float) -> Scalars:
@@ -108,10 +108,12 @@ def sum_motion(now: StreamView, before: StreamView, columns: int, rows: int) -> 
             out[BRIGHT + 3] = float64(x * d)
             out[BRIGHT + 4] = float64(y * d)
     if u > 0 and v > 0 and u < columns - 1 and v < rows - 1 and a > 0.0 and b > 0.0:
-        least = min(min(now.nearness[i + 1], now.nearness[i - 1]), min(before.nearness[i + 1], before.nearness[i - 1]))
-        least = min(least, min(now.nearness[i + columns], now.nearness[i - columns]))
-        least = min(least, min(before.nearness[i + columns], before.nearness[i - columns]))
-        if least > 0.0:
+        minimum = min(
+            min(now.nearness[i + 1], now.nearness[i - 1]), min(before.nearness[i + 1], before.nearness[i - 1])
+        )
+        minimum = min(minimum, min(now.nearness[i + columns], now.nearness[i - columns]))
+        minimum = min(minimum, min(before.nearness[i + columns], before.nearness[i - columns]))
+        if minimum > 0.0:
             x = now.nearness[i + 1] - now.nearness[i - 1] + before.nearness[i + 1] - before.nearness[i - 1]
             y = now.nearness[i + columns] - now.nearness[i - columns]
             y += before.nearness[i + columns] - before.nearness[i - columns]

@@ -1,6 +1,6 @@
 """Points in Morton order with their octree level of detail.
 
-Each voxel at depth d is represented by its point of least priority (a bijection of the index). A point represents its
+Each voxel at depth d is represented by its point of lowest priority (a bijection of the index). A point represents its
 voxel below the longest key prefix shared with a lower-priority point, found by all nearest smaller values (Berkman,
 Schieber and Vishkin 1993) with block minima of 64, 4,096 and 262,144 points. Level L nodes have 128 voxels per axis, so
 level L is depth L + 7. Integers and float64 products only: identical on all devices.
@@ -38,7 +38,7 @@ class Cube:
 
 @struct
 class Minima:
-    """Least priorities of blocks of 64 (`few`), 4,096 (`some`) and 262,144 (`many`) points."""
+    """Minimum priorities of blocks of 64 (`few`), 4,096 (`some`) and 262,144 (`many`) points."""
 
     few: array(dtype=int32)
     some: array(dtype=int32)
@@ -51,9 +51,9 @@ class Minima:
             count = -(-count // BLOCK)
             layers.append(empty(count, int32, device))
         self.few, self.some, self.many = layers
-        launch(find_least_priorities_kernel, self.few.size, [order, self.few])
-        launch(find_least_kernel, self.some.size, [self.few, self.some])
-        launch(find_least_kernel, self.many.size, [self.some, self.many])
+        launch(find_min_priorities_kernel, self.few.size, [order, self.few])
+        launch(find_minima_kernel, self.some.size, [self.few, self.some])
+        launch(find_minima_kernel, self.many.size, [self.some, self.many])
 
 
 @func
@@ -114,40 +114,40 @@ def halve_keys_kernel(
 
 
 @kernel(for_cpu=True)
-def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, places: array(dtype=int64)):
+def pack_highs_kernel(words: array(dtype=int64), highs: array(dtype=int32), shift: int64, packed: array(dtype=int64)):
     """Upper half of the key of each word's point, above the word's position."""
     i = tid()
     index = int(words[i] & ((1 << shift) - 1))
-    places[i] = (int64(highs[index]) << shift) | int64(i)
+    packed[i] = (int64(highs[index]) << shift) | int64(i)
 
 
 @kernel(for_cpu=True)
-def join_halves_kernel(words: array(dtype=int64), shift: int64, places: array(dtype=int64), order: array(dtype=int32)):
+def join_keys_kernel(words: array(dtype=int64), shift: int64, packed: array(dtype=int64), order: array(dtype=int32)):
     """Full key in place of the packed upper half; and the word's point."""
     i = tid()
     mask = (1 << shift) - 1
-    place = places[i]
-    word = words[int(place & mask)]
+    packed_value = packed[i]
+    word = words[int(packed_value & mask)]
     order[i] = int(word & mask)
-    places[i] = ((place >> shift) << int64(LOW_BITS)) | (word >> shift)
+    packed[i] = ((packed_value >> shift) << int64(LOW_BITS)) | (word >> shift)
 
 
 @kernel
-def find_least_priorities_kernel(order: array(dtype=int32), least: array(dtype=int32)):
+def find_min_priorities_kernel(order: array(dtype=int32), minima: array(dtype=int32)):
     i = tid()
-    found = 0x7FFFFFFF
+    minimum = 0x7FFFFFFF
     for j in range(i * BLOCK, min((i + 1) * BLOCK, order.shape[0])):
-        found = min(found, priority(order[j]))
-    least[i] = found
+        minimum = min(minimum, priority(order[j]))
+    minima[i] = minimum
 
 
 @kernel
-def find_least_kernel(values: array(dtype=int32), least: array(dtype=int32)):
+def find_minima_kernel(values: array(dtype=int32), minima: array(dtype=int32)):
     i = tid()
-    found = 0x7FFFFFFF
+    minimum = 0x7FFFFFFF
     for j in range(i * BLOCK, min((i + 1) * BLOCK, values.shape[0])):
-        found = min(found, values[j])
-    least[i] = found
+        minimum = min(minimum, values[j])
+    minima[i] = minimum
 
 
 @func
@@ -161,7 +161,7 @@ def shared_depth(differing: int64) -> int:
 
 
 @func
-def reach_beside(j: int, own: int, before: int, minima: Minima) -> int:
+def count_skippable(j: int, own: int, before: int, minima: Minima) -> int:
     """Points before j (`before` 1) or from j on (0) that can be skipped because all have higher priorities, else 1."""
     size = 1
     if j % BLOCK == 0:
@@ -187,7 +187,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     shift = int64(3 * (DEPTH - NODE_BITS))
     j = int(i)
     while j > 0:
-        size = reach_beside(j, own, 1, minima)
+        size = count_skippable(j, own, 1, minima)
         j = j - size
         differing = key ^ keys[j]
         if (differing >> shift) != 0:
@@ -201,7 +201,7 @@ def find_levels_kernel(order: array(dtype=int32), keys: array(dtype=int64), mini
     if depth == DEPTH:
         j = count
     while j < count:
-        size = reach_beside(j, own, 0, minima)
+        size = count_skippable(j, own, 0, minima)
         j = min(j + size, count)
         differing = key ^ keys[j - 1]
         if (differing >> shift) != 0:
@@ -224,13 +224,13 @@ def sort_by_cell(points: Points | Positions, cube: Cube) -> tuple[LongIntegers, 
     words, highs = empty(count, int64, device), empty(count, int32, device)
     launch(halve_keys_kernel, count, [points, cube, shift, words, highs])
     host_view(words).sort()
-    places = empty(count, int64, device)
-    launch(pack_highs_kernel, count, [words, highs, shift, places])
+    packed = empty(count, int64, device)
+    launch(pack_highs_kernel, count, [words, highs, shift, packed])
     del highs  # frees memory for `order`
-    host_view(places).sort()
+    host_view(packed).sort()
     order = empty(count, int32, device)
-    launch(join_halves_kernel, count, [words, shift, places, order])
-    return places, order
+    launch(join_keys_kernel, count, [words, shift, packed, order])
+    return packed, order
 
 
 def find_levels(

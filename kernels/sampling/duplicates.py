@@ -23,11 +23,11 @@ def coordinate_bits(x: float) -> int64:
 
 @func
 def is_nan(p: vec3) -> int:
-    found = 0
+    result = 0
     for axis in range(3):
         if (int64(float_bits(p[axis])) & int64(MAGNITUDE)) > int64(INFINITE):
-            found = 1
-    return found
+            result = 1
+    return result
 
 
 @func

@@ -38,7 +38,7 @@ UNREACHED = 0x7F80_0000_0000_0000  # key of an infinite distance, without index
 APART = 0x1_0000_0000  # keys >= this are at nonzero distance from all chosen points
 CHOICES = 4096  # per CPU launch: a fraction of a second, so that interrupts are handled
 STEPS = 32  # choices per loop iteration: its end costs as much as one of them
-FEWEST = 2 * STEPS  # minimum choices for a loop. Fewer are launched one by one
+MIN_LOOPED = 2 * STEPS  # minimum choices for a loop. Fewer are launched one by one
 LOOPED = 1 << 16  # choices per loop, a multiple of STEPS: a fraction of a second
 
 
@@ -48,7 +48,7 @@ def index_of(key: int64) -> int:
 
 
 @struct
-class KeptDistances:
+class SampleDistances:
     """Distances of tree points from the chosen ones: `keys` (squared distance [m^2] above the index from the end), 0 in
     padding; `leaf_tops`: largest key per leaf. Sequential only: `tops` of buckets and nodes, `queue`.
     """
@@ -65,94 +65,94 @@ class KeptDistances:
     queue: array(dtype=int32)
     chosen: array(dtype=int64)
     last: int
-    turn: array(dtype=int32)
+    choice: array(dtype=int32)
     running: array(dtype=int32)
 
-    def __init__(self, tree: PointTree, sample_count: int, start: int, in_turn: bool) -> None:
+    def __init__(self, tree: PointTree, sample_count: int, start: int, is_sequential: bool) -> None:
         """Initialize. The first choice is the point of index `start`."""
-        device, node_count = tree.device, tree.boxes.size // SIDES if in_turn else 0
+        device, node_count = tree.device, tree.boxes.size // SIDES if is_sequential else 0
         self.tree, self.points, self.leaf_count = tree, tree.source, -(-tree.count // LEAF)
         self.xs, self.ys, self.zs = (empty(self.leaf_count * LEAF, float32, device) for _ in range(3))
         self.keys = empty(self.leaf_count * LEAF, int64, device)
         self.leaf_tops = full(self.leaf_count, UNREACHED, int64, device)
         self.tops, self.queue = full(node_count, UNREACHED, int64, device), empty(node_count, int32, device)
-        self.last, self.turn, self.running = sample_count - 1, zeros(1, int32, device), full(1, 1, int32, device)
+        self.last, self.choice, self.running = sample_count - 1, zeros(1, int32, device), full(1, 1, int32, device)
         self.chosen = zeros(sample_count + 1, int64, device)
         fill(self.chosen[:1], UNREACHED | (INDEX_MASK - start))
         launch(start_keys_kernel, self.keys.size, [self])
 
 
 @kernel
-def start_keys_kernel(kept: KeptDistances):
+def start_keys_kernel(state: SampleDistances):
     """Coordinates by axis and initial keys; padding is never chosen."""
     i = tid()
     p = vec3(0.0, 0.0, 0.0)
     key = int64(0)
-    if i < kept.tree.count:
-        p = kept.tree.points[i]
-        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(kept.tree.order[i]))
-    kept.xs[i] = p[0]
-    kept.ys[i] = p[1]
-    kept.zs[i] = p[2]
-    kept.keys[i] = key
+    if i < state.tree.count:
+        p = state.tree.points[i]
+        key = int64(UNREACHED) | (int64(INDEX_MASK) - int64(state.tree.order[i]))
+    state.xs[i] = p[0]
+    state.ys[i] = p[1]
+    state.zs[i] = p[2]
+    state.keys[i] = key
 
 
 @func
-def approach_leaf(leaf: int, p: vec3, kept: KeptDistances) -> int64:
+def approach_leaf(leaf: int, p: vec3, state: SampleDistances) -> int64:
     """Lower a leaf's keys to their distance to p. Return the largest. Three loops that the CPU vectorizes."""
     first = leaf * LEAF
     distances = box_distances(0.0)
     for j in range(LEAF):
-        x = p[0] - kept.xs[first + j]
-        y = p[1] - kept.ys[first + j]
-        z = p[2] - kept.zs[first + j]
+        x = p[0] - state.xs[first + j]
+        y = p[1] - state.ys[first + j]
+        z = p[2] - state.zs[first + j]
         distances[j] = x * x + y * y + z * z
     near = leaf_keys(0)
     for j in range(LEAF):
-        key = kept.keys[first + j]
+        key = state.keys[first + j]
         offered = (int64(float_bits(distances[j])) << 32) | (key & int64(INDEX_MASK))
         near[j] = offered if offered < key else key
     top = int64(0)
     for j in range(LEAF):
-        kept.keys[first + j] = near[j]
+        state.keys[first + j] = near[j]
         top = near[j] if near[j] > top else top
     return top
 
 
 @func
-def approach_bucket(bucket: int, p: vec3, kept: KeptDistances) -> int64:
+def approach_bucket(bucket: int, p: vec3, state: SampleDistances) -> int64:
     """Lower a bucket's keys to their distance to p where needed. Return the largest."""
-    distances = measure_boxes(kept.tree.boxes, bucket, p, p)
+    distances = measure_boxes(state.tree.boxes, bucket, p, p)
     top = int64(0)
     for j in range(FAN):
         leaf = bucket * FAN + j
-        if leaf < kept.leaf_count:
-            key = kept.leaf_tops[leaf]
+        if leaf < state.leaf_count:
+            key = state.leaf_tops[leaf]
             if distances[j] <= key_number(key):
-                key = approach_leaf(leaf, p, kept)
-                kept.leaf_tops[leaf] = key
+                key = approach_leaf(leaf, p, state)
+                state.leaf_tops[leaf] = key
             top = max(top, key)
     return top
 
 
 @func
-def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
-    """Queue the nodes that may hold a point closer to p than to all chosen ones. Returns the end of the buckets."""
+def list_buckets_near(p: vec3, state: SampleDistances) -> int:
+    """Queue the nodes that may contain a point closer to p than to all chosen ones. Returns the end of the buckets."""
     begin = 0
     end = 1
-    kept.queue[0] = kept.tree.levels[kept.tree.root]
-    for step in range(kept.tree.root):
-        above = kept.tree.levels[kept.tree.root - step]
-        below = kept.tree.levels[kept.tree.root - step - 1]
+    state.queue[0] = state.tree.levels[state.tree.root]
+    for step in range(state.tree.root):
+        above = state.tree.levels[state.tree.root - step]
+        below = state.tree.levels[state.tree.root - step - 1]
         tail = end
         for q in range(begin, end):
-            distances = measure_boxes(kept.tree.boxes, kept.queue[q], p, p)
-            first = below + (kept.queue[q] - above) * FAN
+            distances = measure_boxes(state.tree.boxes, state.queue[q], p, p)
+            first = below + (state.queue[q] - above) * FAN
             for j in range(FAN):
                 child = first + j
                 if child < above:
-                    if distances[j] <= key_number(kept.tops[child]):
-                        kept.queue[tail] = child
+                    if distances[j] <= key_number(state.tops[child]):
+                        state.queue[tail] = child
                         tail += 1
         begin = end
         end = tail
@@ -160,48 +160,48 @@ def list_buckets_near(p: vec3, kept: KeptDistances) -> int:
 
 
 @func
-def approach_tree(p: vec3, kept: KeptDistances) -> int64:
+def approach_tree(p: vec3, state: SampleDistances) -> int64:
     """Lower all keys to their distance to p. Return the largest."""
-    end = list_buckets_near(p, kept)
+    end = list_buckets_near(p, state)
     level = 0
     for step in range(end):  # from the last bucket back to the root: children before parents
-        node = kept.queue[end - 1 - step]
-        if node >= kept.tree.levels[level + 1]:  # no level is skipped: the path to p is always queued
+        node = state.queue[end - 1 - step]
+        if node >= state.tree.levels[level + 1]:  # no level is skipped: the path to p is always queued
             level += 1
         if level == 0:
-            kept.tops[node] = approach_bucket(node, p, kept)
+            state.tops[node] = approach_bucket(node, p, state)
         else:
-            first = kept.tree.levels[level - 1] + (node - kept.tree.levels[level]) * FAN
+            first = state.tree.levels[level - 1] + (node - state.tree.levels[level]) * FAN
             top = int64(0)
-            for child in range(first, min(first + FAN, kept.tree.levels[level])):
-                top = max(top, kept.tops[child])
-            kept.tops[node] = top
-    return kept.tops[kept.tree.levels[kept.tree.root]]
+            for child in range(first, min(first + FAN, state.tree.levels[level])):
+                top = max(top, state.tops[child])
+            state.tops[node] = top
+    return state.tops[state.tree.levels[state.tree.root]]
 
 
 @kernel
-def choose_in_turn_kernel(first: int, last: int, kept: KeptDistances):
-    """Run of choices by one thread; chosen[turn + 1] is the farthest point after that choice."""
+def choose_sequentially_kernel(first: int, last: int, state: SampleDistances):
+    """Run of choices by one thread; chosen[choice + 1] is the farthest point after that choice."""
     i = tid()
-    for turn in range(first + i, last):
-        key = kept.chosen[turn]
+    for choice in range(first + i, last):
+        key = state.chosen[choice]
         farthest = int64(0)
         if key >= int64(APART):
-            farthest = approach_tree(kept.points[index_of(key)], kept)
-        kept.chosen[turn + 1] = farthest
+            farthest = approach_tree(state.points[index_of(key)], state)
+        state.chosen[choice + 1] = farthest
 
 
 @kernel
-def choose_at_once_kernel(step: int, kept: KeptDistances):
-    """The choice `step` after the iteration's first, one thread per bucket; chosen[turn + 1] must be 0 before."""
+def choose_at_once_kernel(step: int, state: SampleDistances):
+    """The choice `step` after the iteration's first, one thread per bucket; chosen[choice + 1] must be 0 before."""
     i = tid()
-    turn = kept.turn[0] + step
-    if turn < kept.last:
-        key = kept.chosen[turn]
+    choice = state.choice[0] + step
+    if choice < state.last:
+        key = state.chosen[choice]
         if key >= int64(APART):
-            top = approach_bucket(i, kept.points[index_of(key)], kept)
-            if top > kept.chosen[turn + 1]:  # saves most atomics. A stale value only adds one
-                atomic_max(kept.chosen, turn + 1, top)  # resolves the race: the largest key
+            top = approach_bucket(i, state.points[index_of(key)], state)
+            if top > state.chosen[choice + 1]:  # saves most atomics. A stale value only adds one
+                atomic_max(state.chosen, choice + 1, top)  # resolves the race: the largest key
 
 
 @cuda_func
@@ -215,68 +215,68 @@ def largest_of_lanes(key: int64) -> int64:
 
 
 @choose_at_once_kernel.on_cuda
-def choose_by_leaves_kernel(step: int, kept: KeptDistances):
+def choose_by_leaves_kernel(step: int, state: SampleDistances):
     """CUDA variant, one thread per leaf, coalesced. A warp offers one key."""
     i = tid()
-    turn = kept.turn[0] + step
+    choice = state.choice[0] + step
     top = int64(0)
-    if turn < kept.last:
-        chosen = kept.chosen[turn]
-        if chosen >= int64(APART) and i < kept.leaf_count:
-            p = kept.points[index_of(chosen)]
-            top = kept.leaf_tops[i]
-            if measure_box(kept.tree.boxes, i // FAN, i % FAN, p, p) <= key_number(top):
-                top = approach_leaf(i, p, kept)
-                kept.leaf_tops[i] = top
+    if choice < state.last:
+        chosen = state.chosen[choice]
+        if chosen >= int64(APART) and i < state.leaf_count:
+            p = state.points[index_of(chosen)]
+            top = state.leaf_tops[i]
+            if measure_box(state.tree.boxes, i // FAN, i % FAN, p, p) <= key_number(top):
+                top = approach_leaf(i, p, state)
+                state.leaf_tops[i] = top
     top = largest_of_lanes(top)
     if i % WARP == 0 and top > 0:
-        if top > kept.chosen[turn + 1]:
-            atomic_max(kept.chosen, turn + 1, top)  # as in the kernel it replaces
+        if top > state.chosen[choice + 1]:
+            atomic_max(state.chosen, choice + 1, top)  # as in the kernel it replaces
 
 
 @kernel
-def end_turn_kernel(limit: int, kept: KeptDistances):
+def end_iteration_kernel(limit: int, state: SampleDistances):
     """Continue after the iteration's choices while below the limit. One thread."""
     i = tid()
-    turn = min(kept.turn[0] + STEPS, kept.last) + i
-    kept.turn[0] = turn
+    choice = min(state.choice[0] + STEPS, state.last) + i
+    state.choice[0] = choice
     going = 0
-    if turn < limit and kept.chosen[turn] >= int64(APART):
+    if choice < limit and state.chosen[choice] >= int64(APART):
         going = 1
-    kept.running[0] = going
+    state.running[0] = going
 
 
 def choose_farthest(tree: PointTree, sample_count: int, start: int, at_once: bool | None = None) -> np.ndarray:
     """Farthest point samples, int32 NumPy array in order of choice. One sync. Fewer than `sample_count` once all points
     coincide with chosen ones. `at_once`: one launch per choice. None chooses by device.
     """
-    in_turn = not (tree.device.is_cuda if at_once is None else at_once)
-    kept = KeptDistances(tree, sample_count, start, in_turn)
-    if in_turn:
+    is_sequential = not (tree.device.is_cuda if at_once is None else at_once)
+    state = SampleDistances(tree, sample_count, start, is_sequential)
+    if is_sequential:
         for first in range(0, sample_count - 1, CHOICES):
-            launch(choose_in_turn_kernel, 1, [first, min(first + CHOICES, sample_count - 1), kept])
+            launch(choose_sequentially_kernel, 1, [first, min(first + CHOICES, sample_count - 1), state])
     else:
-        _choose_at_once(kept)
-    found = download(kept.chosen)[:sample_count]  # sync
-    return (INDEX_MASK - (found[found >= APART] & INDEX_MASK)).astype("int32")
+        _choose_at_once(state)
+    keys = download(state.chosen)[:sample_count]  # sync
+    return (INDEX_MASK - (keys[keys >= APART] & INDEX_MASK)).astype("int32")
 
 
-def _choose_at_once(kept: KeptDistances) -> None:
-    on_cuda = kept.chosen.device.is_cuda
-    threads = -(-kept.leaf_count // WARP) * WARP if on_cuda else -(-kept.leaf_count // FAN)
-    if kept.last < FEWEST:
-        for step in range(kept.last):
-            launch(choose_at_once_kernel, threads, [step, kept])
+def _choose_at_once(state: SampleDistances) -> None:
+    on_cuda = state.chosen.device.is_cuda
+    threads = -(-state.leaf_count // WARP) * WARP if on_cuda else -(-state.leaf_count // FAN)
+    if state.last < MIN_LOOPED:
+        for step in range(state.last):
+            launch(choose_at_once_kernel, threads, [step, state])
         return
 
     def choose_some() -> None:
         for step in range(STEPS):
-            launch(choose_at_once_kernel, threads, [step, kept])
-        launch(end_turn_kernel, 1, [limit, kept])
+            launch(choose_at_once_kernel, threads, [step, state])
+        launch(end_iteration_kernel, 1, [limit, state])
 
-    for first in range(0, kept.last, LOOPED):
-        limit = min(first + LOOPED, kept.last)
+    for first in range(0, state.last, LOOPED):
+        limit = min(first + LOOPED, state.last)
         if first:
-            download(kept.turn)  # sync, so that interrupts are handled
-            fill(kept.running, 1)
-        loop_while(kept.running, choose_some)
+            download(state.choice)  # sync, so that interrupts are handled
+            fill(state.running, 1)
+        loop_while(state.running, choose_some)

@@ -21,8 +21,8 @@ def octant_of(p: vec3, corner: vec3d, size: float64) -> int:
     """Octant of a point in its voxel: 1 for the upper half along x, 2 along y, 4 along z."""
     octant = 0
     for axis in range(3):
-        place = (float64(p[axis]) - corner[axis]) / size
-        if place - floor(place) >= 0.5:
+        coordinate = (float64(p[axis]) - corner[axis]) / size
+        if coordinate - floor(coordinate) >= 0.5:
             octant = octant | (1 << axis)
     return octant
 
@@ -70,8 +70,8 @@ def nearest_to_mean_kernel(
 def square_off_middle(p: vec3, corner: vec3d, size: float64) -> float64:
     total = float64(0.0)
     for axis in range(3):
-        place = (float64(p[axis]) - corner[axis]) / size
-        off = place - floor(place) - 0.5
+        coordinate = (float64(p[axis]) - corner[axis]) / size
+        off = coordinate - floor(coordinate) - 0.5
         total += off * off
     return total
 
@@ -125,13 +125,13 @@ def commonest_rows_kernel(
         scratch[j] = keys[order[j]]
     sort_keys(scratch, begin, 1, end - begin)
     best = scratch[begin]
-    most = 0
+    max_length = 0
     length = 0
     for j in range(begin, end):
         length += 1
         if j + 1 == end or scratch[j + 1] != scratch[j]:
-            if length > most:
-                most = length
+            if length > max_length:
+                max_length = length
                 best = scratch[j]
             length = 0
     row = -1

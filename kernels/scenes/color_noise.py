@@ -12,7 +12,7 @@ PER_SIGMA = 1.0 / 53510.0  # their standard deviation: 65,536 sqrt(8 / 12)
 
 
 @func
-def halves(word: int64) -> int64:
+def sum_half_words(word: int64) -> int64:
     return (word & int64(HALF_WORD)) + (word >> 16)
 
 
@@ -22,7 +22,12 @@ def measure_colors_kernel(
 ):
     i = tid()
     words = random_bits(seed, i, STREAM + frame)
-    sums = halves(int64(words[0])) + halves(int64(words[1])) + halves(int64(words[2])) + halves(int64(words[3]))
+    sums = (
+        sum_half_words(int64(words[0]))
+        + sum_half_words(int64(words[1]))
+        + sum_half_words(int64(words[2]))
+        + sum_half_words(int64(words[3]))
+    )
     normal = (float(sums) - MEAN) * PER_SIGMA
     value = float(int(colors[i])) + sigma * normal
     measured[i] = uint8(int(min(max(value, 0.0), 255.0) + 0.5))

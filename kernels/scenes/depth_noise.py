@@ -41,13 +41,13 @@ def measure_depth_kernel(
     u = random_uniform(seed, i, frame)
     away = z - AXIAL_NEAREST
     noisy = z + (AXIAL_BASE + AXIAL_GROWTH * away * away) * gaussian_pair(u[0], u[1])[0]
-    kept = 1
+    is_valid = 1
     if noisy < NEAREST or noisy > FARTHEST or incidence[i] < GRAZING:
-        kept = 0
+        is_valid = 0
     if jump > EDGE_JUMP * z and u[2] < EDGE_LOSS:
-        kept = 0
+        is_valid = 0
     value = 0.0
-    if kept == 1:
+    if is_valid == 1:
         value = floor(noisy * 1000.0 + 0.5) * 0.001
     measured[i] = value
 

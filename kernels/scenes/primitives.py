@@ -108,21 +108,21 @@ def meet_solid(origin: vec3d, direction: vec3d, extent: vec4d, kind: int, limit:
         far = min(far, max(a, b))
     t = float64(INFINITY)
     if near <= far:
-        place = near + float64(ZERO)
+        parameter = near + float64(ZERO)
         searching = 1
         step = 0
         while searching == 1:
-            field = solid_field(origin + direction * place, extent, kind)
+            field = solid_field(origin + direction * parameter, extent, kind)
             descent = -(field[0] * direction[0] + field[1] * direction[1] + field[2] * direction[2])
             step += 1
             if field[3] <= float64(TOUCH) or (step > STEPS and field[3] <= float64(GRAZE)):
-                t = place
+                t = parameter
                 searching = 0
             elif descent <= float64(ZERO) or step > STEPS:
                 searching = 0
             else:
-                place = place + field[3] / descent
-                if place > far:
+                parameter = parameter + field[3] / descent
+                if parameter > far:
                     searching = 0
     return t
 
@@ -154,7 +154,7 @@ class Solids:
 
 
 @func
-def place_in_solid(p: vec3d, solid: int, solids: Solids) -> vec3d:
+def point_in_solid(p: vec3d, solid: int, solids: Solids) -> vec3d:
     return solids.rotations[solid] @ (p - solids.centers[solid])
 
 
@@ -163,14 +163,14 @@ def scene_distance(p: vec3d, solids: Solids) -> float64:
     """Signed distance [m] of a point from a union of solids."""
     distance = float64(INFINITY)
     for s in range(solids.kinds.shape[0]):
-        field = solid_field(place_in_solid(p, s, solids), solids.extents[s], solids.kinds[s])
+        field = solid_field(point_in_solid(p, s, solids), solids.extents[s], solids.kinds[s])
         distance = min(distance, field[3])
     return distance
 
 
 @func
 def scene_normal(p: vec3d, solid: int, solids: Solids) -> vec3d:
-    field = solid_field(place_in_solid(p, solid, solids), solids.extents[solid], solids.kinds[solid])
+    field = solid_field(point_in_solid(p, solid, solids), solids.extents[solid], solids.kinds[solid])
     return transpose(solids.rotations[solid]) @ vec3d(field[0], field[1], field[2])
 
 

@@ -38,12 +38,12 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty, upload
-from .primitives import Solids, meet_solid, place_in_solid, scene_distance, scene_normal
+from .primitives import Solids, meet_solid, point_in_solid, scene_distance, scene_normal
 
 AMBIENT = 0.54
 SKY = 0.04  # additional ambient light from above
 LAMP = 0.85
-LAMP_REACH = 3.2  # [m] distance at which the lamp's light has halved
+LAMP_RANGE = 3.2  # [m] distance at which the lamp's light has halved
 LAMP_RADIUS = 0.25  # [m] objects closer to the lamp cast no shadow, such as its own glass
 NEAR_CORNER = 0.07  # [m] range of corner darkening
 FAR_CORNER = 0.28
@@ -76,7 +76,7 @@ class LightGrid:
 
 
 @func
-def node_place(i: int, light: LightGrid) -> vec3i:
+def node_index(i: int, light: LightGrid) -> vec3i:
     return vec3i(i // (light.size[2] * light.size[1]), (i // light.size[2]) % light.size[1], i % light.size[2])
 
 
@@ -84,7 +84,7 @@ def node_place(i: int, light: LightGrid) -> vec3i:
 def sample_distances_kernel(light: LightGrid, low: vec3d, step: float64, solids: Solids, distances: array(dtype=vec2)):
     """Distance field [m] at the nodes; light is still unknown."""
     i = tid()
-    node = node_place(i, light)
+    node = node_index(i, light)
     p = low + vec3d(float64(node[0]), float64(node[1]), float64(node[2])) * step
     distances[i] = vec2(float32(scene_distance(p, solids)), 1.0)
 
@@ -114,14 +114,14 @@ def read_grid(p: vec3, nodes: array(dtype=vec2), light: LightGrid) -> vec2:
 def sample_shadows_kernel(light: LightGrid, distances: array(dtype=vec2)):
     """Visible lamp fraction of each node: the narrowest passage by its angle."""
     i = tid()
-    node = node_place(i, light)
+    node = node_index(i, light)
     p = light.low + vec3(float(node[0]), float(node[1]), float(node[2])) * light.step
     way = light.lamp - p
-    reach = length(way)
+    distance = length(way)
     clear = 1.0
     t = float(SHADOW_STEP)
-    while t < reach - LAMP_RADIUS and clear > 0.0:
-        d = read_grid(p + way * (t / reach), distances, light)[0]
+    while t < distance - LAMP_RADIUS and clear > 0.0:
+        d = read_grid(p + way * (t / distance), distances, light)[0]
         clear = min(clear, 0.5 + 0.5 * PENUMBRA * d / t)
         t = t + min(max(0.5 * d, SHADOW_STEP), SHADOW_STRIDE)
     share = min(max(clear, 0.0), 1.0)
@@ -136,9 +136,9 @@ def light_surface(p: vec3, normal: vec3, light: LightGrid) -> float:
     open_share = 0.4 * near[0] / NEAR_CORNER + 0.6 * far[0] / FAR_CORNER
     openness = 0.35 + 0.65 * min(max(open_share, 0.0), 1.0)
     way = light.lamp - p
-    reach = length(way)
-    lit = max(dot(normal, way) / reach, 0.0) * near[1]
-    fall = 1.0 / (1.0 + reach * reach / (LAMP_REACH * LAMP_REACH))
+    distance = length(way)
+    lit = max(dot(normal, way) / distance, 0.0) * near[1]
+    fall = 1.0 / (1.0 + distance * distance / (LAMP_RANGE * LAMP_RANGE))
     return (AMBIENT + SKY * normal[2]) * openness + LAMP * lit * fall * (0.6 + 0.4 * openness)
 
 
@@ -165,10 +165,10 @@ def pattern_weight(q: vec3, kind: int, size: float) -> float:
         weight = floor(u[0]) - 2.0 * floor(u[0] * 0.5)
     elif kind == PLANKS:
         row = floor(u[1])
-        place = u[0] / PLANK_LENGTH + row * 0.381966
-        plank = floor(place) * 7.13 + row * 3.71
+        coordinate = u[0] / PLANK_LENGTH + row * 0.381966
+        plank = floor(coordinate) * 7.13 + row * 3.71
         weight = 0.75 * (plank * 0.618034 - floor(plank * 0.618034))
-        if u[1] - row < 0.04 or (place - floor(place)) * PLANK_LENGTH < 0.04:
+        if u[1] - row < 0.04 or (coordinate - floor(coordinate)) * PLANK_LENGTH < 0.04:
             weight = 1.0
     return weight
 
@@ -260,7 +260,7 @@ def list_solids_kernel(camera: Camera, T_world_camera: Transform, solids: Solids
 
 @func
 def color_at(p: vec3d, normal: vec3d, solid: int, room: Room) -> vec3:
-    q = place_in_solid(p, solid, room.solids)
+    q = point_in_solid(p, solid, room.solids)
     light = light_surface(narrow(p), narrow(normal), room.light)
     pattern = room.patterns[solid]
     if int(pattern[0]) == GLOW:
@@ -291,7 +291,7 @@ def render_pixels_kernel(
     solid = -1
     for j in range(tiles.counts[tile]):
         s = tiles.lists[tile * room.solids.kinds.shape[0] + j]
-        origin = place_in_solid(eye, s, room.solids)
+        origin = point_in_solid(eye, s, room.solids)
         way = room.solids.rotations[s] @ ray
         met = meet_solid(origin, way, room.solids.extents[s], room.solids.kinds[s], t)
         if met < t:

@@ -2,49 +2,49 @@
 
 from ..arrays.packed_keys import pack_key
 from ..lang import array, bit_count, callback, cuda_func, float32, func, int32, int64, loop, partial, vec3, vector
-from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_box, measure_boxes, square_distance
+from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_point, measure_box, measure_boxes, square_distance
 
 BYTE = 255
-walk = vector(4, int64)  # height, level, node, and pending children, one byte per level
+traversal = vector(4, int64)  # height, level, node, and pending children, one byte per level
 
 
 @func
 def children_within(boxes: array(dtype=float32), node: int, a: vec3, b: vec3, bound: float) -> int:
     """Bit mask of the child boxes within the squared distance `bound` of the box (a, b)."""
     distances = measure_boxes(boxes, node, a, b)
-    found = 0
+    bits = 0
     for j in range(FAN):
         if distances[j] <= bound:
-            found = found | (1 << j)
-    return found
+            bits = bits | (1 << j)
+    return bits
 
 
 @cuda_func
-def children_in_turn(
+def children_one_by_one(
     levels: array(dtype=int32), boxes: array(dtype=float32), p: vec3, bound: float, level: int, node: int
 ) -> int:
-    """`children_in_reach` of a point, one box at a time: fewer registers, for rare traversals."""
-    found = 0
+    """`level_children_within` of a point, one box at a time: fewer registers, for rare traversals."""
+    bits = 0
     children = int(FAN)
     for j in range(children):
         if measure_box(boxes, levels[level] + node, j, p, p) <= bound:
-            found = found | (1 << j)
-    return found
+            bits = bits | (1 << j)
+    return bits
 
 
 @func
-def byte_place(level: int) -> int64:
+def byte_shift(level: int) -> int64:
     """Shift of a level's byte in the pending mask; buckets (level 0) need none."""
     return int64(FAN * max(level - 1, 0))
 
 
 @func
-def start_walk(bucket: int) -> walk:
-    return walk(0, 0, int64(bucket), 0)
+def start_traversal(bucket: int) -> traversal:
+    return traversal(0, 0, int64(bucket), 0)
 
 
 @func
-def next_step(step: walk, root: int, children: callback) -> walk:
+def next_step(step: traversal, root: int, children: callback) -> traversal:
     """Advance to the next bucket step[2], or to a height above `root`; `children(level, node)` may shrink."""
     height = int(step[0])
     level = int(step[1])
@@ -55,17 +55,17 @@ def next_step(step: walk, root: int, children: callback) -> walk:
         node = node // FAN
     searching = 1
     while searching == 1:
-        left = int(pending >> byte_place(level)) & BYTE
+        left = int(pending >> byte_shift(level)) & BYTE
         if left != 0:
             lowest = left & (-left)
-            pending = pending ^ (int64(lowest) << byte_place(level))
+            pending = pending ^ (int64(lowest) << byte_shift(level))
             node = node * FAN + bit_count(lowest - 1)
             level = level - 1
             if level == 0:
                 searching = 0
             else:
                 inside = children(level, node)
-                pending = pending | (int64(inside) << byte_place(level))
+                pending = pending | (int64(inside) << byte_shift(level))
         else:
             if level == height:
                 height = height + 1
@@ -76,15 +76,15 @@ def next_step(step: walk, root: int, children: callback) -> walk:
                     node = node // FAN
                     level = level + 1
                     others = children(level, node) & (BYTE - own)
-                    pending = pending | (int64(others) << byte_place(level))
+                    pending = pending | (int64(others) << byte_shift(level))
             else:
                 node = node // FAN
                 level = level + 1
-    return walk(int64(height), int64(level), int64(node), pending)
+    return traversal(int64(height), int64(level), int64(node), pending)
 
 
 @func
-def children_in_reach(
+def level_children_within(
     levels: array(dtype=int32),
     first: int,
     boxes: array(dtype=float32),
@@ -99,85 +99,87 @@ def children_in_reach(
 
 
 @func
-def next_bucket(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
+def next_bucket(step: traversal, a: vec3, b: vec3, bound: float, tree: PointTree) -> traversal:
     """Advance to the next bucket within the squared distance `bound` of the box (a, b)."""
-    return next_step(step, tree.root, partial(children_in_reach, tree.levels, 0, tree.boxes, a, b, bound))
+    return next_step(step, tree.root, partial(level_children_within, tree.levels, 0, tree.boxes, a, b, bound))
 
 
 @func
-def next_bucket_of_point(step: walk, p: vec3, bound: float, tree: PointTree) -> walk:
+def next_bucket_of_point(step: traversal, p: vec3, bound: float, tree: PointTree) -> traversal:
     return next_bucket(step, p, p, bound, tree)
 
 
 @next_bucket_of_point.on_cuda
-def next_bucket_in_turn(step: walk, p: vec3, bound: float, tree: PointTree) -> walk:
-    return next_step(step, tree.root, partial(children_in_turn, tree.levels, tree.boxes, p, bound))
+def next_bucket_one_by_one(step: traversal, p: vec3, bound: float, tree: PointTree) -> traversal:
+    return next_step(step, tree.root, partial(children_one_by_one, tree.levels, tree.boxes, p, bound))
 
 
 @loop
-def leaves_in_reach(start: int, a: vec3, b: vec3, reach: float, tree: PointTree) -> int:
-    """First positions of the leaves within the squared distance `reach` of the box (a, b), starting at a bucket."""
-    step = start_walk(start)
+def leaves_within(start: int, a: vec3, b: vec3, max_sqdist: float, tree: PointTree) -> int:
+    """First positions of the leaves within the squared distance `max_sqdist` of a box, starting at a bucket."""
+    step = start_traversal(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
         distances = measure_boxes(tree.boxes, bucket, a, b)
         for leaf in range(FAN):
-            if distances[leaf] <= reach:
+            if distances[leaf] <= max_sqdist:
                 first = bucket * BUCKET + leaf * LEAF
                 yield first
-        step = next_bucket(step, a, b, reach, tree)
+        step = next_bucket(step, a, b, max_sqdist, tree)
 
 
 @loop
-def points_in_reach(start: int, p: vec3, reach: float, tree: PointTree) -> tuple[int, float]:
-    """Positions and squared distances [m^2] of the points within the squared distance `reach`, starting at a bucket."""
-    for first in leaves_in_reach(start, p, p, reach, tree):
+def points_within(start: int, p: vec3, max_sqdist: float, tree: PointTree) -> tuple[int, float]:
+    """Positions and squared distances [m^2] of the points within `max_sqdist` [m^2], starting at a bucket."""
+    for first in leaves_within(start, p, p, max_sqdist, tree):
         for j in range(first, min(first + LEAF, tree.count)):
             sqdist = square_distance(p, tree.points[j])
-            if sqdist <= reach:
+            if sqdist <= max_sqdist:
                 yield j, sqdist
 
 
 @func
-def pass_over_equal(step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)) -> walk:
+def pass_over_equal(
+    step: traversal, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)
+) -> traversal:
     """Skip nodes whose points all coincide and have keys beyond the limit; avoids O(n^2) for n duplicates."""
     pending = step[3]
     node = int(step[2])
     buckets = 1  # buckets per child
     for above in range(int(step[0])):
         node = node // FAN
-        left = int(pending >> byte_place(above + 1)) & BYTE
+        left = int(pending >> byte_shift(above + 1)) & BYTE
         if left != 0:
             record = tree.levels[above + 1] + node
             distances = measure_boxes(tree.boxes, record, a, b)
             for j in range(FAN):
                 if ((left >> j) & 1) == 1:
                     first = (node * FAN + j) * buckets * BUCKET
-                    if is_one_place(tree.boxes, record, j) == 1 and first < labels.shape[0]:
+                    if is_one_point(tree.boxes, record, j) == 1 and first < labels.shape[0]:
                         # equal points are ordered by index, so the first has the smallest key
                         if pack_key(distances[j], labels[first]) > limit:
-                            pending = pending ^ (int64(1 << j) << byte_place(above + 1))
+                            pending = pending ^ (int64(1 << j) << byte_shift(above + 1))
         buckets = buckets * FAN
-    return walk(step[0], step[1], step[2], pending)
+    return traversal(step[0], step[1], step[2], pending)
 
 
 @pass_over_equal.on_cuda
-def pass_over_equal_in_turn(
-    step: walk, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)
-) -> walk:
+def pass_over_equal_one_by_one(
+    step: traversal, a: vec3, b: vec3, limit: int64, tree: PointTree, labels: array(dtype=int32)
+) -> traversal:
     pending = step[3]
     node = int(step[2])
     buckets = 1
     children = int(FAN)
     for above in range(int(step[0])):
         node = node // FAN
-        left = int(pending >> byte_place(above + 1)) & BYTE
+        left = int(pending >> byte_shift(above + 1)) & BYTE
         record = tree.levels[above + 1] + node
         for j in range(children):
             if ((left >> j) & 1) == 1:
                 first = (node * FAN + j) * buckets * BUCKET
-                if is_one_place(tree.boxes, record, j) == 1 and first < labels.shape[0]:
+                if is_one_point(tree.boxes, record, j) == 1 and first < labels.shape[0]:
                     if pack_key(measure_box(tree.boxes, record, j, a, b), labels[first]) > limit:
-                        pending = pending ^ (int64(1 << j) << byte_place(above + 1))
+                        pending = pending ^ (int64(1 << j) << byte_shift(above + 1))
         buckets = buckets * FAN
-    return walk(step[0], step[1], step[2], pending)
+    return traversal(step[0], step[1], step[2], pending)

@@ -60,46 +60,46 @@ class GroupScratch:
         if device.is_cuda:
             self._allocate_for_warps(device, row)
             return
-        self.run, self.most = CPU_RUN, max(1, SCRATCH // row)
-        self.stride = max(1, min(-(-self.groups // self.run), self.most))
+        self.run, self.max_threads = CPU_RUN, max(1, SCRATCH // row)
+        self.stride = max(1, min(-(-self.groups // self.run), self.max_threads))
         self.xs, self.ys, self.zs = (empty(self.stride * self.gather, float32, device) for _ in range(3))
         self.ids, self.keys = empty(self.stride * self.gather, int32, device), empty(self.stride * row, int64, device)
 
     def _allocate_for_warps(self, device: Device, row: int) -> None:
-        """One launch whose warps process groups in turn: as many as the device holds, or as fit into memory."""
+        """One launch whose warps process several groups: as many warps as the device holds, or as fit into memory."""
         warps = max(1, min(device.sm_count * SM_THREADS, MAX_KEYS // row) // WARP)
         while True:
-            self.run, self.most = max(1, -(-self.groups // warps)), max(1, self.groups)
+            self.run, self.max_threads = max(1, -(-self.groups // warps)), max(1, self.groups)
             used = max(1, -(-self.groups // self.run))
             self.stride = used * WARP
-            held, listed = self.stride * row, used * self.gather
+            key_count, listed = self.stride * row, used * self.gather
             try:  # one allocation, since each costs the host more than views
-                self.keys = empty(held + -(-listed // 2), int64, device)
+                self.keys = empty(key_count + -(-listed // 2), int64, device)
                 break
             except MemoryError:
                 if used == 1:
                     raise
                 warps = used // 2
-        self.ids = part_of(self.keys, 8 * held, int32, listed)
+        self.ids = part_of(self.keys, 8 * key_count, int32, listed)
         self.xs = self.ys = self.zs = part_of(self.keys, 0, float32, 1)
 
     def parts(self, shift: int = 0) -> Iterator[LaunchPart]:
         """The LaunchPart of each launch; `shift` is the first query, a multiple of `width`."""
         runs, first = -(-self.groups // self.run), shift // self.width
-        for begin in range(0, runs, self.most):
-            here = min(self.most, runs - begin)
+        for begin in range(0, runs, self.max_threads):
+            here = min(self.max_threads, runs - begin)
             last = min(self.groups, (begin + here) * self.run)
             yield LaunchPart(first + begin * self.run, first + last, self.run, here * self.lanes)
 
 
 @func
-def held_key(scratch: GroupScratch, base: int, j: int) -> int64:
+def stored_key(scratch: GroupScratch, base: int, j: int) -> int64:
     """Key j of the thread whose keys begin at `base`."""
     return scratch.keys[base + j]
 
 
-@held_key.on_cuda
-def held_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
+@stored_key.on_cuda
+def stored_key_of_lane(scratch: GroupScratch, base: int, j: int) -> int64:
     return scratch.keys[base + j * scratch.stride]
 
 

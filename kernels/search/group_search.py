@@ -1,7 +1,7 @@
 """Neighbors of a group of adjacent queries: one traversal, then vector loops.
 
-The points of all leaves within reach of a group are copied once, and each query measures them without branches. The
-group's reach is estimated from the previous group. Queries that find fewer than k, or have too many candidates, search
+The points of all leaves near a group are copied once, and each query measures them without branches. The
+group's radius is estimated from the previous group. Queries that find fewer than k, or have too many candidates, search
 the tree alone, with the same result. On CUDA a group is a warp (lane_search.py).
 """
 
@@ -28,8 +28,8 @@ from ..lang import (
     vec3,
     vector,
 )
-from .bucket_walk import leaves_in_reach
-from .group_scratch import GroupScratch, LaunchPart, held_key
+from .bucket_walk import leaves_within
+from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .k_nearest import search_k_nearest
 from .lane_search import search_lanes
 from .neighbor_keys import BOUNDLESS, keep_nearest, sort_keys, thin_keys
@@ -43,7 +43,7 @@ GUESS = 1.2  # times the previous group's largest k-th squared distance: 3 % of 
 
 
 @func
-def grown_reach(bound: float, sqdist: float) -> float:
+def grown_sqradius(bound: float, sqdist: float) -> float:
     """Squared radius of a ball that contains the ball of squared radius `bound` with its center sqrt(sqdist) away."""
     hint = sqrt(bound) + sqrt(sqdist)
     return hint * hint * SLACK + TINY
@@ -54,16 +54,16 @@ def gather_candidates(
     a: vec3,
     b: vec3,
     start: int,
-    reach: float,
+    max_sqdist: float,
     tree: PointTree,
     labels: array(dtype=int32),
     scratch: GroupScratch,
     base: int,
 ) -> int:
-    """Copy the points of leaves within reach of a box, padded with infinity. Return the count, at most `gather` + 1."""
+    """Copy the points of leaves near a box, padded with infinity. Return the count, at most `gather` + 1."""
     size = 0
-    near = reach
-    for first in leaves_in_reach(start, a, b, near, tree):
+    near = max_sqdist
+    for first in leaves_within(start, a, b, near, tree):
         if size + LEAF > scratch.gather:
             size = scratch.gather + 1
             near = -1.0
@@ -85,22 +85,22 @@ def gather_candidates(
 
 @func
 def gather_around_leaf(
-    leaf: int, reach: float, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, base: int
+    leaf: int, max_sqdist: float, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, base: int
 ) -> int:
-    """gather_candidates for a leaf. None if there is no room or the reach is infinite."""
+    """gather_candidates for a leaf. None if there is no room or the radius is infinite."""
     gathered = scratch.gather + 1
-    if scratch.gather > 0 and reach < BOUNDLESS:
+    if scratch.gather > 0 and max_sqdist < BOUNDLESS:
         at = (leaf // FAN) * SIDES + leaf % FAN
         a = vec3(tree.boxes[at], tree.boxes[at + FAN], tree.boxes[at + 2 * FAN])
         b = vec3(tree.boxes[at + 3 * FAN], tree.boxes[at + 4 * FAN], tree.boxes[at + 5 * FAN])
-        gathered = gather_candidates(a, b, leaf // FAN, reach, tree, labels, scratch, base)
+        gathered = gather_candidates(a, b, leaf // FAN, max_sqdist, tree, labels, scratch, base)
     return gathered
 
 
 @func
-def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, reach: float) -> int:
-    """Write the keys of candidates within squared distance `reach` to keys[base:]. Return the count."""
-    held = 0
+def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int, max_sqdist: float) -> int:
+    """Write the keys of candidates within squared distance `max_sqdist` to keys[base:]. Return the count."""
+    key_count = 0
     sqdists = eight(0.0)
     for chunk in range((size + LEAF - 1) // LEAF):
         start = first + chunk * LEAF
@@ -110,27 +110,27 @@ def pick_within(p: vec3, scratch: GroupScratch, first: int, size: int, base: int
             z = scratch.zs[start + j] - p[2]
             sqdists[j] = x * x + y * y + z * z
         for j in range(min(LEAF, size - chunk * LEAF)):
-            scratch.keys[base + held] = pack_key(sqdists[j], scratch.ids[start + j])
-            if sqdists[j] <= reach:
-                held += 1
-    return held
+            scratch.keys[base + key_count] = pack_key(sqdists[j], scratch.ids[start + j])
+            if sqdists[j] <= max_sqdist:
+                key_count += 1
+    return key_count
 
 
 @func
-def drop_farthest(keys: array(dtype=int64), base: int, held: int, k: int) -> int:
+def drop_farthest(keys: array(dtype=int64), base: int, key_count: int, k: int) -> int:
     """Remove the largest keys until k are left, unsorted. Return the count."""
-    left = held
-    while left > k:
+    remaining = key_count
+    while remaining > k:
         largest = keys[base]
         at = base
-        for j in range(base + 1, base + left):
+        for j in range(base + 1, base + remaining):
             key = keys[j]
             if key > largest:
                 largest = key
                 at = j
-        keys[at] = keys[base + left - 1]
-        left = left - 1
-    return left
+        keys[at] = keys[base + remaining - 1]
+        remaining = remaining - 1
+    return remaining
 
 
 @func
@@ -144,17 +144,18 @@ def search_member(
     scratch: GroupScratch,
     first: int,
     base: int,
-    reach: float,
+    max_sqdist: float,
     sort: int,
 ) -> int:
-    """Write the keys of the k nearest points within reach to keys[base:]. Return the count. `gathered` candidates cover
-    the squared distance `covered`, unless there are more than `gather`.
+    """Write the keys of the k nearest points within `max_sqdist` to keys[base:]. Return the count.
+
+    `gathered` candidates cover the squared distance `covered`, unless there are more than `gather`.
     """
     size = -1
     if gathered <= scratch.gather:
-        near = min(reach, covered)
+        near = min(max_sqdist, covered)
         size = pick_within(p, scratch, first, gathered, base, near)
-        if size < scratch.k and near < reach:
+        if size < scratch.k and near < max_sqdist:
             size = -1  # its k nearest may be farther than the gathered leaves
         else:
             size = thin_keys(scratch.keys, base, 1, size, scratch.k, near)
@@ -163,7 +164,7 @@ def search_member(
             else:
                 size = keep_nearest(scratch.keys, base, 1, size, scratch.k, scratch.room)
     if size < 0:
-        size = search_k_nearest(p, start, tree, labels, scratch.keys, base, 1, scratch.k, scratch.room, reach)
+        size = search_k_nearest(p, start, tree, labels, scratch.keys, base, 1, scratch.k, scratch.room, max_sqdist)
     return size
 
 
@@ -172,7 +173,7 @@ def farthest_key(scratch: GroupScratch, base: int, size: int) -> float:
     """Largest squared distance among a thread's keys. 0 if there are none."""
     largest = int64(0)
     for j in range(size):
-        largest = max(largest, held_key(scratch, base, j))
+        largest = max(largest, stored_key(scratch, base, j))
     return key_number(largest)
 
 
@@ -183,22 +184,22 @@ def nearest_of_leaves(
     tree: PointTree,
     labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     sort: int,
 ) -> tuple[int, int, int]:
-    """Each position of a thread's leaves, and base and count of its keys (read with `held_key`)."""
+    """Each position of a thread's leaves, and base and count of its keys (read with `stored_key`)."""
     base = thread * (scratch.room + scratch.k)
     listing = thread * scratch.gather
     before = vec3(0.0, 0.0, 0.0)
     bound = float(INFINITY)
     widest = float(INFINITY)
     for leaf in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
-        covered = min(reach, widest * GUESS)
+        covered = min(max_sqdist, widest * GUESS)
         gathered = gather_around_leaf(leaf, covered, tree, labels, scratch, listing)
         widest = 0.0
         for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, tree.count)):
             p = tree.points[rank]
-            near = min(reach, grown_reach(bound, square_distance(before, p)))
+            near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
             size = search_member(p, leaf // FAN, gathered, covered, tree, labels, scratch, listing, base, near, sort)
             yield rank, base, size
             before = p
@@ -215,10 +216,10 @@ def nearest_of_lanes(
     tree: PointTree,
     labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     sort: int,
 ) -> tuple[int, int, int]:
-    """CUDA variant, one position per lane. The label is the position. The reach follows the warp's previous group."""
+    """CUDA variant, one position per lane. The label is the position. The radius follows the warp's previous group."""
     guess = -1.0
     first = part.first + (thread // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
@@ -226,9 +227,9 @@ def nearest_of_lanes(
         is_query = 1 if group * WARP + lane() < tree.count else 0
         p = tree.points[rank]
         start = (group * WARP) // BUCKET
-        found = search_lanes(p, is_query, start, guess, tree, labels, scratch, thread, reach, 1)
-        guess = lane_max(bits_float(found[1])) * GUESS
-        size = found[0]
+        result = search_lanes(p, is_query, start, guess, tree, labels, scratch, thread, max_sqdist, 1)
+        guess = lane_max(bits_float(result[1])) * GUESS
+        size = result[0]
         if sort == 1:
             sort_keys(scratch.keys, thread, scratch.stride, size)
         if is_query == 1:
@@ -238,7 +239,7 @@ def nearest_of_lanes(
 
 def launch_over_leaves(kernel: Kernel, tree: PointTree, k: int, arguments: Sequence[Any]) -> None:
     """Launch a kernel (LaunchPart, tree, labels, GroupScratch, `arguments`) that loops over `nearest_of_leaves`."""
-    places = positions(tree.count, tree.device)
+    labels = positions(tree.count, tree.device)
     scratch = GroupScratch(tree.device, tree.count, min(k, max(1, tree.count)))
     for part in scratch.parts():
-        launch(kernel, part.threads, [part, tree, places, scratch, *arguments])
+        launch(kernel, part.threads, [part, tree, labels, scratch, *arguments])

@@ -110,15 +110,15 @@ def put_eight(head: int, step: int, points: array(dtype=vec3), low: vec3, scale:
         x[j] = cell_on_axis(p[0], low[0], scale, levels)
         y[j] = cell_on_axis(p[1], low[1], scale, levels)
         z[j] = cell_on_axis(p[2], low[2], scale, levels)
-    places = hilbert_codes(x, y, z, levels)
+    indices = hilbert_codes(x, y, z, levels)
     for j in range(LANES):
-        place = head + j * step
-        if place <= last:
-            p = points[place]
+        position = head + j * step
+        if position <= last:
+            p = points[position]
             code = 1 << int64(3 * levels)
             if isfinite(p):
-                code = places[j]
-            put_key(place, code, codes)
+                code = indices[j]
+            put_key(position, code, codes)
 
 
 @kernel

@@ -2,9 +2,9 @@
 
 from ..arrays.packed_keys import key_limit, key_number, pack_key
 from ..lang import array, func, int32, int64, vec3
-from .bucket_walk import next_bucket_of_point, pass_over_equal, start_walk
+from .bucket_walk import next_bucket_of_point, pass_over_equal, start_traversal
 from .neighbor_keys import BOUNDLESS, keep_nearest, thin_keys
-from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_place, measure_box, measure_boxes, square_distance
+from .point_tree import BUCKET, FAN, LEAF, PointTree, is_one_point, measure_box, measure_boxes, square_distance
 
 
 @func
@@ -16,22 +16,22 @@ def offer_bucket(
     keys: array(dtype=int64),
     base: int,
     stride: int,
-    held: int,
-    reach: float,
+    key_count: int,
+    max_sqdist: float,
     limit: int64,
 ) -> int:
-    """Append the keys of a bucket's points up to `limit` and `reach`, branch-free. Return the count of keys."""
-    size = held
+    """Append the keys of a bucket's points up to `limit` and `max_sqdist`, branch-free. Return the count of keys."""
+    size = key_count
     distances = measure_boxes(tree.boxes, bucket, p, p)
     for leaf in range(FAN):
         first = bucket * BUCKET + leaf * LEAF
         wanted = 0
-        if first < tree.count and distances[leaf] <= reach:
+        if first < tree.count and distances[leaf] <= max_sqdist:
             wanted = 1
             nearest = pack_key(distances[leaf], labels[first])
             if nearest > limit:
                 # Up to the last key: duplicates are ordered by label.
-                wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
+                wanted = 1 - is_one_point(tree.boxes, bucket, leaf)
         if wanted == 1:
             for j in range(first, min(first + LEAF, tree.count)):
                 key = pack_key(square_distance(p, tree.points[j]), labels[j])
@@ -42,7 +42,7 @@ def offer_bucket(
 
 
 @offer_bucket.on_cuda
-def offer_leaves_in_turn(
+def offer_leaves_one_by_one(
     bucket: int,
     p: vec3,
     tree: PointTree,
@@ -50,22 +50,22 @@ def offer_leaves_in_turn(
     keys: array(dtype=int64),
     base: int,
     stride: int,
-    held: int,
-    reach: float,
+    key_count: int,
+    max_sqdist: float,
     limit: int64,
 ) -> int:
     """CUDA variant, one leaf at a time to save registers."""
-    size = held
+    size = key_count
     leaves = int(FAN)
     for leaf in range(leaves):
         first = bucket * BUCKET + leaf * LEAF
         wanted = 0
         if first < tree.count:
             sqdist = measure_box(tree.boxes, bucket, leaf, p, p)
-            if sqdist <= reach:
+            if sqdist <= max_sqdist:
                 wanted = 1
                 if pack_key(sqdist, labels[first]) > limit:
-                    wanted = 1 - is_one_place(tree.boxes, bucket, leaf)
+                    wanted = 1 - is_one_point(tree.boxes, bucket, leaf)
         if wanted == 1:
             for j in range(first, min(first + LEAF, tree.count)):
                 key = pack_key(square_distance(p, tree.points[j]), labels[j])
@@ -86,21 +86,21 @@ def search_k_nearest(
     stride: int,
     k: int,
     room: int,
-    reach: float,
+    max_sqdist: float,
 ) -> int:
-    """Write the k nearest points with squared distance <= reach as sorted keys from `base` on. Return the count."""
-    bound = reach
+    """Write the k nearest points within `max_sqdist` as sorted keys from `base` on. Return the count."""
+    bound = max_sqdist
     # The last key that may still be a result: of many points at one distance only those of low index.
-    limit = key_limit(reach)
+    limit = key_limit(max_sqdist)
     crowd = min(room - BUCKET, 3 * k + BUCKET)  # selection is quadratic in the number of keys
     size = 0
-    step = start_walk(start)
+    step = start_traversal(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
-        held = size
+        previous_size = size
         size = offer_bucket(bucket, p, tree, labels, keys, base, stride, size, bound, limit)
-        if size == held:
-            if is_one_place(tree.boxes, bucket, 0) == 1:
+        if size == previous_size:
+            if is_one_point(tree.boxes, bucket, 0) == 1:
                 step = pass_over_equal(step, p, p, limit, tree, labels)
         if size > crowd or (size >= k and bound >= BOUNDLESS):
             size = keep_nearest(keys, base, stride, size, k, room)
@@ -122,30 +122,30 @@ def search_with_one_pick(
     stride: int,
     k: int,
     room: int,
-    reach: float,
+    max_sqdist: float,
 ) -> int:
     """CUDA variant with one inlined selection, which takes about 20 KB of instructions."""
-    bound = reach
-    limit = key_limit(reach)
+    bound = max_sqdist
+    limit = key_limit(max_sqdist)
     crowd = min(room - BUCKET, 3 * k + BUCKET)
     size = 0
-    walking = 1
-    step = start_walk(start)
-    while walking == 1:
+    is_active = 1
+    step = start_traversal(start)
+    while is_active == 1:
         if int(step[0]) <= tree.root:
             bucket = int(step[2])
-            held = size
+            previous_size = size
             size = offer_bucket(bucket, p, tree, labels, keys, base, stride, size, bound, limit)
-            if size == held:
-                if is_one_place(tree.boxes, bucket, 0) == 1:
+            if size == previous_size:
+                if is_one_point(tree.boxes, bucket, 0) == 1:
                     step = pass_over_equal(step, p, p, limit, tree, labels)
         else:
-            walking = 0
-        if walking == 0 or size > crowd or (size >= k and bound >= BOUNDLESS):
+            is_active = 0
+        if is_active == 0 or size > crowd or (size >= k and bound >= BOUNDLESS):
             size = keep_nearest(keys, base, stride, size, k, room)
             if size == k:
                 limit = min(limit, keys[base + (k - 1) * stride])
                 bound = key_number(limit)
-        if walking == 1:
+        if is_active == 1:
             step = next_bucket_of_point(step, p, bound, tree)
     return size

@@ -1,8 +1,8 @@
 """Neighbors of the 32 queries of a CUDA warp: one traversal lists leaves, then each lane measures their points.
 
-Lanes read the same eight points together and keep keys within reach. The k smallest keys are found by counting against
-interpolated limits (neighbor_keys.limit_nearest), without a quadratic pass. The reach is widened or narrowed as needed.
-A lane that does not converge searches alone. Scratch memory is reused so that it stays in the L2 cache.
+Lanes read the same eight points together and keep keys within a radius. The k smallest keys are found by counting
+against interpolated limits (neighbor_keys.limit_nearest), without a quadratic pass. The radius is widened or narrowed
+as needed. A lane that does not converge searches alone. Scratch memory is reused so that it stays in the L2 cache.
 """
 
 from ..algebra.plain_min_max import larger
@@ -30,7 +30,7 @@ from ..lang import (
     vec3,
     vector,
 )
-from .bucket_walk import BYTE, next_step, start_walk, walk
+from .bucket_walk import BYTE, next_step, start_traversal, traversal
 from .group_scratch import GroupScratch
 from .k_nearest import search_k_nearest
 from .neighbor_keys import GUESSES, keep_up_to, limit_nearest
@@ -42,7 +42,7 @@ SPARE = 1.5  # safety factor of the expected squared radius
 MAX_GROWTH = 8.0  # maximum growth of a squared radius per step
 SHRUNK = 0.25  # shrink factor of a squared radius with too many leaves
 TINY = 1.0e-37  # [m^2] minimum of a growing squared radius
-TURNS = 12  # attempts before each lane traverses the tree
+MAX_ATTEMPTS = 12  # attempts before each lane traverses the tree
 
 
 @cuda_func
@@ -75,26 +75,26 @@ def nearby_nodes(
 
 
 @cuda_func
-def next_bucket_of_lanes(step: walk, a: vec3, b: vec3, bound: float, tree: PointTree) -> walk:
+def next_bucket_of_lanes(step: traversal, a: vec3, b: vec3, bound: float, tree: PointTree) -> traversal:
     return next_step(step, tree.root, partial(nearby_nodes, tree.levels, 0, tree.boxes, a, b, bound))
 
 
 @cuda_func
-def list_leaves(p: vec3, reach: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
+def list_leaves(p: vec3, max_sqdist: float, start: int, tree: PointTree, scratch: GroupScratch, listing: int) -> int:
     """List the leaves near the lanes' points by boxes of eight lanes. Return the count, partial beyond `gather`."""
     a = low_of_eight(p)
     b = high_of_eight(p)
-    widest = max_of_eight(reach)
+    widest = max_of_eight(max_sqdist)
     own = lane()
     sync_lanes()  # after lanes have read the previous list
     size = 0
-    step = start_walk(start)
+    step = start_traversal(start)
     while int(step[0]) <= tree.root and size <= scratch.gather:
         bucket = int(step[2])
         near = nearby_children(tree.boxes, bucket, a, b, widest)
-        place = size + bit_count(near & ((1 << own) - 1))
-        if own < FAN and ((near >> own) & 1) == 1 and place < scratch.gather:
-            scratch.ids[listing + place] = bucket * BUCKET + own * LEAF
+        slot = size + bit_count(near & ((1 << own) - 1))
+        if own < FAN and ((near >> own) & 1) == 1 and slot < scratch.gather:
+            scratch.ids[listing + slot] = bucket * BUCKET + own * LEAF
         size += bit_count(near)
         step = next_bucket_of_lanes(step, a, b, widest, tree)
     sync_lanes()
@@ -107,8 +107,10 @@ def sqdist_of(leaf: eight_points, j: int, p: vec3) -> float:
 
 
 @cuda_func
-def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int) -> int:
-    """Store the keys within squared distance `reach`, above positions. Return the count, partial above room - LEAF."""
+def keep_near(
+    p: vec3, max_sqdist: float, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
+) -> int:
+    """Store the keys within `max_sqdist`, above positions. Return the count, partial above room - LEAF."""
     at = base
     last = base + (scratch.room - LEAF) * scratch.stride
     lacking = 0
@@ -118,12 +120,12 @@ def keep_near(p: vec3, reach: float, tree: PointTree, scratch: GroupScratch, lis
         if at <= last:
             for j in range(LEAF):
                 sqdist = sqdist_of(leaf, j, p)
-                if sqdist <= reach:
+                if sqdist <= max_sqdist:
                     scratch.keys[at] = pack_key(sqdist, first + j)
                     at += scratch.stride
         else:
             for j in range(LEAF):
-                if sqdist_of(leaf, j, p) <= reach:
+                if sqdist_of(leaf, j, p) <= max_sqdist:
                     lacking += 1
     return (at - base) // scratch.stride + lacking
 
@@ -133,40 +135,47 @@ def keep_up_to_limit(
     p: vec3, limit: int64, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
 ) -> int:
     """Store the keys up to a limit and return the count, -1 if there is no room."""
-    found = keep_near(p, key_number(limit), tree, scratch, listing, size, base)
-    held = -1
-    if found <= scratch.room - LEAF:
-        held = keep_up_to(scratch.keys, base, scratch.stride, found, limit)
-    return held
+    near_count = keep_near(p, key_number(limit), tree, scratch, listing, size, base)
+    count = -1
+    if near_count <= scratch.room - LEAF:
+        count = keep_up_to(scratch.keys, base, scratch.stride, near_count, limit)
+    return count
 
 
 @cuda_func
 def keep_nearer(
-    p: vec3, reach: float, found: int, tree: PointTree, scratch: GroupScratch, listing: int, size: int, base: int
+    p: vec3,
+    max_sqdist: float,
+    near_count: int,
+    tree: PointTree,
+    scratch: GroupScratch,
+    listing: int,
+    size: int,
+    base: int,
 ) -> vec2:
-    """Store at least k keys if `found` are too many: (squared distance or -1, count)."""
+    """Store at least k keys if `near_count` are too many: (squared distance or -1, count)."""
     low = 0.0
-    high = reach
-    above = int(found)
-    most_held = scratch.room - LEAF
-    middle = (scratch.k + most_held) // 2
-    turn = 0
-    while above > most_held and turn < 2 * GUESSES:
+    high = max_sqdist
+    above = int(near_count)
+    capacity = scratch.room - LEAF
+    middle = (scratch.k + capacity) // 2
+    iteration = 0
+    while above > capacity and iteration < 2 * GUESSES:
         guess = low + (high - low) * (float(middle) / float(above))
-        if turn >= GUESSES:
+        if iteration >= GUESSES:
             guess = low + (high - low) * 0.5
-        kept = keep_near(p, guess, tree, scratch, listing, size, base)
-        if kept < scratch.k:
+        count = keep_near(p, guess, tree, scratch, listing, size, base)
+        if count < scratch.k:
             low = guess
         else:
             high = guess
-            above = kept
-        turn += 1
-    return vec2(high if above <= most_held else -1.0, float(above))
+            above = count
+        iteration += 1
+    return vec2(high if above <= capacity else -1.0, float(above))
 
 
 @cuda_func
-def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
+def guess_sqradius(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
     """Squared distance within which k points are expected around each lane's, from a nearby bucket."""
     a = lane_min_corner(p)
     b = lane_max_corner(p)
@@ -182,39 +191,46 @@ def guess_reach(p: vec3, bucket: int, k: int, tree: PointTree) -> float:
 
 @cuda_func
 def keep_for_lanes(
-    p: vec3, start: int, guess: float, tree: PointTree, scratch: GroupScratch, listing: int, base: int, reach: float
+    p: vec3,
+    start: int,
+    guess: float,
+    tree: PointTree,
+    scratch: GroupScratch,
+    listing: int,
+    base: int,
+    max_sqdist: float,
 ) -> vec3:
-    """Store each lane's points within a distance at which all have k, or `reach`: (distance, leaves, points)."""
+    """Store each lane's points within a distance at which all have k, or `max_sqdist`: (distance, leaves, points)."""
     covered = guess
     if guess < 0.0:
-        covered = guess_reach(p, start, scratch.k, tree)
-    covered = min(covered, reach)
+        covered = guess_sqradius(p, start, scratch.k, tree)
+    covered = min(covered, max_sqdist)
     beyond = float(INFINITY)  # the leaves exceed the room
     listed = 0
-    found = 0
-    turn = 0
-    while turn < TURNS:
+    count = 0
+    attempt = 0
+    while attempt < MAX_ATTEMPTS:
         listed = list_leaves(p, covered, start, tree, scratch, listing)
-        turn += 1
+        attempt += 1
         if listed > scratch.gather:
             beyond = covered
             covered = covered * SHRUNK
         else:
-            found = keep_near(p, covered, tree, scratch, listing, listed, base)
-            fewest = lane_min(float(found))
-            if fewest >= float(scratch.k) or covered >= reach or turn >= TURNS:
-                turn = TURNS + 1
+            count = keep_near(p, covered, tree, scratch, listing, listed, base)
+            min_count = lane_min(float(count))
+            if min_count >= float(scratch.k) or covered >= max_sqdist or attempt >= MAX_ATTEMPTS:
+                attempt = MAX_ATTEMPTS + 1
             else:
-                grown = covered * min(SPARE * float(scratch.k) / max(fewest, 1.0), MAX_GROWTH)
+                grown = covered * min(SPARE * float(scratch.k) / max(min_count, 1.0), MAX_GROWTH)
                 if listed * LEAF >= tree.count:
-                    grown = reach
-                covered = min(min(reach, 0.5 * (covered + beyond)), max(grown, TINY))
-    return vec3(covered, float(listed), float(found))
+                    grown = max_sqdist
+                covered = min(min(max_sqdist, 0.5 * (covered + beyond)), max(grown, TINY))
+    return vec3(covered, float(listed), float(count))
 
 
 @cuda_func
-def name_keys(labels: array(dtype=int32), scratch: GroupScratch, base: int, held: int):
-    for j in range(held):
+def name_keys(labels: array(dtype=int32), scratch: GroupScratch, base: int, key_count: int):
+    for j in range(key_count):
         key = scratch.keys[base + j * scratch.stride]
         scratch.keys[base + j * scratch.stride] = pack_bits(key_bits(key), labels[key_index(key)])
 
@@ -229,18 +245,18 @@ def search_lanes(
     labels: array(dtype=int32),
     scratch: GroupScratch,
     thread: int,
-    reach: float,
-    in_places: int,
+    max_sqdist: float,
+    by_position: int,
 ) -> vec2i:
-    """Store keys of the k nearest points within the squared distance `reach` of each lane's query, unordered. The
+    """Store keys of the k nearest points within the squared distance `max_sqdist` of each lane's query, unordered. The
     nearby bucket `start` and first squared distance `guess` are uniform. Returns count and bits of a bounding distance.
     """
     listing = (thread // WARP) * scratch.gather
-    kept = keep_for_lanes(p, start, guess, tree, scratch, listing, thread, reach)
-    near = kept[0]
-    listed = int(kept[1])
-    size = int(kept[2])
-    if listed > scratch.gather or (size < scratch.k and near < reach):
+    result = keep_for_lanes(p, start, guess, tree, scratch, listing, thread, max_sqdist)
+    near = result[0]
+    listed = int(result[1])
+    size = int(result[2])
+    if listed > scratch.gather or (size < scratch.k and near < max_sqdist):
         near = -1.0
     if near >= 0.0 and size > scratch.room - LEAF:
         nearer = keep_nearer(p, near, size, tree, scratch, listing, listed, thread)
@@ -250,12 +266,12 @@ def search_lanes(
         size = 0
         if is_query == 1:
             size = search_k_nearest(
-                p, start, tree, labels, scratch.keys, thread, scratch.stride, scratch.k, scratch.room, reach
+                p, start, tree, labels, scratch.keys, thread, scratch.stride, scratch.k, scratch.room, max_sqdist
             )
-            near = reach
+            near = max_sqdist
             if size == scratch.k:
                 near = key_number(scratch.keys[thread + (size - 1) * scratch.stride])
-    elif in_places == 0:
+    elif by_position == 0:
         name_keys(labels, scratch, thread, size)
     if size > scratch.k:
         limit = limit_nearest(scratch.keys, thread, scratch.stride, size, scratch.k, near)

@@ -22,15 +22,15 @@ from .point_tree import BUCKET, PointTree
 @struct
 class ManyClouds:
     """Clouds in one array, each along the curve, with infinite padding: `order`: row in its cloud or -1; `owners` per
-    bucket; `starts` in the input; `first_places`, multiples of BUCKET; `codes` of first points; `bases`, `counts` and
-    box on the host. Raises ValueError for 2^31 positions or more.
+    bucket; `starts` in the input; `first_positions`, multiples of BUCKET; `codes` of first points; `bases`, `counts`
+    and box on the host. Raises ValueError for 2^31 positions or more.
     """
 
     points: array(dtype=vec3)
     order: array(dtype=int32)
     owners: array(dtype=int32)
     starts: array(dtype=int32)
-    first_places: array(dtype=int32)
+    first_positions: array(dtype=int32)
     finite_counts: array(dtype=int32)
     codes: array(dtype=int64)
     curve: HilbertCurve
@@ -53,12 +53,12 @@ class ManyClouds:
         self.bases = np.concatenate([[0], np.cumsum(buckets)[:-1]]) * BUCKET
         self.buckets, total = buckets, int(buckets.sum())
         tables = [np.repeat(np.arange(count), buckets), self.bases, self.counts]
-        self.owners, self.first_places, self.finite_counts = upload_together(tables, int32, device)
+        self.owners, self.first_positions, self.finite_counts = upload_together(tables, int32, device)
         self.order, self.points = empty(total * BUCKET, int32, device), empty(total * BUCKET, vec3, device)
-        launch(place_points_kernel, self.points.size, [points, rows, self])
+        launch(gather_points_kernel, self.points.size, [points, rows, self])
         if tree is None:
             self.codes = empty(total, int64, device)
-            launch(place_codes_kernel, total, [keys, bits, self])
+            launch(gather_codes_kernel, total, [keys, bits, self])
         else:
             self.codes = keys
 
@@ -86,11 +86,11 @@ class ManyClouds:
         """One attribute of all clouds, vec3 or float32 (n, c), in sorted order."""
         values = arrays[0] if len(arrays) == 1 else concatenate_rows(arrays)
         if values.dtype == vec3:
-            placed, gather = empty(self.points.size, vec3, self.device), gather_vectors_kernel
+            gathered, gather = empty(self.points.size, vec3, self.device), gather_vectors_kernel
         else:
-            placed, gather = empty((self.points.size, values.shape[1]), float32, self.device), gather_rows_kernel
-        launch(gather, self.points.size, [values, self, placed])
-        return placed
+            gathered, gather = empty((self.points.size, values.shape[1]), float32, self.device), gather_rows_kernel
+        launch(gather, self.points.size, [values, self, gathered])
+        return gathered
 
 
 @kernel
@@ -116,11 +116,11 @@ def count_finite_kernel(keys: array(dtype=int64), starts: array(dtype=int32), bi
 
 
 @kernel
-def place_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int32), clouds: ManyClouds):
+def gather_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int32), clouds: ManyClouds):
     """Sorted points; padding has row -1 and infinite coordinates."""
     i = tid()
     owner = clouds.owners[i // BUCKET]
-    rank = i - clouds.first_places[owner]
+    rank = i - clouds.first_positions[owner]
     row = -1
     p = vec3(INFINITY, INFINITY, INFINITY)
     if rank < clouds.finite_counts[owner]:
@@ -132,10 +132,10 @@ def place_points_kernel(points: array(dtype=vec3), sorted_rows: array(dtype=int3
 
 
 @kernel
-def place_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds):
+def gather_codes_kernel(keys: array(dtype=int64), bits: int, clouds: ManyClouds):
     i = tid()
     owner = clouds.owners[i]
-    at = clouds.starts[owner] + i * BUCKET - clouds.first_places[owner]
+    at = clouds.starts[owner] + i * BUCKET - clouds.first_positions[owner]
     code = int64(0)
     if at < clouds.starts[owner + 1]:
         code = keys[at] & ((1 << int64(bits)) - 1)
@@ -153,21 +153,23 @@ def given_row(i: int, clouds: ManyClouds) -> int:
 
 
 @kernel
-def gather_rows_kernel(values: array(dtype=float32, ndim=2), clouds: ManyClouds, placed: array(dtype=float32, ndim=2)):
+def gather_rows_kernel(
+    values: array(dtype=float32, ndim=2), clouds: ManyClouds, gathered: array(dtype=float32, ndim=2)
+):
     i = tid()
     row = given_row(i, clouds)
-    for column in range(placed.shape[1]):
+    for column in range(gathered.shape[1]):
         value = 0.0
         if row >= 0:
             value = values[row, column]
-        placed[i, column] = value
+        gathered[i, column] = value
 
 
 @kernel
-def gather_vectors_kernel(values: array(dtype=vec3), clouds: ManyClouds, placed: array(dtype=vec3)):
+def gather_vectors_kernel(values: array(dtype=vec3), clouds: ManyClouds, gathered: array(dtype=vec3)):
     i = tid()
     row = given_row(i, clouds)
     value = vec3(0.0, 0.0, 0.0)
     if row >= 0:
         value = values[row]
-    placed[i] = value
+    gathered[i] = value

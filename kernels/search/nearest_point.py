@@ -26,7 +26,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty
-from .bucket_walk import next_bucket, pass_over_equal, start_walk
+from .bucket_walk import next_bucket, pass_over_equal, start_traversal
 from .point_tree import (
     BUCKET,
     FAN,
@@ -34,19 +34,19 @@ from .point_tree import (
     SIDES,
     PointTree,
     find_bucket,
-    is_one_place,
+    is_one_point,
     measure_box,
     measure_boxes,
     square_distance,
 )
-from .tree_search import order_along_curve, reach_of, search_nearest
+from .tree_search import order_along_curve, search_nearest, squared_radius
 
 lane_numbers = vector(8, float32)
 lane_labels = vector(8, int32)
 lane_results = vector(16, int32)  # bits of eight squared distances, then eight indices
 SPARSE = 16  # cloud points per query, above which groups are too wide
 NO_POINT = -1  # key without a result
-NOBODY = -1  # label without a point
+NO_LABEL = -1  # label without a point
 
 
 @func
@@ -71,13 +71,13 @@ def measure_leaf(
             y = p[1] - ys[j]
             z = p[2] - zs[j]
             bits = float_bits(x * x + y * y + z * z)
-            held = nearest[j]
-            less = 1 if bits < held else 0
-            tied = 1 if bits == held else 0
+            current = nearest[j]
+            less = 1 if bits < current else 0
+            tied = 1 if bits == current else 0
             lower = 1 if label < nearest[LEAF + j] else 0
             other = 1 if label != own[j] else 0
             closer = (less | (tied & lower)) & other
-            nearest[j] = bits if closer == 1 else held
+            nearest[j] = bits if closer == 1 else current
             nearest[LEAF + j] = label if closer == 1 else nearest[LEAF + j]
     return nearest
 
@@ -115,10 +115,10 @@ def lanes_reaching(
 ) -> int:
     """Count of lanes not farther from a child's box than from their current result."""
     distances = lane_distances(node, child, boxes, xs, ys, zs)
-    found = 0
+    count = 0
     for j in range(LEAF):
-        found += 1 if float_bits(distances[j]) <= best[j] else 0
-    return found
+        count += 1 if float_bits(distances[j]) <= best[j] else 0
+    return count
 
 
 @func
@@ -145,14 +145,14 @@ def find_nearest_kernel(
     query_order: array(dtype=int32),
     others: int,
     tree: PointTree,
-    reach: float,
+    max_sqdist: float,
     nearest: array(dtype=int64),
 ):
-    """Key of the nearest point of each of LEAF queries, NO_POINT if none is within reach."""
+    """Key of the nearest point of each of LEAF queries, NO_POINT if none is within `max_sqdist`."""
     i = tid()
     head = i * LEAF
     tail = min(head + LEAF, query_order.shape[0])
-    none = float_bits(reach) + 1
+    none = float_bits(max_sqdist) + 1
     best = lane_results(none)
     a = queries[query_order[head]]
     if tree.count > 0 and isfinite(a):  # non-finite queries are last
@@ -160,7 +160,7 @@ def find_nearest_kernel(
         xs = lane_numbers(a[0])
         ys = lane_numbers(a[1])
         zs = lane_numbers(a[2])
-        own = lane_labels(NOBODY)
+        own = lane_labels(NO_LABEL)
         for rank in range(head, tail):
             row = query_order[rank]
             q = queries[row]
@@ -178,19 +178,19 @@ def find_nearest_kernel(
             seed * LEAF, min((seed + 1) * LEAF, tree.count), tree.points, tree.order, xs, ys, zs, own, best
         )
         farthest = largest_of(best, 0)
-        bound = min(reach, bits_float(farthest))  # above infinity the bits are NaN
-        step = start_walk(start)
+        bound = min(max_sqdist, bits_float(farthest))  # above infinity the bits are NaN
+        step = start_traversal(start)
         while int(step[0]) <= tree.root:
             bucket = int(step[2])
             distances = measure_boxes(tree.boxes, bucket, a, b)
-            found = 0
+            is_measured = 0
             for leaf in range(FAN):
                 first = bucket * BUCKET + leaf * LEAF
                 if distances[leaf] <= bound and bucket * FAN + leaf != seed:
                     # up to the farthest: of coincident points only lower indices matter
                     wanted = 1
                     if float_bits(distances[leaf]) == farthest:
-                        if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > largest_of(best, LEAF):
+                        if is_one_point(tree.boxes, bucket, leaf) == 1 and tree.order[first] > largest_of(best, LEAF):
                             wanted = 0
                     if wanted == 1:
                         wanted = lanes_reaching(bucket, leaf, tree.boxes, xs, ys, zs, best)
@@ -199,10 +199,10 @@ def find_nearest_kernel(
                             first, min(first + LEAF, tree.count), tree.points, tree.order, xs, ys, zs, own, best
                         )
                         farthest = largest_of(best, 0)
-                        bound = min(reach, bits_float(farthest))
-                        found = 1
-            if found == 0:
-                if is_one_place(tree.boxes, bucket, 0) == 1:
+                        bound = min(max_sqdist, bits_float(farthest))
+                        is_measured = 1
+            if is_measured == 0:
+                if is_one_point(tree.boxes, bucket, 0) == 1:
                     limit = pack_bits(farthest, largest_of(best, LEAF))
                     step = pass_over_equal(step, a, b, limit, tree, tree.order)
             step = next_bucket(step, a, b, bound, tree)
@@ -216,31 +216,31 @@ def find_nearest_kernel(
 
 
 @kernel(max_registers=128)  # for two blocks per SM
-def find_alone_kernel(
+def find_separately_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
     others: int,
     tree: PointTree,
-    reach: float,
+    max_sqdist: float,
     nearest: array(dtype=int64),
 ):
     i = tid()
     row = query_order[i]
     q = queries[row]
-    none = float_bits(reach) + 1
+    none = float_bits(max_sqdist) + 1
     best = none
     label = none
     if tree.count > 0 and isfinite(q):
-        own = row if others == 1 else NOBODY
-        step = start_walk(find_bucket(q, tree))
-        bound = min(reach, bits_float(best))
+        own = row if others == 1 else NO_LABEL
+        step = start_traversal(find_bucket(q, tree))
+        bound = min(max_sqdist, bits_float(best))
         while int(step[0]) <= tree.root:
             bucket = int(step[2])
             distances = measure_boxes(tree.boxes, bucket, q, q)
             within = 0
             for leaf in range(FAN):
                 within = within | ((1 if distances[leaf] <= bound else 0) << leaf)
-            found = 0
+            is_measured = 0
             while within != 0:  # one body for all leaves, to save registers
                 lowest = within & (-within)
                 within = within ^ lowest
@@ -249,7 +249,7 @@ def find_alone_kernel(
                 distance = float_bits(measure_box(tree.boxes, bucket, leaf, q, q))
                 wanted = 1 if distance <= float_bits(bound) else 0
                 if wanted == 1 and distance == best:  # of coincident points only the lower index
-                    if is_one_place(tree.boxes, bucket, leaf) == 1 and tree.order[first] > label:
+                    if is_one_point(tree.boxes, bucket, leaf) == 1 and tree.order[first] > label:
                         wanted = 0
                 if wanted == 1:
                     for j in range(first, min(first + LEAF, tree.count)):
@@ -259,10 +259,10 @@ def find_alone_kernel(
                             if (bits < best or other < label) and other != own:
                                 best = bits
                                 label = other
-                    bound = min(reach, bits_float(best))
-                    found = 1
-            if found == 0:
-                if is_one_place(tree.boxes, bucket, 0) == 1:
+                    bound = min(max_sqdist, bits_float(best))
+                    is_measured = 1
+            if is_measured == 0:
+                if is_one_point(tree.boxes, bucket, 0) == 1:
                     step = pass_over_equal(step, q, q, pack_bits(best, label), tree, tree.order)
             step = next_bucket(step, q, q, bound, tree)
     key = int64(NO_POINT)
@@ -303,16 +303,16 @@ def find_nearest(
     index, or NO_POINT. `others`: the queries are the tree's own points. `order`: coherent query order for CUDA.
     """
     nearest = empty(queries.size, int64, queries.device) if nearest is None else nearest
-    alone = queries.device.is_cuda
-    if tree.count > SPARSE * queries.size and not alone:
-        found = search_nearest(tree, queries, 2 if others else 1, radius)
-        launch(pack_neighbor_kernel, queries.size, [*found, int(others), nearest])
+    is_separate = queries.device.is_cuda
+    if tree.count > SPARSE * queries.size and not is_separate:
+        result = search_nearest(tree, queries, 2 if others else 1, radius)
+        launch(pack_neighbor_kernel, queries.size, [*result, int(others), nearest])
         return nearest
-    if order is None or not alone:
+    if order is None or not is_separate:
         order = tree.order if tree.source.ptr == queries.ptr else order_along_curve(tree, queries)
-    search = [tree, reach_of(radius), nearest]
-    if alone:
-        launch(find_alone_kernel, queries.size, [queries, order, int(others), *search])
+    search = [tree, squared_radius(radius), nearest]
+    if is_separate:
+        launch(find_separately_kernel, queries.size, [queries, order, int(others), *search])
     else:
         launch(find_nearest_kernel, -(-queries.size // LEAF), [queries, order, int(others), *search])
     return nearest

@@ -23,7 +23,7 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, full
-from .group_scratch import GroupScratch, LaunchPart, held_key
+from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .group_search import launch_over_leaves, nearest_of_leaves
 from .nearest_point import find_nearest
 from .point_tree import LARGEST_SQDIST, PointTree
@@ -33,16 +33,16 @@ count_sum = vector(2, float64)
 
 @kernel(max_registers=80)
 def average_distances_kernel(
-    part: LaunchPart, tree: PointTree, places: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
+    part: LaunchPart, tree: PointTree, labels: array(dtype=int32), scratch: GroupScratch, means: array(dtype=float64)
 ):
     """Mean distance of the k nearest points including the point itself; infinite for fewer than k."""
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, LARGEST_SQDIST, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, labels, scratch, LARGEST_SQDIST, 0):
         total = float64(0.0)
         if size < scratch.k:
             total = float64(INFINITY)
         for j in range(size):
-            total += float64(sqrt(key_number(held_key(scratch, base, j))))
+            total += float64(sqrt(key_number(stored_key(scratch, base, j))))
         means[tree.order[rank]] = total / float64(size)
 
 
@@ -71,10 +71,10 @@ def sum_deviations(values: array(dtype=float64), mean: float64) -> count_sum:
 def mask_up_to_kernel(values: array(dtype=float64), threshold: float64, mask: array(dtype=uint8)):
     """1 where a value is at most the threshold. 0 for NaN."""
     i = tid()
-    kept = 0
+    is_selected = 0
     if values[i] <= threshold:
-        kept = 1
-    mask[i] = uint8(kept)
+        is_selected = 1
+    mask[i] = uint8(is_selected)
 
 
 @kernel

@@ -73,59 +73,59 @@ def sort_by_network(keys: array(dtype=int64), base: int, stride: int, size: int)
 
 
 @func
-def count_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limit: int64) -> int:
+def count_up_to(keys: array(dtype=int64), base: int, stride: int, key_count: int, limit: int64) -> int:
     count = int64(0)  # as wide as the keys, to share vector registers
-    for j in range(held):
+    for j in range(key_count):
         if keys[base + j * stride] <= limit:
             count += 1
     return int(count)
 
 
 @func
-def limit_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int64:
-    """A limit of exactly the k smallest keys, or that of `reach`. Interpolates, assuming counts proportional to the
-    squared radius; bisection (at most 64 steps) for ties and failures.
+def limit_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, max_sqdist: float) -> int64:
+    """A limit of exactly the k smallest keys, or that of `max_sqdist`. Interpolates, assuming counts proportional to
+    the squared radius; bisection (at most 64 steps) for ties and failures.
     """
     low = int64(-1)
-    high = key_limit(reach)
+    high = key_limit(max_sqdist)
     below = 0
-    above = held
-    turn = 0
+    above = key_count
+    iteration = 0
     while above > k:
         guess = low + (high - low) // 2
-        if turn < GUESSES:
+        if iteration < GUESSES:
             near = key_number(max(low, 0))
             share = (float(k - below) + 0.5) / float(above - below)
             likely = key_limit(near + (key_number(high) - near) * share)
             if likely > low and likely < high:
                 guess = likely
-        found = count_up_to(keys, base, stride, held, guess)
-        if found < k:
+        count = count_up_to(keys, base, stride, key_count, guess)
+        if count < k:
             low = guess
-            below = found
+            below = count
         else:
             high = guess
-            above = found
-        turn += 1
+            above = count
+        iteration += 1
     return high
 
 
 @limit_nearest.on_cuda
-def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int64:
-    """CUDA variant in three or four passes. The k-th distance is in [least, largest], ties by bisection."""
+def limit_between(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, max_sqdist: float) -> int64:
+    """CUDA variant in three or four passes. The k-th distance is in [smallest, largest], ties by bisection."""
     low = 0.0
-    least = 0.0
-    largest = reach
+    smallest = 0.0
+    largest = max_sqdist
     below = 0
-    above = held
-    while above > k and least < largest:
+    above = key_count
+    while above > k and smallest < largest:
         guess = low + (largest - low) * ((float(k - below) + 0.5) / float(above - below))
-        guess = max(min(guess, bits_float(float_bits(largest) - 1)), least)
+        guess = max(min(guess, bits_float(float_bits(largest) - 1)), smallest)
         count = 0
         up_to = 0.0
         beyond = largest
         at = base + 0
-        for _ in range(held):
+        for _ in range(key_count):
             sqdist = key_number(keys[at])
             inside = sqdist <= guess
             count += 1 if inside else 0
@@ -136,7 +136,7 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
             largest = up_to
             above = count
         else:
-            least = beyond
+            smallest = beyond
             low = guess
             below = count
     limit = key_limit(largest)
@@ -145,7 +145,7 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
         limit = (int64(float_bits(largest)) << 32) - 1
         while behind - limit > 1 and above > k:
             middle = limit + (behind - limit) // 2
-            count = count_up_to(keys, base, stride, held, middle)
+            count = count_up_to(keys, base, stride, key_count, middle)
             if count < k:
                 limit = middle
             else:
@@ -156,10 +156,10 @@ def limit_between(keys: array(dtype=int64), base: int, stride: int, held: int, k
 
 
 @func
-def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limit: int64) -> int:
+def keep_up_to(keys: array(dtype=int64), base: int, stride: int, key_count: int, limit: int64) -> int:
     """Move the keys up to a limit to the front in their order. Return the count."""
     size = 0
-    for j in range(held):
+    for j in range(key_count):
         key = keys[base + j * stride]
         if key <= limit:
             keys[base + size * stride] = key
@@ -168,52 +168,52 @@ def keep_up_to(keys: array(dtype=int64), base: int, stride: int, held: int, limi
 
 
 @func
-def keep_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, room: int) -> int:
+def keep_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, room: int) -> int:
     """Sort and keep the k smallest keys by counting smaller ones, fast up to MANY keys. Return the count."""
-    left = min(held, k)
-    if held > MANY:
-        sort_keys(keys, base, stride, held)
+    left = min(key_count, k)
+    if key_count > MANY:
+        sort_keys(keys, base, stride, key_count)
     else:
-        for a in range(held):
+        for a in range(key_count):
             key = keys[base + a * stride]
-            place = int64(0)  # as wide as the keys, to share vector registers
-            for b in range(held):
+            rank = int64(0)  # as wide as the keys, to share vector registers
+            for b in range(key_count):
                 if keys[base + b * stride] < key:
-                    place += 1
-            if int(place) < k:
-                keys[base + (room + int(place)) * stride] = key
+                    rank += 1
+            if int(rank) < k:
+                keys[base + (room + int(rank)) * stride] = key
         for a in range(left):
             keys[base + a * stride] = keys[base + (room + a) * stride]
     return left
 
 
 @keep_nearest.on_cuda
-def pick_nearest(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, room: int) -> int:
+def pick_nearest(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, room: int) -> int:
     """CUDA variant without a quadratic pass."""
-    left = held
-    if held > k:
+    left = key_count
+    if key_count > k:
         largest = keys[base]
-        for j in range(1, held):
+        for j in range(1, key_count):
             largest = max(largest, keys[base + j * stride])
-        limit = limit_nearest(keys, base, stride, held, k, key_number(largest))
-        left = keep_up_to(keys, base, stride, held, limit)
+        limit = limit_nearest(keys, base, stride, key_count, k, key_number(largest))
+        left = keep_up_to(keys, base, stride, key_count, limit)
     sort_keys(keys, base, stride, left)
     return left
 
 
 @func
-def thin_keys(keys: array(dtype=int64), base: int, stride: int, held: int, k: int, reach: float) -> int:
+def thin_keys(keys: array(dtype=int64), base: int, stride: int, key_count: int, k: int, max_sqdist: float) -> int:
     """Drop far keys, keeping at least k, by three guesses of the k-th distance. Return the count."""
-    left = held
-    if held > k + k // SLIGHT and reach < BOUNDLESS:
-        share = reach * (float(k) / float(held))
+    left = key_count
+    if key_count > k + k // SLIGHT and max_sqdist < BOUNDLESS:
+        share = max_sqdist * (float(k) / float(key_count))
         close = (int64(float_bits(share * CLOSE)) + 1) << 32
         middle = (int64(float_bits(share * MIDDLE)) + 1) << 32
         wide = (int64(float_bits(share * WIDE)) + 1) << 32
         in_close = 0
         in_middle = 0
         in_wide = 0
-        for j in range(held):
+        for j in range(key_count):
             key = keys[base + j * stride]
             if key < close:
                 in_close += 1
@@ -228,7 +228,7 @@ def thin_keys(keys: array(dtype=int64), base: int, stride: int, held: int, k: in
             limit = close
         if in_wide >= k:
             left = 0
-            for j in range(held):
+            for j in range(key_count):
                 key = keys[base + j * stride]
                 keys[base + left * stride] = key
                 if key < limit:

@@ -34,21 +34,21 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, zeros
-from .bucket_walk import points_in_reach
+from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
-from .group_search import GUESS, gather_candidates, grown_reach, pick_within
+from .group_search import GUESS, gather_candidates, grown_sqradius, pick_within
 from .k_nearest import search_k_nearest
 from .lane_search import keep_up_to_limit, list_leaves, search_lanes
 from .neighbor_keys import limit_nearest
 from .point_tree import BUCKET, LEAF, PointTree, square_distance
-from .tree_search import reach_of
+from .tree_search import squared_radius
 
 eight_counts = vector(8, int32)
 LIST_SIZE = 256  # neighbors assumed for scratch memory if unlimited
 
 
 @func
-def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reach: float) -> int:
+def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, max_sqdist: float) -> int:
     counts = eight_counts(0)
     full = size // LEAF
     for chunk in range(full):
@@ -57,7 +57,7 @@ def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reac
             x = scratch.xs[start + j] - p[0]
             y = scratch.ys[start + j] - p[1]
             z = scratch.zs[start + j] - p[2]
-            counts[j] = counts[j] + (1 if x * x + y * y + z * z <= reach else 0)
+            counts[j] = counts[j] + (1 if x * x + y * y + z * z <= max_sqdist else 0)
     total = 0
     for j in range(LEAF):
         total += counts[j]
@@ -65,7 +65,7 @@ def count_candidates(p: vec3, scratch: GroupScratch, first: int, size: int, reac
         x = scratch.xs[j] - p[0]
         y = scratch.ys[j] - p[1]
         z = scratch.zs[j] - p[2]
-        if x * x + y * y + z * z <= reach:
+        if x * x + y * y + z * z <= max_sqdist:
             total += 1
     return total
 
@@ -75,13 +75,13 @@ def gather_group(
     ranks: array(dtype=int32),
     head: int,
     tail: int,
-    reach: float,
+    max_sqdist: float,
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
     listing: int,
 ) -> int:
-    """Copy the points within reach of the box of a query group. Return the count, or gather + 1 if there are more."""
+    """Copy the points near the box of a query group. Return the count, or gather + 1 if there are more."""
     size = scratch.gather + 1
     if scratch.gather > 0:
         a = tree.points[ranks[head]]
@@ -91,13 +91,13 @@ def gather_group(
             a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
             b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         size = gather_candidates(
-            a, b, ranks[head] // BUCKET, reach, tree, places, scratch, listing,
+            a, b, ranks[head] // BUCKET, max_sqdist, tree, labels, scratch, listing,
         )  # fmt: skip
     return size
 
 
 @func
-def widest_reach(ranks: array(dtype=int32), head: int, tail: int, limits: array(dtype=int64)) -> float:
+def largest_sqdist(ranks: array(dtype=int32), head: int, tail: int, limits: array(dtype=int64)) -> float:
     """Largest squared distance of the limits of a query group."""
     widest = limits[ranks[head]]
     for j in range(head + 1, tail):
@@ -110,9 +110,9 @@ def find_limits_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     limits: array(dtype=int64),
 ):
     i = tid()
@@ -123,19 +123,19 @@ def find_limits_kernel(
     for group in range(part.first + i * part.run, min(part.first + (i + 1) * part.run, part.last)):
         head = group * LEAF
         tail = min((group + 1) * LEAF, ranks.shape[0])
-        gathered = gather_group(ranks, head, tail, reach, tree, places, scratch, listing)
+        gathered = gather_group(ranks, head, tail, max_sqdist, tree, labels, scratch, listing)
         for j in range(head, tail):
             rank = ranks[j]
             p = tree.points[rank]
-            limit = key_limit(reach)
+            limit = key_limit(max_sqdist)
             if gathered <= scratch.gather:
-                if count_candidates(p, scratch, listing, gathered, reach) > scratch.k:
-                    held = pick_within(p, scratch, listing, gathered, base, reach)
-                    limit = limit_nearest(scratch.keys, base, 1, held, scratch.k, reach)
+                if count_candidates(p, scratch, listing, gathered, max_sqdist) > scratch.k:
+                    key_count = pick_within(p, scratch, listing, gathered, base, max_sqdist)
+                    limit = limit_nearest(scratch.keys, base, 1, key_count, scratch.k, max_sqdist)
             else:
-                near = min(reach, grown_reach(bound, square_distance(before, p)))
+                near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
                 size = search_k_nearest(
-                    p, rank // BUCKET, tree, places, scratch.keys, base, 1, scratch.k, scratch.room, near
+                    p, rank // BUCKET, tree, labels, scratch.keys, base, 1, scratch.k, scratch.room, near
                 )
                 before = p
                 bound = float(INFINITY)
@@ -150,9 +150,9 @@ def find_limits_of_lanes_kernel(
     part: LaunchPart,
     ranks: array(dtype=int32),
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     limits: array(dtype=int64),
 ):
     i = tid()
@@ -163,11 +163,11 @@ def find_limits_of_lanes_kernel(
         rank = ranks[min(j, ranks.shape[0] - 1)]
         is_query = 1 if j < ranks.shape[0] else 0
         start = ranks[group * WARP] // BUCKET
-        found = search_lanes(tree.points[rank], is_query, start, guess, tree, places, scratch, i, reach, 1)
-        guess = lane_max(bits_float(found[1])) * GUESS
+        result = search_lanes(tree.points[rank], is_query, start, guess, tree, labels, scratch, i, max_sqdist, 1)
+        guess = lane_max(bits_float(result[1])) * GUESS
         if is_query == 1:
-            limit = key_limit(reach)
-            if found[0] == scratch.k:
+            limit = key_limit(max_sqdist)
+            if result[0] == scratch.k:
                 limit = scratch.keys[i]
                 for slot in range(1, scratch.k):
                     limit = max(limit, scratch.keys[i + slot * scratch.stride])
@@ -178,32 +178,32 @@ def find_limits_of_lanes_kernel(
 class Neighborhood:
     """The neighbors of each point of a tree within a radius, a count or both, without lists. Ties go to the first on
     the curve. `radius` [m] is exclusive; `max_nn` includes the point itself; `ranks`: positions computed first.
-    `limits` (tree.count). Maximum squared distance `reach` [m^2].
+    `limits` (tree.count). Maximum squared distance `max_sqdist` [m^2].
     """
 
     tree: PointTree
-    places: array(dtype=int32)
+    positions: array(dtype=int32)
     limits: array(dtype=int64)
 
     def __init__(self, tree: PointTree, radius: float, max_nn: int | None, ranks: Integers | None = None) -> None:
         device, self.tree = tree.device, tree
-        self.reach = reach_of(radius)
-        self.places = positions(tree.count, device)
+        self.max_sqdist = squared_radius(radius)
+        self.positions = positions(tree.count, device)
         self.is_complete = max_nn is None or max_nn >= tree.count
         self.list_size = LIST_SIZE if max_nn is None or self.is_complete else max_nn
         if self.is_complete:
-            bits = int(np.float32(self.reach).view(np.int32))
-            self.limits = full(tree.count, ((bits + 1) << 32) - 1, int64, device)  # key_limit(reach)
+            bits = int(np.float32(self.max_sqdist).view(np.int32))
+            self.limits = full(tree.count, ((bits + 1) << 32) - 1, int64, device)  # key_limit(max_sqdist)
         else:
             self.limits = empty(tree.count, int64, device)
-            self.find(self.places if ranks is None else ranks)
+            self.find(self.positions if ranks is None else ranks)
 
     def find(self, ranks: Integers) -> None:
         if self.is_complete:
             return
         scratch = GroupScratch(self.tree.device, ranks.size, self.list_size)
         for part in scratch.parts():
-            arguments = [part, ranks, self.tree, self.places, scratch, self.reach, self.limits]
+            arguments = [part, ranks, self.tree, self.positions, scratch, self.max_sqdist, self.limits]
             launch(find_limits_kernel, part.threads, arguments)
 
     def visit(self, kernel: Kernel, ranks: Integers, arguments: Sequence[Any]) -> None:
@@ -229,19 +229,21 @@ def members_of(
     for group in range(part.first + thread * part.run, min(part.first + (thread + 1) * part.run, part.last)):
         head = group * scratch.width
         tail = min((group + 1) * scratch.width, ranks.shape[0])
-        reach = widest_reach(ranks, head, tail, neighborhood.limits)
-        gathered = gather_group(ranks, head, tail, reach, neighborhood.tree, neighborhood.places, scratch, listing)
+        max_sqdist = largest_sqdist(ranks, head, tail, neighborhood.limits)
+        gathered = gather_group(
+            ranks, head, tail, max_sqdist, neighborhood.tree, neighborhood.positions, scratch, listing
+        )
         for j in range(head, tail):
             rank = ranks[j]
-            held = -1
+            key_count = -1
             if gathered <= scratch.gather:
                 p = neighborhood.tree.points[rank]
-                held = pick_within(p, scratch, listing, gathered, base, key_number(neighborhood.limits[rank]))
-            yield j, base, held
+                key_count = pick_within(p, scratch, listing, gathered, base, key_number(neighborhood.limits[rank]))
+            yield j, base, key_count
 
 
 @cuda_func
-def hold_members(
+def store_members(
     thread: int, group: int, ranks: array(dtype=int32), neighborhood: Neighborhood, scratch: GroupScratch
 ) -> int:
     """Store the keys of all neighbors of each lane's query. Return the count, -1 if they do not fit."""
@@ -252,10 +254,10 @@ def hold_members(
     listing = (thread // WARP) * scratch.gather
     start = ranks[group * WARP] // BUCKET
     listed = list_leaves(p, key_number(limit), start, neighborhood.tree, scratch, listing)
-    held = -1
+    key_count = -1
     if listed <= scratch.gather:
-        held = keep_up_to_limit(p, limit, neighborhood.tree, scratch, listing, listed, thread)
-    return held
+        key_count = keep_up_to_limit(p, limit, neighborhood.tree, scratch, listing, listed, thread)
+    return key_count
 
 
 @members_of.on_cuda
@@ -264,11 +266,11 @@ def members_of_lanes(
 ) -> tuple[int, int, int]:
     first = part.first + (thread // WARP) * part.run
     for group in range(first, min(first + part.run, part.last)):
-        held = hold_members(thread, group, ranks, neighborhood, scratch)
+        key_count = store_members(thread, group, ranks, neighborhood, scratch)
         j = group * WARP + lane()
         if j < ranks.shape[0]:
             base = thread
-            yield j, base, held
+            yield j, base, key_count
 
 
 @loop
@@ -276,7 +278,7 @@ def neighbors_of(rank: int, neighborhood: Neighborhood) -> tuple[int, float]:
     """Tree positions and squared distances [m^2] of a point's neighbors, by tree traversal."""
     p = neighborhood.tree.points[rank]
     limit = neighborhood.limits[rank]
-    for j, sqdist in points_in_reach(rank // BUCKET, p, key_number(limit), neighborhood.tree):
+    for j, sqdist in points_within(rank // BUCKET, p, key_number(limit), neighborhood.tree):
         if pack_key(sqdist, j) <= limit:
             yield j, sqdist
 

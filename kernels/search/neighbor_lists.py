@@ -7,10 +7,10 @@ from ..arrays.packed_keys import key_index
 from ..arrays.sort import positions
 from ..lang import INFINITY, WARP, array, int32, kernel, launch, tid
 from ..memory import empty
-from .group_scratch import GroupScratch, LaunchPart, held_key
+from .group_scratch import GroupScratch, LaunchPart, stored_key
 from .group_search import nearest_of_leaves
 from .point_tree import PointTree
-from .tree_search import reach_of
+from .tree_search import squared_radius
 
 MAX_ENTRIES = 2**30  # per part: below the array size limit of a launch
 
@@ -22,35 +22,40 @@ def list_neighbors_kernel(
     sort: int,
     own: int,
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     lists: array(dtype=int32),
 ):
-    """Ranks of the k nearest points within reach; padded with the point itself with `own`, else -1."""
+    """Ranks of the k nearest points within `max_sqdist`; padded with the point itself with `own`, else -1."""
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, sort):
+    for rank, base, size in nearest_of_leaves(i, part, tree, labels, scratch, max_sqdist, sort):
         out = (rank - begin) * scratch.k
         for j in range(size):
-            lists[out + j] = key_index(held_key(scratch, base, j))
+            lists[out + j] = key_index(stored_key(scratch, base, j))
         for j in range(size, scratch.k):
             lists[out + j] = rank if own == 1 else -1
 
 
 def list_neighbors(
-    tree: PointTree, k: int, radius: float = INFINITY, sort: bool = True, own: bool = False, most: int = MAX_ENTRIES
+    tree: PointTree,
+    k: int,
+    radius: float = INFINITY,
+    sort: bool = True,
+    own: bool = False,
+    max_entries: int = MAX_ENTRIES,
 ) -> Iterator[tuple[int, Indices]]:
     """Yield (begin, lists): the k nearest, including itself, of the points from rank `begin` on, int32 (points * k).
     Short lists (by `radius` [m] or float32 overflow) are padded with the point itself if `own`, else with -1.
     """
-    device, reach = tree.device, reach_of(radius)
-    places = positions(tree.count, device)
-    step = max(1, most // (k * WARP)) * WARP  # whole groups
+    device, max_sqdist = tree.device, squared_radius(radius)
+    labels = positions(tree.count, device)
+    step = max(1, max_entries // (k * WARP)) * WARP  # whole groups
     for begin in range(0, tree.count, step):
         rows = min(step, tree.count - begin)
         lists = empty(rows * k, int32, device)
         scratch = GroupScratch(device, rows, k)
         for part in scratch.parts(shift=begin):
-            arguments = [part, begin, int(sort), int(own), tree, places, scratch, reach, lists]
+            arguments = [part, begin, int(sort), int(own), tree, labels, scratch, max_sqdist, lists]
             launch(list_neighbors_kernel, part.threads, arguments)
         yield begin, lists

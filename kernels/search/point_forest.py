@@ -12,7 +12,7 @@ import numpy as np
 from ..array_types import Vectors
 from ..lang import INFINITY, array, float32, func, int32, kernel, launch, partial, struct, tid, vec3
 from ..memory import empty, upload_together
-from .bucket_walk import children_in_reach, next_step, walk
+from .bucket_walk import level_children_within, next_step, traversal
 from .hilbert_order import locate_on_curve
 from .many_clouds import ManyClouds
 from .point_tree import FAN, LEAF, SIDES, bound_leaf, find_run, highest_corner, lowest_corner
@@ -36,9 +36,9 @@ class PointForest:
     boxes: array(dtype=float32)
 
     def __init__(self, clouds: Sequence[Vectors], tree: "PointTree | None" = None) -> None:
-        placed = self.clouds = ManyClouds(clouds, tree)
-        device, trees = placed.device, len(clouds)
-        sizes = [placed.buckets]
+        sorted_clouds = self.clouds = ManyClouds(clouds, tree)
+        device, trees = sorted_clouds.device, len(clouds)
+        sizes = [sorted_clouds.buckets]
         while sizes[-1].max() > 1:
             sizes.append(-(-sizes[-1] // FAN))
         table, first = np.zeros((trees, HEIGHTS), np.int64), 0
@@ -48,13 +48,13 @@ class PointForest:
         roots = np.zeros(trees, np.int64)
         for level in range(1, len(sizes)):
             roots[sizes[level - 1] > 1] = level
-        tables = [table.ravel(), roots, placed.buckets]
+        tables = [table.ravel(), roots, sorted_clouds.buckets]
         self.levels, self.roots, self.bucket_counts = upload_together(tables, int32, device)
         if tree is not None:
             self.boxes = tree.boxes
             return
         self.boxes = empty(first * SIDES, float32, device)
-        launch(bound_forest_leaves_kernel, placed.points.size // LEAF, [placed.points, self.boxes])
+        launch(bound_forest_leaves_kernel, sorted_clouds.points.size // LEAF, [sorted_clouds.points, self.boxes])
         for level in range(1, len(sizes)):
             launch(bound_forest_nodes_kernel, int(sizes[level].sum()) * FAN, [trees, level, self])
 
@@ -103,9 +103,9 @@ def find_bucket_of(p: vec3, tree: int, forest: PointForest) -> int:
 
 
 @func
-def next_bucket_of(step: walk, a: vec3, b: vec3, bound: float, tree: int, forest: PointForest) -> walk:
+def next_bucket_of(step: traversal, a: vec3, b: vec3, bound: float, tree: int, forest: PointForest) -> traversal:
     """As point_tree's `next_bucket`, in one of the trees."""
     first = tree * HEIGHTS
     return next_step(
-        step, forest.roots[tree], partial(children_in_reach, forest.levels, first, forest.boxes, a, b, bound)
+        step, forest.roots[tree], partial(level_children_within, forest.levels, first, forest.boxes, a, b, bound)
     )

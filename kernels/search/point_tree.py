@@ -58,10 +58,10 @@ class PointTree:
     curve: HilbertCurve
 
     def __init__(self, points: Points, curve: HilbertCurve | None = None) -> None:
-        found = HilbertOrder(points, curve)
+        hilbert = HilbertOrder(points, curve)
         self.source, self.device = points, points.device
-        self.low, self.high = found.low, found.high
-        self.count, self.order, self.curve = found.finite_count, found.order, found.curve
+        self.low, self.high = hilbert.low, hilbert.high
+        self.count, self.order, self.curve = hilbert.finite_count, hilbert.order, hilbert.curve
         sizes, first = level_sizes(-(-self.count // BUCKET))
         self.root = len(sizes) - 1
         self.levels = upload(first, int32, self.device)
@@ -70,16 +70,16 @@ class PointTree:
         self.boxes = empty(int(first[-1]) * SIDES, float32, self.device)
         if self.device.is_cuda:
             buckets = sizes[1] * FAN if self.root else 1
-            launch(place_leaves_kernel, buckets * WARP, [points, found.codes, self])
+            launch(store_leaves_kernel, buckets * WARP, [points, hilbert.codes, self])
         else:
-            launch(place_leaves_kernel, sizes[0] * FAN, [points, found.codes, self])
+            launch(store_leaves_kernel, sizes[0] * FAN, [points, hilbert.codes, self])
         bound_levels(self.levels, sizes, self.boxes, known=1 if self.device.is_cuda else 0)
 
 
-def widest_square(tree: PointTree, reach: float) -> float:
-    """Squared distance [m^2] that bounds both the tree's diameter and a squared reach."""
+def widest_square(tree: PointTree, max_sqdist: float) -> float:
+    """Squared distance [m^2] that bounds both the tree's diameter and `max_sqdist`."""
     diagonal = tree.high.astype(np.float64) - tree.low if tree.count else np.zeros(3)
-    return float(np.float32(min(reach, float((diagonal**2).sum()) * ROUNDED_UP)))
+    return float(np.float32(min(max_sqdist, float((diagonal**2).sum()) * ROUNDED_UP)))
 
 
 def level_sizes(count: int) -> tuple[list[int], np.ndarray]:
@@ -119,7 +119,7 @@ def bound_leaf(leaf: int, points: array(dtype=vec3), count: int, boxes: array(dt
 
 
 @kernel
-def place_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
+def store_leaves_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
     """Store and bound the points of a leaf, with unreachable padding. The first of a bucket stores its code."""
     i = tid()
     if i % FAN == 0:
@@ -154,8 +154,8 @@ def write_side(lane: int, low: vec3, high: vec3, at: int, boxes: array(dtype=flo
         boxes[at + lane * FAN] = side
 
 
-@place_leaves_kernel.on_cuda
-def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
+@store_leaves_kernel.on_cuda
+def store_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), tree: PointTree):
     """CUDA variant: one warp per bucket, two points per lane, coalesced. Also bounds the bucket."""
     i = tid()
     bucket = i // WARP
@@ -165,17 +165,17 @@ def place_buckets_kernel(source: array(dtype=vec3), codes: array(dtype=int64), t
     low = vec3(INFINITY, INFINITY, INFINITY)
     high = vec3(INFINITY, INFINITY, INFINITY)  # of the negated coordinates
     for half in range(2):
-        place = bucket * BUCKET + half * WARP + lane
+        position = bucket * BUCKET + half * WARP + lane
         a = vec3(INFINITY, INFINITY, INFINITY)
         b = vec3(INFINITY, INFINITY, INFINITY)
-        if place < tree.count:
-            p = source[tree.order[place]]
-            tree.points[place] = p
+        if position < tree.count:
+            p = source[tree.order[position]]
+            tree.points[position] = p
             if isfinite(p):
                 a = p
                 b = -p
-        elif place < tree.points.shape[0]:
-            tree.points[place] = a
+        elif position < tree.points.shape[0]:
+            tree.points[position] = a
         a = lowest_of_lanes(a, 0, 3)
         b = lowest_of_lanes(b, 0, 3)
         if bucket < tree.codes.shape[0]:
@@ -295,7 +295,7 @@ def find_bucket(p: vec3, tree: PointTree) -> int:
 
 
 @func
-def is_one_place(boxes: array(dtype=float32), node: int, child: int) -> int:
+def is_one_point(boxes: array(dtype=float32), node: int, child: int) -> int:
     at = node * SIDES + child
     equal = 1
     for axis in range(3):

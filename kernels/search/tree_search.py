@@ -1,5 +1,5 @@
 """Neighbors of queries in a PointTree: the k nearest within a radius, or all. A thread takes consecutive queries on the
-curve, so scratch stays cached and each starts with the previous reach.
+curve, so scratch stays cached and each starts with the previous radius.
 """
 
 import numpy as np
@@ -26,9 +26,9 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty, flat, rows_of
-from .bucket_walk import points_in_reach
+from .bucket_walk import points_within
 from .group_scratch import GroupScratch, LaunchPart
-from .group_search import GUESS, gather_candidates, grown_reach, search_member
+from .group_search import GUESS, gather_candidates, grown_sqradius, search_member
 from .hilbert_order import argsort_along
 from .lane_search import point_of_lane, search_lanes
 from .neighbor_keys import BOUNDLESS, sort_keys
@@ -70,7 +70,7 @@ def search_nearest_kernel(
     self_query: int,
     tree: PointTree,
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     indices: array(dtype=int32),
     distances: array(dtype=float32),
     counts: array(dtype=int32),
@@ -93,7 +93,7 @@ def search_nearest_kernel(
                 b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
         start = group // FAN
         gathered = scratch.gather + 1
-        covered = min(reach, widest * GUESS)
+        covered = min(max_sqdist, widest * GUESS)
         widest = 0.0
         if tree.count > 0 and isfinite(a):  # otherwise no query of the group is finite
             if self_query == 0:
@@ -105,7 +105,7 @@ def search_nearest_kernel(
             p = queries[row]
             size = 0
             if tree.count > 0 and isfinite(p):
-                near = min(reach, grown_reach(bound, square_distance(before, p)))
+                near = min(max_sqdist, grown_sqradius(bound, square_distance(before, p)))
                 size = search_member(p, start, gathered, covered, tree, tree.order, scratch, listing, base, near, 1)
                 before = p
                 bound = float(INFINITY)
@@ -124,7 +124,7 @@ def search_nearest_of_lanes_kernel(
     self_query: int,
     tree: PointTree,
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     indices: array(dtype=int32),
     distances: array(dtype=float32),
     counts: array(dtype=int32),
@@ -137,18 +137,18 @@ def search_nearest_of_lanes_kernel(
         p = queries[row]
         is_row = 1 if group * WARP + lane() < query_count else 0
         is_query = 1 if isfinite(p) and is_row == 1 else 0
-        asking = ballot(is_query)
+        query_lanes = ballot(is_query)
         size = 0
-        if asking != 0 and tree.count > 0:
-            leader = point_of_lane(p, lowest_bit(asking))
+        if query_lanes != 0 and tree.count > 0:
+            leader = point_of_lane(p, lowest_bit(query_lanes))
             if is_query == 0:
                 p = leader
             start = group * WARP // BUCKET
             if self_query == 0:
                 start = find_bucket(leader, tree)
-            found = search_lanes(p, is_query, start, guess, tree, tree.order, scratch, i, reach, 0)
-            guess = lane_max(bits_float(found[1])) * GUESS
-            size = found[0] * is_query
+            result = search_lanes(p, is_query, start, guess, tree, tree.order, scratch, i, max_sqdist, 0)
+            guess = lane_max(bits_float(result[1])) * GUESS
+            size = result[0] * is_query
             sort_keys(scratch.keys, i, scratch.stride, size)
         if is_row == 1:
             write_row(row, size, i, scratch.stride, scratch, indices, distances, counts)
@@ -159,17 +159,17 @@ def count_within_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
     tree: PointTree,
-    reach: float,
+    max_sqdist: float,
     counts: array(dtype=int32),
 ):
     i = tid()
     q = query_order[i]
     p = queries[q]
-    found = 0
+    count = 0
     if tree.count > 0 and isfinite(p):
-        for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
-            found += 1
-    counts[q] = found
+        for j, sqdist in points_within(find_bucket(p, tree), p, max_sqdist, tree):
+            count += 1
+    counts[q] = count
 
 
 @kernel
@@ -177,7 +177,7 @@ def list_within_kernel(
     queries: array(dtype=vec3),
     query_order: array(dtype=int32),
     tree: PointTree,
-    reach: float,
+    max_sqdist: float,
     offsets: array(dtype=int32),
     keys: array(dtype=int64),
     indices: array(dtype=int32),
@@ -189,7 +189,7 @@ def list_within_kernel(
     base = offsets[q]
     size = 0
     if tree.count > 0 and isfinite(p):
-        for j, sqdist in points_in_reach(find_bucket(p, tree), p, reach, tree):
+        for j, sqdist in points_within(find_bucket(p, tree), p, max_sqdist, tree):
             keys[base + size] = pack_key(sqdist, tree.order[j])
             size += 1
     sort_keys(keys, base, 1, size)
@@ -198,7 +198,7 @@ def list_within_kernel(
         sqdists[j] = key_number(keys[j])
 
 
-def reach_of(radius: float) -> float:
+def squared_radius(radius: float) -> float:
     """Largest float32 below radius^2, finite, since Open3D counts neighbors with d^2 < r^2."""
     exact = float(radius) * float(radius)
     square = np.float32(min(exact, LARGEST_SQDIST))
@@ -227,19 +227,19 @@ def search_nearest(
         outputs = [flat(rows_of(a, begin, end)) for a in (indices, sqdists, counts)]
         scratch = GroupScratch(device, end - begin, k)
         for part in scratch.parts():
-            search = [rows, order, end - begin, part, int(is_self), tree, scratch, reach_of(radius), *outputs]
+            search = [rows, order, end - begin, part, int(is_self), tree, scratch, squared_radius(radius), *outputs]
             launch(search_nearest_kernel, part.threads, search)
     return indices, sqdists, counts
 
 
 def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Integers, Scalars, Integers]:
     """(indices, sqdists, offsets) of all neighbors closer than a radius [m]. Raises ValueError for 2^31 or more."""
-    device, total, reach = queries.device, queries.size, reach_of(radius)
+    device, total, max_sqdist = queries.device, queries.size, squared_radius(radius)
     order = order_along_curve(tree, queries)
     counts = empty(total, int32, device)
     common = [queries, order, tree]
-    launch(count_within_kernel, total, [*common, reach, counts])
-    offsets, found = exclusive_scan(counts)
-    keys, indices, sqdists = empty(found, int64, device), empty(found, int32, device), empty(found, float32, device)
-    launch(list_within_kernel, total, [*common, reach, offsets, keys, indices, sqdists])
+    launch(count_within_kernel, total, [*common, max_sqdist, counts])
+    offsets, neighbor_count = exclusive_scan(counts)
+    keys, indices, sqdists = (empty(neighbor_count, dtype, device) for dtype in (int64, int32, float32))
+    launch(list_within_kernel, total, [*common, max_sqdist, offsets, keys, indices, sqdists])
     return indices, sqdists, offsets

@@ -1,14 +1,14 @@
 """PointTree traversals that choose at each node which children to enter, count or skip.
 
-Level 0 is the leaves, level 1 the buckets, `top` the highest. A traversal visits a node's ancestors in turn;
-`other_children` covers every point once, `later_children` those behind the start. One pending byte per level above the
-buckets. A node's box and number are in its parent's record (`record_of`).
+Level 0 is the leaves, level 1 the buckets, `top` the highest. A traversal visits a node's ancestors one by one;
+`other_children` covers every point once, `following_children` those behind the start. One pending byte per level above
+the buckets. A node's box and number are in its parent's record (`record_of`).
 """
 
 from ..algebra.plain_min_max import larger
 from ..lang import array, bit_count, float32, func, int32, int64, kernel, launch, loop, tid, vec3, vector
 from ..memory import download, empty, fill
-from .bucket_walk import BYTE, byte_place, walk
+from .bucket_walk import BYTE, byte_shift, traversal
 from .point_tree import FAN, LEAF, SIDES, PointTree, box_distances
 
 FAN_BITS = 3  # FAN and LEAF are 2^3
@@ -26,9 +26,9 @@ def lowest_bit(bits: int) -> int:
 def bits_of(byte: int) -> int:
     left = byte
     while left != 0:
-        place = lowest_bit(left)
+        bit = lowest_bit(left)
         left = left & (left - 1)
-        yield place
+        yield bit
 
 
 @func
@@ -38,25 +38,25 @@ def record_of(levels: array(dtype=int32), level: int, node: int) -> int:
 
 
 @func
-def walk_place(level: int) -> int64:
+def pending_shift(level: int) -> int64:
     """Shift of a level's byte in the pending mask. Leaves and buckets need none."""
-    return byte_place(level - 1)
+    return byte_shift(level - 1)
 
 
 @func
-def begin_walk(level: int, node: int) -> walk:
+def begin_traversal(level: int, node: int) -> traversal:
     """Traversal state at a node: height, level, node, pending mask."""
-    return walk(int64(level), int64(level), int64(node), 0)
+    return traversal(int64(level), int64(level), int64(node), 0)
 
 
 @func
-def put_off(step: walk, children: int) -> walk:
+def put_off(step: traversal, children: int) -> traversal:
     """Mark children as pending. For nodes above the buckets."""
-    return walk(step[0], step[1], step[2], step[3] | (int64(children) << walk_place(int(step[1]))))
+    return traversal(step[0], step[1], step[2], step[3] | (int64(children) << pending_shift(int(step[1]))))
 
 
 @func
-def next_node(step: walk, top: int) -> walk:
+def next_node(step: traversal, top: int) -> traversal:
     """Advance to the next node to open; ends when the height exceeds `top`."""
     height = int(step[0])
     level = int(step[1])
@@ -66,10 +66,10 @@ def next_node(step: walk, top: int) -> walk:
     while searching == 1:
         left = 0
         if level > 1:
-            left = int(pending >> walk_place(level)) & BYTE
+            left = int(pending >> pending_shift(level)) & BYTE
         if left != 0:
             child = lowest_bit(left)
-            pending = pending ^ (1 << (walk_place(level) + int64(child)))
+            pending = pending ^ (1 << (pending_shift(level) + int64(child)))
             node = node * FAN + child
             level = level - 1
             searching = 0
@@ -79,7 +79,7 @@ def next_node(step: walk, top: int) -> walk:
             if level > height:
                 height = height + 1
                 searching = 0
-    return walk(int64(height), int64(level), int64(node), pending)
+    return traversal(int64(height), int64(level), int64(node), pending)
 
 
 @func
@@ -98,18 +98,18 @@ def other_children(leaf: int, height: int, level: int) -> int:
 
 
 @func
-def later_children(leaf: int, height: int, level: int) -> int:
+def following_children(leaf: int, height: int, level: int) -> int:
     """Bit mask of the children of a node whose points come after the start of the traversal."""
-    later = int(BYTE)
+    children = int(BYTE)
     if level == height:
-        later = BYTE - ((2 << own_child(leaf, level)) - 1)
-    return later
+        children = BYTE - ((2 << own_child(leaf, level)) - 1)
+    return children
 
 
 @loop
 def nodes_after(start: int, leaf: int, near: int, tree: PointTree) -> tuple[int, int, int]:
     """Nodes after a leaf's ancestor at level `start`. The body sets the children `near` and processes buckets."""
-    step = next_node(begin_walk(start, leaf >> (FAN_BITS * start)), tree.root + 1)
+    step = next_node(begin_traversal(start, leaf >> (FAN_BITS * start)), tree.root + 1)
     while int(step[0]) <= tree.root + 1:
         height = int(step[0])
         level = int(step[1])
@@ -175,11 +175,11 @@ def measure_diagonals(boxes: array(dtype=float32), record: int) -> box_distances
 
 
 @func
-def bits_within(distances: box_distances, reach: float) -> int:
-    found = 0
+def bits_within(distances: box_distances, max_sqdist: float) -> int:
+    bits = 0
     for j in range(FAN):
-        found = found | ((1 << j) if distances[j] <= reach else 0)
-    return found
+        bits = bits | ((1 << j) if distances[j] <= max_sqdist else 0)
+    return bits
 
 
 @func
@@ -192,10 +192,10 @@ def box_corner(boxes: array(dtype=float32), leaf: int, side: int) -> vec3:
 def lower_numbers_kernel(below: int, first: int, lowest: array(dtype=int32)):
     """The lowest number of each node's children, into the record of its parent."""
     i = tid()
-    least = int(NO_NUMBER)
+    minimum = int(NO_NUMBER)
     for j in range(FAN):
-        least = min(least, lowest[(below + i) * FAN + j])
-    lowest[first * FAN + i] = least
+        minimum = min(minimum, lowest[(below + i) * FAN + j])
+    lowest[first * FAN + i] = minimum
 
 
 class NodeNumbers:

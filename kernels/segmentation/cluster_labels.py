@@ -50,7 +50,7 @@ def mark_first_kernel(cores: Cores, firsts: array(dtype=int32), marks: array(dty
 def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(dtype=int32)):
     """Label the cores of a leaf in cloud and tree order, and store its lowest label. First cores have labels."""
     leaf = tid()
-    least = int(NO_NUMBER)
+    lowest_label = int(NO_NUMBER)
     for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
         root = cores.owners[rank]
         if root >= 0:
@@ -60,15 +60,15 @@ def label_cores_kernel(cores: Cores, firsts: array(dtype=int32), labels: array(d
             if row != first:
                 labels[row] = label
             cores.owners[rank] = label
-            least = min(least, label)
-    cores.lowest[leaf] = least
+            lowest_label = min(lowest_label, label)
+    cores.lowest[leaf] = lowest_label
 
 
 @kernel
 def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array(dtype=int32)):
     """Relabel the cores of a leaf in cloud and tree order (NOISE removes them), and store its lowest label."""
     leaf = tid()
-    least = int(NO_NUMBER)
+    lowest_label = int(NO_NUMBER)
     for rank in range(leaf * LEAF, min((leaf + 1) * LEAF, cores.tree.count)):
         before = cores.owners[rank]
         if before >= 0:
@@ -76,8 +76,8 @@ def rename_cores_kernel(renamed: array(dtype=int32), cores: Cores, labels: array
             cores.owners[rank] = label
             labels[cores.tree.order[rank]] = label
             if label >= 0:
-                least = min(least, label)
-    cores.lowest[leaf] = least
+                lowest_label = min(lowest_label, label)
+    cores.lowest[leaf] = lowest_label
 
 
 @func
@@ -108,17 +108,17 @@ def follow_leaf(best: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last
                 x = q[0] - xs[j]
                 y = q[1] - ys[j]
                 z = q[2] - zs[j]
-                lower[j] = min(lower[j], label if x * x + y * y + z * z <= cores.reach else NO_NUMBER)
+                lower[j] = min(lower[j], label if x * x + y * y + z * z <= cores.max_sqdist else NO_NUMBER)
     return lower
 
 
 @func
 def lower_children(lowest: array(dtype=int32), record: int, label: int) -> int:
     """Bit mask of the children that contain a label below this one."""
-    found = 0
+    bits = 0
     for j in range(FAN):
-        found = found | ((1 << j) if lowest[record * FAN + j] < label else 0)
-    return found
+        bits = bits | ((1 << j) if lowest[record * FAN + j] < label else 0)
+    return bits
 
 
 @func
@@ -133,9 +133,9 @@ def follow_cores(best: numbers, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec
         record = record_of(cores.tree.levels, level, node)
         near = lower_children(cores.lowest, record, worst) & other_children(leaf, height, level)
         if near != 0:
-            near = near & bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.reach)
+            near = near & bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.max_sqdist)
         if near != 0:
-            inside = near & bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.reach)
+            inside = near & bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.max_sqdist)
             near = near ^ inside
             for child in bits_of(inside):
                 lower = lower_lanes(lower, cores.lowest[record * FAN + child])
@@ -178,25 +178,25 @@ def count_labels_kernel(run: int, labels: array(dtype=int32), counts: array(dtyp
     """Count each label. Integers, so the order of the atomics does not matter."""
     i = tid()
     label = int(NOISE)
-    held = 0
+    count = 0
     for j in range(i * run, min((i + 1) * run, labels.shape[0])):
         if labels[j] == label:
-            held += 1
+            count += 1
         else:
             if label >= 0:
-                atomic_add(counts, label, held)
+                atomic_add(counts, label, count)
             label = labels[j]
-            held = 1
+            count = 1
     if label >= 0:
-        atomic_add(counts, label, held)
+        atomic_add(counts, label, count)
 
 
 @kernel
-def rank_sizes_kernel(counts: array(dtype=int32), least: int, most: int, keys: array(dtype=int64)):
+def rank_sizes_kernel(counts: array(dtype=int32), min_size: int, max_size: int, keys: array(dtype=int64)):
     """Keys that sort clusters by decreasing size, those of other sizes last."""
     i = tid()
     key = int(NO_NUMBER)
-    if counts[i] >= least and counts[i] <= most:
+    if counts[i] >= min_size and counts[i] <= max_size:
         key = NO_NUMBER - counts[i]
     keys[i] = int64(key)
 
@@ -239,12 +239,12 @@ def label_borders(cores: Cores, labels: Integers) -> None:
     launch(label_borders_kernel, cores.leaf_count, [cores, labels])
 
 
-def rank_by_size(labels: Integers, cluster_count: int, least: int, most: int) -> None:
-    """Renumber clusters by decreasing size in place, ties in order. NOISE for sizes outside `least`..`most`."""
+def rank_by_size(labels: Integers, cluster_count: int, min_size: int, max_size: int) -> None:
+    """Renumber clusters by decreasing size in place, ties in order. NOISE for sizes outside `min_size`..`max_size`."""
     device = labels.device
     counts, keys = zeros(cluster_count, int32, device), empty(cluster_count, int64, device)
     launch(count_labels_kernel, -(-labels.size // RUN), [RUN, labels, counts])
-    launch(rank_sizes_kernel, cluster_count, [counts, least, most, keys])
+    launch(rank_sizes_kernel, cluster_count, [counts, min_size, max_size, keys])
     ranked, order = argsort_keys(keys, 31)
     renamed = empty(cluster_count, int32, device)
     launch(renumber_rows_kernel, cluster_count, [ranked, order, renamed])

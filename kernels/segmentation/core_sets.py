@@ -9,15 +9,15 @@ from ..arrays.union_find import find_root, flatten_sets_kernel, unite
 from ..lang import INFINITY, array, func, int32, kernel, launch, struct, tid, vec3
 from ..memory import empty
 from ..search.point_tree import FAN, LEAF, PointTree, measure_boxes
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from ..search.tree_walk import (
     FAN_BITS,
     NO_NUMBER,
     NodeNumbers,
     bits_of,
     bits_within,
+    following_children,
     lanes,
-    later_children,
     leaves_of,
     lowest_bit,
     measure_diagonals,
@@ -33,12 +33,12 @@ class Cores:
     of each set, then labels. `lowest` is the lowest owner below each node at record * FAN + child, or NO_NUMBER."""
 
     tree: PointTree
-    reach: float
+    max_sqdist: float
     owners: array(dtype=int32)
     lowest: array(dtype=int32)
 
     def __init__(self, tree: PointTree, eps: float) -> None:
-        self.tree, self.reach = tree, reach_of(eps)
+        self.tree, self.max_sqdist = tree, squared_radius(eps)
         self.owners, self.nodes = empty(tree.count, int32, tree.device), NodeNumbers(tree)
         self.lowest, self.leaf_count = self.nodes.values, self.nodes.leaf_count
 
@@ -54,7 +54,7 @@ def dense_ancestor(leaf: int, cores: Cores) -> int:
     while climbing == 1 and level < cores.tree.root:
         node = leaf >> (FAN_BITS * (level + 1))
         record = record_of(cores.tree.levels, level + 2, node >> FAN_BITS)
-        dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.reach)
+        dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.max_sqdist)
         if ((dense >> (node & (FAN - 1))) & 1) == 1:
             level += 1
         else:
@@ -75,7 +75,7 @@ def unite_leaf(core: int, xs: lanes, ys: lanes, zs: lanes, first: int, last: int
                     x = q[0] - xs[j]
                     y = q[1] - ys[j]
                     z = q[2] - zs[j]
-                    touched = touched | (1 if x * x + y * y + z * z <= cores.reach else 0)
+                    touched = touched | (1 if x * x + y * y + z * z <= cores.max_sqdist else 0)
                 if touched == 1:
                     root = unite(cores.owners, core, r)
 
@@ -84,8 +84,8 @@ def unite_leaf(core: int, xs: lanes, ys: lanes, zs: lanes, first: int, last: int
 def sift_dense(children: int, core: int, record: int, a: vec3, b: vec3, cores: Cores) -> int:
     """Children of a node to enter in order to unite the set of `core` with all cores within the radius of box (a, b).
     Skips children without cores, and those known to be one set by their size: these are united here if necessary."""
-    dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.reach)
-    inside = bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.reach)
+    dense = bits_within(measure_diagonals(cores.tree.boxes, record), cores.max_sqdist)
+    inside = bits_within(measure_farthest(cores.tree.boxes, record, a, b), cores.max_sqdist)
     root = find_root(cores.owners, core)
     entered = 0
     for child in bits_of(children):
@@ -121,8 +121,8 @@ def unite_part(core: int, xs: lanes, ys: lanes, zs: lanes, a: vec3, b: vec3, lea
     near = 0
     for height, level, node in nodes_after(start, leaf, near, cores.tree):
         record = record_of(cores.tree.levels, level, node)
-        near = bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.reach)
-        near = near & later_children(leaf, height, level)
+        near = bits_within(measure_boxes(cores.tree.boxes, record, a, b), cores.max_sqdist)
+        near = near & following_children(leaf, height, level)
         if near != 0:
             near = sift_dense(near, core, record, a, b, cores)
             if level == 1:

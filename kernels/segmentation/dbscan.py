@@ -33,7 +33,14 @@ MANY = 2**30  # counts saturate here per lane. LLVM would vectorize a plain sum 
 
 @func
 def count_leaf(
-    counts: numbers, xs: lanes, ys: lanes, zs: lanes, first: int, last: int, points: array(dtype=vec3), reach: float
+    counts: numbers,
+    xs: lanes,
+    ys: lanes,
+    zs: lanes,
+    first: int,
+    last: int,
+    points: array(dtype=vec3),
+    max_sqdist: float,
 ) -> numbers:
     """Add the points first..last - 1 within the radius of each lane to its count."""
     total = counts
@@ -43,12 +50,12 @@ def count_leaf(
             x = q[0] - xs[j]
             y = q[1] - ys[j]
             z = q[2] - zs[j]
-            total[j] = min(total[j] + (1 if x * x + y * y + z * z <= reach else 0), MANY)
+            total[j] = min(total[j] + (1 if x * x + y * y + z * z <= max_sqdist else 0), MANY)
     return total
 
 
 @func
-def join_lanes(xs: lanes, ys: lanes, zs: lanes, reach: float) -> numbers:
+def join_lanes(xs: lanes, ys: lanes, zs: lanes, max_sqdist: float) -> numbers:
     """Lowest lane, as a bit, connected to each lane by steps within the radius; branch-free. Unused lanes are inf."""
     heads = numbers(0)
     for j in range(LEAF):
@@ -59,7 +66,7 @@ def join_lanes(xs: lanes, ys: lanes, zs: lanes, reach: float) -> numbers:
             x = xs[k] - xs[j]
             y = ys[k] - ys[j]
             z = zs[k] - zs[j]
-            touched = touched | (heads[j] if x * x + y * y + z * z <= reach else 0)
+            touched = touched | (heads[j] if x * x + y * y + z * z <= max_sqdist else 0)
         lowest = touched & (-touched)
         for j in range(LEAF):
             heads[j] = lowest if (heads[j] & touched) != 0 else heads[j]
@@ -67,33 +74,35 @@ def join_lanes(xs: lanes, ys: lanes, zs: lanes, reach: float) -> numbers:
 
 
 @func
-def least_of(values: numbers) -> int:
-    least = values[0]
+def minimum_of(values: numbers) -> int:
+    minimum = values[0]
     for j in range(1, LEAF):
-        least = min(least, values[j])
-    return least
+        minimum = min(minimum, values[j])
+    return minimum
 
 
 @func
-def count_group(counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tree: PointTree, reach: float) -> numbers:
+def count_group(
+    counts: numbers, xs: lanes, ys: lanes, zs: lanes, leaf: int, tree: PointTree, max_sqdist: float
+) -> numbers:
     """Add all points within the radius of a leaf's points to the counts, until none is negative."""
     total = counts
     a = box_corner(tree.boxes, leaf, 0)
     b = box_corner(tree.boxes, leaf, 1)
     near = 0
     for height, level, node in nodes_after(0, leaf, near, tree):
-        if least_of(total) >= 0:
+        if minimum_of(total) >= 0:
             break
         record = record_of(tree.levels, level, node)
-        near = bits_within(measure_boxes(tree.boxes, record, a, b), reach) & other_children(leaf, height, level)
+        near = bits_within(measure_boxes(tree.boxes, record, a, b), max_sqdist) & other_children(leaf, height, level)
         if near != 0:
-            inside = near & bits_within(measure_farthest(tree.boxes, record, a, b), reach)
+            inside = near & bits_within(measure_farthest(tree.boxes, record, a, b), max_sqdist)
             if inside != 0:
                 total += numbers(point_sum(inside, level, node, tree.count))
                 near = near ^ inside
             if level == 1:
                 for first, last in leaves_of(node, near, tree):
-                    total = count_leaf(total, xs, ys, zs, first, last, tree.points, reach)
+                    total = count_leaf(total, xs, ys, zs, first, last, tree.points, max_sqdist)
     return total
 
 
@@ -111,20 +120,20 @@ def find_cores_kernel(cores: Cores, needed: int):
         ys[j] = p[1]
         zs[j] = p[2]
         counts[j] = -needed
-    counts = count_group(counts, xs, ys, zs, leaf, cores.tree, cores.reach)
+    counts = count_group(counts, xs, ys, zs, leaf, cores.tree, cores.max_sqdist)
     for j in range(LEAF):
         if counts[j] < 0:
             xs[j] = INFINITY
-    heads = join_lanes(xs, ys, zs, cores.reach)
-    least = int(NO_NUMBER)
+    heads = join_lanes(xs, ys, zs, cores.max_sqdist)
+    lowest = int(NO_NUMBER)
     for j in range(LEAF):
         if head + j < cores.tree.count:
             owner = int(NOISE)
             if counts[j] >= 0:
                 owner = head + lowest_bit(heads[j])
-                least = min(least, head + j)
+                lowest = min(lowest, head + j)
             cores.owners[head + j] = owner
-    cores.lowest[leaf] = least
+    cores.lowest[leaf] = lowest
 
 
 def join_cores(tree: PointTree, eps: float, min_points: int) -> Cores:

@@ -147,23 +147,23 @@ def pull_cells_kernel(
 
 
 @kernel
-def reach_along_kernel(
+def filter_along_kernel(
     heights: array(dtype=float32),
     columns: int,
     rows: int,
     dx: int,
     dy: int,
-    reach: int,
+    distance: int,
     side: float,
     out: array(dtype=float32),
 ):
-    """Minimum (side 1) or maximum (side -1) of each cell and the two at distance `reach` along a direction. Extremes of
-    segments of half length h become those of h + reach (reach <= 2 h + 1). Beyond the grid, the last cell is used."""
+    """Minimum (side 1) or maximum (side -1) of each cell and the two at `distance` along a direction. Extremes of
+    segments of half length h become those of h + distance (distance <= 2 h + 1). Beyond the grid: the last cell."""
     i = tid()
     x = i // rows
     y = i % rows
-    before = reach
-    after = reach
+    before = distance
+    after = distance
     if dx != 0:
         before = min(before, x)
         after = min(after, columns - 1 - x)
@@ -300,9 +300,9 @@ class HeightGrid:
         segments = [(1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)]
         passes = [(first, s) for s in segments] + [(-first, s) for s in reversed(segments)]
         for side, (dx, dy, half) in passes:
-            for reach in reaches(half):
+            for distance in pass_distances(half):
                 out = empty(self.size, float32, self.device)
-                launch(reach_along_kernel, self.size, [heights, self.columns, self.rows, dx, dy, reach, side, out])
+                launch(filter_along_kernel, self.size, [heights, self.columns, self.rows, dx, dy, distance, side, out])
                 heights = out
         return heights
 
@@ -310,7 +310,7 @@ class HeightGrid:
         launch(flag_steps_kernel, self.size, [heights, opened, limit, side, flags])
 
 
-def reaches(half: int) -> list[int]:
+def pass_distances(half: int) -> list[int]:
     """Distances of successive passes for a segment of this half length. Each triples it."""
     steps, length = [], 0
     while length < half:

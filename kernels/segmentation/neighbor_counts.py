@@ -7,13 +7,13 @@ from ..array_types import Mask
 from ..lang import INFINITY, array, kernel, launch, tid, uint8
 from ..memory import zeros
 from ..search.point_tree import LEAF, PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from ..search.tree_walk import lanes, numbers, points_of
 from .dbscan import count_group
 
 
 @kernel
-def mask_crowded_kernel(tree: PointTree, reach: float, needed: int, mask: array(dtype=uint8)):
+def mask_crowded_kernel(tree: PointTree, max_sqdist: float, needed: int, mask: array(dtype=uint8)):
     leaf = tid()
     xs = lanes(INFINITY)
     ys = lanes(0.0)
@@ -24,20 +24,20 @@ def mask_crowded_kernel(tree: PointTree, reach: float, needed: int, mask: array(
         ys[j] = p[1]
         zs[j] = p[2]
         counts[j] = -needed
-    counts = count_group(counts, xs, ys, zs, leaf, tree, reach)
+    counts = count_group(counts, xs, ys, zs, leaf, tree, max_sqdist)
     for j in range(LEAF):
         rank = leaf * LEAF + j
         if rank < tree.count:
-            kept = 0
+            is_crowded = 0
             if counts[j] >= 0:
-                kept = 1
-            mask[tree.order[rank]] = uint8(kept)
+                is_crowded = 1
+            mask[tree.order[rank]] = uint8(is_crowded)
 
 
 def mask_crowded(tree: PointTree, radius: float, needed: int) -> Mask:
     """uint8 [n]: 1 for finite points with at least `needed` points within a radius [m], including themselves."""
     mask = zeros(tree.source.size, uint8, tree.device)
     if tree.count:
-        arguments = [tree, reach_of(radius), min(needed, tree.count + 1), mask]
+        arguments = [tree, squared_radius(radius), min(needed, tree.count + 1), mask]
         launch(mask_crowded_kernel, -(-tree.count // LEAF), arguments)
     return mask

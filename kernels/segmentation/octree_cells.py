@@ -31,10 +31,10 @@ def encode_cells_kernel(
 
 
 @kernel
-def find_deepest_kernel(codes: array(dtype=int64), fewest: int, deepest: array(dtype=int32)):
+def find_deepest_kernel(codes: array(dtype=int64), min_count: int, deepest: array(dtype=int32)):
     """Deepest level of a cell with enough points. The integer maximum does not depend on the order."""
     i = tid()
-    differing = codes[i] ^ codes[i + fewest - 1]
+    differing = codes[i] ^ codes[i + min_count - 1]
     level = int(LEVELS)
     while differing != 0:
         differing = differing >> 3
@@ -81,27 +81,27 @@ def choose_cells_kernel(
     starts: array(dtype=int32),
     offsets: array(dtype=int32),
     flat: array(dtype=int32),
-    fewest: int,
+    min_count: int,
     chosen: array(dtype=int32),
 ):
     """1 for cells to test: enough points, and no flat cell within."""
     i = tid()
     wanted = 0
     if i < offsets[offsets.shape[0] - 1]:
-        if starts[i + 1] - starts[i] >= fewest and flat[i] == 0:
+        if starts[i + 1] - starts[i] >= min_count and flat[i] == 0:
             wanted = 1
     chosen[i] = wanted
 
 
 @kernel
 def number_cells_kernel(
-    starts: array(dtype=int32), places: array(dtype=int32), numbers: array(dtype=int32), counts: array(dtype=int32)
+    starts: array(dtype=int32), slots: array(dtype=int32), numbers: array(dtype=int32), counts: array(dtype=int32)
 ):
     """Number the selected cells (-1 for others) and count their points."""
     i = tid()
     number = -1
-    if places[i + 1] > places[i]:
-        number = places[i]
+    if slots[i + 1] > slots[i]:
+        number = slots[i]
         counts[number] = starts[i + 1] - starts[i]
     numbers[i] = number
 
@@ -111,10 +111,10 @@ def mark_points_kernel(
     marks: array(dtype=int32), offsets: array(dtype=int32), numbers: array(dtype=int32), inside: array(dtype=int32)
 ):
     i = tid()
-    found = 0
+    is_inside = 0
     if numbers[cell_of(marks, offsets, i)] >= 0:
-        found = 1
-    inside[i] = found
+        is_inside = 1
+    inside[i] = is_inside
 
 
 @kernel
@@ -123,14 +123,14 @@ def list_points_kernel(
     offsets: array(dtype=int32),
     numbers: array(dtype=int32),
     points: array(dtype=int32),
-    places: array(dtype=int32),
+    slots: array(dtype=int32),
     rows: array(dtype=int32),
     runs: array(dtype=int32),
 ):
     i = tid()
-    if places[i + 1] > places[i]:
-        rows[places[i]] = points[i]
-        runs[places[i]] = numbers[cell_of(marks, offsets, i)]
+    if slots[i + 1] > slots[i]:
+        rows[slots[i]] = points[i]
+        runs[slots[i]] = numbers[cell_of(marks, offsets, i)]
 
 
 @kernel
@@ -166,12 +166,12 @@ class Octree:
         self.rows, self.device = gather_rows(rows, order), points.device
         self.covered = zeros(rows.size, uint8, self.device)
 
-    def deepest(self, fewest: int) -> int:
+    def deepest(self, min_count: int) -> int:
         level = zeros(1, int32, self.device)
-        launch(find_deepest_kernel, max(0, self.rows.size - fewest + 1), [self.codes, fewest, level])
+        launch(find_deepest_kernel, max(0, self.rows.size - min_count + 1), [self.codes, min_count, level])
         return int(download(level)[0])  # sync
 
-    def runs(self, level: int, fewest: int) -> tuple[Integers, Integers, Integers] | None:
+    def runs(self, level: int, min_count: int) -> tuple[Integers, Integers, Integers] | None:
         """Points of cells to test on a level: (rows by cell, cell numbers, counts), or None. One sync."""
         count, device = self.rows.size, self.device
         self.marks = empty(count, int32, device)
@@ -184,18 +184,18 @@ class Octree:
         launch(start_cells_kernel, count, [self.marks, self.offsets, starts])
         self.flat = zeros(cells, int32, device)
         launch(find_covered_kernel, count, [self.covered, self.marks, self.offsets, self.flat])
-        launch(choose_cells_kernel, cells, [starts, self.offsets, self.flat, fewest, chosen])
-        places = offsets_of(chosen)
-        launch(number_cells_kernel, cells, [starts, places, self.numbers, counts])
+        launch(choose_cells_kernel, cells, [starts, self.offsets, self.flat, min_count, chosen])
+        slots = offsets_of(chosen)
+        launch(number_cells_kernel, cells, [starts, slots, self.numbers, counts])
         inside = empty(count, int32, device)
         launch(mark_points_kernel, count, [self.marks, self.offsets, self.numbers, inside])
-        (elements, (size,)), (_, (runs_found,)) = scan_together([(inside, [count])], places[cells:])  # sync
-        if not runs_found:
+        (elements, (size,)), (_, (run_count,)) = scan_together([(inside, [count])], slots[cells:])  # sync
+        if not run_count:
             return None
         rows, runs = empty(size, int32, device), empty(size, int32, device)
         arguments = [self.marks, self.offsets, self.numbers, self.rows, elements, rows, runs]
         launch(list_points_kernel, count, arguments)
-        return rows, runs, counts[:runs_found]
+        return rows, runs, counts[:run_count]
 
     def cover(self, passed: Integers) -> None:
         arguments = [self.marks, self.offsets, self.numbers, self.flat, passed, self.covered]

@@ -1,7 +1,7 @@
 """Grow and merge planar patches over the nearest-neighbor graph, and fit their bounding boxes.
 
 Araujo and Oliveira, Pattern Recognition 100, 2020, sections 3.3 and 3.4. Patches grow in parallel rounds: new points
-offer their patch to free neighbors, which accept the least noisy one. A patch that fits an adjacent larger one is
+offer their patch to free neighbors, which accept the least noisy patch. A patch that fits an adjacent larger one is
 merged. Patches that grew by half are refitted, until convergence. Boxes have one side along the normal and the in-plane
 rotation of minimum area.
 """
@@ -91,7 +91,7 @@ def tightest_boxes(
     k = axes = lows = highs = best  # set in the loop
     for _ in range(2):
         angles = best[:, None] + step * (np.arange(DIRECTIONS) - DIRECTIONS // 2)
-        axes = _turned(base, normals, angles)
+        axes = _rotated(base, normals, angles)
         lows, highs = _measure(points, runs, centers, axes)
         sizes = highs - lows
         k = np.argmin(sizes[..., 0] * sizes[..., 1], axis=1)
@@ -104,14 +104,14 @@ def tightest_boxes(
 
 def _measure(points: Points, runs: "Runs", centers: np.ndarray, axes: np.ndarray) -> Iterator[Any]:
     boxes = axes.shape[0] * axes.shape[1]
-    reaches = full(6 * boxes, INFINITY, float32, points.device)
-    lows, highs = reaches[: 3 * boxes], reaches[3 * boxes :]
+    extents = full(6 * boxes, INFINITY, float32, points.device)
+    lows, highs = extents[: 3 * boxes], extents[3 * boxes :]
     fill(highs, -INFINITY)
-    places = upload(centers, vec3, points.device), upload(axes.reshape(-1, 3), vec3, points.device)
-    arguments = [points, runs.rows, runs.starts, *places, axes.shape[1], lows, highs]
+    frames = upload(centers, vec3, points.device), upload(axes.reshape(-1, 3), vec3, points.device)
+    arguments = [points, runs.rows, runs.starts, *frames, axes.shape[1], lows, highs]
     launch(measure_boxes_kernel, boxes * SLICES, arguments)
-    found = download(reaches)  # sync
-    return (part.reshape(axes.shape[:3]).astype(np.float64) for part in found.reshape(2, -1))
+    bounds = download(extents)  # sync
+    return (part.reshape(axes.shape[:3]).astype(np.float64) for part in bounds.reshape(2, -1))
 
 
 def _basis(normals: np.ndarray) -> np.ndarray:
@@ -120,7 +120,7 @@ def _basis(normals: np.ndarray) -> np.ndarray:
     return across / np.linalg.norm(across, axis=1, keepdims=True)
 
 
-def _turned(base: np.ndarray, normals: np.ndarray, angles: np.ndarray) -> np.ndarray:
+def _rotated(base: np.ndarray, normals: np.ndarray, angles: np.ndarray) -> np.ndarray:
     """Right-handed axes [b, d, 3, 3] as rows: the rotated base, its complement, the normal."""
     partner = np.cross(normals, base)
     cos, sin = np.cos(angles)[..., None], np.sin(angles)[..., None]
@@ -244,10 +244,10 @@ def choose_partners_kernel(
                 b = cloud.labels[j]
             if b >= 0 and b != a:
                 like = min(planes.similar[a], planes.similar[b])
-                reach = max(planes.near[a], planes.near[b])
+                max_distance = max(planes.near[a], planes.near[b])
                 if abs(dot(planes.directions[a], planes.directions[b])) >= like:
-                    there = fits_patch(j, a, like, reach, cloud, planes)
-                    here = fits_patch(i, b, like, reach, cloud, planes)
+                    there = fits_patch(j, a, like, max_distance, cloud, planes)
+                    here = fits_patch(i, b, like, max_distance, cloud, planes)
                     if there == 1 and here == 1:
                         if ranks[a] < ranks[b]:
                             atomic_min(partners, b, ranks[a])
@@ -314,7 +314,7 @@ class Patches:
         self.grew = np.zeros(len(self.near), bool)
         self.counts = self.fitted = download(self._count()).astype(np.int64)  # sync
 
-    def settle(self) -> None:
+    def converge(self) -> None:
         merged, growing = True, np.ones(len(self.near), bool)
         while merged or growing.any():
             self._grow(growing | merged)
@@ -326,16 +326,16 @@ class Patches:
 
     def boxes(self, shortest: float) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
         """`tightest_boxes` of grown patches with an extent >= `shortest` [m], by decreasing number of points."""
-        kept = np.flatnonzero(self.grew & (self.counts > 0))
-        if not len(kept):
+        selected = np.flatnonzero(self.grew & (self.counts > 0))
+        if not len(selected):
             return np.empty((0, 3)), np.empty((0, 3, 3)), np.empty((0, 3))
         chosen = np.zeros(len(self.grew), bool)
-        chosen[kept] = True
+        chosen[selected] = True
         runs, planes = self._fit(chosen)
         middles = download(concatenate_rows([planes.centers, planes.directions]))  # sync
-        centers, directions, edges = middles[: len(kept)], middles[len(kept) :], download(planes.edges)  # sync
+        centers, directions, edges = middles[: len(selected)], middles[len(selected) :], download(planes.edges)  # sync
         boxes = tightest_boxes(self.points, runs, centers, directions)
-        order = np.argsort(-self.counts[kept], kind="stable")
+        order = np.argsort(-self.counts[selected], kind="stable")
         order = order[edges[order] >= shortest]
         centers, rotations, extents = boxes
         return centers[order], rotations[order], extents[order]
@@ -385,21 +385,21 @@ class Patches:
         partners = full(count, NO_OFFER, int32, self.device)
         launch(choose_partners_kernel, self.labels.size, [self.cloud, planes, ranks, partners])
         together = download(concatenate_rows([partners, order, numbers]))  # sync
-        found, by_rank, self.counts = (part.astype(np.int64) for part in together.reshape(3, count))
-        wanted = found < NO_OFFER
-        targets = np.where(wanted, by_rank[np.where(wanted, found, 0)], np.arange(count))
+        best_ranks, by_rank, self.counts = (part.astype(np.int64) for part in together.reshape(3, count))
+        wanted = best_ranks < NO_OFFER
+        targets = np.where(wanted, by_rank[np.where(wanted, best_ranks, 0)], np.arange(count))
         targets = np.where(wanted[targets], np.arange(count), targets)
-        kept = targets == np.arange(count)
-        if kept.all():
+        is_remaining = targets == np.arange(count)
+        if is_remaining.all():
             return False
         np.minimum.at(self.similar, targets, self.similar.copy())
         np.maximum.at(self.near, targets, self.near.copy())
-        names = upload(np.cumsum(kept) - 1, int32, self.device)
+        names = upload(np.cumsum(is_remaining) - 1, int32, self.device)
         arguments = [self.cloud, self._planes(), upload(targets, int32, self.device), names]
         launch(hand_over_kernel, self.labels.size, arguments)
         for name in ("similar", "near", "fitted", "grew"):
-            setattr(self, name, getattr(self, name)[kept])
-        rows = upload(np.flatnonzero(kept), int32, self.device)
+            setattr(self, name, getattr(self, name)[is_remaining])
+        rows = upload(np.flatnonzero(is_remaining), int32, self.device)
         self.centers, self.directions = gather_rows(self.centers, rows), gather_rows(self.directions, rows)
         self.counts = download(self._count()).astype(np.int64)  # sync
         return True

@@ -137,7 +137,7 @@ def claim_seeds_kernel(
 
 @kernel
 def note_axis_kernel(
-    places: array(dtype=float32),
+    coordinates: array(dtype=float32),
     sides: array(dtype=float32),
     axis: int,
     middles: array(dtype=float32),
@@ -147,9 +147,9 @@ def note_axis_kernel(
     """One coordinate of each run's center and normal from the order statistics, and its longest edge so far."""
     i = tid()
     runs = edges.shape[0]
-    middles[3 * i + axis] = places[runs + i]
+    middles[3 * i + axis] = coordinates[runs + i]
     means[3 * i + axis] = sides[runs + i]
-    edges[i] = max(edges[i], places[2 * runs + i] - places[i])
+    edges[i] = max(edges[i], coordinates[2 * runs + i] - coordinates[i])
 
 
 @kernel
@@ -242,17 +242,19 @@ class Runs:
         size, count, device = self.rows.size, self.count, self.device
         if references is None:
             references = upload(self._main_directions(normals), vec3, device)
-        places, sides = (empty(size, float32, device) for _ in range(2))
+        coordinates, sides = (empty(size, float32, device) for _ in range(2))
         middles, means = (empty(3 * count, float32, device) for _ in range(2))
         planes = RunPlanes(empty(count, vec3, device), empty(count, vec3, device), zeros(count, float32, device))
         for axis in range(3):
-            launch(take_axis_kernel, size, [points, self.rows, axis, places])
+            launch(take_axis_kernel, size, [points, self.rows, axis, coordinates])
             launch(take_normal_axis_kernel, size, [normals, self.rows, self.runs, references, axis, sides])
-            found = [self.statistics(values) for values in (places, sides)]
-            launch(note_axis_kernel, count, [*found, axis, middles, means, planes.edges])
+            statistics = [self.statistics(values) for values in (coordinates, sides)]
+            launch(note_axis_kernel, count, [*statistics, axis, middles, means, planes.edges])
         launch(finish_directions_kernel, count, [middles, means, references, planes.centers, planes.directions])
-        launch(measure_heights_kernel, size, [points, self.rows, self.runs, planes.centers, planes.directions, places])
-        launch(lift_centers_kernel, count, [self.statistics(places), planes.directions, planes.centers])
+        launch(
+            measure_heights_kernel, size, [points, self.rows, self.runs, planes.centers, planes.directions, coordinates]
+        )
+        launch(lift_centers_kernel, count, [self.statistics(coordinates), planes.directions, planes.centers])
         return planes
 
     def statistics(self, values: Scalars) -> Scalars:
@@ -275,10 +277,10 @@ class Runs:
 
     def spread(self, values: Scalars) -> list[Scalars]:
         """Order statistics of each run's values and of their deviations from the median."""
-        found, deviations = self.statistics(values), empty(values.size, float32, self.device)
-        medians = found[self.count : 2 * self.count]
+        statistics, deviations = self.statistics(values), empty(values.size, float32, self.device)
+        medians = statistics[self.count : 2 * self.count]
         launch(deviate_kernel, values.size, [values, self.runs, medians, deviations])
-        return [found, self.statistics(deviations)]
+        return [statistics, self.statistics(deviations)]
 
     def _main_directions(self, normals: Vectors) -> np.ndarray:
         size = self.rows.size
@@ -295,9 +297,9 @@ class Limits:
     spread (`coplanarity`), maximum fraction of outliers, minimum point count, and a rounding tolerance [m] (`slack`).
     """
 
-    def __init__(self, similarity: float, coplanarity: float, outliers: float, fewest: int, slack: float) -> None:
+    def __init__(self, similarity: float, coplanarity: float, outliers: float, min_count: int, slack: float) -> None:
         self.similarity, self.coplanarity, self.outliers = similarity, coplanarity, outliers
-        self.fewest, self.slack = fewest, slack
+        self.min_count, self.slack = min_count, slack
 
     def judge(
         self, points: Points, normals: Vectors, runs: Runs, first: int, labels: Integers
@@ -310,12 +312,12 @@ class Limits:
         outliers, packed = zeros(runs.count, int32, device), empty((runs.count, PACKED), int32, device)
         launch(count_outliers_kernel, runs.rows.size, [*measured, runs.runs, *bounds, outliers])
         launch(pack_planes_kernel, runs.count, [*planes, *bounds, outliers, runs.starts, packed])
-        whole = np.array(download(packed))  # sync
-        numbers = whole.view(np.float32)
+        results = np.array(download(packed))  # sync
+        numbers = results.view(np.float32)
         edges, similar, near = numbers[:, 6:9].T
         steep = near / np.maximum(np.hypot(near, edges), np.float32(1e-30))  # figure 4 of the paper
         passed = (similar > self.similarity) & (steep < self.coplanarity) & (edges > 0)
-        passed &= whole[:, 9] <= self.outliers * whole[:, 10]
+        passed &= results[:, 9] <= self.outliers * results[:, 10]
         names = np.where(passed, first + np.cumsum(passed) - 1, -1)
         arguments = [*measured, runs.rows, runs.runs, *bounds, upload(names, int32, device), labels]
         launch(claim_seeds_kernel, runs.rows.size, arguments)
@@ -326,12 +328,12 @@ def find_seeds(
     points: Points, normals: Vectors, labels: Integers, limits: Limits, octree: "Octree"
 ) -> list[np.ndarray]:
     """Label points of the smallest flat octree cells, else -1. Returns NumPy (centers, directions, similar, near)."""
-    found = [(np.empty((0, 3), np.float32),) * 2 + (np.empty(0, np.float32),) * 2]
-    for level in range(octree.deepest(limits.fewest), FIRST_LEVEL - 1, -1):
-        runs = octree.runs(level, limits.fewest)
+    seeds = [(np.empty((0, 3), np.float32),) * 2 + (np.empty(0, np.float32),) * 2]
+    for level in range(octree.deepest(limits.min_count), FIRST_LEVEL - 1, -1):
+        runs = octree.runs(level, limits.min_count)
         passed = np.zeros(1, np.int32)
         if runs is not None:
-            passed, planes = limits.judge(points, normals, Runs(*runs), sum(len(f[0]) for f in found), labels)
-            found.append(planes)
+            passed, planes = limits.judge(points, normals, Runs(*runs), sum(len(f[0]) for f in seeds), labels)
+            seeds.append(planes)
         octree.cover(upload(passed.astype(np.int32), int32, points.device))
-    return [np.concatenate(parts) for parts in zip(*found, strict=True)]
+    return [np.concatenate(parts) for parts in zip(*seeds, strict=True)]

@@ -45,11 +45,11 @@ def split_axes_kernel(points: array(dtype=vec3), rows: array(dtype=int32), cente
 
 
 @func
-def reaches_block(blocks: PointBlocks, block: int, a: float, b: float, c: float, d: float, reach: float) -> int:
+def is_near_block(blocks: PointBlocks, block: int, a: float, b: float, c: float, d: float, limit: float) -> int:
     at = 6 * block
     middle = abs(a * blocks.boxes[at] + b * blocks.boxes[at + 1] + c * blocks.boxes[at + 2] + d)
     near = 0
-    if middle <= reach + abs(a) * blocks.boxes[at + 3] + abs(b) * blocks.boxes[at + 4] + abs(c) * blocks.boxes[at + 5]:
+    if middle <= limit + abs(a) * blocks.boxes[at + 3] + abs(b) * blocks.boxes[at + 4] + abs(c) * blocks.boxes[at + 5]:
         near = 1
     return near
 

@@ -36,7 +36,7 @@ from ..lang import (
 )
 from ..linear_algebra import eigh, matmul
 from ..memory import download, empty, upload, zeros
-from .plane_blocks import BLOCK, PointBlocks, distances_of_block, reaches_block
+from .plane_blocks import BLOCK, PointBlocks, distances_of_block, is_near_block
 from .plane_samples import FLAT, TRIANGLE, draw_planes_kernel, products, sampled_point, six_sums
 
 if TYPE_CHECKING:
@@ -169,7 +169,7 @@ def score_planes_kernel(
     planes: array(dtype=vec4d),
     plane_count: int,
     threshold: float,
-    reach: float,
+    block_distance: float,
     counts: array(dtype=int32),
 ):
     """Inlier counts of planes. Integer sums, so the order of the atomics does not matter."""
@@ -188,12 +188,12 @@ def score_planes_kernel(
             b = float(plane[1])
             c = float(plane[2])
             d = float(plane[3])
-            if reaches_block(blocks, block, a, b, c, d, reach) == 1:
-                found = 0
+            if is_near_block(blocks, block, a, b, c, d, block_distance) == 1:
+                count = 0
                 for j in range(first, last):
                     if abs(a * blocks.xs[j] + b * blocks.ys[j] + c * blocks.zs[j] + d) < threshold:
-                        found += 1
-                totals[k] = totals[k] + found
+                        count += 1
+                totals[k] = totals[k] + count
     for k in range(size):
         atomic_add(counts, start + k, totals[k])
 
@@ -291,15 +291,15 @@ class PlaneSearch:
         self.blocks = PointBlocks(points, rows, vec3(*middle))
 
     def find(
-        self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int = 0
+        self, threshold: float, sample_size: int, max_samples: int, probability: float, seed: int, first: int = 0
     ) -> np.ndarray | None:
         """Plane with the most points closer than the threshold [m], then the smallest distances: float64 [4] relative
         to `center`, or None. Stops at the `probability` of an outlier-free sample. `first`: first sample number."""
         if self.device.is_cuda:
-            return self._find_on_device(threshold, sample_size, most, probability, seed, first)
-        best, best_count, best_sum, done, batch, needed = None, 0, None, 0, FIRST_BATCH, float(most)
-        while done < min(most, needed):
-            size = int(min(batch, most - done, math.ceil(needed) - done))
+            return self._find_on_device(threshold, sample_size, max_samples, probability, seed, first)
+        best, best_count, best_sum, done, batch, needed = None, 0, None, 0, FIRST_BATCH, float(max_samples)
+        while done < min(max_samples, needed):
+            size = int(min(batch, max_samples - done, math.ceil(needed) - done))
             planes = self._draw(sample_size, size, seed, first + done)
             counts = download(self._score(planes, size, threshold))
             top = int(counts.max())
@@ -314,21 +314,21 @@ class PlaneSearch:
                     best = download(planes)[chosen[k]].copy()
                     best_count, best_sum = top, float(sums[k]) if contested else None
             done += size
-            needed = samples_needed(best_count / self.rows.size, sample_size, probability, most)
+            needed = samples_needed(best_count / self.rows.size, sample_size, probability, max_samples)
             batch = min(BATCH_GROWTH * batch, MAX_PLANES)
         return best
 
     def _find_on_device(
-        self, threshold: float, sample_size: int, most: int, probability: float, seed: int, first: int
+        self, threshold: float, sample_size: int, max_samples: int, probability: float, seed: int, first: int
     ) -> np.ndarray | None:
         """`find` with selection on the GPU. One sync per batch."""
-        best, done, batch, needed = BestPlane(self, threshold), 0, FIRST_BATCH, float(most)
-        while done < min(most, needed):
-            size = int(min(batch, most - done, math.ceil(needed) - done))
+        best, done, batch, needed = BestPlane(self, threshold), 0, FIRST_BATCH, float(max_samples)
+        while done < min(max_samples, needed):
+            size = int(min(batch, max_samples - done, math.ceil(needed) - done))
             planes = self._draw(sample_size, size, seed, first + done)
             best.offer(planes, self._score(planes, size, threshold))  # sync
             done += size
-            needed = samples_needed(best.count / self.rows.size, sample_size, probability, most)
+            needed = samples_needed(best.count / self.rows.size, sample_size, probability, max_samples)
             batch = min(BATCH_GROWTH * batch, MAX_PLANES)
         self._inliers = best.inliers
         return best.plane if best.count else None
@@ -366,8 +366,8 @@ class PlaneSearch:
         counts = zeros(size, int32, self.device)
         run = CUDA_RUN if self.device.is_cuda else CPU_RUN
         groups, threads = -(-size // GROUP), -(-self.blocks.block_count // run)
-        reach = threshold + ROUNDING * (self.size + threshold)
-        arguments = [self.blocks, run, planes, size, threshold, reach, counts]
+        block_distance = threshold + ROUNDING * (self.size + threshold)
+        arguments = [self.blocks, run, planes, size, threshold, block_distance, counts]
         launch(score_planes_kernel, threads * groups, arguments)
         return counts
 
@@ -389,11 +389,11 @@ class PlaneSearch:
         return float(self._sum_distances(planes, np.zeros(1, np.int32), threshold)[0])
 
 
-def samples_needed(share: float, sample_size: int, probability: float, most: int) -> float:
+def samples_needed(share: float, sample_size: int, probability: float, max_samples: int) -> float:
     """Samples until one is outlier-free with a probability (Fischler and Bolles 1981, II.B); `share` of inliers."""
     hit = share**sample_size
     if hit >= 1.0:
         return 0.0
     if hit == 0.0 or probability >= 1.0:
-        return float(most)
-    return min(float(most), math.log1p(-probability) / math.log1p(-hit))
+        return float(max_samples)
+    return min(float(max_samples), math.log1p(-probability) / math.log1p(-hit))

@@ -71,7 +71,13 @@ def label_regions_kernel(
 
 
 def grow_regions(
-    normals: Vectors, curvature: Scalars, neighbors: Array2[int32], cosine: float, limit: float, least: int, most: int
+    normals: Vectors,
+    curvature: Scalars,
+    neighbors: Array2[int32],
+    cosine: float,
+    limit: float,
+    min_size: int,
+    max_size: int,
 ) -> tuple[Integers, int]:
     """Labels of smooth regions by decreasing size, and their number before the size limits. `cosine`: minimum between
     unsigned normals, `limit`: maximum curvature to grow from."""
@@ -87,5 +93,5 @@ def grow_regions(
         return labels, 0
     launch(number_rows_kernel, heads.size, [heads, numbers])
     launch(label_regions_kernel, count, [normals, neighbors, cosine, parents, numbers, labels])
-    rank_by_size(labels, heads.size, least, most)
+    rank_by_size(labels, heads.size, min_size, max_size)
     return labels, heads.size

@@ -19,7 +19,7 @@ from .plane_samples import sampled_point
 from .shape_fit import FREE, ShapeFit, frame_of
 from .shape_models import measure
 from .shape_rows import every_of
-from .shape_search import Found, ShapeLimits, ShapeSearch, drawn_of
+from .shape_search import DetectedShape, ShapeLimits, ShapeSearch, drawn_of
 
 BAND = 3.0  # tolerances up to which a point is beside a surface
 COMPARED = 4096  # points of a shape used to fit rivals
@@ -84,18 +84,20 @@ def count_band_kernel(
         n = normals[rows[i]]
         size = sqrt(float64(dot(n, n)))
         facing = abs(m[1] * float64(n[0]) + m[2] * float64(n[1]) + m[3] * float64(n[2]))
-        place = 0
+        slot = 0
         if abs(m[0]) >= near:
-            place = 1
-        atomic_add(counts, place, 1)  # integer sums do not depend on the order
+            slot = 1
+        atomic_add(counts, slot, 1)  # integer sums do not depend on the order
         if facing >= cosine * size:
-            atomic_add(counts, place + 2, 1)
+            atomic_add(counts, slot + 2, 1)
 
 
-def count_band(search: ShapeSearch, found: Found, box: Array1[float32], distance: float, cosine: float) -> Integers:
+def count_band(
+    search: ShapeSearch, detected: DetectedShape, box: Array1[float32], distance: float, cosine: float
+) -> Integers:
     """Numbers of a `Band` among the searched points. No sync."""
-    counts, shape, frame = zeros(4, int32, search.device), found.fit.shape, frame_of(found.fit.shape[3:6])
-    arguments = [search.points, search.normals, search.rows, vec3d(*search.center), found.kind, vec3d(*shape[:3])]
+    counts, shape, frame = zeros(4, int32, search.device), detected.fit.shape, frame_of(detected.fit.shape[3:6])
+    arguments = [search.points, search.normals, search.rows, vec3d(*search.center), detected.kind, vec3d(*shape[:3])]
     arguments += [vec3d(*frame[0]), vec3d(*frame[2]), vec3d(shape[6], shape[7], 0.0), box]
     launch(count_band_kernel, search.rows.size, [*arguments, distance, cosine, counts])
     return counts
@@ -104,23 +106,23 @@ def count_band(search: ShapeSearch, found: Found, box: Array1[float32], distance
 class RivalStarts:
     """Samples of other kinds among the points of a detected shape."""
 
-    def __init__(self, search: ShapeSearch, found: Found, limits: ShapeLimits) -> None:
-        self.search, self.found, self.limits, self.rows = search, found, limits, found.rows
-        if found.rows.size > COMPARED:
-            self.rows = every_of(found.rows, -(-found.rows.size // COMPARED))
+    def __init__(self, search: ShapeSearch, detected: DetectedShape, limits: ShapeLimits) -> None:
+        self.search, self.shape, self.limits, self.rows = search, detected, limits, detected.rows
+        if detected.rows.size > COMPARED:
+            self.rows = every_of(detected.rows, -(-detected.rows.size // COMPARED))
         part = ShapeSearch(search.points, search.normals, self.rows, search)
         wide = replace(limits, smallest=0.0, largest=FREE_SIZE * max(search.size, 1e-30))
-        self.kinds = [kind for kind in FREE if kind != found.kind and self.rows.size > len(FREE[kind]) + 1]
+        self.kinds = [kind for kind in FREE if kind != detected.kind and self.rows.size > len(FREE[kind]) + 1]
         self.unread = [values for kind in self.kinds for values in part.draw_unread(kind, DRAWN, 0, 0, wide)]
 
     def find(self, drawn: Sequence[NDArray[Any]], every: ShapeSearch) -> list[Rival]:
         """Best shape of each other kind, from the arrays of `unread`; support is counted in `every`. Two syncs."""
-        kinds, starts = [self.found.kind], [self.found.fit.shape]
+        kinds, starts = [self.shape.kind], [self.shape.fit.shape]
         for kind, (shapes, _) in zip(self.kinds, drawn_of(drawn), strict=True):
             kinds += [kind] * len(shapes[:STARTS])
             starts += list(shapes[:STARTS])
         rounding = float(np.finfo(np.float32).eps) * self.search.size
-        hopeless = HOPELESS * (self.found.fit.rms + rounding)
+        hopeless = HOPELESS * (self.shape.fit.rms + rounding)
         own, *offers = self.search.fitter.fit_all(kinds, starts, self.rows, COMPARED_GAIN, hopeless)
         best: dict[int, ShapeFit] = {}
         for kind, fit in zip(kinds[1:], offers, strict=True):
@@ -129,7 +131,7 @@ class RivalStarts:
         if not best:
             return []
         counts = every.score(np.stack([fit.shape for fit in best.values()]), np.array(list(best)), self.limits)
-        spread = _spread(own, self.found.kind) + rounding
+        spread = _spread(own, self.shape.kind) + rounding
         return [
             Rival(kind, fit, (_spread(fit, kind) + rounding) / spread, int(count))
             for (kind, fit), count in zip(best.items(), counts, strict=True)

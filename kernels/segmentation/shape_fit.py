@@ -25,14 +25,14 @@ from .shape_fit_rows import (
     FitRules,
     ShapeFits,
     add_fit_rows,
-    add_places,
     add_weighted_fit_rows,
     fit_sums,
     list_fit_rows_kernel,
     select_fit_rows_kernel,
+    sum_moments,
 )
 from .shape_models import CONE, CYLINDER, NUMBERS, PLANE, SPHERE, TORUS
-from .shape_steps import step_fits_kernel, tell_running_kernel
+from .shape_steps import step_fits_kernel, update_running_kernel
 
 OPEN = 1.0e-11  # eigenvalue ratio of the scaled system below which a fit is undetermined
 EXACT = 1.0e-13  # of the squared distances: a smaller gain ends a fit
@@ -74,7 +74,7 @@ class Selection:
     cosine: float
     smallest: float
     largest: float
-    most_rounds: int
+    max_rounds: int
 
 
 def frame_of(direction: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -116,18 +116,18 @@ class ShapeFitter:
     ) -> list[ShapeFit]:
         """Fits to the same rows from several shapes. One sync. Stops those with an rms above `hopeless` [m] (0:
         none)."""
-        found = self._run(kinds, shapes, rows, None, gain, hopeless)
+        results = self._run(kinds, shapes, rows, None, gain, hopeless)
         return [
             self.fit_of(int(kind), shape, sums)
-            for kind, shape, sums in zip(found["kinds"], found["shapes"], found["sums"], strict=True)
+            for kind, shape, sums in zip(results["kinds"], results["shapes"], results["sums"], strict=True)
         ]
 
     def refine_all(
         self, kinds: ArrayLike, shapes: Shapes, rows: Indices, chosen: Selection, gain: float = ROUGHLY
     ) -> list[tuple[ShapeFit, int] | None]:
         """Fit each shape to its inliers among `rows` while these increase. One sync: (fit, inlier count), or None."""
-        found = self._run(kinds, shapes, rows, chosen, gain)
-        each = zip(found["kinds"], found["bests"], found["best_sums"], found["best_counts"], strict=True)
+        results = self._run(kinds, shapes, rows, chosen, gain)
+        each = zip(results["kinds"], results["bests"], results["best_sums"], results["best_counts"], strict=True)
         return [
             (self.fit_of(int(kind), shape, sums), int(count)) if count >= 0 else None
             for kind, shape, sums, count in each
@@ -135,10 +135,10 @@ class ShapeFitter:
 
     def fit_plane(self, rows: Indices) -> FlatFit:
         """Unweighted least-squares plane of `points[rows]`. One sync."""
-        return flat_fit(download(self.add_places(rows)), rows.size)  # sync
+        return flat_fit(download(self.add_moments(rows)), rows.size)  # sync
 
-    def add_places(self, rows: Indices) -> Array1[Any]:
-        return reduce(add_places, rows.size, [self.points, rows, vec3d(*self.center)])
+    def add_moments(self, rows: Indices) -> Array1[Any]:
+        return reduce(sum_moments, rows.size, [self.points, rows, vec3d(*self.center)])
 
     def fit_of(self, kind: int, shape: NDArray[np.float64], sums: NDArray[np.float64]) -> ShapeFit:
         """Fit statistics from the sums at a shape."""
@@ -192,7 +192,7 @@ class ShapeFitter:
         partials, trials = empty(blocks.count, fit_sums, device), empty(k, fit_sums, device)
         center = vec3d(*self.center)
 
-        def turn() -> None:
+        def iterate() -> None:
             if chosen is not None:
                 launch(select_fit_rows_kernel, k * n, [self.points, chosen.normals, center, rules, fits])
             if self.weights is None:
@@ -201,13 +201,13 @@ class ShapeFitter:
                 given, reduction = [self.points, self.weights, center, fits], add_weighted_fit_rows
             reduce_segments(reduction, blocks, fits.live, given, partials, trials)
             launch(step_fits_kernel, k, [rules, trials, fits])
-            launch(tell_running_kernel, 1, [fits])
+            launch(update_running_kernel, 1, [fits])
 
         if n:
-            loop_while(fits.running, turn)
+            loop_while(fits.running, iterate)
         names = ("shapes", "sums") if chosen is None else ("bests", "best_sums", "best_counts")
-        found = dict(zip(names, read_together([states.arrays[name] for name in names]), strict=True))  # sync
-        return {"kinds": np.asarray(kinds), **found}
+        results = dict(zip(names, read_together([states.arrays[name] for name in names]), strict=True))  # sync
+        return {"kinds": np.asarray(kinds), **results}
 
 
 def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> dict[str, tuple[ArrayLike, type]]:
@@ -215,7 +215,7 @@ def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> 
     k, width = len(of), len(fit_sums(0.0))
     axes = [np.eye(3) if kind == SPHERE else frame_of(shape[3:6]) for kind, shape in zip(of, given, strict=True)]
     frames = np.reshape(axes, (k, 3, 3))
-    rounds = 0 if chosen is None else chosen.most_rounds
+    rounds = 0 if chosen is None else chosen.max_rounds
     return {
         "shapes": (given, float64),
         "offers": (given, float64),
@@ -229,7 +229,7 @@ def _first_state(kinds: ArrayLike, shapes: Shapes, chosen: Selection | None) -> 
         "phases": (np.full(k, SELECT), int32),
         "steps": (np.zeros(k), int32),
         "rounds": (np.zeros(k), int32),
-        "most_rounds": (np.full(k, rounds), int32),
+        "max_rounds": (np.full(k, rounds), int32),
         "best_counts": (np.full(k, -1), int32),
         "live": (np.ones(k), int32),
         "running": (np.ones(1), int32),

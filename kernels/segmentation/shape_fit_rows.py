@@ -23,10 +23,10 @@ from ..lang import (
 from .plane_samples import sampled_point
 from .shape_models import CONE, CYLINDER, PLANE, TORUS, eight, measure
 
-SQUARES, COUNT, PLACES = 35, 36, 37  # in the sums: squared distances, rows, positions along u, v and the axis
+SQUARES, COUNT, POSITIONS = 35, 36, 37  # in the sums: squared distances, rows, positions along u, v and the axis
 SELECT, BEGIN, STEP, ENDED = range(4)  # purpose of the current sums
 fit_sums = vector(40, float64)
-place_sums = vector(9, float64)
+moment_sums = vector(9, float64)
 
 
 @struct
@@ -48,7 +48,7 @@ class ShapeFits:
     phases: array(dtype=int32)
     steps: array(dtype=int32)
     rounds: array(dtype=int32)
-    most_rounds: array(dtype=int32)
+    max_rounds: array(dtype=int32)
     bests: array(dtype=float64, ndim=2)
     best_sums: array(dtype=fit_sums)
     best_counts: array(dtype=int32)
@@ -71,7 +71,7 @@ class FitRules:
 
 
 @func
-def place_in(shapes: array(dtype=float64, ndim=2), k: int) -> vec3d:
+def position_in(shapes: array(dtype=float64, ndim=2), k: int) -> vec3d:
     return vec3d(shapes[k, 0], shapes[k, 1], shapes[k, 2])
 
 
@@ -115,7 +115,7 @@ def slopes(kind: int, p: vec3d, a: vec3d, u: vec3d, v: vec3d, r: float64, s: flo
 @func
 def sums_at(fits: ShapeFits, k: int, x: vec3d, weight: float64) -> fit_sums:
     """Weighted products (upper triangle) of a row, its count, and its position in the frame."""
-    p = place_in(fits.offers, k)
+    p = position_in(fits.offers, k)
     u = fits.frames[k, 0]
     v = fits.frames[k, 1]
     a = fits.frames[k, 2]
@@ -127,9 +127,9 @@ def sums_at(fits: ShapeFits, k: int, x: vec3d, weight: float64) -> fit_sums:
             total[at] = j[row] * j[column] * weight
             at += 1
     total[COUNT] = 1.0
-    total[PLACES] = dot(x - p, u)
-    total[PLACES + 1] = dot(x - p, v)
-    total[PLACES + 2] = dot(x - p, a)
+    total[POSITIONS] = dot(x - p, u)
+    total[POSITIONS + 1] = dot(x - p, v)
+    total[POSITIONS + 2] = dot(x - p, a)
     return total
 
 
@@ -160,10 +160,10 @@ def add_weighted_fit_rows(
 
 
 @reduction
-def add_places(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3d) -> place_sums:
+def sum_moments(points: array(dtype=vec3), rows: array(dtype=int32), center: vec3d) -> moment_sums:
     i = tid()
     x = sampled_point(points, rows[i], center)
-    return place_sums(
+    return moment_sums(
         x[0], x[1], x[2], x[0] * x[0], x[0] * x[1], x[0] * x[2], x[1] * x[1], x[1] * x[2], x[2] * x[2]
     )  # fmt: skip
 
@@ -199,7 +199,7 @@ def select_fit_rows_kernel(
     if fits.phases[k] == SELECT:
         row = fits.rows[t]
         x = sampled_point(points, row, center)
-        p = place_in(fits.offers, k)
+        p = position_in(fits.offers, k)
         a = axis_in(fits.offers, k)
         r = fits.offers[k, 6]
         s = fits.offers[k, 7]

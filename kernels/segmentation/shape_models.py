@@ -52,7 +52,7 @@ def split_points_kernel(
 
 
 @func
-def place_at(cloud: ShapePoints, i: int) -> vec3d:
+def position_at(cloud: ShapePoints, i: int) -> vec3d:
     return vec3d(float64(cloud.xs[i]), float64(cloud.ys[i]), float64(cloud.zs[i]))
 
 

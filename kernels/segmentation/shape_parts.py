@@ -18,7 +18,7 @@ from .cluster_labels import rank_by_size
 from .dbscan import cluster_points
 from .plane_samples import sampled_point
 from .shape_models import measure
-from .shape_search import Found, ShapeSearch, turn_points_kernel
+from .shape_search import DetectedShape, ShapeSearch, rotate_points_kernel
 
 TAIL = 0.01  # of a face's points at either end that may belong to adjacent surfaces
 MAX_STEPS = 2_000_000_000  # of a height, an integer for the atomics
@@ -53,10 +53,10 @@ def write_distances_kernel(
 
 
 @kernel
-def stretch_reach_kernel(
+def extend_heights_kernel(
     points: array(dtype=vec3),
     labels: array(dtype=int32),
-    places: array(dtype=vec3d),
+    positions: array(dtype=vec3d),
     normals: array(dtype=vec3d),
     step: float64,
     low: array(dtype=int32, ndim=2),
@@ -66,52 +66,52 @@ def stretch_reach_kernel(
     i = tid()
     k = labels[i]
     if k >= 0:
-        for j in range(places.shape[0]):
-            height = dot(sampled_point(points, i, places[j]), normals[j]) / step
+        for j in range(positions.shape[0]):
+            height = dot(sampled_point(points, i, positions[j]), normals[j]) / step
             height = max(float64(-2.0e9), min(float64(2.0e9), height))  # MAX_STEPS
             atomic_min(low, k, j, int(height))  # the minimum does not depend on the order
             atomic_max(high, k, j, int(height))  # the maximum does not depend on the order
 
 
-def reach_across(
-    points: Points, labels: NDArray[np.int32], places: NDArray[np.float64], normals: NDArray[np.float64], step: float
+def heights_across(
+    points: Points, labels: NDArray[np.int32], positions: NDArray[np.float64], normals: NDArray[np.float64], step: float
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Minimum and maximum height [m] of each plane's points (row; label -1: none) above each plane. One sync."""
-    count, device = len(places), points.device
+    count, device = len(positions), points.device
     low, high = full((count, count), MAX_STEPS, int32, device), full((count, count), -MAX_STEPS, int32, device)
-    there = [upload(labels, int32, device), upload(places, vec3d, device), upload(normals, vec3d, device)]
-    launch(stretch_reach_kernel, points.size, [points, *there, step, low, high])
+    there = [upload(labels, int32, device), upload(positions, vec3d, device), upload(normals, vec3d, device)]
+    launch(extend_heights_kernel, points.size, [points, *there, step, low, high])
     return download(low) * step, download(high) * step  # sync
 
 
 @kernel
-def lift_heights_kernel(turned: array(dtype=vec3), low: vec3d, heights: array(dtype=float64, ndim=2)):
+def lift_heights_kernel(rotated: array(dtype=vec3), low: vec3d, heights: array(dtype=float64, ndim=2)):
     i = tid()
     for k in range(3):
-        heights[k, i] = float64(turned[i][k]) - low[k]
+        heights[k, i] = float64(rotated[i][k]) - low[k]
 
 
 def bounds_in_frame(
-    points: Points, rows: Indices, place: NDArray[np.float64], frame: NDArray[np.float64]
+    points: Points, rows: Indices, position: NDArray[np.float64], frame: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Robust bounds of uniform points in a frame: extrapolated quantiles at TAIL and 1 - TAIL, clamped. 4 syncs."""
-    turned = empty(rows.size, vec3, rows.device)
+    rotated = empty(rows.size, vec3, rows.device)
     axes = [vec3d(*axis) for axis in frame]
-    launch(turn_points_kernel, rows.size, [points, rows, vec3d(0.0, 0.0, 0.0), vec3d(*place), *axes, turned])
-    low, high = (bound.astype(np.float64) for bound in bound_points(turned)[:2])  # sync
+    launch(rotate_points_kernel, rows.size, [points, rows, vec3d(0.0, 0.0, 0.0), vec3d(*position), *axes, rotated])
+    low, high = (bound.astype(np.float64) for bound in bound_points(rotated)[:2])  # sync
     heights = empty((3, rows.size), float64, rows.device)
-    launch(lift_heights_kernel, rows.size, [turned, vec3d(*low), heights])
+    launch(lift_heights_kernel, rows.size, [rotated, vec3d(*low), heights])
     tails = np.array([quantiles_of(heights[k], [TAIL, 1 - TAIL]) for k in range(3)])  # sync, three
     more = TAIL / (1 - 2 * TAIL) * (tails[:, 1] - tails[:, 0])
     return low + np.maximum(tails[:, 0] - more, 0), np.minimum(low + tails[:, 1] + more, high)
 
 
-def largest_part(points: Points, rows: Indices, reach: float) -> Indices:
+def largest_part(points: Points, rows: Indices, radius: float) -> Indices:
     """Rows of the largest group of points connected by steps shorter than a radius, in order."""
     if rows.size == 0:
         return rows
     chosen = gather_rows(points, rows)
-    labels, count = cluster_points(PointTree(chosen), rows.size, reach, 1)
+    labels, count = cluster_points(PointTree(chosen), rows.size, radius, 1)
     rank_by_size(labels, count, 1, rows.size)
     mask = empty(rows.size, uint8, rows.device)
     launch(mask_first_part_kernel, rows.size, [labels, mask])
@@ -125,8 +125,8 @@ def rows_labeled(labels: Integers, rows: Indices, label: int) -> Indices:
     return gather_rows(rows, positions_of(mask))
 
 
-def write_distances(search: ShapeSearch, found: Found, distances: Scalars) -> None:
-    shape = found.fit.shape
-    place, axis, sizes = vec3d(*shape[:3]), vec3d(*shape[3:6]), vec3d(shape[6], shape[7], 0.0)
-    arguments = [search.points, found.rows, vec3d(*search.center), found.kind, place, axis, sizes, distances]
-    launch(write_distances_kernel, found.rows.size, arguments)
+def write_distances(search: ShapeSearch, detected: DetectedShape, distances: Scalars) -> None:
+    shape = detected.fit.shape
+    position, axis, sizes = vec3d(*shape[:3]), vec3d(*shape[3:6]), vec3d(shape[6], shape[7], 0.0)
+    arguments = [search.points, detected.rows, vec3d(*search.center), detected.kind, position, axis, sizes, distances]
+    launch(write_distances_kernel, detected.rows.size, arguments)

@@ -55,17 +55,14 @@ from .shape_models import (
     eight,
     measure,
     normal_at,
-    place_at,
+    position_at,
     split_points_kernel,
 )
 from .shape_rows import every_of
 
 MIN_SINE = 0.05  # between normals: below it, noise determines their intersection
 MIN_WINDOW = 16  # points of the shortest run
-NARROW, WIDE = (
-    0.9995,
-    0.06,
-)  # cosines of a cone's half angle: 1.8 and 86.6 degrees, beyond which it is a line or a plane
+NARROW, WIDE = (0.9995, 0.06)  # cosines of a cone's half angle: 1.8 and 86.6 degrees, else it is a line or a plane
 
 
 @func
@@ -225,9 +222,9 @@ def torus_through(p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z:
     inside = a1 * a1 - 4.0 * a2 * a0
     best = no_shape()
     if inside >= 0.0 and abs(a2) > 0.0:
-        least = float64(1.0e300)
-        turns = int(2)
-        for side in range(turns):
+        best_error = float64(1.0e300)
+        sides = int(2)
+        for side in range(sides):
             root = sqrt(inside)
             if side == 1:
                 root = -root
@@ -241,8 +238,8 @@ def torus_through(p: vec3d, k: vec3d, q: vec3d, j: vec3d, o: vec3d, m: vec3d, z:
                     shape = torus_about(c, a, p, k, q, j, o, m, z, n)
                     if shape[6] > 0.0:
                         worst = worst_of(shape, p, q, o, z)
-                        if worst < least:
-                            least = worst
+                        if worst < best_error:
+                            best_error = worst
                             best = shape * 1.0
     return best
 
@@ -257,12 +254,12 @@ def row_near(rows: int, seed: int, number: int, stream: int, levels: int, anchor
 
 
 @func
-def contradicts(kind: int, shape: eight, p: vec3d, n: vec3d, threshold: float64, least_cosine: float64) -> int:
+def contradicts(kind: int, shape: eight, p: vec3d, n: vec3d, threshold: float64, min_cosine: float64) -> int:
     c = vec3d(shape[0], shape[1], shape[2])
     a = vec3d(shape[3], shape[4], shape[5])
     m = measure(kind, c, a, shape[6], shape[7], p)
     wrong = 0
-    if abs(m[0]) > threshold or abs(m[1] * n[0] + m[2] * n[1] + m[3] * n[2]) < least_cosine:
+    if abs(m[0]) > threshold or abs(m[1] * n[0] + m[2] * n[1] + m[3] * n[2]) < min_cosine:
         wrong = 1
     return wrong
 
@@ -275,7 +272,7 @@ def draw_shapes_kernel(
     first: int,
     levels: int,
     threshold: float64,
-    least_cosine: float64,
+    min_cosine: float64,
     smallest: float64,
     largest: float64,
     shapes: array(dtype=float64, ndim=2),
@@ -288,10 +285,10 @@ def draw_shapes_kernel(
     bt = row_near(cloud.count, seed, number, 2, levels, at)
     ct = row_near(cloud.count, seed, number, 3, levels, at)
     dt = row_near(cloud.count, seed, number, 4, levels, at)
-    p = place_at(cloud, at)
-    q = place_at(cloud, bt)
-    o = place_at(cloud, ct)
-    z = place_at(cloud, dt)
+    p = position_at(cloud, at)
+    q = position_at(cloud, bt)
+    o = position_at(cloud, ct)
+    z = position_at(cloud, dt)
     k = normal_at(cloud, at)
     m = normal_at(cloud, bt)
     n = normal_at(cloud, ct)
@@ -306,11 +303,11 @@ def draw_shapes_kernel(
         shape = cone_through(p, k, q, m, o, n)
     if kind == TORUS:
         shape = torus_through(p, k, q, m, o, n, z, e)
-        wrong = contradicts(kind, shape, z, e, threshold, least_cosine)
+        wrong = contradicts(kind, shape, z, e, threshold, min_cosine)
     if kind == PLANE or kind == CONE or kind == TORUS:
-        wrong += contradicts(kind, shape, o, n, threshold, least_cosine)
-    wrong += contradicts(kind, shape, p, k, threshold, least_cosine)
-    wrong += contradicts(kind, shape, q, m, threshold, least_cosine)
+        wrong += contradicts(kind, shape, o, n, threshold, min_cosine)
+    wrong += contradicts(kind, shape, p, k, threshold, min_cosine)
+    wrong += contradicts(kind, shape, q, m, threshold, min_cosine)
     size = shape[6]
     if kind == TORUS:
         size = shape[7]
@@ -329,12 +326,12 @@ CPU_RUN, CUDA_RUN = 2048, 128  # points per thread
 
 @func
 def count_plane(cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, near: float, cosine: float) -> int:
-    found = 0
+    count = 0
     for j in range(first, last):
         d = a[0] * (cloud.xs[j] - c[0]) + a[1] * (cloud.ys[j] - c[1]) + a[2] * (cloud.zs[j] - c[2])
         if abs(d) < near and abs(a[0] * cloud.us[j] + a[1] * cloud.vs[j] + a[2] * cloud.ws[j]) >= cosine:
-            found += 1
-    return found
+            count += 1
+    return count
 
 
 @func
@@ -342,7 +339,7 @@ def count_round(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, near: float, cosine: float
 ) -> int:
     """Points of a run on a cylinder, or on a sphere if the direction is zero."""
-    found = 0
+    count = 0
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
         y = cloud.ys[j] - c[1]
@@ -353,15 +350,15 @@ def count_round(
         z = z - h * a[2]
         q = sqrt(x * x + y * y + z * z)
         if abs(q - r) < near and abs(x * cloud.us[j] + y * cloud.vs[j] + z * cloud.ws[j]) >= cosine * q:
-            found += 1
-    return found
+            count += 1
+    return count
 
 
 @func
 def count_cone(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, s: float, near: float, cosine: float
 ) -> int:
-    found = 0
+    count = 0
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
         y = cloud.ys[j] - c[1]
@@ -374,15 +371,15 @@ def count_cone(
         n = a[0] * cloud.us[j] + a[1] * cloud.vs[j] + a[2] * cloud.ws[j]
         facing = r * (x * cloud.us[j] + y * cloud.vs[j] + z * cloud.ws[j]) - s * n * q
         if abs(q * r - h * s) < near and q * s + h * r >= 0.0 and abs(facing) >= cosine * q:
-            found += 1
-    return found
+            count += 1
+    return count
 
 
 @func
 def count_torus(
     cloud: ShapePoints, first: int, last: int, c: vec3, a: vec3, r: float, s: float, near: float, cosine: float
 ) -> int:
-    found = 0
+    count = 0
     for j in range(first, last):
         x = cloud.xs[j] - c[0]
         y = cloud.ys[j] - c[1]
@@ -397,8 +394,8 @@ def count_torus(
         n = a[0] * cloud.us[j] + a[1] * cloud.vs[j] + a[2] * cloud.ws[j]
         facing = m * (x * cloud.us[j] + y * cloud.vs[j] + z * cloud.ws[j]) + h * n * q
         if abs(rho - s) < near and abs(facing) >= cosine * q * rho:
-            found += 1
-    return found
+            count += 1
+    return count
 
 
 @kernel
@@ -420,27 +417,27 @@ def score_shapes_kernel(
     a = vec3(float(shapes[k, 3]), float(shapes[k, 4]), float(shapes[k, 5]))
     r = float(shapes[k, 6])
     s = float(shapes[k, 7])
-    found = 0
+    count = 0
     if kind == PLANE:
-        found = count_plane(cloud, first, last, c, a, near, cosine)
+        count = count_plane(cloud, first, last, c, a, near, cosine)
     if kind == SPHERE:
-        found = count_round(cloud, first, last, c, vec3(0.0, 0.0, 0.0), r, near, cosine)
+        count = count_round(cloud, first, last, c, vec3(0.0, 0.0, 0.0), r, near, cosine)
     if kind == CYLINDER:
-        found = count_round(cloud, first, last, c, a, r, near, cosine)
+        count = count_round(cloud, first, last, c, a, r, near, cosine)
     if kind == CONE:
-        found = count_cone(cloud, first, last, c, a, r, s, near, cosine)
+        count = count_cone(cloud, first, last, c, a, r, s, near, cosine)
     if kind == TORUS:
-        found = count_torus(cloud, first, last, c, a, r, s, near, cosine)
-    if found > 0:
-        atomic_add(counts, k, found)  # an integer sum does not depend on the order
+        count = count_torus(cloud, first, last, c, a, r, s, near, cosine)
+    if count > 0:
+        atomic_add(counts, k, count)  # an integer sum does not depend on the order
 
 
 def score_shapes(
-    cloud: ShapePoints, shapes: Array2[float64], kinds: Integers, threshold: float, least_cosine: float
+    cloud: ShapePoints, shapes: Array2[float64], kinds: Integers, threshold: float, min_cosine: float
 ) -> Integers:
     counts = zeros(kinds.size, int32, kinds.device)
     run = CUDA_RUN if kinds.device.is_cuda else CPU_RUN
-    arguments = [cloud, run, shapes, kinds, threshold, least_cosine, counts]
+    arguments = [cloud, run, shapes, kinds, threshold, min_cosine, counts]
     launch(score_shapes_kernel, kinds.size * -(-cloud.count // run), arguments)
     return counts
 
@@ -475,7 +472,7 @@ Drawn = tuple[NDArray[np.float64], NDArray[np.int64]]  # shapes and their inlier
 
 
 @dataclass(frozen=True)
-class Found:
+class DetectedShape:
     """A shape with its fit relative to the search center, and its inlier rows in search order."""
 
     kind: int
@@ -494,16 +491,16 @@ def mask_on_shape_kernel(
     a: vec3d,
     sizes: vec3d,
     threshold: float64,
-    least_cosine: float64,
+    min_cosine: float64,
     mask: array(dtype=uint8),
 ):
     i = tid()
     x = sampled_point(points, rows[i], center)
-    mask[i] = uint8(is_on(kind, p, a, sizes[0], sizes[1], x, normals[rows[i]], threshold, least_cosine))
+    mask[i] = uint8(is_on(kind, p, a, sizes[0], sizes[1], x, normals[rows[i]], threshold, min_cosine))
 
 
 @kernel
-def turn_points_kernel(
+def rotate_points_kernel(
     points: array(dtype=vec3),
     rows: array(dtype=int32),
     center: vec3d,
@@ -511,20 +508,20 @@ def turn_points_kernel(
     u: vec3d,
     v: vec3d,
     a: vec3d,
-    turned: array(dtype=vec3),
+    rotated: array(dtype=vec3),
 ):
     i = tid()
     y = sampled_point(points, rows[i], center) - p
-    turned[i] = vec3(float32(dot(y, u)), float32(dot(y, v)), float32(dot(y, a)))
+    rotated[i] = vec3(float32(dot(y, u)), float32(dot(y, v)), float32(dot(y, a)))
 
 
 @kernel
 def mark_cells_kernel(
-    turned: array(dtype=vec3), kind: int, r: float, directions: array(dtype=float32), cells: array(dtype=int32)
+    rotated: array(dtype=vec3), kind: int, r: float, directions: array(dtype=float32), cells: array(dtype=int32)
 ):
     """Mark the cell of each point: sector around the axis, and band along a sphere or around a torus tube."""
     i = tid()
-    p = turned[i]
+    p = rotated[i]
     sector = 0
     best = -float(1.0e30)
     for k in range(SECTORS):
@@ -548,9 +545,9 @@ def mark_cells_kernel(
 
 
 @kernel
-def key_scores_kernel(scores: array(dtype=int32), most: int, keys: array(dtype=int64)):
+def key_scores_kernel(scores: array(dtype=int32), max_score: int, keys: array(dtype=int64)):
     i = tid()
-    keys[i] = int64(most - scores[i])
+    keys[i] = int64(max_score - scores[i])
 
 
 @kernel
@@ -571,10 +568,10 @@ def take_shapes_kernel(
     near[i] = scores[k]
 
 
-def drawn_of(found: Sequence[NDArray[Any]]) -> list[Drawn]:
+def drawn_of(arrays: Sequence[NDArray[Any]]) -> list[Drawn]:
     """Sort the results of `draw_unread` (three arrays per draw) by decreasing score: (shapes, counts)."""
     drawn = []
-    for shapes, near, counts in zip(found[::3], found[1::3], found[2::3], strict=True):
+    for shapes, near, counts in zip(arrays[::3], arrays[1::3], arrays[2::3], strict=True):
         chosen = near > 0
         best, on = shapes[chosen].copy(), counts[chosen].astype(np.int64)
         order = np.argsort(-on, kind="stable")
@@ -634,26 +631,29 @@ class ShapeSearch:
         there, of = upload(shapes, float64, self.device), upload(kinds.astype(np.int32), int32, self.device)
         return download(score_shapes(self.cloud, there, of, limits.distance, limits.cosine)).astype(np.int64)
 
-    def find(self, kind: int, limits: ShapeLimits, most: int, probability: float, seed: int) -> Found | None:
+    def find(
+        self, kind: int, limits: ShapeLimits, max_samples: int, probability: float, seed: int
+    ) -> DetectedShape | None:
         """Shape with the most inliers, or None."""
-        pool, counts, done, batch, needed = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), 0, FIRST_BATCH, float(most)
-        while done < min(most, needed):
-            size = int(min(batch, most - done))
+        pool, counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64)
+        done, batch, needed = 0, FIRST_BATCH, float(max_samples)
+        while done < min(max_samples, needed):
+            size = int(min(batch, max_samples - done))
             drawn, scores = self.draw(kind, size, seed, done, limits)
             pool, counts = np.concatenate([pool, drawn]), np.concatenate([counts, scores])
             best = np.argsort(-counts, kind="stable")[:REFINED]
             pool, counts = pool[best], counts[best]
             done += size
             share = counts[0] / self.rows.size if len(counts) else 0.0
-            needed = samples_needed(share, kind, self.levels, probability, most)
+            needed = samples_needed(share, kind, self.levels, probability, max_samples)
             batch = min(BATCH_GROWTH * batch, MAX_BATCH)
         part = self._part_search()
         if part is not None and len(pool):
             refined = [one for one in part.refine_all([kind] * len(pool), pool, limits) if one is not None]
             best = max(refined, key=lambda one: (one[1], -one[0].rms), default=None)
             pool = pool[:1] if best is None else best[0].shape[None]
-        found = [one for one in self.each_refined([kind] * len(pool), pool, limits) if one is not None]
-        return max(found, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
+        refits = [one for one in self.each_refined([kind] * len(pool), pool, limits) if one is not None]
+        return max(refits, key=lambda one: (one.rows.size, -one.fit.rms), default=None)
 
     def _part_search(self) -> "ShapeSearch | None":
         """Search among every n-th point. None if there are few."""
@@ -671,11 +671,11 @@ class ShapeSearch:
         )  # fmt: skip
         return self.fitter.refine_all(kinds, shapes, self.rows, chosen, gain)
 
-    def each_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> list[Found | None]:
+    def each_refined(self, kinds: Sequence[int], shapes: Shapes, limits: ShapeLimits) -> list[DetectedShape | None]:
         """`refine_all` to full accuracy."""
         each = zip(kinds, self.refine_all(kinds, shapes, limits, EXACT), strict=True)
         return [
-            None if one is None else Found(kind, one[0], self.on(kind, one[0].shape, limits, one[1]))
+            None if one is None else DetectedShape(kind, one[0], self.on(kind, one[0].shape, limits, one[1]))
             for kind, one in each
         ]
 
@@ -689,21 +689,21 @@ class ShapeSearch:
         launch(mask_on_shape_kernel, mask.size, [*arguments, limits.distance, limits.cosine, mask])
         return mask
 
-    def turned(self, shape: NDArray[np.float64], rows: Indices) -> Points:
+    def in_frame(self, shape: NDArray[np.float64], rows: Indices) -> Points:
         frame, out = frame_of(shape[3:6]), empty(rows.size, vec3, self.device)
         arguments = [self.points, rows, vec3d(*self.center), vec3d(*shape[:3]), *(vec3d(*axis) for axis in frame), out]
-        launch(turn_points_kernel, rows.size, arguments)
+        launch(rotate_points_kernel, rows.size, arguments)
         return out
 
-    def spread_unread(self, found: Found) -> tuple[Integers, Array1[float32], Integers]:
+    def spread_unread(self, detected: DetectedShape) -> tuple[Integers, Array1[float32], Integers]:
         """Device input of `spread_of` for a shape's points, and their box in its frame. No sync."""
-        shape, turned = found.fit.shape, self.turned(found.fit.shape, found.rows)
-        extremes, box = find_extremes(turned), empty(6, float32, self.device)
+        shape, rotated = detected.fit.shape, self.in_frame(detected.fit.shape, detected.rows)
+        extremes, box = find_extremes(rotated), empty(6, float32, self.device)
         launch(fold_box_kernel, 6, [extremes, box])
         angles = 2 * np.pi * np.arange(SECTORS) / SECTORS
         around = np.stack([np.cos(angles), np.sin(angles)], 1).astype(np.float32).ravel()
         directions, cells = upload(around, float32, self.device), zeros(SECTORS * BANDS, int32, self.device)
-        launch(mark_cells_kernel, turned.size, [turned, found.kind, float(shape[6]), directions, cells])
+        launch(mark_cells_kernel, rotated.size, [rotated, detected.kind, float(shape[6]), directions, cells])
         return extremes, box, cells
 
     def _split(self, middle: vec3, step: int, first: int, count: int) -> ShapePoints:
@@ -736,9 +736,9 @@ def chance_of(share: float, kind: int, levels: int) -> float:
     return max(share**points, share / 2 ** (points - 1)) / levels
 
 
-def samples_needed(share: float, kind: int, levels: int, probability: float, most: int) -> float:
+def samples_needed(share: float, kind: int, levels: int, probability: float, max_samples: int) -> float:
     """Samples until one of the shape alone is drawn with the given probability."""
     hit = chance_of(share, kind, levels)
     if hit <= 0.0 or probability >= 1.0:
-        return float(most)
-    return min(float(most), math.log1p(-probability) / math.log1p(-min(hit, 1 - 1e-12)))
+        return float(max_samples)
+    return min(float(max_samples), math.log1p(-probability) / math.log1p(-min(hit, 1 - 1e-12)))

@@ -10,7 +10,7 @@ from .shape_fit_rows import (
     BEGIN,
     COUNT,
     ENDED,
-    PLACES,
+    POSITIONS,
     SELECT,
     SQUARES,
     STEP,
@@ -18,14 +18,14 @@ from .shape_fit_rows import (
     ShapeFits,
     axis_in,
     fit_sums,
-    place_in,
+    position_in,
 )
 from .shape_models import CONE, CYLINDER, PLANE, SPHERE, TORUS
 
 FIRST_DAMPING, MIN_DAMPING, MAX_DAMPING = 1.0e-4, 1.0e-12, 1.0e12
 MAX_STEPS = 60
-PATIENCE = 12  # steps before a fit is given up: true shapes take 2 to 6
-SETTLED = 1.0e-12  # of the size of the points: a step as short has no effect
+MIN_STEPS = 12  # steps before a fit is given up: true shapes take 2 to 6
+SHORT_STEP = 1.0e-12  # of the size of the points: a step as short has no effect
 LOST = 1.0e-14  # of its diagonal: a smaller pivot leaves its unknown undetermined
 HUGE = 1.0e300
 seven = vector(7, float64)
@@ -81,11 +81,11 @@ def is_proper(kind: int, shapes: array(dtype=float64, ndim=2), k: int) -> int:
 @func
 def is_allowed(kind: int, shapes: array(dtype=float64, ndim=2), k: int, smallest: float64, largest: float64) -> int:
     allowed = 1
-    least = shapes[k, 6]
+    radius = shapes[k, 6]
     if kind == TORUS:
-        least = shapes[k, 7]
+        radius = shapes[k, 7]
     if kind == SPHERE or kind == CYLINDER or kind == TORUS:
-        if not (least >= smallest and shapes[k, 6] <= largest):
+        if not (radius >= smallest and shapes[k, 6] <= largest):
             allowed = 0
     return allowed
 
@@ -181,15 +181,15 @@ def offer_step(kind: int, k: int, x: seven, size: float64, fits: ShapeFits) -> f
     a = third_of(old, kind)
     u = first_across(a, kind)
     v = cross(a, u)
-    p = place_in(fits.shapes, k) + u * x[0] + v * x[1] + a * x[2]
+    p = position_in(fits.shapes, k) + u * x[0] + v * x[1] + a * x[2]
     d = old + (u * x[3] + v * x[4]) / size
     d = d / sqrt(dot(d, d))
     r = fits.shapes[k, 6] * 1.0
     s = fits.shapes[k, 7] * 1.0
     if kind == CONE:
-        turn = x[5] / size
-        c = fits.shapes[k, 6] - fits.shapes[k, 7] * turn
-        s = fits.shapes[k, 7] + fits.shapes[k, 6] * turn
+        rotation = x[5] / size
+        c = fits.shapes[k, 6] - fits.shapes[k, 7] * rotation
+        s = fits.shapes[k, 7] + fits.shapes[k, 6] * rotation
         far = sqrt(c * c + s * s)
         r = c / far
         s = s / far
@@ -219,9 +219,9 @@ def take_over(to: array(dtype=float64, ndim=2), values: array(dtype=float64, ndi
 @func
 def center_offer(kind: int, k: int, sums: fit_sums, fits: ShapeFits) -> int:
     """Move the position of a plane or cylinder along itself to the mean of its rows."""
-    moved = fits.frames[k, 2] * (sums[PLACES + 2] / sums[COUNT])
+    moved = fits.frames[k, 2] * (sums[POSITIONS + 2] / sums[COUNT])
     if kind == PLANE:
-        moved = (fits.frames[k, 0] * sums[PLACES] + fits.frames[k, 1] * sums[PLACES + 1]) / sums[COUNT]
+        moved = (fits.frames[k, 0] * sums[POSITIONS] + fits.frames[k, 1] * sums[POSITIONS + 1]) / sums[COUNT]
     for axis in range(3):
         fits.offers[k, axis] = fits.offers[k, axis] + moved[axis]
     return 0
@@ -238,7 +238,7 @@ def end_round(k: int, count: int, fits: ShapeFits) -> int:
             fits.best_counts[k] = count
             fits.best_sums[k] = fits.sums[k]
             take_over(fits.bests, fits.shapes, k)
-            if fits.rounds[k] >= fits.most_rounds[k]:
+            if fits.rounds[k] >= fits.max_rounds[k]:
                 phase = int(ENDED)
     if count == 0:
         phase = int(ENDED)
@@ -249,7 +249,7 @@ def end_round(k: int, count: int, fits: ShapeFits) -> int:
 def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> int:
     """Accept the trial if it is no worse. 1 if the fit has ended."""
     ended = 0
-    short = fits.longest[k] <= float64(SETTLED) * rules.size
+    short = fits.longest[k] <= float64(SHORT_STEP) * rules.size
     proper = is_proper(fits.kinds[k], fits.offers, k)
     if proper == 1 and trial[SQUARES] <= fits.sums[k][SQUARES]:
         gain = fits.sums[k][SQUARES] - trial[SQUARES]
@@ -266,7 +266,7 @@ def weigh_offer(k: int, trial: fit_sums, rules: FitRules, fits: ShapeFits) -> in
     if fits.steps[k] >= MAX_STEPS:
         ended = 1
     far = fits.sums[k][SQUARES] > rules.hopeless * fits.sums[k][COUNT]
-    if rules.hopeless > 0.0 and fits.steps[k] >= PATIENCE and far:
+    if rules.hopeless > 0.0 and fits.steps[k] >= MIN_STEPS and far:
         ended = 1
     return ended
 
@@ -279,15 +279,15 @@ def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: Shape
     if phase != ENDED:
         trial = trials[k]
         ended = 0
-        asks = 0  # 1 if it needs sums before it continues
+        needs_sums = 0  # 1 if it needs sums before it continues
         if phase == SELECT:
             phase = end_round(k, int(trial[COUNT]), fits)
             if phase == BEGIN and (kind == PLANE or kind == CYLINDER):
                 center_offer(kind, k, trial, fits)
-                asks = 1
+                needs_sums = 1
         if phase == STEP:
             ended = weigh_offer(k, trial, rules, fits)
-        if phase == BEGIN and asks == 0:
+        if phase == BEGIN and needs_sums == 0:
             take_over(fits.shapes, fits.offers, k)
             fits.sums[k] = trial
             fits.dampings[k] = float64(FIRST_DAMPING)
@@ -305,7 +305,7 @@ def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: Shape
             take_over(fits.offers, fits.shapes, k)
             phase = int(SELECT)
             allowed = is_allowed(kind, fits.shapes, k, rules.smallest, rules.largest)
-            if fits.most_rounds[k] == 0 or allowed == 0:
+            if fits.max_rounds[k] == 0 or allowed == 0:
                 phase = int(ENDED)
         frame_offer(kind, k, fits)
         fits.phases[k] = phase
@@ -314,7 +314,7 @@ def step_fits_kernel(rules: FitRules, trials: array(dtype=fit_sums), fits: Shape
 
 
 @kernel
-def tell_running_kernel(fits: ShapeFits):
+def update_running_kernel(fits: ShapeFits):
     i = tid()
     going = 0
     for k in range(fits.live.shape[0]):

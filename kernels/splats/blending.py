@@ -56,8 +56,8 @@ def meet_splat(splat: int, ray: vec3, projected: ProjectedSplats) -> float:
     depth = middle + 0.0
     if steep > 0.0:
         depth = dot(ray, projected.pulls[splat]) / steep
-    reach = projected.depths[splat]
-    return min(max(depth, middle - reach), middle + reach)
+    max_offset = projected.depths[splat]
+    return min(max(depth, middle - max_offset), middle + max_offset)
 
 
 @kernel
@@ -84,23 +84,23 @@ def blend_splats_kernel(
             if buffer.words[cell] != int64(NO_KEY):
                 solid[k] = key_number(buffer.words[cell])
         total = vec3(0.0)
-        most = 1.0
-        place = lists.starts[i // TILE_PIXELS]
+        max_left = 1.0
+        index = lists.starts[i // TILE_PIXELS]
         last = lists.starts[i // TILE_PIXELS + 1]
-        while place < last and most > MIN_LEFT:
-            splat = lists.members[place]
+        while index < last and max_left > MIN_LEFT:
+            splat = lists.members[index]
             opacity = opacity_at(splat, float(column), float(row), projected)
             if opacity > 0.0:
                 depth = projected.middles[splat][2]
                 seen = 0.0
-                most = 0.0
+                max_left = 0.0
                 for k in range(SAMPLES * SAMPLES):
                     share = lefts[k] * opacity if depth < solid[k] else 0.0
                     seen = seen + share
                     lefts[k] = lefts[k] - share
-                    most = max(most, lefts[k] if depth < solid[k] else 0.0)
+                    max_left = max(max_left, lefts[k] if depth < solid[k] else 0.0)
                 total = total + projected.colors[splat] * seen
-            place += 1
+            index += 1
         for k in range(SAMPLES * SAMPLES):
             left[corner + (k // SAMPLES) * buffer.width + k % SAMPLES] = lefts[k]
         light[pixel] = light[pixel] + total
@@ -119,10 +119,10 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
         depth = 0.0
         median = 0.0
         left = 1.0
-        place = lists.starts[i // TILE_PIXELS]
+        index = lists.starts[i // TILE_PIXELS]
         last = lists.starts[i // TILE_PIXELS + 1]
-        while place < last and left > MIN_LEFT:
-            splat = lists.members[place]
+        while index < last and left > MIN_LEFT:
+            splat = lists.members[index]
             opacity = opacity_at(splat, column, row, projected)
             if opacity > 0.0:
                 share = left * opacity
@@ -133,7 +133,7 @@ def find_surface_kernel(lists: TileLists, projected: ProjectedSplats, view: View
                 if left > 0.5 and left - share <= 0.5:
                     median = met
                 left = left - share
-            place += 1
+            index += 1
         size = length(normal)
         if size > 0.0:
             normal = normal / size

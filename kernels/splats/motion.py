@@ -15,9 +15,9 @@ def mask_splats_kernel(
     opacities: array(dtype=float32),
     scales: array(dtype=float32, ndim=2),
     quaternions: array(dtype=float32, ndim=2),
-    least_opacity: float,
-    least_scale: float,
-    most_scale: float,
+    min_opacity: float,
+    min_scale: float,
+    max_scale: float,
     mask: array(dtype=uint8),
 ):
     """1 for valid splats within the opacity and size limits."""
@@ -26,7 +26,7 @@ def mask_splats_kernel(
     longest = scales[i, 0]
     for axis in range(1, 3):
         longest = max(longest, scales[i, axis])
-    if isfinite(points[i]) and opacities[i] >= least_opacity and longest >= least_scale and longest <= most_scale:
+    if isfinite(points[i]) and opacities[i] >= min_opacity and longest >= min_scale and longest <= max_scale:
         keep = 1
     length = float(0.0)
     for part in range(4):
@@ -34,7 +34,7 @@ def mask_splats_kernel(
     if not (isfinite(length) and length > 0.0):
         keep = 0
     for axis in range(3):
-        if not scales[i, axis] <= most_scale:  # NaN
+        if not scales[i, axis] <= max_scale:  # NaN
             keep = 0
     mask[i] = uint8(keep)
 
@@ -44,13 +44,13 @@ def mask_splats(
     opacities: Scalars,
     scales: Array2[float32],
     quaternions: Array2[float32],
-    least_opacity: float,
-    least_scale: float,
-    most_scale: float,
+    min_opacity: float,
+    min_scale: float,
+    max_scale: float,
 ) -> Mask:
     """Mask of splats to keep; opacities and limits as logits, scales and limits as logarithms."""
     mask = empty(points.size, uint8, points.device)
-    limits = [least_opacity, least_scale, most_scale]
+    limits = [min_opacity, min_scale, max_scale]
     launch(mask_splats_kernel, points.size, [points, opacities, scales, quaternions, *limits, mask])
     return mask
 
@@ -67,20 +67,22 @@ def multiply_quaternions(a: vec4d, b: vec4d) -> vec4d:
 
 
 @kernel
-def turn_quaternions_kernel(quaternions: array(dtype=float32, ndim=2), turn: vec4d, out: array(dtype=float32, ndim=2)):
+def rotate_quaternions_kernel(
+    quaternions: array(dtype=float32, ndim=2), rotation: vec4d, out: array(dtype=float32, ndim=2)
+):
     i = tid()
     q = vec4d(0.0)
     for part in range(4):
         q[part] = float64(quaternions[i, part])
-    q = multiply_quaternions(turn, q)
+    q = multiply_quaternions(rotation, q)
     for part in range(4):
         out[i, part] = float(q[part])
 
 
 @kernel
-def turn_harmonics_kernel(
+def rotate_harmonics_kernel(
     harmonics: array(dtype=float32, ndim=2),
-    turns: array(dtype=float64, ndim=2),
+    rotations: array(dtype=float64, ndim=2),
     degree: int,
     out: array(dtype=float32, ndim=2),
 ):
@@ -94,21 +96,21 @@ def turn_harmonics_kernel(
             total = float64(0.0)
             for column in range(size):
                 value = float64(harmonics[splat, first + start + column])
-                total += turns[start + row, start + column] * value
+                total += rotations[start + row, start + column] * value
             out[splat, first + start + row] = float(total)
         start += size
 
 
-def turn_quaternions(quaternions: Array2[float32], turn: np.ndarray) -> Array2[float32]:
+def rotate_quaternions(quaternions: Array2[float32], rotation: np.ndarray) -> Array2[float32]:
     """Quaternions (n, 4) (w, x, y, z) rotated by one, float64 (4)."""
     out = empty(quaternions.shape, float32, quaternions.device)
-    launch(turn_quaternions_kernel, quaternions.shape[0], [quaternions, vec4d(*turn), out])
+    launch(rotate_quaternions_kernel, quaternions.shape[0], [quaternions, vec4d(*rotation), out])
     return out
 
 
-def turn_harmonics(harmonics: Array2[float32], turns: np.ndarray, degree: int) -> Array2[float32]:
+def rotate_harmonics(harmonics: Array2[float32], rotations: np.ndarray, degree: int) -> Array2[float32]:
     """Harmonics (n, 3 (K - 1)) rotated by the diagonal blocks of a float64 matrix (K - 1, K - 1)."""
     out = empty(harmonics.shape, float32, harmonics.device)
-    matrix = upload(turns, float64, harmonics.device)
-    launch(turn_harmonics_kernel, 3 * harmonics.shape[0], [harmonics, matrix, degree, out])
+    matrix = upload(rotations, float64, harmonics.device)
+    launch(rotate_harmonics_kernel, 3 * harmonics.shape[0], [harmonics, matrix, degree, out])
     return out

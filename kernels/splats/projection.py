@@ -40,7 +40,7 @@ FAINTEST = 1.0 / 255.0  # opacity below which a splat is skipped in a pixel
 MAX_OPACITY = 0.99  # per splat and pixel: the background stays visible
 BESIDE = 0.15  # of the image size: beyond, the tangent map is clamped
 FLATTEST = 1.0e-4  # of the longest axis: minimum of the shortest axis
-REACH = 3.0  # standard deviations along the ray, beyond which a splat is not hit
+MAX_DEVIATIONS = 3.0  # standard deviations along the ray, beyond which a splat is not hit
 
 
 @struct
@@ -100,9 +100,9 @@ class ProjectedSplats:
         self.middles, self.conics, self.colors = (empty(count, vec3, device) for _ in range(3))
         self.opacities, self.limits = empty(count, float32, device), empty(count, float32, device)
         self.boxes = empty(count, vec4i, device)
-        held = count if surfaces else 0
-        self.diagonals, self.others, self.pulls, self.normals = (empty(held, vec3, device) for _ in range(4))
-        self.depths = empty(held, float32, device)
+        surface_count = count if surfaces else 0
+        self.diagonals, self.others, self.pulls, self.normals = (empty(surface_count, vec3, device) for _ in range(4))
+        self.depths = empty(surface_count, float32, device)
 
 
 @func
@@ -126,12 +126,12 @@ def axes_of(i: int, splats: SplatColumns) -> mat33:
 @func
 def axes_before_camera(axes: mat33, rotation: mat33, unit: float) -> mat33:
     """Axes under a scaled rotation, without the scale."""
-    turned = mat33(0.0)
+    rotated = mat33(0.0)
     for k in range(3):
         axis = rotation @ vec3(axes[0, k], axes[1, k], axes[2, k])
         for row in range(3):
-            turned[row, k] = axis[row] / unit
-    return turned
+            rotated[row, k] = axis[row] / unit
+    return rotated
 
 
 @func
@@ -156,21 +156,21 @@ def color_towards(i: int, direction: vec3, splats: SplatColumns) -> vec3:
                     value = splats.sizes[k] * legendre * (cosine if side == 0 else sine)
                     for channel in range(3):
                         color[channel] = color[channel] + splats.rest[i, channel * rest + k - 1] * value
-        turned = direction[0] * cosine - direction[1] * sine
+        next_cosine = direction[0] * cosine - direction[1] * sine
         sine = direction[0] * sine + direction[1] * cosine
-        cosine = turned
+        cosine = next_cosine
         start = start * float(2 * m + 1)
     return vec3(max(color[0] + 0.5, 0.0), max(color[1] + 0.5, 0.0), max(color[2] + 0.5, 0.0))
 
 
 @func
-def scaled_inverse(turn: mat33, scales: vec3) -> mat33:
+def scaled_inverse(axes: mat33, scales: vec3) -> mat33:
     """Inverse covariance times the squared shortest axis: entries of at most 1."""
     shortest = max(min(min(scales[0], scales[1]), scales[2]), FLATTEST * max(max(scales[0], scales[1]), scales[2]))
     total = mat33(0.0)
     for k in range(3):
         ratio = shortest / max(scales[k], shortest)
-        axis = vec3(turn[0, k], turn[1, k], turn[2, k]) * ratio
+        axis = vec3(axes[0, k], axes[1, k], axes[2, k]) * ratio
         for row in range(3):
             for column in range(3):
                 total[row, column] = total[row, column] + axis[row] * axis[column]
@@ -178,8 +178,8 @@ def scaled_inverse(turn: mat33, scales: vec3) -> mat33:
 
 
 @func
-def note_surface(i: int, q: vec3, turn: mat33, scales: vec3, projected: ProjectedSplats):
-    A = scaled_inverse(turn, scales)
+def note_surface(i: int, q: vec3, axes: mat33, scales: vec3, projected: ProjectedSplats):
+    A = scaled_inverse(axes, scales)
     projected.diagonals[i] = vec3(A[0, 0], A[1, 1], A[2, 2])
     projected.others[i] = vec3(A[0, 1], A[0, 2], A[1, 2])
     projected.pulls[i] = A @ q
@@ -187,18 +187,18 @@ def note_surface(i: int, q: vec3, turn: mat33, scales: vec3, projected: Projecte
     for k in range(1, 3):
         if scales[k] < scales[shortest]:
             shortest = k
-    normal = vec3(turn[0, shortest], turn[1, shortest], turn[2, shortest])
+    normal = vec3(axes[0, shortest], axes[1, shortest], axes[2, shortest])
     if dot(normal, q) > 0.0:
         normal = -normal
     projected.normals[i] = normal
     spread = 0.0
     for k in range(3):
-        spread = spread + turn[2, k] * turn[2, k] * scales[k] * scales[k]
-    projected.depths[i] = REACH * sqrt(spread)
+        spread = spread + axes[2, k] * axes[2, k] * scales[k] * scales[k]
+    projected.depths[i] = MAX_DEVIATIONS * sqrt(spread)
 
 
 @func
-def ellipse_of(q: vec3, turn: mat33, scales: vec3, view: View) -> vec4:
+def ellipse_of(q: vec3, axes: mat33, scales: vec3, view: View) -> vec4:
     """Image covariance a b c of a splat [px^2] and the determinant."""
     fx = float(view.camera.fx)
     fy = float(view.camera.fy)
@@ -209,8 +209,8 @@ def ellipse_of(q: vec3, turn: mat33, scales: vec3, view: View) -> vec4:
     across = vec3(0.0)
     down = vec3(0.0)
     for k in range(3):
-        across[k] = (turn[0, k] - x * turn[2, k]) * scales[k] * (fx / q[2])
-        down[k] = (turn[1, k] - y * turn[2, k]) * scales[k] * (fy / q[2])
+        across[k] = (axes[0, k] - x * axes[2, k]) * scales[k] * (fx / q[2])
+        down[k] = (axes[1, k] - y * axes[2, k]) * scales[k] * (fy / q[2])
     a = dot(across, across) + BLUR
     c = dot(down, down) + BLUR
     area = cross(across, down)  # its square equals a c - b b without cancellation
@@ -251,16 +251,16 @@ def project_splats_kernel(
             is_number = 0
     if isfinite(q) and q[2] > near and opacity >= FAINTEST and is_number == 1:
         unit = length(vec3(view.rotation[0, 0], view.rotation[0, 1], view.rotation[0, 2]))
-        turn = axes_before_camera(axes_of(i, splats), view.rotation, unit)
+        axes = axes_before_camera(axes_of(i, splats), view.rotation, unit)
         scales = vec3(0.0)
         for k in range(3):
             scales[k] = exp_in_float(splats.scales[i, k]) * unit
-        shape = ellipse_of(q, turn, scales, view)
+        shape = ellipse_of(q, axes, scales, view)
         if isfinite(shape[0]) and isfinite(shape[2]) and isfinite(shape[3]):
             middle = project(q, view)
             limit = log(opacity / FAINTEST) * 1.001 + 1.0e-4
-            reach = sqrt(2.0 * limit)
-            box = tiles_of(middle, reach * sqrt(shape[0]) + 0.01, reach * sqrt(shape[2]) + 0.01, view)
+            radius = sqrt(2.0 * limit)
+            box = tiles_of(middle, radius * sqrt(shape[0]) + 0.01, radius * sqrt(shape[2]) + 0.01, view)
             projected.middles[i] = middle
             projected.conics[i] = vec3(shape[2], -shape[1], shape[0]) / shape[3]
             projected.opacities[i] = opacity
@@ -268,7 +268,7 @@ def project_splats_kernel(
             toward = splats.points[i] - eye
             projected.colors[i] = color_towards(i, toward / length(toward), splats)
             if projected.depths.shape[0] > 0:
-                note_surface(i, q, turn, scales, projected)
+                note_surface(i, q, axes, scales, projected)
     tiles = 0
     if box[1] >= box[0] and box[3] >= box[2]:
         tiles = (box[1] - box[0] + 1) * (box[3] - box[2] + 1)

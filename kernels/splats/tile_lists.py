@@ -82,9 +82,9 @@ def list_tiles_kernel(
     i = tid()
     splat = order[i]
     box = boxes[splat]
-    wide = max(box[1] - box[0] + 1, 1)
+    box_columns = max(box[1] - box[0] + 1, 1)
     first = offsets[i]
-    for place in range(offsets[i + 1] - first):
-        tile = (box[2] + place // wide) * columns + box[0] + place % wide
-        put_key(first + place, int64(tile), keys)
-        owners[first + place] = splat
+    for slot in range(offsets[i + 1] - first):
+        tile = (box[2] + slot // box_columns) * columns + box[0] + slot % box_columns
+        put_key(first + slot, int64(tile), keys)
+        owners[first + slot] = splat

@@ -7,12 +7,12 @@ WHITE = 255.0
 
 
 @func
-def brightness_of(pixels: array(dtype=uint8), place: int, channels: int) -> float:
+def brightness_of(pixels: array(dtype=uint8), pixel: int, channels: int) -> float:
     """Brightness of a pixel, 0..1, from 3 channels or 1."""
-    value = float(pixels[place * channels])
+    value = float(pixels[pixel * channels])
     if channels == 3:
-        green = float(pixels[place * channels + 1])
-        blue = float(pixels[place * channels + 2])
+        green = float(pixels[pixel * channels + 1])
+        blue = float(pixels[pixel * channels + 2])
         value = RED * value + GREEN * green + BLUE * blue
     return value / WHITE
 

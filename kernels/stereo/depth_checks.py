@@ -55,10 +55,10 @@ def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float3
     iu = int(floor(u + 0.5))
     iv = int(floor(v + 0.5))
     d = depth[iv * camera.width + iu]
-    found = vec3d(float64(iu), float64(iv), 0.0)
+    surface = vec3d(float64(iu), float64(iv), 0.0)
     if d > 0.0:
         w = 1.0 / float64(d)
-        found = vec3d(float64(iu), float64(iv), w)
+        surface = vec3d(float64(iu), float64(iv), w)
         left = int(floor(u))
         top = int(floor(v))
         if left >= 0 and top >= 0 and left + 1 < camera.width and top + 1 < camera.height:
@@ -85,8 +85,8 @@ def surface_at(u: float64, v: float64, camera: Camera, depth: array(dtype=float3
                 else:
                     good = 0
             if good == 1:
-                found = vec3d(u, v, total)
-    return found
+                surface = vec3d(u, v, total)
+    return surface
 
 
 @func
@@ -146,17 +146,17 @@ def keep_depth_kernel(
     confidence: array(dtype=float32),
     counts: array(dtype=int32),
     totals: array(dtype=float64),
-    least: int,
+    min_sources: int,
     min_confidence: float,
-    kept: array(dtype=float32),
+    averaged: array(dtype=float32),
 ):
     """Depth from the mean inverse depth of the pixel and agreeing sources. 0 if too few agree."""
     i = tid()
     d = depth[i]
     mean = 0.0
-    if d > 0.0 and counts[i] >= least and confidence[i] >= min_confidence:
+    if d > 0.0 and counts[i] >= min_sources and confidence[i] >= min_confidence:
         mean = float(float64(counts[i] + 1) / (1.0 / float64(d) + totals[i]))
-    kept[i] = mean
+    averaged[i] = mean
 
 
 @kernel
@@ -165,7 +165,7 @@ def support_depth_kernel(
     normals: array(dtype=vec3),
     camera: Camera,
     max_relative: float,
-    least: int,
+    min_neighbors: int,
     supported: array(dtype=float32),
 ):
     """Depth of pixels whose plane is supported by enough neighbors, else 0. No normal faces the camera."""
@@ -173,7 +173,7 @@ def support_depth_kernel(
     x = i % camera.width
     y = i // camera.width
     d = depth[i]
-    kept = 0.0
+    result = 0.0
     if d > 0.0:
         w = 1.0 / d
         n = normals[i]
@@ -193,13 +193,13 @@ def support_depth_kernel(
                     expected = w + across * float(column - x) + down * float(row - y)
                     if abs(1.0 / e - expected) <= max_relative * w:
                         count += 1
-        if count > least:  # the pixel itself is among them
-            kept = d
-    supported[i] = kept
+        if count > min_neighbors:  # the pixel itself is among them
+            result = d
+    supported[i] = result
 
 
 class DepthChecks:
-    """Depth of an image, checked against sources in turn, to `max_pixels` [px] and `max_relative` inverse depth."""
+    """Depth of an image, checked against sources one by one, to `max_pixels` [px] and `max_relative` inverse depth."""
 
     def __init__(self, depth: Scalars, max_pixels: float, max_relative: float) -> None:
         self.depth, self.limits = depth, [float(max_pixels), float(max_relative)]
@@ -210,16 +210,20 @@ class DepthChecks:
         arrays = [self.depth, source_depth, pair, *self.limits, self.counts, self.totals]
         launch(check_depth_kernel, self.depth.size, arrays)
 
-    def kept(self, least: int, confidence: Scalars, min_confidence: float) -> Scalars:
-        """Averaged depth, float32 (pixels), 0 if fewer than `least` sources agree or the confidence is low."""
-        kept = empty(self.depth.size, float32, self.depth.device)
-        arrays = [self.depth, confidence, self.counts, self.totals, int(least), float(min_confidence), kept]
+    def mean(self, min_sources: int, confidence: Scalars, min_confidence: float) -> Scalars:
+        """Averaged depth, float32 (pixels), 0 if fewer than `min_sources` sources agree or the confidence is low."""
+        result = empty(self.depth.size, float32, self.depth.device)
+        arrays = [self.depth, confidence, self.counts, self.totals, int(min_sources), float(min_confidence), result]
         launch(keep_depth_kernel, self.depth.size, arrays)
-        return kept
+        return result
 
 
-def support_depth(depth: Scalars, normals: Vectors, camera: CameraLike, max_relative: float, least: int) -> Scalars:
-    """Depth of pixels with at least `least` of 24 neighbors on their plane, within `max_relative` inverse depth."""
+def support_depth(
+    depth: Scalars, normals: Vectors, camera: CameraLike, max_relative: float, min_neighbors: int
+) -> Scalars:
+    """Depth of pixels with at least `min_neighbors` of 24 neighbors on their plane, to `max_relative` inverse depth."""
     supported = empty(depth.size, float32, depth.device)
-    launch(support_depth_kernel, depth.size, [depth, normals, camera, float(max_relative), int(least), supported])
+    launch(
+        support_depth_kernel, depth.size, [depth, normals, camera, float(max_relative), int(min_neighbors), supported]
+    )
     return supported

@@ -132,7 +132,7 @@ def make_points_kernel(
     colors: array(dtype=vec3),
     confidences: array(dtype=float32),
     views: array(dtype=int32),
-    kept: array(dtype=uint8),
+    mask: array(dtype=uint8),
 ):
     """Means over the gathered sums and the pixel, and which pixels make points."""
     i = tid()
@@ -160,7 +160,7 @@ def make_points_kernel(
     colors[i] = color
     confidences[i] = confidence
     views[i] = count
-    kept[i] = uint8(good)
+    mask[i] = uint8(good)
 
 
 def gather_pixels(
@@ -174,10 +174,10 @@ def gather_pixels(
 def make_points(
     own: DepthPixels, camera: CameraLike, T_world_camera: np.ndarray, min_views: int, gathered: Gathered
 ) -> tuple[list[Scalars | Integers | Points], Bytes]:
-    """(arrays, kept): points, normals, colors 0..1, confidence (float32), views (int32) per pixel. Mask `kept`."""
+    """(arrays, mask of pixels that make points): points, normals, colors 0..1, confidence (float32), views (int32)."""
     count, device = own.depth.size, own.depth.device
     arrays = [empty(count, kind, device) for kind in (vec3, vec3, vec3, float32, int32)]
-    kept = empty(count, uint8, device)
-    arguments = [own, camera, Transform(T_world_camera), int(min_views), gathered, *arrays, kept]
+    mask = empty(count, uint8, device)
+    arguments = [own, camera, Transform(T_world_camera), int(min_views), gathered, *arrays, mask]
     launch(make_points_kernel, count, arguments)
-    return arrays, kept
+    return arrays, mask

@@ -23,7 +23,7 @@ MAX_BLOCKS = 4  # groups per patch
 
 samples = vector(LANES * MAX_BLOCKS, float32)
 eight = vector(LANES, float32)
-eight_places = vector(LANES, int32)
+eight_indices = vector(LANES, int32)
 
 
 @struct
@@ -159,7 +159,7 @@ def correlation_cost(
     bottom = float(there[1] - 1)
     for block in range(reference.blocks):
         first = block * LANES
-        places = eight_places(0)
+        indices = eight_indices(0)
         along = eight(0.0)
         below = eight(0.0)
         for k in range(LANES):
@@ -172,16 +172,16 @@ def correlation_cost(
             row = min(int(v), there[1] - 2)
             along[k] = u - float(column)
             below[k] = v - float(row)
-            places[k] = there[2] + row * there[0] + column
+            indices[k] = there[2] + row * there[0] + column
         here = eight(0.0)
         beside = eight(0.0)
         under = eight(0.0)
         opposite = eight(0.0)
         for k in range(LANES):
-            place = places[k]
-            low = place + there[0]
-            here[k] = sources.pictures[place]
-            beside[k] = sources.pictures[place + 1]
+            index = indices[k]
+            low = index + there[0]
+            here[k] = sources.pictures[index]
+            beside[k] = sources.pictures[index + 1]
             under[k] = sources.pictures[low]
             opposite[k] = sources.pictures[low + 1]
         for k in range(LANES):
@@ -233,7 +233,7 @@ def patch_cost(
 
 
 @func
-def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
+def round_trip(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
     """Round-trip error [px] through a source's surface, at most MAX_BACK, and the inverse depth, 0 if unknown."""
     p = sources.map_there[s] @ vec3(float(x), float(y), 1.0) + sources.map_shift[s] * w
     distance = float(MAX_BACK)
@@ -246,11 +246,11 @@ def way_back(x: int, y: int, w: float, s: int, sources: Sources) -> vec2:
             column = int(floor(u + 0.5))
             row = int(floor(v + 0.5))
             plane = sources.maps[there[2] + row * there[0] + column]
-            found = inverse_depth_at(plane, u - float(column), v - float(row))
-            q = sources.map_back[s] @ vec3(u, v, 1.0) + sources.map_back_shift[s] * found
-            if q[2] > NEAR and found > 0.0:
+            inverse_depth = inverse_depth_at(plane, u - float(column), v - float(row))
+            q = sources.map_back[s] @ vec3(u, v, 1.0) + sources.map_back_shift[s] * inverse_depth
+            if q[2] > NEAR and inverse_depth > 0.0:
                 dx = q[0] / q[2] - float(x)
                 dy = q[1] / q[2] - float(y)
                 distance = min(sqrt(dx * dx + dy * dy), MAX_BACK)
-                back = found / q[2]  # q is the pixel times the decrease of the inverse depth
+                back = inverse_depth / q[2]  # q is the pixel times the decrease of the inverse depth
     return vec2(distance, back)

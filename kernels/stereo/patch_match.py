@@ -12,7 +12,7 @@ from ..arrays.random import random_uniform
 from ..lang import array, float32, func, int32, kernel, launch, struct, tid, vec3, vec4, vector
 from ..memory import empty
 from .inverse_planes import faced_away, inverse_depth_at, normal_of, random_direction, slopes_of
-from .patch_costs import Reference, Sources, patch_cost, samples, way_back, window_of
+from .patch_costs import Reference, Sources, patch_cost, round_trip, samples, window_of
 
 NEIGHBORS = 8
 MAX_SOURCES = 8
@@ -23,51 +23,51 @@ FALLOFF = 0.09  # squared cost that halves the weight of a good one
 UNSURE = 0.02  # weight of a source without evidence
 
 eight = vector(8, float32)
-eight_places = vector(8, int32)
+eight_indices = vector(8, int32)
 
 
 @func
-def worth_of(i: int, s: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> float:
+def rate_source(i: int, s: int, count: int, near: eight_indices, good: float, costs: array(dtype=float32)) -> float:
     """Value of a source for pixel i, 0 to 1; `near` are neighbors or -1."""
     fine = 0
     bad = 0
     total = 0.0
     neighbors = int(NEIGHBORS)
     for k in range(neighbors + 1):
-        place = int(i)
+        neighbor = int(i)
         if k < NEIGHBORS:
-            place = near[k]
-        if place >= 0:
-            c = costs[place * count + s]
+            neighbor = near[k]
+        if neighbor >= 0:
+            c = costs[neighbor * count + s]
             if c < good:
                 fine += 1
                 total += FALLOFF / (FALLOFF + c * c)
             if c > BAD_COST:
                 bad += 1
-    worth = 0.0
+    rating = 0.0
     if bad <= MAX_BAD:
-        worth = UNSURE
+        rating = UNSURE
         if fine >= MIN_GOOD:
-            worth = total / float(fine)
-    return worth
+            rating = total / float(fine)
+    return rating
 
 
 @func
-def worths_of(i: int, count: int, near: eight_places, good: float, costs: array(dtype=float32)) -> eight:
+def rate_sources(i: int, count: int, near: eight_indices, good: float, costs: array(dtype=float32)) -> eight:
     """Value of each source for pixel i. 0 beyond the count."""
-    worths = eight(0.0)
+    ratings = eight(0.0)
     for s in range(count):
-        worths[s] = worth_of(i, s, count, near, good, costs)
-    return worths
+        ratings[s] = rate_source(i, s, count, near, good, costs)
+    return ratings
 
 
 @func
-def order_of(worths: eight, count: int) -> eight_places:
+def order_of(ratings: eight, count: int) -> eight_indices:
     """Sources by descending value. The first of equal ones."""
-    order = eight_places(0)
+    order = eight_indices(0)
     for s in range(count):
         rank = int(s)
-        while rank > 0 and worths[order[max(rank - 1, 0)]] < worths[s]:
+        while rank > 0 and ratings[order[max(rank - 1, 0)]] < ratings[s]:
             order[rank] = order[rank - 1]
             rank = rank - 1
         order[rank] = s
@@ -79,12 +79,12 @@ FAR_BEGIN = 3  # [px] start of the far regions, every second pixel
 NO_COST = 1.0e9
 TRIALS = 4  # perturbed planes per half iteration: depth, normal, both, random
 SAME_PLANE = 0.02  # [px] difference over a patch below which planes are equal
-PATCH_REACH = 5.0  # [px] patch radius
+PATCH_RADIUS = 5.0  # [px] patch radius
 TILT = 0.08  # change of a unit normal per pixel of spread
 
 
 @struct
-class Turn:
+class HalfIteration:
     """Options of a half iteration: checkerboard `color`; `regions` tested; `trials` perturbations up to `spread` [px in
     the sources]; `chosen` sources; `geometric` round-trip weight [1 / px]; `good`: cost of a fitting source.
     """
@@ -130,7 +130,7 @@ def source_cost(
 ) -> float:
     c = patch_cost(x, y, plane, s, weights, rises, variance, reference, sources)
     if geometric > 0.0:
-        back = way_back(x, y, plane[0], s, sources)
+        back = round_trip(x, y, plane[0], s, sources)
         c += geometric * back[0]
     return c
 
@@ -138,7 +138,7 @@ def source_cost(
 @func
 def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width: int, height: int) -> int:
     """Pixel of least cost in a region of the other color; -1 outside."""
-    found = -1
+    best = -1
     low = float(NO_COST)
     side = region % 4
     count = int(NEAR_COUNT)
@@ -171,8 +171,8 @@ def best_of_region(planes: array(dtype=vec4), x: int, y: int, region: int, width
             c = planes[v * width + u][3]
             if c < low:
                 low = c
-                found = v * width + u
-    return found
+                best = v * width + u
+    return best
 
 
 @func
@@ -222,15 +222,17 @@ def start_planes_kernel(
 
 
 @func
-def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Turn, reference: Reference) -> vec4:
+def changed_plane(
+    plane: vec4, x: int, y: int, pixel: int, trial: int, options: HalfIteration, reference: Reference
+) -> vec4:
     """A perturbed or random plane. The cost is not set."""
-    u = random_uniform(turn.seed, pixel, 1 + turn.number * TRIALS + trial)
+    u = random_uniform(options.seed, pixel, 1 + options.number * TRIALS + trial)
     n = normal_of(plane, x, y, reference.lens)
     w = plane[0]
     if trial % 2 == 0:
-        w = plane[0] + turn.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
+        w = plane[0] + options.spread / reference.pixels_per * (u[0] * 2.0 - 1.0)
     if trial == 1 or trial == 2:
-        tilt = turn.spread * TILT
+        tilt = options.spread * TILT
         n = faced_away(n + vec3(u[1] * 2.0 - 1.0, u[2] * 2.0 - 1.0, u[3] * 2.0 - 1.0) * tilt, x, y, reference.lens)
     if trial == 3:
         w = reference.farthest + (reference.nearest - reference.farthest) * u[0]
@@ -242,7 +244,7 @@ def changed_plane(plane: vec4, x: int, y: int, pixel: int, trial: int, turn: Tur
 @func
 def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
     """1 if two planes differ significantly over a patch."""
-    difference = abs(a[0] - b[0]) + PATCH_REACH * (abs(a[1] - b[1]) + abs(a[2] - b[2]))
+    difference = abs(a[0] - b[0]) + PATCH_RADIUS * (abs(a[1] - b[1]) + abs(a[2] - b[2]))
     other = 0
     if difference * pixels_per > SAME_PLANE:
         other = 1
@@ -251,37 +253,44 @@ def is_other(a: vec4, b: vec4, pixels_per: float) -> int:
 
 @func
 def hypothesis(
-    k: int, x: int, y: int, plane: vec4, near: eight_places, planes: array(dtype=vec4), turn: Turn, reference: Reference
+    k: int,
+    x: int,
+    y: int,
+    plane: vec4,
+    near: eight_indices,
+    planes: array(dtype=vec4),
+    options: HalfIteration,
+    reference: Reference,
 ) -> vec4:
     """Candidate plane: of a region, or perturbed. The fourth number is 1 if it may be better."""
-    found = vec4(0.0, 0.0, 0.0, 0.0)
-    if k >= turn.regions:
-        found = changed_plane(plane, x, y, y * reference.width + x, k - turn.regions, turn, reference)
-        found[3] = 1.0
+    candidate = vec4(0.0, 0.0, 0.0, 0.0)
+    if k >= options.regions:
+        candidate = changed_plane(plane, x, y, y * reference.width + x, k - options.regions, options, reference)
+        candidate[3] = 1.0
     elif near[k] >= 0:
         o = planes[near[k]]
         w = inverse_depth_at(o, float(x - near[k] % reference.width), float(y - near[k] // reference.width))
-        found = vec4(w, o[1], o[2], 0.0)
-        found[3] = float(is_other(found, plane, reference.pixels_per))
-    if found[0] > reference.nearest or found[0] < reference.farthest:
-        found[3] = 0.0
-    return found
+        candidate = vec4(w, o[1], o[2], 0.0)
+        candidate[3] = float(is_other(candidate, plane, reference.pixels_per))
+    if candidate[0] > reference.nearest or candidate[0] < reference.farthest:
+        candidate[3] = 0.0
+    return candidate
 
 
 @func
-def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tuple[eight, int, float]:
+def weights_of(ratings: eight, order: eight_indices, count: int, max_sources: int) -> tuple[eight, int, float]:
     """Weights of the best sources by rank. Their count and sum."""
     weight = eight(0.0)
     for k in range(count):
-        weight[k] = worths[order[k]]
+        weight[k] = ratings[order[k]]
     chosen = 0
     total = 0.0
-    for k in range(most):
+    for k in range(max_sources):
         if weight[k] > 0.0:
             chosen += 1
             total += weight[k]
     if chosen == 0:  # no source fits: all are equal
-        chosen = most
+        chosen = max_sources
         for k in range(chosen):
             weight[k] = 1.0
         total = float(chosen)
@@ -289,7 +298,7 @@ def weights_of(worths: eight, order: eight_places, count: int, most: int) -> tup
 
 
 @func
-def ways_of(
+def round_trip_costs(
     x: int,
     y: int,
     w: float,
@@ -297,48 +306,52 @@ def ways_of(
     last: int,
     bound: float,
     geometric: float,
-    order: eight_places,
+    order: eight_indices,
     weight: eight,
     sources: Sources,
 ) -> tuple[eight, float]:
     """Round-trip costs in the sources of some ranks, and their weighted sum, up to the bound."""
-    ways = eight(0.0)
+    errors = eight(0.0)
     total = 0.0
     if geometric > 0.0:
         for rank in range(first, last):
             if total < bound:
-                back = way_back(x, y, w, order[rank], sources)
-                ways[rank] = geometric * back[0]
-                total += weight[rank] * ways[rank]
-    return ways, total
+                back = round_trip(x, y, w, order[rank], sources)
+                errors[rank] = geometric * back[0]
+                total += weight[rank] * errors[rank]
+    return errors, total
 
 
 @kernel
 def spread_planes_kernel(
-    turn: Turn, reference: Reference, sources: Sources, planes: array(dtype=vec4), costs: array(dtype=float32)
+    options: HalfIteration,
+    reference: Reference,
+    sources: Sources,
+    planes: array(dtype=vec4),
+    costs: array(dtype=float32),
 ):
     """Pixels of one color test candidates. They read only the other color."""
     i = tid()
     half = (reference.width + 1) // 2
     y = i // half
-    x = 2 * (i % half) + (y + turn.color) % 2
+    x = 2 * (i % half) + (y + options.color) % 2
     if x >= reference.width:
         return
     pixel = y * reference.width + x
     count = sources.count
-    near = eight_places(-1)
-    for k in range(turn.regions):
+    near = eight_indices(-1)
+    for k in range(options.regions):
         near[k] = best_of_region(planes, x, y, k, reference.width, reference.height)
-    worths = worths_of(pixel, count, near, turn.good, costs)
-    order = order_of(worths, count)  # sources behind the chosen ones are evaluated once, at the end
-    weight, chosen, sum_of_weights = weights_of(worths, order, count, turn.chosen)
+    ratings = rate_sources(pixel, count, near, options.good, costs)
+    order = order_of(ratings, count)  # sources behind the chosen ones are evaluated once, at the end
+    weight, chosen, sum_of_weights = weights_of(ratings, order, count, options.chosen)
     plane = planes[pixel]
     bound = 0.0  # weighted cost sum that a better plane must not exceed
     for k in range(chosen):
         bound += weight[k] * costs[pixel * count + order[k]]
     is_new = 0
     weights, rises, variance = window_of(x, y, reference, sources)
-    hypotheses = turn.regions + turn.trials
+    hypotheses = options.regions + options.trials
     for k in range(hypotheses + 1):
         is_last = 1 if k == hypotheses else 0  # evaluate the resulting plane in the remaining sources
         candidate = plane
@@ -346,26 +359,28 @@ def spread_planes_kernel(
         first = chosen
         last = count
         if is_last == 0:
-            candidate = hypothesis(k, x, y, plane, near, planes, turn, reference)
+            candidate = hypothesis(k, x, y, plane, near, planes, options, reference)
             is_tried = int(candidate[3])
             first = 0
             last = chosen
         if is_tried == 1:
-            found = eight(0.0)
+            new_costs = eight(0.0)
             limit = bound
             if is_last == 1:
                 limit = NO_COST
             # Round trips are fast to compute: if they reject a plane, no patch is compared.
-            ways, total = ways_of(x, y, candidate[0], first, last, limit, turn.geometric, order, weight, sources)
+            errors, total = round_trip_costs(
+                x, y, candidate[0], first, last, limit, options.geometric, order, weight, sources
+            )
             rank = first
             while rank < last and total < limit:
                 c = patch_cost(x, y, candidate, order[rank], weights, rises, variance, reference, sources)
-                found[rank] = c + ways[rank]
+                new_costs[rank] = c + errors[rank]
                 total += weight[rank] * c
                 rank = rank + 1
             if is_last == 1 or total < bound:
                 for r in range(first, last):
-                    costs[pixel * count + order[r]] = found[r]
+                    costs[pixel * count + order[r]] = new_costs[r]
             if is_last == 0 and total < bound:
                 bound = total
                 plane = candidate
@@ -390,7 +405,9 @@ def start_planes(
     return costs
 
 
-def spread_planes(turn: Turn, reference: Reference, sources: Sources, planes: Array1[vec4], costs: Scalars) -> None:
+def spread_planes(
+    options: HalfIteration, reference: Reference, sources: Sources, planes: Array1[vec4], costs: Scalars
+) -> None:
     """One half iteration: pixels of one color find better planes."""
     threads = (reference.width + 1) // 2 * reference.height
-    launch(spread_planes_kernel, threads, [turn, reference, sources, planes, costs])
+    launch(spread_planes_kernel, threads, [options, reference, sources, planes, costs])

@@ -4,7 +4,7 @@ from ..array_types import Array1, Scalars, Vectors
 from ..lang import array, float32, kernel, launch, tid, vec3, vec4
 from ..memory import empty
 from .inverse_planes import normal_of
-from .patch_costs import Reference, Sources, way_back
+from .patch_costs import Reference, Sources, round_trip
 
 WORST_COST = 1.0  # of uncorrelated patches: no depth
 AGREED_PIXELS = 1.0
@@ -33,7 +33,7 @@ def finish_planes_kernel(
         n = normal_of(plane, x, y, reference.lens) * -1.0
         agreed = 0
         for s in range(sources.count):
-            back = way_back(x, y, plane[0], s, sources)
+            back = round_trip(x, y, plane[0], s, sources)
             if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
                 agreed += 1
         trust = (1.0 - plane[3]) * float(agreed) / float(agreed + 1)

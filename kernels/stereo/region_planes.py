@@ -28,12 +28,12 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, full, zeros
-from .patch_costs import Reference, Sources, way_back, window_of
+from .patch_costs import Reference, Sources, round_trip, window_of
 from .patch_match import mean_of_best, source_cost
 from .plane_results import AGREED_PIXELS, AGREED_SHARE
-from .textureless_regions import Places, pixel_of, place_of
+from .textureless_regions import TexturelessRegions, pixel_of, region_of
 
-REACH = 2  # [px] radius of the texture window
+TEXTURE_RADIUS = 2  # [px] radius of the texture window
 PLAIN = 0.011  # brightness deviation of pure noise: 2 to 3 of 255
 TEXTURED = 0.016  # brightness deviation of texture
 SURE_COST = 0.35  # maximum cost of a reliable plane
@@ -43,7 +43,7 @@ CLEARLY = 0.8  # cost advantage required against the prior of an untextured pixe
 
 
 @kernel
-def judge_places_kernel(reference: Reference, sources: Sources, planes: array(dtype=vec4), judged: array(dtype=vec2)):
+def judge_pixels_kernel(reference: Reference, sources: Sources, planes: array(dtype=vec4), judged: array(dtype=vec2)):
     """Lack of texture of each pixel, 0 to 1, and 1 if its depth is reliable."""
     i = tid()
     x = i % reference.width
@@ -52,12 +52,12 @@ def judge_places_kernel(reference: Reference, sources: Sources, planes: array(dt
     count = 0.0
     total = 0.0
     squares = 0.0
-    side = int(2 * REACH + 1)
+    side = int(2 * TEXTURE_RADIUS + 1)
     for j in range(side):
-        row = y + j - REACH
+        row = y + j - TEXTURE_RADIUS
         if row >= 0 and row < reference.height:
             for k in range(side):
-                column = x + k - REACH
+                column = x + k - TEXTURE_RADIUS
                 if column >= 0 and column < reference.width:
                     d = sources.pictures[reference.first + row * reference.width + column] - center
                     count += 1.0
@@ -69,7 +69,7 @@ def judge_places_kernel(reference: Reference, sources: Sources, planes: array(dt
     plane = planes[i]
     agreed = 0
     for s in range(sources.count):
-        back = way_back(x, y, plane[0], s, sources)
+        back = round_trip(x, y, plane[0], s, sources)
         if back[0] < AGREED_PIXELS and abs(back[1] - plane[0]) < AGREED_SHARE * plane[0]:
             agreed += 1
     sure = 0.0
@@ -106,11 +106,11 @@ def take_priors_kernel(
         planes[i] = vec4(prior[0], prior[1], prior[2], min(min(own, theirs), PLAIN_COST))
 
 
-def judge_places(reference: Reference, sources: Sources, planes: Array1[vec4]) -> Array1[vec2]:
+def judge_pixels(reference: Reference, sources: Sources, planes: Array1[vec4]) -> Array1[vec2]:
     """Lack of texture and reliability of pixels, (pixels, 2)."""
     count = reference.width * reference.height
     judged = empty(count, vec2, planes.device)
-    launch(judge_places_kernel, count, [reference, sources, planes, judged])
+    launch(judge_pixels_kernel, count, [reference, sources, planes, judged])
     return judged
 
 
@@ -145,30 +145,31 @@ vec9d = vector(9, float64)
 
 @struct
 class Consensus:
-    """RANSAC state. `left`: 1 without plane, `listed` per region; `lying`: round of the plane from 1, or 0; `scores`:
-    inliers or -1; `tried`: inverse depth at pixel 0 and slopes; `fits`, `found`: planes; `tolerance` of inverse depth.
+    """RANSAC state. `left`: 1 without plane, `listed` per region; `plane_rounds`: round of the plane from 1, or 0;
+    `scores`: inliers or -1; `tried`: inverse depth at pixel 0 and slopes; `fits`, `accepted`: planes; `tolerance` of
+    inverse depth.
     """
 
     left: array(dtype=int32)
     listed: array(dtype=int32)
     remaining: array(dtype=int32)
-    lying: array(dtype=int32)
+    plane_rounds: array(dtype=int32)
     scores: array(dtype=int32)
     tried: array(dtype=vec3d)
     fits: array(dtype=vec3d)
     alive: array(dtype=int32)
-    found: array(dtype=vec3d)
+    accepted: array(dtype=vec3d)
     count: array(dtype=int32)
     moments: array(dtype=vec9d)
     tolerance: float64
 
-    def __init__(self, places: Places, tolerance: float) -> None:
-        device, pairs, count = places.device, places.pairs.size, places.count
+    def __init__(self, regions: TexturelessRegions, tolerance: float) -> None:
+        device, pairs, count = regions.device, regions.pairs.size, regions.count
         self.left, self.listed = full(pairs, 1, int32, device), empty(pairs, int32, device)
-        self.lying, self.remaining = zeros(pairs, int32, device), empty(count, int32, device)
+        self.plane_rounds, self.remaining = zeros(pairs, int32, device), empty(count, int32, device)
         self.scores, self.tried = empty(count * TRIALS, int32, device), empty(count * TRIALS, vec3d, device)
         self.fits, self.alive = empty(count, vec3d, device), full(count, 1, int32, device)
-        self.found, self.count = empty(count * ROUNDS, vec3d, device), zeros(count, int32, device)
+        self.accepted, self.count = empty(count * ROUNDS, vec3d, device), zeros(count, int32, device)
         self.moments, self.tolerance = empty(count * PARTS, vec9d, device), tolerance
 
 
@@ -178,49 +179,49 @@ def height_at(plane: vec3d, pixel: int, width: int) -> float64:
 
 
 @func
-def least_of(place: int, places: Places) -> float64:
+def min_inliers(region: int, regions: TexturelessRegions) -> float64:
     """Minimum pixels of a plane."""
-    return max(float64(MIN_SUPPORT), float64(MIN_SHARE) * float64(places.lasts[place] - places.firsts[place]))
+    return max(float64(MIN_SUPPORT), float64(MIN_SHARE) * float64(regions.lasts[region] - regions.firsts[region]))
 
 
 @kernel
-def list_left_kernel(places: Places, sums: array(dtype=int32), state: Consensus):
+def list_left_kernel(regions: TexturelessRegions, sums: array(dtype=int32), state: Consensus):
     """Compact the list of a region by prefix sums."""
     j = tid()
-    place = place_of(places.pairs[j])
-    first = places.firsts[place]
+    region = region_of(regions.pairs[j])
+    first = regions.firsts[region]
     before = sums[first] - state.left[first]
     if state.left[j] != 0:
         state.listed[first + sums[j] - before - 1] = j
-    if j == places.lasts[place] - 1:
-        state.remaining[place] = sums[j] - before
+    if j == regions.lasts[region] - 1:
+        state.remaining[region] = sums[j] - before
 
 
 @kernel
-def begin_round_kernel(places: Places, state: Consensus):
+def begin_round_kernel(regions: TexturelessRegions, state: Consensus):
     k = tid()
-    least = least_of(k, places)
-    if places.lasts[k] == places.firsts[k] or float64(state.remaining[k]) < least:
+    min_count = min_inliers(k, regions)
+    if regions.lasts[k] == regions.firsts[k] or float64(state.remaining[k]) < min_count:
         state.alive[k] = 0
 
 
 @kernel
-def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype=vec4), state: Consensus):
+def try_planes_kernel(seed: int, round: int, regions: TexturelessRegions, planes: array(dtype=vec4), state: Consensus):
     """Plane through three random pixels, and its inlier count."""
     i = tid()
     k = i // TRIALS
     score = -1
     plane = vec3d(float64(0.0))
     if state.alive[k] != 0:
-        first = places.firsts[k]
+        first = regions.firsts[k]
         count = state.remaining[k]
-        a = pixel_of(places.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round), count)]])
-        b = pixel_of(places.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round + 1), count)]])
-        c = pixel_of(places.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round + 2), count)]])
-        bu = float64(b % places.width - a % places.width)
-        bv = float64(b // places.width - a // places.width)
-        cu = float64(c % places.width - a % places.width)
-        cv = float64(c // places.width - a // places.width)
+        a = pixel_of(regions.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round), count)]])
+        b = pixel_of(regions.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round + 1), count)]])
+        c = pixel_of(regions.pairs[state.listed[first + random_below(random_bits(seed, i, 3 * round + 2), count)]])
+        bu = float64(b % regions.width - a % regions.width)
+        bv = float64(b // regions.width - a // regions.width)
+        cu = float64(c % regions.width - a % regions.width)
+        cv = float64(c // regions.width - a // regions.width)
         area = bu * cv - cu * bv
         if abs(area) > float64(MIN_TRIANGLE):
             w = float64(planes[a][0])
@@ -228,13 +229,13 @@ def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype
             wc = float64(planes[c][0]) - w
             du = (wb * cv - wc * bv) / area
             dv = (wc * bu - wb * cu) / area
-            plane = vec3d(w - du * float64(a % places.width) - dv * float64(a // places.width), du, dv)
+            plane = vec3d(w - du * float64(a % regions.width) - dv * float64(a // regions.width), du, dv)
             score = 0
             step = (count + MAX_TRIED - 1) // MAX_TRIED
-            looks = (count + step - 1) // step
-            for j in range(looks):
-                pixel = pixel_of(places.pairs[state.listed[first + j * step]])
-                if abs(height_at(plane, pixel, places.width) - float64(planes[pixel][0])) < state.tolerance:
+            sample_count = (count + step - 1) // step
+            for j in range(sample_count):
+                pixel = pixel_of(regions.pairs[state.listed[first + j * step]])
+                if abs(height_at(plane, pixel, regions.width) - float64(planes[pixel][0])) < state.tolerance:
                     score += 1
     state.scores[i] = score
     state.tried[i] = plane
@@ -244,11 +245,11 @@ def try_planes_kernel(seed: int, round: int, places: Places, planes: array(dtype
 def choose_planes_kernel(state: Consensus):
     k = tid()
     best = int(-1)
-    most = int(-1)
+    max_score = int(-1)
     trials = int(TRIALS)
     for t in range(trials):
-        if state.scores[k * TRIALS + t] > most:
-            most = state.scores[k * TRIALS + t]
+        if state.scores[k * TRIALS + t] > max_score:
+            max_score = state.scores[k * TRIALS + t]
             best = t
     if best < 0:
         state.alive[k] = 0
@@ -257,30 +258,30 @@ def choose_planes_kernel(state: Consensus):
 
 
 @kernel
-def sum_moments_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
+def sum_moments_kernel(regions: TexturelessRegions, planes: array(dtype=vec4), state: Consensus):
     """Moments of the inliers about the region's first pixel: x, y, z, xx, xy, yy, xz, yz, count."""
     i = tid()
     k = i // PARTS
     total = vec9d(float64(0.0))
     if state.alive[k] != 0:
-        first = places.firsts[k]
-        start = pixel_of(places.pairs[first])
+        first = regions.firsts[k]
+        start = pixel_of(regions.pairs[first])
         w = float64(planes[start][0])
         plane = state.fits[k]
-        turns = (state.remaining[k] - i % PARTS + PARTS - 1) // PARTS
-        for turn in range(turns):
-            pixel = pixel_of(places.pairs[state.listed[first + i % PARTS + turn * PARTS]])
+        steps = (state.remaining[k] - i % PARTS + PARTS - 1) // PARTS
+        for step in range(steps):
+            pixel = pixel_of(regions.pairs[state.listed[first + i % PARTS + step * PARTS]])
             depth = float64(planes[pixel][0])
-            if abs(height_at(plane, pixel, places.width) - depth) < state.tolerance:
-                x = float64(pixel % places.width - start % places.width)
-                y = float64(pixel // places.width - start // places.width)
+            if abs(height_at(plane, pixel, regions.width) - depth) < state.tolerance:
+                x = float64(pixel % regions.width - start % regions.width)
+                y = float64(pixel // regions.width - start // regions.width)
                 z = depth - w
                 total += vec9d(x, y, z, x * x, x * y, y * y, x * z, y * z, float64(1.0))
     state.moments[i] = total
 
 
 @kernel
-def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensus):
+def fit_planes_kernel(regions: TexturelessRegions, planes: array(dtype=vec4), state: Consensus):
     """Least-squares plane. None for collinear or too few pixels."""
     k = tid()
     if state.alive[k] == 0:
@@ -291,7 +292,7 @@ def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensu
         total += state.moments[k * PARTS + p]
     n = total[8]
     state.alive[k] = 0
-    if n >= least_of(k, places):
+    if n >= min_inliers(k, regions):
         mx = total[0] / n
         my = total[1] / n
         mz = total[2] / n
@@ -302,12 +303,12 @@ def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensu
         yz = total[7] / n - my * mz
         narrow = (xx + yy - sqrt((xx - yy) * (xx - yy) + 4.0 * xy * xy)) * 0.5  # their squared extent across
         if narrow >= float64(MIN_SPREAD * MIN_SPREAD):
-            whole = xx * yy - xy * xy
-            du = (xz * yy - yz * xy) / whole
-            dv = (yz * xx - xz * xy) / whole
-            start = pixel_of(places.pairs[places.firsts[k]])
-            middle = float64(planes[start][0]) + mz - du * (mx + float64(start % places.width))
-            state.fits[k] = vec3d(middle - dv * (my + float64(start // places.width)), du, dv)
+            determinant = xx * yy - xy * xy
+            du = (xz * yy - yz * xy) / determinant
+            dv = (yz * xx - xz * xy) / determinant
+            start = pixel_of(regions.pairs[regions.firsts[k]])
+            middle = float64(planes[start][0]) + mz - du * (mx + float64(start % regions.width))
+            state.fits[k] = vec3d(middle - dv * (my + float64(start // regions.width)), du, dv)
             state.alive[k] = 1
 
 
@@ -315,76 +316,78 @@ def fit_planes_kernel(places: Places, planes: array(dtype=vec4), state: Consensu
 def keep_planes_kernel(round: int, state: Consensus):
     k = tid()
     if state.alive[k] != 0:
-        state.found[k * ROUNDS + round] = state.fits[k]
+        state.accepted[k * ROUNDS + round] = state.fits[k]
         state.count[k] = round + 1
 
 
 @kernel
-def take_support_kernel(round: int, places: Places, planes: array(dtype=vec4), state: Consensus):
+def take_support_kernel(round: int, regions: TexturelessRegions, planes: array(dtype=vec4), state: Consensus):
     j = tid()
-    k = place_of(places.pairs[j])
+    k = region_of(regions.pairs[j])
     if state.alive[k] != 0 and state.left[j] != 0:
-        pixel = pixel_of(places.pairs[j])
-        if abs(height_at(state.fits[k], pixel, places.width) - float64(planes[pixel][0])) < state.tolerance:
-            state.lying[j] = round + 1
+        pixel = pixel_of(regions.pairs[j])
+        if abs(height_at(state.fits[k], pixel, regions.width) - float64(planes[pixel][0])) < state.tolerance:
+            state.plane_rounds[j] = round + 1
             state.left[j] = 0
 
 
 @func
-def nearest_round(i: int, k: int, places: Places, state: Consensus) -> int:
+def nearest_round(i: int, k: int, regions: TexturelessRegions, state: Consensus) -> int:
     """Round of the plane of the nearest sampled pixel. The first of equal ones."""
-    found = int(0)
-    least = int64(0x7FFFFFFFFFFFFFFF)
-    first = places.firsts[k]
-    count = places.lasts[k] - first
+    nearest = int(0)
+    min_sqdist = int64(0x7FFFFFFFFFFFFFFF)
+    first = regions.firsts[k]
+    count = regions.lasts[k] - first
     step = (count + SEEDS - 1) // SEEDS
-    looks = (count + step - 1) // step
-    for look in range(looks):
-        j = look * step
-        lying = state.lying[first + j]
-        if lying != 0:
-            pixel = pixel_of(places.pairs[first + j])
-            x = int64(pixel % places.width - i % places.width)
-            y = int64(pixel // places.width - i // places.width)
-            if x * x + y * y < least:
-                least = x * x + y * y
-                found = lying
-    return max(found, 1) - 1
+    sample_count = (count + step - 1) // step
+    for number in range(sample_count):
+        j = number * step
+        plane_round = state.plane_rounds[first + j]
+        if plane_round != 0:
+            pixel = pixel_of(regions.pairs[first + j])
+            x = int64(pixel % regions.width - i % regions.width)
+            y = int64(pixel // regions.width - i // regions.width)
+            if x * x + y * y < min_sqdist:
+                min_sqdist = x * x + y * y
+                nearest = plane_round
+    return max(nearest, 1) - 1
 
 
 @kernel
-def write_priors_kernel(judged: array(dtype=vec2), places: Places, state: Consensus, priors: array(dtype=vec4)):
+def write_priors_kernel(
+    judged: array(dtype=vec2), regions: TexturelessRegions, state: Consensus, priors: array(dtype=vec4)
+):
     i = tid()
     prior = vec4(0.0)
-    if places.labels[i] >= 0:
-        k = places.numbers[places.labels[i]]
+    if regions.labels[i] >= 0:
+        k = regions.numbers[regions.labels[i]]
         if k >= 0 and state.count[k] > 0:
             round = 0
             if state.count[k] > 1:
-                round = nearest_round(i, k, places, state)
-            plane = state.found[k * ROUNDS + round]
-            w = float32(height_at(plane, i, places.width))
+                round = nearest_round(i, k, regions, state)
+            plane = state.accepted[k * ROUNDS + round]
+            w = float32(height_at(plane, i, regions.width))
             prior = vec4(w, float32(plane[1]), float32(plane[2]), judged[i][0])
     priors[i] = prior
 
 
 def plane_priors(
-    places: Places, judged: Array1[vec2], planes: Array1[vec4], tolerance: float, seed: int
+    regions: TexturelessRegions, judged: Array1[vec2], planes: Array1[vec4], tolerance: float, seed: int
 ) -> Array1[vec4]:
-    """Plane priors: inverse depth, two slopes, weight, or 0 (pixels), no sync; `judged` as of `judge_places`."""
-    state, pairs, count = Consensus(places, tolerance), places.pairs.size, places.count
-    sums = empty(pairs, int32, places.device)
+    """Plane priors: inverse depth, two slopes, weight, or 0 (pixels), no sync; `judged` as of `judge_pixels`."""
+    state, pairs, count = Consensus(regions, tolerance), regions.pairs.size, regions.count
+    sums = empty(pairs, int32, regions.device)
     for k in range(ROUNDS):
         inclusive_scan(state.left, sums)
-        launch(list_left_kernel, pairs, [places, sums, state])
-        launch(begin_round_kernel, count, [places, state])
-        launch(try_planes_kernel, count * TRIALS, [seed, k, places, planes, state])
+        launch(list_left_kernel, pairs, [regions, sums, state])
+        launch(begin_round_kernel, count, [regions, state])
+        launch(try_planes_kernel, count * TRIALS, [seed, k, regions, planes, state])
         launch(choose_planes_kernel, count, [state])
         for _ in range(REFITS):
-            launch(sum_moments_kernel, count * PARTS, [places, planes, state])
-            launch(fit_planes_kernel, count, [places, planes, state])
+            launch(sum_moments_kernel, count * PARTS, [regions, planes, state])
+            launch(fit_planes_kernel, count, [regions, planes, state])
         launch(keep_planes_kernel, count, [k, state])
-        launch(take_support_kernel, pairs, [k, places, planes, state])
-    priors = empty(planes.size, vec4, places.device)
-    launch(write_priors_kernel, planes.size, [judged, places, state, priors])
+        launch(take_support_kernel, pairs, [k, regions, planes, state])
+    priors = empty(planes.size, vec4, regions.device)
+    launch(write_priors_kernel, planes.size, [judged, regions, state, priors])
     return priors

@@ -14,7 +14,7 @@ PIXEL_BITS = 32  # of a pair's key: pixel, below the region
 
 
 @struct
-class Places:
+class TexturelessRegions:
     """Textureless regions: `labels`: lowest pixel of the region or -1; `numbers` at lowest pixels, -1 if too small;
     `pairs` with reliable pixels, ascending, `region << 32 | pixel`, in `firsts`..`lasts` (exclusive).
     """
@@ -44,7 +44,7 @@ def pixel_of(pair: int64) -> int:
 
 
 @func
-def place_of(pair: int64) -> int:
+def region_of(pair: int64) -> int:
     return int(pair >> int64(PIXEL_BITS))
 
 
@@ -75,7 +75,7 @@ def count_areas_kernel(labels: array(dtype=int32), areas: array(dtype=int32)):
 
 
 @kernel
-def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
+def mark_regions_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
     i = tid()
     mark = 0
     if areas[i] >= MIN_AREA:
@@ -84,33 +84,33 @@ def mark_places_kernel(areas: array(dtype=int32), large: array(dtype=uint8)):
 
 
 @func
-def place_near(i: int, dx: int, dy: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)) -> int:
+def region_near(i: int, dx: int, dy: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)) -> int:
     """Region number of a neighboring pixel, or -1."""
     x = i % width + dx
     y = i // width + dy
-    found = -1
+    number = -1
     if x >= 0 and x < width and y >= 0 and y * width + x < labels.shape[0]:
         label = labels[y * width + x]
         if label >= 0:
-            found = numbers[label]
-    return found
+            number = numbers[label]
+    return number
 
 
 @func
 def is_first(
-    i: int, dx: int, dy: int, place: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)
+    i: int, dx: int, dy: int, region: int, width: int, labels: array(dtype=int32), numbers: array(dtype=int32)
 ) -> bool:
     """True if no earlier pixel of the window is in the same region."""
     before = int(0)
     rows = int(dy + AROUND + 1)
     for r in range(rows):
         v = r - AROUND
-        reach = AROUND - abs(v)
-        columns = int(2 * reach + 1)
+        half_width = AROUND - abs(v)
+        columns = int(2 * half_width + 1)
         for c in range(columns):
-            u = c - reach
+            u = c - half_width
             if v < dy or u < dx:
-                if place_near(i, u, v, width, labels, numbers) == place:
+                if region_near(i, u, v, width, labels, numbers) == region:
                     before += 1
     return before == 0
 
@@ -133,16 +133,16 @@ def list_near_kernel(
         rows = int(2 * AROUND + 1)
         for r in range(rows):
             dy = r - AROUND
-            reach = AROUND - abs(dy)
-            columns = int(2 * reach + 1)
+            half_width = AROUND - abs(dy)
+            columns = int(2 * half_width + 1)
             for c in range(columns):
-                dx = c - reach
-                place = place_near(i, dx, dy, width, labels, numbers)
-                if place >= 0 and place != last:
-                    last = place
-                    if is_first(i, dx, dy, place, width, labels, numbers):
+                dx = c - half_width
+                region = region_near(i, dx, dy, width, labels, numbers)
+                if region >= 0 and region != last:
+                    last = region
+                    if is_first(i, dx, dy, region, width, labels, numbers):
                         if keys.shape[0] > 0:
-                            keys[offsets[i] + count] = (int64(place) << int64(PIXEL_BITS)) | int64(i)
+                            keys[offsets[i] + count] = (int64(region) << int64(PIXEL_BITS)) | int64(i)
                         count += 1
     if keys.shape[0] == 0:
         counts[i] = count
@@ -151,14 +151,14 @@ def list_near_kernel(
 @kernel
 def bound_pairs_kernel(pairs: array(dtype=int64), firsts: array(dtype=int32), lasts: array(dtype=int32)):
     j = tid()
-    place = place_of(pairs[j])
-    if j == 0 or place_of(pairs[max(j - 1, 0)]) != place:
-        firsts[place] = j
-    if j == pairs.shape[0] - 1 or place_of(pairs[min(j + 1, pairs.shape[0] - 1)]) != place:
-        lasts[place] = j + 1
+    region = region_of(pairs[j])
+    if j == 0 or region_of(pairs[max(j - 1, 0)]) != region:
+        firsts[region] = j
+    if j == pairs.shape[0] - 1 or region_of(pairs[min(j + 1, pairs.shape[0] - 1)]) != region:
+        lasts[region] = j + 1
 
 
-def find_places(judged: Array1[vec2], width: int) -> Places | None:
+def find_regions(judged: Array1[vec2], width: int) -> TexturelessRegions | None:
     """Textureless regions from `judged` (pixels). None if none is large enough or has reliable pixels (two syncs)."""
     device, size = judged.device, judged.size
     labels, areas = empty(size, int32, device), zeros(size, int32, device)
@@ -167,7 +167,7 @@ def find_places(judged: Array1[vec2], width: int) -> Places | None:
     launch(flatten_sets_kernel, size, [labels])
     launch(count_areas_kernel, size, [labels, areas])
     large: Array1[uint8] = empty(size, uint8, device)
-    launch(mark_places_kernel, size, [areas, large])
+    launch(mark_regions_kernel, size, [areas, large])
     roots = positions_of(large)  # sync
     if not roots.size:
         return None
@@ -175,7 +175,7 @@ def find_places(judged: Array1[vec2], width: int) -> Places | None:
     fill(numbers, -1)
     launch(number_rows_kernel, roots.size, [roots, numbers])
     pairs = _list_pairs(judged, width, labels, numbers, roots)
-    return Places(labels, numbers, roots.size, pairs, width) if pairs.size else None
+    return TexturelessRegions(labels, numbers, roots.size, pairs, width) if pairs.size else None
 
 
 def _list_pairs(judged: Array1[vec2], width: int, labels: Indices, numbers: Integers, roots: Indices) -> Keys:

@@ -10,7 +10,7 @@ from ..lang import NAN, array, float32, float64, func, int32, isfinite, kernel, 
 from ..memory import empty
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, PointTree, square_distance, widest_square
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from .neighbor_moments import moments_within
 from .normals import MIN_NEIGHBORS
 
@@ -52,10 +52,10 @@ def fit_covariances_nearest_kernel(
 
 @kernel(max_registers=128)
 def fit_covariances_within_kernel(
-    tree: PointTree, reach: float, widest: float, covariances: array(dtype=float32, ndim=2)
+    tree: PointTree, max_sqdist: float, widest: float, covariances: array(dtype=float32, ndim=2)
 ):
     i = tid()
-    write_covariance(moments_within(i // BUCKET, tree.points[i], reach, widest, tree), tree.order[i], covariances)
+    write_covariance(moments_within(i // BUCKET, tree.points[i], max_sqdist, widest, tree), tree.order[i], covariances)
 
 
 @kernel
@@ -72,11 +72,13 @@ def estimate_covariances(tree: PointTree, points: Points, max_nn: int | None, ra
     """Covariances [m^2] of the neighbors of a tree's points, float32 (n, 9). Limits as of `estimate_normals`."""
     covariances = empty((points.size, 9), float32, points.device)
     if max_nn is None:
-        reach = reach_of(radius)
-        launch(fit_covariances_within_kernel, tree.count, [tree, reach, widest_square(tree, reach), covariances])
+        max_sqdist = squared_radius(radius)
+        launch(
+            fit_covariances_within_kernel, tree.count, [tree, max_sqdist, widest_square(tree, max_sqdist), covariances]
+        )
     else:
         k = min(max_nn, max(1, tree.count))
-        for begin, lists in list_neighbors(tree, k, radius, most=LIST_ENTRIES):
+        for begin, lists in list_neighbors(tree, k, radius, max_entries=LIST_ENTRIES):
             launch(fit_covariances_nearest_kernel, lists.size // k, [tree, begin, k, lists, covariances])
     if tree.count < points.size:
         launch(fill_missing_covariances_kernel, points.size, [points, covariances])

@@ -34,15 +34,15 @@ from ..lang import (
     vector,
 )  # fmt: skip
 from ..memory import empty, upload
-from ..search.bucket_walk import next_step, start_walk
+from ..search.bucket_walk import next_step, start_traversal
 from ..search.point_tree import BUCKET, FAN, LEAF, SIDES, PointTree
-from ..search.tree_search import find_bucket, order_along_curve, reach_of
+from ..search.tree_search import find_bucket, order_along_curve, squared_radius
 from .neighbor_moments import moments_within
 
 MIN_NEIGHBORS = 3.0  # fewer points define no plane
 SLACK = 1.0e-5  # of a cylinder: box distances are float32
 OUTWARDS = 1.0e-6  # of coordinates: exceeds float32 rounding
-WHOLE = 68719476736.0  # 2^36 steps per length along the axis, so that 2^26 points fit
+STEPS_PER_LENGTH = 68719476736.0  # 2^36 steps per length along the axis, so that 2^26 points fit
 MAX_HALVINGS = 900  # of a length: shorter ones do not occur
 HALF_BITS = 18
 HALF = 262143  # the lower 18 of 36 bits
@@ -50,7 +50,7 @@ TWO_SIDED = 1.96  # standard deviations of a 95 % interval
 
 # Of points in a cylinder: their count, the sum of coordinates along the axis, and those of the squares of their upper
 # halves, of both halves' products, and of the squares of lower halves.
-place_sums = vector(5, int64)
+coordinate_sums = vector(5, int64)
 
 
 @struct
@@ -62,7 +62,7 @@ class Cylinder:
     scale: float64
 
     def __init__(self, radius: float, length: float) -> None:
-        self.radius, self.length, self.scale = radius, length, WHOLE * scale_of(length)
+        self.radius, self.length, self.scale = radius, length, STEPS_PER_LENGTH * scale_of(length)
 
 
 @struct
@@ -88,7 +88,7 @@ def find_flattest_kernel(
     cores: array(dtype=vec3),
     order: array(dtype=int32),
     tree: PointTree,
-    reaches: array(dtype=float32),
+    max_sqdists: array(dtype=float32),
     orientation: vec3,
     directions: array(dtype=vec3),
     scales: array(dtype=int32),
@@ -102,8 +102,8 @@ def find_flattest_kernel(
     scale = -1
     if tree.count > 0 and isfinite(p):
         start = find_bucket(p, tree)
-        for s in range(reaches.shape[0]):
-            total = moments_within(start, p, reaches[s], reaches[s], tree)
+        for s in range(max_sqdists.shape[0]):
+            total = moments_within(start, p, max_sqdists[s], max_sqdists[s], tree)
             covariance = covariance_of(total)
             values = eigenvalues(covariance)
             planarity = float64(0.0)
@@ -126,7 +126,7 @@ def children_near_axis(
 ) -> int:
     """Bit mask of the child boxes whose bounding spheres may intersect a cylinder, rounded up for float32."""
     first = node * SIDES
-    found = 0
+    bits = 0
     for j in range(FAN):
         hx = (boxes[first + j + 3 * FAN] - boxes[first + j]) * 0.5
         hy = (boxes[first + j + 4 * FAN] - boxes[first + j + FAN]) * 0.5
@@ -134,15 +134,16 @@ def children_near_axis(
         x = boxes[first + j] + hx - p[0]
         y = boxes[first + j + FAN] + hy - p[1]
         z = boxes[first + j + 2 * FAN] + hz - p[2]
-        place = x * axis[0] + y * axis[1] + z * axis[2]
-        dx = x - place * axis[0]
-        dy = y - place * axis[1]
-        dz = z - place * axis[2]
+        offset = x * axis[0] + y * axis[1] + z * axis[2]
+        dx = x - offset * axis[0]
+        dy = y - offset * axis[1]
+        dz = z - offset * axis[2]
         along = hx * abs(axis[0]) + hy * abs(axis[1]) + hz * abs(axis[2])
-        wide = radius + sqrt(hx * hx + hy * hy + hz * hz)
-        if abs(place) <= length + along and dx * dx + dy * dy + dz * dz <= wide * wide:  # false for empty boxes, by NaN
-            found = found | (1 << j)
-    return found
+        limit = radius + sqrt(hx * hx + hy * hy + hz * hz)
+        # False for empty boxes, by NaN.
+        if abs(offset) <= length + along and dx * dx + dy * dy + dz * dz <= limit * limit:
+            bits = bits | (1 << j)
+    return bits
 
 
 @func
@@ -169,7 +170,7 @@ def widened(size: float64, p: vec3) -> float:
 @loop
 def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: float, tree: PointTree) -> int:
     """First positions of the leaves that may intersect a cylinder, starting at a bucket."""
-    step = start_walk(start)
+    step = start_traversal(start)
     while int(step[0]) <= tree.root:
         bucket = int(step[2])
         leaves = children_near_axis(tree.boxes, bucket, p, axis, radius, length)
@@ -183,12 +184,12 @@ def leaves_near_axis(start: int, p: vec3, axis: vec3, radius: float, length: flo
 
 
 @func
-def add_place(total: place_sums, place: float64, scale: float64) -> place_sums:
+def add_coordinate(total: coordinate_sums, coordinate: float64, scale: float64) -> coordinate_sums:
     """Add a coordinate along the axis and its square, in integer steps."""
-    steps = int64(place * scale)
+    steps = int64(coordinate * scale)
     high = steps >> int64(HALF_BITS)
     low = steps & int64(HALF)
-    return total + place_sums(1, steps, high * high, high * low, low * low)
+    return total + coordinate_sums(1, steps, high * high, high * low, low * low)
 
 
 @kernel
@@ -198,14 +199,14 @@ def sum_cylinders_kernel(
     directions: array(dtype=vec3),
     tree: PointTree,
     cylinder: Cylinder,
-    sums: array(dtype=place_sums),
+    sums: array(dtype=coordinate_sums),
 ):
     """Count, coordinates along the axis and their squares, summed over the points in each cylinder."""
     t = tid()
     i = order[t]
     p = cores[i]
     axis = directions[i]
-    total = place_sums(0)
+    total = coordinate_sums(0)
     if tree.count > 0 and isfinite(p) and isfinite(axis):
         middle = vec3d(float64(p[0]), float64(p[1]), float64(p[2]))
         along = vec3d(float64(axis[0]), float64(axis[1]), float64(axis[2]))
@@ -218,20 +219,20 @@ def sum_cylinders_kernel(
             for j in range(first, min(first + LEAF, tree.count)):
                 q = tree.points[j]
                 to = vec3d(float64(q[0]), float64(q[1]), float64(q[2])) - middle
-                place = dot(to, along)
-                beside = dot(to, to) - place * place
-                if beside <= widest and abs(place) <= cylinder.length:
-                    total = add_place(total, place, cylinder.scale)
+                coordinate = dot(to, along)
+                beside = dot(to, to) - coordinate * coordinate
+                if beside <= widest and abs(coordinate) <= cylinder.length:
+                    total = add_coordinate(total, coordinate, cylinder.scale)
     sums[i] = total
 
 
 @func
-def squares_of(sums: place_sums) -> float64:
+def squares_of(sums: coordinate_sums) -> float64:
     return (float64(sums[2]) * 262144.0 + float64(sums[3]) * 2.0) * 262144.0 + float64(sums[4])
 
 
 @func
-def variance_of(sums: place_sums, step: float64) -> float64:
+def variance_of(sums: coordinate_sums, step: float64) -> float64:
     """Sample variance [m^2]. NaN for fewer than two points."""
     variance = float64(NAN)
     count = float64(sums[0])
@@ -242,14 +243,14 @@ def variance_of(sums: place_sums, step: float64) -> float64:
 
 
 @func
-def mean_of(sums: place_sums, step: float64) -> float64:
+def mean_of(sums: coordinate_sums, step: float64) -> float64:
     return float64(sums[1]) / float64(sums[0]) * step
 
 
 @kernel
 def compare_sums_kernel(
-    first: array(dtype=place_sums),
-    second: array(dtype=place_sums),
+    first: array(dtype=coordinate_sums),
+    second: array(dtype=coordinate_sums),
     step: float64,
     registration_error: float64,
     changes: Changes,
@@ -281,9 +282,11 @@ def find_flattest(
     tree: PointTree, cores: Points, radii: np.ndarray, orientation: np.ndarray
 ) -> tuple[Vectors, Integers]:
     """Oriented directions and scale indices of highest planarity at core points. NaN and -1 without a plane."""
-    reaches: Scalars = upload(np.array([reach_of(radius) for radius in radii], np.float32), float32, cores.device)
+    max_sqdists: Scalars = upload(
+        np.array([squared_radius(radius) for radius in radii], np.float32), float32, cores.device
+    )
     directions, scales = empty(cores.size, vec3, cores.device), empty(cores.size, int32, cores.device)
-    around = [cores, order_along_curve(tree, cores), tree, reaches, vec3(*orientation.tolist())]
+    around = [cores, order_along_curve(tree, cores), tree, max_sqdists, vec3(*orientation.tolist())]
     launch(find_flattest_kernel, cores.size, [*around, directions, scales])
     return directions, scales
 
@@ -300,9 +303,9 @@ def measure_changes(
     order: Indices = order_along_curve(first, cores)
     sums: list[AnyArray] = []
     for tree in (first, second):
-        found = empty(cores.size, place_sums, cores.device)
-        launch(sum_cylinders_kernel, cores.size, [cores, order, directions, tree, cylinder, found])
-        sums.append(found)
+        cloud_sums = empty(cores.size, coordinate_sums, cores.device)
+        launch(sum_cylinders_kernel, cores.size, [cores, order, directions, tree, cylinder, cloud_sums])
+        sums.append(cloud_sums)
     changes = Changes(cores)
     launch(compare_sums_kernel, cores.size, [*sums, 1 / cylinder.scale, registration_error, changes])
     return changes

@@ -11,11 +11,11 @@ from ..arrays.select import gather_rows, positions_of
 from ..extent.masks import mask_finite
 from ..lang import NAN, array, float64, kernel, launch, tid, vec3, vec3d
 from ..memory import full
-from ..search.bucket_walk import points_in_reach
+from ..search.bucket_walk import points_within
 from ..search.point_tree import BUCKET, PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 
-FEWEST = 5.0  # neighbors, including the point, that determine a surface
+MIN_NEIGHBORS = 5.0  # neighbors, including the point, that determine a surface
 STRAIGHT = 1.0e-3  # ratio of variances below which they are collinear, and the plane is arbitrary
 
 
@@ -26,13 +26,13 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
     p = tree.points[i]
     total = moments(0.0)
     middle = vec3d(0.0, 0.0, 0.0)
-    for j, sqdist in points_in_reach(i // BUCKET, p, wide, tree):
+    for j, sqdist in points_within(i // BUCKET, p, wide, tree):
         q = tree.points[j]
         middle += vec3d(float64(q[0] - p[0]), float64(q[1] - p[1]), float64(q[2] - p[2]))
         if sqdist <= narrow:
             total = add_rounded_difference(total, p, q)
     n = vec3(NAN, NAN, NAN)
-    if total[0] >= float64(FEWEST):
+    if total[0] >= float64(MIN_NEIGHBORS):
         covariance = covariance_of(total)
         size = largest_entry(covariance)
         if size > 0.0:
@@ -48,7 +48,7 @@ def find_sides_kernel(tree: PointTree, narrow: float, wide: float, normals: arra
 def find_sides(tree: PointTree, narrow: float, wide: float) -> Vectors:
     """Unit normals on the concave side, from a plane fit within `narrow` and the mean within `wide` [m], or NaN."""
     normals = full(tree.source.size, vec3(NAN, NAN, NAN), vec3, tree.device)
-    launch(find_sides_kernel, tree.count, [tree, reach_of(narrow), reach_of(wide), normals])
+    launch(find_sides_kernel, tree.count, [tree, squared_radius(narrow), squared_radius(wide), normals])
     return normals
 
 

@@ -19,23 +19,23 @@ from ..array_types import Array1
 from ..arrays.packed_keys import key_index
 from ..lang import array, func, int32, int64, kernel, tid, vec3
 from ..memory import empty
-from ..search.bucket_walk import points_in_reach
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.bucket_walk import points_within
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.neighbor_limits import Neighborhood, members_of, neighbors_of
 from ..search.point_tree import PointTree
 
 
 @func
-def moments_within(start: int, p: vec3, reach: float, widest: float, tree: PointTree) -> moments:
-    """Moments of the points within reach of p in integer steps, starting at a bucket; `widest` bounds the reach."""
+def moments_within(start: int, p: vec3, max_sqdist: float, widest: float, tree: PointTree) -> moments:
+    """Moments of the points within `max_sqdist` of p in integer steps, starting at a bucket; `widest` bounds it."""
     steps = steps_for(widest, 0)
     total = integer_moments(0)
-    for j, sqdist in points_in_reach(start, p, reach, tree):
+    for j, sqdist in points_within(start, p, max_sqdist, tree):
         total = add_integer_moments(total, p, tree.points[j], steps)
     if total[0] > int64(MAX_EXACT_POINTS):  # too many for these steps; testing in the loop would take 50 % longer
         steps = steps_for(widest, int(total[0]))
         total = integer_moments(0)
-        for j, sqdist in points_in_reach(start, p, reach, tree):
+        for j, sqdist in points_within(start, p, max_sqdist, tree):
             total = add_integer_moments(total, p, tree.points[j], steps)
     return in_meters(total, steps)
 
@@ -49,16 +49,16 @@ def sum_moments_kernel(
     sums: array(dtype=moments),
 ):
     i = tid()
-    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+    for member, base, key_count in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
         p = neighborhood.tree.points[rank]
         limit = neighborhood.limits[rank]
         total = moments(0.0)
-        if held < 0:
+        if key_count < 0:
             for j, sqdist in neighbors_of(rank, neighborhood):
                 total = add_difference(total, p, neighborhood.tree.points[j])
-        for j in range(held):
-            key = held_key(scratch, base, j)
+        for j in range(key_count):
+            key = stored_key(scratch, base, j)
             if key <= limit:
                 total = add_difference(total, p, neighborhood.tree.points[key_index(key)])
         sums[rank] = total

@@ -11,10 +11,10 @@ from ..arrays.packed_keys import key_index
 from ..arrays.prefix_sum import sum_each
 from ..lang import INFINITY, array, dot, float64, func, int32, isfinite, kernel, tid, vec3
 from ..memory import zeros
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 
 MIN_COSINE = 0.25  # squared cosine of 60 degrees
 FLATTEST = 0.5  # squared sine of 45 degrees
@@ -42,21 +42,21 @@ def compare_sides(p: vec3, n: vec3, q: vec3, m: vec3) -> int:
 def count_sides_kernel(
     part: LaunchPart,
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     normals: array(dtype=vec3),
     counted: array(dtype=int32),
     opposed: array(dtype=int32),
 ):
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, labels, scratch, max_sqdist, 0):
         p = tree.points[rank]
         n = normals[tree.order[rank]]
         pairs = 0
         against = 0
         for slot in range(size):
-            j = key_index(held_key(scratch, base, slot))
+            j = key_index(stored_key(scratch, base, slot))
             if j != rank:
                 side = compare_sides(p, n, tree.points[j], normals[tree.order[j]])
                 if side != 0:
@@ -70,6 +70,6 @@ def count_sides_kernel(
 def share_of_opposed_normals(tree: PointTree, points: Points, normals: Vectors, k: int) -> float:
     """Fraction of opposed pairs among the counted ones, 0 if there are none. `k` neighbors without the point itself."""
     counted, opposed = (zeros(points.size, int32, points.device) for _ in range(2))
-    launch_over_leaves(count_sides_kernel, tree, k + 1, [reach_of(INFINITY), normals, counted, opposed])
+    launch_over_leaves(count_sides_kernel, tree, k + 1, [squared_radius(INFINITY), normals, counted, opposed])
     pairs, against = sum_each(counted, opposed)  # sync
     return against / pairs if pairs else 0.0

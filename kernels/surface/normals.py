@@ -14,10 +14,10 @@ from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import NAN, array, dot, float64, func, int32, isfinite, kernel, launch, sqrt, tid, vec3
 from ..memory import empty
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import farthest_key, launch_over_leaves, nearest_of_leaves
 from ..search.point_tree import BUCKET, PointTree, widest_square
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 from .neighbor_moments import moments_within
 
 MIN_NEIGHBORS = 3.0  # fewer points define no plane
@@ -37,26 +37,26 @@ def normal_of(m: moments) -> vec3:
 def fit_normals_nearest_kernel(
     part: LaunchPart,
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     normals: array(dtype=vec3),
 ):
-    """Normals from the k nearest points within reach. Keys hold tree positions."""
+    """Normals from the k nearest points within `max_sqdist`. Keys contain tree positions."""
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, labels, scratch, max_sqdist, 0):
         p = tree.points[rank]
         steps = steps_for(farthest_key(scratch, base, size), size)
         total = integer_moments(0)
         for j in range(size):
-            total = add_integer_moments(total, p, tree.points[key_index(held_key(scratch, base, j))], steps)
+            total = add_integer_moments(total, p, tree.points[key_index(stored_key(scratch, base, j))], steps)
         normals[tree.order[rank]] = normal_of(in_meters(total, steps))
 
 
 @kernel(max_registers=128)
-def fit_normals_within_kernel(tree: PointTree, reach: float, widest: float, normals: array(dtype=vec3)):
+def fit_normals_within_kernel(tree: PointTree, max_sqdist: float, widest: float, normals: array(dtype=vec3)):
     i = tid()
-    normals[tree.order[i]] = normal_of(moments_within(i // BUCKET, tree.points[i], reach, widest, tree))
+    normals[tree.order[i]] = normal_of(moments_within(i // BUCKET, tree.points[i], max_sqdist, widest, tree))
 
 
 @kernel
@@ -102,11 +102,11 @@ def estimate_normals(tree: PointTree, points: Points, max_nn: int | None, radius
     """Normals of a tree's points; `max_nn` (None: all) includes the point itself, `radius` [m] is exclusive."""
     device = points.device
     normals = empty(points.size, vec3, device)
-    reach = reach_of(radius)
+    max_sqdist = squared_radius(radius)
     if max_nn is None:
-        launch(fit_normals_within_kernel, tree.count, [tree, reach, widest_square(tree, reach), normals])
+        launch(fit_normals_within_kernel, tree.count, [tree, max_sqdist, widest_square(tree, max_sqdist), normals])
     else:
-        launch_over_leaves(fit_normals_nearest_kernel, tree, max_nn, [reach, normals])
+        launch_over_leaves(fit_normals_nearest_kernel, tree, max_nn, [max_sqdist, normals])
     if tree.count < points.size:
         launch(fill_missing_normals_kernel, points.size, [points, normals])
     return normals

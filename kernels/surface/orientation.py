@@ -30,7 +30,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import copy, empty, full, zeros
-from ..search.bucket_walk import next_step, start_walk
+from ..search.bucket_walk import next_step, start_traversal
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, FAN, LEAF, PointTree, level_sizes, measure_boxes, square_distance
 from .spanning_tree import Forest, hook_word, span_neighbors
@@ -48,16 +48,16 @@ EMPTY = -2  # owner of an empty node
 @struct
 class Bridges:
     """Shortest bridges between components. `owners`: component of a node, or MIXED or EMPTY. By root: squared lengths
-    `reaches`, ends `lows` and `highs`. By rank: `ways`, squared length above the end.
+    `sqlengths`, ends `lows` and `highs`. By rank: `bridge_keys`, squared length above the end.
     """
 
     tree: PointTree
     forest: Forest
     owners: array(dtype=int32)
-    reaches: array(dtype=int32)
+    sqlengths: array(dtype=int32)
     lows: array(dtype=int32)
     highs: array(dtype=int32)
-    ways: array(dtype=int64)
+    bridge_keys: array(dtype=int64)
 
     def __init__(self, tree: PointTree, forest: Forest) -> None:
         count, device = forest.count, forest.device
@@ -65,15 +65,15 @@ class Bridges:
         self.records = level_sizes(-(-tree.count // BUCKET))[1]
         # Missing children are EMPTY: they are read beside their siblings and written by no kernel.
         self.owners = full(int(self.records[-1]) * FAN, EMPTY, int32, device)
-        self.reaches, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
-        self.ways = empty(count, int64, device)
+        self.sqlengths, self.lows, self.highs = (empty(count, int32, device) for _ in range(3))
+        self.bridge_keys = empty(count, int64, device)
 
     def label_nodes(self) -> None:
         """Write the component of each tree node, level by level."""
-        launch(own_leaves_kernel, int(self.records[1]) * FAN, [self])
+        launch(label_leaves_kernel, int(self.records[1]) * FAN, [self])
         for level in range(1, self.tree.root + 1):
             below, here = int(self.records[level - 1]), int(self.records[level])
-            launch(own_nodes_kernel, here - below, [below, here, self.owners])
+            launch(label_nodes_kernel, here - below, [below, here, self.owners])
 
 
 @func
@@ -88,7 +88,7 @@ def joint_owner(a: int, b: int) -> int:
 
 
 @kernel
-def own_leaves_kernel(bridges: Bridges):
+def label_leaves_kernel(bridges: Bridges):
     i = tid()
     owner = int(EMPTY)
     for j in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
@@ -97,7 +97,7 @@ def own_leaves_kernel(bridges: Bridges):
 
 
 @kernel
-def own_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
+def label_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
     i = tid()
     owner = int(EMPTY)
     for j in range(FAN):
@@ -106,13 +106,13 @@ def own_nodes_kernel(below: int, first: int, owners: array(dtype=int32)):
 
 
 @kernel
-def clear_ways_kernel(bridges: Bridges, going: array(dtype=int32)):
+def clear_bridges_kernel(bridges: Bridges, going: array(dtype=int32)):
     """Reset the bridges; `going` is set later if one is found."""
     i = tid()
     if i == 0:
         going[0] = 0
     root = bridges.forest.roots[i]
-    bridges.reaches[root] = INFINITE
+    bridges.sqlengths[root] = INFINITE
     bridges.lows[root] = MAX_RANK
     bridges.highs[root] = MAX_RANK
 
@@ -125,29 +125,29 @@ def offer_steps_kernel(bridges: Bridges):
     b = bridges.forest.links[i + 1] >> 1
     if a != b:
         bits = float_bits(square_distance(bridges.tree.points[i], bridges.tree.points[i + 1]))
-        atomic_min(bridges.reaches, a, bits)  # resolves the race: the shortest
-        atomic_min(bridges.reaches, b, bits)
+        atomic_min(bridges.sqlengths, a, bits)  # resolves the race: the shortest
+        atomic_min(bridges.sqlengths, b, bits)
 
 
 @func
-def foreign_children(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges, level: int, node: int) -> int:
+def children_of_others(a: vec3, b: vec3, limit: int64, own: int, bridges: Bridges, level: int, node: int) -> int:
     """Bit mask of children with keys up to `limit` from the box (a, b), not entirely in component `own`."""
     at = bridges.tree.levels[level] + node
     distances = measure_boxes(bridges.tree.boxes, at, a, b)
     rank = int64(node) * int64(BUCKET) << int64(3 * level)  # FAN is 2^3
     width = int64(LEAF) << int64(3 * level)
-    found = 0
+    bits = 0
     for j in range(FAN):
         owner = bridges.owners[at * FAN + j]
         key = (int64(float_bits(distances[j])) << 32) | rank
         rank = rank + width
         if key <= limit and owner != own and owner != EMPTY:
-            found = found | (1 << j)
-    return found
+            bits = bits | (1 << j)
+    return bits
 
 
 @func
-def leaf_reaches_foreign(leaf: int, bridges: Bridges) -> int:
+def is_near_other_component(leaf: int, bridges: Bridges) -> int:
     """1 if another component may be as near to the leaf's box as its own shortest bridge, or if the leaf is mixed."""
     own = bridges.owners[leaf]
     reached = 0
@@ -160,28 +160,28 @@ def leaf_reaches_foreign(leaf: int, bridges: Bridges) -> int:
             q = bridges.tree.points[rank]
             a = vec3(min(a[0], q[0]), min(a[1], q[1]), min(a[2], q[2]))
             b = vec3(max(b[0], q[0]), max(b[1], q[1]), max(b[2], q[2]))
-        limit = last_key(bridges.reaches[own])
-        step = start_walk(leaf // FAN)
+        limit = last_key(bridges.sqlengths[own])
+        step = start_traversal(leaf // FAN)
         while int(step[0]) <= bridges.tree.root and reached == 0:
-            if foreign_children(a, b, limit, own, bridges, 0, int(step[2])) != 0:
+            if children_of_others(a, b, limit, own, bridges, 0, int(step[2])) != 0:
                 reached = 1
             else:
-                step = next_step(step, bridges.tree.root, partial(foreign_children, a, b, limit, own, bridges))
+                step = next_step(step, bridges.tree.root, partial(children_of_others, a, b, limit, own, bridges))
     return reached
 
 
 @func
-def nearest_foreign(rank: int, bridges: Bridges) -> int64:
+def nearest_of_others(rank: int, bridges: Bridges) -> int64:
     """Nearest point of another component within the shortest bridge, as squared distance bits above its rank."""
     p = bridges.tree.points[rank]
     own = bridges.forest.links[rank] >> 1
-    limit = last_key(bridges.reaches[own])
+    limit = last_key(bridges.sqlengths[own])
     nearest = int64(NO_KEY)
-    step = start_walk(rank // BUCKET)
+    step = start_traversal(rank // BUCKET)
     while int(step[0]) <= bridges.tree.root:
         bucket = int(step[2])
-        limit = min(limit, last_key(bridges.reaches[own]))  # other threads may have found a shorter bridge
-        children = foreign_children(p, p, limit, own, bridges, 0, bucket)
+        limit = min(limit, last_key(bridges.sqlengths[own]))  # other threads may have found a shorter bridge
+        children = children_of_others(p, p, limit, own, bridges, 0, bucket)
         for leaf in range(FAN):
             if (children >> leaf) & 1 == 1:
                 first = bucket * BUCKET + leaf * LEAF
@@ -190,42 +190,42 @@ def nearest_foreign(rank: int, bridges: Bridges) -> int64:
                         bits = float_bits(square_distance(p, bridges.tree.points[j]))
                         nearest = min(nearest, pack_bits(bits, j))
         limit = min(limit, nearest)
-        step = next_step(step, bridges.tree.root, partial(foreign_children, p, p, limit, own, bridges))
+        step = next_step(step, bridges.tree.root, partial(children_of_others, p, p, limit, own, bridges))
     return nearest
 
 
 @kernel(max_registers=128)  # for two blocks per SM
-def find_ways_kernel(bridges: Bridges):
+def find_bridges_kernel(bridges: Bridges):
     """Shortest bridge from each point of a leaf; pruning never drops the component's shortest bridge."""
     i = tid()
-    reached = leaf_reaches_foreign(i, bridges)
+    reached = is_near_other_component(i, bridges)
     for rank in range(i * LEAF, min((i + 1) * LEAF, bridges.tree.count)):
-        way = int64(NO_KEY)
+        key = int64(NO_KEY)
         if reached == 1:
-            way = nearest_foreign(rank, bridges)
+            key = nearest_of_others(rank, bridges)
             own = bridges.forest.links[rank] >> 1
-            bits = key_bits(way)
-            if bits < bridges.reaches[own]:
-                atomic_min(bridges.reaches, own, bits)  # resolves the race: length of the component's shortest bridge
-        bridges.ways[rank] = way
+            bits = key_bits(key)
+            if bits < bridges.sqlengths[own]:
+                atomic_min(bridges.sqlengths, own, bits)  # resolves the race: length of the component's shortest bridge
+        bridges.bridge_keys[rank] = key
 
 
 @kernel
-def settle_lows_kernel(bridges: Bridges):
-    """Select the least lower end of the component's shortest bridges."""
+def select_lows_kernel(bridges: Bridges):
+    """Select the lowest lower end of the component's shortest bridges."""
     i = tid()
     own = bridges.forest.links[i] >> 1
-    if bridges.ways[i] < int64(NO_KEY) and key_bits(bridges.ways[i]) == bridges.reaches[own]:
-        atomic_min(bridges.lows, own, min(i, key_index(bridges.ways[i])))  # resolves ties of length
+    if bridges.bridge_keys[i] < int64(NO_KEY) and key_bits(bridges.bridge_keys[i]) == bridges.sqlengths[own]:
+        atomic_min(bridges.lows, own, min(i, key_index(bridges.bridge_keys[i])))  # resolves ties of length
 
 
 @kernel
-def settle_highs_kernel(bridges: Bridges):
-    """Of those with this lower end, select the least higher end."""
+def select_highs_kernel(bridges: Bridges):
+    """Of those with this lower end, select the lowest higher end."""
     i = tid()
     own = bridges.forest.links[i] >> 1
-    if bridges.ways[i] < int64(NO_KEY) and key_bits(bridges.ways[i]) == bridges.reaches[own]:
-        far = key_index(bridges.ways[i])
+    if bridges.bridge_keys[i] < int64(NO_KEY) and key_bits(bridges.bridge_keys[i]) == bridges.sqlengths[own]:
+        far = key_index(bridges.bridge_keys[i])
         if min(i, far) == bridges.lows[own]:
             atomic_min(bridges.highs, own, max(i, far))  # resolves ties of length and lower end
 
@@ -254,20 +254,20 @@ def bridge_components(forest: Forest, tree: PointTree, normals: Vectors) -> None
     bridges = Bridges(tree, forest)
 
     def bridge(going: Integers) -> None:
-        launch(clear_ways_kernel, forest.roots.size, [bridges, going])
+        launch(clear_bridges_kernel, forest.roots.size, [bridges, going])
         launch(offer_steps_kernel, forest.count - 1, [bridges])
         bridges.label_nodes()
-        launch(find_ways_kernel, -(-forest.count // LEAF), [bridges])
-        launch(settle_lows_kernel, forest.count, [bridges])
-        launch(settle_highs_kernel, forest.count, [bridges])
+        launch(find_bridges_kernel, -(-forest.count // LEAF), [bridges])
+        launch(select_lows_kernel, forest.count, [bridges])
+        launch(select_highs_kernel, forest.count, [bridges])
         launch(hook_bridges_kernel, forest.roots.size, [bridges, normals, going])
 
-    def turn(status: Integers) -> None:
+    def run_round(status: Integers) -> None:
         bridge(status)
         forest.merge_in_loop(status)
 
     if forest.links.device.is_cuda:
-        forest.run_rounds(turn)
+        forest.run_rounds(run_round)
     else:
         going, before = zeros(1, int32, forest.device), forest.count + 1
         while 1 < forest.roots.size < before:
@@ -345,14 +345,14 @@ def drop_neighbors_kernel(
         high = 0.0
         for j in range(k):
             height = heights[out + j]
-            place = 0
+            rank = 0
             for m in range(k):
                 other = heights[out + m]
                 if other < height or (other == height and m < j):
-                    place += 1
-            if place == k // 4:
+                    rank += 1
+            if rank == k // 4:
                 low = height
-            if place == 3 * k // 4:
+            if rank == 3 * k // 4:
                 high = height
         fence = high + FENCE * (high - low)
     for j in range(k):
@@ -365,7 +365,7 @@ def drop_neighbors_kernel(
 @kernel
 def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs: Runs, lowest: array(dtype=int64)):
     i = tid()
-    least = int64(NO_KEY)
+    minimum = int64(NO_KEY)
     for j in elements_of(i, runs):
         z = points[rows[j]][2]
         bits = 0  # zero and minus zero are equal
@@ -373,9 +373,9 @@ def find_lowest_kernel(points: array(dtype=vec3), rows: array(dtype=int32), runs
             bits = float_bits(z)
         if bits < 0:
             bits = bits ^ MAGNITUDE  # integers in the order of the floats
-        least = min(least, pack_bits(bits, rows[j]))
-    if least < lowest[0]:  # a stale value only adds an atomic
-        atomic_min(lowest, 0, least)  # resolves the race: the lowest of all
+        minimum = min(minimum, pack_bits(bits, rows[j]))
+    if minimum < lowest[0]:  # a stale value only adds an atomic
+        atomic_min(lowest, 0, minimum)  # resolves the race: the lowest of all
 
 
 @kernel
@@ -387,7 +387,7 @@ def spread_words_kernel(
 
 
 @kernel
-def turn_normals_kernel(
+def apply_signs_kernel(
     normals: array(dtype=vec3),
     rows: array(dtype=int32),
     words: array(dtype=int32),
@@ -398,12 +398,12 @@ def turn_normals_kernel(
     i = tid()
     row = rows[i]
     low = int(lowest[0] & int64(MAGNITUDE))
-    turned = words[row] ^ words[low]
+    is_flipped = words[row] ^ words[low]
     m = normals[low]
     if m[2] > 0.0:
-        turned = 1 - turned
+        is_flipped = 1 - is_flipped
     n = normals[row]
-    if turned == 1 and (n[0] != 0.0 or n[1] != 0.0 or n[2] != 0.0):
+    if is_flipped == 1 and (n[0] != 0.0 or n[1] != 0.0 or n[2] != 0.0):
         oriented[row] = -n
 
 
@@ -461,5 +461,5 @@ def orient_consistently(
     runs = Runs(rows.size, device, RUN)
     launch(find_lowest_kernel, runs.threads, [points, rows, runs, lowest])
     launch(spread_words_kernel, rows.size, [forest.links, rows, tree.order, words])
-    launch(turn_normals_kernel, rows.size, [normals, rows, words, lowest, oriented])
+    launch(apply_signs_kernel, rows.size, [normals, rows, words, lowest, oriented])
     return oriented

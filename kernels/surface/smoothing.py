@@ -13,12 +13,12 @@ from ..array_types import Points, Vectors
 from ..arrays.packed_keys import key_index
 from ..lang import INFINITY, array, dot, exp, float64, func, int32, kernel, launch, sqrt, struct, tid, vec3, vec3d
 from ..memory import copy, empty
-from ..search.bucket_walk import points_in_reach
-from ..search.group_scratch import GroupScratch, LaunchPart, held_key
+from ..search.bucket_walk import points_within
+from ..search.group_scratch import GroupScratch, LaunchPart, stored_key
 from ..search.group_search import launch_over_leaves, nearest_of_leaves
 from ..search.neighbor_lists import list_neighbors
 from ..search.point_tree import BUCKET, PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 
 MIN_NEIGHBORS = 3  # fewer points define no plane
 LARGEST_FALLOFF = 1.0e300  # [1 / m^2] finite product with a zero distance
@@ -27,7 +27,8 @@ LARGEST_FALLOFF = 1.0e300  # [1 / m^2] finite product with a zero distance
 @struct
 class SmoothingPass:
     """`spatial`, `ranged` [1 / m^2] scale squared distances and heights in the exponent of a weight. `to_plane`:
-    project to the plane, else move by `factor` to the mean. `own`: weight of the point. `turn`: write plane normals.
+    project to the plane, else move by `factor` to the mean. `own`: weight of the point. `fit_normals`: 1 to write
+    plane normals.
     """
 
     spatial: float64
@@ -35,7 +36,7 @@ class SmoothingPass:
     to_plane: int
     own: float64
     factor: float64
-    turn: int
+    fit_normals: int
     normals: array(dtype=vec3)
     moved: array(dtype=vec3)
     fitted: array(dtype=vec3)
@@ -51,10 +52,11 @@ class SmoothingPass:
         own: float = 0.0,
         factor: float = 1.0,
     ) -> None:
-        device, self.turn = points.device, int(to_plane and normals is not None)
+        device, self.fit_normals = points.device, int(to_plane and normals is not None)
         self.spatial, self.ranged, self.to_plane = float(spatial), float(ranged), int(to_plane)
         self.own, self.factor = float(own), float(factor)
-        self.moved, self.fitted = empty(points.size, vec3, device), empty(points.size if self.turn else 1, vec3, device)
+        self.moved = empty(points.size, vec3, device)
+        self.fitted = empty(points.size if self.fit_normals else 1, vec3, device)
         self.normals = self.fitted if normals is None else normals
 
 
@@ -96,7 +98,7 @@ def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Smo
         if size >= MIN_NEIGHBORS:
             normal = smallest_eigenvector(covariance_of(m))
             move = normal * (dot(mean, normal) / m[0])
-            if rule.turn == 1:
+            if rule.fit_normals == 1:
                 if dot(normal, widen(rule.normals[row])) < 0.0:
                     normal = -normal
                 rule.fitted[row] = narrow(normal)
@@ -114,32 +116,32 @@ def store_smoothed(m: moments, size: int, p: vec3, n: vec3d, row: int, rule: Smo
 def smooth_nearest_kernel(
     part: LaunchPart,
     tree: PointTree,
-    places: array(dtype=int32),
+    labels: array(dtype=int32),
     scratch: GroupScratch,
-    reach: float,
+    max_sqdist: float,
     rule: SmoothingPass,
 ):
-    """Smooth by the k nearest points within reach. Keys hold tree positions."""
+    """Smooth by the k nearest points within `max_sqdist`. Keys contain tree positions."""
     i = tid()
-    for rank, base, size in nearest_of_leaves(i, part, tree, places, scratch, reach, 0):
+    for rank, base, size in nearest_of_leaves(i, part, tree, labels, scratch, max_sqdist, 0):
         p = tree.points[rank]
         row = tree.order[rank]
         n = tangent_of(row, rule)
         total = moments(0.0)
         for j in range(size):
-            total = add_weighted(total, p, tree.points[key_index(held_key(scratch, base, j))], n, rule)
+            total = add_weighted(total, p, tree.points[key_index(stored_key(scratch, base, j))], n, rule)
         store_smoothed(total, size, p, n, row, rule)
 
 
 @kernel(max_registers=128)
-def smooth_within_kernel(tree: PointTree, reach: float, rule: SmoothingPass):
+def smooth_within_kernel(tree: PointTree, max_sqdist: float, rule: SmoothingPass):
     i = tid()
     p = tree.points[i]
     row = tree.order[i]
     n = tangent_of(row, rule)
     total = moments(0.0)
     size = 0
-    for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
+    for j, sqdist in points_within(i // BUCKET, p, max_sqdist, tree):
         total = add_weighted(total, p, tree.points[j], n, rule)
         size += 1
     store_smoothed(total, size, p, n, row, rule)
@@ -179,13 +181,13 @@ def _smooth(tree: PointTree, max_nn: int | None, radius: float, rule: SmoothingP
     points = tree.source
     if tree.count < points.size:
         copy(rule.moved, points, count=points.size)
-    if rule.turn:
+    if rule.fit_normals:
         copy(rule.fitted, rule.normals, count=points.size)
-    reach = reach_of(radius)
+    max_sqdist = squared_radius(radius)
     if max_nn is None:
-        launch(smooth_within_kernel, tree.count, [tree, reach, rule])
+        launch(smooth_within_kernel, tree.count, [tree, max_sqdist, rule])
         return rule
-    launch_over_leaves(smooth_nearest_kernel, tree, max_nn, [reach, rule])
+    launch_over_leaves(smooth_nearest_kernel, tree, max_nn, [max_sqdist, rule])
     return rule
 
 
@@ -211,8 +213,8 @@ def average_by_sides(
 def average_passes(tree: PointTree, factors: Sequence[float], neighbor_count: int) -> Points:
     """One pass per factor, with a new search of the nearest neighbors in each."""
     points = tree.source
-    for turn, factor in enumerate(factors):
-        now = tree if turn == 0 else PointTree(points)
+    for number, factor in enumerate(factors):
+        now = tree if number == 0 else PointTree(points)
         points = _smooth(now, neighbor_count + 1, INFINITY, SmoothingPass(points, None, own=1.0, factor=factor)).moved
     return points
 

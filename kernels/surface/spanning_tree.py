@@ -83,15 +83,15 @@ class Forest:
         launch(relink_vertices_kernel, self.count, [self])
         launch(close_round_kernel, self.count, [self, status])
 
-    def run_rounds(self, turn: Callable[[Integers], None]) -> None:
+    def run_rounds(self, run_round: Callable[[Integers], None]) -> None:
         """Run iterations ending with `merge_in_loop` until none joins (two syncs). Raises RuntimeError for a cycle.
-        `turn(status)` sets status[0] to 0, and to 1 if there is an edge to join.
+        `run_round(status)` sets status[0] to 0, and to 1 if there is an edge to join.
         """
         status = full(3, 0, int32, self.device)
         fill(status[:1], 1)
         launch(fill_positions_kernel, self.count, [self._every])
         self.roots = self._every
-        loop_while(status[:1], lambda: turn(status))
+        loop_while(status[:1], lambda: run_round(status))
         mask = empty(self.count, uint8, self.device)
         launch(mark_roots_kernel, self.count, [self, mask])
         self.roots = positions_of(mask)  # sync
@@ -131,10 +131,10 @@ def compose(word: int, onward: int) -> int:
 @func
 def hook_word(near: int, far: int, forest: Forest, normals: array(dtype=vec3)) -> int:
     """Word that hooks the component of `near` to that of `far` with agreeing normals."""
-    turned = 0
+    is_flipped = 0
     if agreement(normals[near], normals[far]) < 0.0:
-        turned = 1
-    return compose(turned, compose(forest.links[near] & 1, forest.links[far]))
+        is_flipped = 1
+    return compose(is_flipped, compose(forest.links[near] & 1, forest.links[far]))
 
 
 @kernel
@@ -171,7 +171,7 @@ def offer_edges_kernel(
     v = active[i]
     own = forest.links[v] >> 1
     n = normals[v]
-    least = int64(NO_KEY)
+    min_key = int64(NO_KEY)
     row = (v - part.begin) * part.k
     for j in range(part.k):
         u = part.lists[row + j]
@@ -179,16 +179,16 @@ def offer_edges_kernel(
         if other != own:
             weight = int64(float_bits(normal_weight(n, normals[u])))
             key = (weight << int64(ENTRY_BITS)) | (int64(v) * int64(part.k) + int64(j))
-            least = min(least, key)
+            min_key = min(min_key, key)
             if key < keys[other]:
-                atomic_min(keys, other, key)  # resolves the race: the component's least edge
-    found = 0
-    if least < int64(NO_KEY):
-        found = 1
+                atomic_min(keys, other, key)  # resolves the race: the component's minimum edge
+    is_leaving = 0
+    if min_key < int64(NO_KEY):
+        is_leaving = 1
         going[0] = 1
-        if least < keys[own]:
-            atomic_min(keys, own, least)  # as above
-    leaving[i] = uint8(found)
+        if min_key < keys[own]:
+            atomic_min(keys, own, min_key)  # as above
+    leaving[i] = uint8(is_leaving)
 
 
 @kernel
@@ -249,10 +249,10 @@ def close_round_kernel(forest: Forest, status: array(dtype=int32)):
 @kernel
 def mark_roots_kernel(forest: Forest, mask: array(dtype=uint8)):
     i = tid()
-    kept = 0
+    is_root = 0
     if forest.links[forest.roots[i]] >> 1 == forest.roots[i]:
-        kept = 1
-    mask[i] = uint8(kept)
+        is_root = 1
+    mask[i] = uint8(is_root)
 
 
 def span_neighbors(forest: Forest, parts: Sequence[tuple[int, Integers]], k: int, normals: Vectors | None) -> None:
@@ -292,7 +292,7 @@ def _span_on_device(
 ) -> None:
     leaving = [full(active.size, 1, uint8, forest.device) for _, active in graph]
 
-    def turn(status: Integers) -> None:
+    def run_round(status: Integers) -> None:
         launch(clear_keys_kernel, forest.count, [forest, keys, status])
         for (part, active), marks in zip(graph, leaving, strict=True):
             launch(offer_edges_kernel, active.size, [active, part, normals, forest, keys, marks, status])
@@ -300,4 +300,4 @@ def _span_on_device(
             launch(hook_components_kernel, forest.count, [part, normals, forest, keys])
         forest.merge_in_loop(status)
 
-    forest.run_rounds(turn)
+    forest.run_rounds(run_round)

@@ -3,9 +3,9 @@
 from ..array_types import Device, Doubles
 from ..lang import NAN, array, float64, int32, isfinite, kernel, launch, sqrt, struct, tid, vector
 from ..memory import full, zeros
-from ..search.bucket_walk import points_in_reach
+from ..search.bucket_walk import points_within
 from ..search.point_tree import BUCKET, PointTree
-from ..search.tree_search import reach_of
+from ..search.tree_search import squared_radius
 
 value_sums = vector(3, float64)  # of differences: count, sum, sum of squares
 
@@ -24,14 +24,14 @@ class Spreads:
 
 
 @kernel
-def spread_values_kernel(tree: PointTree, values: array(dtype=float64), reach: float, spreads: Spreads):
+def spread_values_kernel(tree: PointTree, values: array(dtype=float64), max_sqdist: float, spreads: Spreads):
     i = tid()
     at = tree.order[i]
     p = tree.points[i]
     own = values[at]
     total = value_sums(0.0)
     if isfinite(own):
-        for j, sqdist in points_in_reach(i // BUCKET, p, reach, tree):
+        for j, sqdist in points_within(i // BUCKET, p, max_sqdist, tree):
             off = values[tree.order[j]] - own
             if isfinite(off):
                 total = total + value_sums(1.0, off, off * off)
@@ -45,5 +45,5 @@ def spread_values_kernel(tree: PointTree, values: array(dtype=float64), reach: f
 def spread_values(tree: PointTree, values: Doubles, radius: float) -> Spreads:
     """Mean and deviation of float64 values over the neighbors within a radius [m] (exclusive) of each point."""
     spreads = Spreads(values.size, values.device)
-    launch(spread_values_kernel, tree.count, [tree, values, reach_of(radius), spreads])
+    launch(spread_values_kernel, tree.count, [tree, values, squared_radius(radius), spreads])
     return spreads

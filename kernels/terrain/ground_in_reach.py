@@ -36,9 +36,9 @@ from ..segmentation.ground import (
     LOW_SLOPE,
     average_cells_kernel,
     clear_cells_kernel,
+    filter_along_kernel,
     flag_steps_kernel,
-    reach_along_kernel,
-    reaches,
+    pass_distances,
 )
 from .cells import FixedCells, column_of, row_of_cell
 
@@ -129,13 +129,13 @@ def grade_cells_kernel(
 
 
 @func
-def squared_grade(heights: array(dtype=float32), i: int, step: int, place: int, size: int, cell: float) -> float:
+def squared_grade(heights: array(dtype=float32), i: int, step: int, index: int, size: int, cell: float) -> float:
     below = i
     above = i
-    if place > 0:
+    if index > 0:
         if isfinite(heights[i - step]):
             below = i - step
-    if place < size - 1:
+    if index < size - 1:
         if isfinite(heights[i + step]):
             above = i + step
     grade = 0.0
@@ -197,21 +197,21 @@ def levels_of(radius: int) -> int:
     return max(len(SPRINGS), math.ceil(math.log2(1.5 * radius)))
 
 
-def fill_reach(levels: int, springs: tuple[int, ...]) -> int:
+def fill_radius(levels: int, springs: tuple[int, ...]) -> int:
     """Cells per side that affect a filled cell: at level k coarse cells 2 * 2^k, each relaxation pass 2^k more."""
     return 2 * (2**levels - 1) + sum(count << level for level, count in enumerate(springs))
 
 
-def reach_in_cells(radius: int) -> int:
+def radius_in_cells(radius: int) -> int:
     """Cells per side that affect a point's classification, through all fillings, openings, slope and interpolation."""
-    small = fill_reach(len(SMALL_SPRINGS), SMALL_SPRINGS)
-    return 2 * small + 2 * LOW_RADIUS + 2 * radius + fill_reach(levels_of(radius), SPRINGS) + 2
+    small = fill_radius(len(SMALL_SPRINGS), SMALL_SPRINGS)
+    return 2 * small + 2 * LOW_RADIUS + 2 * radius + fill_radius(levels_of(radius), SPRINGS) + 2
 
 
 def window_over(low: np.ndarray, high: np.ndarray, radius: int) -> tuple[np.ndarray, np.ndarray]:
     """First cell and shape of the sufficient window around cells `low` to `high`."""
-    small, levels = fill_reach(len(SMALL_SPRINGS), SMALL_SPRINGS), levels_of(radius)
-    rim = max(fill_reach(levels, SPRINGS) + 2, 2 * radius + 2 * small + 2 * LOW_RADIUS + 2)
+    small, levels = fill_radius(len(SMALL_SPRINGS), SMALL_SPRINGS), levels_of(radius)
+    rim = max(fill_radius(levels, SPRINGS) + 2, 2 * radius + 2 * small + 2 * LOW_RADIUS + 2)
     first = np.floor((low - rim) / 2**levels) * 2**levels
     return first, (np.floor((high + rim) / 2**levels) + 1) * 2**levels - first
 
@@ -275,10 +275,10 @@ class NearGround:
             launch(pass_over_kernel, self.cells.size, [heights, side * INFINITY, known])
             heights = known
             for dx, dy, half in segments:
-                for reach in reaches(half):
+                for distance in pass_distances(half):
                     out = empty(self.cells.size, float32, self.device)
-                    arguments = [heights, self.cells.columns, self.cells.rows, dx, dy, reach, side, out]
-                    launch(reach_along_kernel, self.cells.size, arguments)
+                    arguments = [heights, self.cells.columns, self.cells.rows, dx, dy, distance, side, out]
+                    launch(filter_along_kernel, self.cells.size, arguments)
                     heights = out
         return heights
 

@@ -1,5 +1,5 @@
 """Inverse distance weighting, sum(z / d^2) / sum(1 / d^2) (Shepard, "A two-dimensional interpolation function for
-irregularly-spaced data", ACM 1968). Uses the points within reach in the smallest square of cells that holds enough of
+irregularly-spaced data", ACM 1968). Uses the points within a radius in the smallest square of cells that has enough of
 them, so results do not depend on ties or search order.
 """
 
@@ -15,21 +15,21 @@ def height_near(
     y: float64,
     column: int,
     row: int,
-    least: int,
-    most: int,
+    min_rings: int,
+    max_rings: int,
     neighbors: int,
-    sqreach: float64,
+    max_sqdist: float64,
     window: FixedCells,
     groups: CellGroups,
 ) -> float64:
-    """Height at a position. NaN if no point is within reach."""
+    """Height at a position. NaN if no point is within the radius."""
     total = float64(0.0)
     weights = float64(0.0)
     here = float64(0.0)  # of coincident points
     there = float64(0.0)
     count = int(0)
-    for m in range(most + 1):
-        if m <= least or count < neighbors:
+    for m in range(max_rings + 1):
+        if m <= min_rings or count < neighbors:
             for a in range(2 * m + 1):
                 u = column + a - m
                 steps = 2  # inner columns of a square's border have a cell at either end
@@ -47,7 +47,7 @@ def height_near(
                                 dx = float64(p[0]) - x
                                 dy = float64(p[1]) - y
                                 sqdist = dx * dx + dy * dy
-                                if sqdist <= sqreach:
+                                if sqdist <= max_sqdist:
                                     count += 1
                                     if sqdist == 0.0:
                                         here += float64(p[2])
@@ -67,9 +67,9 @@ def height_near(
 @kernel
 def interpolate_centers_kernel(
     cells: FixedCells,
-    most: int,
+    max_rings: int,
     neighbors: int,
-    sqreach: float64,
+    max_sqdist: float64,
     window: FixedCells,
     groups: CellGroups,
     heights: array(dtype=float64),
@@ -81,15 +81,15 @@ def interpolate_centers_kernel(
     y = cells.y0 + (cells.row0 + float64(row) + 0.5) * cells.cell
     u = int(cells.column0 - window.column0) + column
     v = int(cells.row0 - window.row0) + row
-    heights[i] = height_near(x, y, u, v, 0, most, neighbors, sqreach, window, groups)
+    heights[i] = height_near(x, y, u, v, 0, max_rings, neighbors, max_sqdist, window, groups)
 
 
 @kernel
-def interpolate_places_kernel(
+def measure_heights_kernel(
     points: array(dtype=vec3),
-    most: int,
+    max_rings: int,
     neighbors: int,
-    sqreach: float64,
+    max_sqdist: float64,
     window: FixedCells,
     groups: CellGroups,
     heights: array(dtype=float64),
@@ -103,23 +103,25 @@ def interpolate_places_kernel(
         y = float64(p[1])
         u = floor((x - window.x0) / window.cell) - window.column0
         v = floor((y - window.y0) / window.cell) - window.row0
-        rim = float64(most)
+        rim = float64(max_rings)
         if u >= -rim and v >= -rim and u < float64(window.columns) + rim and v < float64(window.rows) + rim:
-            height = float64(p[2]) - height_near(x, y, int(u), int(v), 1, most, neighbors, sqreach, window, groups)
+            height = float64(p[2]) - height_near(
+                x, y, int(u), int(v), 1, max_rings, neighbors, max_sqdist, window, groups
+            )
     heights[i] = height
 
 
-def interpolate_centers(groups: CellGroups, cells: FixedCells, neighbors: int, reach: float, rings: int) -> Doubles:
+def interpolate_centers(groups: CellGroups, cells: FixedCells, neighbors: int, radius: float, rings: int) -> Doubles:
     """Heights at cell centers, float64 device array; `cells` are of the groups' grid."""
     heights = empty(cells.size, float64, groups.points.device)
-    arguments = [cells, rings, neighbors, reach * reach, groups.cells, groups, heights]
+    arguments = [cells, rings, neighbors, radius * radius, groups.cells, groups, heights]
     launch(interpolate_centers_kernel, cells.size, arguments)
     return heights
 
 
-def heights_above(points: Points, groups: CellGroups, neighbors: int, reach: float, rings: int) -> Doubles:
+def heights_above(points: Points, groups: CellGroups, neighbors: int, radius: float, rings: int) -> Doubles:
     """Heights of points above the groups' surface, float64 device array (n)."""
     heights = empty(points.size, float64, points.device)
-    arguments = [points, rings, neighbors, reach * reach, groups.cells, groups, heights]
-    launch(interpolate_places_kernel, points.size, arguments)
+    arguments = [points, rings, neighbors, radius * radius, groups.cells, groups, heights]
+    launch(measure_heights_kernel, points.size, arguments)
     return heights

@@ -59,7 +59,7 @@ def lay_rows(
     return out
 
 
-NOBODY = 2**31 - 1
+NO_TRIANGLE = 2**31 - 1
 
 
 @func
@@ -128,7 +128,7 @@ def weigh_corners_kernel(
 ):
     i = tid()
     height = float64(NAN)
-    if owners[i] != NOBODY:
+    if owners[i] != NO_TRIANGLE:
         t = triangles[owners[i]]
         x = cells.x0 + (cells.column0 + float64(i // cells.rows) + 0.5) * cells.cell
         y = cells.y0 + (cells.row0 + float64(i % cells.rows) + 0.5) * cells.cell
@@ -142,7 +142,7 @@ def weigh_corners_kernel(
 
 def triangle_heights(points: Points, triangles: Triangles, cells: FixedCells, longest: float) -> Doubles:
     """Heights of triangles at cell centers, float64, NaN for none. Edges above `longest` in plan are skipped."""
-    owners: Indices = full(cells.size, NOBODY, int32, points.device)
+    owners: Indices = full(cells.size, NO_TRIANGLE, int32, points.device)
     launch(claim_cells_kernel, triangles.size, [points, triangles, longest, cells, owners])
     heights = empty(cells.size, float64, points.device)
     launch(weigh_corners_kernel, cells.size, [points, triangles, cells, owners, heights])

@@ -19,13 +19,13 @@ def lowest_bit(word: int) -> int:
 
 
 @func
-def bits_below(place: int) -> int:
-    return int((1 << uint32(place)) - 1)
+def bits_below(index: int) -> int:
+    return int((1 << uint32(index)) - 1)
 
 
 @func
-def bit(word: int, place: int) -> int:
-    return (word >> place) & 1
+def bit(word: int, index: int) -> int:
+    return (word >> index) & 1
 
 
 @func

@@ -57,10 +57,10 @@ class BlockNeighbors:
 
 
 def neighbors_of(blocks: VoxelBlocks) -> Indices:
-    kept = blocks.kept.get("neighbors")
-    if kept is None or kept.changes is not blocks.changes:
-        kept = blocks.kept["neighbors"] = BlockNeighbors(blocks.changes, blocks.device)
-    return kept.update(blocks)
+    cached = blocks.cache.get("neighbors")
+    if cached is None or cached.changes is not blocks.changes:
+        cached = blocks.cache["neighbors"] = BlockNeighbors(blocks.changes, blocks.device)
+    return cached.update(blocks)
 
 
 @kernel
@@ -73,12 +73,12 @@ def find_neighbors_kernel(blocks: VoxelBlocks, known: int, neighbors: array(dtyp
     x = block[0] + side // 9 - 1
     y = block[1] + side // 3 % 3 - 1
     z = block[2] + side % 3 - 1
-    found = -1
+    neighbor = -1
     if max(max(abs(x), abs(y)), abs(z)) < BIAS - 1:  # the key of the last possible block means an empty slot
-        found = find_position(block_key(x, y, z), blocks.table)
-    neighbors[position * AROUND + side] = found
-    if found >= 0 and found < known:
-        neighbors[found * AROUND + AROUND - 1 - side] = position  # no other thread has this pair
+        neighbor = find_position(block_key(x, y, z), blocks.table)
+    neighbors[position * AROUND + side] = neighbor
+    if neighbor >= 0 and neighbor < known:
+        neighbors[neighbor * AROUND + AROUND - 1 - side] = position  # no other thread has this pair
 
 
 @func
@@ -126,13 +126,13 @@ def word_near(words: array(dtype=int32), block: int, x: int, y: int, dz: int, se
 
 
 @func
-def signs_of(voxel: int, place: int, seen: SeenBlocks) -> int:
+def signs_of(voxel: int, index: int, seen: SeenBlocks) -> int:
     """A voxel's bits in a word. It is valid if its weight exceeds the threshold."""
     word = 0
     if float(seen.blocks.weights[voxel]) > seen.threshold:
-        word = 1 << (place + VALID)
+        word = 1 << (index + VALID)
         if seen.blocks.distances[voxel] < 0.0:
-            word = word | (1 << place)
+            word = word | (1 << index)
     return word
 
 

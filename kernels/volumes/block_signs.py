@@ -67,11 +67,11 @@ class BlockSigns:
 
 
 def signs_of(blocks: VoxelBlocks) -> BlockSigns:
-    kept = blocks.kept.get("signs")
-    if kept is None or kept.changes is not blocks.changes:
-        kept = blocks.kept["signs"] = BlockSigns(blocks.changes, blocks.device)
-    kept.update(blocks)
-    return kept
+    cached = blocks.cache.get("signs")
+    if cached is None or cached.changes is not blocks.changes:
+        cached = blocks.cache["signs"] = BlockSigns(blocks.changes, blocks.device)
+    cached.update(blocks)
+    return cached
 
 
 @func
@@ -124,8 +124,8 @@ def spread_slice(first: int, x: int, neighbors: array(dtype=int32), signs: array
 def parts_of(word: int64) -> int:
     y_low = word & int64(LOW_Y)
     y_high = (word >> 32) & int64(LOW_Y)
-    found = int((y_low & int64(LOW_Z)) != 0) | (int((y_low & ~int64(LOW_Z)) != 0) << 1)
-    return found | (int((y_high & int64(LOW_Z)) != 0) << 2) | (int((y_high & ~int64(LOW_Z)) != 0) << 3)
+    parts = int((y_low & int64(LOW_Z)) != 0) | (int((y_low & ~int64(LOW_Z)) != 0) << 1)
+    return parts | (int((y_high & int64(LOW_Z)) != 0) << 2) | (int((y_high & ~int64(LOW_Z)) != 0) << 3)
 
 
 @kernel

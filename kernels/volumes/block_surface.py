@@ -71,9 +71,9 @@ class BlockSurface:
 
     def vertex_edges(self) -> tuple[LongIntegers, Integers]:
         """Identify vertices across parts of a volume: int64 block key of the lower voxel, int32 edge in the block."""
-        blocks, places = empty(self.vertex_count, int64, self.device), empty(self.vertex_count, int32, self.device)
-        launch(emit_edges_kernel, self.edges.size, [self, blocks, places])
-        return blocks, places
+        blocks, edges = empty(self.vertex_count, int64, self.device), empty(self.vertex_count, int32, self.device)
+        launch(emit_edges_kernel, self.edges.size, [self, blocks, edges])
+        return blocks, edges
 
     def triangles(self) -> Triangles:
         triangles = empty(self.triangle_count, vec3i, self.device)
@@ -98,10 +98,10 @@ def find_cells_kernel(surface: BlockSurface, counts: array(dtype=int32)):
         every = w00 & w10 & w01 & w11
         some = w00 | w10 | w01 | w11
         valid = every >> VALID
-        whole = valid & (valid >> 1) & EIGHT
+        complete = valid & (valid >> 1) & EIGHT
         negative = every & NINE
         any_negative = some & NINE
-        cut = whole & (any_negative | (any_negative >> 1)) & ~(negative & (negative >> 1)) & EIGHT
+        cut = complete & (any_negative | (any_negative >> 1)) & ~(negative & (negative >> 1)) & EIGHT
         if cut != 0:
             for z in range(SIDE):
                 if ((cut >> z) & 1) == 1:
@@ -141,7 +141,7 @@ def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtyp
     x = i // SIDE % SIDE
     y = i % SIDE
     word = surface.words[i]
-    found = 0
+    edges = 0
     if (word >> VALID) != 0:
         wx = word_near(surface.words, block, x + 1, y, 0, surface.seen)
         wy = word_near(surface.words, block, x, y + 1, 0, surface.seen)
@@ -156,9 +156,9 @@ def find_edges_kernel(surface: BlockSurface, need_cells: int, counts: array(dtyp
             around = surface.cells[i] | cells_near(block, x - 1, y, surface)
             around = around | cells_near(block, x, y - 1, surface)
             along_z = along_z & (around | cells_near(block, x - 1, y - 1, surface))
-        found = along_x | (along_y << SIDE) | (along_z << (2 * SIDE))
-    surface.edges[i] = found
-    counts[i] = bit_count(found)
+        edges = along_x | (along_y << SIDE) | (along_z << (2 * SIDE))
+    surface.edges[i] = edges
+    counts[i] = bit_count(edges)
 
 
 @func
@@ -246,21 +246,21 @@ def emit_vertices_kernel(
 
 
 @kernel
-def emit_edges_kernel(surface: BlockSurface, blocks: array(dtype=int64), places: array(dtype=int32)):
+def emit_edges_kernel(surface: BlockSurface, blocks: array(dtype=int64), edges: array(dtype=int32)):
     i = tid()
     marks = surface.edges[i]
     at = surface.offsets[i]
     for e in range(3 * SIDE):
         if ((marks >> e) & 1) == 1:
             blocks[at] = surface.seen.blocks.keys[i // ROWS]
-            places[at] = i % ROWS * (3 * SIDE) + e
+            edges[at] = i % ROWS * (3 * SIDE) + e
             at += 1
 
 
 @func
 def vertex_of(row: int, axis: int, z: int, surface: BlockSurface) -> int:
-    place = axis * SIDE + z
-    return surface.offsets[row] + bit_count(surface.edges[row] & ((1 << place) - 1))
+    bit = axis * SIDE + z
+    return surface.offsets[row] + bit_count(surface.edges[row] & ((1 << bit) - 1))
 
 
 @kernel

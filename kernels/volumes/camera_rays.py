@@ -64,14 +64,15 @@ class CameraRays:
         signs: BlockSigns,
     ) -> None:
         self.camera, self.nearest, self.farthest = camera, nearest, farthest  # type: ignore[assignment]  # like a Camera
-        place = T_volume_camera[:3, 3] / blocks.voxel_size
-        if np.abs(place).max() >= BIAS * SIDE:
+        position = T_volume_camera[:3, 3] / blocks.voxel_size
+        if np.abs(position).max() >= BIAS * SIDE:
             raise ValueError(
                 f"extrinsic: the camera is {np.abs(T_volume_camera[:3, 3]).max():.0f} m from the volume's origin; "
                 f"at {blocks.voxel_size} m a voxel the limit is {BIAS * SIDE * blocks.voxel_size:.0f} m"
             )
-        base = np.floor(place)
-        self.R, self.base, self.start = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int)), place - base
+        base = np.floor(position)
+        self.R, self.base = mat33d(*T_volume_camera[:3, :3].ravel()), vec3i(*base.astype(int))
+        self.start = position - base
         K = np.array([[camera.fx, 0.0, camera.cx], [0.0, camera.fy, camera.cy], [0.0, 0.0, 1.0]])
         self.sight = mat33d(*(matmul(T_volume_camera[:3, :3], inv(K)) / blocks.voxel_size).ravel())
         self.columns, rows = -(-camera.width // TILE), -(-camera.height // TILE)
@@ -97,23 +98,23 @@ def in_camera(x: float64, y: float64, z: float64, R: mat33d) -> vec3d:
 
 
 @func
-def tile_of(place: float64, count: int) -> int:
-    inside = max(0.0, min(place, float64(count * TILE - 1)))
+def tile_of(pixel: float64, count: int) -> int:
+    inside = max(0.0, min(pixel, float64(count * TILE - 1)))
     return int(inside) // TILE
 
 
 @func
 def bound_box(
-    middle: vec3d, reach: vec3d, rays: CameraRays, rows: int, nears: array(dtype=int32), fars: array(dtype=int32)
+    middle: vec3d, half_size: vec3d, rays: CameraRays, rows: int, nears: array(dtype=int32), fars: array(dtype=int32)
 ):
     """Extend the depth range of the tiles that a box in the camera frame [m] may cover."""
-    near = max(middle[2] - reach[2], float64(rays.nearest))
-    far = middle[2] + reach[2]
+    near = max(middle[2] - half_size[2], float64(rays.nearest))
+    far = middle[2] + half_size[2]
     if far >= near and near <= float64(rays.farthest):
-        left = min((middle[0] - reach[0]) / near, (middle[0] - reach[0]) / far)
-        right = max((middle[0] + reach[0]) / near, (middle[0] + reach[0]) / far)
-        top = min((middle[1] - reach[1]) / near, (middle[1] - reach[1]) / far)
-        bottom = max((middle[1] + reach[1]) / near, (middle[1] + reach[1]) / far)
+        left = min((middle[0] - half_size[0]) / near, (middle[0] - half_size[0]) / far)
+        right = max((middle[0] + half_size[0]) / near, (middle[0] + half_size[0]) / far)
+        top = min((middle[1] - half_size[1]) / near, (middle[1] - half_size[1]) / far)
+        bottom = max((middle[1] + half_size[1]) / near, (middle[1] + half_size[1]) / far)
         left = rays.camera.fx * left + rays.camera.cx - float64(MARGIN)
         right = rays.camera.fx * right + rays.camera.cx + float64(MARGIN)
         top = rays.camera.fy * top + rays.camera.cy - float64(MARGIN)
@@ -146,7 +147,7 @@ def bound_tiles_kernel(
         size = blocks.voxel_size
         half = size * float64(HALF_PART)
         R = rays.R
-        reach = vec3d(
+        half_size = vec3d(
             half * (abs(R[0, 0]) + abs(R[1, 0]) + abs(R[2, 0])),
             half * (abs(R[0, 1]) + abs(R[1, 1]) + abs(R[2, 1])),
             half * (abs(R[0, 2]) + abs(R[1, 2]) + abs(R[2, 2])),
@@ -156,4 +157,4 @@ def bound_tiles_kernel(
                 x = float64(low[0] + (part >> 2) * HALF) + float64(HALF_PART) - float64(rays.start[0])
                 y = float64(low[1] + ((part >> 1) & 1) * HALF) + float64(HALF_PART) - float64(rays.start[1])
                 z = float64(low[2] + (part & 1) * HALF) + float64(HALF_PART) - float64(rays.start[2])
-                bound_box(in_camera(x * size, y * size, z * size, R), reach, rays, rows, nears, fars)
+                bound_box(in_camera(x * size, y * size, z * size, R), half_size, rays, rows, nears, fars)

@@ -23,8 +23,8 @@ _EDGE_OF = {frozenset((corner, corner | 1 << axis)): edge for edge, (corner, axi
 
 def _face_corners(axis: int, side: int) -> list[int]:
     u, v = 1 << (axis + 1) % 3, 1 << (axis + 2) % 3
-    turn = [0, u, u | v, v] if side else [0, v, u | v, u]
-    return [corner | side << axis for corner in turn]
+    cycle = [0, u, u | v, v] if side else [0, v, u | v, u]
+    return [corner | side << axis for corner in cycle]
 
 
 FACES = [_face_corners(axis, side) for axis in range(3) for side in range(2)]

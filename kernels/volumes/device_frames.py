@@ -55,9 +55,9 @@ from .tsdf_blocks import (
     MAX_GRID,
     MAX_STRIDE,
     SIDE,
-    beyond_reach,
-    blocks_on_way,
+    blocks_on_segment,
     frame_box,
+    is_out_of_range,
     ray_grid,
     ray_slots,
     ray_stride,
@@ -74,23 +74,23 @@ ROOM_SHARE = 0.125  # of the free memory, for blocks that a frame may touch but 
 @func
 def greatest_of(i: int, values: array(dtype=int32)) -> int:
     """Maximum of nonnegative numbers, the same for all threads."""
-    most = 0
+    maximum = 0
     for k in range(values.shape[0]):
-        most = max(most, values[k])
-    return most
+        maximum = max(maximum, values[k])
+    return maximum
 
 
 @greatest_of.on_cuda
 def greatest_of_lanes(i: int, values: array(dtype=int32)) -> int:
     """Each lane of a warp reads some. All 32 lanes must be active."""
-    most = 0
+    maximum = 0
     k = i % WARP
     while k < values.shape[0]:
-        most = max(most, values[k])
+        maximum = max(maximum, values[k])
         k += WARP
     for bit in range(LANE_BITS):
-        most = max(most, shuffle_xor(most, 1 << bit))
-    return most
+        maximum = max(maximum, shuffle_xor(maximum, 1 << bit))
+    return maximum
 
 
 @func
@@ -131,7 +131,7 @@ def mark_touched_kernel(
             nx = int(record[SIZE])
             ny = int(record[SIZE + 1])
             nz = int(record[SIZE + 2])
-            for _slot, x, y, z in blocks_on_way(a, b, slots):
+            for _slot, x, y, z in blocks_on_segment(a, b, slots):
                 cx = x - int(record[LOW])
                 cy = y - int(record[LOW + 1])
                 cz = z - int(record[LOW + 2])
@@ -217,7 +217,7 @@ class FrameShape:
         self.stride = ray_stride(farthest, camera, self.block_size)
         self.slots = ray_slots(camera, blocks.truncation, blocks.voxel_size)
         columns, rows = ray_grid(camera, self.stride)
-        self.most = columns * rows * self.slots
+        self.max_blocks = columns * rows * self.slots
         self.threads = -(-columns * rows // 32) * 32
         self.scale, self.farthest, self.has_color = scale, farthest, has_color
 
@@ -248,7 +248,7 @@ class DeviceFrames:
         if not np.isfinite(limit):
             return None
         low, size, _ = frame_box(limit, camera, T_volume_camera, blocks.truncation, blocks.voxel_size)
-        if beyond_reach(low, size) or size.prod() > MAX_GRID:
+        if is_out_of_range(low, size) or size.prod() > MAX_GRID:
             return None
         known = blocks.count  # as sent by the last frame
         self._prepare(raw, scale, limit, camera, pixels is not None, int(size.prod()))
@@ -296,15 +296,15 @@ class DeviceFrames:
         self._groups = -(-self._cells // GROUP)
         self._grid = zeros(self._groups * GROUP, uint8, device)
         self._sizes, self._offsets = zeros(2 * self._groups, int32, device), zeros(2 * self._groups + 1, int32, device)
-        self._touched = empty(min(shape.most, self._cells), int32, device)
+        self._touched = empty(min(shape.max_blocks, self._cells), int32, device)
         self._shape, self._key = shape, key
 
     def _has_room(self, known: int) -> bool:
         """True if all blocks that a frame could touch fit, possibly after a modest reallocation."""
-        blocks, most = self._blocks, self._touched.size
-        if not blocks.has_room(known + most):
-            free, room = free_bytes(blocks.device), most + FURTHER * (known + most // 8)
-            if known + room > MAX_BLOCKS or free is None or most * blocks.block_bytes > ROOM_SHARE * free:
+        blocks, max_touched = self._blocks, self._touched.size
+        if not blocks.has_room(known + max_touched):
+            free, room = free_bytes(blocks.device), max_touched + FURTHER * (known + max_touched // 8)
+            if known + room > MAX_BLOCKS or free is None or max_touched * blocks.block_bytes > ROOM_SHARE * free:
                 return False
             blocks.make_room(known + room)
         return True
@@ -345,9 +345,9 @@ class DeviceFrames:
         blocks = self._blocks
         voxels = (blocks.distances, blocks.weights, blocks.colors)
         arrays = (blocks.keys, *voxels, blocks.table.keys, blocks.record.counts, self._grid)
-        places = tuple(a.ptr for a in arrays)
-        if self._recorded != places:
-            self._graph, self._recorded = None, places
+        addresses = tuple(a.ptr for a in arrays)
+        if self._recorded != addresses:
+            self._graph, self._recorded = None, addresses
             self._find_and_fold()
             return
         if self._graph is None:

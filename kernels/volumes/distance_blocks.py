@@ -24,7 +24,7 @@ MAX_BLOCKS = (2**31 - 1) // BLOCK_VOXELS  # voxels are counted in 32 bits
 BYTES = 32 * BLOCK_VOXELS + 64  # of memory per block while signed distances are computed
 
 
-class Reach(NamedTuple):
+class DistanceLimits(NamedTuple):
     """Distance limits [voxels]: `along` an axis, `limit` squared; or the size of a dense box."""
 
     along: int
@@ -42,21 +42,21 @@ class Reach(NamedTuple):
         return SIDE * (BIAS - 2 - self.blocks)
 
 
-def reach_of(distance: float) -> Reach:
+def limits_for(distance: float) -> DistanceLimits:
     """Limits for a distance [voxels]. Raises ValueError if its square exceeds int32."""
     if distance > FARTHEST:
         raise ValueError(f"max_distance: {distance:.0f} voxels, more than {FARTHEST:,}; take larger voxels")
-    return Reach(int(distance), int(distance * distance))
+    return DistanceLimits(int(distance), int(distance * distance))
 
 
-def reach_of_box(shape: tuple[int, int, int]) -> Reach:
+def limits_for_box(shape: tuple[int, int, int]) -> DistanceLimits:
     """Limits of a dense box. Raises ValueError if the squared diagonal exceeds int32."""
     diagonal = math.sqrt(sum(n * n for n in shape))
     if diagonal > LONGEST:
         raise ValueError(
             f"occupied: {list(shape)} voxels are {diagonal:,.0f} across, more than {LONGEST:,}; give a max_distance"
         )
-    return Reach(LONGEST, FAR - 1, shape)
+    return DistanceLimits(LONGEST, FAR - 1, shape)
 
 
 @struct
@@ -183,13 +183,13 @@ def sign_distances_kernel(inner: array(dtype=int32), sqdists: array(dtype=int32)
 @kernel
 def mark_known_kernel(sqdists: array(dtype=int32), known: array(dtype=uint8)):
     i = tid()
-    found = 0
+    is_known = 0
     k = 0
-    while found == 0 and k < BLOCK_VOXELS:
+    while is_known == 0 and k < BLOCK_VOXELS:
         if sqdists[i * BLOCK_VOXELS + k] != FAR:
-            found = 1
+            is_known = 1
         k += 1
-    known[i] = uint8(found)
+    known[i] = uint8(is_known)
 
 
 @kernel
@@ -207,15 +207,15 @@ def _check_blocks(count: int, device: Device) -> None:
     check_room(device, count * BYTES, f"a distance field of {count:,} blocks of {SIDE}^3 voxels")
 
 
-def _distinct(cells: Cells, reach: Reach) -> tuple[Keys, Cells]:
+def _distinct(cells: Cells, limits: DistanceLimits) -> tuple[Keys, Cells]:
     """Ascending block keys, and each voxel once, sorted by block. Raises ValueError for voxels beyond the key range."""
     device = cells.device
     keys, far = empty(cells.size, int64, device), zeros(1, int32, device)
-    launch(find_block_keys_kernel, cells.size, [cells, reach.largest_coordinate, keys, far])
+    launch(find_block_keys_kernel, cells.size, [cells, limits.largest_coordinate, keys, far])
     unique = UniqueKeys(keys, beside=far)  # sync
     if unique.beside[0]:
         raise ValueError(
-            f"a voxel lies {reach.largest_coordinate:,} or more from the field's origin along an axis; crop what is "
+            f"a voxel lies {limits.largest_coordinate:,} or more from the field's origin along an axis; crop what is "
             "far away, take larger voxels, or set the origin near the middle"
         )
     unique.drop_last(NO_KEY)
@@ -228,22 +228,22 @@ def _distinct(cells: Cells, reach: Reach) -> tuple[Keys, Cells]:
     return unique.keys, occupied
 
 
-def _blocks_in_reach(keys: Keys, reach: Reach) -> Keys:
+def _blocks_within(keys: Keys, limits: DistanceLimits) -> Keys:
     """Ascending keys of all blocks within the limit. Raises ValueError if too many, MemoryError if they do not fit."""
     device = keys.device
-    if reach.box:
-        size = [-(-n // SIDE) for n in reach.box]
+    if limits.box:
+        size = [-(-n // SIDE) for n in limits.box]
         count = math.prod(size)
         _check_blocks(count, device)
         keys = empty(count, int64, device)
         launch(list_box_keys_kernel, count, [vec3i(*size), keys])
         return keys
     if keys.size:
-        _check_blocks((2 * reach.blocks + 1) ** 3, device)  # around one alone
+        _check_blocks((2 * limits.blocks + 1) ** 3, device)  # around one alone
     for axis in (2, 1, 0):
         along = 0  # existing blocks on either side
-        while along < reach.blocks:
-            step = min(2 * along + 1, reach.blocks - along)
+        while along < limits.blocks:
+            step = min(2 * along + 1, limits.blocks - along)
             spread = empty(3 * keys.size, int64, device)
             launch(spread_keys_kernel, spread.size, [keys, axis, step, spread])
             keys, along = UniqueKeys(spread).keys, along + step  # sync
@@ -251,28 +251,30 @@ def _blocks_in_reach(keys: Keys, reach: Reach) -> Keys:
     return keys
 
 
-def find_distances(cells: Cells, reach: Reach, signed_in: tuple[int, int, int] | None = None) -> DistanceBlocks:
+def find_distances(
+    cells: Cells, limits: DistanceLimits, signed_in: tuple[int, int, int] | None = None
+) -> DistanceBlocks:
     """Distances around occupied voxels vec3i in any order (NOWHERE is ignored). `signed_in` is the size of a box whose
     other voxels are free, to get signed distances. Raises ValueError for voxels beyond the key range or too many
     blocks, MemoryError if they do not fit."""
     device = cells.device
-    keys, occupied = _distinct(cells, reach)
-    keys = _blocks_in_reach(keys, reach)
+    keys, occupied = _distinct(cells, limits)
+    keys = _blocks_within(keys, limits)
     table, count = list_keys(keys, keys.size), keys.size * BLOCK_VOXELS
     sqdists, nearest = full(count, FAR, int32, device), full(count, -1, int32, device)
     launch(plant_seeds_kernel, occupied.size, [occupied, table, sqdists, nearest])
-    sweep_blocks(keys, reach.along, reach.limit, sqdists, nearest)
+    sweep_blocks(keys, limits.along, limits.limit, sqdists, nearest)
     if signed_in is not None:
         inner, unused = empty(count, int32, device), zeros(count, int32, device)
         launch(plant_free_kernel, count, [vec3i(*signed_in), keys, sqdists, inner])
-        sweep_blocks(keys, reach.along, reach.limit, inner, unused)
+        sweep_blocks(keys, limits.along, limits.limit, inner, unused)
         launch(sign_distances_kernel, count, [inner, sqdists])
-    if not reach.box:
-        keys, sqdists, nearest = _known_alone(keys, sqdists, nearest)
+    if not limits.box:
+        keys, sqdists, nearest = _known_only(keys, sqdists, nearest)
     return DistanceBlocks(keys, sqdists, nearest, occupied)
 
 
-def _known_alone(keys: Keys, sqdists: Integers, nearest: Integers) -> tuple[Keys, Integers, Integers]:
+def _known_only(keys: Keys, sqdists: Integers, nearest: Integers) -> tuple[Keys, Integers, Integers]:
     device = keys.device
     known = empty(keys.size, uint8, device)
     launch(mark_known_kernel, keys.size, [sqdists, known])

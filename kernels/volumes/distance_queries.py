@@ -65,7 +65,7 @@ class DistanceGrid:
         self.device: Device = blocks.device
 
 
-class Found(NamedTuple):
+class KnownDistances(NamedTuple):
     """Distances float32 [m], and uint8 1 if they are known."""
 
     distances: Scalars
@@ -73,7 +73,7 @@ class Found(NamedTuple):
 
 
 @func
-def grid_place(p: vec3d, grid: DistanceGrid) -> vec3d:
+def grid_position(p: vec3d, grid: DistanceGrid) -> vec3d:
     return (p - grid.origin) / grid.voxel_size
 
 
@@ -160,9 +160,9 @@ def slope_along(q: vec3d, step: vec3d, grid: DistanceGrid) -> float64:
 
 
 @func
-def free_room(p: vec3d, grid: DistanceGrid) -> float64:
+def clearance_at(p: vec3d, grid: DistanceGrid) -> float64:
     """Free distance that is certain around a point [m]; -inf if unknown."""
-    q = grid_place(p, grid)
+    q = grid_position(p, grid)
     voxel = voxel_at(q, grid)
     corner = float64(HALF_DIAGONAL)
     apart = float64(HALF_DIAGONAL)
@@ -187,7 +187,7 @@ def find_distances_kernel(
     """Distance of each point's voxel, or interpolated with `between` if all around it are known."""
     i = tid()
     p = points[i]
-    q = grid_place(p, grid)
+    q = grid_position(p, grid)
     voxel = voxel_at(q, grid)
     d = distance_at(voxel, grid)
     if between == 1 and is_inner(q) == 1:
@@ -204,7 +204,7 @@ def find_distances_kernel(
 def find_gradients_kernel(points: array(dtype=vec3d), grid: DistanceGrid, gradients: array(dtype=vec3)):
     """Gradient at each point. NaN if a voxel around it is unknown."""
     i = tid()
-    q = grid_place(points[i], grid)
+    q = grid_position(points[i], grid)
     g = vec3d(NAN, NAN, NAN)
     if is_inner(q) == 1:
         x = slope_along(q, vec3d(0.5, 0.0, 0.0), grid)
@@ -227,44 +227,47 @@ def find_obstacles_kernel(
     """Nearest occupied voxel to each point's voxel: row, center, and distance of the point from it."""
     i = tid()
     p = points[i]
-    voxel = voxel_at(grid_place(p, grid), grid)
+    voxel = voxel_at(grid_position(p, grid), grid)
     row = -1
-    place = vec3d(NAN, NAN, NAN)
+    position = vec3d(NAN, NAN, NAN)
     d = float64(NAN)
     if isfinite(p):
         d = distance_at(voxel, grid)
     if voxel >= 0:
         if grid.sqdists[voxel] != FAR:
             row = grid.nearest[voxel]
-            place = cell_center(grid.occupied[row]) * grid.voxel_size + grid.origin
-            d = length(p - place)
+            position = cell_center(grid.occupied[row]) * grid.voxel_size + grid.origin
+            d = length(p - position)
     rows[i] = row
-    positions[i] = place
+    positions[i] = position
     distances[i] = float(d)
 
 
 @kernel
-def find_room_kernel(
+def find_hits_kernel(
     centers: array(dtype=vec3d), radii: array(dtype=float64), grid: DistanceGrid, hits: array(dtype=uint8)
 ):
     i = tid()
     hit = 1
-    if free_room(centers[i], grid) > radii[i % radii.shape[0]]:
+    if clearance_at(centers[i], grid) > radii[i % radii.shape[0]]:
         hit = 0
     hits[i] = uint8(hit)
 
 
 @kernel
-def find_body_room_kernel(
-    spheres: array(dtype=float64, ndim=2), poses: array(dtype=mat44d), grid: DistanceGrid, room: array(dtype=float64)
+def find_body_clearance_kernel(
+    spheres: array(dtype=float64, ndim=2),
+    poses: array(dtype=mat44d),
+    grid: DistanceGrid,
+    clearances: array(dtype=float64),
 ):
     i = tid()
     T = poses[i]
-    least = float64(INFINITY)
+    min_clearance = float64(INFINITY)
     for k in range(spheres.shape[0]):
         p = T @ vec4d(spheres[k, 0], spheres[k, 1], spheres[k, 2], 1.0)
-        least = min(least, free_room(vec3d(p[0], p[1], p[2]), grid) - spheres[k, 3])
-    room[i] = least
+        min_clearance = min(min_clearance, clearance_at(vec3d(p[0], p[1], p[2]), grid) - spheres[k, 3])
+    clearances[i] = min_clearance
 
 
 @func
@@ -307,10 +310,10 @@ def list_nearest_kernel(low: vec3i, size: vec3i, grid: DistanceGrid, rows: array
     rows[i] = row
 
 
-def find_distances_at(points: Positions, grid: DistanceGrid, *, interpolate: bool) -> Found:
-    found = Found(empty(points.size, float32, grid.device), empty(points.size, uint8, grid.device))
-    launch(find_distances_kernel, points.size, [points, int(interpolate), grid, *found])
-    return found
+def find_distances_at(points: Positions, grid: DistanceGrid, *, interpolate: bool) -> KnownDistances:
+    result = KnownDistances(empty(points.size, float32, grid.device), empty(points.size, uint8, grid.device))
+    launch(find_distances_kernel, points.size, [points, int(interpolate), grid, *result])
+    return result
 
 
 def find_gradients(points: Positions, grid: DistanceGrid) -> Any:
@@ -321,22 +324,22 @@ def find_gradients(points: Positions, grid: DistanceGrid) -> Any:
 
 def find_obstacles(points: Positions, grid: DistanceGrid) -> tuple[Integers, Positions, Scalars]:
     n, device = points.size, grid.device
-    found = empty(n, int32, device), empty(n, vec3d, device), empty(n, float32, device)
-    launch(find_obstacles_kernel, n, [points, grid, *found])
-    return found
+    results = empty(n, int32, device), empty(n, vec3d, device), empty(n, float32, device)
+    launch(find_obstacles_kernel, n, [points, grid, *results])
+    return results
 
 
 def find_hits(centers: Positions, radii: Doubles, grid: DistanceGrid) -> Mask:
     """1 for each sphere that is not certainly free. One radius, or one for each."""
     hits = empty(centers.size, uint8, grid.device)
-    launch(find_room_kernel, centers.size, [centers, radii, grid, hits])
+    launch(find_hits_kernel, centers.size, [centers, radii, grid, hits])
     return hits
 
 
 def find_body_room(spheres: Array2[float64], poses: Poses, grid: DistanceGrid) -> Doubles:
     """Free distance around the spheres (x, y, z, radius) of a body at each pose [m], float64."""
     room = empty(poses.size, float64, grid.device)
-    launch(find_body_room_kernel, poses.size, [spheres, poses, grid, room])
+    launch(find_body_clearance_kernel, poses.size, [spheres, poses, grid, room])
     return room
 
 
@@ -349,10 +352,10 @@ class Box(NamedTuple):
         return int(np.prod(self.size, dtype=np.int64))
 
 
-def list_distances(box: Box, grid: DistanceGrid) -> Found:
-    found = Found(empty(box.voxel_count, float32, grid.device), empty(box.voxel_count, uint8, grid.device))
-    launch(list_distances_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, *found])
-    return found
+def list_distances(box: Box, grid: DistanceGrid) -> KnownDistances:
+    result = KnownDistances(empty(box.voxel_count, float32, grid.device), empty(box.voxel_count, uint8, grid.device))
+    launch(list_distances_kernel, box.voxel_count, [vec3i(*box.low), vec3i(*box.size), grid, *result])
+    return result
 
 
 def list_sqdists(box: Box, grid: DistanceGrid) -> Integers:

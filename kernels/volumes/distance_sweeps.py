@@ -22,13 +22,13 @@ FARTHEST = LONGEST // 2  # maximum range of distances in voxels
 
 
 @kernel
-def turn_keys_kernel(keys: array(dtype=int64), axis: int, turned: array(dtype=int64)):
+def permute_keys_kernel(keys: array(dtype=int64), axis: int, permuted: array(dtype=int64)):
     i = tid()
     b = key_block(keys[i])
     key = block_key(b[1], b[2], b[0])
     if axis == 1:
         key = block_key(b[2], b[0], b[1])
-    turned[i] = key
+    permuted[i] = key
 
 
 @kernel
@@ -54,13 +54,13 @@ class BlockLines:
         device = keys.device
         self.axis = axis
         if axis == 2:
-            self.order, turned = positions(keys.size, device), keys
+            self.order, permuted = positions(keys.size, device), keys
         else:
-            turned = empty(keys.size, int64, device)
-            launch(turn_keys_kernel, keys.size, [keys, axis, turned])
-            turned, self.order = argsort_keys(turned)
+            permuted = empty(keys.size, int64, device)
+            launch(permute_keys_kernel, keys.size, [keys, axis, permuted])
+            permuted, self.order = argsort_keys(permuted)
         marks = empty(keys.size, uint8, device)
-        launch(mark_gaps_kernel, keys.size, [turned, marks])
+        launch(mark_gaps_kernel, keys.size, [permuted, marks])
         heads = positions_of(marks)  # sync
         self.count = heads.size
         self.starts = empty(self.count + 1, int32, device)
@@ -69,13 +69,13 @@ class BlockLines:
 
 
 @func
-def first_place_won(a: int, fa: int, b: int, fb: int) -> int:
+def first_position_won(a: int, fa: int, b: int, fb: int) -> int:
     """First position at which site b is strictly nearer than a site a before it."""
     apart = b - a
-    place = a + apart // 2  # beyond the range of both
+    position = a + apart // 2  # beyond the range of both
     if apart <= LONGEST:
-        place = a + (apart * apart + fb - fa) // (2 * apart) + 1
-    return place
+        position = a + (apart * apart + fb - fa) // (2 * apart) + 1
+    return position
 
 
 @func
@@ -101,7 +101,7 @@ def row_step(axis: int) -> int:
 @kernel
 def sweep_lines_kernel(
     lines: BlockLines,
-    reach: int,
+    max_distance: int,
     limit: int,
     sqdists: array(dtype=int32),
     nearest: array(dtype=int32),
@@ -117,7 +117,7 @@ def sweep_lines_kernel(
     last = (end - begin) * SIDE - 1
     base = begin * BLOCK_VOXELS + i % ROWS
     depth = 0
-    place = 0
+    position = 0
     top = vec4i(0, 0, 0, 0)  # of the stack: a site, the first position that it wins, its squared distance, its seed
     for b in range(begin, end):
         voxel = lines.order[b] * BLOCK_VOXELS + offset
@@ -126,30 +126,30 @@ def sweep_lines_kernel(
             if g != FAR:
                 won = 0
                 if depth > 0:
-                    won = first_place_won(top[0], top[2], place, g)
+                    won = first_position_won(top[0], top[2], position, g)
                 while depth > 0 and won <= top[1]:
                     depth -= 1
                     won = 0
                     if depth > 0:
                         top = stack[base + (depth - 1) * ROWS]
-                        won = first_place_won(top[0], top[2], place, g)
+                        won = first_position_won(top[0], top[2], position, g)
                 if won <= last:
-                    top = vec4i(place, won, g, nearest[voxel])
+                    top = vec4i(position, won, g, nearest[voxel])
                     stack[base + depth * ROWS] = top
                     depth += 1
-            place += 1
+            position += 1
             voxel += step
     if depth > 0:
         for c in range(begin, end):
             voxel = lines.order[begin + end - 1 - c] * BLOCK_VOXELS + offset + (SIDE - 1) * step
             for _ in range(size):
-                place -= 1
-                while place < top[1]:
+                position -= 1
+                while position < top[1]:
                     depth -= 1
                     top = stack[base + (depth - 1) * ROWS]
-                apart = abs(place - top[0])
+                apart = abs(position - top[0])
                 g = int(FAR)
-                if apart <= reach:
+                if apart <= max_distance:
                     g = apart * apart + top[2]
                 if g > limit:
                     g = int(FAR)
@@ -158,13 +158,13 @@ def sweep_lines_kernel(
                 voxel -= step
 
 
-def sweep_blocks(keys: Keys, reach: int, limit: int, sqdists: Integers, nearest: Integers) -> None:
-    """Propagate distances and seeds in place. `keys` are ascending blocks up to `reach` voxels (at most LONGEST) around
-    each seed. Squared distances beyond `limit` (below FAR) become FAR. `sqdists` starts as 0 at seeds and FAR
+def sweep_blocks(keys: Keys, max_distance: int, limit: int, sqdists: Integers, nearest: Integers) -> None:
+    """Propagate distances and seeds in place. `keys` are ascending blocks up to `max_distance` voxels (at most LONGEST)
+    around each seed. Squared distances beyond `limit` (below FAR) become FAR. `sqdists` starts as 0 at seeds and FAR
     elsewhere, `nearest` as the seed indices."""
     if not keys.size:
         return
     stack: Array1[vec4i] = empty(sqdists.size, vec4i, keys.device)
     for axis in (2, 1, 0):
         lines = BlockLines(keys, axis)
-        launch(sweep_lines_kernel, lines.count * ROWS, [lines, reach, limit, sqdists, nearest, stack])
+        launch(sweep_lines_kernel, lines.count * ROWS, [lines, max_distance, limit, sqdists, nearest, stack])

@@ -43,22 +43,22 @@ class FrameCounts:
     """Numbers of touched and valid blocks after a frame; waits for the device on first use."""
 
     def __init__(self, record: FrameRecord) -> None:
-        self._record, self._found = record, None
+        self._record, self._counts = record, None
 
-    def settle(self) -> tuple[int, int]:
+    def read_counts(self) -> tuple[int, int]:
         """Read the numbers (sync) before the next frame overwrites them."""
-        if self._found is None:
+        if self._counts is None:
             counts = self._record.readback.read()
-            self._found = int(counts[COUNTED]), int(counts[TOUCHED])
-        return self._found
+            self._counts = int(counts[COUNTED]), int(counts[TOUCHED])
+        return self._counts
 
     @property
     def counted(self) -> int:
-        return self.settle()[0]
+        return self.read_counts()[0]
 
     @property
     def touched(self) -> int:
-        return self.settle()[1]
+        return self.read_counts()[1]
 
 
 @func

@@ -59,7 +59,7 @@ class SampledField:
 
 @struct
 class SignGrid:
-    """Packed signs of a field: `signs` (below the level), `finite` samples, and `whole` cells (8 finite corners;
+    """Packed signs of a field: `signs` (below the level), `finite` samples, and `complete` cells (8 finite corners;
     undefined if all samples are finite). `has_gaps` int32 [1] is 1 if a sample is not finite."""
 
     width: int
@@ -68,18 +68,18 @@ class SignGrid:
     nz: int
     signs: array(dtype=int32)
     finite: array(dtype=int32)
-    whole: array(dtype=int32)
+    complete: array(dtype=int32)
     has_gaps: array(dtype=int32)
 
     def __init__(self, field: SampledField) -> None:
         device, self.ny, self.nz = field.values.device, field.ny, field.nz
         self.width, self.rows = -(-field.nz // WORD), field.nx * field.ny
-        self.signs, self.finite, self.whole = (empty(self.rows * self.width, int32, device) for _ in range(3))
+        self.signs, self.finite, self.complete = (empty(self.rows * self.width, int32, device) for _ in range(3))
         self.has_gaps = zeros(1, int32, device)
         words = self.rows * self.width
         launch(pack_signs_kernel, -(-words // WORD) * WORD if device.is_cuda else words, [field, self])  # full warps
         if device.is_cuda or host_view(self.has_gaps)[0]:
-            launch(find_whole_cells_kernel, self.rows, [self])
+            launch(find_complete_cells_kernel, self.rows, [self])
 
 
 @kernel
@@ -115,8 +115,8 @@ def pack_lanes_kernel(field: SampledField, grid: SignGrid):
     below = 0
     known = 0
     n = int(WORD)
-    for turn in range(n):
-        word = i - lane + turn
+    for source_lane in range(n):
+        word = i - lane + source_lane
         row = word // grid.width
         k = (word - row * grid.width) * WORD + lane
         is_below = 0
@@ -127,7 +127,7 @@ def pack_lanes_kernel(field: SampledField, grid: SignGrid):
             is_known = int(isfinite(value))
         signs = ballot(is_below)
         finite = ballot(is_known)
-        if lane == turn:
+        if lane == source_lane:
             below = signs
             known = finite
     if i < grid.rows * grid.width:
@@ -144,7 +144,7 @@ def finite_pairs(row: int, w: int, grid: SignGrid) -> int:
 
 
 @kernel
-def find_whole_cells_kernel(grid: SignGrid):
+def find_complete_cells_kernel(grid: SignGrid):
     """Cells with eight finite corners. One thread per row. No effect if the field is finite."""
     i = tid()
     if grid.has_gaps[0] == 0:
@@ -155,7 +155,7 @@ def find_whole_cells_kernel(grid: SignGrid):
         if y + 1 < grid.ny and i + grid.ny < grid.rows:
             cells = has_next(w, grid.nz) & finite_pairs(i, w, grid) & finite_pairs(i + 1, w, grid)
             cells = cells & finite_pairs(i + grid.ny, w, grid) & finite_pairs(i + grid.ny + 1, w, grid)
-        grid.whole[i * grid.width + w] = cells
+        grid.complete[i * grid.width + w] = cells
 
 
 EDGES = 3 * MAX_TRIANGLES  # entries of a case in the triangle table
@@ -197,7 +197,7 @@ def surface_cells(row: int, w: int, grid: SignGrid) -> int:
     mixed = mixed | (a ^ signs_above(row + grid.ny, w, grid)) | (a ^ signs_above(row + grid.ny + 1, w, grid))
     mixed = mixed & has_next(w, grid.nz)
     if grid.has_gaps[0] != 0:
-        mixed = mixed & grid.whole[row * grid.width + w]
+        mixed = mixed & grid.complete[row * grid.width + w]
     return mixed
 
 
@@ -244,17 +244,17 @@ def crossing_edges(row: int, w: int, grid: SignGrid) -> vec4i:
     if y + 1 < grid.ny:
         ey = a ^ sign_word(row + 1, w, grid)
     if grid.has_gaps[0] != 0:  # an edge needs one complete cell of the four around it
-        along_x = with_below(grid.whole, row, w, grid.width)
+        along_x = with_below(grid.complete, row, w, grid.width)
         along_y = along_x
-        along_z = grid.whole[row * grid.width + w]
+        along_z = grid.complete[row * grid.width + w]
         if y > 0:
-            along_x = along_x | with_below(grid.whole, row - 1, w, grid.width)
-            along_z = along_z | grid.whole[(row - 1) * grid.width + w]
+            along_x = along_x | with_below(grid.complete, row - 1, w, grid.width)
+            along_z = along_z | grid.complete[(row - 1) * grid.width + w]
         if row >= grid.ny:
-            along_y = along_y | with_below(grid.whole, row - grid.ny, w, grid.width)
-            along_z = along_z | grid.whole[(row - grid.ny) * grid.width + w]
+            along_y = along_y | with_below(grid.complete, row - grid.ny, w, grid.width)
+            along_z = along_z | grid.complete[(row - grid.ny) * grid.width + w]
         if y > 0 and row >= grid.ny:
-            along_z = along_z | grid.whole[(row - grid.ny - 1) * grid.width + w]
+            along_z = along_z | grid.complete[(row - grid.ny - 1) * grid.width + w]
         ex = ex & along_x
         ey = ey & along_y
         ez = ez & along_z
@@ -284,7 +284,7 @@ def count_surface_kernel(grid: SignGrid, tables: CubeTables, edges: SurfaceEdges
 
 
 @func
-def crossing_place(a: float, b: float, level: float) -> float:
+def crossing_fraction(a: float, b: float, level: float) -> float:
     """Fraction between a and b of the level. In float64, since b - a may overflow float32."""
     return float((float64(level) - float64(a)) / (float64(b) - float64(a)))
 
@@ -307,15 +307,15 @@ def write_vertices_kernel(field: SampledField, grid: SignGrid, edges: SurfaceEdg
             z = field.origin[2] + field.spacing[2] * float(k)
             a = field.values[i, k]
             if bit(crossing[1], j) == 1:
-                share = crossing_place(a, field.values[i + field.ny, k], field.level)
+                share = crossing_fraction(a, field.values[i + field.ny, k], field.level)
                 vertices[n] = vec3(x + field.spacing[0] * share, y, z)
                 n += 1
             if bit(crossing[2], j) == 1:
-                share = crossing_place(a, field.values[i + 1, k], field.level)
+                share = crossing_fraction(a, field.values[i + 1, k], field.level)
                 vertices[n] = vec3(x, y + field.spacing[1] * share, z)
                 n += 1
             if bit(crossing[3], j) == 1:
-                share = crossing_place(a, field.values[i, k + 1], field.level)
+                share = crossing_fraction(a, field.values[i, k + 1], field.level)
                 vertices[n] = vec3(x, y, z + field.spacing[2] * share)
                 n += 1
 

@@ -42,7 +42,7 @@ from .occupancy_rays import (
     mark_hits_kernel,
     mark_passed_kernel,
     prepare_rays_kernel,
-    voxels_on_way,
+    voxels_on_ray,
 )
 from .tsdf_blocks import BLOCK_VOXELS, MAX_BLOCKS, SIDE, BlockMarks, voxel_cell, voxel_in_block
 from .voxel_blocks import begin_blocks
@@ -125,12 +125,12 @@ class OddsBlocks:
 
 
 @kernel
-def fold_scan_kernel(found: array(dtype=int32), flags: array(dtype=uint8), blocks: OddsBlocks):
+def fold_scan_kernel(indices: array(dtype=int32), flags: array(dtype=uint8), blocks: OddsBlocks):
     i = tid()
     note_change(i, blocks.changes)
     flag = int(flags[i])
     if flag != 0:
-        voxel = found[i // BLOCK_VOXELS] * BLOCK_VOXELS + i % BLOCK_VOXELS
+        voxel = indices[i // BLOCK_VOXELS] * BLOCK_VOXELS + i % BLOCK_VOXELS
         value = blocks.odds[voxel]
         if value > float(KNOWN_BELOW):
             value = 0.0
@@ -172,15 +172,15 @@ def fold_scan(rays: ScanRays, blocks: OddsBlocks) -> int:
     launch(mark_blocks_kernel, rays.ends.size, [rays, marks])
     keys: Any = marks.touched()
     del marks
-    found = blocks.begin(keys)
+    indices = blocks.begin(keys)
     rows = empty(int(blocks.keys.size), int32, blocks.device)
-    launch(number_rows_kernel, found.size, [found, rows])
-    flags = zeros(found.size * BLOCK_VOXELS, uint8, blocks.device)
+    launch(number_rows_kernel, indices.size, [indices, rows])
+    flags = zeros(indices.size * BLOCK_VOXELS, uint8, blocks.device)
     launch(mark_passed_kernel, rays.ends.size, [rays, blocks.table, rows, flags])
     launch(mark_hits_kernel, rays.ends.size, [rays, blocks.table, rows, flags])
-    launch(fold_scan_kernel, flags.size, [found, flags, blocks])
+    launch(fold_scan_kernel, flags.size, [indices, flags, blocks])
     blocks.changes.end()
-    return int(found.size)
+    return int(indices.size)
 
 
 @func
@@ -232,7 +232,7 @@ def list_voxels_kernel(rows: array(dtype=int32), blocks: OddsBlocks, out: array(
 
 
 @kernel
-def place_voxels_kernel(voxels: array(dtype=vec3i), lattice: Lattice, out: array(dtype=vec3)):
+def write_centers_kernel(voxels: array(dtype=vec3i), lattice: Lattice, out: array(dtype=vec3)):
     i = tid()
     v = voxels[i]
     q = vec3d(float64(v[0]) + 0.5, float64(v[1]) + 0.5, float64(v[2]) + 0.5)
@@ -255,7 +255,7 @@ def cast_rays_kernel(
     met = vec3i(0, 0, 0)
     a = rays.starts[i]
     b = rays.ends[i]
-    for x, y, z, t in voxels_on_way(a, b, 1, rays.lattice):
+    for x, y, z, t in voxels_on_ray(a, b, 1, rays.lattice):
         value = odds_at(x, y, z, blocks)
         if value >= threshold:
             state = 1
@@ -292,9 +292,9 @@ def list_occupied(blocks: OddsBlocks, threshold: float) -> Array:
     return voxels
 
 
-def place_voxels(voxels: Array, lattice: Lattice) -> Points:
+def voxel_centers(voxels: Array, lattice: Lattice) -> Points:
     out = empty(voxels.size, vec3, voxels.device)
-    launch(place_voxels_kernel, voxels.size, [voxels, lattice, out])
+    launch(write_centers_kernel, voxels.size, [voxels, lattice, out])
     return out
 
 

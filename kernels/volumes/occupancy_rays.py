@@ -85,11 +85,11 @@ def stride_of(d: float, lattice: Lattice) -> float64:
 
 
 @loop
-def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[int, int, int, float64]:
+def voxels_on_ray(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[int, int, int, float64]:
     """Voxels from a to b with their entry distances [m]. The last one only if `with_end` is 1."""
-    way = b - a
-    u = unit_of(way)
-    reach = float64(span_of(way))
+    ray = b - a
+    u = unit_of(ray)
+    distance = float64(span_of(ray))
     x = voxel_of(a[0], lattice)
     y = voxel_of(a[1], lattice)
     z = voxel_of(a[2], lattice)
@@ -125,10 +125,10 @@ def voxels_on_way(a: vec3, b: vec3, with_end: int, lattice: Lattice) -> tuple[in
                 z += sz
                 tz += dz
         if with_end == 1:
-            if t > reach:
+            if t > distance:
                 going = 0
         else:
-            if (x == ex and y == ey and z == ez) or min(tx, min(ty, tz)) > reach:
+            if (x == ex and y == ey and z == ez) or min(tx, min(ty, tz)) > distance:
                 going = 0
 
 
@@ -166,11 +166,11 @@ def prepare_rays_kernel(
     kind = NO_RAY
     if isfinite(p):
         a = start_of(i, rays)
-        way = q - a
+        ray = q - a
         kind = HIT
-        if span_of(way) > longest:
+        if span_of(ray) > longest:
             kind = PASSED
-            u = unit_of(way)
+            u = unit_of(ray)
             q = vec3(a[0] + u[0] * longest, a[1] + u[1] * longest, a[2] + u[2] * longest)
     else:
         q = vec3(NAN, NAN, NAN)
@@ -189,7 +189,7 @@ def mark_blocks_kernel(rays: ScanRays, marks: BlockMarks):
     if int(rays.kinds[i]) != NO_RAY:
         a = start_of(i, rays)
         b = rays.ends[i]
-        for x, y, z, _t in voxels_on_way(a, b, 0, rays.lattice):
+        for x, y, z, _t in voxels_on_ray(a, b, 0, rays.lattice):
             if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
                 bx = x >> 3
                 by = y >> 3
@@ -213,7 +213,7 @@ def mark_passed_kernel(rays: ScanRays, table: HashTable, rows: array(dtype=int32
     if int(rays.kinds[i]) != NO_RAY:
         a = start_of(i, rays)
         b = rays.ends[i]
-        for x, y, z, _t in voxels_on_way(a, b, 0, rays.lattice):
+        for x, y, z, _t in voxels_on_ray(a, b, 0, rays.lattice):
             if (x >> 3) != bx or (y >> 3) != by or (z >> 3) != bz:
                 bx = x >> 3
                 by = y >> 3

@@ -167,7 +167,7 @@ def brightness_of(voxels: cube, f: vec3, seen: SeenBlocks, shares: vec3) -> floa
 
 
 @func
-def turned_back(v: vec3, R: mat33d) -> vec3:
+def rotated_back(v: vec3, R: mat33d) -> vec3:
     return vec3(
         float(R[0, 0]) * v[0] + float(R[1, 0]) * v[1] + float(R[2, 0]) * v[2],
         float(R[0, 1]) * v[0] + float(R[1, 1]) * v[1] + float(R[2, 1]) * v[2],
@@ -207,7 +207,7 @@ def shade_hits_kernel(rays: CameraRays, seen: SeenBlocks, images: RayImages):
             if size > 0.0:
                 normal = g / size
                 if images.in_camera == 1:
-                    normal = turned_back(normal, rays.R)
+                    normal = rotated_back(normal, rays.R)
         if images.has_colors == 1:
             voxel = nearest_voxel(p, block, corner, seen)
             if voxel >= 0:

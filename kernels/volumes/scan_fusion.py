@@ -39,7 +39,7 @@ from .scan_rays import (
     ray_range,
     voxel_block_key,
 )
-from .tsdf_blocks import BLOCK_VOXELS, blocks_on_way, voxel_in_block
+from .tsdf_blocks import BLOCK_VOXELS, blocks_on_segment, voxel_in_block
 from .voxel_blocks import VoxelBlocks
 
 STEPS = 16777216.0  # steps of a value, 2^24: the float32 resolution. Sums stay exact for 2^38 rays
@@ -67,10 +67,10 @@ class ScanSums:
 
 @func
 def slot_of(key: int64, blocks: VoxelBlocks, sums: ScanSums) -> int:
-    found = find_position(key, blocks.table)
+    block = find_position(key, blocks.table)
     slot = -1
-    if found >= 0:
-        slot = sums.slots[found]
+    if block >= 0:
+        slot = sums.slots[block]
     return slot
 
 
@@ -81,11 +81,11 @@ def shade_steps(shade: float) -> int64:
 
 @func
 def add_value(
-    i: int, slot: int, x: int, y: int, z: int, reach: float64, d: vec3d, o: vec3d, rays: ScanRays, sums: ScanSums
+    i: int, slot: int, x: int, y: int, z: int, distance: float64, d: vec3d, o: vec3d, rays: ScanRays, sums: ScanSums
 ):
     """Add a ray's value at a voxel. Integer sums do not depend on the order."""
     to_voxel = vec3d(float64(x), float64(y), float64(z)) * rays.voxel_size - o
-    value = (reach - dot(to_voxel, d)) / rays.truncation
+    value = (distance - dot(to_voxel, d)) / rays.truncation
     if value > -1.0:
         at = slot * BLOCK_VOXELS + voxel_in_block(x, y, z)
         atomic_add(sums.values, at, int64(floor(min(value, 1.0) * float64(STEPS) + 0.5)))
@@ -105,37 +105,37 @@ def add_value(
 def sum_rays_kernel(rays: ScanRays, carve: int, steps: int, blocks: VoxelBlocks, sums: ScanSums):
     """Add each ray to the voxels around its point and, if it carves, before it, in touched blocks, each voxel once."""
     i = tid()
-    reach = ray_range(i, rays)
-    if reach > 0.0:
+    distance = ray_range(i, rays)
+    if distance > 0.0:
         o = rays.scanners[i * rays.step]
-        d = (rays.points[i] - o) / reach
-        free = min(reach, rays.most) - rays.truncation
+        d = (rays.points[i] - o) / distance
+        free = min(distance, rays.max_range) - rays.truncation
         a = cell_at(max(free, 0.0), d, o, rays)
         ax = int(floor(a[0]))
         ay = int(floor(a[1]))
         az = int(floor(a[2]))
         last = int64(-1)
         slot = -1
-        has_end = reach <= rays.most
+        has_end = distance <= rays.max_range
         if carve == 1 and free > 0.0:
             start = cell_at(float64(0.0), d, o, rays)
-            for _k, x, y, z in blocks_on_way(start, a, int(free / rays.voxel_size * float64(DIAGONAL)) + SPARE):
+            for _k, x, y, z in blocks_on_segment(start, a, int(free / rays.voxel_size * float64(DIAGONAL)) + SPARE):
                 key = voxel_block_key(x, y, z)
                 if key != last:
                     slot = slot_of(key, blocks, sums)
                 last = key
                 if slot >= 0 and not (has_end and x == ax and y == ay and z == az):
-                    add_value(i, slot, x, y, z, reach, d, o, rays, sums)
+                    add_value(i, slot, x, y, z, distance, d, o, rays, sums)
         last = int64(-1)
         if has_end:
-            b = cell_at(reach + rays.truncation, d, o, rays)
-            for _k, x, y, z in blocks_on_way(a, b, steps):
+            b = cell_at(distance + rays.truncation, d, o, rays)
+            for _k, x, y, z in blocks_on_segment(a, b, steps):
                 key = voxel_block_key(x, y, z)
                 if key != last:
                     slot = slot_of(key, blocks, sums)
                 last = key
                 if slot >= 0:
-                    add_value(i, slot, x, y, z, reach, d, o, rays, sums)
+                    add_value(i, slot, x, y, z, distance, d, o, rays, sums)
 
 
 @kernel

@@ -32,7 +32,7 @@ from ..lang import (
     vec3d,
 )
 from ..memory import copy, download, empty, full, zeros
-from .tsdf_blocks import SIDE, blocks_on_way
+from .tsdf_blocks import SIDE, blocks_on_segment
 from .voxel_blocks import VoxelBlocks
 
 HALF_SIDE_BITS = 3  # 2^3 voxels per block edge
@@ -45,15 +45,15 @@ RAYS_AT_A_TIME = 1 << 20  # blocks listed together
 @struct
 class ScanRays:
     """Rays from scanners to points relative to a volume's origin. `step` is 1 if each point has its own scanner, else
-    0. `least` and `most` are the valid ranges [m]. A longer ray passes space and has no end."""
+    0. `min_range` and `max_range` [m] limit the valid ranges. A longer ray passes space and has no end."""
 
     points: array(dtype=vec3d)
     scanners: array(dtype=vec3d)
     step: int
     colors: array(dtype=vec3)
     has_color: int
-    least: float64
-    most: float64
+    min_range: float64
+    max_range: float64
     voxel_size: float64
     truncation: float64
 
@@ -68,7 +68,7 @@ class ScanRays:
         self.points, self.scanners, self.step = points, scanners, int(scanners.size > 1)
         self.has_color = int(colors is not None)
         self.colors = zeros(1, vec3, points.device) if colors is None else colors
-        self.least, self.most = ranges[0], min(ranges[1], INFINITE)
+        self.min_range, self.max_range = ranges[0], min(ranges[1], INFINITE)
         self.voxel_size, self.truncation = blocks.voxel_size, blocks.truncation
 
     @property
@@ -91,18 +91,18 @@ class Faults(NamedTuple):
 def ray_range(i: int, rays: ScanRays) -> float64:
     """Range of a point [m]; -1 if it is ignored."""
     along = rays.points[i] - rays.scanners[i * rays.step]
-    reach = float64(-1.0)
+    distance = float64(-1.0)
     if isfinite(along):
-        reach = length(along)
-        if reach < rays.least or reach == 0.0:
-            reach = float64(-1.0)
-    return reach
+        distance = length(along)
+        if distance < rays.min_range or distance == 0.0:
+            distance = float64(-1.0)
+    return distance
 
 
 @func
-def cell_at(reach: float64, direction: vec3d, scanner: vec3d, rays: ScanRays) -> vec3d:
+def cell_at(distance: float64, direction: vec3d, scanner: vec3d, rays: ScanRays) -> vec3d:
     """Position in cells at a range along a ray. Voxels are at cell centers."""
-    return (scanner + direction * reach) / rays.voxel_size + vec3d(0.5, 0.5, 0.5)
+    return (scanner + direction * distance) / rays.voxel_size + vec3d(0.5, 0.5, 0.5)
 
 
 @func
@@ -120,11 +120,11 @@ def find_faults_kernel(rays: ScanRays, limit: float64, faults: array(dtype=int32
     if largest > float64(INFINITE):
         atomic_min(faults, 0, i)  # the minimum does not depend on the order
     if largest <= float64(INFINITE) and isfinite(p):
-        reach = length(p - o)
+        distance = length(p - o)
         beyond = max(abs(o[0]), max(abs(o[1]), abs(o[2])))
-        if reach >= rays.least and reach <= rays.most:
+        if distance >= rays.min_range and distance <= rays.max_range:
             beyond = max(beyond, largest)
-        if beyond + min(reach, rays.most) * 1.0e-9 > limit:
+        if beyond + min(distance, rays.max_range) * 1.0e-9 > limit:
             atomic_min(faults, 1, i)
 
 
@@ -133,15 +133,15 @@ def list_end_blocks_kernel(rays: ScanRays, first: int, slots: int, steps: int, k
     """Keys of the blocks around each point, `slots` per ray, padded with NO_KEY."""
     i = tid()
     ray = first + i
-    reach = ray_range(ray, rays)
-    if reach > 0.0 and reach <= rays.most:
+    distance = ray_range(ray, rays)
+    if distance > 0.0 and distance <= rays.max_range:
         o = rays.scanners[ray * rays.step]
-        d = (rays.points[ray] - o) / reach
-        a = cell_at(max(reach - rays.truncation, 0.0), d, o, rays)
-        b = cell_at(reach + rays.truncation, d, o, rays)
+        d = (rays.points[ray] - o) / distance
+        a = cell_at(max(distance - rays.truncation, 0.0), d, o, rays)
+        b = cell_at(distance + rays.truncation, d, o, rays)
         last = int64(-1)
         count = 0
-        for _slot, x, y, z in blocks_on_way(a, b, steps):
+        for _slot, x, y, z in blocks_on_segment(a, b, steps):
             key = voxel_block_key(x, y, z)
             if key != last and count < slots:
                 keys[i * slots + count] = key
@@ -152,18 +152,18 @@ def list_end_blocks_kernel(rays: ScanRays, first: int, slots: int, steps: int, k
 @kernel
 def mark_passed_blocks_kernel(rays: ScanRays, blocks: VoxelBlocks, passed: array(dtype=uint8)):
     i = tid()
-    reach = ray_range(i, rays)
-    free = min(reach, rays.most) - rays.truncation
+    distance = ray_range(i, rays)
+    free = min(distance, rays.max_range) - rays.truncation
     if free > 0.0:
         o = rays.scanners[i * rays.step]
-        d = (rays.points[i] - o) / reach
+        d = (rays.points[i] - o) / distance
         side = rays.voxel_size * float64(SIDE)
         a = cell_at(float64(0.0), d, o, rays) / float64(SIDE)
         b = cell_at(free, d, o, rays) / float64(SIDE)
-        for _slot, x, y, z in blocks_on_way(a, b, int(free / side * float64(DIAGONAL)) + SPARE):
-            found = find_position(block_key(x, y, z), blocks.table)
-            if found >= 0:
-                passed[found] = 1  # all threads write the same
+        for _slot, x, y, z in blocks_on_segment(a, b, int(free / side * float64(DIAGONAL)) + SPARE):
+            block = find_position(block_key(x, y, z), blocks.table)
+            if block >= 0:
+                passed[block] = 1  # all threads write the same
 
 
 def find_faults(rays: ScanRays) -> Faults:
@@ -200,8 +200,8 @@ def distinct_keys(parts: list[Any], device: Device) -> Keys:
     if len(parts) == 1:
         return parts[0]
     together = empty(sum(keys.size for keys in parts), int64, device)
-    place = 0
+    offset = 0
     for keys in parts:
-        copy(together, keys, count=keys.size, offset=place)
-        place += keys.size
+        copy(together, keys, count=keys.size, offset=offset)
+        offset += keys.size
     return UniqueKeys(together).keys

@@ -21,7 +21,7 @@ def score_shifts_kernel(
     shifts: array(dtype=vec3),
     blocks: VoxelBlocks,
     threshold: float,
-    least: float,
+    min_score: float,
     is_coarse: int,
     scores: array(dtype=float32),
 ):
@@ -44,16 +44,16 @@ def score_shifts_kernel(
             elif float(blocks.weights[voxel]) > threshold:
                 total += 1.0 - min(abs(blocks.distances[voxel]), 1.0)
         looked += 1
-        if looked == FIRST_LOOK and total < least * float(looked):
+        if looked == FIRST_LOOK and total < min_score * float(looked):
             count = looked
     scores[i] = total / float(max(looked, 1))
 
 
 def score_shifts(
-    points: Points, shifts: Vectors, blocks: VoxelBlocks, threshold: float, least: float, *, is_coarse: bool = False
+    points: Points, shifts: Vectors, blocks: VoxelBlocks, threshold: float, min_score: float, *, is_coarse: bool = False
 ) -> Scalars:
     """Score of each shift, 0..1, float32, all in voxels. Voxels with at most `threshold` frames count as absent. Shifts
-    whose first points score below `least` stop early. With `is_coarse`, a point counts 1 in any block."""
+    whose first points score below `min_score` stop early. With `is_coarse`, a point counts 1 in any block."""
     scores = empty(shifts.size, float32, points.device)
-    launch(score_shifts_kernel, shifts.size, [points, shifts, blocks, threshold, least, int(is_coarse), scores])
+    launch(score_shifts_kernel, shifts.size, [points, shifts, blocks, threshold, min_score, int(is_coarse), scores])
     return scores

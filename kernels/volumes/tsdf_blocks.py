@@ -88,7 +88,7 @@ def crossing_length(d: float64) -> float64:
 
 
 @loop
-def blocks_on_way(a: vec3d, b: vec3d, slots: int) -> tuple[int, int, int, int]:
+def blocks_on_segment(a: vec3d, b: vec3d, slots: int) -> tuple[int, int, int, int]:
     """At most `slots` blocks from a to b (positions in blocks), numbered in order."""
     along = b - a
     x = int(floor(a[0]))
@@ -166,7 +166,7 @@ def leave_mark(x: int, y: int, z: int, ray: int, slot: int, marks: BlockMarks):
 
 
 @kernel
-def walk_rays_kernel(
+def traverse_rays_kernel(
     depth: array(dtype=float32),
     columns: int,
     stride: int,
@@ -186,7 +186,7 @@ def walk_rays_kernel(
         near = max(d - truncation, 0.0)
         a = transform_point(ray * near, T_volume_camera) / block_size
         b = transform_point(ray * (d + truncation), T_volume_camera) / block_size
-        for slot, x, y, z in blocks_on_way(a, b, marks.slots):
+        for slot, x, y, z in blocks_on_segment(a, b, marks.slots):
             leave_mark(x, y, z, i, slot, marks)
 
 
@@ -239,7 +239,7 @@ def _corner_rays(
     return np.vstack([corners, np.zeros((1, 3))]), float(np.linalg.norm(corners, axis=1).max())
 
 
-def beyond_reach(low: np.ndarray, size: np.ndarray) -> bool:
+def is_out_of_range(low: np.ndarray, size: np.ndarray) -> bool:
     return not max(np.abs(low).max(), np.abs(low + size).max()) < BIAS
 
 
@@ -256,7 +256,7 @@ def touched_blocks(
     stride = ray_stride(farthest, camera, block_size)
     columns, rows = ray_grid(camera, stride)
     low, size, slots = frame_box(farthest, camera, T_volume_camera, truncation, voxel_size)
-    if beyond_reach(low, size):
+    if is_out_of_range(low, size):
         far = np.abs(np.concatenate([low, low + size])).max() * block_size
         raise ValueError(
             f"depth, extrinsic: the frame reaches {far:.0f} m from the volume's origin; "
@@ -264,7 +264,7 @@ def touched_blocks(
         )
     marks = BlockMarks(low, size, columns * rows, slots, depth.device)
     frame = [depth, columns, stride, camera, Transform(T_volume_camera), truncation, block_size]
-    launch(walk_rays_kernel, columns * rows, [*frame, marks])
+    launch(traverse_rays_kernel, columns * rows, [*frame, marks])
     return marks.touched()
 
 

@@ -130,11 +130,11 @@ def hit_in_cell(
     after = float(UNSEEN)
     corners = cell_distances(block, cell[0] - corner[0], cell[1] - corner[1], cell[2] - corner[2], seen)
     if greatest(corners) < UNSEEN:
-        place = to_float(cell)
-        entry_d = value_in_cell(ends[0], place, corners, ray, rays)
-        after = value_in_cell(ends[2], place, corners, ray, rays)
+        cell_position = to_float(cell)
+        entry_d = value_in_cell(ends[0], cell_position, corners, ray, rays)
+        after = value_in_cell(ends[2], cell_position, corners, ray, rays)
         if entry_d > 0.0 and after <= 0.0:
-            hit = zero_in_cell(vec4(ends[0], entry_d, ends[2], after), place, corners, ray, rays)
+            hit = zero_in_cell(vec4(ends[0], entry_d, ends[2], after), cell_position, corners, ray, rays)
         if entry_d <= 0.0 and before > 0.0 and before < UNSEEN:
             hit = ends[0]
     else:
@@ -215,9 +215,9 @@ def cast_rays_kernel(
             leave = larger(smaller(tx, smaller(ty, tz)), t)
             after = float(UNSEEN)
             if is_candidate == 1:
-                found = hit_in_cell(vec3(t, before, leave), cell, block, corner, ray, rays, seen)
-                hit = found[0]
-                after = found[1]
+                cell_hit = hit_in_cell(vec3(t, before, leave), cell, block, corner, ray, rays, seen)
+                hit = cell_hit[0]
+                after = cell_hit[1]
             if hit == 0.0:
                 before = after
                 t = leave
@@ -251,6 +251,6 @@ def cast_rays(
     """Render a volume with depths `nearest` to `farthest` [m]. Raises ValueError for a camera beyond 2^20 blocks."""
     signs = signs_of(seen.blocks)
     rays = CameraRays(camera, T_volume_camera, nearest, farthest, seen.blocks, signs)
-    places = [images.depth, images.met]
-    launch(cast_rays_kernel, rays.nears.size * TILE * TILE, [rays, seen, signs, *places])
+    outputs = [images.depth, images.met]
+    launch(cast_rays_kernel, rays.nears.size * TILE * TILE, [rays, seen, signs, *outputs])
     shade_hits(rays, seen, images)

@@ -41,7 +41,7 @@ from ..memory import copy, empty
 from .block_rows import SeenBlocks, voxel_near
 from .frame_record import FrameRecord
 from .integrate import MAX_WEIGHT
-from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE, beyond_reach, block_box
+from .tsdf_blocks import BLOCK_VOXELS, ROWS, SIDE, block_box, is_out_of_range
 from .voxel_blocks import VoxelBlocks, check_block_count
 
 CPU_RUN = 8  # voxels per thread: a row, mostly in one block of the other volume
@@ -69,15 +69,15 @@ class MovedVolume:
 
 @func
 def snapped(a: float64) -> float64:
-    whole = floor(a + 0.5)
+    nearest = floor(a + 0.5)
     b = a
-    if abs(a - whole) < float64(SNAP):
-        b = whole
+    if abs(a - nearest) < float64(SNAP):
+        b = nearest
     return b
 
 
 @func
-def place_in(x: int, y: int, z: int, moved: MovedVolume) -> vec3d:
+def position_in(x: int, y: int, z: int, moved: MovedVolume) -> vec3d:
     q = moved.R @ vec3d(float64(x), float64(y), float64(z)) + moved.t
     return vec3d(snapped(q[0]), snapped(q[1]), snapped(q[2]))
 
@@ -89,10 +89,10 @@ def block_at(a: float64) -> int:
 
 @func
 def block_around(b: vec3i, moved: MovedVolume) -> int:
-    found = -1
+    block = -1
     if max(max(abs(b[0]), abs(b[1])), abs(b[2])) < BIAS - 1:
-        found = find_position(block_key(b[0], b[1], b[2]), moved.seen.blocks.table)
-    return found
+        block = find_position(block_key(b[0], b[1], b[2]), moved.seen.blocks.table)
+    return block
 
 
 @func
@@ -139,15 +139,15 @@ def sample_volume(q: vec3d, block: int, b: vec3i, moved: MovedVolume) -> sample:
 
 
 @func
-def fold_sample(voxel: int, found: sample, moved: MovedVolume, blocks: VoxelBlocks):
-    weight = max(floor(found[1] + 0.5), 1.0)
+def fold_sample(voxel: int, values: sample, moved: MovedVolume, blocks: VoxelBlocks):
+    weight = max(floor(values[1] + 0.5), 1.0)
     old = float64(blocks.weights[voxel])
     total = old + weight
-    d = min(max(found[0] * moved.shrink, -1.0), 1.0)
+    d = min(max(values[0] * moved.shrink, -1.0), 1.0)
     blocks.distances[voxel] = float((float64(blocks.distances[voxel]) * old + d * weight) / total)
     if moved.has_color == 1:
         for k in range(3):
-            shade = (float64(blocks.colors[voxel, k]) * old + found[2 + k] * weight) / total
+            shade = (float64(blocks.colors[voxel, k]) * old + values[2 + k] * weight) / total
             blocks.colors[voxel, k] = uint16(int(floor(shade + 0.5)))
     blocks.weights[voxel] = uint16(int(min(total, float64(MAX_WEIGHT))))
 
@@ -165,19 +165,19 @@ def fold_volume_kernel(touched: array(dtype=int32), run: int, moved: MovedVolume
     last = vec3i(BIAS, BIAS, BIAS)
     block = -1
     for j in range(run):
-        q = place_in(x, y, z + j, moved)
+        q = position_in(x, y, z + j, moved)
         b = vec3i(block_at(q[0]), block_at(q[1]), block_at(q[2]))
         if b[0] != last[0] or b[1] != last[1] or b[2] != last[2]:
             block = block_around(b, moved)
             last = vec3i(b[0], b[1], b[2])
         if block >= 0:
-            found = sample_volume(q, block, b, moved)
-            if found[1] > 0.0:
-                fold_sample(own * BLOCK_VOXELS + first % BLOCK_VOXELS + j, found, moved, blocks)
+            values = sample_volume(q, block, b, moved)
+            if values[1] > 0.0:
+                fold_sample(own * BLOCK_VOXELS + first % BLOCK_VOXELS + j, values, moved, blocks)
 
 
 @struct
-class BlockReach:
+class BlockMapping:
     """Mapping of a moved volume's blocks to those of the result: `R`, `t` to the result's voxels, `R_back`, `t_back`
     from them. Half sizes of the bounding boxes [voxels]. Maximum `slots` per axis."""
 
@@ -200,25 +200,25 @@ class BlockReach:
 
 
 @kernel
-def list_reached_kernel(own_keys: array(dtype=int64), reach: BlockReach, reached: array(dtype=int64)):
+def list_reached_kernel(own_keys: array(dtype=int64), mapping: BlockMapping, reached: array(dtype=int64)):
     """Key of a block that may be reached, or NO_KEY if the boxes are disjoint."""
     i = tid()
-    per_block = reach.slots * reach.slots * reach.slots
+    per_block = mapping.slots * mapping.slots * mapping.slots
     slot = i % per_block
     corner = key_block(own_keys[i // per_block])
     middle = vec3d(float64(corner[0]) + 0.5, float64(corner[1]) + 0.5, float64(corner[2]) + 0.5)
     middle = middle * float64(EDGE)
-    p = reach.R @ middle + reach.t
-    x = block_at(p[0] - reach.half[0]) + slot // (reach.slots * reach.slots)
-    y = block_at(p[1] - reach.half[1]) + slot // reach.slots % reach.slots
-    z = block_at(p[2] - reach.half[2]) + slot % reach.slots
+    p = mapping.R @ middle + mapping.t
+    x = block_at(p[0] - mapping.half[0]) + slot // (mapping.slots * mapping.slots)
+    y = block_at(p[1] - mapping.half[1]) + slot // mapping.slots % mapping.slots
+    z = block_at(p[2] - mapping.half[2]) + slot % mapping.slots
     inner = vec3d(float64(x * SIDE), float64(y * SIDE), float64(z * SIDE)) + vec3d(3.5, 3.5, 3.5)
-    back = reach.R_back @ inner + reach.t_back - middle
+    back = mapping.R_back @ inner + mapping.t_back - middle
     apart = 0
     for axis in range(3):
-        if abs(p[axis] - inner[axis]) > reach.half[axis] + float64(HALF):
+        if abs(p[axis] - inner[axis]) > mapping.half[axis] + float64(HALF):
             apart += 1
-        if abs(back[axis]) > reach.half_back[axis] + float64(HALF) + float64(SNAP):
+        if abs(back[axis]) > mapping.half_back[axis] + float64(HALF) + float64(SNAP):
             apart += 1
     key = int64(NO_KEY)
     if apart == 0:
@@ -239,15 +239,15 @@ def mark_seen_blocks_kernel(blocks: VoxelBlocks, seen: array(dtype=uint8)):
 
 def reached_blocks(blocks: VoxelBlocks, back: np.ndarray) -> Keys:
     """Ascending int64 keys of the result's blocks that a volume may reach. Raises ValueError beyond 2^20 blocks."""
-    reach, device = BlockReach(back), blocks.device
-    per_block = reach.slots**3
+    mapping, device = BlockMapping(back), blocks.device
+    per_block = mapping.slots**3
     parts = []
     chunk = max(1, KEYS_AT_ONCE // per_block)
     own = blocks.keys[: blocks.count]
     for first in range(0, own.size, chunk):
         part = own[first : min(first + chunk, own.size)]
         reached = empty(part.size * per_block, int64, device)
-        launch(list_reached_kernel, reached.size, [part, reach, reached])
+        launch(list_reached_kernel, reached.size, [part, mapping, reached])
         unique = UniqueKeys(reached)
         unique.drop_last(NO_KEY)
         parts.append(unique.keys)
@@ -261,17 +261,17 @@ def _distinct(parts: Sequence[Keys], device: Device) -> Keys:
     return parts[0] if len(parts) == 1 else UniqueKeys(concatenate_rows(parts)).keys
 
 
-def check_reach(keys: np.ndarray, back: np.ndarray) -> None:
+def check_range(keys: np.ndarray, back: np.ndarray) -> None:
     boxes = block_box(keys)
     low, high = boxes.min(axis=0) * SIDE, (boxes.max(axis=0) + 1) * SIDE
     corners = np.array(list(itertools.product(*zip(low, high, strict=True))), np.float64)
     there = inv(back)
     moved = (matmul(corners, there[:3, :3].T) + there[:3, 3]) / SIDE
     low = np.floor(moved.min(axis=0)) - 2
-    if beyond_reach(low, np.ceil(moved.max(axis=0)) + 2 - low):
+    if is_out_of_range(low, np.ceil(moved.max(axis=0)) + 2 - low):
         far = np.abs(moved).max()
-        reach = f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {BIAS:,}"
-        raise ValueError(f"{reach}; bring the poses nearer or take a larger voxel_size")
+        message = f"poses: a volume reaches {far:.3g} blocks from the result's origin; the limit is {BIAS:,}"
+        raise ValueError(f"{message}; bring the poses nearer or take a larger voxel_size")
 
 
 def fuse_moved(
@@ -318,12 +318,12 @@ def drop_unseen(blocks: VoxelBlocks) -> VoxelBlocks:
     if rows.size == count:
         return blocks
     keys = gather_rows(blocks.keys, rows) if rows.size else empty(0, int64, blocks.device)
-    kept = blocks_of(keys, blocks.voxel_size, blocks.truncation, blocks.has_color, blocks.device)
+    remaining = blocks_of(keys, blocks.voxel_size, blocks.truncation, blocks.has_color, blocks.device)
     if rows.size:
         columns = [("distances", 1), ("weights", 1), *([("colors", 3)] if blocks.has_color else [])]
         for name, width in columns:
             wide = getattr(blocks, name).reshape((-1, BLOCK_VOXELS * width))
             gathered = gather_rows(wide, rows)
-            target = getattr(kept, name)
+            target = getattr(remaining, name)
             copy(target, gathered.reshape(-1) if width == 1 else gathered.reshape((-1, width)), count=gathered.size)
-    return kept
+    return remaining

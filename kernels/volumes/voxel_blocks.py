@@ -25,7 +25,7 @@ COLOR_SCALE = 257.0  # 8-bit to 16-bit: 255 becomes 65535
 @struct
 class VoxelBlocks:
     """Blocks of voxels on one device: signed `distances` over the truncation (-1..1), `weights`, and `colors` uint16
-    (one row without color); `keys` in order of creation. `record` is that of the current frame. `kept` caches derived
+    (one row without color); `keys` in order of creation. `record` is that of the current frame. `cache` stores derived
     data by name (block_rows.py, block_signs.py): writers must announce a change, and reordering needs new Changes.
     `latest` is the last change and its touched blocks, if listed."""
 
@@ -41,13 +41,13 @@ class VoxelBlocks:
     def __init__(self, voxel_size: float, truncation: float, has_color: bool, device: Device) -> None:
         self.voxel_size, self.truncation, self.has_color, self.device = voxel_size, truncation, has_color, device
         self.changes, self.table, self.keys = Changes(0, device), HashTable(device), empty(0, int64, device)
-        self.record, self.kept = FrameRecord(device), {}
+        self.record, self.cache = FrameRecord(device), {}
         self.latest: tuple[int, Any] = (0, None)
         self.reserve(FIRST_CAPACITY)
 
     @property
     def count(self) -> int:
-        self._settle()
+        self._resolve()
         return self._counted()
 
     def _counted(self) -> int:
@@ -56,7 +56,7 @@ class VoxelBlocks:
 
     @property
     def frame_count(self) -> int:
-        self._settle()
+        self._resolve()
         return self.changes.count
 
     @property
@@ -104,9 +104,9 @@ class VoxelBlocks:
     def begin(self, keys: Keys) -> Integers:
         """Begin a frame over blocks `keys`, appending new ones. Return their positions, int32. They count once a launch
         records `changes` and `end` follows. Raises ValueError for more blocks than int32 can index."""
-        found, known, new = begin_blocks(self, keys, "volume")
+        indices, known, new = begin_blocks(self, keys, "volume")
         self.record.write_counts(known, keys.size, new)
-        return found
+        return indices
 
     def begin_on_device(self) -> FrameCounts:
         """Begin a frame whose blocks the device finds, with enough room. Return its FrameCounts."""
@@ -118,7 +118,7 @@ class VoxelBlocks:
     def end(self) -> None:
         self.changes.end()
 
-    def _settle(self) -> None:
+    def _resolve(self) -> None:
         """Complete or undo an interrupted frame, depending on its launch (sync)."""
         self.changes.recover(self._list_keys)
 
@@ -155,7 +155,7 @@ def begin_blocks(blocks: Any, keys: Keys, what: str) -> tuple[Integers, int, int
     """Begin a change over blocks with distinct int64 keys. Return (positions int32, previous count, new count). Raises
     ValueError, with the name `what`, for more blocks than int32 can index."""
     known = blocks.count
-    found, absent = blocks.table.find(keys)
+    indices, absent = blocks.table.find(keys)
     missing = positions_of(absent)
     count = known + missing.size
     check_block_count(count, what)
@@ -163,9 +163,9 @@ def begin_blocks(blocks: Any, keys: Keys, what: str) -> tuple[Integers, int, int
     blocks.changes.begin(count)
     if missing.size:
         copy(blocks.keys, gather_rows(keys, missing), offset=known, count=missing.size)
-        number_new(missing, known, found)
+        number_new(missing, known, indices)
         blocks.table.append(blocks.keys, count, missing.size)
-    return found, known, missing.size
+    return indices, known, missing.size
 
 
 def check_block_count(count: int, what: str = "volume") -> None:

@@ -21,7 +21,7 @@ from ...kernels.array_types import Cells, Mask
 from ...kernels.arrays.bounds import bound_points
 from ...kernels.lang import uint8, vec3i
 from ...kernels.memory import download, upload
-from ...kernels.volumes.distance_blocks import find_distances, reach_of, reach_of_box
+from ...kernels.volumes.distance_blocks import find_distances, limits_for, limits_for_box
 from ...kernels.volumes.distance_cells import find_cells, find_set_cells
 from ...kernels.volumes.distance_queries import DistanceGrid
 from ...pcd.cloud import PointCloud
@@ -267,9 +267,9 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
     @classmethod
     def _of(cls, cells: Cells, source: FieldSource) -> DistanceField:
         reach = (
-            reach_of_box(source.shape or (0, 0, 0))
+            limits_for_box(source.shape or (0, 0, 0))
             if source.max_distance is None
-            else reach_of(source.max_distance / source.voxel_size)
+            else limits_for(source.max_distance / source.voxel_size)
         )
         field = cls.__new__(cls)
         field._take(source, cells, find_distances(cells, reach, source.shape if source.signed else None))

@@ -146,7 +146,7 @@ class OccupancyQuestions:
     def to_point_cloud(self) -> PointCloud:
         """Centers of the occupied voxels, in block order."""
         voxels = self._device_voxels()
-        return PointCloud._from_device_arrays({"points": odds.place_voxels(voxels, self._blocks.lattice)}, self.origin)
+        return PointCloud._from_device_arrays({"points": odds.voxel_centers(voxels, self._blocks.lattice)}, self.origin)
 
     def to_voxel_grid(self) -> VoxelGrid:
         """Occupied voxels as a VoxelGrid."""

@@ -14,7 +14,7 @@ from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device
 from ...kernels.linear_algebra import inv, matmul
 from ...kernels.memory import download
-from ...kernels.volumes.volume_fusion import check_reach, fuse_moved
+from ...kernels.volumes.volume_fusion import check_range, fuse_moved
 from .tsdf import TSDFVolume
 
 Matrix = NDArray[np.float64]
@@ -110,7 +110,7 @@ def fuse_volumes(
     backs = [_way_back(m, origin, size) for m in moved]
     for m, back in zip(moved, backs, strict=True):
         if m.volume.block_count:
-            check_reach(download(m.volume._blocks.keys[: m.volume.block_count]), back)
+            check_range(download(m.volume._blocks.keys[: m.volume.block_count]), back)
     blocks = [m.volume._blocks for m in moved]
     fused = fuse_moved(blocks, backs, has_color, size, limit, has_color, first.device)
     result._adopt(fused, sum(v.frame_count for v in filled), origin, has_color, first.array_library)

@@ -72,7 +72,7 @@ def frame_of_a_relief(k: float):
 
 
 def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
-    from pointloom.kernels.rgbd.alignment import MAX_KEPT, _descents, clear_descents
+    from pointloom.kernels.rgbd.alignment import MAX_CACHED, _descents, clear_descents
 
     clear_descents()
     first, second, third = (frame_of_a_relief(k) for k in range(3))
@@ -86,8 +86,8 @@ def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
     fresh = align(second, third)  # what was kept of other frames says nothing
     np.testing.assert_array_equal(results[0].transformation, fresh.transformation)
     np.testing.assert_array_equal(results[0].information, fresh.information)
-    for k in range(2 * MAX_KEPT):
+    for k in range(2 * MAX_CACHED):
         camera = loom.PinholeCameraIntrinsic(64 + 8 * k, 48, 60.0, 60.0, 31.5, 23.5)
         frame = loom.odometry.OdometryFrame(np.ones((48, 64 + 8 * k), np.float32), camera, device=DEVICE)
         align(frame, frame)
-    assert _descents.size == MAX_KEPT
+    assert _descents.size == MAX_CACHED

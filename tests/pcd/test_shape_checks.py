@@ -11,7 +11,7 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.segmentation.shape_alternatives import Band, count_band
 from pointloom.kernels.segmentation.shape_fit import frame_of
 from pointloom.kernels.segmentation.shape_models import PLANE
-from pointloom.kernels.segmentation.shape_search import Found
+from pointloom.kernels.segmentation.shape_search import DetectedShape
 from pointloom.pcd.segmentation import limits_of, search_of
 
 from .made_shapes import made_shape
@@ -48,7 +48,7 @@ def test_points_beside_a_plane_are_counted_within_its_box_by_distance_and_by_nor
     normals[:400:4] = [1.0, 0.0, 0.0]
     search, _ = search_of(loom.PointCloud(points, normals=normals, device=device), limits_of(0.01, 20.0, 0.0, None))
     plane = np.concatenate([-search.center, [0.0, 0.0, 1.0, 1.0, 1.0]])
-    found = Found(PLANE, replace(search.fitter.fit(PLANE, plane, search.rows), shape=plane), search.rows)
+    found = DetectedShape(PLANE, replace(search.fitter.fit(PLANE, plane, search.rows), shape=plane), search.rows)
     frame = frame_of(np.array([0.0, 0.0, 1.0]))
     ends = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 0.0]]) @ frame.T
     box = upload(np.concatenate([ends.min(axis=0), ends.max(axis=0)]).astype(np.float32), float32, search.device)

@@ -19,7 +19,7 @@ import numpy as np
 import pointloom as loom
 from pointloom.kernels.lang import array, float32, func, int32, kernel, launch, length, tid, vec3
 from pointloom.kernels.memory import download, full, zeros
-from pointloom.kernels.search.bucket_walk import points_in_reach
+from pointloom.kernels.search.bucket_walk import points_within
 from pointloom.kernels.search.point_tree import BUCKET, PointTree
 
 # %%
@@ -27,7 +27,7 @@ from pointloom.kernels.search.point_tree import BUCKET, PointTree
 # ----------
 #
 # ``tid()`` is the number of the thread, here of a point in the order of the search tree: points that lie side by
-# side in space have numbers side by side, so that threads share what they read. ``points_in_reach`` walks over
+# side in space have numbers side by side, so that threads share what they read. ``points_within`` loops over
 # the neighbors. The tree is one parameter, a structure; only the fields that the kernel uses travel.
 #
 # A thread writes its own elements and nobody else's, so the result is the same bits for any number of threads. A
@@ -50,7 +50,7 @@ def measure_roughness_kernel(
     p = tree.points[i]
     total = vec3(0.0)
     count = 0
-    for j, _ in points_in_reach(i // BUCKET, p, radius * radius, tree):
+    for j, _ in points_within(i // BUCKET, p, radius * radius, tree):
         total += tree.points[j]
         count += 1
     row = tree.order[i]  # the point's place in the cloud

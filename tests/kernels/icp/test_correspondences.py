@@ -14,7 +14,7 @@ from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.search.many_clouds import ManyClouds
 from pointloom.kernels.search.point_forest import PointForest
-from pointloom.kernels.search.tree_search import reach_of
+from pointloom.kernels.search.tree_search import squared_radius
 
 ALONE = pytest.mark.parametrize("alone", [False, True], ids=["lanes", "alone"])
 
@@ -77,7 +77,7 @@ def assert_nearest(found, source, target, T, distance, tolerances):
         return
     least = np.full(len(found), np.inf)
     least[alive] = np.square(cKDTree(target[whole]).query(q[alive])[0])
-    slack, reach = 1 + tolerances.sqdist_relative, min(reach_of(distance), 3e38)
+    slack, reach = 1 + tolerances.sqdist_relative, min(squared_radius(distance), 3e38)
     np.testing.assert_array_equal(paired[least < reach / slack - tolerances.sqdist_absolute], True)
     np.testing.assert_array_equal(paired[least > reach * slack + tolerances.sqdist_absolute], False)
     mine = np.square(q[paired] - target[found[paired]]).sum(axis=1)

@@ -14,7 +14,7 @@ def levels_of(depth, device, *, shade=None, normals=None, most=10**6, lens=(50.0
     place = wp.get_device(device)
     height, width = depth.shape
     brightness = None if shade is None else upload(shade.reshape(-1), float32, place)
-    numbers = {"most_pixels": most, "least_side": 4, "radius": 2}
+    numbers = {"max_pixels": most, "min_side": 4, "radius": 2}
     numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, place)
     return make_levels(upload(depth.reshape(-1), float32, place), brightness, width, height, lens, **numbers)
 
@@ -88,7 +88,7 @@ def test_colors_are_weighed_as_brightness(device):
     pixels = np.tile(np.array([255, 0, 0], np.uint8), (24 * 32, 1))
     depth = upload(np.full(24 * 32, 1.0), float32, place)
     for most in (10**6, 500):
-        numbers = {"most_pixels": most, "least_side": 4, "radius": 2}
+        numbers = {"max_pixels": most, "min_side": 4, "radius": 2}
         levels = make_levels(depth, upload(pixels, uint8, place), 32, 24, (50.0, 50.0, 15.5, 11.5), **numbers)
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 

@@ -76,9 +76,9 @@ def test_walks_and_groups_find_the_same_neighbors(device, make, radius, max_nn, 
         monkeypatch.setattr(group_scratch, "candidate_room", room)
         neighborhood = Neighborhood(tree, radius, max_nn)
         moments = sum_neighbor_moments(neighborhood).numpy()
-        histograms = count_angles(neighborhood, normals, neighborhood.places)
+        histograms = count_angles(neighborhood, normals, neighborhood.positions)
         features = empty((tree.count, 33), float32, tree.device)
-        sum_histograms(neighborhood, histograms, neighborhood.places, neighborhood.places, features)
+        sum_histograms(neighborhood, histograms, neighborhood.positions, neighborhood.positions, features)
         found.append((moments, histograms.numpy(), features.numpy()))
     (moments, histograms, features), walked = found
     np.testing.assert_array_equal(moments[:, 0], walked[0][:, 0])

@@ -16,7 +16,7 @@ def test_a_tree_that_is_known_gives_the_same_forest(device, rng, count):
     values[3::11] = np.nan
     points = upload(values, vec3, resolve_device(device))
     sorted_anew, from_tree = PointForest([points]), PointForest([points], PointTree(points))
-    for name in ("points", "order", "owners", "starts", "first_places", "finite_counts", "codes"):
+    for name in ("points", "order", "owners", "starts", "first_positions", "finite_counts", "codes"):
         arrays = [download(getattr(forest.clouds, name)) for forest in (sorted_anew, from_tree)]
         np.testing.assert_array_equal(*arrays)
     for name in ("bucket_counts", "levels", "roots"):

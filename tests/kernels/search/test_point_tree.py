@@ -9,7 +9,7 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.arrays.bounds import bound_points
 from pointloom.kernels.lang import array, int32, int64, kernel, launch, tid, vec3
 from pointloom.kernels.memory import download, empty, upload, zeros
-from pointloom.kernels.search.bucket_walk import next_bucket, start_walk
+from pointloom.kernels.search.bucket_walk import next_bucket, start_traversal
 from pointloom.kernels.search.hilbert_order import (
     HilbertCurve,
     HilbertOrder,
@@ -21,7 +21,7 @@ from pointloom.kernels.search.hilbert_order import (
 )
 from pointloom.kernels.search.neighbor_keys import keep_nearest, sort_keys, thin_keys
 from pointloom.kernels.search.point_tree import BUCKET, FAN, LEAF, PointTree
-from pointloom.kernels.search.tree_search import reach_of
+from pointloom.kernels.search.tree_search import squared_radius
 
 
 @kernel
@@ -173,19 +173,19 @@ def test_rows_of_keys_are_sorted_in_place(device, size, rng):
 
 @pytest.mark.parametrize("radius", [1e-18, 0.1, 0.25, 1 / 3, 1.0, 2.0, 7e5, 1e18])
 def test_the_reach_is_the_largest_float32_below_the_square(radius):
-    reach = np.float32(reach_of(radius))
+    reach = np.float32(squared_radius(radius))
     assert float(reach) < radius * radius <= float(np.nextafter(reach, np.float32(np.inf)))
 
 
 def test_the_reach_of_extreme_radii_is_zero_or_the_largest_number():
-    assert reach_of(1e-200) == 0.0
-    assert reach_of(1e200) == reach_of(1.7e308) == reach_of(np.inf) == float(np.finfo(np.float32).max)
+    assert squared_radius(1e-200) == 0.0
+    assert squared_radius(1e200) == squared_radius(1.7e308) == squared_radius(np.inf) == float(np.finfo(np.float32).max)
 
 
 @kernel
 def walk_kernel(start: int, reach: float, tree: PointTree, visits: array(dtype=int32)):
     i = tid()
-    step = start_walk(start + i)
+    step = start_traversal(start + i)
     p = tree.points[start * BUCKET]
     while int(step[0]) <= tree.root:
         bucket = min(int(step[2]), visits.shape[0] - 1)
@@ -199,7 +199,7 @@ def test_a_walk_without_a_radius_comes_to_each_bucket_once_and_to_none_that_is_n
     buckets = -(-count // BUCKET)
     for start in {0, buckets // 2, buckets - 1}:
         visits = zeros(buckets + 1, int32, resolve_device(device))
-        launch(walk_kernel, 1, [start, reach_of(np.inf), tree, visits])
+        launch(walk_kernel, 1, [start, squared_radius(np.inf), tree, visits])
         np.testing.assert_array_equal(visits.numpy(), [1] * buckets + [0])
 
 

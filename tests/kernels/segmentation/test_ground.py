@@ -8,7 +8,7 @@ import pytest
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float32, uint8, vec3
 from pointloom.kernels.memory import download, upload, write, zeros
-from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid, reaches
+from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, HeightGrid, pass_distances
 
 
 def grid_of(heights, device):
@@ -71,20 +71,20 @@ def test_a_pit_is_spread_to_the_shape_of_the_window(device):
 def _eroded(grid, heights, radius):
     from pointloom.kernels.lang import launch
     from pointloom.kernels.memory import empty
-    from pointloom.kernels.segmentation.ground import reach_along_kernel
+    from pointloom.kernels.segmentation.ground import filter_along_kernel
 
     diagonal = int(DIAGONAL * radius + 0.5)
     straight = radius - 2 * diagonal
     for dx, dy, half in ((1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)):
-        for reach in reaches(half):
+        for reach in pass_distances(half):
             out = empty(grid.size, float32, grid.device)
-            launch(reach_along_kernel, grid.size, [heights, grid.columns, grid.rows, dx, dy, reach, EROSION, out])
+            launch(filter_along_kernel, grid.size, [heights, grid.columns, grid.rows, dx, dy, reach, EROSION, out])
             heights = out
     return download(heights).reshape(grid.columns, grid.rows)
 
 
 def test_passes_that_triple_a_segment_add_up_to_its_length():
-    assert [reaches(half) for half in (0, 1, 2, 4, 5, 13, 18)] == [
+    assert [pass_distances(half) for half in (0, 1, 2, 4, 5, 13, 18)] == [
         [],
         [1],
         [1, 1],

@@ -6,14 +6,14 @@ from scipy.sparse.csgraph import connected_components
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import int32, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.segmentation.shape_parts import largest_part, reach_across, rows_labeled
+from pointloom.kernels.segmentation.shape_parts import heights_across, largest_part, rows_labeled
 
 
 def test_the_heights_of_planes_points_above_each_plane_are_bounds_to_a_step(device, rng):
     points, labels = rng.normal(size=(200, 3)).astype(np.float32), rng.integers(-1, 3, 200).astype(np.int32)
     places, normals = rng.normal(size=(3, 3)), rng.normal(size=(3, 3))
     normals /= np.linalg.norm(normals, axis=1)[:, None]
-    low, high = reach_across(upload(points, vec3, resolve_device(device)), labels, places, normals, 1e-4)
+    low, high = heights_across(upload(points, vec3, resolve_device(device)), labels, places, normals, 1e-4)
     heights = np.einsum("njk,jk->nj", points[:, None] - places, normals)
     for k in range(3):
         np.testing.assert_allclose(low[k], heights[labels == k].min(axis=0), rtol=0, atol=1.01e-4)

@@ -78,7 +78,7 @@ def checked(depths, posed, i, others, device, max_pixels=1.0, max_relative=0.01)
         checks.compare(arrays[j], pair_of(posed[i], posed[j]))
     sure = upload(np.ones(depths[i].size, np.float32), wp.float32, where)
     shape = depths[i].shape
-    return [download(a).reshape(shape).copy() for a in (checks.counts, checks.totals, checks.kept(1, sure, 0.0))]
+    return [download(a).reshape(shape).copy() for a in (checks.counts, checks.totals, checks.mean(1, sure, 0.0))]
 
 
 @pytest.mark.parametrize("limits", [(1.0, 0.01), (0.04, 1.0)], ids=["depth decides", "pixels decide"])

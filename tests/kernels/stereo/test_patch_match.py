@@ -11,7 +11,7 @@ from pointloom.kernels.memory import download, empty, upload
 from pointloom.kernels.stereo.brightness import resize_brightness_kernel
 from pointloom.kernels.stereo.inverse_planes import refine_planes_kernel
 from pointloom.kernels.stereo.patch_costs import BAD, Reference, Sources, patch_on
-from pointloom.kernels.stereo.patch_match import Turn, spread_planes, start_planes
+from pointloom.kernels.stereo.patch_match import HalfIteration, spread_planes, start_planes
 from pointloom.kernels.stereo.plane_results import finish_planes
 
 WIDTH, HEIGHT, FOCAL, BASELINE = 40, 30, 40.0, 0.2
@@ -113,7 +113,7 @@ def test_planes_spread_to_the_truth_past_a_source_that_shows_something_else(devi
     costs = start_planes(reference, sources, planes, seed=3, is_given=False, geometric=0.0, chosen=2)
     for number in range(4):
         for color in (0, 1):
-            turn = Turn(3, number, color, 8, 4, 2, 0.5 * 0.5**number, 0.0, 0.8)
+            turn = HalfIteration(3, number, color, 8, 4, 2, 0.5 * 0.5**number, 0.0, 0.8)
             spread_planes(turn, reference, sources, planes, costs)
     found = np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)[4:-4, SHIFT + 4 : -4]
     assert (np.abs(found[..., 0] - 0.5) * FOCAL * BASELINE < 0.25).mean() > 0.9  # a quarter of a pixel
@@ -129,7 +129,7 @@ def test_costs_that_are_kept_are_those_of_the_planes_that_are_kept(device):
     planes, given = upload(table, vec4, where), {"seed": 0, "is_given": True, "geometric": 0.1, "chosen": 2}
     costs = start_planes(reference, sources, planes, **given)
     for color in (0, 1):
-        spread_planes(Turn(3, 0, color, 8, 4, 2, 0.3, 0.1, 0.8), reference, sources, planes, costs)
+        spread_planes(HalfIteration(3, 0, color, 8, 4, 2, 0.3, 0.1, 0.8), reference, sources, planes, costs)
     kept = np.array(download(costs))
     assert (np.array(download(planes)).reshape(-1, 4)[:, 0] != table[:, 0]).mean() > 0.5
     np.testing.assert_array_equal(kept, np.array(download(start_planes(reference, sources, planes, **given))))

@@ -9,8 +9,8 @@ from pointloom.kernels.lang import float32, vec2, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.patch_costs import Reference, Sources, patch_on
 from pointloom.kernels.stereo.patch_match import start_planes
-from pointloom.kernels.stereo.region_planes import judge_places, take_priors
-from pointloom.kernels.stereo.textureless_regions import find_places
+from pointloom.kernels.stereo.region_planes import judge_pixels, take_priors
+from pointloom.kernels.stereo.textureless_regions import find_regions
 
 WIDTH, HEIGHT, FOCAL, BASELINE, SHIFT = 60, 30, 40.0, 0.2, 4
 TRUE = SHIFT / (FOCAL * BASELINE)
@@ -53,7 +53,7 @@ def after_priors(device: str, own: float, prior: float, weight: float) -> np.nda
 def test_a_gray_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device):
     reference, sources = half_plain(device)
     planes = upload(table(TRUE, 0.1), vec4, resolve_device(device))
-    plain = np.array(download(judge_places(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 0]
+    plain = np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 0]
     assert plain[INNER].mean() > 0.95
     assert not plain[TEXTURED].any()
 
@@ -63,7 +63,7 @@ def test_depth_is_sure_where_it_fits_and_the_source_says_the_same(device):
     sure = []
     for w, cost in ((TRUE, 0.1), (TRUE, 0.6), (TRUE * 1.1, 0.1)):
         planes = upload(table(w, cost), vec4, resolve_device(device))
-        sure.append(np.array(download(judge_places(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 1])
+        sure.append(np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 1])
     assert (sure[0][:, SHIFT:] == 1).all()  # one source is all that there is
     assert not sure[1].any()  # does not fit
     assert not sure[2].any()  # fits, but the source says something else
@@ -88,7 +88,7 @@ def test_a_sure_pixel_between_two_places_counts_once_for_each(device):
     judged = np.zeros((height, width, 2), np.float32)
     judged[:, :, 0] = 1.0
     judged[:, seam] = (0.0, 1.0)
-    places = find_places(upload(judged.reshape(-1, 2), vec2, resolve_device(device)), width)
+    places = find_regions(upload(judged.reshape(-1, 2), vec2, resolve_device(device)), width)
     assert places is not None
     pairs = np.array(download(places.pairs))
     pixels = np.arange(height) * width + seam

@@ -10,7 +10,7 @@ from scipy import ndimage
 from pointloom.kernels.lang import vec2, vec4
 from pointloom.kernels.memory import download, upload
 from pointloom.kernels.stereo.region_planes import TOLERANCE, plane_priors
-from pointloom.kernels.stereo.textureless_regions import find_places
+from pointloom.kernels.stereo.textureless_regions import find_regions
 
 WIDTH, HEIGHT = 80, 60
 v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
@@ -22,7 +22,7 @@ def given(device: str, w: np.ndarray, sure: np.ndarray, plain: np.ndarray, seed:
     place = wp.get_device(device)
     judged = upload(np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2), vec2, place)
     planes = upload(np.stack([w, w * 0, w * 0, w * 0], axis=-1).astype(np.float32).reshape(-1, 4), vec4, place)
-    places = find_places(judged, w.shape[1])
+    places = find_regions(judged, w.shape[1])
     if places is None:
         return np.zeros((*w.shape, 4), np.float32)
     return download(plane_priors(places, judged, planes, TOLERANCE / PIXELS_PER, seed)).reshape(*w.shape, 4)
@@ -86,7 +86,7 @@ def random_picture(seed: int) -> tuple[np.ndarray, np.ndarray]:
 def test_places_are_what_hangs_together_and_what_is_sure_about_them(device, seed):
     plain, sure = random_picture(seed)
     judged = np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2)
-    places = find_places(upload(judged, vec2, wp.get_device(device)), WIDTH)
+    places = find_regions(upload(judged, vec2, wp.get_device(device)), WIDTH)
     assert places is not None
     labels, count = ndimage.label(plain)
     large = [k for k in range(1, count + 1) if (labels == k).sum() >= 64]

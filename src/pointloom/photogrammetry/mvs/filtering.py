@@ -161,7 +161,7 @@ def _filtered(
         for j in sources:
             checks.compare(depths.get(j, beside=i), pair_of(maps.cameras[i], maps.cameras[j]))
         confidence = upload(given.confidence.reshape(-1), float32, device)
-        kept = checks.kept(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing is confirmed
+        kept = checks.mean(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing is confirmed
         if support:
             normals, tolerance = upload(given.normals.reshape(-1, 3), vec3, device), SUPPORT_RELATIVE * limits[1]
             kept = support_depth(kept, normals, maps.cameras[i].intrinsic, tolerance, support)

@@ -19,10 +19,10 @@ from ...kernels.lang import launch, vec4
 from ...kernels.memory import clone, download, empty, upload
 from ...kernels.stereo.inverse_planes import refine_planes_kernel
 from ...kernels.stereo.patch_costs import Reference, Sources, patch_on
-from ...kernels.stereo.patch_match import Turn, spread_planes, start_planes
+from ...kernels.stereo.patch_match import HalfIteration, spread_planes, start_planes
 from ...kernels.stereo.plane_results import finish_planes
-from ...kernels.stereo.region_planes import TOLERANCE, judge_places, plane_priors, take_priors
-from ...kernels.stereo.textureless_regions import find_places
+from ...kernels.stereo.region_planes import TOLERANCE, judge_pixels, plane_priors, take_priors
+from ...kernels.stereo.textureless_regions import find_regions
 from ...registration.rigid import invert_pose
 from .depth_maps import DepthMap
 from .picture_slots import Picture, Slots, picture_slots, plane_slots, put_brightness, put_planes, read_picture
@@ -251,14 +251,14 @@ class _Walk:
         )
         for number in range(phase.turns):
             for color in (0, 1):
-                turn = Turn(
+                turn = HalfIteration(
                     seed=seed, number=number, color=color, regions=phase.regions, trials=TRIALS, chosen=chosen,
                     spread=phase.spread * 0.5**number, geometric=phase.geometric, good=GOOD,
                 )  # fmt: skip
                 spread_planes(turn, reference, sources, planes, costs)
         if phase.prior:
-            judged = judge_places(reference, sources, planes)
-            places = find_places(judged, reference.width)
+            judged = judge_pixels(reference, sources, planes)
+            places = find_regions(judged, reference.width)
             if places is not None:
                 priors = plane_priors(places, judged, planes, TOLERANCE / reference.pixels_per, seed)
                 take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)

@@ -115,8 +115,8 @@ class OdometryFrame:
             intrinsic.width,
             intrinsic.height,
             lens,
-            most_pixels=most,
-            least_side=MIN_SIDE,
+            max_pixels=most,
+            min_side=MIN_SIDE,
             radius=PLANE_RADIUS,
             normals=normals,
         )

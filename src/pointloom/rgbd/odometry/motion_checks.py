@@ -36,7 +36,7 @@ SHIFT = 0.01  # [m] displacement whose cost the eigenvalue measures, in noise va
 
 
 def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0) -> OdometryResult:
-    v = found.verdict
+    v = found.consistency
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
     reason = _first_fault(found, pixels, seen, inliers, blur)
     smallest = smallest_eigenvalue(found.certainty, v)
@@ -61,7 +61,7 @@ def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0
 
 
 def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, blur: float = 0.0) -> str:
-    v = found.verdict
+    v = found.consistency
     if not np.isfinite(found.pose).all():
         return "the steps left the numbers"
     if pixels == 0:

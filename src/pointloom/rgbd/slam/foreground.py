@@ -183,7 +183,7 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
 
 def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:
     found, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
-    sums = found.verdict
+    sums = found.consistency
     shown = max(sums[at.SEEN] - sums[at.BEHIND], 1.0)
     misfit, agreement = sums[at.EXCESS] / max(sums[at.PLANES], 1.0), sums[at.INLIERS] / shown
     return Fit(float(misfit), float(agreement), judge(found, source, level))
