@@ -15,7 +15,7 @@ from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys, cut_together
 from ..lang import Kernel, array, func, int32, int64, kernel, launch, tid, uint8, vec3i
 from ..memory import clone, empty, full
-from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_places
+from .mesh_edges import find_edges, higher_end, key_bits, lower_end, run_indices
 from .mesh_topology import corner_vertex, next_corner
 
 BORDER, BLOCKED = -1, -2  # stored for a half-edge without an opposite
@@ -27,15 +27,15 @@ def pair_half_edges_kernel(edges: UniqueKeys, bits: int, twins: array(dtype=int3
     i = tid()
     first = edges.starts[i]
     count = edges.starts[i + 1] - first
-    whole = 0
+    distinct = 0
     if count > 0:
         if lower_end(edges.keys[i], bits) != higher_end(edges.keys[i], bits):
-            whole = 1
+            distinct = 1
     for j in range(first, first + count):
         twin = BLOCKED
-        if whole == 1 and count == 1:
+        if distinct == 1 and count == 1:
             twin = BORDER
-        if whole == 1 and count == 2:
+        if distinct == 1 and count == 2:
             twin = edges.order[2 * first + 1 - j]
         twins[edges.order[j]] = twin
 
@@ -51,7 +51,7 @@ def find_next_kernel(
     triangles: array(dtype=vec3i),
     twins: array(dtype=int32),
     half_edges: array(dtype=int32),
-    places: array(dtype=int32),
+    indices: array(dtype=int32),
     nexts: array(dtype=int32),
     vertices: array(dtype=int32),
 ):
@@ -68,7 +68,7 @@ def find_next_kernel(
             end = -1
     following = -1
     if twins[g] == BORDER and end >= 0:
-        following = places[g]
+        following = indices[g]
     nexts[i] = following
 
 
@@ -82,10 +82,10 @@ class Border:
         mask = empty(twins.size, uint8, device)
         launch(mark_border_kernel, mask.size, [twins, mask])
         self.half_edges, self.edges = positions_of(mask), edges  # sync
-        count, places = self.half_edges.size, empty(twins.size, int32, device)
-        launch(number_rows_kernel, count, [self.half_edges, places])
+        count, indices = self.half_edges.size, empty(twins.size, int32, device)
+        launch(number_rows_kernel, count, [self.half_edges, indices])
         self.nexts, self.vertices = empty(count, int32, device), empty(count, int32, device)
-        launch(find_next_kernel, count, [triangles, twins, self.half_edges, places, self.nexts, self.vertices])
+        launch(find_next_kernel, count, [triangles, twins, self.half_edges, indices, self.nexts, self.vertices])
 
 
 @kernel
@@ -189,16 +189,16 @@ def rank_loops(vertices: Indices, nexts: Integers) -> tuple[Indices, UniqueKeys]
 
 @kernel
 def list_passes_kernel(
-    rows: array(dtype=int32), vertices: array(dtype=int32), places: array(dtype=int32), keys: array(dtype=int64)
+    rows: array(dtype=int32), vertices: array(dtype=int32), loop_of: array(dtype=int32), keys: array(dtype=int64)
 ):
     i = tid()
-    keys[i] = pack_bits(places[i], vertices[rows[i]])
+    keys[i] = pack_bits(loop_of[i], vertices[rows[i]])
 
 
 @kernel
-def spread_passes_kernel(passes: UniqueKeys, own: array(dtype=int32), slots: array(dtype=int32)):
+def spread_passes_kernel(passes: UniqueKeys, pass_of: array(dtype=int32), slots: array(dtype=int32)):
     i = tid()
-    slots[passes.order[i]] = own[i]
+    slots[passes.order[i]] = pass_of[i]
 
 
 @func
@@ -245,14 +245,14 @@ def find_loops(border: Border) -> tuple[Indices, UniqueKeys, np.ndarray]:
     """Simple loops of a Border: (rows, loops, starts on the host), as of `rank_loops` but without padding."""
     device = border.nexts.device
     rows, loops = rank_loops(border.vertices, border.nexts)
-    places, keys = run_places(loops, rows.size), empty(rows.size, int64, device)
-    launch(list_passes_kernel, rows.size, [rows, border.vertices, places, keys])
+    loop_of, keys = run_indices(loops, rows.size), empty(rows.size, int64, device)
+    launch(list_passes_kernel, rows.size, [rows, border.vertices, loop_of, keys])
     passes = UniqueKeys(keys, padded=True)
     (starts,) = cut_together([loops, passes, border.edges], loops.starts)  # sync
     if passes.count == rows.size:
         return rows, loops, starts[: loops.count + 1]
-    slots, own = empty(rows.size, int32, device), run_places(passes, rows.size)
-    launch(spread_passes_kernel, rows.size, [passes, own, slots])
+    slots, pass_of = empty(rows.size, int32, device), run_indices(passes, rows.size)
+    launch(spread_passes_kernel, rows.size, [passes, pass_of, slots])
     nexts, stack = clone(border.nexts), empty(rows.size, int32, device)
     heights = full(passes.count, -1, int32, device)
     launch(cut_at_vertices_kernel, loops.count, [rows, loops.starts, slots, heights, stack, nexts])

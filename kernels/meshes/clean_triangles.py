@@ -11,11 +11,11 @@ from .triangle_order import mark_new_triangles_kernel, sort_triangles
 
 
 @func
-def names_twice(t: vec3i) -> int:
-    found = 0
+def uses_vertex_twice(t: vec3i) -> int:
+    repeated = 0
     if t[0] == t[1] or t[1] == t[2] or t[2] == t[0]:
-        found = 1
-    return found
+        repeated = 1
+    return repeated
 
 
 @kernel
@@ -24,25 +24,25 @@ def mask_degenerate_kernel(
 ):
     i = tid()
     t = triangles[i]
-    found = names_twice(t)
-    if zero_area == 1 and found == 0:
+    degenerate = uses_vertex_twice(t)
+    if zero_area == 1 and degenerate == 0:
         n = triangle_cross(vertices, t)
-        whole = isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])
-        if whole and length(n) == 0.0:
-            found = 1
-    mask[i] = uint8(found)
+        finite = isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])
+        if finite and length(n) == 0.0:
+            degenerate = 1
+    mask[i] = uint8(degenerate)
 
 
 @kernel
 def mask_not_finite_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), mask: array(dtype=uint8)):
     i = tid()
     t = triangles[i]
-    whole = isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])
-    mask[i] = uint8(0 if whole else 1)
+    finite = isfinite(vertices[t[0]]) and isfinite(vertices[t[1]]) and isfinite(vertices[t[2]])
+    mask[i] = uint8(0 if finite else 1)
 
 
 @kernel
-def list_turned_kernel(triangles: array(dtype=vec3i), turned: array(dtype=vec3i)):
+def list_rotated_kernel(triangles: array(dtype=vec3i), rotated: array(dtype=vec3i)):
     i = tid()
     t = triangles[i]
     best = t + vec3i(0, 0, 0)
@@ -57,7 +57,7 @@ def list_turned_kernel(triangles: array(dtype=vec3i), turned: array(dtype=vec3i)
             less = 1
         if less == 1:
             best = other
-    turned[i] = best
+    rotated[i] = best
 
 
 @kernel
@@ -94,29 +94,29 @@ def join_masks(mask: Mask, *others: Mask) -> Mask:
 
 
 @kernel
-def mark_corners_kernel(triangles: array(dtype=vec3i), gone: array(dtype=uint8), used: array(dtype=uint8)):
+def mark_corners_kernel(triangles: array(dtype=vec3i), removed: array(dtype=uint8), used: array(dtype=uint8)):
     """1 for vertices of unmasked triangles. All threads write the same value."""
     i = tid()
-    if gone[i] == 0:
+    if removed[i] == 0:
         t = triangles[i]
         for k in range(3):
             used[t[k]] = uint8(1)
 
 
-def mask_used(triangles: Triangles, gone: Mask, vertex_count: int) -> Mask:
+def mask_used(triangles: Triangles, removed: Mask, vertex_count: int) -> Mask:
     """uint8 [m]: 1 for vertices of unmasked triangles."""
     used = zeros(vertex_count, uint8, triangles.device)
-    launch(mark_corners_kernel, triangles.size, [triangles, gone, used])
+    launch(mark_corners_kernel, triangles.size, [triangles, removed, used])
     return used
 
 
 def mask_repeats(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [t]: 1 for triangles that equal an earlier one up to rotation. The opposite orientation differs."""
     device, count = triangles.device, triangles.size
-    turned = empty(count, vec3i, device)
-    launch(list_turned_kernel, count, [triangles, turned])
-    order = sort_triangles(turned, vertex_count)
+    rotated = empty(count, vec3i, device)
+    launch(list_rotated_kernel, count, [triangles, rotated])
+    order = sort_triangles(rotated, vertex_count)
     marks, mask = empty(count, int32, device), empty(count, uint8, device)
-    launch(mark_new_triangles_kernel, count, [turned, order, marks])
+    launch(mark_new_triangles_kernel, count, [rotated, order, marks])
     launch(mask_old_kernel, count, [order, marks, mask])
     return mask

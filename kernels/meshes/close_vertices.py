@@ -31,7 +31,7 @@ from ..lang import (
     vector,
 )
 from ..memory import empty, zeros
-from .mesh_edges import run_places
+from .mesh_edges import run_indices
 
 HASH_BITS = 57  # of a block
 CELL_BITS = 6  # of a cell in it
@@ -90,10 +90,10 @@ def list_blocks_kernel(keys: array(dtype=int64), blocks: array(dtype=int64)):
 
 
 @kernel
-def begin_at_cells_kernel(own: array(dtype=int32), cell_count: int, starts: array(dtype=int32)):
+def begin_at_cells_kernel(cell_of: array(dtype=int32), cell_count: int, starts: array(dtype=int32)):
     """Replace the first point of each block by its first cell, and add the end."""
     i = tid()
-    starts[i] = own[starts[i]]
+    starts[i] = cell_of[starts[i]]
     if i + 2 == starts.shape[0]:
         starts[i + 1] = cell_count
 
@@ -105,17 +105,17 @@ def begin_states_kernel(cells: UniqueKeys, states: array(dtype=int32)):
 
 
 @kernel
-def place_points_kernel(
-    cells: UniqueKeys, own: array(dtype=int32), of_point: array(dtype=int32), place: array(dtype=int32)
+def rank_points_kernel(
+    cells: UniqueKeys, cell_of: array(dtype=int32), of_point: array(dtype=int32), rank: array(dtype=int32)
 ):
     i = tid()
-    of_point[cells.order[i]] = own[i]
-    place[cells.order[i]] = i
+    of_point[cells.order[i]] = cell_of[i]
+    rank[cells.order[i]] = i
 
 
 @struct
 class Cells:
-    """Points in cells of half the radius. Cells and blocks are sorted; `place` is a point's position in its cell order.
+    """Points in cells of half the radius. Cells and blocks are sorted; `rank` is a point's position in its cell order.
     A cell's state is the vertex to decide next, NO_STATE (none stays), or -2 - v (v stays). Coordinates beyond 1e10
     radii differ by more than the radius in float32, or not at all."""
 
@@ -124,17 +124,17 @@ class Cells:
     table: HashTable
     points: array(dtype=vec3)
     of_point: array(dtype=int32)
-    place: array(dtype=int32)
+    rank: array(dtype=int32)
     states: array(dtype=int32)
     side: float64
-    reach: float64
+    square_radius: float64
     salt: int64
 
-    def __init__(self, points: Points, reach: float) -> None:
+    def __init__(self, points: Points, radius: float) -> None:
         device, count = points.device, points.size
         self.points, self.salt = points, 0
-        self.reach = float(reach) * float(reach)
-        self.side = 2 * float(reach) * WIDER
+        self.square_radius = float(radius) * float(radius)
+        self.side = 2 * float(radius) * WIDER
         while True:
             keys = empty(count, int64, device)
             launch(hash_cells_kernel, count, [points, self.side, self.salt, keys])
@@ -147,11 +147,11 @@ class Cells:
             if not cut_together([self.cells, self.blocks], differ)[0][0]:  # sync
                 break
             self.salt += 1
-        own = run_places(self.cells, count)
-        launch(begin_at_cells_kernel, self.blocks.count, [own, self.cells.count, self.blocks.starts])
+        cell_of = run_indices(self.cells, count)
+        launch(begin_at_cells_kernel, self.blocks.count, [cell_of, self.cells.count, self.blocks.starts])
         self.table = list_keys(self.blocks.keys, self.blocks.count)
-        self.of_point, self.place = empty(count, int32, device), empty(count, int32, device)
-        launch(place_points_kernel, count, [self.cells, own, self.of_point, self.place])
+        self.of_point, self.rank = empty(count, int32, device), empty(count, int32, device)
+        launch(rank_points_kernel, count, [self.cells, cell_of, self.of_point, self.rank])
         self.states = empty(self.cells.count, int32, device)
         launch(begin_states_kernel, self.cells.count, [self.cells, self.states])
 
@@ -163,36 +163,36 @@ def square_gap(p: vec3, q: vec3) -> float64:
 
 
 @func
-def look_around(v: int, cells: Cells) -> int:
+def find_earlier_vertex(v: int, cells: Cells) -> int:
     """Earliest staying vertex before v within the radius; -1 if none, -2 if a candidate is undecided."""
     p = cells.points[v]
     half = cells.side * 0.5
     first = block_of(widen(p) - vec3d(half, half, half), cells.side)
     last = block_of(widen(p) + vec3d(half, half, half), cells.side)
-    found = -1
+    earliest = -1
     waits = 0
     n = int(8)
     for k in range(n):
         at = cell(first[0] + int64(k >> 2), first[1] + int64((k >> 1) & 1), first[2] + int64(k & 1))
-        place = -1
+        block = -1
         if at[0] <= last[0] and at[1] <= last[1] and at[2] <= last[2]:
-            place = find_position(hash_block(at, cells.salt), cells.table)
-        if place >= 0:
-            for c in range(cells.blocks.starts[place], cells.blocks.starts[place + 1]):
+            block = find_position(hash_block(at, cells.salt), cells.table)
+        if block >= 0:
+            for c in range(cells.blocks.starts[block], cells.blocks.starts[block + 1]):
                 state = cells.states[c]
                 if state >= 0 and state < v:
                     waits = 1
                 other = -2 - state
                 if state < NO_STATE and other < v:
-                    if square_gap(p, cells.points[other]) < cells.reach and (found < 0 or other < found):
-                        found = other
-    if found < 0 and waits == 1:
-        found = -2
-    return found
+                    if square_gap(p, cells.points[other]) < cells.square_radius and (earliest < 0 or other < earliest):
+                        earliest = other
+    if earliest < 0 and waits == 1:
+        earliest = -2
+    return earliest
 
 
 @func
-def settle(v: int, cells: Cells) -> int:
+def decide_vertex(v: int, cells: Cells) -> int:
     """Decide a vertex if possible. 1 if decided. Only the thread of a cell's state writes. Others read whole words."""
     c = cells.of_point[v]
     state = cells.states[c]
@@ -200,12 +200,12 @@ def settle(v: int, cells: Cells) -> int:
     if state >= 0 and state <= v:
         done = 0
         if state == v:
-            found = look_around(v, cells)
-            if found == -1:
+            earliest = find_earlier_vertex(v, cells)
+            if earliest == -1:
                 cells.states[c] = -2 - v
                 done = 1
-            if found >= 0:
-                after = cells.place[v] + 1
+            if earliest >= 0:
+                after = cells.rank[v] + 1
                 following = NO_STATE
                 if after < cells.cells.starts[c + 1]:
                     following = cells.cells.order[after]
@@ -217,14 +217,14 @@ def settle(v: int, cells: Cells) -> int:
 @kernel
 def try_vertices_kernel(rows: array(dtype=int32), cells: Cells, open_rows: array(dtype=uint8)):
     i = tid()
-    open_rows[i] = uint8(1 - settle(rows[i], cells))
+    open_rows[i] = uint8(1 - decide_vertex(rows[i], cells))
 
 
 @kernel
-def settle_rest_kernel(rows: array(dtype=int32), cells: Cells):
+def decide_rest_kernel(rows: array(dtype=int32), cells: Cells):
     i = tid()
     for j in range(i, rows.shape[0]):
-        settle(rows[j], cells)
+        decide_vertex(rows[j], cells)
 
 
 @kernel
@@ -232,26 +232,26 @@ def find_owners_kernel(cells: Cells, owners: array(dtype=int32)):
     i = tid()
     owner = i
     if cells.states[cells.of_point[i]] != -2 - i:
-        owner = look_around(i, cells)
+        owner = find_earlier_vertex(i, cells)
     owners[i] = owner
 
 
 @kernel
-def spread_owners_kernel(rows: array(dtype=int32), found: array(dtype=int32), owners: array(dtype=int32)):
+def spread_owners_kernel(rows: array(dtype=int32), local_owners: array(dtype=int32), owners: array(dtype=int32)):
     i = tid()
-    owners[rows[i]] = rows[found[i]]
+    owners[rows[i]] = rows[local_owners[i]]
 
 
-def find_close_vertices(vertices: Points, finite: Integers, reach: float, owners: Indices) -> None:
-    """Write to `owners` (int32 [m]) which vertex each of the ascending `finite` rows follows, within `reach` [m]."""
+def find_close_vertices(vertices: Points, finite: Integers, max_distance: float, owners: Indices) -> None:
+    """Write to `owners` (int32 [m]) which vertex, within `max_distance` [m], each ascending `finite` row follows."""
     device, count = vertices.device, finite.size
     if count == 0:
         return
-    cells = Cells(gather_rows(vertices, finite), reach)
+    cells = Cells(gather_rows(vertices, finite), max_distance)
     rows = resolve_in_rounds(
         lambda rows, open_rows: launch(try_vertices_kernel, rows.size, [rows, cells, open_rows]), count, device
     )
-    launch(settle_rest_kernel, min(1, rows.size), [rows, cells])
-    found = empty(count, int32, device)
-    launch(find_owners_kernel, count, [cells, found])
-    launch(spread_owners_kernel, count, [finite, found, owners])
+    launch(decide_rest_kernel, min(1, rows.size), [rows, cells])
+    local_owners = empty(count, int32, device)
+    launch(find_owners_kernel, count, [cells, local_owners])
+    launch(spread_owners_kernel, count, [finite, local_owners, owners])

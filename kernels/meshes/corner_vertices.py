@@ -11,8 +11,8 @@ from ..arrays.union_find import flatten_sets_kernel
 from ..arrays.unique import UniqueKeys
 from ..lang import array, atomic_min, func, int32, kernel, launch, tid, uint8, vec3i
 from ..memory import empty, full, zeros
-from .mesh_edges import find_edges, key_bits, run_places, unite_corners_kernel
-from .mesh_edits import mark_places
+from .mesh_edges import find_edges, key_bits, run_indices, unite_corners_kernel
+from .mesh_edits import mask_and_index
 from .mesh_topology import CornersByVertex, corner_vertex
 
 NONE = 2**31 - 1  # above all vertices and corners
@@ -56,8 +56,8 @@ def write_rows_kernel(
     sets: array(dtype=int32),
     lowest: array(dtype=int32),
     firsts: array(dtype=int32),
-    places: array(dtype=int32),
-    kept: int,
+    indices: array(dtype=int32),
+    kept_count: int,
     further: array(dtype=int32),
     numbers: array(dtype=int32),
     rows: array(dtype=int32),
@@ -66,9 +66,9 @@ def write_rows_kernel(
     i = tid()
     if sets[i] == i:
         v = lowest[i]
-        number = places[v]
+        number = indices[v]
         if firsts[v] != i:
-            number = kept + further[i]
+            number = kept_count + further[i]
         numbers[i] = number
         rows[number] = v
 
@@ -80,7 +80,7 @@ def name_corners_kernel(sets: array(dtype=int32), numbers: array(dtype=int32), n
 
 
 class CornerVertices:
-    """Vertices from sets of corners, by lowest corner. `rows` are earlier vertices. The first `kept` are first sets."""
+    """Vertices from sets of corners, by lowest corner. `rows`: earlier vertices. The first `kept_count` start sets."""
 
     def __init__(self, triangles: Triangles, vertex_count: int, sets: Indices) -> None:
         device, corners = triangles.device, sets.size
@@ -91,31 +91,35 @@ class CornerVertices:
         launch(mark_first_sets_kernel, vertex_count, [firsts, used])
         launch(mark_further_sets_kernel, corners, [sets, lowest, firsts, further])
         parts = [(used, [vertex_count]), (further, [corners])]
-        (places, (self.kept,)), (behind, (count,)) = scan_together(parts)  # sync
-        numbers, self.rows = zeros(corners, int32, device), empty(self.kept + count, int32, device)
-        launch(write_rows_kernel, corners, [sets, lowest, firsts, places, self.kept, behind, numbers, self.rows])
+        (indices, (self.kept_count,)), (further_rows, (count,)) = scan_together(parts)  # sync
+        numbers, self.rows = zeros(corners, int32, device), empty(self.kept_count + count, int32, device)
+        launch(
+            write_rows_kernel,
+            corners,
+            [sets, lowest, firsts, indices, self.kept_count, further_rows, numbers, self.rows],
+        )
         self.triangles = empty(triangles.size, vec3i, device)
         launch(name_corners_kernel, triangles.size, [sets, numbers, self.triangles])
 
 
 @kernel
 def keep_corners_kernel(
-    corners: array(dtype=int32), rows: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=int32)
+    corners: array(dtype=int32), rows: array(dtype=int32), indices: array(dtype=int32), renumbered: array(dtype=int32)
 ):
     i = tid()
     corner = corners[3 * rows[i // 3] + i % 3]
     new = -1
     if corner >= 0:
-        new = 3 * places[corner // 3] + corner % 3
-    kept[i] = new
+        new = 3 * indices[corner // 3] + corner % 3
+    renumbered[i] = new
 
 
 def keep_corners(corners: Indices, rows: Indices) -> Integers:
     """Renumber corner references of the triangles at ascending rows: corners of these triangles, or -1."""
-    kept = empty(3 * rows.size, int32, corners.device)
-    _, places = mark_places(rows, corners.size // 3)
-    launch(keep_corners_kernel, kept.size, [corners, rows, places, kept])
-    return kept
+    renumbered = empty(3 * rows.size, int32, corners.device)
+    _, indices = mask_and_index(rows, corners.size // 3)
+    launch(keep_corners_kernel, renumbered.size, [corners, rows, indices, renumbered])
+    return renumbered
 
 
 @kernel
@@ -231,8 +235,8 @@ def split_fans(triangles: Triangles, vertex_count: int) -> tuple[Triangles, Indi
     """Give each fan of edge-connected triangles its own vertex. Returns (triangles, earlier vertex of each)."""
     device, corners = triangles.device, 3 * triangles.size
     edges, fans = find_edges(triangles, vertex_count, padded=True), positions(corners, device)
-    places = run_places(edges, corners)
-    launch(unite_corners_kernel, corners, [triangles, edges, key_bits(vertex_count), places, fans])
+    edge_of = run_indices(edges, corners)
+    launch(unite_corners_kernel, corners, [triangles, edges, key_bits(vertex_count), edge_of, fans])
     launch(flatten_sets_kernel, corners, [fans])
     launch(drop_folded_corners_kernel, vertex_count, [triangles, CornersByVertex(triangles, vertex_count), fans])
     lowest = full(corners, NONE, int32, device)

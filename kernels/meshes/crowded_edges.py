@@ -12,20 +12,20 @@ from ..arrays.sort import argsort_keys
 from ..arrays.unique import UniqueKeys
 from ..lang import array, float64, float_bits, func, int32, int64, kernel, launch, struct, tid, uint8, vec3i
 from ..memory import empty, full, zeros
-from .clean_triangles import names_twice
-from .mesh_edges import find_edges, run_places
+from .clean_triangles import uses_vertex_twice
+from .mesh_edges import find_edges, run_indices
 from .surface_samples import measure_areas
 
 MANIFOLD = 2  # maximum number of triangles at an edge
 COUNT_MASK = 0xFFFF_FFFF  # of a word: remaining triangles of an edge; decided ones above
-OPEN, STAYS, GOES = 0, 1, 2
+OPEN, KEPT, REMOVED = 0, 1, 2
 
 
 @kernel
-def spread_edges_kernel(edges: UniqueKeys, places: array(dtype=int32), of_half_edge: array(dtype=int32)):
+def spread_edges_kernel(edges: UniqueKeys, edge_of: array(dtype=int32), of_half_edge: array(dtype=int32)):
     """Edge of each half-edge if it is crowded, else -1."""
     i = tid()
-    e = places[i]
+    e = edge_of[i]
     crowded = edges.starts[e + 1] - edges.starts[e] > MANIFOLD
     of_half_edge[edges.order[i]] = e if crowded else -1
 
@@ -36,13 +36,13 @@ def mask_crowded_kernel(
 ):
     """1 for triangles at crowded edges. With `twice` only those that use a vertex twice."""
     i = tid()
-    found = 0
+    crowded = 0
     for k in range(3):
         if of_half_edge[3 * i + k] >= 0:
-            found = 1
+            crowded = 1
     if twice == 1:
-        found = found * names_twice(triangles[i])
-    mask[i] = uint8(found)
+        crowded = crowded * uses_vertex_twice(triangles[i])
+    mask[i] = uint8(crowded)
 
 
 @kernel
@@ -64,14 +64,14 @@ def list_crowded_slots_kernel(
 
 
 @kernel
-def number_turns_kernel(groups: UniqueKeys, none: int, of_slot: array(dtype=int32), turns: array(dtype=int32)):
+def rank_slots_kernel(groups: UniqueKeys, none: int, of_slot: array(dtype=int32), ranks: array(dtype=int32)):
     """Group of each slot and its rank there. One thread per group."""
     i = tid()
     if groups.starts[i + 1] > groups.starts[i]:
         if groups.keys[i] != int64(none):
             for j in range(groups.starts[i], groups.starts[i + 1]):
                 of_slot[groups.order[j]] = i
-                turns[groups.order[j]] = j - groups.starts[i]
+                ranks[groups.order[j]] = j - groups.starts[i]
 
 
 @kernel
@@ -82,11 +82,11 @@ def begin_words_kernel(groups: UniqueKeys, words: array(dtype=int64)):
 
 @struct
 class CrowdedEdges:
-    """Triangles at crowded edges by area. `of_slot` are three edges per triangle (-1 if not crowded), `turns` its rank
+    """Triangles at crowded edges by area. `of_slot` are three edges per triangle (-1 if not crowded), `ranks` its rank
     at each. A word per edge contains the number of decided triangles above the number of remaining ones."""
 
     of_slot: array(dtype=int32)
-    turns: array(dtype=int32)
+    ranks: array(dtype=int32)
     words: array(dtype=int64)
     states: array(dtype=int32)
 
@@ -95,25 +95,25 @@ class CrowdedEdges:
         keys = empty(slots, int64, device)
         launch(list_crowded_slots_kernel, rows.size, [rows, of_half_edge, edge_count, keys])
         groups = UniqueKeys(keys, max(1, edge_count.bit_length()), padded=True)
-        self.of_slot, self.turns = full(slots, -1, int32, device), empty(slots, int32, device)
-        launch(number_turns_kernel, groups.count, [groups, edge_count, self.of_slot, self.turns])
+        self.of_slot, self.ranks = full(slots, -1, int32, device), empty(slots, int32, device)
+        launch(rank_slots_kernel, groups.count, [groups, edge_count, self.of_slot, self.ranks])
         self.words, self.states = empty(groups.count, int64, device), zeros(rows.size, int32, device)
         launch(begin_words_kernel, groups.count, [groups, self.words])
 
 
 @func
-def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
+def decide_triangle(i: int, crowded: CrowdedEdges) -> int:
     """Decide a triangle that is next at all its edges. Its state. Each word has one writer. Others read it whole."""
     before = crowded.states[i]
-    state = STAYS
+    state = KEPT
     for k in range(3):
         g = crowded.of_slot[3 * i + k]
         if g >= 0:
             word = crowded.words[g]
-            if int(word >> 32) != crowded.turns[3 * i + k]:
+            if int(word >> 32) != crowded.ranks[3 * i + k]:
                 state = OPEN
-            elif state == STAYS and int(word & int64(COUNT_MASK)) > MANIFOLD:
-                state = GOES
+            elif state == KEPT and int(word & int64(COUNT_MASK)) > MANIFOLD:
+                state = REMOVED
     if before != OPEN:
         state = before
     if before == OPEN and state != OPEN:
@@ -121,7 +121,7 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
             g = crowded.of_slot[3 * i + k]
             if g >= 0:
                 word = crowded.words[g] + (int64(1) << int64(32))
-                if state == GOES:
+                if state == REMOVED:
                     word = word - 1
                 crowded.words[g] = word
         crowded.states[i] = state
@@ -131,30 +131,30 @@ def settle_triangle(i: int, crowded: CrowdedEdges) -> int:
 @kernel
 def try_triangles_kernel(rows: array(dtype=int32), crowded: CrowdedEdges, open_rows: array(dtype=uint8)):
     i = tid()
-    state = settle_triangle(rows[i], crowded)
+    state = decide_triangle(rows[i], crowded)
     open_rows[i] = uint8(1 if state == OPEN else 0)
 
 
 @kernel
-def settle_rest_kernel(rows: array(dtype=int32), crowded: CrowdedEdges):
+def decide_rest_kernel(rows: array(dtype=int32), crowded: CrowdedEdges):
     i = tid()
     for j in range(i, rows.shape[0]):
-        settle_triangle(rows[j], crowded)
+        decide_triangle(rows[j], crowded)
 
 
 @kernel
-def mask_gone_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask: array(dtype=uint8)):
+def mask_removed_kernel(rows: array(dtype=int32), states: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
-    if states[i] == GOES:
+    if states[i] == REMOVED:
         mask[rows[i]] = 1
 
 
 def _crowded_edges_of(triangles: Triangles, vertex_count: int) -> tuple[Indices, int]:
     """(Edges of half-edges, -1 if not crowded; a number beyond all edges.)"""
     edges = find_edges(triangles, vertex_count, padded=True)
-    places = run_places(edges, 3 * triangles.size)
+    edge_of = run_indices(edges, 3 * triangles.size)
     of_half_edge = empty(3 * triangles.size, int32, triangles.device)
-    launch(spread_edges_kernel, of_half_edge.size, [edges, places, of_half_edge])
+    launch(spread_edges_kernel, of_half_edge.size, [edges, edge_of, of_half_edge])
     return of_half_edge, edges.count
 
 
@@ -164,8 +164,8 @@ def find_at_crowded_edges(triangles: Triangles, vertex_count: int) -> tuple[Indi
     crowded, folded = empty(triangles.size, uint8, device), empty(triangles.size, uint8, device)
     launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 0, crowded])
     launch(mask_crowded_kernel, triangles.size, [triangles, of_half_edge, 1, folded])
-    found = positions_of_each(crowded, invert_mask(folded))  # sync
-    return found[0], found[1]
+    rows = positions_of_each(crowded, invert_mask(folded))  # sync
+    return rows[0], rows[1]
 
 
 def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
@@ -174,17 +174,17 @@ def mask_crowding(vertices: Points, triangles: Triangles) -> Mask:
     of_half_edge, edge_count = _crowded_edges_of(triangles, vertices.size)
     mask = empty(count, uint8, device)
     launch(mask_crowded_kernel, count, [triangles, of_half_edge, 0, mask])
-    found = positions_of(mask)  # sync
-    gone = zeros(count, uint8, device)
-    if found.size == 0:
-        return gone
-    keys = empty(found.size, int64, device)
-    launch(list_area_keys_kernel, found.size, [measure_areas(vertices, triangles), found, keys])
-    chosen = gather_rows(found, argsort_keys(keys, 31)[1])
+    crowded_rows = positions_of(mask)  # sync
+    removed = zeros(count, uint8, device)
+    if crowded_rows.size == 0:
+        return removed
+    keys = empty(crowded_rows.size, int64, device)
+    launch(list_area_keys_kernel, crowded_rows.size, [measure_areas(vertices, triangles), crowded_rows, keys])
+    chosen = gather_rows(crowded_rows, argsort_keys(keys, 31)[1])
     crowded = CrowdedEdges(chosen, of_half_edge, edge_count)
     rows = resolve_in_rounds(
         lambda rows, open_rows: launch(try_triangles_kernel, rows.size, [rows, crowded, open_rows]), chosen.size, device
     )
-    launch(settle_rest_kernel, min(1, rows.size), [rows, crowded])
-    launch(mask_gone_kernel, chosen.size, [chosen, crowded.states, gone])
-    return gone
+    launch(decide_rest_kernel, min(1, rows.size), [rows, crowded])
+    launch(mask_removed_kernel, chosen.size, [chosen, crowded.states, removed])
+    return removed

@@ -63,16 +63,16 @@ class Wave:
     vertices: array(dtype=vec3)
     triangles: array(dtype=vec3i)
     around: CornersByVertex
-    found: array(dtype=int32)
+    decreased: array(dtype=int32)
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
         self.vertices, self.triangles = vertices, triangles
-        self.around, self.found = CornersByVertex(triangles, vertices.size), zeros(1, int32, vertices.device)
+        self.around, self.decreased = CornersByVertex(triangles, vertices.size), zeros(1, int32, vertices.device)
 
 
 @kernel
 def start_at_sources_kernel(
-    sources: array(dtype=int32), wave: Wave, before: array(dtype=float64), awake: array(dtype=uint8)
+    sources: array(dtype=int32), wave: Wave, before: array(dtype=float64), active: array(dtype=uint8)
 ):
     """Distance 0 at the sources. All threads that activate a vertex write the same value."""
     i = tid()
@@ -81,23 +81,23 @@ def start_at_sources_kernel(
     for j in range(wave.around.starts[source], wave.around.starts[source + 1]):
         t = wave.triangles[wave.around.corners[j] // 3]
         for k in range(3):
-            awake[t[k]] = 1
+            active[t[k]] = 1
 
 
 @kernel
 def spread_distances_kernel(
     wave: Wave,
     before: array(dtype=float64),
-    awake: array(dtype=uint8),
+    active: array(dtype=uint8),
     after: array(dtype=float64),
-    woken: array(dtype=uint8),
+    next_active: array(dtype=uint8),
 ):
     """Shortest distance over a vertex's triangles; activates neighbors if it decreased (all write the same value)."""
     i = tid()
-    own = before[i]
-    if awake[i] == 1:
-        awake[i] = 0
-        shortest = own
+    distance = before[i]
+    if active[i] == 1:
+        active[i] = 0
+        shortest = distance
         c = widen(wave.vertices[i])
         for j in range(wave.around.starts[i], wave.around.starts[i + 1]):
             corner = wave.around.corners[j]
@@ -116,26 +116,26 @@ def spread_distances_kernel(
                     shortest = min(shortest, before[vb] + length(c - b))
         nearer = 0
         if isfinite(shortest):
-            if not isfinite(own):
+            if not isfinite(distance):
                 nearer = 1
-            elif shortest < own - float64(GAIN) * own:
+            elif shortest < distance - float64(GAIN) * distance:
                 nearer = 1
         if nearer == 1:
-            own = shortest
-            if wave.found[0] == 0:  # avoids most atomics. An old value only causes an extra one
-                atomic_max(wave.found, 0, 1)
+            distance = shortest
+            if wave.decreased[0] == 0:  # avoids most atomics. An old value only causes an extra one
+                atomic_max(wave.decreased, 0, 1)
             for j in range(wave.around.starts[i], wave.around.starts[i + 1]):
                 t = wave.triangles[wave.around.corners[j] // 3]
                 for k in range(3):
-                    woken[t[k]] = 1
-    after[i] = own
+                    next_active[t[k]] = 1
+    after[i] = distance
 
 
 @kernel
-def settle_rounds_kernel(wave: Wave, running: array(dtype=int32)):
+def finish_rounds_kernel(wave: Wave, running: array(dtype=int32)):
     i = tid()
-    running[i] = wave.found[i]
-    wave.found[i] = 0
+    running[i] = wave.decreased[i]
+    wave.decreased[i] = 0
 
 
 def geodesic_distances(vertices: Points, triangles: Triangles, sources: Integers) -> Doubles:
@@ -143,13 +143,13 @@ def geodesic_distances(vertices: Points, triangles: Triangles, sources: Integers
     device, count = vertices.device, vertices.size
     wave, running = Wave(vertices, triangles), full(1, 1, int32, device)
     before, after = full(count, INFINITY, float64, device), empty(count, float64, device)
-    awake, woken = zeros(count, uint8, device), zeros(count, uint8, device)
-    launch(start_at_sources_kernel, sources.size, [sources, wave, before, awake])
+    active, next_active = zeros(count, uint8, device), zeros(count, uint8, device)
+    launch(start_at_sources_kernel, sources.size, [sources, wave, before, active])
 
     def two_rounds() -> None:
-        launch(spread_distances_kernel, count, [wave, before, awake, after, woken])
-        launch(spread_distances_kernel, count, [wave, after, woken, before, awake])
-        launch(settle_rounds_kernel, 1, [wave, running])
+        launch(spread_distances_kernel, count, [wave, before, active, after, next_active])
+        launch(spread_distances_kernel, count, [wave, after, next_active, before, active])
+        launch(finish_rounds_kernel, 1, [wave, running])
 
     loop_while(running, two_rounds)
     return before

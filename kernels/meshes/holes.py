@@ -44,7 +44,7 @@ from .mesh_edits import gather_triangles
 from .mesh_measures import triangle_cross
 
 if TYPE_CHECKING:
-    from .holes import FoundLoops
+    from .holes import BoundaryLoops
 
 
 STEPS = 256.0  # quantization of bends in 0..2: the first step is 5 degrees, later ones are smaller
@@ -79,15 +79,15 @@ class Loops:
     sizes: array(dtype=float64)
     tips: array(dtype=int32)
 
-    def __init__(self, found: "FoundLoops", chosen: np.ndarray, counts: np.ndarray) -> None:
+    def __init__(self, all_loops: "BoundaryLoops", chosen: np.ndarray, counts: np.ndarray) -> None:
         """Selected loops and their numbers of vertices (NumPy)."""
-        device, square = found.vertices.device, counts.astype(np.int64) ** 2
+        device, square = all_loops.vertices.device, counts.astype(np.int64) ** 2
         starts, entries = np.concatenate([[0], np.cumsum(counts)]), int(counts.sum())
         self.starts, self.owners = upload(starts, int32, device), empty(entries, int32, device)
         launch(spread_runs_kernel, len(counts), [self.starts, self.owners])
         rows, sources = empty(entries, int32, device), upload(chosen, int32, device)
-        launch(list_entries_kernel, entries, [self.starts, self.owners, sources, found.starts, rows])
-        self.vertices, self.half_edges = gather_rows(found.vertices, rows), gather_rows(found.half_edges, rows)
+        launch(list_entries_kernel, entries, [self.starts, self.owners, sources, all_loops.starts, rows])
+        self.vertices, self.half_edges = gather_rows(all_loops.vertices, rows), gather_rows(all_loops.half_edges, rows)
         self.cells = upload(np.concatenate([[0], np.cumsum(square)])[:-1], int32, device)
         count = int(square.sum())
         self.bends, self.sizes = zeros(count, float64, device), zeros(count, float64, device)
@@ -147,9 +147,9 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
     at = base + i * count + j
     a = loops.points[first + i]
     c = loops.points[first + j]
-    whole = 0
+    is_closing = 0
     if i == 0 and j + 1 == count:
-        whole = 1
+        is_closing = 1
     across = loops.normals[base + (count - 1) * count]
     side = square_side(a, c)
     best_bend = float64(INFINITY)
@@ -157,8 +157,8 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
     best_normal = vec3d(0.0, 0.0, 0.0)
     best = -1
     last = j
-    taken = find_edge(edge_key(loops.vertices[first + i], loops.vertices[first + j], bits), edge_keys)
-    if taken >= 0 and whole == 0:
+    existing = find_edge(edge_key(loops.vertices[first + i], loops.vertices[first + j], bits), edge_keys)
+    if existing >= 0 and is_closing == 0:
         last = i + 1
     for k in range(i + 1, last):
         left = base + i * count + k
@@ -171,7 +171,7 @@ def weigh_chords_kernel(edge_keys: array(dtype=int64), bits: int, loops: Loops, 
             sharpest = float64(2.0)
             if dot(unit, unit) > 0.5:
                 sharpest = max(bend_to(unit, loops.normals[left]), bend_to(unit, loops.normals[right]))
-                if whole == 1:
+                if is_closing == 1:
                     sharpest = max(sharpest, bend_to(unit, across))
             bend = max(floor(sharpest * float64(STEPS)), bend)
             size = side + square_side(a, b) + square_side(b, c) + loops.sizes[left] + loops.sizes[right]
@@ -243,14 +243,14 @@ def name_pieces_kernel(
 
 
 def close_loops(
-    vertices: Points, triangles: Triangles, found: "FoundLoops", batch: np.ndarray
+    vertices: Points, triangles: Triangles, all_loops: "BoundaryLoops", batch: np.ndarray
 ) -> tuple[Triangles, Indices, Indices, int]:
     """Triangulate a batch. One sync. Returns (pieces vec3i [p], corners int32 [3 p], loop of each, loops filled)."""
-    device, counts = triangles.device, found.counts[batch]
-    loops, bits = Loops(found, batch, counts), key_bits(vertices.size)
+    device, counts = triangles.device, all_loops.counts[batch]
+    loops, bits = Loops(all_loops, batch, counts), key_bits(vertices.size)
     launch(begin_loops_kernel, loops.owners.size, [vertices, triangles, loops])
     for span in range(2, int(counts.max())):
-        launch(weigh_chords_kernel, loops.owners.size, [found.edge_keys, bits, loops, span])
+        launch(weigh_chords_kernel, loops.owners.size, [all_loops.edge_keys, bits, loops, span])
     mask = empty(len(batch), uint8, device)
     launch(mark_closed_kernel, len(batch), [loops, mask])
     rows = np.flatnonzero(download(mask))  # sync
@@ -307,17 +307,17 @@ def find_conflicts_kernel(edges: UniqueKeys, of_loop: array(dtype=int32), waits:
     first = edges.starts[i]
     last = edges.starts[i + 1]
     if last - first > 2:
-        least = of_loop[edges.order[first] // 3]
+        first_loop = of_loop[edges.order[first] // 3]
         for j in range(first, last):
-            least = min(least, of_loop[edges.order[j] // 3])
+            first_loop = min(first_loop, of_loop[edges.order[j] // 3])
         for j in range(first, last):
             loop = of_loop[edges.order[j] // 3]
-            if loop != least:
+            if loop != first_loop:
                 atomic_max(waits, loop, 1)
 
 
 @kernel
-def mask_settled_kernel(of_loop: array(dtype=int32), waits: array(dtype=int32), mask: array(dtype=uint8)):
+def mask_accepted_kernel(of_loop: array(dtype=int32), waits: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
     mask[i] = uint8(1 - waits[of_loop[i]])
 
@@ -329,7 +329,7 @@ def gather_three_kernel(values: array(dtype=int32), rows: array(dtype=int32), ga
         gathered[3 * i + k] = values[3 * rows[i] + k]
 
 
-class FoundLoops:
+class BoundaryLoops:
     """All loops of a mesh: vertices and half-edges (device), starts and radii (NumPy)."""
 
     def __init__(self, vertices: Points, triangles: Triangles) -> None:
@@ -366,11 +366,11 @@ def drop_conflicts(
     if not waiting:
         return pieces, corners, 0
     mask = empty(pieces.size, uint8, device)
-    launch(mask_settled_kernel, pieces.size, [of_loop, waits, mask])
+    launch(mask_accepted_kernel, pieces.size, [of_loop, waits, mask])
     rows = positions_of(mask)  # sync
-    kept = empty(3 * rows.size, int32, device)
-    launch(gather_three_kernel, rows.size, [corners, rows, kept])
-    return gather_triangles(pieces, rows), kept, waiting
+    kept_corners = empty(3 * rows.size, int32, device)
+    launch(gather_three_kernel, rows.size, [corners, rows, kept_corners])
+    return gather_triangles(pieces, rows), kept_corners, waiting
 
 
 class Filling:
@@ -385,16 +385,18 @@ class Filling:
                 waiting = self._fill(vertices, hole_size)
 
     def _fill(self, vertices: Points, hole_size: float) -> int:
-        found = FoundLoops(vertices, self.triangles)
-        within = found.radii <= hole_size
-        chosen = np.flatnonzero(within & (found.counts <= MAX_VERTICES))
+        all_loops = BoundaryLoops(vertices, self.triangles)
+        within = all_loops.radii <= hole_size
+        chosen = np.flatnonzero(within & (all_loops.counts <= MAX_VERTICES))
         self.left = int(within.sum())
-        parts = [close_loops(vertices, self.triangles, found, batch) for batch in plan_batches(chosen, found.counts)]
+        parts = [
+            close_loops(vertices, self.triangles, all_loops, batch) for batch in plan_batches(chosen, all_loops.counts)
+        ]
         if not parts:
             return 0
         pieces, corners, of_loop = (concatenate_rows(rows) for rows in list(zip(*parts, strict=True))[:3])
         closed = sum(count for *_, count in parts)
-        pieces, corners, waiting = drop_conflicts(pieces, corners, of_loop, len(found.counts), vertices.size)
+        pieces, corners, waiting = drop_conflicts(pieces, corners, of_loop, len(all_loops.counts), vertices.size)
         self.filled += closed - waiting
         self.left -= closed - waiting
         self.triangles = concatenate_rows([self.triangles, pieces])

@@ -55,7 +55,7 @@ class CutEdges:
         self.vertex_count = values.size
         self.vertices, self.shares = full(half_edges, -1, int32, device), empty(self.count, float64, device)
         launch(number_cuts_kernel, self.count, [self.edges, rows, values.size, self.vertices])
-        launch(place_cuts_kernel, self.count, [self.edges, self.bits, values, level, self.shares])
+        launch(locate_cuts_kernel, self.count, [self.edges, self.bits, values, level, self.shares])
 
 
 @kernel
@@ -66,7 +66,7 @@ def number_cuts_kernel(edges: UniqueKeys, rows: array(dtype=int32), first: int, 
 
 
 @kernel
-def place_cuts_kernel(
+def locate_cuts_kernel(
     edges: UniqueKeys, bits: int, values: array(dtype=float64), level: float64, shares: array(dtype=float64)
 ):
     """Fraction at which each edge is cut; halved first to avoid overflow."""
@@ -115,7 +115,7 @@ def write_pieces_kernel(
     cuts: CutEdges,
     offsets: array(dtype=int32),
     pieces: array(dtype=vec3i),
-    kept: array(dtype=uint8),
+    above: array(dtype=uint8),
 ):
     """Pieces of each triangle in its orientation, and 1 for those above or on the level."""
     i = tid()
@@ -124,7 +124,7 @@ def write_pieces_kernel(
     t = triangles[i]
     if count == 1:
         pieces[first] = t
-        kept[first] = uint8(1 if min(sides[t[0]], min(sides[t[1]], sides[t[2]])) >= 0 else 0)
+        above[first] = uint8(1 if min(sides[t[0]], min(sides[t[1]], sides[t[2]])) >= 0 else 0)
     # First corner: between two cut edges, or opposite to a single one.
     h = 3 * i
     for k in range(3):
@@ -140,18 +140,18 @@ def write_pieces_kernel(
     if count == 2:
         p = cuts.vertices[h1]
         pieces[first] = vec3i(a, b, p)
-        kept[first] = uint8(1 if sides[b] > 0 else 0)
+        above[first] = uint8(1 if sides[b] > 0 else 0)
         pieces[first + 1] = vec3i(a, p, c)
-        kept[first + 1] = uint8(1 if sides[c] > 0 else 0)
+        above[first + 1] = uint8(1 if sides[c] > 0 else 0)
     if count == 3:
         p = cuts.vertices[h]
         q = cuts.vertices[h2]
         pieces[first] = vec3i(a, p, q)
-        kept[first] = uint8(1 if sides[a] > 0 else 0)
+        above[first] = uint8(1 if sides[a] > 0 else 0)
         pieces[first + 1] = vec3i(p, b, c)
         pieces[first + 2] = vec3i(p, c, q)
-        kept[first + 1] = uint8(1 if sides[b] > 0 else 0)
-        kept[first + 2] = uint8(1 if sides[b] > 0 else 0)
+        above[first + 1] = uint8(1 if sides[b] > 0 else 0)
+        above[first + 2] = uint8(1 if sides[b] > 0 else 0)
 
 
 @kernel

@@ -49,17 +49,17 @@ def mask_owners_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
 
 @kernel
 def rename_corners_kernel(
-    triangles: array(dtype=vec3i), owners: array(dtype=int32), places: array(dtype=int32), renamed: array(dtype=vec3i)
+    triangles: array(dtype=vec3i), owners: array(dtype=int32), indices: array(dtype=int32), renamed: array(dtype=vec3i)
 ):
     i = tid()
     t = triangles[i]
-    renamed[i] = vec3i(places[owners[t[0]]], places[owners[t[1]]], places[owners[t[2]]])
+    renamed[i] = vec3i(indices[owners[t[0]]], indices[owners[t[1]]], indices[owners[t[2]]])
 
 
 @kernel
-def list_owner_places_kernel(owners: array(dtype=int32), places: array(dtype=int32), keys: array(dtype=int64)):
+def list_owner_indices_kernel(owners: array(dtype=int32), indices: array(dtype=int32), keys: array(dtype=int64)):
     i = tid()
-    keys[i] = int64(places[owners[i]])
+    keys[i] = int64(indices[owners[i]])
 
 
 @kernel
@@ -94,7 +94,7 @@ def find_equal_vertices(vertices: Points) -> Indices:
 
 
 def number_owners(owners: Indices) -> tuple[Integers, int]:
-    """(places int32 [m + 1], count): new index of each owner. One sync."""
+    """(indices int32 [m + 1], count): new index of each owner. One sync."""
     marks = empty(owners.size, int32, owners.device)
     launch(mark_owners_kernel, owners.size, [owners, marks])
     return exclusive_scan(marks)
@@ -106,19 +106,19 @@ def mask_owners(owners: Indices) -> Mask:
     return mask
 
 
-def rename_corners(triangles: Triangles, owners: Indices, places: Integers) -> Triangles:
+def rename_corners(triangles: Triangles, owners: Indices, indices: Integers) -> Triangles:
     renamed = empty(triangles.size, vec3i, triangles.device)
-    launch(rename_corners_kernel, triangles.size, [triangles, owners, places, renamed])
+    launch(rename_corners_kernel, triangles.size, [triangles, owners, indices, renamed])
     return renamed
 
 
 def average_members(
-    arrays: Iterable[Vectors], unit: Iterable[bool], owners: Indices, places: Integers, count: int
+    arrays: Iterable[Vectors], unit: Iterable[bool], owners: Indices, indices: Integers, count: int
 ) -> list[Any]:
     """Mean rows (vec3 [count]) of each owner and its merged vertices; `unit` marks arrays of unit vectors."""
     device = owners.device
     keys = empty(owners.size, int64, device)
-    launch(list_owner_places_kernel, owners.size, [owners, places, keys])
+    launch(list_owner_indices_kernel, owners.size, [owners, indices, keys])
     groups, means = UniqueKeys(keys, max(1, count.bit_length()), padded=True), []
     for rows, is_unit in zip(arrays, unit, strict=True):
         means.append(empty(count, vec3, device))

@@ -19,7 +19,7 @@ from ..memory import download, empty, full, rows_of, zeros
 from .mesh_topology import sorted_edges
 from .surface_samples import measure_areas
 
-MOST = 2**31 - 1  # triangles
+MAX_TRIANGLES = 2**31 - 1  # triangles
 
 
 @kernel
@@ -69,18 +69,18 @@ def fold_blocks_kernel(sums: array(dtype=float64), starts: array(dtype=int32), t
 
 
 @kernel
-def find_marked_kernel(labels: array(dtype=int64), marks: array(dtype=uint8), held: array(dtype=uint8)):
+def find_marked_kernel(labels: array(dtype=int64), marks: array(dtype=uint8), has_mark: array(dtype=uint8)):
     """1 for components with a marked triangle. All threads write the same value."""
     i = tid()
     if marks[i] != 0:
-        held[int(labels[i])] = uint8(1)
+        has_mark[int(labels[i])] = uint8(1)
 
 
-def holds_marked(labels: LongIntegers, marks: Mask, count: int) -> np.ndarray:
+def has_marked(labels: LongIntegers, marks: Mask, count: int) -> np.ndarray:
     """True for components with a marked triangle, NumPy [count]; marks are those of first triangles. One sync."""
-    held = zeros(count, uint8, labels.device)
-    launch(find_marked_kernel, marks.size, [labels, marks, held])
-    return download(held) != 0  # sync
+    has_mark = zeros(count, uint8, labels.device)
+    launch(find_marked_kernel, marks.size, [labels, marks, has_mark])
+    return download(has_mark) != 0  # sync
 
 
 def number_parts(parents: Indices) -> tuple[LongIntegers, int]:
@@ -121,14 +121,14 @@ def unite_chosen_kernel(
     keys: array(dtype=int64), order: array(dtype=int32), chosen: array(dtype=uint8), parents: array(dtype=int32)
 ):
     i = tid()
-    own = order[i] // 3
-    if i > 0 and chosen[own] != 0:
+    triangle = order[i] // 3
+    if i > 0 and chosen[triangle] != 0:
         j = i - 1
         while j > 0 and keys[max(j, 0)] == keys[i] and chosen[order[max(j, 0)] // 3] == 0:
             j -= 1
         other = order[j] // 3
         if keys[j] == keys[i] and chosen[other] != 0:
-            unite(parents, own, other)
+            unite(parents, triangle, other)
 
 
 @kernel
@@ -241,18 +241,18 @@ class Parts:
         starts, doubled = read_together([self.starts[: count + 1], self.doubled[:count]]) if count else ([0], [])
         return np.diff(np.asarray(starts, np.int32)), np.asarray(doubled, np.float64) / 2
 
-    def mask_large(self, least_count: int, least_area: float) -> Mask:
+    def mask_large(self, min_count: int, min_area: float) -> Mask:
         mask = empty(self.labels.size, uint8, self.labels.device)
-        launch(mask_large_parts_kernel, mask.size, [self, min(least_count, MOST), least_area, mask])
+        launch(mask_large_parts_kernel, mask.size, [self, min(min_count, MAX_TRIANGLES), min_area, mask])
         return mask
 
 
 @kernel
-def mask_large_parts_kernel(parts: Parts, least_count: int, least_area: float64, mask: array(dtype=uint8)):
+def mask_large_parts_kernel(parts: Parts, min_count: int, min_area: float64, mask: array(dtype=uint8)):
     i = tid()
     part = int(parts.labels[i])
     mask[i] = uint8(0)
     if part < parts.labels.shape[0]:
         count = parts.starts[part + 1] - parts.starts[part]
-        if count >= least_count and parts.doubled[part] / 2.0 >= least_area:
+        if count >= min_count and parts.doubled[part] / 2.0 >= min_area:
             mask[i] = uint8(1)

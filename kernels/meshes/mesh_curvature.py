@@ -36,16 +36,16 @@ ring_sums = vector(8, float64)  # Laplacian (3), normal (3), area, angle
 
 
 @kernel
-def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: array(dtype=int32)):
+def pair_half_edges_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: array(dtype=int32)):
     """Opposite half-edge if exactly two triangles use an edge in opposite directions, else -1."""
     i = tid()
     start = edges.starts[i]
     count = edges.starts[i + 1] - start
     for j in range(count):
-        h = edges.halves[start + j]
+        h = edges.half_edges[start + j]
         twin = -1
         if count == 2:
-            other = edges.halves[start + 1 - j]
+            other = edges.half_edges[start + 1 - j]
             if corner_vertex(triangles, other) != corner_vertex(triangles, h):
                 twin = other
         twins[h] = twin
@@ -55,17 +55,17 @@ def pair_halves_kernel(triangles: array(dtype=vec3i), edges: MeshEdges, twins: a
 def is_ringed(triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), v: int) -> int:
     count = around.starts[v + 1] - around.starts[v]
     closed = 0
-    seen = 1
+    visited = 1
     if count > 0:
         start = around.corners[around.starts[v]]
         h = start
-        while seen <= count and closed == 0 and twins[h] >= 0:
+        while visited <= count and closed == 0 and twins[h] >= 0:
             h = other_edge(triangles, twins[h], v)
             if h // 3 == start // 3:
                 closed = 1
             else:
-                seen += 1
-    if seen != count:
+                visited += 1
+    if visited != count:
         closed = 0
     return closed
 
@@ -127,6 +127,6 @@ def measure_curvatures(vertices: Points, triangles: Triangles) -> Array1[vec4d]:
     device = vertices.device
     edges, around = MeshEdges(triangles, vertices.size), CornersByVertex(triangles, vertices.size)
     twins, curvatures = empty(3 * triangles.size, int32, device), empty(vertices.size, vec4d, device)
-    launch(pair_halves_kernel, edges.count, [triangles, edges, twins])
+    launch(pair_half_edges_kernel, edges.count, [triangles, edges, twins])
     launch(measure_curvatures_kernel, vertices.size, [vertices, triangles, around, twins, curvatures])
     return curvatures

@@ -41,11 +41,11 @@ def find_edge(key: int64, keys: array(dtype=int64)) -> int:
             low = middle + 1
         else:
             high = middle
-    found = -1
+    index = -1
     if low < keys.shape[0]:
         if keys[low] == key:
-            found = low
-    return found
+            index = low
+    return index
 
 
 def key_bits(vertex_count: int) -> int:
@@ -88,27 +88,27 @@ def split_padded_keys_kernel(edges: UniqueKeys, bits: int, lows: array(dtype=int
 @struct
 class MeshEdges:
     """Edges of a mesh by ascending vertices `lows`, `highs`. Half-edge 3 t + k runs from corner k of triangle t to the
-    next. `starts` index the ascending `halves` of each edge. If padded (`told` as in UniqueKeys), edges beyond the last
-    have no half-edges and vertex 0 twice."""
+    next. `starts` index the ascending `half_edges` of each edge. If padded (`summary` as in UniqueKeys), edges beyond
+    the last have no half-edges and vertex 0 twice."""
 
     lows: array(dtype=int32)
     highs: array(dtype=int32)
     starts: array(dtype=int32)
-    halves: array(dtype=int32)
+    half_edges: array(dtype=int32)
 
     def __init__(self, triangles: Triangles, vertex_count: int, padded: bool = False) -> None:
         device, edges = triangles.device, find_edges(triangles, vertex_count, padded)
-        self.count, self.starts, self.halves, self.told = edges.count, edges.starts, edges.order, edges.summary
+        self.count, self.starts, self.half_edges, self.summary = edges.count, edges.starts, edges.order, edges.summary
         self.lows, self.highs = empty(self.count, int32, device), empty(self.count, int32, device)
         bits = key_bits(vertex_count)
-        if self.told is None:
+        if self.summary is None:
             launch(split_edge_keys_kernel, self.count, [edges.keys, bits, self.lows, self.highs])
         else:
             launch(split_padded_keys_kernel, self.count, [edges, bits, self.lows, self.highs])
 
     def cut(self, count: int) -> None:
         """Remove the padding beyond `count` edges."""
-        self.count, self.told, self.starts = count, None, rows_of(self.starts, 0, count + 1)
+        self.count, self.summary, self.starts = count, None, rows_of(self.starts, 0, count + 1)
         self.lows, self.highs = rows_of(self.lows, 0, count), rows_of(self.highs, 0, count)
 
 
@@ -129,7 +129,7 @@ def count_sharers_kernel(edges: MeshEdges, counts: array(dtype=int32)):
     count = 0
     last = -1
     for j in range(edges.starts[i], edges.starts[i + 1]):
-        triangle = edges.halves[j] // 3
+        triangle = edges.half_edges[j] // 3
         if triangle != last:
             count += 1
         last = triangle
@@ -150,15 +150,15 @@ def list_ends_kernel(keys: array(dtype=int64), rows: array(dtype=int32), bits: i
 
 
 @kernel
-def mask_counts_kernel(starts: array(dtype=int32), least: int, most: int, mask: array(dtype=uint8)):
+def mask_counts_kernel(starts: array(dtype=int32), min_count: int, max_count: int, mask: array(dtype=uint8)):
     i = tid()
     count = starts[i + 1] - starts[i]
-    mask[i] = uint8(1 if count >= least and count <= most else 0)
+    mask[i] = uint8(1 if count >= min_count and count <= max_count else 0)
 
 
-def mask_counts(edges: UniqueKeys | MeshEdges, least: int, most: int) -> Mask:
+def mask_counts(edges: UniqueKeys | MeshEdges, min_count: int, max_count: int) -> Mask:
     mask = empty(edges.count, uint8, edges.starts.device)
-    launch(mask_counts_kernel, edges.count, [edges.starts, least, most, mask])
+    launch(mask_counts_kernel, edges.count, [edges.starts, min_count, max_count, mask])
     return mask
 
 
@@ -183,13 +183,17 @@ def corner_at(triangles: array(dtype=vec3i), h: int, v: int) -> int:
 
 @kernel
 def unite_corners_kernel(
-    triangles: array(dtype=vec3i), edges: UniqueKeys, bits: int, places: array(dtype=int32), parents: array(dtype=int32)
+    triangles: array(dtype=vec3i),
+    edges: UniqueKeys,
+    bits: int,
+    edge_of: array(dtype=int32),
+    parents: array(dtype=int32),
 ):
     """Unite corners at both ends of an edge with those of the previous half-edge there."""
     i = tid()
     if i > 0:
-        if places[i] == places[i - 1]:
-            key = edges.keys[places[i]]
+        if edge_of[i] == edge_of[i - 1]:
+            key = edges.keys[edge_of[i]]
             a = lower_end(key, bits)
             b = higher_end(key, bits)
             h = edges.order[i]
@@ -200,10 +204,10 @@ def unite_corners_kernel(
 
 
 @kernel
-def spread_runs_kernel(starts: array(dtype=int32), places: array(dtype=int32)):
+def spread_runs_kernel(starts: array(dtype=int32), indices: array(dtype=int32)):
     i = tid()
     for j in range(starts[i], starts[i + 1]):
-        places[j] = i
+        indices[j] = i
 
 
 @kernel
@@ -229,19 +233,19 @@ def mark_split_vertices_kernel(
     mask[i] = uint8(split)
 
 
-def run_places(groups: UniqueKeys, count: int) -> Indices:
+def run_indices(groups: UniqueKeys, count: int) -> Indices:
     """Run of each of `count` positions of UniqueKeys, int32."""
-    places = empty(count, int32, groups.starts.device)
-    launch(spread_runs_kernel, groups.count, [groups.starts, places])
-    return places
+    indices = empty(count, int32, groups.starts.device)
+    launch(spread_runs_kernel, groups.count, [groups.starts, indices])
+    return indices
 
 
 def find_split_vertices(triangles: Triangles, vertex_count: int) -> Mask:
     """uint8 [m]: 1 if the triangles at a vertex are not all connected by edges at it."""
     device, half_edges = triangles.device, 3 * triangles.size
     edges, parents = find_edges(triangles, vertex_count, padded=True), positions(half_edges, device)
-    places = run_places(edges, half_edges)
-    launch(unite_corners_kernel, half_edges, [triangles, edges, key_bits(vertex_count), places, parents])
+    edge_of = run_indices(edges, half_edges)
+    launch(unite_corners_kernel, half_edges, [triangles, edges, key_bits(vertex_count), edge_of, parents])
     launch(flatten_sets_kernel, half_edges, [parents])
     mask = empty(vertex_count, uint8, device)
     around = CornersByVertex(triangles, vertex_count)

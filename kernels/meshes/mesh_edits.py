@@ -38,7 +38,7 @@ def mark_chosen_kernel(triangles: array(dtype=vec3i), mask: array(dtype=uint8), 
 
 
 @kernel
-def mask_whole_triangles_kernel(triangles: array(dtype=vec3i), used: array(dtype=int32), mask: array(dtype=uint8)):
+def mask_complete_triangles_kernel(triangles: array(dtype=vec3i), used: array(dtype=int32), mask: array(dtype=uint8)):
     i = tid()
     t = triangles[i]
     mask[i] = uint8(used[t[0]] * used[t[1]] * used[t[2]])
@@ -67,20 +67,20 @@ def flip_corners_kernel(values: array(dtype=vec2), flipped: array(dtype=vec2)):
 
 @kernel
 def keep_rows_kernel(
-    rows: array(dtype=vec3), used: array(dtype=int32), places: array(dtype=int32), kept: array(dtype=vec3)
+    rows: array(dtype=vec3), used: array(dtype=int32), indices: array(dtype=int32), selected: array(dtype=vec3)
 ):
     i = tid()
     if used[i] == 1:
-        kept[places[i]] = rows[i]
+        selected[indices[i]] = rows[i]
 
 
 @kernel
 def renumber_triangles_kernel(
-    triangles: array(dtype=vec3i), places: array(dtype=int32), renumbered: array(dtype=vec3i)
+    triangles: array(dtype=vec3i), indices: array(dtype=int32), renumbered: array(dtype=vec3i)
 ):
     i = tid()
     t = triangles[i]
-    renumbered[i] = vec3i(places[t[0]], places[t[1]], places[t[2]])
+    renumbered[i] = vec3i(indices[t[0]], indices[t[1]], indices[t[2]])
 
 
 @kernel
@@ -93,51 +93,53 @@ def compare_triangles_kernel(triangles: array(dtype=vec3i), others: array(dtype=
 
 
 @kernel
-def find_first_places_kernel(rows: array(dtype=int32), places: array(dtype=int32)):
+def find_first_positions_kernel(rows: array(dtype=int32), first_positions: array(dtype=int32)):
     """First position of each row in a list. The minimum decides among several."""
     i = tid()
-    atomic_min(places, rows[i], i)
+    atomic_min(first_positions, rows[i], i)
 
 
 @kernel
-def mark_first_places_kernel(rows: array(dtype=int32), places: array(dtype=int32), mask: array(dtype=uint8)):
+def mark_first_positions_kernel(
+    rows: array(dtype=int32), first_positions: array(dtype=int32), mask: array(dtype=uint8)
+):
     i = tid()
-    mask[i] = uint8(1 if places[rows[i]] == i else 0)
+    mask[i] = uint8(1 if first_positions[rows[i]] == i else 0)
 
 
 @kernel
-def mark_places_kernel(rows: array(dtype=int32), used: array(dtype=int32), places: array(dtype=int32)):
+def mask_and_index_kernel(rows: array(dtype=int32), used: array(dtype=int32), indices: array(dtype=int32)):
     i = tid()
     used[rows[i]] = 1
-    places[rows[i]] = i
+    indices[rows[i]] = i
 
 
 def first_listed(rows: Indices, count: int) -> Indices:
     """Distinct rows of a list in order of first occurrence."""
-    places, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
-    launch(find_first_places_kernel, rows.size, [rows, places])
-    launch(mark_first_places_kernel, rows.size, [rows, places, mask])
+    first_positions, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
+    launch(find_first_positions_kernel, rows.size, [rows, first_positions])
+    launch(mark_first_positions_kernel, rows.size, [rows, first_positions, mask])
     return gather_rows(rows, positions_of(mask))  # sync
 
 
-def later_listed(rows: Indices, count: int) -> Indices:
+def repeated_positions(rows: Indices, count: int) -> Indices:
     """Positions of repeated rows in a list of all `count` rows."""
-    places, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
-    launch(find_first_places_kernel, rows.size, [rows, places])
-    launch(mark_first_places_kernel, rows.size, [rows, places, mask])
+    first_positions, mask = full(count, rows.size, int32, rows.device), empty(rows.size, uint8, rows.device)
+    launch(find_first_positions_kernel, rows.size, [rows, first_positions])
+    launch(mark_first_positions_kernel, rows.size, [rows, first_positions, mask])
     return positions_of(invert_mask(mask), rows.size - count)
 
 
-def mark_places(rows: Indices, count: int) -> tuple[Integers, Indices]:
-    """(used, places), int32: mask of listed vertices and their positions. The list has no duplicates."""
-    used, places = zeros(count, int32, rows.device), empty(count, int32, rows.device)
-    launch(mark_places_kernel, rows.size, [rows, used, places])
-    return used, places
+def mask_and_index(rows: Indices, count: int) -> tuple[Integers, Indices]:
+    """(used, indices), int32: mask of listed vertices and their positions. The list has no duplicates."""
+    used, indices = zeros(count, int32, rows.device), empty(count, int32, rows.device)
+    launch(mask_and_index_kernel, rows.size, [rows, used, indices])
+    return used, indices
 
 
-def renumber_triangles(triangles: Triangles, places: Integers) -> Triangles:
+def renumber_triangles(triangles: Triangles, indices: Integers) -> Triangles:
     renumbered = empty(triangles.size, vec3i, triangles.device)
-    launch(renumber_triangles_kernel, triangles.size, [triangles, places, renumbered])
+    launch(renumber_triangles_kernel, triangles.size, [triangles, indices, renumbered])
     return renumbered
 
 
@@ -203,28 +205,28 @@ def mark_chosen(triangles: Triangles, mask: Mask, vertex_count: int) -> Mask:
 
 def keep_vertices(triangles: Triangles, used: Integers, per_vertex: Iterable[Vectors]) -> tuple[Triangles, list[Any]]:
     """Keep used vertices (0 or 1) in order and renumber triangles, which use no others. Returns (triangles, arrays)."""
-    places, count = exclusive_scan(used)  # sync
-    return keep_counted(triangles, used, places, count, per_vertex)
+    indices, count = exclusive_scan(used)  # sync
+    return keep_counted(triangles, used, indices, count, per_vertex)
 
 
 @kernel
-def list_rows_kernel(used: array(dtype=int32), places: array(dtype=int32), rows: array(dtype=int32)):
+def list_rows_kernel(used: array(dtype=int32), indices: array(dtype=int32), rows: array(dtype=int32)):
     i = tid()
     if used[i] != 0:
-        rows[places[i]] = i
+        rows[indices[i]] = i
 
 
 def keep_counted(
-    triangles: Triangles, used: Integers, places: Integers, count: int, per_vertex: Iterable[Vectors]
+    triangles: Triangles, used: Integers, indices: Integers, count: int, per_vertex: Iterable[Vectors]
 ) -> tuple[Triangles, list[Any]]:
-    """`keep_vertices` with known count and places. No sync."""
+    """`keep_vertices` with known count and indices. No sync."""
     device = triangles.device
-    kept = []
+    selected = []
     for rows in per_vertex:
         target = empty(count, vec3, device)
-        launch(keep_rows_kernel, used.size, [rows, used, places, target])
-        kept.append(target)
-    return renumber_triangles(triangles, places), kept
+        launch(keep_rows_kernel, used.size, [rows, used, indices, target])
+        selected.append(target)
+    return renumber_triangles(triangles, indices), selected
 
 
 def gather_triangles(triangles: Triangles, rows: Indices) -> Triangles:
@@ -243,8 +245,8 @@ def gather_corners(values: Array1[vec2], rows: Indices) -> Array1[vec2]:
     return gathered
 
 
-def whole_triangles(triangles: Triangles, used: Integers) -> Indices:
+def complete_triangles(triangles: Triangles, used: Integers) -> Indices:
     """Rows of triangles whose vertices are all used (int32 [m] of 0 or 1)."""
     mask = empty(triangles.size, uint8, triangles.device)
-    launch(mask_whole_triangles_kernel, triangles.size, [triangles, used, mask])
+    launch(mask_complete_triangles_kernel, triangles.size, [triangles, used, mask])
     return positions_of(mask)  # sync

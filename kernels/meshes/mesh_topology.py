@@ -140,7 +140,7 @@ def other_edge(triangles: array(dtype=vec3i), h: int, v: int) -> int:
 
 
 @kernel
-def walk_fans_kernel(
+def check_fans_kernel(
     triangles: array(dtype=vec3i), around: CornersByVertex, twins: array(dtype=int32), findings: array(dtype=int32)
 ):
     i = tid()
@@ -148,19 +148,19 @@ def walk_fans_kernel(
     if count == 0:
         return
     start = around.corners[around.starts[i]]
-    seen = 1
+    visited = 1
     h = start
     closed = 0
     for way in range(2):
         if way == 1:
             h = other_edge(triangles, start, i)
-        while seen <= count and closed == 0 and twins[h] >= 0:
+        while visited <= count and closed == 0 and twins[h] >= 0:
             h = other_edge(triangles, twins[h], i)
             if h // 3 == start // 3:
                 closed = 1
             else:
-                seen += 1
-    if seen != count:
+                visited += 1
+    if visited != count:
         atomic_max(findings, SPLIT, 1)
 
 
@@ -190,7 +190,7 @@ def find_topology(
     twins, findings = empty(count, int32, device), zeros(4, int32, device)
     launch(pair_edges_kernel, count, [triangles, keys, order, twins, findings])
     around = CornersByVertex(triangles, vertex_count)
-    launch(walk_fans_kernel, vertex_count, [triangles, around, twins, findings])
+    launch(check_fans_kernel, vertex_count, [triangles, around, twins, findings])
     return findings
 
 
@@ -200,4 +200,4 @@ def examine(triangles: Triangles, vertex_count: int) -> Topology:
 
 
 def topology_of(findings: np.ndarray) -> Topology:
-    return Topology(*(bool(found) for found in findings))
+    return Topology(*(bool(flag) for flag in findings))

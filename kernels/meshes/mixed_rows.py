@@ -63,11 +63,11 @@ def choose_heaviest_kernel(made: MixedRows, nearest: array(dtype=int32)):
     rows = made.rows[i]
     weights = made.weights[i]
     row = rows[0]
-    most = weights[0]
-    if weights[1] > most:
+    max_weight = weights[0]
+    if weights[1] > max_weight:
         row = rows[1]
-        most = weights[1]
-    if weights[2] > most:
+        max_weight = weights[1]
+    if weights[2] > max_weight:
         row = rows[2]
     nearest[i] = row
 

@@ -36,7 +36,7 @@ from .mesh_components import PartOrder, number_parts
 from .mesh_edges import find_edges, higher_end, key_bits, lower_end
 from .mesh_measures import triangle_cross
 from .mesh_topology import corner_vertex
-from .part_votes import follow_most
+from .part_votes import follow_majority
 
 
 @kernel
@@ -91,7 +91,7 @@ def read_forms_kernel(
 
 
 @kernel
-def measure_turned_kernel(
+def measure_oriented_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     firsts: array(dtype=int32),
@@ -119,9 +119,9 @@ def mark_open_parts_kernel(is_open: array(dtype=int32), labels: array(dtype=int6
 
 
 @kernel
-def turn_parts_kernel(labels: array(dtype=int64), turned: array(dtype=uint8), flips: array(dtype=uint8)):
+def flip_parts_kernel(labels: array(dtype=int64), chosen_parts: array(dtype=uint8), flips: array(dtype=uint8)):
     i = tid()
-    if turned[int(labels[i])] == 1:
+    if chosen_parts[int(labels[i])] == 1:
         flips[i] = uint8(1 - int(flips[i]))
 
 
@@ -161,28 +161,28 @@ class Orientation:
     def face_outwards(self, vertices: Points, triangles: Triangles) -> None:
         """Flip closed components whose volume is negative."""
         parts = self.measure_parts(vertices, triangles)
-        self.turn_parts(parts.labels, (parts.volumes < 0) & parts.closed)
+        self.flip_parts(parts.labels, (parts.volumes < 0) & parts.closed)
 
     def measure_parts(self, vertices: Points, triangles: Triangles) -> "OrientedParts":
         """Components and the volumes that they enclose after flipping."""
         device, count = triangles.device, triangles.size
         labels, part_count = number_parts(self._firsts)  # sync
         volumes, open_parts = empty(count, float64, device), zeros(part_count, int32, device)
-        launch(measure_turned_kernel, count, [vertices, triangles, self._firsts, self.flips, volumes])
+        launch(measure_oriented_kernel, count, [vertices, triangles, self._firsts, self.flips, volumes])
         launch(mark_open_parts_kernel, count, [self._is_open, labels, open_parts])
         parts = PartOrder(labels, part_count)
         counts = parts.counts()  # sync
         sums, is_open = read_together([parts.sum(volumes, counts), open_parts])  # sync
         return OrientedParts(labels, counts, sums / 6, is_open == 0)
 
-    def turn_parts(self, labels: LongIntegers, turned: np.ndarray) -> None:
+    def flip_parts(self, labels: LongIntegers, chosen_parts: np.ndarray) -> None:
         """Flip all triangles of selected components: labels int64 [t], bool NumPy per component."""
         device = self.flips.device
-        launch(turn_parts_kernel, self.flips.size, [labels, upload(turned, uint8, device), self.flips])
+        launch(flip_parts_kernel, self.flips.size, [labels, upload(chosen_parts, uint8, device), self.flips])
 
-    def follow_most(self) -> None:
+    def follow_majority(self) -> None:
         """Flip components so that most triangles keep their orientation. On a tie, the first one does."""
-        follow_most(self._firsts, self.flips)
+        follow_majority(self._firsts, self.flips)
 
 
 class OrientedParts(NamedTuple):

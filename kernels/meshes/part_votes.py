@@ -18,10 +18,10 @@ def add_votes_kernel(names: array(dtype=int32), marks: array(dtype=uint8), balan
 @kernel
 def follow_votes_kernel(names: array(dtype=int32), balance: array(dtype=int32), other: int, marks: array(dtype=uint8)):
     i = tid()
-    turned = 1 if marks[i] != 0 else 0
+    mark = 1 if marks[i] != 0 else 0
     if balance[names[i]] > 0:
-        turned = 1 - turned
-    marks[i] = uint8(1 - turned if other == 1 else turned)
+        mark = 1 - mark
+    marks[i] = uint8(1 - mark if other == 1 else mark)
 
 
 @kernel
@@ -37,7 +37,7 @@ def mark_alone_kernel(names: array(dtype=int32), counts: array(dtype=int32), mas
         mask[i] = uint8(0)
 
 
-def follow_most(names: Indices, marks: Bytes, other: bool = False) -> None:
+def follow_majority(names: Indices, marks: Bytes, other: bool = False) -> None:
     """Invert, in place, the marks (uint8 [t]) of components with a majority of marks, and all again if `other`."""
     balance = zeros(names.size, int32, names.device)
     launch(add_votes_kernel, names.size, [names, marks, balance])

@@ -46,7 +46,7 @@ def find_sides_kernel(
     pieces: array(dtype=vec3i),
     sides: array(dtype=int32),
     normal: vec3d,
-    found: array(dtype=int32),
+    piece_sides: array(dtype=int32),
 ):
     i = tid()
     t = pieces[i]
@@ -59,7 +59,7 @@ def find_sides_kernel(
         side = IN_PLANE_DOWN
         if dot(normal, triangle_cross(vertices, t)) > 0.0:
             side = IN_PLANE_UP
-    found[i] = side
+    piece_sides[i] = side
 
 
 @kernel
@@ -80,9 +80,9 @@ def mark_half_edges_kernel(pieces: array(dtype=vec3i), sides: array(dtype=int32)
 
 
 @kernel
-def clear_half_edges_kernel(kept: array(dtype=uint8), mask: array(dtype=uint8)):
+def clear_half_edges_kernel(selected: array(dtype=uint8), mask: array(dtype=uint8)):
     i = tid()
-    if kept[i // 3] == 0:
+    if selected[i // 3] == 0:
         mask[i] = uint8(0)
 
 
@@ -110,22 +110,22 @@ def list_half_edges_kernel(
 
 @kernel
 def renumber_half_edges_kernel(
-    vertex_places: array(dtype=int32), piece_places: array(dtype=int32), listed: array(dtype=int32, ndim=2)
+    vertex_indices: array(dtype=int32), piece_indices: array(dtype=int32), listed: array(dtype=int32, ndim=2)
 ):
     i = tid()
-    listed[i, 0] = vertex_places[listed[i, 0]]
-    listed[i, 1] = vertex_places[listed[i, 1]]
-    listed[i, 3] = 3 * piece_places[listed[i, 3] // 3] + listed[i, 3] % 3
+    listed[i, 0] = vertex_indices[listed[i, 0]]
+    listed[i, 1] = vertex_indices[listed[i, 1]]
+    listed[i, 3] = 3 * piece_indices[listed[i, 3] // 3] + listed[i, 3] % 3
 
 
 @kernel
 def mask_side_kernel(side_of: array(dtype=int32), with_up: int, mask: array(dtype=uint8)):
     i = tid()
     side = side_of[i]
-    kept = 0
+    selected = 0
     if side == ABOVE or side == IN_PLANE_DOWN or (side == IN_PLANE_UP and with_up == 1):
-        kept = 1
-    mask[i] = uint8(kept)
+        selected = 1
+    mask[i] = uint8(selected)
 
 
 def measure_heights(vertices: Points, normal: np.ndarray, offset: float, slack: float) -> Doubles:
@@ -137,9 +137,9 @@ def measure_heights(vertices: Points, normal: np.ndarray, offset: float, slack: 
 
 def find_sides(vertices: Points, pieces: Triangles, sides: Integers, normal: np.ndarray) -> Integers:
     """Side of each piece: ABOVE, BELOW, IN_PLANE_UP or IN_PLANE_DOWN. Vertices beyond `sides` are in the plane."""
-    found = empty(pieces.size, int32, pieces.device)
-    launch(find_sides_kernel, pieces.size, [vertices, pieces, sides, vec3d(*normal.tolist()), found])
-    return found
+    piece_sides = empty(pieces.size, int32, pieces.device)
+    launch(find_sides_kernel, pieces.size, [vertices, pieces, sides, vec3d(*normal.tolist()), piece_sides])
+    return piece_sides
 
 
 def mask_above(side_of: Integers, *, with_up: bool) -> Mask:
@@ -155,27 +155,31 @@ class HalfEdges(NamedTuple):
     rows: np.ndarray
     ends: np.ndarray
 
-    def places(self, vertices: np.ndarray) -> np.ndarray:
+    def positions(self, vertices: np.ndarray) -> np.ndarray:
         numbers, first = np.unique(self.rows[:, :2], return_index=True)
         return self.ends.reshape(-1, 3)[first[np.searchsorted(numbers, vertices)]].astype(np.float64)
 
 
-def mark_in_plane(cut: LevelCut, kept: Mask | None = None) -> Mask:
-    """uint8 [3 p]: 1 for half-edges of (kept) pieces in the plane of a cut."""
+def mark_in_plane(cut: LevelCut, selected: Mask | None = None) -> Mask:
+    """uint8 [3 p]: 1 for half-edges of (selected) pieces in the plane of a cut."""
     mask = empty(3 * cut.pieces.size, uint8, cut.pieces.device)
     launch(mark_half_edges_kernel, mask.size, [cut.pieces, cut.sides, mask])
-    if kept is not None:
-        launch(clear_half_edges_kernel, mask.size, [kept, mask])
+    if selected is not None:
+        launch(clear_half_edges_kernel, mask.size, [selected, mask])
     return mask
 
 
 def read_half_edges(
-    vertices: Points, pieces: Triangles, side_of: Integers, rows: Indices, places: tuple[Indices, Indices] | None = None
+    vertices: Points,
+    pieces: Triangles,
+    side_of: Integers,
+    rows: Indices,
+    indices: tuple[Indices, Indices] | None = None,
 ) -> HalfEdges:
-    """Read half-edges `rows` of pieces. One sync. `places` are new indices of vertices and pieces."""
+    """Read half-edges `rows` of pieces. One sync. `indices` are the new ones of vertices and pieces."""
     listed, ends = empty((rows.size, 4), int32, pieces.device), empty(2 * rows.size, vec3, pieces.device)
     launch(list_half_edges_kernel, rows.size, [vertices, pieces, side_of, rows, listed, ends])
-    if places is not None:
-        launch(renumber_half_edges_kernel, rows.size, [*places, listed])
-    found, at = read_together([listed, ends])  # sync
-    return HalfEdges(found, at.reshape(-1, 2, 3))
+    if indices is not None:
+        launch(renumber_half_edges_kernel, rows.size, [*indices, listed])
+    listed_rows, at = read_together([listed, ends])  # sync
+    return HalfEdges(listed_rows, at.reshape(-1, 2, 3))

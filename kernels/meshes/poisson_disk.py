@@ -36,7 +36,7 @@ from ..search.point_tree import PointTree
 BETA, GAMMA = 0.65, 1.5  # of the paper's r_min. Its alpha, 8, is the power in `pair_weight`
 WEIGHT_BITS = 30  # of the largest weight of a pair: times 2^31 neighbors it fits into 62 bits
 WEIGHT_UNIT = float(2**WEIGHT_BITS)
-IN_TURN = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
+MAX_SEQUENTIAL = 2**16  # samples up to which one core is no slower than two in rounds, which do the work twice
 ROOM = 6.5  # neighbors times kept samples over all, 1.8 times the value of random samples on a plane
 MAX_ROOM = 2**26  # entries of lists that are not counted first: 512 MB
 MAX_PAIRS = 2**30  # entries of the lists: 8 GB
@@ -46,10 +46,10 @@ MAX_PAIRS = 2**30  # entries of the lists: 8 GB
 class Elimination:
     """Remaining samples by tree position. `gain` is 1 / (1 - r_min / r_max). `firsts` and `lasts` delimit neighbors
     within r_max in `lists`, with weights `shares`. `states` are weights, or the negated weight at removal. `rivals`
-    cache a heavier neighbor; `peaks` marks samples to remove; `found` and `running` whether neighbors remain."""
+    cache a heavier neighbor; `peaks` marks samples to remove; `remaining` and `running` whether neighbors remain."""
 
     tree: PointTree
-    widest: float64
+    max_radius: float64
     gain: float64
     firsts: array(dtype=int32)
     lasts: array(dtype=int32)
@@ -58,16 +58,16 @@ class Elimination:
     states: array(dtype=int64)
     rivals: array(dtype=int32)
     peaks: array(dtype=int32)
-    found: array(dtype=int32)
+    remaining: array(dtype=int32)
     running: array(dtype=int32)
 
-    def __init__(self, tree: PointTree, widest: float, narrowest: float, kept: int) -> None:
+    def __init__(self, tree: PointTree, max_radius: float, min_radius: float, kept_count: int) -> None:
         device, count = tree.device, tree.count
-        self.tree, self.widest, self.gain = tree, widest, 1 / (1 - narrowest / widest)
+        self.tree, self.max_radius, self.gain = tree, max_radius, 1 / (1 - min_radius / max_radius)
         self.states = empty(count, int64, device)
         self.rivals, self.peaks = full(count, -1, int32, device), zeros(count, int32, device)
-        self.found, self.running = zeros(1, int32, device), full(1, 1, int32, device)
-        near, room = Neighborhood(tree, widest, None), math.ceil(ROOM * count / kept)
+        self.remaining, self.running = zeros(1, int32, device), full(1, 1, int32, device)
+        near, room = Neighborhood(tree, max_radius, None), math.ceil(ROOM * count / kept_count)
         if device.is_cuda or room * count > MAX_ROOM or not self._list_at_once(near, room):
             self._list_counted(near)
 
@@ -76,9 +76,9 @@ class Elimination:
         device, count = self.tree.device, self.tree.count
         self.firsts, self.lasts = (empty(count, int32, device) for _ in range(2))
         self.lists, self.shares = (empty(count * room, int32, device) for _ in range(2))
-        lacking = zeros(1, int32, device)
-        near.visit(list_neighbors_kernel, near.positions, [room, self, lacking])
-        return not download(lacking)[0]  # sync
+        overflow = zeros(1, int32, device)
+        near.visit(list_neighbors_kernel, near.positions, [room, self, overflow])
+        return not download(overflow)[0]  # sync
 
     def _list_counted(self, near: Neighborhood) -> None:
         device, count = self.tree.device, self.tree.count
@@ -105,9 +105,9 @@ class CrowdedError(ValueError):
 
 
 @func
-def pair_weight(sqdist: float, widest: float64, gain: float64) -> int:
+def pair_weight(sqdist: float, max_radius: float64, gain: float64) -> int:
     """Mutual weight of two samples in units of 2^-30 of the maximum."""
-    share = (1.0 - sqrt(float64(sqdist)) / widest) * gain
+    share = (1.0 - sqrt(float64(sqdist)) / max_radius) * gain
     share = min(max(share, 0.0), 1.0)
     square = share * share
     fourth = square * square
@@ -123,13 +123,13 @@ def count_neighbors_kernel(
     counts: array(dtype=int32),
 ):
     i = tid()
-    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
-        found = held - 1
-        if held < 0:
+    for member, base, stored in members_of(i, part, ranks, neighborhood, scratch):
+        count = stored - 1
+        if stored < 0:
             for j, sqdist in neighbors_of(ranks[member], neighborhood):
-                found += 1
-            found = found + 1
-        counts[ranks[member]] = found
+                count += 1
+            count = count + 1
+        counts[ranks[member]] = count
 
 
 @kernel
@@ -140,28 +140,28 @@ def list_neighbors_kernel(
     scratch: GroupScratch,
     room: int,
     samples: Elimination,
-    lacking: array(dtype=int32),
+    overflow: array(dtype=int32),
 ):
     """Neighbors of each sample, their weights, and the sum; appended within `room`. The atomic records overflow."""
     i = tid()
     at = (part.first + i * part.run) * scratch.width * room
     end = min((part.first + (i + 1) * part.run) * scratch.width, ranks.shape[0]) * room
-    for member, base, held in members_of(i, part, ranks, neighborhood, scratch):
+    for member, base, stored in members_of(i, part, ranks, neighborhood, scratch):
         rank = ranks[member]
         if room == 0:
             at = samples.firsts[rank]
             end = samples.lasts[rank]
         first = at
         total = int64(0)
-        if held >= 0:
-            count = held
-            if at + held - 1 > end:
+        if stored >= 0:
+            count = stored
+            if at + stored - 1 > end:
                 count = 0
-                atomic_max(lacking, 0, 1)
+                atomic_max(overflow, 0, 1)
             for slot in range(count):
                 key = stored_key(scratch, base, slot)
                 if key_index(key) != rank:
-                    share = pair_weight(key_number(key), samples.widest, samples.gain)
+                    share = pair_weight(key_number(key), samples.max_radius, samples.gain)
                     samples.lists[at] = key_index(key)
                     samples.shares[at] = share
                     at += 1
@@ -170,13 +170,13 @@ def list_neighbors_kernel(
             for j, sqdist in neighbors_of(rank, neighborhood):
                 if j != rank:
                     if at < end:
-                        share = pair_weight(sqdist, samples.widest, samples.gain)
+                        share = pair_weight(sqdist, samples.max_radius, samples.gain)
                         samples.lists[at] = j
                         samples.shares[at] = share
                         at += 1
                         total += int64(share)
                     else:
-                        atomic_max(lacking, 0, 1)
+                        atomic_max(overflow, 0, 1)
         if room > 0:
             samples.firsts[rank] = first
             samples.lasts[rank] = at
@@ -228,8 +228,8 @@ def find_peaks_kernel(samples: Elimination):
     """1 for samples that outweigh all neighbors. The atomic records whether any are left."""
     i = tid()
     if samples.states[i] > 0:
-        if samples.found[0] == 0:  # avoids most atomics. An old value only causes an extra one
-            atomic_max(samples.found, 0, 1)
+        if samples.remaining[0] == 0:  # avoids most atomics. An old value only causes an extra one
+            atomic_max(samples.remaining, 0, 1)
         samples.peaks[i] = 1 - is_outweighed(i, samples)
 
 
@@ -238,15 +238,15 @@ def remove_peaks_kernel(samples: Elimination):
     """Remove the local maxima, which are not neighbors of each other. Thread 0 decides whether to continue."""
     i = tid()
     if i == 0:
-        samples.running[0] = samples.found[0]
-        samples.found[0] = 0
+        samples.running[0] = samples.remaining[0]
+        samples.remaining[0] = 0
     if samples.peaks[i] == 1:
         samples.peaks[i] = 0
         remove_sample(i, samples)
 
 
 @kernel(for_cpu=True)
-def remove_in_turn_kernel(samples: Elimination):
+def remove_sequentially_kernel(samples: Elimination):
     """All rounds on one thread, which removes a sample as soon as it outweighs its neighbors."""
     i = tid()
     left = 1
@@ -266,20 +266,20 @@ def spread_keys_kernel(states: array(dtype=int64), order: array(dtype=int32), ke
     keys[order[i]] = max(-states[i], 0)
 
 
-def eliminate_samples(tree: PointTree, kept: int, widest: float) -> Integers:
-    """Ascending rows (int32 [kept]) of evenly spread samples; `widest` is r_max [m]. About 40 rounds of two launches.
+def eliminate_samples(tree: PointTree, kept_count: int, max_radius: float) -> Integers:
+    """Ascending rows (int32) of evenly spread samples; `max_radius` is r_max [m]. About 40 rounds of two launches.
     One sync. Raises CrowdedError for more than 2^30 pairs of neighbors, MemoryError if device memory is exhausted."""
-    narrowest = widest * BETA * (1 - (kept / tree.count) ** GAMMA)
-    samples = Elimination(tree, widest, narrowest, kept)
-    if tree.device.is_cuda or tree.count > IN_TURN:
+    min_radius = max_radius * BETA * (1 - (kept_count / tree.count) ** GAMMA)
+    samples = Elimination(tree, max_radius, min_radius, kept_count)
+    if tree.device.is_cuda or tree.count > MAX_SEQUENTIAL:
         loop_while(samples.running, samples.round)
     else:
-        launch(remove_in_turn_kernel, 1, [samples])
-    most = tree.count
+        launch(remove_sequentially_kernel, 1, [samples])
+    max_neighbors = tree.count
     if not tree.device.is_cuda:  # up to which a faster sort with fewer bits is used
-        most = int((download(samples.lasts) - download(samples.firsts)).max()) + 1
-    weight_bits = WEIGHT_BITS + most.bit_length()
+        max_neighbors = int((download(samples.lasts) - download(samples.firsts)).max()) + 1
+    weight_bits = WEIGHT_BITS + max_neighbors.bit_length()
     keys = full(tree.source.size, 2**weight_bits, int64, tree.device)  # above all weights: samples that are not finite
     launch(spread_keys_kernel, tree.count, [samples.states, tree.order, keys])
     _, order = argsort_keys(keys, weight_bits + 1)
-    return sort_rows(order[:kept], tree.source.size, are_distinct=True)
+    return sort_rows(order[:kept_count], tree.source.size, are_distinct=True)

@@ -79,17 +79,17 @@ def sum_vertex_pseudonormals_kernel(
 
 @struct
 class Pseudonormals:
-    """Pseudonormals of a closed mesh: opposite half-edges, vertex normals, and `turn` (-1 for a negative volume)."""
+    """Pseudonormals of a closed mesh: opposite half-edges, vertex normals, and `sign` (-1 for a negative volume)."""
 
     vertices: array(dtype=vec3)
     triangles: array(dtype=vec3i)
     twins: array(dtype=int32)
     normals: array(dtype=vec3d)
-    turn: float64
+    sign: float64
 
     def __init__(self, vertices: Points, triangles: Triangles, volume: float) -> None:
         device, count = vertices.device, 3 * triangles.size
-        self.vertices, self.triangles, self.turn = vertices, triangles, 1.0 if volume >= 0 else -1.0
+        self.vertices, self.triangles, self.sign = vertices, triangles, 1.0 if volume >= 0 else -1.0
         self.twins, (keys, order) = empty(count, int32, device), sorted_edges(triangles, vertices.size)
         launch(pair_edges_kernel, count, [triangles, keys, order, self.twins, zeros(4, int32, device)])
         self.normals = empty(vertices.size, vec3d, device)
@@ -109,7 +109,7 @@ def side_of_part(gap: vec3d, triangle: int, part: int, sides: Pseudonormals) -> 
         twin = sides.twins[3 * triangle + part - 1]
         if twin >= 0:
             normal = normal + unit_normal(sides.vertices, sides.triangles[twin // 3])
-    return dot(gap, normal) * sides.turn
+    return dot(gap, normal) * sides.sign
 
 
 def volume_of_shell(vertices: Points, triangles: Triangles) -> float | None:
@@ -122,6 +122,6 @@ def volume_of_shell(vertices: Points, triangles: Triangles) -> float | None:
         return None  # the rest would not be used
     mesh = [vertices, triangles]
     sums = [reduce(reduction, triangles.size, mesh) for reduction in (count_narrow, measure_triangle)]
-    found = read_together([findings, label_parts(edges, triangles.size)[1], *sums])  # sync
-    topology, parts, narrow, measured = topology_of(found[0]), found[1][0], found[2][0][0], found[3][0]
+    values = read_together([findings, label_parts(edges, triangles.size)[1], *sums])  # sync
+    topology, parts, narrow, measured = topology_of(values[0]), values[1][0], values[2][0][0], values[3][0]
     return float(measured[1]) / 6 if parts == 1 and narrow == 0 and not any(topology) else None

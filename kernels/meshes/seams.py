@@ -30,7 +30,7 @@ def mark_border_kernel(keys: array(dtype=int64), order: array(dtype=int32), mask
 
 
 @kernel
-def list_place_keys_kernel(
+def list_position_keys_kernel(
     triangles: array(dtype=vec3i),
     owners: array(dtype=int32),
     rows: array(dtype=int32),
@@ -82,7 +82,7 @@ def find_seams(vertices: Points, triangles: Triangles) -> Indices | None:
     if not rows.size:
         return None
     owners, keys, parents = find_equal_vertices(vertices), empty(rows.size, int64, device), positions(count, device)
-    launch(list_place_keys_kernel, rows.size, [triangles, owners, rows, bits, keys])
+    launch(list_position_keys_kernel, rows.size, [triangles, owners, rows, bits, keys])
     groups = UniqueKeys(keys, 2 * bits, padded=True)
     launch(unite_ends_kernel, groups.count, [triangles, owners, rows, groups, parents])
     launch(flatten_sets_kernel, count, [parents])

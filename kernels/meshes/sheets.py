@@ -36,7 +36,7 @@ from ..memory import empty, full, zeros
 from .mesh_edges import corner_at, edge_key, find_edges, key_bits
 from .mesh_measures import measure
 from .mesh_topology import corner_vertex, next_corner
-from .part_votes import follow_most
+from .part_votes import follow_majority
 
 SAME_ANGLE = 1.0e-5  # [rad]: float32 resolution of the angle between coincident walls
 MAX_TRIED = 64  # half-edges at one edge for which all pairs are tried
@@ -50,12 +50,12 @@ def tip_of(triangles: array(dtype=vec3i), h: int) -> int:
 
 @kernel
 def list_open_keys_kernel(
-    placed: array(dtype=vec3i), rows: array(dtype=int32), bits: int, none: int64, keys: array(dtype=int64)
+    welded: array(dtype=vec3i), rows: array(dtype=int32), bits: int, none: int64, keys: array(dtype=int64)
 ):
     i = tid()
     h = rows[i]
-    a = corner_vertex(placed, h)
-    b = corner_vertex(placed, next_corner(h))
+    a = corner_vertex(welded, h)
+    b = corner_vertex(welded, next_corner(h))
     keys[i] = edge_key(a, b, bits)
     if a == b:
         keys[i] = none
@@ -68,22 +68,22 @@ class OpenEdges:
     unmatched; `states` are MATCHED, TENTATIVE or 0."""
 
     starts: array(dtype=int32)
-    halves: array(dtype=int32)
+    half_edges: array(dtype=int32)
     angles: array(dtype=float64)
     ends: array(dtype=uint8)
     order: array(dtype=int32)
     partners: array(dtype=int32)
     states: array(dtype=uint8)
 
-    def __init__(self, placed: Triangles, vertex_count: int, is_open: Mask) -> None:
-        rows, bits, device = positions_of(is_open), key_bits(vertex_count), placed.device  # sync
+    def __init__(self, welded: Triangles, vertex_count: int, is_open: Mask) -> None:
+        rows, bits, device = positions_of(is_open), key_bits(vertex_count), welded.device  # sync
         none = (1 << (2 * bits)) - 1
         keys = empty(rows.size, int64, device)
-        launch(list_open_keys_kernel, rows.size, [placed, rows, bits, none, keys])
+        launch(list_open_keys_kernel, rows.size, [welded, rows, bits, none, keys])
         groups = UniqueKeys(keys, 2 * bits)  # sync
         groups.drop_last(none)  # sync
         self.count, n = groups.count, rows.size
-        self.starts, self.halves = groups.starts, gather_rows(rows, groups.order)
+        self.starts, self.half_edges = groups.starts, gather_rows(rows, groups.order)
         self.angles, self.order = zeros(n, float64, device), positions(n, device)
         self.ends = zeros(n, uint8, device)
         self.partners, self.states = full(n, -1, int32, device), zeros(n, uint8, device)
@@ -95,11 +95,11 @@ def pair_two_kernel(open_edges: OpenEdges, twins: array(dtype=int32), natural: a
     i = tid()
     first = open_edges.starts[i]
     count = open_edges.starts[i + 1] - first
-    h = open_edges.halves[first]
+    h = open_edges.half_edges[first]
     if count == 1:
         natural[h // 3] = uint8(1)
     if count == 2:
-        g = open_edges.halves[first + 1]
+        g = open_edges.half_edges[first + 1]
         twins[h] = g
         twins[g] = h
 
@@ -107,30 +107,30 @@ def pair_two_kernel(open_edges: OpenEdges, twins: array(dtype=int32), natural: a
 @func
 def measure_angles(
     vertices: array(dtype=vec3),
-    placed: array(dtype=vec3i),
+    welded: array(dtype=vec3i),
     flips: array(dtype=uint8),
     open_edges: OpenEdges,
     first: int,
     last: int,
 ):
     """Angle of each triangle around its edge relative to the first, equal at equal positions, and its side."""
-    g = open_edges.halves[first]
-    c = corner_vertex(placed, g)
-    d = corner_vertex(placed, next_corner(g))
+    g = open_edges.half_edges[first]
+    c = corner_vertex(welded, g)
+    d = corner_vertex(welded, next_corner(g))
     low = widen(vertices[min(c, d)])
     axis = widen(vertices[max(c, d)]) - low
     along = axis / length(axis)
-    u = widen(vertices[tip_of(placed, g)]) - low
+    u = widen(vertices[tip_of(welded, g)]) - low
     u = u - along * dot(u, along)
     for i in range(first, last):
-        h = open_edges.halves[i]
-        v = widen(vertices[tip_of(placed, h)]) - low
+        h = open_edges.half_edges[i]
+        v = widen(vertices[tip_of(welded, h)]) - low
         v = v - along * dot(v, along)
         angle = arctangent(dot(cross(u, v), along), dot(u, v))
         if angle < -float64(SAME_ANGLE):
             angle = angle + 2.0 * float64(PI)
         open_edges.angles[i] = angle
-        forward = 1 if corner_vertex(placed, h) < corner_vertex(placed, next_corner(h)) else 0
+        forward = 1 if corner_vertex(welded, h) < corner_vertex(welded, next_corner(h)) else 0
         open_edges.ends[i] = uint8(1 if forward != int(flips[h // 3]) else 0)
 
 
@@ -169,7 +169,7 @@ def is_free(open_edges: OpenEdges, naturals: array(dtype=uint8), slot: int, tier
     """1 for an unmatched half-edge of the tier: 0 for sheets without other open ends, 1 for all."""
     free = 0
     if open_edges.partners[slot] < 0:
-        if tier == 1 or naturals[open_edges.halves[slot] // 3] == 0:
+        if tier == 1 or naturals[open_edges.half_edges[slot] // 3] == 0:
             free = 1
     return free
 
@@ -184,7 +184,7 @@ def join_slots(open_edges: OpenEdges, s: int, e: int, state: int):
 
 @func
 def match_brackets(
-    placed: array(dtype=vec3i), open_edges: OpenEdges, naturals: array(dtype=uint8), first: int, last: int, tier: int
+    welded: array(dtype=vec3i), open_edges: OpenEdges, naturals: array(dtype=uint8), first: int, last: int, tier: int
 ):
     """Match each start of a solid with the next free half-edge if that ends it, repeatedly."""
     n = last - first
@@ -193,26 +193,26 @@ def match_brackets(
         changed = 0
         for p in range(first, last):
             s = open_edges.order[p]
-            h = open_edges.halves[s]
+            h = open_edges.half_edges[s]
             if is_free(open_edges, naturals, s, tier) == 1 and open_edges.ends[s] == 0:
-                tip = tip_of(placed, h)
-                found = -1
+                tip = tip_of(welded, h)
+                partner = -1
                 step = 1
-                while step < n and found < 0:
+                while step < n and partner < 0:
                     e = open_edges.order[first + (p - first + step) % n]
                     if is_free(open_edges, naturals, e, tier) == 1:
-                        found = e
+                        partner = e
                     step += 1
-                if found >= 0:
-                    g = open_edges.halves[found]
-                    if tip_of(placed, g) != tip and open_edges.ends[found] != 0:
-                        join_slots(open_edges, s, found, MATCHED)
+                if partner >= 0:
+                    g = open_edges.half_edges[partner]
+                    if tip_of(welded, g) != tip and open_edges.ends[partner] != 0:
+                        join_slots(open_edges, s, partner, MATCHED)
                         changed = 1
 
 
 @func
 def match_flattest(
-    placed: array(dtype=vec3i),
+    welded: array(dtype=vec3i),
     open_edges: OpenEdges,
     naturals: array(dtype=uint8),
     first: int,
@@ -222,43 +222,43 @@ def match_flattest(
 ):
     """Match the two free half-edges that are flattest to each other, repeatedly. `against`: 1 for opposite directions,
     0 for one direction (tentative), 2 for opposite copies."""
-    found = 1
-    while found == 1:
-        found = 0
+    matched = 1
+    while matched == 1:
+        matched = 0
         s = -1
         e = -1
-        least = 2.0 * float64(PI)
+        min_bend = 2.0 * float64(PI)
         for p in range(first, last):
             x = open_edges.order[p]
             if is_free(open_edges, naturals, x, tier) == 1:
                 for q in range(p + 1, last):
                     y = open_edges.order[q]
                     if is_free(open_edges, naturals, y, tier) == 1:
-                        h = open_edges.halves[x]
-                        g = open_edges.halves[y]
+                        h = open_edges.half_edges[x]
+                        g = open_edges.half_edges[y]
                         opposite = 0
                         if open_edges.ends[x] != open_edges.ends[y]:
                             opposite = 1
                         copies = 0
-                        if tip_of(placed, h) == tip_of(placed, g):
+                        if tip_of(welded, h) == tip_of(welded, g):
                             copies = 1
                         bend = abs(abs(open_edges.angles[x] - open_edges.angles[y]) - float64(PI))
                         fits = opposite == against and copies == 0
                         if against == 2:
                             fits = opposite == 1 and copies == 1
-                        if fits and bend < least:
-                            least = bend
+                        if fits and bend < min_bend:
+                            min_bend = bend
                             s = x
                             e = y
-                            found = 1
-        if found == 1:
+                            matched = 1
+        if matched == 1:
             join_slots(open_edges, s, e, TENTATIVE if against == 0 else MATCHED)
 
 
 @kernel
 def match_sheets_kernel(
     vertices: array(dtype=vec3),
-    placed: array(dtype=vec3i),
+    welded: array(dtype=vec3i),
     naturals: array(dtype=uint8),
     flips: array(dtype=uint8),
     rows: array(dtype=int32),
@@ -267,7 +267,7 @@ def match_sheets_kernel(
     i = tid()
     first = open_edges.starts[rows[i]]
     last = open_edges.starts[rows[i] + 1]
-    measure_angles(vertices, placed, flips, open_edges, first, last)
+    measure_angles(vertices, welded, flips, open_edges, first, last)
     sort_by_angle(open_edges, first, last)
     tiers = int(2)
     for tier in range(tiers):
@@ -276,12 +276,12 @@ def match_sheets_kernel(
             if is_free(open_edges, naturals, p, tier) == 1:
                 balance += 2 * int(open_edges.ends[p]) - 1
         if balance == 0 or last - first > MAX_TRIED:
-            match_brackets(placed, open_edges, naturals, first, last, tier)
+            match_brackets(welded, open_edges, naturals, first, last, tier)
         if last - first <= MAX_TRIED:
-            match_flattest(placed, open_edges, naturals, first, last, tier, 1)
+            match_flattest(welded, open_edges, naturals, first, last, tier, 1)
     if last - first <= MAX_TRIED:
-        match_flattest(placed, open_edges, naturals, first, last, 1, 0)
-        match_flattest(placed, open_edges, naturals, first, last, 1, 2)
+        match_flattest(welded, open_edges, naturals, first, last, 1, 0)
+        match_flattest(welded, open_edges, naturals, first, last, 1, 2)
 
 
 @kernel
@@ -293,9 +293,9 @@ def write_twins_kernel(
     last = open_edges.starts[i + 1]
     if last - first > 2:
         for p in range(first, last):
-            h = open_edges.halves[p]
+            h = open_edges.half_edges[p]
             if open_edges.partners[p] >= 0:
-                twins[h] = open_edges.halves[open_edges.partners[p]]
+                twins[h] = open_edges.half_edges[open_edges.partners[p]]
                 if int(open_edges.states[p]) == TENTATIVE:
                     tentative[h] = uint8(1)
             else:
@@ -309,10 +309,10 @@ def mask_crowded_runs_kernel(starts: array(dtype=int32), mask: array(dtype=uint8
 
 
 def match_by_angle(
-    open_edges: OpenEdges, vertices: Points, placed: Triangles, rows: Indices, naturals: Mask, flips: Mask
+    open_edges: OpenEdges, vertices: Points, welded: Triangles, rows: Indices, naturals: Mask, flips: Mask
 ) -> None:
     """Find partners at edges `rows`. `naturals` marks triangles of sheets that end elsewhere, `flips` flipped ones."""
-    launch(match_sheets_kernel, rows.size, [vertices, placed, naturals, flips, rows, open_edges])
+    launch(match_sheets_kernel, rows.size, [vertices, welded, naturals, flips, rows, open_edges])
 
 
 def crowded_rows(open_edges: OpenEdges) -> Indices:
@@ -368,7 +368,7 @@ def spread_marks_kernel(parents: array(dtype=int32), of_part: array(dtype=uint8)
 
 @kernel
 def pair_given_kernel(
-    placed: array(dtype=vec3i),
+    welded: array(dtype=vec3i),
     edges: UniqueKeys,
     loose: array(dtype=uint8),
     twins: array(dtype=int32),
@@ -384,8 +384,8 @@ def pair_given_kernel(
         g = edges.order[first + 1]
         if h // 3 != g // 3:
             paired = 1
-            other = tip_of(placed, g)
-            if tip_of(placed, h) == other and loose[h // 3] != 0:
+            other = tip_of(welded, g)
+            if tip_of(welded, h) == other and loose[h // 3] != 0:
                 paired = 0
             if paired == 1:
                 twins[h] = g
@@ -403,13 +403,13 @@ def unite_twins_kernel(twins: array(dtype=int32), parents: array(dtype=int32)):
 
 
 @kernel
-def unite_forms_of_twins_kernel(placed: array(dtype=vec3i), twins: array(dtype=int32), parents: array(dtype=int32)):
+def unite_forms_of_twins_kernel(welded: array(dtype=vec3i), twins: array(dtype=int32), parents: array(dtype=int32)):
     """Unite original and flipped forms of triangles that pairs orient consistently."""
     i = tid()
     g = twins[i]
     if g > i:
         against = 0
-        if corner_vertex(placed, i) == corner_vertex(placed, g):
+        if corner_vertex(welded, i) == corner_vertex(welded, g):
             against = 1
         unite(parents, 2 * (i // 3), 2 * (g // 3) + against)
         unite(parents, 2 * (i // 3) + 1, 2 * (g // 3) + 1 - against)
@@ -425,14 +425,14 @@ def part_tentative_kernel(parents: array(dtype=int32), tentative: array(dtype=ui
 
 @kernel
 def part_copies_kernel(
-    placed: array(dtype=vec3i), chosen: array(dtype=uint8), twins: array(dtype=int32), parted: array(dtype=int32)
+    welded: array(dtype=vec3i), chosen: array(dtype=uint8), twins: array(dtype=int32), parted: array(dtype=int32)
 ):
     """Remove pairs of a selected triangle and its own copy."""
     i = tid()
     g = twins[i]
     if g >= 0:
-        other = tip_of(placed, g)
-        if tip_of(placed, i) == other and chosen[i // 3] != 0:
+        other = tip_of(welded, g)
+        if tip_of(welded, i) == other and chosen[i // 3] != 0:
             g = -1
     parted[i] = g
 
@@ -461,51 +461,51 @@ def _winding(forms: Indices, parents: Indices, inwards: bool) -> Mask:
     """uint8 [t]: 1 for triangles oriented against most of their component; inverted with `inwards`."""
     flips = empty(parents.size, uint8, parents.device)
     launch(read_flips_kernel, flips.size, [forms, flips])
-    follow_most(parents, flips, inwards)
+    follow_majority(parents, flips, inwards)
     return flips
 
 
 class Sheets:
-    """Pairs of half-edges that form the sheets of a mesh. `placed` are the triangles by the first vertex at each
+    """Pairs of half-edges that form the sheets of a mesh. `welded` are the triangles by the first vertex at each
     position; `loose` is 0 for closed, consistently oriented components. `twins` int32 [3 t] (-1 if unpaired);
     `crowding` marks triangles unpaired at a crowded edge."""
 
-    def __init__(self, vertices: Points, triangles: Triangles, placed: Triangles, loose: Mask) -> None:
+    def __init__(self, vertices: Points, triangles: Triangles, welded: Triangles, loose: Mask) -> None:
         device, count, vertex_count = triangles.device, triangles.size, vertices.size
-        self._placed, half_edges = placed, 3 * count
+        self._welded, half_edges = welded, 3 * count
         self.twins, self.crowding = full(half_edges, -1, int32, device), zeros(count, uint8, device)
         is_open, edges = zeros(half_edges, uint8, device), find_edges(triangles, vertex_count, padded=True)
-        launch(pair_given_kernel, edges.count, [placed, edges, loose, self.twins, is_open])
-        found = OpenEdges(placed, vertex_count, is_open)
+        launch(pair_given_kernel, edges.count, [welded, edges, loose, self.twins, is_open])
+        open_edges = OpenEdges(welded, vertex_count, is_open)
         natural = zeros(count, uint8, device)
-        launch(pair_two_kernel, found.count, [found, self.twins, natural])
-        rows = crowded_rows(found)  # sync
+        launch(pair_two_kernel, open_edges.count, [open_edges, self.twins, natural])
+        rows = crowded_rows(open_edges)  # sync
         if rows.size:
-            self._match(vertices, found, rows, natural)
+            self._match(vertices, open_edges, rows, natural)
 
-    def _match(self, vertices: Points, found: OpenEdges, rows: Indices, natural: Mask) -> None:
-        placed, count, device = self._placed, self._placed.size, self._placed.device
+    def _match(self, vertices: Points, open_edges: OpenEdges, rows: Indices, natural: Mask) -> None:
+        welded, count, device = self._welded, self._welded.size, self._welded.device
         parents = self.parts()
         ends, naturals = zeros(count, uint8, device), empty(count, uint8, device)
         launch(mark_roots_kernel, count, [parents, natural, ends])
         launch(spread_marks_kernel, count, [parents, ends, naturals])
-        area, volume = measure(vertices, placed)  # sync
+        area, volume = measure(vertices, welded)  # sync
         flips = _winding(self._forms(), parents, volume < -FLAT * area**1.5)
-        match_by_angle(found, vertices, placed, rows, naturals, flips)
+        match_by_angle(open_edges, vertices, welded, rows, naturals, flips)
         tentative = zeros(3 * count, uint8, device)
-        launch(write_twins_kernel, found.count, [found, self.twins, tentative, self.crowding])
+        launch(write_twins_kernel, open_edges.count, [open_edges, self.twins, tentative, self.crowding])
         launch(part_tentative_kernel, 3 * count, [self._forms(), tentative, self.twins])
 
     def _forms(self) -> Indices:
         """Sets of original (2 t) and flipped (2 t + 1) triangles that pairs make consistent."""
-        forms = positions(2 * self._placed.size, self._placed.device)
-        launch(unite_forms_of_twins_kernel, self.twins.size, [self._placed, self.twins, forms])
+        forms = positions(2 * self._welded.size, self._welded.device)
+        launch(unite_forms_of_twins_kernel, self.twins.size, [self._welded, self.twins, forms])
         launch(flatten_sets_kernel, forms.size, [forms])
         return forms
 
     def parts(self) -> Indices:
         """First triangle of each one's pair-connected component, int32 [t]."""
-        parents = positions(self._placed.size, self._placed.device)
+        parents = positions(self._welded.size, self._welded.device)
         launch(unite_twins_kernel, self.twins.size, [self.twins, parents])
         launch(flatten_sets_kernel, parents.size, [parents])
         return parents
@@ -513,23 +513,23 @@ class Sheets:
     def part_copies(self, chosen: Mask) -> None:
         """Separate pairs of selected triangles (uint8 [t]) and their opposite copies."""
         parted = empty(self.twins.size, int32, self.twins.device)
-        launch(part_copies_kernel, self.twins.size, [self._placed, chosen, self.twins, parted])
+        launch(part_copies_kernel, self.twins.size, [self._welded, chosen, self.twins, parted])
         self.twins = parted
 
     def corner_sets(self) -> Integers:
         """Lowest corner of each vertex formed by pairs, int32 [3 t]."""
         parents = positions(self.twins.size, self.twins.device)
-        launch(unite_corners_of_twins_kernel, self.twins.size, [self._placed, self.twins, parents])
+        launch(unite_corners_of_twins_kernel, self.twins.size, [self._welded, self.twins, parents])
         launch(flatten_sets_kernel, parents.size, [parents])
         return parents
 
 
 @kernel
-def unite_corners_of_twins_kernel(placed: array(dtype=vec3i), twins: array(dtype=int32), parents: array(dtype=int32)):
+def unite_corners_of_twins_kernel(welded: array(dtype=vec3i), twins: array(dtype=int32), parents: array(dtype=int32)):
     i = tid()
     g = twins[i]
     if g > i:
-        a = corner_vertex(placed, i)
-        b = corner_vertex(placed, next_corner(i))
-        unite(parents, corner_at(placed, i, a), corner_at(placed, g, a))
-        unite(parents, corner_at(placed, i, b), corner_at(placed, g, b))
+        a = corner_vertex(welded, i)
+        b = corner_vertex(welded, next_corner(i))
+        unite(parents, corner_at(welded, i, a), corner_at(welded, g, a))
+        unite(parents, corner_at(welded, i, b), corner_at(welded, g, b))

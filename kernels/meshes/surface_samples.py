@@ -61,7 +61,7 @@ def guide_shares_kernel(running: array(dtype=float64), steps: int, guide: array(
 
 
 @kernel
-def draw_places_kernel(
+def draw_samples_kernel(
     running: array(dtype=float64),
     steps: int,
     guide: array(dtype=int32),
@@ -160,7 +160,7 @@ class SurfaceSamples:
         steps = 1 << max(0, min(self.triangles.size, count // GUIDED).bit_length() - 1)
         guide = empty(steps + 1, int32, self.device)
         launch(guide_shares_kernel, steps + 1, [self.running, steps, guide])
-        launch(draw_places_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
+        launch(draw_samples_kernel, count, [self.running, steps, guide, seed, self.chosen, self.weights])
 
     def mix(self, values: Vectors, unit: bool = False) -> Vectors:
         mixed = empty(self.count, vec3, self.device)

@@ -42,5 +42,5 @@ def sort_triangles(triangles: Triangles, vertex_count: int) -> Indices:
     _, thirds = argsort_keys(keys, bits)
     keys = empty(count, int64, device)
     launch(list_first_keys_kernel, count, [triangles, thirds, bits, keys])
-    _, places = argsort_keys(keys, 2 * bits)
-    return gather_rows(thirds, places)
+    _, order = argsort_keys(keys, 2 * bits)
+    return gather_rows(thirds, order)

@@ -16,8 +16,8 @@ from .mesh_topology import sorted_edges
 @func
 def is_small(part: int, parts: Parts, ratio: float64, twice: array(dtype=vec2d)) -> int:
     """1 if a component has less than a fraction of the mesh area; `twice` is twice that area."""
-    whole = twice[0]
-    return 1 if parts.doubled[part] / 2.0 < ratio * (whole[0] / 2.0) else 0
+    total = twice[0]
+    return 1 if parts.doubled[part] / 2.0 < ratio * (total[0] / 2.0) else 0
 
 
 @kernel
@@ -85,9 +85,9 @@ def change_small_parts(vertices: Points, pieces: Triangles, mask: Mask, ratio: f
     launch(keep_holes_kernel, count, [holes, ratio, twice, is_open, touches, mask])
 
 
-def mask_trimmed(vertices: Points, cut: LevelCut, whole: Triangles, island_ratio: float) -> Mask:
+def mask_trimmed(vertices: Points, cut: LevelCut, uncut: Triangles, island_ratio: float) -> Mask:
     """Pieces of a cut that remain, uint8 [p]. Components below a fraction of the area change sides. No sync."""
     if island_ratio > 0:
-        twice = reduce(measure_triangle, whole.size, [vertices, whole])
+        twice = reduce(measure_triangle, uncut.size, [vertices, uncut])
         change_small_parts(vertices, cut.pieces, cut.above, island_ratio, twice)
     return cut.above

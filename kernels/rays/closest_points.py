@@ -58,19 +58,19 @@ def describe_closest_kernel(
     triangles: array(dtype=vec3i),
     nearest: NearestTriangles,
     mesh: int,
-    place: Transform,
+    pose: Transform,
     closest: ClosestPoints,
 ):
     i = tid()
     if nearest.meshes[i] != mesh:
         return
-    found = measure_row(queries[i], vertices, triangles, nearest.triangles[i])
+    measured = measure_row(queries[i], vertices, triangles, nearest.triangles[i])
     t = triangles[nearest.triangles[i]]
-    point = point_at(vertices[t[0]], vertices[t[1]], vertices[t[2]], found[0], found[1])
-    closest.points[i] = narrow(transform_point(point, place))
-    closest.uvs[i] = vec2(float(found[0]), float(found[1]))
+    point = point_at(vertices[t[0]], vertices[t[1]], vertices[t[2]], measured[0], measured[1])
+    closest.points[i] = narrow(transform_point(point, pose))
+    closest.uvs[i] = vec2(float(measured[0]), float(measured[1]))
     n = widen(unit_or_up(triangle_cross(vertices, t)))
-    closest.normals[i] = narrow(place.R @ n)
+    closest.normals[i] = narrow(pose.R @ n)
 
 
 @kernel
@@ -82,12 +82,12 @@ def find_sides_kernel(
     if triangle < 0:
         return
     q = queries[i]
-    found = measure_row(q, sides.vertices, sides.triangles, triangle)
+    measured = measure_row(q, sides.vertices, sides.triangles, triangle)
     t = sides.triangles[triangle]
-    point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], found[0], found[1])
-    if found[2] == 0.0:
+    point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], measured[0], measured[1])
+    if measured[2] == 0.0:
         point = widen(sides.vertices[t[0]])  # on the same plane, exact
-    if side_of_part(widen(q) - point, triangle, int(found[2]), sides) < 0.0:
+    if side_of_part(widen(q) - point, triangle, int(measured[2]), sides) < 0.0:
         numbers[i] = 1.0
 
 
@@ -110,11 +110,11 @@ def sign_distances_kernel(
 
 
 def describe(
-    queries: Points, tree: TriangleTree, nearest: NearestTriangles, mesh: int, place: np.ndarray, closest: ClosestPoints
+    queries: Points, tree: TriangleTree, nearest: NearestTriangles, mesh: int, pose: np.ndarray, closest: ClosestPoints
 ) -> None:
-    """Store the closest points of queries (about the mesh's origin) nearest to mesh number `mesh`, posed by `place`."""
+    """Store the closest points of queries (about the mesh's origin) nearest to mesh number `mesh`, posed by `pose`."""
     mesh_arrays = [tree.vertices, tree.triangles]
-    launch(describe_closest_kernel, queries.size, [queries, *mesh_arrays, nearest, mesh, Transform(place), closest])
+    launch(describe_closest_kernel, queries.size, [queries, *mesh_arrays, nearest, mesh, Transform(pose), closest])
 
 
 def find_sides(queries: Points, nearest: NearestTriangles, sides: Pseudonormals) -> Doubles:

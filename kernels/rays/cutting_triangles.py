@@ -83,31 +83,31 @@ def edge_through(p: int, q: int, t: vec3i, side3: callback) -> int:
             unsure = 1
         low = min(low, sign)
         high = max(high, sign)
-    verdict = int(APART)
+    result = int(APART)
     if unsure == 1:
-        verdict = UNSURE
+        result = UNSURE
     elif low >= 0 or high <= 0:
-        verdict = MEETING
-    return verdict
+        result = MEETING
+    return result
 
 
 @func
 def edges_through(s: vec3i, t: vec3i, sides: six_signs, side3: callback) -> int:
     """True if an edge of one triangle that crosses or touches the other's plane meets the other triangle."""
-    verdict = int(APART)
+    result = int(APART)
     edges = int(6)
     for k in range(edges):
         n = k // 3 * 3 + (k + 1) % 3
-        if verdict != MEETING and sides[k] * sides[n] <= 0 and (sides[k] != 0 or sides[n] != 0):
+        if result != MEETING and sides[k] * sides[n] <= 0 and (sides[k] != 0 or sides[n] != 0):
             owner = t + vec3i(0, 0, 0)
             other = s + vec3i(0, 0, 0)
             if k >= 3:
                 owner = s + vec3i(0, 0, 0)
                 other = t + vec3i(0, 0, 0)
-            found = edge_through(owner[k % 3], owner[n % 3], other, side3)
-            if found != APART:
-                verdict = found
-    return verdict
+            edge_result = edge_through(owner[k % 3], owner[n % 3], other, side3)
+            if edge_result != APART:
+                result = edge_result
+    return result
 
 
 @func
@@ -124,13 +124,13 @@ def boxes_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int) -> i
 
 @func
 def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side3: callback, side2: callback) -> int:
-    verdict = int(APART)
+    result = int(APART)
     if boxes_meet(vertices, p, q, a, b) == 1:
-        verdict = MEETING
+        result = MEETING
         before = 0
         questions = int(12)  # along each axis, both ends' sides of the other edge, and vice versa
         for n in range(questions):
-            if verdict != APART:
+            if result != APART:
                 k = n % 4
                 sign = 0
                 if k < 2:
@@ -138,23 +138,23 @@ def edges_meet(vertices: array(dtype=vec3), p: int, q: int, a: int, b: int, side
                 else:
                     sign = side2(n // 4, a, b, p if k == 2 else q)
                 if sign == UNSURE:
-                    verdict = UNSURE
+                    result = UNSURE
                 elif k % 2 == 1 and sign != 0 and sign == before:
-                    verdict = APART
+                    result = APART
                 before = sign
-        if verdict != APART:
+        if result != APART:
             twist = side3(p, q, a, b)
             if twist == UNSURE:
-                verdict = UNSURE
+                result = UNSURE
             elif twist != 0:
-                verdict = APART
-    return verdict
+                result = APART
+    return result
 
 
 @func
-def holds(t: vec3i, p: int, side2: callback) -> int:
+def contains(t: vec3i, p: int, side2: callback) -> int:
     """True if a triangle contains a point of its plane. APART if it is degenerate, since its edges are tested too."""
-    verdict = int(MEETING)
+    result = int(MEETING)
     has_area = 0
     low = 0
     high = 0
@@ -166,8 +166,8 @@ def holds(t: vec3i, p: int, side2: callback) -> int:
             low = 0
             high = 0
         if sign == UNSURE:
-            if verdict == MEETING:
-                verdict = UNSURE
+            if result == MEETING:
+                result = UNSURE
             sign = 0
             has_area = has_area | (1 if k == 3 else 0)
         if k < 3:
@@ -176,39 +176,39 @@ def holds(t: vec3i, p: int, side2: callback) -> int:
         elif sign != 0:
             has_area = 1
         if low < 0 and high > 0:
-            verdict = APART
+            result = APART
     if has_area == 0:
-        verdict = APART
-    return verdict
+        result = APART
+    return result
 
 
 @func
 def meet_in_plane(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callback, side2: callback) -> int:
-    verdict = int(APART)
+    result = int(APART)
     questions = int(11)
     for n in range(questions):
-        if verdict != MEETING:
-            found = int(APART)
+        if result != MEETING:
+            part_result = int(APART)
             if n < 2:
                 holder = s + vec3i(0, 0, 0)
                 corner = t[0]
                 if n == 1:
                     holder = t + vec3i(0, 0, 0)
                     corner = s[0]
-                found = holds(holder, corner, side2)
+                part_result = contains(holder, corner, side2)
             else:
                 i = (n - 2) // 3
                 j = (n - 2) % 3
-                found = edges_meet(vertices, s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3], side3, side2)
-            if found != APART:
-                verdict = found
-    return verdict
+                part_result = edges_meet(vertices, s[i], s[(i + 1) % 3], t[j], t[(j + 1) % 3], side3, side2)
+            if part_result != APART:
+                result = part_result
+    return result
 
 
 @func
 def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callback, side2: callback) -> int:
     """APART, MEETING or UNSURE."""
-    verdict = int(APART)
+    result = int(APART)
     sides = plane_sides(s, t, side3)
     if are_parted(sides) == 0:
         flat = 0
@@ -217,12 +217,12 @@ def triangles_meet(vertices: array(dtype=vec3), s: vec3i, t: vec3i, side3: callb
             flat += 1 if sides[k] == 0 else 0
             unsure += 1 if sides[k] == UNSURE else 0
         if unsure > 0:
-            verdict = UNSURE
+            result = UNSURE
         elif flat == 6:
-            verdict = meet_in_plane(vertices, s, t, side3, side2)
+            result = meet_in_plane(vertices, s, t, side3, side2)
         else:
-            verdict = edges_through(s, t, sides, side3)
-    return verdict
+            result = edges_through(s, t, sides, side3)
+    return result
 
 
 PART = 2**16  # pairs per exact-test launch: each thread needs scratch memory
@@ -231,7 +231,7 @@ PART = 2**16  # pairs per exact-test launch: each thread needs scratch memory
 @func
 def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -> int:
     """Bit mask of a leaf's triangles whose boxes touch the box (a, b)."""
-    found = 0
+    mask = 0
     at = leaf * LEAF_NUMBERS
     for j in range(LEAF):
         apart = 0.0
@@ -241,8 +241,8 @@ def lanes_touching(corners: array(dtype=float32), leaf: int, a: vec3, b: vec3) -
             z = corners[at + (6 + axis) * LEAF + j]
             apart = larger(apart, smaller(smaller(x, y), z) - b[axis])
             apart = larger(apart, a[axis] - larger(larger(x, y), z))
-        found = found | ((1 << j) if apart <= 0.0 else 0)
-    return found
+        mask = mask | ((1 << j) if apart <= 0.0 else 0)
+    return mask
 
 
 @func
@@ -261,23 +261,23 @@ def share_vertex(s: vec3i, t: vec3i) -> int:
 
 
 @func
-def same_place(p: vec3, q: vec3) -> int:
+def same_position(p: vec3, q: vec3) -> int:
     return 1 if p[0] == q[0] and p[1] == q[1] and p[2] == q[2] else 0
 
 
 @func
-def look_at_pair(vertices: array(dtype=vec3), s: vec3i, t: vec3i) -> int:
+def classify_pair(vertices: array(dtype=vec3), s: vec3i, t: vec3i) -> int:
     """APART if a triangle is on one side of the other, MEETING if two corners coincide, else UNSURE."""
     same = 0
     pairs = int(9)
     for k in range(pairs):
-        same += same_place(vertices[s[k // 3]], vertices[t[k % 3]])
-    verdict = int(MEETING)
+        same += same_position(vertices[s[k // 3]], vertices[t[k % 3]])
+    result = int(MEETING)
     if same == 0:
-        verdict = UNSURE
+        result = UNSURE
         if are_parted(plane_sides(s, t, partial(side_of_plane, vertices))) == 1:
-            verdict = APART
-    return verdict
+            result = APART
+    return result
 
 
 @func
@@ -290,7 +290,7 @@ def find_partners(
     others: array(dtype=vec3i),
     first: int,
     partners: array(dtype=int32),
-    verdicts: array(dtype=uint8),
+    results: array(dtype=uint8),
 ) -> int:
     """Count the triangles that meet triangle i or may, `within` one mesh higher ones. List them if `first` >= 0."""
     count = 0
@@ -312,19 +312,19 @@ def find_partners(
                     leaf = bucket * FAN + j
                     touching = lanes_touching(tree.corners, leaf, a, b)
                     for lane in range(lanes):
-                        place = leaf * LEAF + lane
-                        if ((touching >> lane) & 1) == 1 and place < tree.count:
-                            other = tree.order[place]
+                        index = leaf * LEAF + lane
+                        if ((touching >> lane) & 1) == 1 and index < tree.count:
+                            other = tree.order[index]
                             t = others[other]
                             wanted = 1
                             if within == 1:
                                 wanted = 1 if other > i and share_vertex(s, t) == 0 else 0
                             if wanted == 1:
-                                verdict = look_at_pair(vertices, s, t)
-                                if verdict != APART:
+                                result = classify_pair(vertices, s, t)
+                                if result != APART:
                                     if first >= 0:
                                         partners[first + count] = other
-                                        verdicts[first + count] = uint8(verdict)
+                                        results[first + count] = uint8(result)
                                     count += 1
             step = next_bucket_touching(step, a, b, tree)
     return count
@@ -338,11 +338,11 @@ def count_partners_kernel(
     tree: TriangleTree,
     others: array(dtype=vec3i),
     no_partners: array(dtype=int32),
-    no_verdicts: array(dtype=uint8),
+    no_results: array(dtype=uint8),
     counts: array(dtype=int32),
 ):
     i = tid()
-    counts[i] = find_partners(i, vertices, triangles, within, tree, others, -1, no_partners, no_verdicts)
+    counts[i] = find_partners(i, vertices, triangles, within, tree, others, -1, no_partners, no_results)
 
 
 @kernel(max_registers=128)  # for two blocks per SM
@@ -355,25 +355,25 @@ def list_partners_kernel(
     offsets: array(dtype=int32),
     owners: array(dtype=int32),
     partners: array(dtype=int32),
-    verdicts: array(dtype=uint8),
+    results: array(dtype=uint8),
 ):
     i = tid()
     first = offsets[i]
     last = offsets[i + 1]
     if last > first:
-        found = find_partners(i, vertices, triangles, within, tree, others, first, partners, verdicts)
-        for j in range(first, first + found):
+        count = find_partners(i, vertices, triangles, within, tree, others, first, partners, results)
+        for j in range(first, first + count):
             owners[j] = i
             # insertion sort: the tree's order differs
             partner = partners[j]
-            verdict = verdicts[j]
+            result = results[j]
             k = j - 1
             while k >= first and partners[max(k, 0)] > partner:
                 partners[k + 1] = partners[k]
-                verdicts[k + 1] = verdicts[k]
+                results[k + 1] = results[k]
                 k -= 1
             partners[k + 1] = partner
-            verdicts[k + 1] = verdict
+            results[k + 1] = result
 
 
 @kernel
@@ -383,23 +383,23 @@ def test_pairs_kernel(
     others: array(dtype=vec3i),
     owners: array(dtype=int32),
     partners: array(dtype=int32),
-    verdicts: array(dtype=uint8),
+    results: array(dtype=uint8),
     is_meeting: array(dtype=uint8),
     is_open: array(dtype=uint8),
 ):
     """Test pairs in float64; flags for meeting and for undecided pairs."""
     i = tid()
-    verdict = int(verdicts[i])
-    if verdict == UNSURE:
+    result = int(results[i])
+    if result == UNSURE:
         s = triangles[owners[i]]
         t = others[partners[i]]
-        verdict = triangles_meet(vertices, s, t, partial(side_of_plane, vertices), partial(side_of_line, vertices))
-    is_meeting[i] = uint8(1 if verdict == MEETING else 0)
-    is_open[i] = uint8(1 if verdict == UNSURE else 0)
+        result = triangles_meet(vertices, s, t, partial(side_of_plane, vertices), partial(side_of_line, vertices))
+    is_meeting[i] = uint8(1 if result == MEETING else 0)
+    is_open[i] = uint8(1 if result == UNSURE else 0)
 
 
 @kernel
-def settle_pairs_kernel(
+def resolve_pairs_kernel(
     rows: array(dtype=int32),
     triangles: array(dtype=vec3i),
     others: array(dtype=vec3i),
@@ -412,10 +412,10 @@ def settle_pairs_kernel(
     row = rows[i]
     s = triangles[owners[row]]
     t = others[partners[row]]
-    verdict = triangles_meet(
+    result = triangles_meet(
         given.vertices, s, t, partial(exact_side_of_plane, i, given), partial(exact_side_of_line, i, given)
     )
-    is_meeting[row] = uint8(1 if verdict == MEETING else 0)
+    is_meeting[row] = uint8(1 if result == MEETING else 0)
 
 
 def exact_sides(vertices: Points, lowest: np.ndarray, extremes: np.ndarray, threads: int) -> ExactSides:
@@ -441,13 +441,13 @@ def find_meeting_pairs(
     launch(count_partners_kernel, count, [*search, *nowhere, counts])
     offsets, total = exclusive_scan(counts)  # sync
     owners, partners = empty(total, int32, device), empty(total, int32, device)
-    verdicts = empty(total, uint8, device)
+    results = empty(total, uint8, device)
     if not total:
         return partners, owners
-    launch(list_partners_kernel, count, [*search, offsets, owners, partners, verdicts])
+    launch(list_partners_kernel, count, [*search, offsets, owners, partners, results])
     is_meeting, is_open = empty(total, uint8, device), empty(total, uint8, device)
     pairs = [triangles, others, owners, partners]
-    launch(test_pairs_kernel, total, [vertices, *pairs, verdicts, is_meeting, is_open])
+    launch(test_pairs_kernel, total, [vertices, *pairs, results, is_meeting, is_open])
     beside = _about(vertices) if device.is_cuda else ()
     (rows, open_rows), about = positions_beside((is_meeting, is_open), beside)  # sync
     if open_rows.size:
@@ -455,7 +455,7 @@ def find_meeting_pairs(
         given = exact_sides(vertices, lowest, extremes, min(open_rows.size, PART))
         for first in range(0, open_rows.size, PART):
             part = open_rows[first : min(first + PART, open_rows.size)]
-            launch(settle_pairs_kernel, part.size, [part, *pairs, given, is_meeting])
+            launch(resolve_pairs_kernel, part.size, [part, *pairs, given, is_meeting])
         rows = positions_of(is_meeting)  # sync
     return gather_rows(owners, rows), gather_rows(partners, rows)
 

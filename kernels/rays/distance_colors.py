@@ -17,9 +17,9 @@ def color_distances_kernel(distances: array(dtype=float64), largest: float, colo
         share = 0.0
         if largest > 0.0:
             share = min(d / largest, 1.0)
-        place = share * float(STEPS)
-        step = min(int(place), STEPS - 1)
-        rest = place - float(step)
+        position = share * float(STEPS)
+        step = min(int(position), STEPS - 1)
+        rest = position - float(step)
         a = vec3(0.267, 0.005, 0.329)
         b = vec3(0.230, 0.322, 0.546)
         if step == 1:

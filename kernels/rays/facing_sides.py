@@ -41,10 +41,10 @@ def face_distances_kernel(
     distance = float64(NAN)
     is_beside = 0
     if triangle >= 0 and isfinite(q):
-        found = measure_row(q, sides.vertices, sides.triangles, triangle)
+        measured = measure_row(q, sides.vertices, sides.triangles, triangle)
         t = sides.triangles[triangle]
-        part = int(found[2])
-        point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], found[0], found[1])
+        part = int(measured[2])
+        point = point_at(sides.vertices[t[0]], sides.vertices[t[1]], sides.vertices[t[2]], measured[0], measured[1])
         if part == 0:
             point = widen(sides.vertices[t[0]])  # on the same plane, exact
         distance = sqrt(nearest.sqdists[i])
@@ -62,7 +62,7 @@ def face_distances_kernel(
 def face_distances(tree: TriangleTree, vertices: Points, triangles: Triangles, queries: Points) -> tuple[Doubles, Mask]:
     """Signed distances [m], float64 (n), and boundary flags, uint8 (n). NaN for non-finite queries."""
     nearest = NearestTriangles(queries)
-    nearest.look_into(tree, queries, 0)
+    nearest.search(tree, queries, 0)
     sides, rim = Pseudonormals(vertices, triangles, 1.0), zeros(vertices.size, uint8, queries.device)
     launch(mark_rim_kernel, sides.twins.size, [sides, rim])
     distances, beside = empty(queries.size, float64, queries.device), empty(queries.size, uint8, queries.device)

@@ -42,7 +42,7 @@ from ..memory import full
 from ..search.bucket_walk import byte_shift
 from ..search.hilbert_order import order_in_box
 from ..search.point_tree import FAN, LARGEST_SQDIST, SIDES, measure_boxes
-from .triangle_bounds import SMALLEST, bound_distance, load_corners, measure_place, reach_of
+from .triangle_bounds import SMALLEST, bound_distance, load_corners, sqdist_at, sqdist_limit
 from .triangle_tree import LEAF, LEAF_NUMBERS, TriangleTree
 
 GROUP_BITS = 3  # of a lane index within its group
@@ -53,11 +53,11 @@ LAST = 2147483647  # triangle number after all others
 
 
 @cuda_func
-def least_of_group(x: float) -> float:
-    found = x
+def min_of_group(x: float) -> float:
+    lowest = x
     for bit in range(GROUP_BITS):
-        found = smaller(shuffle_xor(found, 1 << bit), found)
-    return found
+        lowest = smaller(shuffle_xor(lowest, 1 << bit), lowest)
+    return lowest
 
 
 @cuda_func
@@ -72,36 +72,36 @@ def distance_of_child(tree: TriangleTree, level: int, node: int, left: int, q: v
 
 
 @cuda_func
-def settle(q: vec3, earlier: int, sqdist: float64, place: int, tree: TriangleTree) -> vec2d:
+def choose_nearer(q: vec3, earlier: int, sqdist: float64, index: int, tree: TriangleTree) -> vec2d:
     """Squared distance [m^2] and position of the nearer of two triangles, ties by number; `sqdist` is -1 if unknown."""
-    least = sqdist * 1.0
-    found = earlier + 0
-    if least < 0.0:
-        least = measure_place(q, earlier, tree)
-    others = measure_place(q, place, tree)
-    if others < least or (others == least and tree.order[place] < tree.order[earlier]):
-        least = others
-        found = place
-    return vec2d(least, float64(found))
+    min_sqdist = sqdist * 1.0
+    nearer = earlier + 0
+    if min_sqdist < 0.0:
+        min_sqdist = sqdist_at(q, earlier, tree)
+    others = sqdist_at(q, index, tree)
+    if others < min_sqdist or (others == min_sqdist and tree.order[index] < tree.order[earlier]):
+        min_sqdist = others
+        nearer = index
+    return vec2d(min_sqdist, float64(nearer))
 
 
 @cuda_func
-def least_of_kept(q: vec3, place: int, sqdist: float64, tree: TriangleTree) -> vec2d:
-    """Squared distance [m^2] and number of the group's nearest kept triangle (`place` or -1), infinite if none."""
-    least = float64(INFINITY)
+def nearest_of_group(q: vec3, index: int, sqdist: float64, tree: TriangleTree) -> vec2d:
+    """Squared distance [m^2] and number of the group's nearest triangle (`index` or -1), infinite if none."""
+    min_sqdist = float64(INFINITY)
     number = int(LAST)
-    if place >= 0:
-        number = tree.order[place]
-        least = sqdist * 1.0
+    if index >= 0:
+        number = tree.order[index]
+        min_sqdist = sqdist * 1.0
         if sqdist < 0.0:
-            least = measure_place(q, place, tree)
+            min_sqdist = sqdist_at(q, index, tree)
     for bit in range(GROUP_BITS):
-        other = shuffle_xor(least, 1 << bit)
+        other = shuffle_xor(min_sqdist, 1 << bit)
         others = shuffle_xor(number, 1 << bit)
-        if other < least or (other == least and others < number):
-            least = other
+        if other < min_sqdist or (other == min_sqdist and others < number):
+            min_sqdist = other
             number = others
-    return vec2d(least, float64(number))
+    return vec2d(min_sqdist, float64(number))
 
 
 @cuda_func
@@ -112,8 +112,8 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
     own = lane() % FAN
     group = lane() - own
     searching = is_query + 0
-    reach = reach_of(bound)
-    place = int(-1)  # of the lane's nearest triangle,
+    limit = sqdist_limit(bound)
+    index = int(-1)  # of the lane's nearest triangle,
     low = 0.0  # a lower bound of its squared distance,
     sqdist = float64(-1.0)  # and the exact one if it was needed
     level = tree.root
@@ -127,13 +127,13 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
         leaf = -1
         moving = searching + 0
         while ballot(moving) != 0:  # until each active group is at a leaf
-            near = (ballot(1 if distance <= reach else 0) >> group) & BYTE
+            near = (ballot(1 if distance <= limit else 0) >> group) & BYTE
             if near == 0 and level == 0 and tree.root > 0:
                 level = 1
                 node = node >> GROUP_BITS
                 distance = above
-            nearest = least_of_group(distance)
-            near = (ballot(1 if distance == nearest and distance <= reach else 0) >> group) & BYTE
+            nearest = min_of_group(distance)
+            near = (ballot(1 if distance == nearest and distance <= limit else 0) >> group) & BYTE
             child = bit_count((near & (-near)) - 1)
             if moving == 1:
                 left = int(BYTE)
@@ -162,28 +162,28 @@ def find_nearest_of_lanes(q: vec3, is_query: int, tree: TriangleTree, scale: flo
                     distance = distance_of_child(tree, level, node, left, q)
         upper = float(INFINITY)
         if leaf >= 0:
-            found = bound_distance(load_corners(tree.corners, leaf * LEAF_NUMBERS + own), q, scale)
-            upper = smaller((found[0] + found[1]) * WIDER + SMALLEST, LARGEST_SQDIST)
-            lower = found[0] - found[1]
-            within = smaller(upper, reach)
+            interval = bound_distance(load_corners(tree.corners, leaf * LEAF_NUMBERS + own), q, scale)
+            upper = smaller((interval[0] + interval[1]) * WIDER + SMALLEST, LARGEST_SQDIST)
+            lower = interval[0] - interval[1]
+            within = smaller(upper, limit)
             if lower <= within:
-                if place < 0 or low > within:
-                    place = leaf * LEAF + own
+                if index < 0 or low > within:
+                    index = leaf * LEAF + own
                     low = lower
                     sqdist = -1.0
                 else:
-                    settled = settle(q, place, sqdist, leaf * LEAF + own, tree)
-                    sqdist = settled[0]
-                    place = int(settled[1])
+                    nearer = choose_nearer(q, index, sqdist, leaf * LEAF + own, tree)
+                    sqdist = nearer[0]
+                    index = int(nearer[1])
                     low = smaller(lower, low)
                     upper = smaller(float(sqdist) * WIDER + SMALLEST, upper)
-        reach = smaller(least_of_group(upper), reach)
-    if low > reach:
-        place = -1
-    return least_of_kept(q, place, sqdist, tree)
+        limit = smaller(min_of_group(upper), limit)
+    if low > limit:
+        index = -1
+    return nearest_of_group(q, index, sqdist, tree)
 
 
-NOBODY = -1  # no triangle
+NO_TRIANGLE = -1
 RUN = 16  # queries per thread
 CURVE_LEVELS = 10  # of the curve that orders queries
 lane_numbers = vector(8, float32)
@@ -195,9 +195,9 @@ def bound_distances(corners: array(dtype=float32), leaf: int, q: vec3, scale: fl
     """Bounds of the squared distances [m^2] from a point to a leaf's triangles."""
     bounds = lane_bounds(0.0)
     for j in range(LEAF):
-        found = bound_distance(load_corners(corners, leaf * LEAF_NUMBERS + j), q, scale)
-        bounds[j] = found[0] + found[1]
-        bounds[LEAF + j] = found[0] - found[1]
+        interval = bound_distance(load_corners(corners, leaf * LEAF_NUMBERS + j), q, scale)
+        bounds[j] = interval[0] + interval[1]
+        bounds[LEAF + j] = interval[0] - interval[1]
     return bounds
 
 
@@ -208,39 +208,39 @@ def measure_leaf(leaf: int, q: vec3, tree: TriangleTree, scale: float, best: vec
     shortest = bounds[0]
     for j in range(1, LEAF):
         shortest = smaller(bounds[j], shortest)
-    least = smaller(shortest, reach_of(best[0]))  # rounded up
+    limit = smaller(shortest, sqdist_limit(best[0]))  # rounded up
     result = best + vec4d(0.0, 0.0, 0.0, 0.0)
     rivals = 0
     only = 0
     for j in range(LEAF):
-        in_reach = 1 if bounds[LEAF + j] <= least else 0
-        rivals += in_reach
-        only = j if in_reach == 1 else only
-    holds = 0
+        in_range = 1 if bounds[LEAF + j] <= limit else 0
+        rivals += in_range
+        only = j if in_range == 1 else only
+    best_remains = 0
     if best[3] >= 0.0 and best[1] <= float64(shortest):
-        holds = 1
-    if rivals == 1 and holds == 0:
-        place = leaf * LEAF + only
-        result = vec4d(float64(bounds[only]), float64(bounds[LEAF + only]), -1.0, float64(place))
+        best_remains = 1
+    if rivals == 1 and best_remains == 0:
+        index = leaf * LEAF + only
+        result = vec4d(float64(bounds[only]), float64(bounds[LEAF + only]), -1.0, float64(index))
     elif rivals > 0:
-        if holds == 0:
+        if best_remains == 0:
             result = vec4d(float64(LARGEST_SQDIST), 0.0, float64(LARGEST_SQDIST), -1.0)
         elif best[2] < 0.0:
-            result[2] = measure_place(q, int(best[3]), tree)
+            result[2] = sqdist_at(q, int(best[3]), tree)
         lanes = int(LEAF)
         for j in range(lanes):
-            if bounds[LEAF + j] <= least:
-                place = leaf * LEAF + j
-                sqdist = measure_place(q, place, tree)
+            if bounds[LEAF + j] <= limit:
+                index = leaf * LEAF + j
+                sqdist = sqdist_at(q, index, tree)
                 nearer = 0
                 if sqdist < result[2]:
                     nearer = 1
                 elif sqdist == result[2] and result[3] >= 0.0:
-                    if tree.order[place] < tree.order[int(result[3])]:
+                    if tree.order[index] < tree.order[int(result[3])]:
                         nearer = 1
                 if nearer == 1:
                     result[2] = sqdist
-                    result[3] = float64(place)
+                    result[3] = float64(index)
         result[0] = result[2] + 0.0
         result[1] = result[2] + 0.0
     return result
@@ -254,7 +254,7 @@ def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: v
     searching = 1
     while searching == 1:
         j = nearest_of(distances, BYTE)
-        if distances[j] <= reach_of(result[0]):
+        if distances[j] <= sqdist_limit(result[0]):
             result = measure_leaf(node * FAN + j, q, tree, scale, result)
             distances[j] = INFINITY
         else:
@@ -265,12 +265,12 @@ def measure_bucket(node: int, q: vec3, tree: TriangleTree, scale: float, best: v
 @func
 def nearest_of(distances: lane_numbers, wanted: int) -> int:
     nearest = 0
-    least = float(INFINITY)
+    shortest = float(INFINITY)
     for j in range(FAN):
-        closer = 1 if distances[j] < least else 0
+        closer = 1 if distances[j] < shortest else 0
         closer = closer & (wanted >> j)
         nearest = j if closer == 1 else nearest
-        least = distances[j] if closer == 1 else least
+        shortest = distances[j] if closer == 1 else shortest
     return nearest
 
 
@@ -289,9 +289,9 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
         chosen = -1
         if left != 0:
             distances = measure_boxes(tree.boxes, tree.levels[level] + node, q, q)
-            reach = reach_of(best[0])
+            limit = sqdist_limit(best[0])
             j = nearest_of(distances, left)
-            if ((left >> j) & 1) == 1 and distances[j] <= reach:
+            if ((left >> j) & 1) == 1 and distances[j] <= limit:
                 chosen = j
         if chosen < 0:
             pending = pending & ~(int64(EVERY) << byte_shift(level))
@@ -310,7 +310,7 @@ def find_nearest(q: vec3, tree: TriangleTree, scale: float, near: vec4d) -> vec4
 
 @struct
 class NearestTriangles:
-    """Current results: `sqdists` [m^2], infinite if none; `meshes`, `triangles` or NOBODY; query `order`."""
+    """Current results: `sqdists` [m^2], infinite if none; `meshes`, `triangles` or NO_TRIANGLE; query `order`."""
 
     sqdists: array(dtype=float64)
     meshes: array(dtype=int32)
@@ -320,10 +320,10 @@ class NearestTriangles:
         """Initialize for vec3 queries, with their order if given."""
         device, n = queries.device, queries.size
         self.sqdists = full(n, math.inf, float64, device)
-        self.meshes, self.triangles = full(n, NOBODY, int32, device), full(n, NOBODY, int32, device)
+        self.meshes, self.triangles = full(n, NO_TRIANGLE, int32, device), full(n, NO_TRIANGLE, int32, device)
         self.order = order_in_box(queries, CURVE_LEVELS) if order is None else order
 
-    def look_into(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
+    def search(self, tree: TriangleTree, queries: Points, mesh: int) -> None:
         """Update with another mesh. Ties keep the earlier one. `queries` are about its origin, up to 1.8e19 m."""
         n, run = queries.size, RUN
         threads = -(-n // run)
@@ -348,16 +348,16 @@ def find_nearest_triangles_kernel(
         row = query_order[rank]
         q = queries[row]
         if tree.count > 0 and isfinite(q):
-            least = nearest.sqdists[row]
-            bound = min(least, float64(LARGEST_SQDIST))
+            known_sqdist = nearest.sqdists[row]
+            bound = min(known_sqdist, float64(LARGEST_SQDIST))
             best = find_nearest(q, tree, scale, vec4d(bound, 0.0, -1.0, -1.0))
             if best[3] >= 0.0:
-                place = int(best[3])
-                sqdist = measure_place(q, place, tree)
-                if sqdist < least:
+                index = int(best[3])
+                sqdist = sqdist_at(q, index, tree)
+                if sqdist < known_sqdist:
                     nearest.sqdists[row] = sqdist
                     nearest.meshes[row] = mesh
-                    nearest.triangles[row] = tree.order[place]
+                    nearest.triangles[row] = tree.order[index]
 
 
 @find_nearest_triangles_kernel.on_cuda
@@ -376,13 +376,13 @@ def find_nearest_triangles_of_lanes_kernel(
     row = query_order[min(rank, queries.shape[0] - 1)]
     q = queries[row]
     searching = 1 if rank < queries.shape[0] and tree.count > 0 and isfinite(q) else 0
-    least = nearest.sqdists[row]
-    found = find_nearest_of_lanes(q, searching, tree, scale, min(least, float64(LARGEST_SQDIST)))
+    known_sqdist = nearest.sqdists[row]
+    result = find_nearest_of_lanes(q, searching, tree, scale, min(known_sqdist, float64(LARGEST_SQDIST)))
     sync_lanes()  # all lanes have read before one writes
-    if i % FAN == 0 and found[0] < least:
-        nearest.sqdists[row] = found[0]
+    if i % FAN == 0 and result[0] < known_sqdist:
+        nearest.sqdists[row] = result[0]
         nearest.meshes[row] = mesh
-        nearest.triangles[row] = int(found[1])
+        nearest.triangles[row] = int(result[1])
 
 
 def scale_of(tree: TriangleTree) -> float:

@@ -15,7 +15,7 @@ CORNER = 4
 
 
 @func
-def stands_before(a: vec3d, b: vec3d) -> int:
+def precedes(a: vec3d, b: vec3d) -> int:
     """1 if a is lexicographically before b."""
     before = 0
     if a[0] < b[0] or (a[0] == b[0] and (a[1] < b[1] or (a[1] == b[1] and a[2] < b[2]))):
@@ -27,19 +27,19 @@ def stands_before(a: vec3d, b: vec3d) -> int:
 def share_of_edge(p: vec3d, a: vec3d, b: vec3d) -> float64:
     """Parameter of the nearest point on the edge from a to b, 0..1."""
     along = dot(p - a, b - a)
-    whole = dot(b - a, b - a)
+    square_length = dot(b - a, b - a)
     share = float64(0.0)
-    if along >= whole:
+    if along >= square_length:
         share = 1.0
     elif along > 0.0:
-        share = along / whole
-    return share if whole > 0.0 else 0.0
+        share = along / square_length
+    return share if square_length > 0.0 else 0.0
 
 
 @func
 def measure_edge(p: vec3d, a: vec3d, b: vec3d) -> vec2d:
     """Parameter of the nearest point on the edge from a to b, 0..1, and its squared distance [m^2]."""
-    swapped = stands_before(b, a)
+    swapped = precedes(b, a)
     tail = a + vec3d(0.0, 0.0, 0.0)
     head = b + vec3d(0.0, 0.0, 0.0)
     if swapped == 1:
@@ -92,13 +92,13 @@ def measure_triangle(p: vec3d, a: vec3d, b: vec3d, c: vec3d) -> vec4d:
     first = size - second - third
     zero = float64(0.0)
     is_wide = size > float64(NARROW) * dot(ab, ab) * dot(ac, ac)
-    found = vec4d(zero, zero, zero, zero)
+    nearest = vec4d(zero, zero, zero, zero)
     if is_wide and first > zero and second > zero and third > zero:
         height = dot(n, ap)
-        found = vec4d(second / size, third / size, zero, height * height / size)
+        nearest = vec4d(second / size, third / size, zero, height * height / size)
     else:
-        found = measure_edges(p, a, b, c)
-    return found
+        nearest = measure_edges(p, a, b, c)
+    return nearest
 
 
 @func

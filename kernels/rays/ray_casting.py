@@ -28,7 +28,7 @@ from ..lang import (
     vec3,
 )
 from ..memory import empty
-from .ray_hits import next_hit, turn_back
+from .ray_hits import next_hit, rotate_back
 from .scene_trees import NUMBER, ROW, SceneTrees
 from .triangle_tree import LEAF, leaf_corner
 
@@ -62,12 +62,12 @@ def ray_direction(rays: array(dtype=float32), i: int) -> vec3:
 
 
 @func
-def normal_of(place: int, row: int, trees: SceneTrees) -> vec3:
+def normal_of(index: int, row: int, trees: SceneTrees) -> vec3:
     """Unit normal of a triangle by the right-hand rule, in the scene's frame."""
-    a = leaf_corner(trees.corners, place // LEAF, place % LEAF, 0)
-    b = leaf_corner(trees.corners, place // LEAF, place % LEAF, 1)
-    c = leaf_corner(trees.corners, place // LEAF, place % LEAF, 2)
-    n = turn_back(cross(widen(b) - widen(a), widen(c) - widen(a)), trees.motions, row)
+    a = leaf_corner(trees.corners, index // LEAF, index % LEAF, 0)
+    b = leaf_corner(trees.corners, index // LEAF, index % LEAF, 1)
+    c = leaf_corner(trees.corners, index // LEAF, index % LEAF, 2)
+    n = rotate_back(cross(widen(b) - widen(a), widen(c) - widen(a)), trees.motions, row)
     return narrow(n / length(n))
 
 
@@ -84,10 +84,10 @@ def cast_rays_kernel(rays: array(dtype=float32), trees: SceneTrees, hits: RayHit
     normal = vec3(0.0, 0.0, 0.0)
     if isfinite(met[0]):
         row = int(met[1])
-        place = int(met[2])
+        index = int(met[2])
         hits.geometry_ids[i] = trees.rows[row * ROW + NUMBER]
-        hits.primitive_ids[i] = trees.order[place]
-        normal = normal_of(place, row, trees)
+        hits.primitive_ids[i] = trees.order[index]
+        normal = normal_of(index, row, trees)
     normals[i] = normal
 
 

@@ -30,13 +30,13 @@ from .scene_trees import FIRST_LEAF, MOTION, NUMBER, ROOT, ROW, SceneTrees
 from .triangle_tree import LEAF, LEAF_NUMBERS
 
 BYTE = 255
-WHOLE_BYTE = 255
+FULL_BYTE = 255
 FLATTEST = 1.0e-30
 MARGIN = 1.0e-6  # of the distance to the farthest corner: 16 float32 roundings, twice the actual error
 STEEPEST = 1.0e30  # maximum slope to the main axis; steeper ones move by less than the margin
 NOT_ENTERED = 0x7FFFFFFF  # above the bits of any number
 entry_keys = vector(8, int32)
-leaf_walk = vector(4, int64)
+leaf_traversal = vector(4, int64)
 lane_numbers = vector(8, float32)
 depth_and_weights = vector(4, float64)
 weights_and_depth = vector(3, float64)
@@ -62,11 +62,11 @@ def ray_axes(d: vec3) -> vec3i:
 @func
 def is_ray(o: vec3, d: vec3) -> int:
     """1 if origin and direction are finite and the direction is not zero."""
-    found = 0
+    valid = 0
     if isfinite(o) and isfinite(d):
         if max(abs(d[0]), max(abs(d[1]), abs(d[2]))) > 0.0:
-            found = 1
-    return found
+            valid = 1
+    return valid
 
 
 @func
@@ -79,14 +79,14 @@ def shear_of(d: vec3, axes: vec3i) -> vec3:
 @func
 def signed_margins(o: vec3, d: vec3, low: vec3, high: vec3, axes: vec3i) -> vec3:
     """Margins of the boxes' sides per axis, with the sign of the direction."""
-    reach = vec3(0.0, 0.0, 0.0)
+    margins = vec3(0.0, 0.0, 0.0)
     for k in range(3):
-        reach[k] = larger(abs(low[k] - o[k]), abs(high[k] - o[k]))
-    main = reach[axes[2]]
+        margins[k] = larger(abs(low[k] - o[k]), abs(high[k] - o[k]))
+    main = margins[axes[2]]
     for k in range(3):
-        margin = (reach[k] + main) * MARGIN
-        reach[k] = margin if d[k] >= 0.0 else -margin
-    return reach
+        margin = (margins[k] + main) * MARGIN
+        margins[k] = margin if d[k] >= 0.0 else -margin
+    return margins
 
 
 @func
@@ -111,9 +111,9 @@ def near_sides(d: vec3) -> vec3i:
 
 @func
 def measure_entries(
-    boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float
+    boxes: array(dtype=float32), record: int, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, end: float
 ) -> entry_keys:
-    """Depth bits at which a ray enters the child boxes, lowest three bits the child. NOT_ENTERED beyond `reach`."""
+    """Depth bits at which a ray enters the child boxes, lowest three bits the child. NOT_ENTERED beyond `end`."""
     at = record * SIDES
     x0 = at + near[0]
     y0 = at + near[1]
@@ -130,7 +130,7 @@ def measure_entries(
         u = (boxes[x1 + j] - b[0]) * rates[0]
         v = (boxes[y1 + j] - b[1]) * rates[1]
         w = (boxes[z1 + j] - b[2]) * rates[2]
-        last = smaller(smaller(u, v), smaller(w, reach))
+        last = smaller(smaller(u, v), smaller(w, end))
         keys[j] = ((float_bits(first) & ~7) | j) if first <= last else NOT_ENTERED
     return keys
 
@@ -165,23 +165,23 @@ def leaves_on_ray(
     b: vec3,
     rates: vec3,
     begin: float,
-    reach: float,
+    end: float,
 ) -> int:
-    """Leaves whose boxes a ray enters by `reach`, which the body may shrink. Nearest sibling first."""
+    """Leaves whose boxes a ray enters by `end`, which the body may shrink. Nearest sibling first."""
     level = root
     node = 0
     pending = ~int64(0)
     while level <= root:
-        place = int64(FAN * max(level - 1, 0))
+        shift = int64(FAN * max(level - 1, 0))
         left = int(BYTE)
         if level > 0:
-            left = int(pending >> place) & BYTE
+            left = int(pending >> shift) & BYTE
         key = int(NOT_ENTERED)
         if left != 0:
-            keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, reach)
+            keys = measure_entries(boxes, levels[first + level] + node, near, a, b, rates, begin, end)
             key = first_entered(keys, left)
             if level == 0:
-                while key < NOT_ENTERED and key <= (float_bits(reach) | 7):
+                while key < NOT_ENTERED and key <= (float_bits(end) | 7):
                     leaf = node * FAN + (key & 7)
                     yield leaf
                     left = left ^ (1 << (key & 7))
@@ -189,12 +189,12 @@ def leaves_on_ray(
                 key = NOT_ENTERED
             else:
                 others = entered_bits(keys) & left & ~(1 << (key & 7))
-                pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+                pending = (pending & ~(int64(FULL_BYTE) << shift)) | (int64(others) << shift)
         if key < NOT_ENTERED:
             node = node * FAN + (key & 7)
             level = level - 1
             if level > 0:
-                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * (level - 1)))
+                pending = pending | (int64(FULL_BYTE) << int64(FAN * (level - 1)))
         else:
             node = node // FAN
             level = level + 1
@@ -202,7 +202,7 @@ def leaves_on_ray(
 
 @func
 def next_leaf(
-    step: leaf_walk,
+    step: leaf_traversal,
     levels: array(dtype=int32),
     root: int,
     boxes: array(dtype=float32),
@@ -211,22 +211,22 @@ def next_leaf(
     b: vec3,
     rates: vec3,
     begin: float,
-    reach: float,
-) -> leaf_walk:
+    end: float,
+) -> leaf_traversal:
     """Advance to the next leaf of a small tree, in the order of `leaves_on_ray`; -1 at the end."""
     level = int(step[0])
     node = int(step[1])
     pending = step[2]
     leaf = -1
     while leaf < 0 and level <= root:
-        place = int64(FAN * level)
-        left = int(pending >> place) & BYTE
+        shift = int64(FAN * level)
+        left = int(pending >> shift) & BYTE
         key = int(NOT_ENTERED)
         if left != 0:
-            keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, reach)
+            keys = measure_entries(boxes, levels[level] + node, near, a, b, rates, begin, end)
             key = first_entered(keys, left)
             others = entered_bits(keys) & left & ~(1 << (key & 7))
-            pending = (pending & ~(int64(WHOLE_BYTE) << place)) | (int64(others) << place)
+            pending = (pending & ~(int64(FULL_BYTE) << shift)) | (int64(others) << shift)
         if key == NOT_ENTERED:
             node = node // FAN
             level = level + 1
@@ -236,8 +236,8 @@ def next_leaf(
             else:
                 node = node * FAN + (key & 7)
                 level = level - 1
-                pending = pending | (int64(WHOLE_BYTE) << int64(FAN * level))
-    return leaf_walk(int64(level), int64(node), pending, int64(leaf))
+                pending = pending | (int64(FULL_BYTE) << int64(FAN * level))
+    return leaf_traversal(int64(level), int64(node), pending, int64(leaf))
 
 
 @func
@@ -265,10 +265,10 @@ def lanes_met(corners: array(dtype=float32), leaf: int, o: vec3, axes: vec3i, sh
         w = bx * ay - by * ax
         # non-negative if all three have one sign, or zero
         sides[j] = larger(smaller(u, smaller(v, w)), -larger(u, larger(v, w)))
-    found = 0
+    mask = 0
     for j in range(LEAF):
-        found = found | ((1 << j) if sides[j] >= 0.0 else 0)
-    return found
+        mask = mask | ((1 << j) if sides[j] >= 0.0 else 0)
+    return mask
 
 
 @func
@@ -353,14 +353,14 @@ def meet_triangle(
 
 WIDER = 1.000001  # upper bound of a depth, including rounding
 NARROWER = 0.999999  # lower bound
-NOWHERE = 2**31 - 1  # number of missing objects
+NO_OBJECT = 2**31 - 1  # number of missing objects
 hit = vector(5, float64)  # parameter, object row, triangle position, weights of 2 corners
 
 
 @func
 def no_hit() -> hit:
-    nothing = float64(0.0)
-    return hit(float64(INFINITY), nothing, nothing, nothing, nothing)
+    zero = float64(0.0)
+    return hit(float64(INFINITY), zero, zero, zero, zero)
 
 
 @func
@@ -369,7 +369,7 @@ def vector_at(motions: array(dtype=float64), at: int) -> vec3d:
 
 
 @func
-def turn_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
+def rotate_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
     """Rotate a direction from the scene to an object's mesh frame."""
     at = row * MOTION
     x = vector_at(motions, at)
@@ -383,45 +383,45 @@ def turn_into(d: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
 
 
 @func
-def turn_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
+def rotate_back(n: vec3d, motions: array(dtype=float64), row: int) -> vec3d:
     """Rotate a direction from an object's mesh frame to the scene."""
     at = row * MOTION
     return vector_at(motions, at) * n[0] + vector_at(motions, at + 3) * n[1] + vector_at(motions, at + 6) * n[2]
 
 
 @func
-def next_place(
-    step: leaf_walk, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, reach: float, trees: SceneTrees
-) -> leaf_walk:
+def next_object(
+    step: leaf_traversal, near: vec3i, a: vec3, b: vec3, rates: vec3, begin: float, end: float, trees: SceneTrees
+) -> leaf_traversal:
     """`next_leaf` of the object tree, with a margin for rounding of depths."""
     low = begin * NARROWER
-    high = reach * WIDER
-    return next_leaf(step, trees.place_levels, trees.place_root, trees.place_boxes, near, a, b, rates, low, high)
+    high = end * WIDER
+    return next_leaf(step, trees.object_levels, trees.object_root, trees.object_boxes, near, a, b, rates, low, high)
 
 
 @loop
-def places_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: SceneTrees) -> int:
+def objects_on_ray(o: vec3, d: vec3, nearest: float, farthest: float, trees: SceneTrees) -> int:
     """Rows of objects whose boxes a ray enters by `farthest`, which may shrink. Always includes a single one."""
-    nothing = vec3(0.0, 0.0, 0.0)
+    zero = vec3(0.0, 0.0, 0.0)
     axes = ray_axes(d)
     main = abs(d[axes[2]])
     near = near_sides(d)
-    rates = nothing
-    a = nothing
-    b = nothing
-    step = leaf_walk(int64(trees.place_root), 0, ~int64(0), 0)
-    if trees.place_count > 1:
+    rates = zero
+    a = zero
+    b = zero
+    step = leaf_traversal(int64(trees.object_root), 0, ~int64(0), 0)
+    if trees.object_count > 1:
         rates = rates_of(d, axes)
         margins = signed_margins(o, d, trees.low, trees.high, axes)
         a = o + margins
         b = o - margins
-        step = next_place(step, near, a, b, rates, nearest * main, farthest * main, trees)
+        step = next_object(step, near, a, b, rates, nearest * main, farthest * main, trees)
     while int(step[3]) >= 0:
         row = int(step[3])
         yield row
-        step = leaf_walk(step[0], step[1], step[2], -1)
-        if trees.place_count > 1 and farthest >= 0.0:
-            step = next_place(step, near, a, b, rates, nearest * main, farthest * main, trees)
+        step = leaf_traversal(step[0], step[1], step[2], -1)
+        if trees.object_count > 1 and farthest >= 0.0:
+            step = next_object(step, near, a, b, rates, nearest * main, farthest * main, trees)
 
 
 @func
@@ -432,12 +432,12 @@ def next_hit(
     best = no_hit()
     if is_ray(o, d) == 1:
         best_t = farthest
-        best_number = int(NOWHERE)
-        best_triangle = int(NOWHERE)
-        for row in places_on_ray(o, d, nearest, best_t, trees):
-            p = turn_into(widen(o), trees.motions, row) + vector_at(trees.motions, row * MOTION + 9)
+        best_number = int(NO_OBJECT)
+        best_triangle = int(NO_OBJECT)
+        for row in objects_on_ray(o, d, nearest, best_t, trees):
+            p = rotate_into(widen(o), trees.motions, row) + vector_at(trees.motions, row * MOTION + 9)
             q = narrow(p)
-            e = narrow(turn_into(widen(d), trees.motions, row))
+            e = narrow(rotate_into(widen(d), trees.motions, row))
             low = narrow(vector_at(trees.motions, row * MOTION + 12))
             high = narrow(vector_at(trees.motions, row * MOTION + 15))
             number = trees.rows[row * ROW + NUMBER]
@@ -451,7 +451,7 @@ def next_hit(
             own_a = q + own_margins
             own_b = q - own_margins
             own_begin = nearest * own_main * NARROWER
-            own_reach = best_t * own_main * WIDER
+            own_end = best_t * own_main * WIDER
             for leaf in leaves_on_ray(
                 trees.rows,
                 row * ROW,
@@ -462,23 +462,23 @@ def next_hit(
                 own_b,
                 own_rates,
                 own_begin,
-                own_reach,
+                own_end,
             ):
-                place = first_leaf + leaf
-                for lane in bits_of(lanes_met(trees.corners, place, q, own_axes, shear)):
-                    met = meet_triangle(trees.corners, place, lane, q, own_axes, shear)
+                leaf_index = first_leaf + leaf
+                for lane in bits_of(lanes_met(trees.corners, leaf_index, q, own_axes, shear)):
+                    met = meet_triangle(trees.corners, leaf_index, lane, q, own_axes, shear)
                     t = float(met[0] / float64(own_main))
-                    is_later = float64(t) > after or (float64(t) == after and number > above)
-                    if is_later and t >= nearest and t <= best_t and isfinite(t):
-                        triangle = trees.order[place * LEAF + lane]
+                    is_after = float64(t) > after or (float64(t) == after and number > above)
+                    if is_after and t >= nearest and t <= best_t and isfinite(t):
+                        triangle = trees.order[leaf_index * LEAF + lane]
                         is_first = t < best_t or number < best_number
                         if is_first or (number == best_number and triangle < best_triangle):
                             best_t = t
                             best_number = number
                             best_triangle = triangle
-                            best = hit(float64(t), float64(row), float64(place * LEAF + lane), met[2], met[3])
-                            own_reach = best_t * own_main * WIDER
+                            best = hit(float64(t), float64(row), float64(leaf_index * LEAF + lane), met[2], met[3])
+                            own_end = best_t * own_main * WIDER
                             if any_hit == 1:
-                                own_reach = -1.0
+                                own_end = -1.0
                                 best_t = -1.0
     return best

@@ -24,7 +24,7 @@ SLACK = 1.0e-5  # relative enlargement of an object's box: float32 rounds differ
 @struct
 class SceneTrees:
     """Trees of a scene's meshes, and poses (mesh to scene) of its objects. `rows` (ROW integers) and `motions` (MOTION
-    numbers) per object, in the order of the upper tree `place_boxes`, `place_levels`, `place_root`.
+    numbers) per object, in the order of the upper tree `object_boxes`, `object_levels`, `object_root`.
     """
 
     boxes: array(dtype=float32)
@@ -32,10 +32,10 @@ class SceneTrees:
     order: array(dtype=int32)
     rows: array(dtype=int32)
     motions: array(dtype=float64)
-    place_count: int
-    place_boxes: array(dtype=float32)
-    place_levels: array(dtype=int32)
-    place_root: int
+    object_count: int
+    object_boxes: array(dtype=float32)
+    object_levels: array(dtype=int32)
+    object_root: int
     low: vec3
     high: vec3
 
@@ -47,14 +47,14 @@ class SceneTrees:
         self.put(poses)
 
     def put(self, poses: np.ndarray) -> None:
-        count = self.place_count = len(self.tree_of)
+        count = self.object_count = len(self.tree_of)
         motions = np.empty((count, MOTION))
         R = poses[:, :3, :3]
         motions[:, :9] = R.transpose(0, 2, 1).reshape(count, 9)
         motions[:, 9:12] = -np.einsum("nji,nj->ni", R, poses[:, :3, 3])
         motions[:, 12:15] = [self.trees[t].low for t in self.tree_of]
         motions[:, 15:] = [self.trees[t].high for t in self.tree_of]
-        low, high = _boxes_of_places(motions[:, 12:15], motions[:, 15:], poses)
+        low, high = _boxes_of_objects(motions[:, 12:15], motions[:, 15:], poses)
         middles = np.where(low <= high, low / 2, 0) + np.where(low <= high, high / 2, 0)
         # an empty box is infinite: use a point instead, since infinity - infinity is NaN
         motions[:, 12:][~(low <= high).all(axis=1)] = 0
@@ -65,8 +65,8 @@ class SceneTrees:
         self.motions = upload(motions[order].ravel(), float64, self.device)
         self.low, self.high = (np.where(np.isfinite(v), v, 0) for v in (low.min(axis=0), high.max(axis=0)))
         boxes, first = _stacked_boxes(low[order], high[order])
-        self.place_boxes = upload(boxes, float32, self.device)
-        self.place_levels, self.place_root = upload(first, int32, self.device), len(first) - 2
+        self.object_boxes = upload(boxes, float32, self.device)
+        self.object_levels, self.object_root = upload(first, int32, self.device), len(first) - 2
 
     def _rows(self) -> np.ndarray:
         record = np.cumsum([0, *(len(tree.boxes) // SIDES for tree in self.trees)])
@@ -86,15 +86,15 @@ def _joined(trees: Sequence[TriangleTree], name: str, dtype: type[Element]) -> A
     if len(parts) == 1:
         return parts[0]
     firsts = np.cumsum([0, *(part.size for part in parts)])
-    whole = empty(int(firsts[-1]), dtype, trees[0].device)
+    joined = empty(int(firsts[-1]), dtype, trees[0].device)
     for tree, part, first in zip(trees, parts, firsts, strict=False):
-        copy(whole, part, count=part.size, offset=int(first))
+        copy(joined, part, count=part.size, offset=int(first))
         if part.size:
-            setattr(tree, name, whole[int(first) : int(first) + part.size])
-    return whole
+            setattr(tree, name, joined[int(first) : int(first) + part.size])
+    return joined
 
 
-def _boxes_of_places(low: np.ndarray, high: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+def _boxes_of_objects(low: np.ndarray, high: np.ndarray, poses: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
     """Boxes of posed meshes, enlarged by SLACK and rounded outwards to float32."""
     corners = np.stack([np.where(pick, high, low) for pick in itertools.product((False, True), repeat=3)], axis=1)
     empty_rows = ~np.isfinite(corners).all(axis=(1, 2))

@@ -9,7 +9,7 @@ from ..arrays.prefix_sum import find_owner, scan_unread, total_of
 from ..arrays.sort import argsort_keys
 from ..lang import array, ceil, cross, float64, func, int32, int64, kernel, launch, tid, vec3, vec3d, vec3i
 from ..memory import check_room, download, empty
-from .triangle_voxels import Columns, VoxelFrame, first_cells, last_cells, refuse_many, widened_corners
+from .triangle_voxels import Columns, VoxelFrame, check_total, first_cells, last_cells, widened_corners
 
 CROSSING_BYTES = 36
 CELL_BYTES = 52
@@ -52,10 +52,10 @@ def cross_columns_kernel(
     low = first_cells(a, b, c, frame)
     high = last_cells(a, b, c, frame)
     rank = i - columns[owner]
-    wide = high[1] - low[1] + 1
+    width = high[1] - low[1] + 1
     half = frame.size * 0.5
-    column = low[0] + rank // wide
-    row = low[1] + rank % wide
+    column = low[0] + rank // width
+    row = low[1] + rank % width
     x = (frame.low[0] + half) + float64(column) * frame.size
     y = (frame.low[1] + half) + float64(row) * frame.size
     crossings = edge_is_right(a, b, x, y) + edge_is_right(b, c, x, y) + edge_is_right(c, a, x, y)
@@ -69,8 +69,8 @@ def cross_columns_kernel(
         z = min(max(z, min(a[2], min(b[2], c[2]))), max(a[2], max(b[2], c[2])))
         above = ceil((z - frame.low[2]) / frame.size - 0.5)
         first = int(min(max(above, 0.0), float64(frame.counts[2])))
-        place = int64(column) * int64(frame.counts[1]) + int64(row)
-        keys[crossed[i]] = place * int64(frame.counts[2] + 1) + int64(first)
+        column_index = int64(column) * int64(frame.counts[1]) + int64(row)
+        keys[crossed[i]] = column_index * int64(frame.counts[2] + 1) + int64(first)
 
 
 @kernel
@@ -80,14 +80,14 @@ def fill_pairs_kernel(
     """Voxels between each two crossings: the count, or (writing) their keys from `counts` on."""
     i = tid()
     tall = int64(depth + 1)
-    place = crossings[2 * i] // tall
+    column_index = crossings[2 * i] // tall
     begin = int(crossings[2 * i] % tall)
     end = int(crossings[2 * i + 1] % tall)
     if is_writing == 0:
         counts[i] = end - begin
     else:
         for k in range(begin, end):
-            keys[counts[i] + k - begin] = place * int64(depth) + int64(k)
+            keys[counts[i] + k - begin] = column_index * int64(depth) + int64(k)
 
 
 def crossed_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Columns:
@@ -98,17 +98,17 @@ def inner_voxels(columns: Columns, frame: VoxelFrame) -> Keys:
     """Distinct keys of the voxels with centers inside a closed surface with finite corners. One sync. Raises ValueError
     for more than 2^31 - 1 voxels, MemoryError without room.
     """
-    device, found = columns.device, columns.found
-    check_room(device, found * CROSSING_BYTES, f"voxel_size: {found:,} crossings of columns")
+    device, crossing_count = columns.device, columns.hit_count
+    check_room(device, crossing_count * CROSSING_BYTES, f"voxel_size: {crossing_count:,} crossings of columns")
     x, y, depth = (int(count) for count in frame.counts)
     bits = max(1, int(np.prod([x, y, depth + 1], dtype=object)).bit_length())
     keys, _ = argsort_keys(columns.write(), bits)
-    spans = empty(found // 2, int32, device)
-    launch(fill_pairs_kernel, found // 2, [keys, depth, 0, spans, empty(1, int64, device)])
+    spans = empty(crossing_count // 2, int32, device)
+    launch(fill_pairs_kernel, crossing_count // 2, [keys, depth, 0, spans, empty(1, int64, device)])
     offsets, parts = scan_unread(spans)
     inside = total_of(download(parts))  # sync
-    refuse_many(inside, "voxels inside")
+    check_total(inside, "voxels inside")
     check_room(device, inside * CELL_BYTES, f"voxel_size: {inside:,} voxels inside")
     cells = empty(inside, int64, device)
-    launch(fill_pairs_kernel, found // 2, [keys, depth, 1, offsets, cells])
+    launch(fill_pairs_kernel, crossing_count // 2, [keys, depth, 1, offsets, cells])
     return cells

@@ -90,7 +90,7 @@ def longest_side(low: array(dtype=float32), high: array(dtype=float32), run: int
 
 
 @kernel
-def key_places_kernel(
+def key_positions_kernel(
     points: array(dtype=vec3),
     order: array(dtype=int32),
     size: int,
@@ -102,12 +102,12 @@ def key_places_kernel(
     i = tid()
     run = i // size
     axis = longest_side(low, high, run)
-    least = low[3 * run + axis]
-    extent = high[3 * run + axis] - least
+    lowest = low[3 * run + axis]
+    extent = high[3 * run + axis] - lowest
     p = points[order[i]]
     step = 0
     if extent > 0.0 and isfinite(extent):
-        step = int((p[axis] - least) / extent * STEPS)
+        step = int((p[axis] - lowest) / extent * STEPS)
     put_key(i, (int64(run) << int64(STEP_BITS)) | int64(step), keys)
 
 
@@ -124,8 +124,8 @@ def order_by_splits(points: Points, rows: Indices, unit: int) -> Indices:
         threads = -(-count // part) * (WARP if device.is_cuda else 1)
         launch(bound_runs_kernel, threads, [points, order, part, size, low, high])
         keys = SortKeys(count, device)
-        launch(key_places_kernel, count, [points, order, size, low, high, keys])
-        _, places = keys.sort(STEP_BITS + max(1, (runs - 1).bit_length()))
-        order = gather_rows(order, places)
+        launch(key_positions_kernel, count, [points, order, size, low, high, keys])
+        _, permutation = keys.sort(STEP_BITS + max(1, (runs - 1).bit_length()))
+        order = gather_rows(order, permutation)
         half //= 2
     return order

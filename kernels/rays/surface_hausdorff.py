@@ -38,7 +38,7 @@ from ..lang import (
 )
 from ..memory import empty, fill, zeros
 from ..meshes.mesh_edits import mark_referenced_kernel
-from .nearest_triangle import NOBODY, NearestTriangles
+from .nearest_triangle import NO_TRIANGLE, NearestTriangles
 from .point_triangle import measure_triangle
 from .triangle_tree import TriangleTree
 
@@ -47,7 +47,7 @@ MIN_ROOM = 1024  # pieces per round
 ROUNDS = 24  # mantissa bits of float32
 # Lower bound, upper bound, largest bound of the round, pieces of
 # the next round, rounds so far, and whether another round is needed.
-LEAST, MOST, BOUND, COUNT, TURN, WANTED, NUMBERS = range(7)
+LOWER, UPPER, BOUND, COUNT, ROUND, WANTED, NUMBERS = range(7)
 
 
 @kernel
@@ -76,7 +76,7 @@ def find_farthest_vertex_kernel(distances: array(dtype=float64), used: array(dty
 def start_known_kernel(largest: array(dtype=float64), known: array(dtype=float64)):
     """Maximum of known distances (atomic)."""
     i = tid()
-    atomic_max(known, LEAST, largest[i])
+    atomic_max(known, LOWER, largest[i])
 
 
 @kernel
@@ -110,37 +110,37 @@ class Pieces:
         self.ranks, self.running = empty(room, int32, device), zeros(1, int32, device)
         self._scan = LoopScan(room, device)
 
-    def look(self, tree: TriangleTree, tolerance: float, *, in_turn: bool) -> None:
-        """Bound the pieces of a round and decide on the next; `in_turn`: consecutive pieces are close."""
-        if not in_turn:
+    def bound_round(self, tree: TriangleTree, tolerance: float, *, is_ordered: bool) -> None:
+        """Bound the pieces of a round and decide on the next; `is_ordered`: consecutive pieces are close."""
+        if not is_ordered:
             launch(find_piece_middles_kernel, self.room, [self])
             self.nearest = NearestTriangles(self.middles)
         else:
             launch(start_round_kernel, self.room, [self])
-        self.nearest.look_into(tree, self.middles, 0)
+        self.nearest.search(tree, self.middles, 0)
         launch(bound_pieces_kernel, self.room, [self, tree.vertices, tree.triangles])
         launch(mark_far_pieces_kernel, self.room, [self, tolerance])
         self._scan.run(self.ranks, self.ranks, self.room)
         launch(end_round_kernel, 1, [self, tolerance])
 
-    def go_on(self, tree: TriangleTree, tolerance: float, before: "Pieces") -> None:
+    def run_rounds(self, tree: TriangleTree, tolerance: float, before: "Pieces") -> None:
         """Split the remaining pieces, and continue until the bounds meet or the room is exhausted. No sync."""
         self.nearest = NearestTriangles(self.middles, positions(self.room, self.known.device))
         launch(cut_pieces_kernel, before.room, [before, self.pieces, 3 * self.room])
         fill(self.running, 1)
 
-        def turn() -> None:
-            self.look(tree, tolerance, in_turn=True)
+        def run_round() -> None:
+            self.bound_round(tree, tolerance, is_ordered=True)
             launch(cut_pieces_kernel, self.room, [self, self.pieces, 3 * self.room])
 
-        loop_while(self.running, turn)
+        loop_while(self.running, run_round)
 
 
 @func
-def half_of(given: Pieces, turn: int) -> int:
+def half_of(given: Pieces, round_number: int) -> int:
     """Start of the corners of a round's pieces. The first round has only one half."""
     first = 0
-    if given.pieces.shape[0] > 3 * given.room and turn % 2 == 1:
+    if given.pieces.shape[0] > 3 * given.room and round_number % 2 == 1:
         first = 3 * given.room
     return first
 
@@ -164,16 +164,16 @@ def start_round_kernel(given: Pieces):
     i = tid()
     middle = vec3(NAN, NAN, NAN)
     if i < int(given.known[COUNT]):
-        middle = middle_of_piece(i, half_of(given, int(given.known[TURN])), given)
+        middle = middle_of_piece(i, half_of(given, int(given.known[ROUND])), given)
     given.middles[i] = middle
     given.nearest.sqdists[i] = float64(INFINITY)
-    given.nearest.triangles[i] = NOBODY
+    given.nearest.triangles[i] = NO_TRIANGLE
 
 
 @func
 def measure_row(p: vec3, vertices: array(dtype=vec3), t: vec3i) -> float64:
-    found = measure_triangle(widen(p), widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]]))
-    return found[3]
+    nearest = measure_triangle(widen(p), widen(vertices[t[0]]), widen(vertices[t[1]]), widen(vertices[t[2]]))
+    return nearest[3]
 
 
 @kernel(max_registers=128)  # for two blocks per SM
@@ -184,15 +184,15 @@ def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: a
     row = given.nearest.triangles[i]
     if row >= 0:
         t = triangles[row]
-        first = half_of(given, int(given.known[TURN])) + 3 * i
-        most = float64(0.0)
+        first = half_of(given, int(given.known[ROUND])) + 3 * i
+        max_sqdist = float64(0.0)
         corners = int(3)
         for k in range(corners):
-            most = max(most, measure_row(given.pieces[first + k], vertices, t))
-        bound = sqrt(most)
+            max_sqdist = max(max_sqdist, measure_row(given.pieces[first + k], vertices, t))
+        bound = sqrt(max_sqdist)
         distance = sqrt(given.nearest.sqdists[i])
-        if distance > given.known[LEAST]:  # saves needless atomics
-            atomic_max(given.known, LEAST, distance)
+        if distance > given.known[LOWER]:  # saves needless atomics
+            atomic_max(given.known, LOWER, distance)
         if isfinite(bound) and bound > given.known[BOUND]:
             atomic_max(given.known, BOUND, bound)
     given.bounds[i] = bound
@@ -201,7 +201,7 @@ def bound_pieces_kernel(given: Pieces, vertices: array(dtype=vec3), triangles: a
 @kernel
 def mark_far_pieces_kernel(given: Pieces, tolerance: float64):
     i = tid()
-    given.ranks[i] = 1 if given.bounds[i] > given.known[LEAST] + tolerance else 0
+    given.ranks[i] = 1 if given.bounds[i] > given.known[LOWER] + tolerance else 0
 
 
 @kernel
@@ -209,14 +209,14 @@ def end_round_kernel(given: Pieces, tolerance: float64):
     """Store the bounds, the count of pieces to split and whether another round is needed."""
     i = tid()
     left = int64(given.ranks[given.room - 1])
-    most = max(given.known[BOUND], given.known[LEAST])
-    turn = given.known[TURN + i] + 1.0
-    given.known[MOST] = most
+    upper = max(given.known[BOUND], given.known[LOWER])
+    round_number = given.known[ROUND + i] + 1.0
+    given.known[UPPER] = upper
     given.known[BOUND] = float64(0.0)
     given.known[COUNT] = float64(4 * left)
-    given.known[TURN] = turn
+    given.known[ROUND] = round_number
     wanted = 0
-    if most > given.known[LEAST] + tolerance and 4 * left <= int64(MAX_PIECES) and turn < float64(ROUNDS):
+    if upper > given.known[LOWER] + tolerance and 4 * left <= int64(MAX_PIECES) and round_number < float64(ROUNDS):
         wanted = 1
     given.known[WANTED] = float64(wanted)
     given.running[0] = wanted if 4 * left <= int64(given.room) else 0
@@ -229,11 +229,11 @@ def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
     before = 0
     if i > 0:
         before = given.ranks[i - 1]
-    turn = int(given.known[TURN])
+    round_number = int(given.known[ROUND])
     if given.ranks[i] > before and given.known[WANTED] == 1.0 and given.known[COUNT] * 3.0 <= float64(half):
-        first = half_of(given, turn - 1) + 3 * i
+        first = half_of(given, round_number - 1) + 3 * i
         target = 0
-        if turn % 2 == 1:
+        if round_number % 2 == 1:
             target = half
         a = given.pieces[first]
         b = given.pieces[first + 1]
@@ -264,7 +264,7 @@ def cut_pieces_kernel(given: Pieces, cut: array(dtype=vec3), half: int):
 def distances_to(points: Points, tree: TriangleTree) -> Doubles:
     """Distances [m] of points (about a tree's origin) to its triangles, float64; infinite beyond 1.8e19 m."""
     nearest = NearestTriangles(points)
-    nearest.look_into(tree, points, 0)
+    nearest.search(tree, points, 0)
     distances = empty(points.size, float64, points.device)
     launch(take_roots_kernel, points.size, [nearest.sqdists, points, distances])
     return distances
@@ -275,14 +275,14 @@ def sum_squares(distances: Doubles) -> Array1[vec2d]:
     return reduce(square_distance, distances.size, [distances])
 
 
-def root_mean_square(found: np.ndarray, count: int) -> float:
+def root_mean_square(values: np.ndarray, count: int) -> float:
     """RMS of `count` distances from the host value of `sum_squares`."""
-    return math.sqrt(float(found[0][0]) / count)
+    return math.sqrt(float(values[0][0]) / count)
 
 
 class FarthestSearch:
     """Bounds of the largest distance [m] from a mesh (about the other mesh's origin) to another one, closer than
-    `tolerance`, from known `distances` of its points. Read `known` with `told`.
+    `tolerance`, from known `distances` of its points. Read `known` with `read_bounds`.
     """
 
     def __init__(
@@ -298,27 +298,27 @@ class FarthestSearch:
         corners = empty(3 * triangles.size, vec3, device)
         launch(list_pieces_kernel, triangles.size, [vertices, triangles, corners])
         self._pieces = Pieces(triangles.size, self.known, corners)
-        self._pieces.look(tree, tolerance, in_turn=False)
+        self._pieces.bound_round(tree, tolerance, is_ordered=False)
 
-    def is_done(self, found: np.ndarray) -> bool:
+    def is_done(self, values: np.ndarray) -> bool:
         """True if the host values are final. Else continue and read again (no sync)."""
-        if not found[WANTED]:
+        if not values[WANTED]:
             return True
-        before, room = self._pieces, max(MIN_ROOM, min(4 * int(found[COUNT]), MAX_PIECES))
+        before, room = self._pieces, max(MIN_ROOM, min(4 * int(values[COUNT]), MAX_PIECES))
         self._pieces = Pieces(room, self.known)
-        self._pieces.go_on(self._tree, self._tolerance, before)
+        self._pieces.run_rounds(self._tree, self._tolerance, before)
         return False
 
     @staticmethod
-    def told(found: np.ndarray) -> tuple[float, float]:
+    def read_bounds(values: np.ndarray) -> tuple[float, float]:
         """(lower, upper) bound; farther apart than the tolerance only if MAX_PIECES was exceeded."""
-        return float(found[LEAST]), float(found[MOST])
+        return float(values[LOWER]), float(values[UPPER])
 
 
-def search_farthest(searches: Sequence[FarthestSearch], found: Sequence[np.ndarray]) -> list[tuple[float, float]]:
+def search_farthest(searches: Sequence[FarthestSearch], host_values: Sequence[np.ndarray]) -> list[tuple[float, float]]:
     """Results of searches from host values. One sync if some continue, rarely more."""
-    numbers = list(found)
+    numbers = list(host_values)
     while left := [k for k, search in enumerate(searches) if not search.is_done(numbers[k])]:
         for k, values in zip(left, read_together([searches[k].known for k in left]), strict=True):  # sync
             numbers[k] = values
-    return [search.told(values) for search, values in zip(searches, numbers, strict=True)]
+    return [search.read_bounds(values) for search, values in zip(searches, numbers, strict=True)]

@@ -12,13 +12,13 @@ from .triangle_tree import TriangleTree, find_middles_kernel
 
 
 @kernel
-def place_on_surface_kernel(
+def project_to_surface_kernel(
     queries: array(dtype=vec3),
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     nearest: NearestTriangles,
     chosen: array(dtype=int32),
-    places: MixedRows,
+    mixed: MixedRows,
     points: array(dtype=vec3),
 ):
     """Triangle, corners, weights and nearest point. A non-finite query is kept, at triangle 0."""
@@ -26,26 +26,26 @@ def place_on_surface_kernel(
     triangle = max(nearest.triangles[i], 0)
     chosen[i] = triangle
     t = triangles[triangle]
-    places.rows[i] = t
-    places.weights[i] = vec3d(1.0, 0.0, 0.0)
+    mixed.rows[i] = t
+    mixed.weights[i] = vec3d(1.0, 0.0, 0.0)
     points[i] = queries[i]
     if nearest.triangles[i] >= 0:
-        found = measure_row(queries[i], vertices, triangles, triangle)
-        places.weights[i] = vec3d(1.0 - found[0] - found[1], found[0], found[1])
-        points[i] = narrow(point_at(vertices[t[0]], vertices[t[1]], vertices[t[2]], found[0], found[1]))
+        measured = measure_row(queries[i], vertices, triangles, triangle)
+        mixed.weights[i] = vec3d(1.0 - measured[0] - measured[1], measured[0], measured[1])
+        points[i] = narrow(point_at(vertices[t[0]], vertices[t[1]], vertices[t[2]], measured[0], measured[1]))
 
 
-class SurfacePlaces:
+class SurfacePositions:
     """Positions on a tree's triangles: nearest `triangles` int32 (n), `mixed` MixedRows, nearest `points` (n)."""
 
     def __init__(self, queries: Points, tree: TriangleTree) -> None:
         device, count = queries.device, queries.size
         nearest = NearestTriangles(queries)
-        nearest.look_into(tree, queries, 0)
+        nearest.search(tree, queries, 0)
         self.triangles, self.points = empty(count, int32, device), empty(count, vec3, device)
         self.mixed = MixedRows(empty(count, vec3i, device), empty(count, vec3d, device))
         mesh = (tree.vertices, tree.triangles)
-        launch(place_on_surface_kernel, count, [queries, *mesh, nearest, self.triangles, self.mixed, self.points])
+        launch(project_to_surface_kernel, count, [queries, *mesh, nearest, self.triangles, self.mixed, self.points])
 
 
 def middles_of(vertices: Points, triangles: Triangles) -> Points:

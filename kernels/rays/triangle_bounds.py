@@ -95,17 +95,17 @@ def bound_distance(t: three_corners, q: vec3, scale: float) -> vec2:
 
 
 @func
-def measure_place(q: vec3, place: int, tree: TriangleTree) -> float64:
-    leaf = place // LEAF
-    lane = place % LEAF
+def sqdist_at(q: vec3, index: int, tree: TriangleTree) -> float64:
+    leaf = index // LEAF
+    lane = index % LEAF
     a = widen(leaf_corner(tree.corners, leaf, lane, 0))
     b = widen(leaf_corner(tree.corners, leaf, lane, 1))
     c = widen(leaf_corner(tree.corners, leaf, lane, 2))
-    found = measure_triangle(widen(q), a, b, c)
-    return found[3]
+    nearest = measure_triangle(widen(q), a, b, c)
+    return nearest[3]
 
 
 @func
-def reach_of(sqdist: float64) -> float:
+def sqdist_limit(sqdist: float64) -> float:
     """Float32 limit for box distances that covers a squared distance."""
     return float(min(sqdist * float64(SLACK) + float64(SMALLEST), float64(LARGEST_SQDIST)))

@@ -45,9 +45,9 @@ def trees_over(
 ) -> tuple[list["TriangleTree"], list[np.ndarray]]:
     """Trees of several meshes on one device, and other arrays as NumPy. One sync."""
     extents = [Extent(vertices, triangles) for vertices, triangles in meshes]
-    found = read_together([*(extent.extremes for extent in extents), *beside])  # sync
-    known = zip(extents, found, strict=False)
-    return [TriangleTree(*mesh, of) for mesh, of in zip(meshes, known, strict=True)], found[len(meshes) :]
+    host_arrays = read_together([*(extent.extremes for extent in extents), *beside])  # sync
+    known = zip(extents, host_arrays, strict=False)
+    return [TriangleTree(*mesh, of) for mesh, of in zip(meshes, known, strict=True)], host_arrays[len(meshes) :]
 
 
 @struct
@@ -77,12 +77,12 @@ class TriangleTree:
         self._extremes, self._known, self.count = extent.extremes, known[1] if known else None, triangles.size
         if not all_finite:
             self.count = self._box[2]  # sync, if it is not known
-        placed = order_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF)
+        order = order_by_splits(extent.middles, positions_of(extent.mask, self.count), LEAF)
         self.leaf_count = -(-self.count // LEAF)
-        places = self.leaf_count * LEAF
-        self.order = empty(places, int32, self.device)
-        self.corners = empty(9 * places, float32, self.device)
-        launch(place_triangles_kernel, places, [vertices, triangles, placed, self])
+        padded_count = self.leaf_count * LEAF
+        self.order = empty(padded_count, int32, self.device)
+        self.corners = empty(9 * padded_count, float32, self.device)
+        launch(order_triangles_kernel, padded_count, [vertices, triangles, order, self])
         sizes, self.level_firsts = level_sizes(-(-self.leaf_count // FAN))
         self.root = len(sizes) - 1
         self.levels = upload(self.level_firsts, int32, self.device)
@@ -162,7 +162,7 @@ def bound_triangles_kernel(
 
 
 @kernel
-def place_triangles_kernel(
+def order_triangles_kernel(
     vertices: array(dtype=vec3), triangles: array(dtype=vec3i), sorted_rows: array(dtype=int32), tree: TriangleTree
 ):
     i = tid()

@@ -40,7 +40,7 @@ TOUCH = 1.0 + 1.0 / 1073741824.0
 ROOM, MIN_ROOM, MAX_ROOM = 4, 1024, 2**22  # columns per triangle of the first visit, and limits
 COLUMN_BYTES = 8
 HIT_BYTES = 52  # key, sort buffers with positions, flags and runs
-MOST = 2**31 - 1
+MAX_COUNT = 2**31 - 1
 
 
 @struct
@@ -72,8 +72,8 @@ def cell_key(c: vec3i, counts: vec3i) -> int64:
 @func
 def cell_at(x: float64, low: float64, size: float64, slack: float64, count: int) -> int:
     """Cell of a coordinate shifted by a fraction of a cell; -1 and `count` for all cells outside."""
-    place = floor((x - low) / size + slack)
-    return int(min(max(place, -1.0), float64(count)))
+    cell = floor((x - low) / size + slack)
+    return int(min(max(cell, -1.0), float64(count)))
 
 
 @func
@@ -98,14 +98,14 @@ def last_cells(a: vec3d, b: vec3d, c: vec3d, frame: VoxelFrame) -> vec3i:
 def main_axis(normal: vec3d, a: vec3d, b: vec3d, c: vec3d) -> int:
     """Main axis of a normal. For a zero normal the longest axis of the box."""
     best = 0
-    most = float64(-1.0)
+    longest = float64(-1.0)
     has_normal = dot(normal, normal) > 0.0
     for k in range(3):
-        reach = max(a[k], max(b[k], c[k])) - min(a[k], min(b[k], c[k]))
+        extent = max(a[k], max(b[k], c[k])) - min(a[k], min(b[k], c[k]))
         if has_normal:
-            reach = abs(normal[k])
-        if reach > most:
-            most = reach
+            extent = abs(normal[k])
+        if extent > longest:
+            longest = extent
             best = k
     return best
 
@@ -146,8 +146,8 @@ def edge_parts(e: vec3d, u: vec3d, w: vec3d, half: float64) -> int:
         m = (k + 2) % 3
         p = e[m] * u[j] - e[j] * u[m]
         q = e[m] * w[j] - e[j] * w[m]
-        reach = abs(e[m]) * half + abs(e[j]) * half
-        if min(p, q) > reach or max(p, q) < -reach:
+        radius = abs(e[m]) * half + abs(e[j]) * half
+        if min(p, q) > radius or max(p, q) < -radius:
             apart = 1
     return apart
 
@@ -163,8 +163,8 @@ def touches_box(a: vec3d, b: vec3d, c: vec3d, half: float64) -> int:
         apart = max(edge_parts(b - a, a, c, half), max(edge_parts(c - b, b, a, half), edge_parts(a - c, c, b, half)))
     if apart == 0:
         n = cross(b - a, c - b)
-        reach = half * (abs(n[0]) + abs(n[1]) + abs(n[2]))
-        if abs(dot(n, a)) > reach:
+        radius = half * (abs(n[0]) + abs(n[1]) + abs(n[2]))
+        if abs(dot(n, a)) > radius:
             apart = 1
     return 1 - apart
 
@@ -196,10 +196,10 @@ def visit_columns_kernel(
     v = (axis + 2) % 3
     half = frame.size * 0.5
     rank = i - columns[owner]
-    wide = high[v] - low[v] + 1
+    width = high[v] - low[v] + 1
     cell = vec3i(0, 0, 0)
-    cell[u] = low[u] + rank // wide
-    cell[v] = low[v] + rank % wide
+    cell[u] = low[u] + rank // width
+    cell[v] = low[v] + rank % width
     center = vec3d(0.0, 0.0, 0.0)
     center[u] = (frame.low[u] + half) + float64(cell[u]) * frame.size
     center[v] = (frame.low[v] + half) + float64(cell[v]) * frame.size
@@ -207,41 +207,41 @@ def visit_columns_kernel(
     end = high[axis]
     if dot(n, n) > 0.0:  # the plane intersects the column
         across = (n[u] * (center[u] - a[u]) + n[v] * (center[v] - a[v])) / n[axis]
-        reach = half * (abs(n[u]) + abs(n[v])) / abs(n[axis])
+        radius = half * (abs(n[u]) + abs(n[v])) / abs(n[axis])
         middle = a[axis] - across
-        at_low = cell_at(middle - reach, frame.low[axis], frame.size, -float64(SLACK), frame.counts[axis])
-        at_high = cell_at(middle + reach, frame.low[axis], frame.size, float64(SLACK), frame.counts[axis])
+        at_low = cell_at(middle - radius, frame.low[axis], frame.size, -float64(SLACK), frame.counts[axis])
+        at_high = cell_at(middle + radius, frame.low[axis], frame.size, float64(SLACK), frame.counts[axis])
         begin = max(begin, at_low)
         end = min(end, at_high)
-    found = 0
+    hit_count = 0
     for k in range(begin, end + 1):
         center[axis] = (frame.low[axis] + half) + float64(k) * frame.size
         if touches_box(a - center, b - center, c - center, half * float64(TOUCH)) == 1:
             if is_writing == 1:
                 cell[axis] = k
-                keys[hits[i] + found] = cell_key(cell, frame.counts)
-            found += 1
+                keys[hits[i] + hit_count] = cell_key(cell, frame.counts)
+            hit_count += 1
     if is_writing == 0:
-        hits[i] = found
+        hits[i] = hit_count
 
 
 @kernel
-def place_cells_kernel(keys: array(dtype=int64), counts: vec3i, cells: array(dtype=vec3i)):
+def decode_cells_kernel(keys: array(dtype=int64), counts: vec3i, cells: array(dtype=vec3i)):
     i = tid()
     key = keys[i]
     rest = key // int64(counts[2])
     cells[i] = vec3i(int(rest // int64(counts[1])), int(rest % int64(counts[1])), int(key % int64(counts[2])))
 
 
-def refuse_many(count: int, what: str) -> None:
+def check_total(count: int, what: str) -> None:
     """Raise if there are more results than 32 bits count."""
-    if count > MOST:
+    if count > MAX_COUNT:
         raise ValueError(f"voxel_size: {count:,} {what} are more than 2^31 - 1; take larger voxels")
 
 
 class Columns:
     """Voxel columns over triangles and their counts, from a kernel like `visit_columns_kernel`. On CUDA the first visit
-    runs before the count is known, with estimated room. `arrays` are read by `settle`; `found`: total.
+    runs before the count is known, with estimated room. `arrays` are read by `read_counts`; `hit_count`: total.
     """
 
     def __init__(self, visit: Kernel, vertices: Points, triangles: Triangles, frame: VoxelFrame, upright: int) -> None:
@@ -250,7 +250,7 @@ class Columns:
         launch(count_columns_kernel, count, [vertices, triangles, frame, upright, counts])
         self._offsets, totals = scan_unread(counts)
         self._visit, self._given, self.device = visit, [vertices, triangles, frame, self._offsets], device
-        self.arrays, self.is_settled = [totals], False
+        self.arrays, self.is_complete = [totals], False
         if device.is_cuda and count:
             x, y, z = (int(number) for number in frame.counts)
             self.arrays.append(self._count(min(MAX_ROOM, MIN_ROOM + ROOM * (count + 2 * (x * y + y * z + z * x)))))
@@ -258,36 +258,36 @@ class Columns:
     def _count(self, room: int) -> LongIntegers:
         self._room, hits = room, empty(room, int32, self.device)
         launch(self._visit, room, [*self._given, 0, hits, empty(1, int64, self.device)])
-        self._places, found = scan_unread(hits)
-        return found
+        self._offsets, totals = scan_unread(hits)
+        return totals
 
-    def take(self, totals: np.ndarray, found: np.ndarray | None) -> None:
+    def take(self, totals: np.ndarray, hit_totals: np.ndarray | None) -> None:
         """Store the host values of `arrays`; incomplete ones must be read again."""
         self._total = total_of(totals)
-        refuse_many(self._total, "columns of voxels over all triangles")
+        check_total(self._total, "columns of voxels over all triangles")
         size = self._total * COLUMN_BYTES
         check_room(self.device, size, f"voxel_size: {self._total:,} columns of voxels over all triangles")
-        self.is_settled = found is not None and self._total <= self._room
-        if found is not None and self.is_settled:
-            self.found = total_of(found)
+        self.is_complete = hit_totals is not None and self._total <= self._room
+        if hit_totals is not None and self.is_complete:
+            self.hit_count = total_of(hit_totals)
         else:
             self.arrays = [self.arrays[0], self._count(self._total)]
 
     def write(self) -> Keys:
         """Keys found by all visits, int64 device array."""
-        keys = empty(self.found, int64, self.device)
-        launch(self._visit, self._total, [*self._given, 1, self._places, keys])
+        keys = empty(self.hit_count, int64, self.device)
+        launch(self._visit, self._total, [*self._given, 1, self._offsets, keys])
         return keys
 
 
-def settle(columns: Sequence[Columns]) -> None:
+def read_counts(columns: Sequence[Columns]) -> None:
     """Read the counts. One sync, rarely two. Raises ValueError for 2^31 columns, MemoryError without room."""
     left = list(columns)
     while left:
-        found = iter(read_together([array for of in left for array in of.arrays]))  # sync
+        values = iter(read_together([array for of in left for array in of.arrays]))  # sync
         for of in left:
-            of.take(next(found), next(found) if len(of.arrays) > 1 else None)
-        left = [of for of in left if not of.is_settled]
+            of.take(next(values), next(values) if len(of.arrays) > 1 else None)
+        left = [of for of in left if not of.is_complete]
 
 
 def touched_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -> Columns:
@@ -296,9 +296,9 @@ def touched_columns(vertices: Points, triangles: Triangles, frame: VoxelFrame) -
 
 def touched_voxels(columns: Columns) -> Keys:
     """Keys of touched voxels, with repeats. Raises ValueError for 2^31 voxels, MemoryError without room."""
-    refuse_many(columns.found, "voxels of triangles")
-    size = columns.found * HIT_BYTES
-    check_room(columns.device, size, f"voxel_size: {columns.found:,} voxels of triangles")
+    check_total(columns.hit_count, "voxels of triangles")
+    size = columns.hit_count * HIT_BYTES
+    check_room(columns.device, size, f"voxel_size: {columns.hit_count:,} voxels of triangles")
     return columns.write()
 
 
@@ -307,5 +307,5 @@ def voxels_of(keys: Keys, frame: VoxelFrame) -> Cells:
     count = 0 if unique is None else unique.count
     cells = empty(count, vec3i, keys.device)
     if unique is not None:
-        launch(place_cells_kernel, count, [unique.keys, frame.counts, cells])
+        launch(decode_cells_kernel, count, [unique.keys, frame.counts, cells])
     return cells

@@ -16,7 +16,7 @@ from .triangle_tree import LEAF, TriangleTree, leaf_corner
 FAR = 2.0
 FULL = 12.566370614359172  # 4 pi
 MOMENTS = 8  # numbers per child: area vector, area center, weight, radius
-NO_REACH = -1.0  # of a missing child
+NO_RADIUS = -1.0  # of a missing child
 
 
 @func
@@ -72,10 +72,10 @@ def sum_node_moments_kernel(below: int, first: int, moments: array(dtype=float64
 
 @kernel
 def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
-    """Area center of a child and the radius of its box about it. NO_REACH if missing."""
+    """Area center of a child and the radius of its box about it. NO_RADIUS if missing."""
     i = tid()
     at = (i // FAN) * SIDES + i % FAN
-    reach = float64(NO_REACH)
+    square_radius = float64(NO_RADIUS)
     middle = vec3d(0.0, 0.0, 0.0)
     if tree.boxes[at] <= tree.boxes[at + 3 * FAN]:
         square = float64(0.0)
@@ -85,12 +85,12 @@ def finish_moments_kernel(tree: TriangleTree, moments: array(dtype=float64)):
             middle[axis] = (low + high) * 0.5
             if moments[i * MOMENTS + 6] > 0.0:
                 middle[axis] = moments[i * MOMENTS + 3 + axis] / moments[i * MOMENTS + 6]
-            most = max(high - middle[axis], middle[axis] - low)
-            square += most * most
-        reach = square
+            extent = max(high - middle[axis], middle[axis] - low)
+            square += extent * extent
+        square_radius = square
     for axis in range(3):
         moments[i * MOMENTS + 3 + axis] = middle[axis]
-    moments[i * MOMENTS + 7] = reach
+    moments[i * MOMENTS + 7] = square_radius
 
 
 @func
@@ -139,14 +139,14 @@ def add_winding_numbers_kernel(
     child = 0  # index among its siblings
     while child >= 0:
         at = (dipoles.tree.levels[level] * FAN + child) * MOMENTS
-        reach = dipoles.moments[at + 7]
+        square_radius = dipoles.moments[at + 7]
         down = 0
-        if reach >= 0.0:
+        if square_radius >= 0.0:
             x = dipoles.moments[at + 3] - p[0]
             y = dipoles.moments[at + 4] - p[1]
             z = dipoles.moments[at + 5] - p[2]
             square = x * x + y * y + z * z
-            if square > reach * float64(FAR * FAR):
+            if square > square_radius * float64(FAR * FAR):
                 flux = dipoles.moments[at] * x + dipoles.moments[at + 1] * y + dipoles.moments[at + 2] * z
                 total += flux / (square * length(vec3d(x, y, z)))
             elif level == 0:

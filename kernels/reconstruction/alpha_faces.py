@@ -86,20 +86,20 @@ def write_triangle(at: int, a: int, b: int, c: int, d: int, stars: Stars, given:
     stars.corners[3 * at] = b
     stars.corners[3 * at + 1] = c
     stars.corners[3 * at + 2] = d
-    found = sphere_through(offset_of(b, a, given), offset_of(c, a, given), offset_of(d, a, given))
+    sphere = sphere_through(offset_of(b, a, given), offset_of(c, a, given), offset_of(d, a, given))
     for j in range(NUMBERS):
-        stars.spheres[at * NUMBERS + j] = found[j]
-    share = 1.0 / found[3]
-    x = found[0] * share
-    y = found[1] * share
-    z = found[2] * share
+        stars.spheres[at * NUMBERS + j] = sphere[j]
+    share = 1.0 / sphere[3]
+    x = sphere[0] * share
+    y = sphere[1] * share
+    z = sphere[2] * share
     size = abs(x) + abs(y) + abs(z)
-    error = (found[4] + given.guard * found[5]) * share  # no tested point is beyond the guards
+    error = (sphere[4] + given.guard * sphere[5]) * share  # no tested point is beyond the guards
     stars.xs[at] = 0.0
     stars.ys[at] = 0.0
     stars.zs[at] = 0.0
     stars.margins[at] = float(OPEN)
-    if found[3] > 0.0 and size < float64(LARGEST) and error < float64(LARGEST):
+    if sphere[3] > 0.0 and size < float64(LARGEST) and error < float64(LARGEST):
         stars.xs[at] = float(x)
         stars.ys[at] = float(y)
         stars.zs[at] = float(z)
@@ -123,8 +123,8 @@ def begin_star(a: int, first: int, stars: Stars, given: Predicates):
         x = given.count + j % 2
         y = given.count + 2 + (j // 2) % 2
         z = given.count + 4 + j // 4
-        turned = (j % 2 + (j // 2) % 2 + j // 4) % 2
-        write_triangle(first + j, a, x, z if turned == 1 else y, y if turned == 1 else z, stars, given)
+        flipped = (j % 2 + (j // 2) % 2 + j // 4) % 2
+        write_triangle(first + j, a, x, z if flipped == 1 else y, y if flipped == 1 else z, stars, given)
 
 
 @func
@@ -147,13 +147,13 @@ def may_touch(p: vec3, first: int, size: int, stars: Stars) -> int:
     """Number of spheres that may contain a point relative to the star's own. 0 is certain."""
     square = p[0] * p[0] + p[1] * p[1] + p[2] * p[2]
     far = sqrt(square)
-    least = square - square * MARGIN
+    threshold = square - square * MARGIN
     counts = eight_counts(0)
     for chunk in range((size + LANES - 1) // LANES):
         start = ((first >> LANE_BITS) + chunk) * LANES  # in this form, a compiler can exclude wrapping of lanes
         for j in range(LANES):
             value = p[0] * stars.xs[start + j] + p[1] * stars.ys[start + j] + p[2] * stars.zs[start + j]
-            counts[j] = counts[j] + (1 if value + far * stars.margins[start + j] >= least else 0)
+            counts[j] = counts[j] + (1 if value + far * stars.margins[start + j] >= threshold else 0)
     total = 0
     for j in range(LANES):
         total += counts[j]
@@ -194,17 +194,17 @@ def part_touched(a: int, code: int, thread: int, first: int, size: int, stars: S
 
 
 @func
-def has_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
-    found = -1
+def find_star_edge(b: int, c: int, first: int, last: int, stars: Stars) -> int:
+    index = -1
     j = first
-    while j < last and found < 0:
+    while j < last and index < 0:
         x = stars.corners[3 * j]
         y = stars.corners[3 * j + 1]
         z = stars.corners[3 * j + 2]
         if (x == b and y == c) or (y == b and z == c) or (z == b and x == c):
-            found = j
+            index = j
         j += 1
-    return found
+    return index
 
 
 @func
@@ -215,7 +215,7 @@ def list_gap_edges(first: int, last: int, edges_at: int, stars: Stars) -> int:
         for side in range(3):
             b = stars.corners[3 * j + side]
             c = stars.corners[3 * j + (side + 1) % 3]
-            if has_edge(c, b, first, last, stars) < 0:
+            if find_star_edge(c, b, first, last, stars) < 0:
                 if count < stars.room:
                     stars.edges[edges_at + 2 * count] = b
                     stars.edges[edges_at + 2 * count + 1] = c
@@ -245,7 +245,7 @@ def insert_point(a: int, code: int, thread: int, size: int, stars: Stars, given:
 
 
 @func
-def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> int:
+def may_touch_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> int:
     """Number of spheres that may contain a point of a box. 0 is certain."""
     x = larger(-low[0], high[0])
     y = larger(-low[1], high[1])
@@ -270,23 +270,23 @@ def reaches_box(low: vec3, high: vec3, first: int, size: int, stars: Stars) -> i
 
 @func
 def children_in_star(
-    tree: PointTree, a: vec3, reach: float, first: int, size: int, stars: Stars, level: int, node: int
+    tree: PointTree, a: vec3, max_sqdist: float, first: int, size: int, stars: Stars, level: int, node: int
 ) -> int:
-    """Bit mask of the children of a node that may contain a point within reach that changes the star."""
+    """Bit mask of the children of a node that may contain a point within range that changes the star."""
     record = tree.levels[level] + node
     distances = measure_boxes(tree.boxes, record, a, a)
-    found = 0
+    mask = 0
     children = int(FAN)
     for j in range(children):
-        if distances[j] <= reach:
+        if distances[j] <= max_sqdist:
             at = record * SIDES + j
             low = vec3(tree.boxes[at] - a[0], tree.boxes[at + FAN] - a[1], tree.boxes[at + 2 * FAN] - a[2])
             high = vec3(
                 tree.boxes[at + 3 * FAN] - a[0], tree.boxes[at + 4 * FAN] - a[1], tree.boxes[at + 5 * FAN] - a[2]
             )
-            if reaches_box(low, high, first, size, stars) > 0:
-                found = found | (1 << j)
-    return found
+            if may_touch_box(low, high, first, size, stars) > 0:
+                mask = mask | (1 << j)
+    return mask
 
 
 @func
@@ -296,7 +296,7 @@ def grow_star(
     lists: array(dtype=int32),
     head: int,
     near: int,
-    reach: float,
+    max_sqdist: float,
     tree: PointTree,
     stars: Stars,
     given: Predicates,
@@ -323,7 +323,7 @@ def grow_star(
                 sqdist = square_distance(p, tree.points[q])
                 key = pack_key(sqdist, q)
                 # points of the list have already been inserted
-                if key > limit and sqdist <= reach:
+                if key > limit and sqdist <= max_sqdist:
                     if low < 0:
                         limit = key
                     if q != a:
@@ -333,7 +333,7 @@ def grow_star(
         while count == 0 and level <= tree.root:
             if entering == 1:
                 entering = 0
-                inside = children_in_star(tree, p, reach, first, max(size, 0), stars, level, node)
+                inside = children_in_star(tree, p, max_sqdist, first, max(size, 0), stars, level, node)
                 if level == 0:
                     leaves = inside
                 else:
@@ -361,7 +361,7 @@ COLUMNS = 5  # of a result: a face's corners and two classes, or a tetrahedron's
 
 
 @struct
-class Found:
+class EmittedRows:
     """Emitted rows in any order; `starts` and `counts` by owner. `total` includes rows that did not fit."""
 
     table: array(dtype=int32)
@@ -377,24 +377,24 @@ class Found:
 
     def sorted_table(self, total: int) -> Integers:
         table = empty(total * COLUMNS, int32, self.device)
-        launch(sort_found_kernel, self.counts.size, [self, offsets_of(self.counts), table])
+        launch(sort_emitted_kernel, self.counts.size, [self, offsets_of(self.counts), table])
         return table
 
 
 @kernel
-def sort_found_kernel(found: Found, offsets: array(dtype=int32), table: array(dtype=int32)):
+def sort_emitted_kernel(emitted: EmittedRows, offsets: array(dtype=int32), table: array(dtype=int32)):
     """Sort the rows of an owner by their second and third number, which are unique."""
     i = tid()
-    first = found.starts[i]
-    last = first + found.counts[i]
+    first = emitted.starts[i]
+    last = first + emitted.counts[i]
     for j in range(first, last):
-        key = pack_bits(found.table[j * COLUMNS + 1], found.table[j * COLUMNS + 2])
-        place = offsets[i]
+        key = pack_bits(emitted.table[j * COLUMNS + 1], emitted.table[j * COLUMNS + 2])
+        slot = offsets[i]
         for k in range(first, last):
-            if pack_bits(found.table[k * COLUMNS + 1], found.table[k * COLUMNS + 2]) < key:
-                place += 1
+            if pack_bits(emitted.table[k * COLUMNS + 1], emitted.table[k * COLUMNS + 2]) < key:
+                slot += 1
         for column in range(COLUMNS):
-            table[place * COLUMNS + column] = found.table[j * COLUMNS + column]
+            table[slot * COLUMNS + column] = emitted.table[j * COLUMNS + column]
 
 
 @kernel
@@ -456,13 +456,13 @@ GUARD_BITS = 5  # of the guards' distance, so that it is a float64 and an intege
 @func
 def class_of(b: int, c: int, d: int, a: int, at: int, thread: int, stars: Stars, given: Predicates) -> int:
     """Index of the first radius >= the circumradius of a tetrahedron, or the number of radii."""
-    found = ball(0.0)
+    sphere = ball(0.0)
     for j in range(6):
-        found[j] = stars.spheres[NUMBERS * at + j]
+        sphere[j] = stars.spheres[NUMBERS * at + j]
     kind = 0
     searching = 1
     while searching == 1 and kind < given.radii.shape[0]:
-        searching = 1 - is_within_radius(b, c, d, found, a, kind, thread, given)
+        searching = 1 - is_within_radius(b, c, d, sphere, a, kind, thread, given)
         kind += searching
     return kind
 
@@ -493,7 +493,7 @@ def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) 
                 b = stars.corners[3 * (first + j) + side]
                 c = stars.corners[3 * (first + j) + (side + 1) % 3]
                 if given.rows[b] > row and given.rows[c] > row:
-                    other = has_edge(c, b, first, first + size, stars) - first
+                    other = find_star_edge(c, b, first, first + size, stars) - first
                     if kind < stars.edges[3 * first + other]:
                         stars.edges[3 * first + stars.room + count] = 3 * j + side
                         count += 1
@@ -501,24 +501,26 @@ def list_faces(a: int, thread: int, size: int, stars: Stars, given: Predicates) 
 
 
 @func
-def write_faces(a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: Found):
+def write_faces(
+    a: int, thread: int, size: int, count: int, start: int, stars: Stars, given: Predicates, faces: EmittedRows
+):
     first = thread * stars.room
-    for place in range(min(count, faces.capacity - start)):
-        listed = stars.edges[3 * first + stars.room + place]
+    for index in range(min(count, faces.capacity - start)):
+        listed = stars.edges[3 * first + stars.room + index]
         j = listed // 3
         b = stars.corners[3 * first + listed]
         c = stars.corners[3 * (first + j) + (listed + 1) % 3]
-        at = (start + place) * COLUMNS
+        at = (start + index) * COLUMNS
         faces.table[at] = given.rows[a]
         faces.table[at + 1] = given.rows[c]
         faces.table[at + 2] = given.rows[b]
         faces.table[at + 3] = stars.edges[3 * first + j]
-        faces.table[at + 4] = stars.edges[3 * first + has_edge(c, b, first, first + size, stars) - first]
+        faces.table[at + 4] = stars.edges[3 * first + find_star_edge(c, b, first, first + size, stars) - first]
 
 
 @func
 def write_tetrahedra(
-    a: int, thread: int, size: int, start: int, room: int, stars: Stars, given: Predicates, tetrahedra: Found
+    a: int, thread: int, size: int, start: int, room: int, stars: Stars, given: Predicates, tetrahedra: EmittedRows
 ) -> int:
     """Write the tetrahedra that a emits, lowest other row next, up to the room. Return their number."""
     first = thread * stars.room
@@ -530,14 +532,14 @@ def write_tetrahedra(
             b = given.rows[stars.corners[3 * j]]
             c = given.rows[stars.corners[3 * j + 1]]
             d = given.rows[stars.corners[3 * j + 2]]
-            least = min(b, min(c, d))
-            if least > row:
+            lowest = min(b, min(c, d))
+            if lowest > row:
                 if count < room:
                     at = (start + count) * COLUMNS
                     tetrahedra.table[at] = row
-                    tetrahedra.table[at + 1] = least
-                    tetrahedra.table[at + 2] = c if least == b else d if least == c else b
-                    tetrahedra.table[at + 3] = d if least == b else b if least == c else c
+                    tetrahedra.table[at + 1] = lowest
+                    tetrahedra.table[at + 2] = c if lowest == b else d if lowest == c else b
+                    tetrahedra.table[at + 3] = d if lowest == b else b if lowest == c else c
                     tetrahedra.table[at + 4] = kind
                 count += 1
     return count
@@ -550,24 +552,24 @@ def find_faces_kernel(
     begin: int,
     lists: array(dtype=int32),
     near: int,
-    reach: float,
+    max_sqdist: float,
     tree: PointTree,
     stars: Stars,
     given: Predicates,
     with_tetrahedra: int,
-    faces: Found,
-    tetrahedra: Found,
+    faces: EmittedRows,
+    tetrahedra: EmittedRows,
     crowded: array(dtype=int32),
 ):
     """Emit faces and optionally tetrahedra of a run of points. The order of rows is a race that sorting removes."""
     i = tid()
-    for place in range(i * run, min((i + 1) * run, ranks.shape[0])):
-        a = ranks[place]
-        size = grow_star(a, i, lists, (a - begin) * near, near, reach, tree, stars, given)
+    for index in range(i * run, min((i + 1) * run, ranks.shape[0])):
+        a = ranks[index]
+        size = grow_star(a, i, lists, (a - begin) * near, near, max_sqdist, tree, stars, given)
         if size < 0:
-            crowded[place] = 1
+            crowded[index] = 1
         else:
-            crowded[place] = 0
+            crowded[index] = 0
             classify_star(a, i, size, stars, given)
             row = given.rows[a]
             count = list_faces(a, i, size, stars, given)
@@ -576,11 +578,11 @@ def find_faces_kernel(
             faces.starts[row] = start
             faces.counts[row] = count
             if with_tetrahedra == 1:
-                turns = int(2)
-                for turn in range(turns):  # count them, take room, write them
-                    room = (tetrahedra.capacity - start) * turn
+                steps = int(2)
+                for step in range(steps):  # count them, take room, write them
+                    room = (tetrahedra.capacity - start) * step
                     count = write_tetrahedra(a, i, size, start, room, stars, given, tetrahedra)
-                    if turn == 0:
+                    if step == 0:
                         start = atomic_add(tetrahedra.total, 0, count)
                 tetrahedra.starts[row] = start
                 tetrahedra.counts[row] = count
@@ -591,13 +593,15 @@ def find_alpha_shapes(
 ) -> list[tuple[Cells, Array1[vec4i] | None]]:
     """Boundary of each alpha shape (ascending `alphas`, inf allowed) of the distinct points of a tree: (triangles,
     tetrahedra) as rows of the cloud, counter-clockwise from outside, and with a positive determinant, or None."""
-    given, reach, radius = prepare_predicates(tree, rows, alphas)
+    given, max_sqdist, radius = prepare_predicates(tree, rows, alphas)
     room = [FACES_A_POINT * tree.count, TETRAHEDRA_A_POINT * tree.count if with_tetrahedra else 0]
     while True:
         totals, needed = zeros(2, int32, tree.device), [0, 0]
-        faces, tetrahedra = (Found(tree.device, owners, size, totals[k : k + 1]) for k, size in enumerate(room))
+        faces, tetrahedra = (EmittedRows(tree.device, owners, size, totals[k : k + 1]) for k, size in enumerate(room))
         for begin, lists in list_neighbors(tree, NEAREST, radius):
-            needed = hand_out(tree, begin, lists, reach, given, int(with_tetrahedra), faces, tetrahedra, totals)
+            needed = search_stars(
+                tree, begin, lists, max_sqdist, given, int(with_tetrahedra), faces, tetrahedra, totals
+            )
         if all(size <= there for size, there in zip(needed, room, strict=True)):
             break
         room = [max(sizes) for sizes in zip(needed, room, strict=True)]
@@ -615,22 +619,22 @@ def find_alpha_shapes(
     return shapes
 
 
-def hand_out(
+def search_stars(
     tree: PointTree,
     begin: int,
     lists: Integers,
-    reach: float,
+    max_sqdist: float,
     given: Predicates,
     with_tetrahedra: int,
-    faces: Found,
-    tetrahedra: Found,
+    faces: EmittedRows,
+    tetrahedra: EmittedRows,
     totals: Integers,
 ) -> list[int]:
     """Launch the search, and repeat it with more room for stars that overflowed. One sync per launch."""
     device, room, needed = tree.device, ROOM, [0, 0]
     run = 1 if device.is_cuda else RUN
     todo = empty(lists.size // NEAREST, int32, device)
-    launch(number_places_kernel, todo.size, [begin, todo])
+    launch(list_ranks_kernel, todo.size, [begin, todo])
     while todo.size:
         step = max(1, SCRATCH // (room * NUMBERS)) * run
         left = []
@@ -639,7 +643,7 @@ def hand_out(
             threads = -(-ranks.size // run)
             given.reserve(threads)
             crowded = empty(ranks.size, int32, device)
-            search = [ranks, run, begin, lists, NEAREST, reach, tree, Stars(device, threads, room), given]
+            search = [ranks, run, begin, lists, NEAREST, max_sqdist, tree, Stars(device, threads, room), given]
             launch(find_faces_kernel, threads, [*search, with_tetrahedra, faces, tetrahedra, crowded])
             (offsets, (count,)), (_, needed) = scan_together([(crowded, [ranks.size])], totals)  # sync
             again = empty(count, int32, device)
@@ -651,9 +655,9 @@ def hand_out(
 
 
 @kernel
-def number_places_kernel(begin: int, places: array(dtype=int32)):
+def list_ranks_kernel(begin: int, ranks: array(dtype=int32)):
     i = tid()
-    places[i] = begin + i
+    ranks[i] = begin + i
 
 
 @kernel
@@ -678,8 +682,8 @@ def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) 
     guard = -(-guard >> spare) << spare
     size = extent + guard
     squares = [4 * radius * radius for radius in radii]
-    most = max(972 * extent**8 * square.denominator + 36 * extent**6 * square.numerator for square in squares)
-    bounds = [6 * size**3, 72 * size**5, most]
+    largest_bound = max(972 * extent**8 * square.denominator + 36 * extent**6 * square.numerator for square in squares)
+    bounds = [6 * size**3, 72 * size**5, largest_bound]
     exact = Residues(device, unit, [0 if bound >> EXACT_BITS == 0 else bound for bound in bounds[:2]] + bounds[2:])
     given = Predicates(
         tree.points,
@@ -692,5 +696,5 @@ def prepare_predicates(tree: PointTree, rows: Indices, alphas: Sequence[float]) 
         exact.table([square.denominator for square in squares]),
     )
     radius = WIDER * float(radii[-1] * one)
-    reach = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # smaller squares are no float32
-    return given, reach, radius
+    max_sqdist = min(radius * radius * (1 + 1e-6) + 1e-37, LARGEST_SQDIST)  # smaller squares are no float32
+    return given, max_sqdist, radius

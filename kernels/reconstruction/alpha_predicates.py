@@ -96,10 +96,10 @@ def fill_residues(b: int, c: int, d: int, p: int, origin: int, a: int, k: int, t
     for j in range(points):
         code = origin if j == 0 else b if j == 1 else c if j == 2 else d if j == 3 else p
         guard = code - given.count
-        place = given.points[a if guard >= 0 else code]
+        point = given.points[a if guard >= 0 else code]
         square = int64(0)
         for axis in range(axes):
-            left = residue_of(place[axis], k, given.exact)
+            left = residue_of(point[axis], k, given.exact)
             if guard >= 0 and guard // 2 == axis:
                 left = left + (given.guard_residues[k] if guard % 2 == 0 else -given.guard_residues[k])
             if j > 0:
@@ -168,20 +168,20 @@ def row_of(code: int, given: Predicates) -> int:
 
 
 @func
-def settle_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predicates) -> int:
+def resolve_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predicates) -> int:
     """`side_of_sphere` for cospherical points: the lowest row with a nonzero coefficient in p.N - h_p D decides."""
     sign = 0
     last = -1
     while sign == 0:
-        least = row_of(p, given)
+        lowest = row_of(p, given)
         which = 0
-        if least <= last:
-            least = NO_ROW
+        if lowest <= last:
+            lowest = NO_ROW
         for j in range(1, 5):
             code = a if j == 1 else b if j == 2 else c if j == 3 else d
             row = row_of(code, given)
-            if row > last and row < least:
-                least = row
+            if row > last and row < lowest:
+                lowest = row
                 which = j
         if which == 0:
             sign = 1  # always D > 0: a star contains no flat tetrahedron
@@ -191,7 +191,7 @@ def settle_tie(b: int, c: int, d: int, p: int, a: int, thread: int, given: Predi
             y = p if which == 3 else c
             z = p if which == 4 else d
             sign = -side_of_plane(o, x, y, z, a, thread, given)
-        last = least
+        last = lowest
     return sign
 
 
@@ -208,19 +208,19 @@ def side_of_sphere(b: int, c: int, d: int, p: int, a: int, thread: int, given: P
         given.digits[base + k] = -determinant_residue(x, y, z, w, given.exact.primes[k])
     sign = sign_of_residues(given.digits, base, given.sphere_primes, given.exact)
     if sign == 0:
-        sign = settle_tie(b, c, d, p, a, thread, given)
+        sign = resolve_tie(b, c, d, p, a, thread, given)
     return sign
 
 
 @func
-def is_within_radius(b: int, c: int, d: int, found: ball, a: int, j: int, thread: int, given: Predicates) -> int:
+def is_within_radius(b: int, c: int, d: int, sphere: ball, a: int, j: int, thread: int, given: Predicates) -> int:
     """1 if the sphere of `sphere_through` has at most radius j."""
-    size = sqrt(found[0] * found[0] + found[1] * found[1] + found[2] * found[2])
+    size = sqrt(sphere[0] * sphere[0] + sphere[1] * sphere[1] + sphere[2] * sphere[2])
     double = 2.0 * given.radii[j]
     within = 2
-    if size + found[4] < double * (found[3] - found[5]) * float64(BELOW_ONE):
+    if size + sphere[4] < double * (sphere[3] - sphere[5]) * float64(BELOW_ONE):
         within = 1
-    if size - found[4] > double * (found[3] + found[5]) * float64(ABOVE_ONE):
+    if size - sphere[4] > double * (sphere[3] + sphere[5]) * float64(ABOVE_ONE):
         within = 0
     if within == 2:
         base = thread * (given.exact.count + ROWS)
@@ -234,8 +234,8 @@ def is_within_radius(b: int, c: int, d: int, found: ball, a: int, j: int, thread
             D = dot_residues(x, yz, p)
             N = yz * x[3] + cross_residues(z, x, p) * y[3] + cross_residues(x, y, p) * z[3]
             N = quadruple(N[0] % p, N[1] % p, N[2] % p, 0)
-            least = dot_residues(N, N, p) * given.denominators[j * given.exact.count + k] % p
-            most = D * D % p * given.numerators[j * given.exact.count + k] % p
-            given.digits[base + k] = (most - least) % p
+            norm = dot_residues(N, N, p) * given.denominators[j * given.exact.count + k] % p
+            limit = D * D % p * given.numerators[j * given.exact.count + k] % p
+            given.digits[base + k] = (limit - norm) % p
         within = 1 if sign_of_residues(given.digits, base, given.radius_primes, given.exact) >= 0 else 0
     return within

@@ -51,7 +51,7 @@ ARCS = 8  # per circle. If there are more, one is not split, so that too much of
 SHARE = 1.0e-9  # relative rounding of the numbers that define an arc's ends, by which it is shortened
 LOSS = 1.0e-14  # of the lengths, which covers rounding
 NEAR = 2.0e-8  # of the lengths: five times the effect of SHARE, so that points touching an arc's end are found
-FULL_TURN = 4.0
+FULL_CIRCLE = 4.0
 
 
 @func
@@ -65,33 +65,33 @@ def across(b: vec3d) -> vec3d:
 
 
 @func
-def turn_of(x: float64, y: float64) -> float64:
+def direction_of(x: float64, y: float64) -> float64:
     """Direction as a number from 0 to 4 that grows with the angle, one per quadrant, without sines."""
-    turn = float64(0.0)
+    direction = float64(0.0)
     if y >= 0.0:
         if x >= 0.0:
-            turn = y / (x + y)
+            direction = y / (x + y)
         else:
-            turn = 1.0 - x / (y - x)
+            direction = 1.0 - x / (y - x)
     else:
         if x < 0.0:
-            turn = 2.0 + y / (x + y)
+            direction = 2.0 + y / (x + y)
         else:
-            turn = 3.0 + x / (x - y)
-    return turn
+            direction = 3.0 + x / (x - y)
+    return direction
 
 
 @func
-def point_at(turn: float64, u: vec3d, v: vec3d) -> vec3d:
+def point_at(direction: float64, u: vec3d, v: vec3d) -> vec3d:
     """Unit vector in a direction; u is direction 0, v is 1."""
-    x = 1.0 - turn
-    y = turn
-    if turn >= 1.0:
-        y = 2.0 - turn
-    if turn >= 2.0:
-        x = turn - 3.0
-    if turn >= 3.0:
-        y = turn - 4.0
+    x = 1.0 - direction
+    y = direction
+    if direction >= 1.0:
+        y = 2.0 - direction
+    if direction >= 2.0:
+        x = direction - 3.0
+    if direction >= 3.0:
+        y = direction - 4.0
     return (u * x + v * y) / sqrt(x * x + y * y)
 
 
@@ -124,13 +124,13 @@ def cut_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, en
 
 
 @func
-def cut_turns(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
+def cut_wrapped_arcs(arcs: array(dtype=float64), at: int, count: int, start: float64, end: float64) -> int:
     """`cut_arcs` for an interval that may wrap around a full turn."""
     left = count
     if start <= end:
         left = cut_arcs(arcs, at, left, start, end)
     else:
-        left = cut_arcs(arcs, at, left, start, float64(FULL_TURN))
+        left = cut_arcs(arcs, at, left, start, float64(FULL_CIRCLE))
         left = cut_arcs(arcs, at, left, 0.0, end)
     return left
 
@@ -154,15 +154,15 @@ def forbid_arc(
     rise = dot(q, q - b)
     x = dot(q, u)
     y = dot(q, v)
-    reach = 2.0 * height * sqrt(x * x + y * y)
-    rise += float64(SHARE) * (abs(rise) + reach) + float64(LOSS) * size * (size + length + height)
-    if rise < reach:
-        if rise <= -reach:
+    limit = 2.0 * height * sqrt(x * x + y * y)
+    rise += float64(SHARE) * (abs(rise) + limit) + float64(LOSS) * size * (size + length + height)
+    if rise < limit:
+        if rise <= -limit:
             left = 0
         else:
-            s = sqrt(max(reach * reach - rise * rise, 0.0))  # cosine and sine, times reach
-            start = turn_of(x * rise + y * s, y * rise - x * s)
-            left = cut_turns(arcs, at, left, start, turn_of(x * rise - y * s, y * rise + x * s))
+            s = sqrt(max(limit * limit - rise * rise, 0.0))  # cosine and sine, times limit
+            start = direction_of(x * rise + y * s, y * rise - x * s)
+            left = cut_wrapped_arcs(arcs, at, left, start, direction_of(x * rise - y * s, y * rise + x * s))
     return left
 
 
@@ -223,10 +223,10 @@ def root_of_ball(b: vec3d, c: vec3d, radius: float64) -> float64:
     bb = dot(b, b)
     cc = dot(c, c)
     d = b - c
-    whole = 4.0 * radius * radius * nn
-    rest = whole - bb * cc * dot(d, d)
+    scale = 4.0 * radius * radius * nn
+    rest = scale - bb * cc * dot(d, d)
     root = float64(-1.0)
-    if nn > float64(THINNEST) * bb * cc and rest >= -whole * float64(ROUNDING):
+    if nn > float64(THINNEST) * bb * cc and rest >= -scale * float64(ROUNDING):
         root = sqrt(max(rest, 0.0))
     return root
 
@@ -261,7 +261,7 @@ def weigh_tie(on_a: int, on_b: int, on_c: int, a: int, b: int, c: int, d: int) -
     """1 if D on the ball of A, B and C counts as inside, else -1. The lowest index with a coordinate != 0 decides."""
     decided = 0
     passed = -1
-    for turn in range(TAKEN):
+    for step in range(TAKEN):
         lowest = d
         sign = -1
         if d <= passed:
@@ -306,7 +306,7 @@ def break_tie(b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, ia: int, i
 
 
 @func
-def holds_point(
+def contains_point(
     b: vec3d, c: vec3d, d: vec3d, root: float64, side: int, radius: float64, ia: int, ib: int, ic: int, at: int
 ) -> int:
     """1 if the ball on 0, b and c contains d, else -1. Ties by the indices of the four."""
@@ -320,8 +320,8 @@ def holds_point(
     value = dd * nn - dot(d, k) - float64(side) * height * root
     lengths = sqrt(bb * cc)
     far = sqrt(dd)
-    whole = 4.0 * radius * radius * lengths * sqrt(nn)
-    loss = float64(ROUNDING) * (whole + bb * cc * dot(b - c, b - c))  # of R
+    scale = 4.0 * radius * radius * lengths * sqrt(nn)
+    loss = float64(ROUNDING) * (scale + bb * cc * dot(b - c, b - c))  # of R
     bound = float64(ROUNDING) * far * lengths * (lengths * (far + sqrt(bb) + sqrt(cc)) + root)
     bound += abs(height) * loss / (root + sqrt(loss))
     inside = -sign_of(value, bound)
@@ -336,7 +336,7 @@ SCRATCH = 2**24  # neighbors of all threads of a launch
 NEAREST = 5  # points that cut a circle before testing which others reach the rest
 PART = 2**18  # points a launch
 CPU_THREADS = 512  # per launch: few, so that scratch memory stays in the caches, but more than the chunks
-REACH = 1.00001  # times the squared reach: float32 distances must not lose a neighbor
+SQDIST_MARGIN = 1.00001  # times the squared search radius: float32 distances must not lose a neighbor
 
 
 @struct
@@ -346,7 +346,7 @@ class BallScratch:
     room: int
     run: int
     keys: array(dtype=int64)
-    places: array(dtype=int32)
+    indices: array(dtype=int32)
     xs: array(dtype=float64)
     ys: array(dtype=float64)
     zs: array(dtype=float64)
@@ -358,12 +358,12 @@ class BallScratch:
     sags: array(dtype=float64)
 
     def __init__(self, count: int, room: int, device: Device) -> None:
-        most = max(1, SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
-        self.threads, self.room = min(count, most), room
+        max_threads = max(1, SCRATCH // room) if device.is_cuda else min(CPU_THREADS, max(1, SCRATCH // room))
+        self.threads, self.room = min(count, max_threads), room
         self.run = -(-count // self.threads)
         self.threads = -(-count // self.run)
         total = self.threads * room
-        self.keys, self.places = empty(2 * total, int64, device), empty(total, int32, device)
+        self.keys, self.indices = empty(2 * total, int64, device), empty(total, int32, device)
         self.xs, self.ys, self.zs, self.sizes = (empty(total, float64, device) for _ in range(4))
         self.cutters, self.cuts = empty(total, int32, device), empty(self.threads, int32, device)
         self.arcs = empty(self.threads * 2 * ARCS, float64, device)
@@ -373,35 +373,35 @@ class BallScratch:
 
 @struct
 class BallPoints:
-    """Points that balls roll over. `asked` marks the points to search; `reach` is the squared search radius [m^2]."""
+    """Points that balls roll over. `searched` marks points to search within the squared radius `max_sqdist` [m^2]."""
 
     tree: PointTree
     normals: array(dtype=vec3)
-    asked: array(dtype=uint8)
+    searched: array(dtype=uint8)
     radius: float64
-    reach: float
+    max_sqdist: float
 
-    def __init__(self, tree: PointTree, normals: Vectors, asked: Bytes, radius: float) -> None:
-        self.tree, self.normals, self.asked, self.radius = tree, normals, asked, float(radius)
-        self.reach = float(min(np.float64(REACH) * (2 * self.radius) ** 2, np.finfo(np.float32).max))
+    def __init__(self, tree: PointTree, normals: Vectors, searched: Bytes, radius: float) -> None:
+        self.tree, self.normals, self.searched, self.radius = tree, normals, searched, float(radius)
+        self.max_sqdist = float(min(np.float64(SQDIST_MARGIN) * (2 * self.radius) ** 2, np.finfo(np.float32).max))
 
 
 @struct
 class BallFaces:
-    """Triangles of the points at `places`, up to `slots` each. `held` counts neighbors: a point with more than the
+    """Triangles of the points `indices`, up to `slots` each. A point with a larger number in `neighbor_counts` than the
     scratch memory's room was not searched. `widths` are the squared radii of the circles as fractions of the ball's."""
 
-    places: array(dtype=int32)
+    indices: array(dtype=int32)
     slots: int
-    held: array(dtype=int32)
+    neighbor_counts: array(dtype=int32)
     counts: array(dtype=int32)
     corners: array(dtype=vec3i)
     widths: array(dtype=float32)
 
-    def __init__(self, places: Integers, slots: int) -> None:
-        device, count = places.device, places.size
-        self.places, self.slots = places, slots
-        self.held, self.counts = empty(count, int32, device), empty(count, int32, device)
+    def __init__(self, indices: Integers, slots: int) -> None:
+        device, count = indices.device, indices.size
+        self.indices, self.slots = indices, slots
+        self.neighbor_counts, self.counts = empty(count, int32, device), empty(count, int32, device)
         self.corners, self.widths = empty(count * slots, vec3i, device), empty(count * slots, float32, device)
 
 
@@ -411,32 +411,32 @@ def neighbor_at(scratch: BallScratch, j: int) -> vec3d:
 
 
 @func
-def gather_neighbors(place: int, points: BallPoints, scratch: BallScratch, base: int) -> int:
+def gather_neighbors(index: int, points: BallPoints, scratch: BallScratch, base: int) -> int:
     """List up to `room` neighbors of a point by distance. Return their total number."""
-    p = points.tree.points[place]
-    held = 0
-    for j, sqdist in points_within(place // BUCKET, p, points.reach, points.tree):
-        if j != place:
-            if held < scratch.room:
-                scratch.keys[2 * base + held] = pack_key(sqdist, j)
-            held += 1
-    if held <= scratch.room:
-        size = keep_nearest(scratch.keys, 2 * base, 1, held, held, scratch.room)
+    p = points.tree.points[index]
+    neighbor_count = 0
+    for j, sqdist in points_within(index // BUCKET, p, points.max_sqdist, points.tree):
+        if j != index:
+            if neighbor_count < scratch.room:
+                scratch.keys[2 * base + neighbor_count] = pack_key(sqdist, j)
+            neighbor_count += 1
+    if neighbor_count <= scratch.room:
+        size = keep_nearest(scratch.keys, 2 * base, 1, neighbor_count, neighbor_count, scratch.room)
         middle = widen(p)
         for j in range(size):
             other = key_index(scratch.keys[2 * base + j])
             d = widen(points.tree.points[other]) - middle
-            scratch.places[base + j] = other
+            scratch.indices[base + j] = other
             scratch.xs[base + j] = d[0]
             scratch.ys[base + j] = d[1]
             scratch.zs[base + j] = d[2]
             scratch.sizes[base + j] = sqrt(dot(d, d))
-    return held
+    return neighbor_count
 
 
 @func
 def is_empty_ball(
-    place: int,
+    index: int,
     jb: int,
     jc: int,
     root: float64,
@@ -444,7 +444,7 @@ def is_empty_ball(
     points: BallPoints,
     scratch: BallScratch,
     base: int,
-    held: int,
+    neighbor_count: int,
 ) -> int:
     """1 if no neighbor is in the ball on a point and two of its neighbors."""
     b = neighbor_at(scratch, jb)
@@ -452,7 +452,7 @@ def is_empty_ball(
     x = ball_center(b, c, root, side)
     empty = 1
     j = base
-    while j < base + held and empty == 1:
+    while j < base + neighbor_count and empty == 1:
         q = neighbor_at(scratch, j)
         size = scratch.sizes[j]
         clearance = size * size - 2.0 * dot(x, q)
@@ -461,11 +461,11 @@ def is_empty_ball(
             if clearance < -slack:
                 empty = 0
             else:
-                ia = points.tree.order[place]
-                ib = points.tree.order[scratch.places[jb]]
-                ic = points.tree.order[scratch.places[jc]]
-                at = points.tree.order[scratch.places[j]]
-                if holds_point(b, c, q, root, side, points.radius, ia, ib, ic, at) == 1:
+                ia = points.tree.order[index]
+                ib = points.tree.order[scratch.indices[jb]]
+                ic = points.tree.order[scratch.indices[jc]]
+                at = points.tree.order[scratch.indices[j]]
+                if contains_point(b, c, q, root, side, points.radius, ia, ib, ic, at) == 1:
                     empty = 0
         j += 1
     return empty
@@ -495,14 +495,16 @@ def touches_arcs(q: vec3d, size: float64, count: int, scratch: BallScratch, at: 
 
 
 @func
-def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, held: int, at: int) -> int:
+def free_arcs(
+    jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch, base: int, neighbor_count: int, at: int
+) -> int:
     """Number of remaining arcs of the circle of centers over two points. Neighbors between both go first."""
     b = neighbor_at(scratch, jb)
     length = scratch.sizes[jb]
     count = 1
     cuts = 0
     scratch.arcs[at] = 0.0
-    scratch.arcs[at + 1] = float64(FULL_TURN)
+    scratch.arcs[at + 1] = float64(FULL_CIRCLE)
     j = base
     while j < jb and count > 0:
         q = neighbor_at(scratch, j)
@@ -514,7 +516,7 @@ def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch
     early = cuts + NEAREST
     j = base
     known = 0
-    while j < base + held and count > 0:
+    while j < base + neighbor_count and count > 0:
         q = neighbor_at(scratch, j)
         cut = 0
         if j > jb or (j < jb and dot(q, q - b) >= 0.0):
@@ -535,34 +537,34 @@ def free_arcs(jb: int, u: vec3d, v: vec3d, height: float64, scratch: BallScratch
 
 
 @func
-def store_face(place: int, b: int, c: int, width: float, row: int, found: int, faces: BallFaces):
-    if found < faces.slots:
-        faces.corners[row * faces.slots + found] = vec3i(place, b, c)
-        faces.widths[row * faces.slots + found] = width
+def store_face(index: int, b: int, c: int, width: float, row: int, face_index: int, faces: BallFaces):
+    if face_index < faces.slots:
+        faces.corners[row * faces.slots + face_index] = vec3i(index, b, c)
+        faces.widths[row * faces.slots + face_index] = width
 
 
 @func
 def try_faces(
-    place: int,
+    index: int,
     row: int,
     jb: int,
     count: int,
     points: BallPoints,
     scratch: BallScratch,
     base: int,
-    held: int,
+    neighbor_count: int,
     at: int,
-    found: int,
+    face_count: int,
     faces: BallFaces,
 ) -> int:
     """Store the triangles of a point, a neighbor, and points that touch arc ends. Return their number."""
-    total = found
+    total = face_count
     b = neighbor_at(scratch, jb)
-    other = scratch.places[jb]
+    other = scratch.indices[jb]
     for i in range(scratch.cuts[base // scratch.room]):
         j = scratch.cutters[base + i]
-        third = scratch.places[j]
-        if third > other and points.asked[third] != 0:
+        third = scratch.indices[j]
+        if third > other and points.searched[third] != 0:
             q = neighbor_at(scratch, j)
             size = scratch.sizes[j]
             slack = float64(NEAR) * points.radius * size
@@ -578,52 +580,54 @@ def try_faces(
                 side = 0
                 if root >= 0.0:
                     n = cross(b, q)
-                    side = side_of_normals(n, points.normals[place], points.normals[other], points.normals[third])
+                    side = side_of_normals(n, points.normals[index], points.normals[other], points.normals[third])
                 if (side == 1 and begins == 1) or (side == -1 and ends == 1):
-                    if is_empty_ball(place, jb, j, root, side, points, scratch, base, held) == 1:
+                    if is_empty_ball(index, jb, j, root, side, points, scratch, base, neighbor_count) == 1:
                         width = width_of_circle(b, q, points.radius)
                         if side == 1:
-                            store_face(place, other, third, width, row, total, faces)
+                            store_face(index, other, third, width, row, total, faces)
                         else:
-                            store_face(place, third, other, width, row, total, faces)
+                            store_face(index, third, other, width, row, total, faces)
                         total += 1
     return total
 
 
 @func
 def find_faces(
-    place: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, held: int, faces: BallFaces
+    index: int, row: int, thread: int, points: BallPoints, scratch: BallScratch, neighbor_count: int, faces: BallFaces
 ) -> int:
     """Find triangles of a point whose other corners follow it in tree order. Return their number."""
     base = thread * scratch.room
     at = thread * 2 * ARCS
-    found = 0
-    for jb in range(base, base + held):
-        other = scratch.places[jb]
+    face_count = 0
+    for jb in range(base, base + neighbor_count):
+        other = scratch.indices[jb]
         half = scratch.sizes[jb] * 0.5
         rise = points.radius * points.radius - half * half
-        if other > place and rise > 0.0 and points.asked[other] != 0:
+        if other > index and rise > 0.0 and points.searched[other] != 0:
             b = neighbor_at(scratch, jb)
             u = across(b)
             v = cross(b / scratch.sizes[jb], u)
             height = sqrt(rise)
-            count = free_arcs(jb, u, v, height, scratch, base, held, at)
+            count = free_arcs(jb, u, v, height, scratch, base, neighbor_count, at)
             if count > 0:
-                found = try_faces(place, row, jb, count, points, scratch, base, held, at, found, faces)
-    return found
+                face_count = try_faces(
+                    index, row, jb, count, points, scratch, base, neighbor_count, at, face_count, faces
+                )
+    return face_count
 
 
 @kernel
 def find_faces_kernel(points: BallPoints, scratch: BallScratch, faces: BallFaces):
     i = tid()
-    for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.places.shape[0])):
-        place = faces.places[row]
-        held = gather_neighbors(place, points, scratch, i * scratch.room)
-        found = 0
-        if held <= scratch.room:
-            found = find_faces(place, row, i, points, scratch, held, faces)
-        faces.held[row] = held
-        faces.counts[row] = found
+    for row in range(i * scratch.run, min((i + 1) * scratch.run, faces.indices.shape[0])):
+        index = faces.indices[row]
+        neighbor_count = gather_neighbors(index, points, scratch, i * scratch.room)
+        face_count = 0
+        if neighbor_count <= scratch.room:
+            face_count = find_faces(index, row, i, points, scratch, neighbor_count, faces)
+        faces.neighbor_counts[row] = neighbor_count
+        faces.counts[row] = face_count
 
 
 @kernel
@@ -638,55 +642,56 @@ def pack_faces_kernel(
 
 @kernel
 def part_crowd_kernel(
-    faces: BallFaces, room: int, usable: array(dtype=int32), again: array(dtype=int32), most: array(dtype=int32)
+    faces: BallFaces, room: int, usable: array(dtype=int32), again: array(dtype=int32), maxima: array(dtype=int32)
 ):
     """Count triangles, mark points without enough room, compute the maximum (atomic if the plain value is lower)."""
     i = tid()
-    held = faces.held[i]
+    neighbor_count = faces.neighbor_counts[i]
     count = faces.counts[i]
     crowded = 0
-    if held > room or count > faces.slots:
+    if neighbor_count > room or count > faces.slots:
         crowded = 1
         count = 0
     usable[i] = count
     again[i] = crowded
-    if held > most[0]:
-        atomic_max(most, 0, held)
-    if faces.counts[i] > most[1]:
-        atomic_max(most, 1, faces.counts[i])
+    if neighbor_count > maxima[0]:
+        atomic_max(maxima, 0, neighbor_count)
+    if faces.counts[i] > maxima[1]:
+        atomic_max(maxima, 1, faces.counts[i])
 
 
 @kernel
-def list_crowd_kernel(places: array(dtype=int32), ranks: array(dtype=int32), crowd: array(dtype=int32)):
+def list_crowd_kernel(indices: array(dtype=int32), ranks: array(dtype=int32), crowd: array(dtype=int32)):
     i = tid()
     if ranks[i + 1] > ranks[i]:
-        crowd[ranks[i]] = places[i]
+        crowd[ranks[i]] = indices[i]
 
 
-def list_faces(points: BallPoints, places: Integers) -> tuple[Triangles, Scalars]:
-    """Triangles with a first corner at `places`: (corners vec3i [t], counter-clockwise seen from the ball; widths
+def list_faces(points: BallPoints, indices: Integers) -> tuple[Triangles, Scalars]:
+    """Triangles with a first corner in `indices`: (corners vec3i [t], counter-clockwise seen from the ball; widths
     float32 [t]). One sync per batch, and one more if points need more room."""
-    device, found = places.device, []
-    for begin in range(0, places.size, PART):
-        left, room, slots = places[begin : min(begin + PART, places.size)], FIRST_ROOM, FIRST_SLOTS
+    device, batches = indices.device, []
+    for begin in range(0, indices.size, PART):
+        left, room, slots = indices[begin : min(begin + PART, indices.size)], FIRST_ROOM, FIRST_SLOTS
         while left.size:
             faces = BallFaces(left, slots)
             scratch = BallScratch(left.size, room, device)
             launch(find_faces_kernel, scratch.threads, [points, scratch, faces])
-            usable, again, most = (empty(size, int32, device) for size in (left.size, left.size, 2))
-            fill(most, 0)
-            launch(part_crowd_kernel, left.size, [faces, room, usable, again, most])
+            usable, again, maxima = (empty(size, int32, device) for size in (left.size, left.size, 2))
+            fill(maxima, 0)
+            launch(part_crowd_kernel, left.size, [faces, room, usable, again, maxima])
             ends = [left.size]
-            scans = scan_together([(usable, ends), (again, ends)], most)  # sync
-            (offsets, (total,)), (ranks, (rest,)), (_, (held, count)) = scans
+            scans = scan_together([(usable, ends), (again, ends)], maxima)  # sync
+            (offsets, (total,)), (ranks, (rest,)), (_, (neighbor_count, count)) = scans
             corners, widths = empty(total, vec3i, device), empty(total, float32, device)
             launch(pack_faces_kernel, left.size, [faces, offsets, corners, widths])
-            found.append((corners, widths))
+            batches.append((corners, widths))
             crowd = empty(rest, int32, device)
             launch(list_crowd_kernel, left.size if rest else 0, [left, ranks, crowd])
             left = crowd
-            room = min(4 * room, held) if held > room else room  # most of these need less than the maximum
+            # most of these need less than the maximum
+            room = min(4 * room, neighbor_count) if neighbor_count > room else room
             slots = max(slots, count)
     none = [(empty(0, vec3i, device), empty(0, float32, device))]
-    corners, widths = zip(*(found or none), strict=True)
+    corners, widths = zip(*(batches or none), strict=True)
     return concatenate_rows(corners), concatenate_rows(widths)

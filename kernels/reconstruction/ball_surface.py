@@ -38,7 +38,7 @@ from ..search.point_tree import PointTree
 from ..search.tree_search import count_within_kernel, squared_radius
 from .ball_faces import BallPoints, list_faces
 
-REFUSED, UNDECIDED, TAKEN = 0, 1, 2
+REJECTED, UNDECIDED, ACCEPTED = 0, 1, 2
 
 
 @kernel
@@ -50,8 +50,8 @@ def find_ends_kernel(triangles: array(dtype=vec3i), around: CornersByVertex, end
 @struct
 class BallMesh:
     """Accepted, undecided and rejected triangles, and the half-edges by start vertex. Triangles of earlier radii come
-    first. `ends` follow the order of `around`. `waiting` marks triangles that have nothing to grow from yet, `seen` the
-    vertices that had a triangle before this radius. `order` breaks ties between equal circles."""
+    first. `ends` follow the order of `around`. `waiting` marks triangles that have nothing to grow from yet,
+    `covered` the vertices that had a triangle before this radius. `order` breaks ties between equal circles."""
 
     triangles: array(dtype=vec3i)
     widths: array(dtype=float32)
@@ -59,18 +59,20 @@ class BallMesh:
     ends: array(dtype=int32)
     states: array(dtype=uint8)
     waiting: array(dtype=uint8)
-    seen: array(dtype=uint8)
+    covered: array(dtype=uint8)
     order: array(dtype=int32)
 
-    def __init__(self, kept: Triangles, found: Triangles, widths: Scalars, seen: Bytes, order: Indices) -> None:
-        device, count = kept.device, kept.size + found.size
-        self.triangles, self.seen, self.order = concatenate_rows([kept, found]), seen, order
-        self.widths = concatenate_rows([zeros(kept.size, float32, device), widths])
-        self.around = CornersByVertex(self.triangles, seen.size)
+    def __init__(
+        self, accepted: Triangles, candidates: Triangles, widths: Scalars, covered: Bytes, order: Indices
+    ) -> None:
+        device, count = accepted.device, accepted.size + candidates.size
+        self.triangles, self.covered, self.order = concatenate_rows([accepted, candidates]), covered, order
+        self.widths = concatenate_rows([zeros(accepted.size, float32, device), widths])
+        self.around = CornersByVertex(self.triangles, covered.size)
         self.ends = empty(3 * count, int32, device)
         launch(find_ends_kernel, 3 * count, [self.triangles, self.around, self.ends])
         self.states, self.waiting = full(count, UNDECIDED, uint8, device), zeros(count, uint8, device)
-        copy(self.states, full(kept.size, TAKEN, uint8, device), count=kept.size)
+        copy(self.states, full(accepted.size, ACCEPTED, uint8, device), count=accepted.size)
 
 
 @func
@@ -98,13 +100,13 @@ def comes_before(a: int, b: int, mesh: BallMesh) -> int:
 
 
 @func
-def has_taken_edge(a: int, b: int, mesh: BallMesh) -> int:
-    found = 0
+def has_accepted_edge(a: int, b: int, mesh: BallMesh) -> int:
+    accepted = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         if mesh.ends[j] == b:
-            if mesh.states[mesh.around.corners[j] // 3] == uint8(TAKEN):
-                found = 1
-    return found
+            if mesh.states[mesh.around.corners[j] // 3] == uint8(ACCEPTED):
+                accepted = 1
+    return accepted
 
 
 @func
@@ -114,10 +116,10 @@ def can_grow(t: int, mesh: BallMesh) -> int:
     for k in range(3):
         a = corner_vertex(mesh.triangles, 3 * t + k)
         b = corner_vertex(mesh.triangles, next_corner(3 * t + k))
-        if mesh.seen[a] == 0:
+        if mesh.covered[a] == 0:
             grows = 1
         else:
-            grows = max(grows, has_taken_edge(b, a, mesh))
+            grows = max(grows, has_accepted_edge(b, a, mesh))
     return grows
 
 
@@ -136,7 +138,7 @@ def find_waiting_kernel(undecided: array(dtype=int32), mesh: BallMesh, changed: 
 def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(dtype=uint8)):
     i = tid()
     t = undecided[i]
-    state = int(TAKEN)
+    state = int(ACCEPTED)
     if mesh.waiting[t] == 1:
         state = UNDECIDED
     sides = int(3)
@@ -150,16 +152,16 @@ def decide_kernel(undecided: array(dtype=int32), mesh: BallMesh, decided: array(
             other = mesh.around.corners[j] // 3
             if mesh.ends[j] == b and other != t:
                 rival = int(mesh.states[other])
-                if rival == TAKEN:
-                    state = REFUSED
-                elif rival == UNDECIDED and state == TAKEN and mesh.waiting[other] == 0:
+                if rival == ACCEPTED:
+                    state = REJECTED
+                elif rival == UNDECIDED and state == ACCEPTED and mesh.waiting[other] == 0:
                     if comes_before(other, t, mesh) == 1:
                         state = UNDECIDED
     decided[i] = uint8(state)
 
 
 @kernel
-def settle_kernel(
+def apply_decisions_kernel(
     undecided: array(dtype=int32),
     decided: array(dtype=uint8),
     mesh: BallMesh,
@@ -179,49 +181,51 @@ def settle_kernel(
 
 
 @kernel
-def mark_taken_kernel(mesh: BallMesh, asked: array(dtype=uint8), taken: array(dtype=uint8), rims: array(dtype=uint8)):
+def mark_covered_kernel(
+    mesh: BallMesh, searched: array(dtype=uint8), covered: array(dtype=uint8), rims: array(dtype=uint8)
+):
     """Mark vertices that have triangles, and those on boundary edges between searched ones (same value written)."""
     i = tid()
-    if mesh.states[i] == uint8(TAKEN):
+    if mesh.states[i] == uint8(ACCEPTED):
         for k in range(3):
             a = corner_vertex(mesh.triangles, 3 * i + k)
             b = corner_vertex(mesh.triangles, next_corner(3 * i + k))
-            taken[a] = 1
-            if asked[a] != 0 and asked[b] != 0:
-                if has_taken_edge(b, a, mesh) == 0:
+            covered[a] = 1
+            if searched[a] != 0 and searched[b] != 0:
+                if has_accepted_edge(b, a, mesh) == 0:
                     rims[a] = 1
                     rims[b] = 1
 
 
 @kernel
-def ask_again_kernel(seen: array(dtype=uint8), rims: array(dtype=uint8), asked: array(dtype=uint8)):
+def mark_searched_kernel(covered: array(dtype=uint8), rims: array(dtype=uint8), searched: array(dtype=uint8)):
     """Mark vertices for the next radius: without a triangle, or on a boundary edge."""
     i = tid()
     wanted = 0
-    if seen[i] == 0 or rims[i] != 0:
+    if covered[i] == 0 or rims[i] != 0:
         wanted = 1
-    asked[i] = uint8(wanted)
+    searched[i] = uint8(wanted)
 
 
 @kernel
 def part_triangles_kernel(
-    mesh: BallMesh, asked: array(dtype=uint8), open: array(dtype=uint8), closed: array(dtype=uint8)
+    mesh: BallMesh, searched: array(dtype=uint8), open: array(dtype=uint8), closed: array(dtype=uint8)
 ):
     """Split accepted triangles into those with a vertex to be searched again and the others."""
     i = tid()
     near = 0
     far = 0
-    if mesh.states[i] == uint8(TAKEN):
+    if mesh.states[i] == uint8(ACCEPTED):
         t = mesh.triangles[i]
         far = 1
-        if asked[t[0]] != 0 or asked[t[1]] != 0 or asked[t[2]] != 0:
+        if searched[t[0]] != 0 or searched[t[1]] != 0 or searched[t[2]] != 0:
             near = 1
             far = 0
     open[i] = uint8(near)
     closed[i] = uint8(far)
 
 
-def settle_conflicts(mesh: BallMesh, first: int) -> None:
+def resolve_conflicts(mesh: BallMesh, first: int) -> None:
     """Decide which triangles from number `first` on are accepted, in one device loop on CUDA. No sync."""
     device = mesh.triangles.device
     undecided = (
@@ -230,33 +234,33 @@ def settle_conflicts(mesh: BallMesh, first: int) -> None:
     changed = full(1, 1, int32, device)
     decided, left = empty(undecided.size, uint8, device), empty(undecided.size, uint8, device)
 
-    def settle() -> None:
+    def run_round() -> None:
         launch(find_waiting_kernel, undecided.size, [undecided, mesh, changed])
         launch(decide_kernel, undecided.size, [undecided, mesh, decided])
-        launch(settle_kernel, undecided.size, [undecided, decided, mesh, left, changed])
+        launch(apply_decisions_kernel, undecided.size, [undecided, decided, mesh, left, changed])
 
     if device.is_cuda and undecided.size:
-        loop_while(changed, settle)
+        loop_while(changed, run_round)
         return
     before = undecided.size + 1
     while undecided.size and undecided.size < before:
         before = undecided.size
         decided, left = empty(before, uint8, device), empty(before, uint8, device)
-        settle()
+        run_round()
         undecided = gather_rows(undecided, positions_of(left))
 
 
-def close_radius(mesh: BallMesh, asked: Bytes) -> tuple[Triangles, Triangles, Indices]:
-    """Split the accepted triangles and select the vertices for the next radius; updates `asked` and `mesh.seen`. One
-    sync. Returns (open, closed, places): triangles with selected vertices, others, and the selected vertices."""
-    device = asked.device
-    rims = zeros(asked.size, uint8, device)
+def close_radius(mesh: BallMesh, searched: Bytes) -> tuple[Triangles, Triangles, Indices]:
+    """Split the accepted triangles and select the vertices for the next radius; updates `searched` and `mesh.covered`.
+    One sync. Returns (open, closed, indices): triangles with selected vertices, others, and the selected vertices."""
+    device = searched.device
+    rims = zeros(searched.size, uint8, device)
     near, far = (empty(mesh.triangles.size, uint8, device) for _ in range(2))
-    launch(mark_taken_kernel, mesh.triangles.size, [mesh, asked, mesh.seen, rims])
-    launch(ask_again_kernel, asked.size, [mesh.seen, rims, asked])
-    launch(part_triangles_kernel, mesh.triangles.size, [mesh, asked, near, far])
-    open_rows, closed_rows, places = positions_of_each(near, far, asked)  # sync
-    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), places
+    launch(mark_covered_kernel, mesh.triangles.size, [mesh, searched, mesh.covered, rims])
+    launch(mark_searched_kernel, searched.size, [mesh.covered, rims, searched])
+    launch(part_triangles_kernel, mesh.triangles.size, [mesh, searched, near, far])
+    open_rows, closed_rows, indices = positions_of_each(near, far, searched)  # sync
+    return gather_triangles(mesh.triangles, open_rows), gather_triangles(mesh.triangles, closed_rows), indices
 
 
 SAMPLE = 64  # points used to estimate the number of neighbors
@@ -284,7 +288,7 @@ def mark_repeated_kernel(points: array(dtype=vec3), marks: array(dtype=uint8)):
 
 
 @func
-def turned_first(t: vec3i) -> vec3i:
+def rotate_lowest_first(t: vec3i) -> vec3i:
     first = t + vec3i(0, 0, 0)
     if t[1] < t[0] and t[1] < t[2]:
         first = vec3i(t[1], t[2], t[0])
@@ -295,26 +299,26 @@ def turned_first(t: vec3i) -> vec3i:
 
 @kernel
 def name_corners_kernel(rows: array(dtype=int32), bits: int, triangles: array(dtype=vec3i), keys: array(dtype=int64)):
-    """Replace places by rows, the lowest first. The key is the first edge, which is unique."""
+    """Replace tree indices by rows, the lowest first. The key is the first edge, which is unique."""
     i = tid()
     t = triangles[i]
-    named = turned_first(vec3i(rows[t[0]], rows[t[1]], rows[t[2]]))
+    named = rotate_lowest_first(vec3i(rows[t[0]], rows[t[1]], rows[t[2]]))
     triangles[i] = named
     keys[i] = (int64(named[0]) << int64(bits)) | int64(named[1])
 
 
 @kernel
-def sample_points_kernel(points: array(dtype=vec3), places: array(dtype=int32), step: int, sample: array(dtype=vec3)):
+def sample_points_kernel(points: array(dtype=vec3), indices: array(dtype=int32), step: int, sample: array(dtype=vec3)):
     i = tid()
-    sample[i] = points[places[i * step]]
+    sample[i] = points[indices[i * step]]
 
 
-def count_around(tree: PointTree, places: Indices, radius: float) -> float:
+def count_around(tree: PointTree, indices: Indices, radius: float) -> float:
     """Mean number of points within a radius [m] of at most SAMPLE of some points of a tree."""
-    step = -(-places.size // SAMPLE)
-    size = -(-places.size // step)
+    step = -(-indices.size // SAMPLE)
+    size = -(-indices.size // step)
     sample, counts = empty(size, vec3, tree.device), empty(size, int32, tree.device)
-    launch(sample_points_kernel, size, [tree.points, places, step, sample])
+    launch(sample_points_kernel, size, [tree.points, indices, step, sample])
     launch(count_within_kernel, size, [sample, positions(size, tree.device), tree, squared_radius(radius), counts])
     return float(download(counts).mean())  # sync
 
@@ -349,17 +353,17 @@ class RollingBall:
         """Triangles of balls of the given radii [m], as rows of the cloud, the lowest first, sorted. `check` is called
         with each radius and its points before the search, and may raise if it would take too long."""
         device, count = self.tree.device, self.tree.count
-        asked, seen = full(count, 1, uint8, device), zeros(count, uint8, device)
+        searched, covered = full(count, 1, uint8, device), zeros(count, uint8, device)
         open, parts = empty(0, vec3i, device), []
-        places = positions(count, device)
+        indices = positions(count, device)
         for radius in radii:
-            if not places.size:
+            if not indices.size:
                 break
-            check(self.tree, radius, places)
-            found, widths = list_faces(BallPoints(self.tree, self.normals, asked, radius), places)
-            mesh = BallMesh(open, found, widths, seen, self.rows)
-            settle_conflicts(mesh, open.size)
-            open, closed, places = close_radius(mesh, asked)  # sync
+            check(self.tree, radius, indices)
+            faces, widths = list_faces(BallPoints(self.tree, self.normals, searched, radius), indices)
+            mesh = BallMesh(open, faces, widths, covered, self.rows)
+            resolve_conflicts(mesh, open.size)
+            open, closed, indices = close_radius(mesh, searched)  # sync
             parts.append(closed)
         triangles = concatenate_rows([*parts, open])
         bits = max(1, row_count.bit_length())

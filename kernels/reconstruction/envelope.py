@@ -26,7 +26,7 @@ from ..lang import (
     vec3d,
     vec3i,
 )
-from .octree_levels import SLOTS, OctreeLevel, slot_place
+from .octree_levels import SLOTS, OctreeLevel, slot_position
 from .sample_cells import Cube
 
 OUTSIDE = 0.5  # value of the function there: it rises by 1 across the surface, and is about 0 on it
@@ -77,7 +77,7 @@ def is_enclosed(p: vec3d, envelope: Envelope) -> int:
 
 
 @kernel
-def hold_outside_kernel(
+def fix_outside_kernel(
     level: OctreeLevel, cube: Cube, envelope: Envelope, mask: array(dtype=uint8), values: array(dtype=float32)
 ):
     """Set the function outside the envelope. Values from the coarser level at the rim stay, for continuity."""
@@ -85,13 +85,13 @@ def hold_outside_kernel(
     if mask[i] != 0:
         color = i // level.count
         slot = SLOTS * (i - color * level.count) + color
-        place = slot_place(slot, level)
-        x = vec3d(float64(place[0]), float64(place[1]), float64(place[2])) / float64(1 << level.depth)
+        position = slot_position(slot, level)
+        x = vec3d(float64(position[0]), float64(position[1]), float64(position[2])) / float64(1 << level.depth)
         if is_enclosed(cube.corner + x * cube.side, envelope) == 0:
             values[slot] = float(OUTSIDE)
             mask[i] = 0
 
 
-def hold_outside(level: OctreeLevel, cube: Cube, envelope: Envelope, mask: Mask, values: Scalars) -> None:
+def fix_outside(level: OctreeLevel, cube: Cube, envelope: Envelope, mask: Mask, values: Scalars) -> None:
     """Set the values of a level outside an envelope; `mask` marks unknowns by color and block (uint8)."""
-    launch(hold_outside_kernel, mask.size, [level, cube, envelope, mask, values])
+    launch(fix_outside_kernel, mask.size, [level, cube, envelope, mask, values])

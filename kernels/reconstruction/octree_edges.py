@@ -24,7 +24,7 @@ from ..lang import (
     vec3i,
 )
 from ..memory import empty
-from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_place
+from .octree_levels import SLOTS, OctreeLevel, is_cell, is_divided, neighbor_slot, slot_position
 from .sample_cells import Cube
 
 HALVINGS = 24  # of an edge, to a float32's precision
@@ -70,20 +70,20 @@ def slot_after(slot: int, step: vec3i, level: OctreeLevel) -> int:
 
 @func
 def differ(a: float, b: float) -> int:
-    found = 0
+    differing = 0
     if (a < 0.0 and b >= 0.0) or (a >= 0.0 and b < 0.0):
-        found = 1
-    return found
+        differing = 1
+    return differing
 
 
 @func
-def holds_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=float32)) -> int:
+def has_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=float32)) -> int:
     """1 for an edge of undivided cells whose ends have different signs."""
-    found = 0
+    crossing = 0
     end = slot_after(slot, along(axis), level)
     if end >= 0:
-        found = differ(values[slot], values[end])
-    if found == 1:
+        crossing = differ(values[slot], values[end])
+    if crossing == 1:
         u = along((axis + 1) % 3)
         v = along((axis + 2) % 3)
         cells = 0
@@ -93,10 +93,10 @@ def holds_vertex(slot: int, axis: int, level: OctreeLevel, values: array(dtype=f
                 cell = slot_after(slot, u * (-i) + v * (-j), level)
                 cells += is_cell(cell, level)
                 if is_divided(cell, level) == 1:
-                    found = 0
+                    crossing = 0
         if cells == 0:
-            found = 0
-    return found
+            crossing = 0
+    return crossing
 
 
 @kernel
@@ -109,7 +109,7 @@ def mark_crossings_kernel(
     m = int(3)
     for corner in range(n):
         for axis in range(m):
-            if holds_vertex(SLOTS * i + corner, axis, level, values) == 1:
+            if has_vertex(SLOTS * i + corner, axis, level, values) == 1:
                 bits = bits | (1 << (3 * corner + axis))
     crossings[i] = bits
     counts[i] = bit_count(bits)
@@ -191,7 +191,7 @@ def write_vertices_kernel(
     vertices: array(dtype=vec3),
     normals: array(dtype=vec3),
     slots: array(dtype=int32),
-    places: array(dtype=vec3),
+    cube_positions: array(dtype=vec3),
 ):
     """Position, unit normal, slot, and cube coordinates of the vertices of a block."""
     i = tid()
@@ -211,11 +211,11 @@ def write_vertices_kernel(
         end_gradient = gradient_at(end, surface.level, surface.values)
         axis = bit % 3
         t = crossing_share(a, b, start_gradient[axis], end_gradient[axis], is_linear)
-        place = slot_place(slot, surface.level)
+        position = slot_position(slot, surface.level)
         x = vec3d(
-            float64(place[0]) + float64(t * float(step[0])),
-            float64(place[1]) + float64(t * float(step[1])),
-            float64(place[2]) + float64(t * float(step[2])),
+            float64(position[0]) + float64(t * float(step[0])),
+            float64(position[1]) + float64(t * float(step[1])),
+            float64(position[2]) + float64(t * float(step[2])),
         )
         x = x * float64(width)
         vertices[vertex] = narrow(cube.corner + x * cube.side)
@@ -225,5 +225,5 @@ def write_vertices_kernel(
             gradient = gradient / size
         normals[vertex] = narrow(gradient)
         slots[vertex] = slot
-        places[vertex] = narrow(x)
+        cube_positions[vertex] = narrow(x)
         vertex += 1

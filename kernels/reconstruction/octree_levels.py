@@ -19,13 +19,13 @@ AROUND = 27  # blocks around a block, including itself
 
 @struct
 class OctreeLevel:
-    """One level of the tree with `count` blocks of eight slots. `places` are half the positions of first slots.
+    """One level of the tree with `count` blocks of eight slots. `positions` are half the positions of first slots.
     `parents` are slots of the level above (-1 on level 1). `around` are the 27 blocks around each, x slowest, -1 for
     none. `children` are blocks of the next level by slot, or -1."""
 
     depth: int
     count: int
-    places: array(dtype=vec3i)
+    positions: array(dtype=vec3i)
     parents: array(dtype=int32)
     has_cells: array(dtype=uint8)
     around: array(dtype=int32)
@@ -34,7 +34,7 @@ class OctreeLevel:
 
     def __init__(self, depth: int, count: int, device: Device) -> None:
         self.depth, self.count, self.device = depth, count, device
-        self.places, self.parents = empty(count, vec3i, device), empty(count, int32, device)
+        self.positions, self.parents = empty(count, vec3i, device), empty(count, int32, device)
         self.has_cells, self.around = empty(count, uint8, device), empty(AROUND * count, int32, device)
         self.divided, self.children = zeros(SLOTS * count, uint8, device), full(SLOTS * count, -1, int32, device)
 
@@ -50,25 +50,25 @@ def slot_beside(around: array(dtype=int32), block: int, x: int, y: int, z: int) 
 
 
 @func
-def slot_place(slot: int, level: OctreeLevel) -> vec3i:
-    place = level.places[slot // SLOTS]
-    return vec3i(2 * place[0] + (slot & 1), 2 * place[1] + ((slot >> 1) & 1), 2 * place[2] + ((slot >> 2) & 1))
+def slot_position(slot: int, level: OctreeLevel) -> vec3i:
+    position = level.positions[slot // SLOTS]
+    return vec3i(2 * position[0] + (slot & 1), 2 * position[1] + ((slot >> 1) & 1), 2 * position[2] + ((slot >> 2) & 1))
 
 
 @func
 def is_cell(slot: int, level: OctreeLevel) -> int:
-    found = 0
+    flag = 0
     if slot >= 0:
-        found = int(level.has_cells[slot // SLOTS])
-    return found
+        flag = int(level.has_cells[slot // SLOTS])
+    return flag
 
 
 @func
 def is_divided(slot: int, level: OctreeLevel) -> int:
-    found = 0
+    flag = 0
     if slot >= 0:
-        found = int(level.divided[slot])
-    return found
+        flag = int(level.divided[slot])
+    return flag
 
 
 @func
@@ -121,7 +121,7 @@ def begin_blocks_kernel(level: OctreeLevel, marks: array(dtype=int32), offsets: 
         block = offsets[i]
         level.children[i] = block
         below.parents[block] = i
-        below.places[block] = slot_place(i, level)
+        below.positions[block] = slot_position(i, level)
         below.has_cells[block] = level.divided[i]
 
 
@@ -153,7 +153,7 @@ def first_levels(device: Device) -> tuple[OctreeLevel, OctreeLevel]:
     beside = grid[:, None] + step[None]
     inside = ((beside == 0) | (beside == 1)).all(axis=2)
     around = np.where(inside, beside @ [1, 2, 4], -1).astype(np.int32)
-    level.places, level.around = upload(grid, vec3i, device), upload(around.ravel(), int32, device)
+    level.positions, level.around = upload(grid, vec3i, device), upload(around.ravel(), int32, device)
     level.has_cells = upload(np.array([1] + [0] * (SLOTS - 1), np.uint8), uint8, device)
     level.parents = full(SLOTS, -1, int32, device)
     return root, level

@@ -27,13 +27,13 @@ SEGMENTS = 48  # of the contours on a cell's faces: two on each of four parts of
 @func
 def face_step(k: int, side: int, is_second: int) -> int:
     """Offset (0 or 1) of the k-th corner of a face along one of its axes, counter-clockwise from outside."""
-    turned = k
+    corner = k
     if side == 0:
-        turned = (4 - k) % 4
+        corner = (4 - k) % 4
     step = 0
-    if is_second == 0 and (turned == 1 or turned == 2):
+    if is_second == 0 and (corner == 1 or corner == 2):
         step = 1
-    if is_second == 1 and turned >= 2:
+    if is_second == 1 and corner >= 2:
         step = 1
     return step
 
@@ -59,8 +59,8 @@ def face_corner(slot: int, axis: int, side: int, u: int, v: int, is_fine: int, l
     step = along(axis) * side + along((axis + 1) % 3) * (u >> is_fine) + along((axis + 2) % 3) * (v >> is_fine)
     corner = slot_after(slot, step, level)
     if is_fine == 1:
-        halves = ((u & 1) << ((axis + 1) % 3)) + ((v & 1) << ((axis + 2) % 3))
-        corner = SLOTS * level.children[corner] + halves
+        child = ((u & 1) << ((axis + 1) % 3)) + ((v & 1) << ((axis + 2) % 3))
+        corner = SLOTS * level.children[corner] + child
     return corner
 
 
@@ -195,7 +195,7 @@ def write_loops_kernel(
     slots: array(dtype=int32),
     vertices: array(dtype=vec3),
     normals: array(dtype=vec3),
-    places: array(dtype=vec3),
+    cube_positions: array(dtype=vec3),
     triangles: array(dtype=vec3i),
 ):
     """Write the triangles of each loop and the middle vertices of loops with more than three sides."""
@@ -215,12 +215,12 @@ def write_loops_kernel(
             else:
                 p = vec3d(0.0, 0.0, 0.0)
                 normal = vec3d(0.0, 0.0, 0.0)
-                place = vec3d(0.0, 0.0, 0.0)
+                cube_position = vec3d(0.0, 0.0, 0.0)
                 for j in range(start, at + 1):
                     vertex = contours.froms[base + j]
                     p = p + widen(vertices[vertex])
                     normal = normal + widen(normals[vertex])
-                    place = place + widen(places[vertex])
+                    cube_position = cube_position + widen(cube_positions[vertex])
                     triangles[triangle] = vec3i(vertex, contours.tos[base + j], middle)
                     triangle += 1
                 share = 1.0 / float64(sides)
@@ -229,14 +229,14 @@ def write_loops_kernel(
                     normal = normal / size
                 vertices[middle] = narrow(p * share)
                 normals[middle] = narrow(normal)
-                places[middle] = narrow(place * share)
+                cube_positions[middle] = narrow(cube_position * share)
                 slots[middle] = contours.cells[i] - contours.base
                 middle += 1
             start = at + 1
 
 
 EDGES = 15  # entries of a case in the triangle table
-MOST = 2**31 - 1  # triangles and vertices
+MAX_COUNT = 2**31 - 1  # triangles and vertices
 
 
 @func
@@ -254,13 +254,13 @@ def leaf_case(slot: int, surface: LevelSurface) -> int:
 
 @func
 def is_beside_divided(slot: int, level: OctreeLevel) -> int:
-    found = 0
+    flag = 0
     n = int(3)
     for axis in range(n):
         step = along(axis)
-        found = max(found, is_divided(slot_after(slot, step, level), level))
-        found = max(found, is_divided(slot_after(slot, -step, level), level))
-    return found
+        flag = max(flag, is_divided(slot_after(slot, step, level), level))
+        flag = max(flag, is_divided(slot_after(slot, -step, level), level))
+    return flag
 
 
 @kernel
@@ -322,7 +322,7 @@ def _part(values: Array1[Any], first: int, end: int) -> Array1[Any]:
 
 class OctreeSurface:
     """Surface on all levels. `iso` is the value on the surface as (sum, weight). Vertices are relative to the cloud's
-    origin, triangles counter-clockwise seen from higher values. `places` are positions in the cube (0..1), `slots` the
+    origin, triangles counter-clockwise seen from higher values. `cube_positions` are in 0..1, `slots` the
     cell or corner of each vertex, `ranges` runs (depth, first, last). Edges are linear if `is_linear`, else cubic."""
 
     def __init__(
@@ -374,9 +374,9 @@ class OctreeSurface:
     def _write(self, cube: Cube, is_linear: bool) -> None:
         edges, vertex_count = self._vertex_ends[-1], self._vertex_ends[-1] + self._middle_ends[-1]
         triangle_count = self._triangle_ends[-1] + self._loop_ends[-1]
-        if triangle_count > MOST:
+        if triangle_count > MAX_COUNT:
             raise ValueError(f"{triangle_count} triangles are more than 2^31 - 1; take a smaller depth")
-        self.vertices, self.normals, self.places = (empty(vertex_count, vec3, self._device) for _ in range(3))
+        self.vertices, self.normals, self.cube_positions = (empty(vertex_count, vec3, self._device) for _ in range(3))
         self.slots, self.triangles = (
             empty(vertex_count, int32, self._device),
             empty(triangle_count, vec3i, self._device),
@@ -384,7 +384,7 @@ class OctreeSurface:
         self.ranges = []
         for surface, (first, last) in zip(self._surfaces, pairwise(self._vertex_ends), strict=True):
             self.ranges.append((surface.level.depth, first, last))
-            arguments = [surface, cube, int(is_linear), self.vertices, self.normals, self.slots, self.places]
+            arguments = [surface, cube, int(is_linear), self.vertices, self.normals, self.slots, self.cube_positions]
             launch(write_vertices_kernel, surface.level.count, arguments)
         for k, (surface, below) in enumerate(self._pairs()):
             slots, contours = SLOTS * surface.level.count, self._contours[k]
@@ -393,7 +393,7 @@ class OctreeSurface:
             launch(write_triangles_kernel, slots, arguments)
             ends = (self._joined_ends[k], self._joined_ends[k + 1])
             first = self._triangle_ends[k + 1]
-            vertices = [self.slots, self.vertices, self.normals, self.places]
+            vertices = [self.slots, self.vertices, self.normals, self.cube_positions]
             arguments = [
                 contours,
                 _part(self._loops, *ends),

@@ -39,7 +39,7 @@ from ..lang import (
     vector,
 )
 from ..memory import check_room, download, empty, fill, upload, zeros
-from .envelope import Envelope, hold_outside
+from .envelope import Envelope, fix_outside
 from .octree_levels import (
     AROUND,
     SLOTS,
@@ -50,12 +50,12 @@ from .octree_levels import (
     is_divided,
     neighbor_slot,
     next_level,
-    slot_place,
+    slot_position,
 )
 from .octree_surface import OctreeSurface
 from .poisson_system import constraints, shares_in_parent
 from .sample_cells import Cube, SampleCells, gather_samples
-from .sample_density import ENDS, DensityPyramid, SampleReach, local_depths
+from .sample_density import ENDS, DensityPyramid, SampleNodes, local_depths
 from .splines import corner_value, corner_weight, shares_in_cell
 
 if TYPE_CHECKING:
@@ -80,10 +80,10 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
     i = tid()
     color = i // blocks
     slot = SLOTS * (i - color * blocks) + color
-    place = slot_place(slot, level)
+    position = slot_position(slot, level)
     cells = 1 << level.depth
     unknown = 1
-    if place[0] > cells or place[1] > cells or place[2] > cells:
+    if position[0] > cells or position[1] > cells or position[2] > cells:
         unknown = 0
     n = int(8)
     for corner in range(n):
@@ -91,9 +91,9 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
         y = (corner >> 1) & 1
         z = (corner >> 2) & 1
         outside = 0
-        if place[0] - x < 0 or place[1] - y < 0 or place[2] - z < 0:
+        if position[0] - x < 0 or position[1] - y < 0 or position[2] - z < 0:
             outside = 1
-        if place[0] - x >= cells or place[1] - y >= cells or place[2] - z >= cells:
+        if position[0] - x >= cells or position[1] - y >= cells or position[2] - z >= cells:
             outside = 1
         if outside == 0:
             if is_cell(neighbor_slot(slot, -x, -y, -z, level), level) == 0:
@@ -102,10 +102,10 @@ def mark_unknowns_kernel(level: OctreeLevel, blocks: int, mask: array(dtype=uint
 
 
 @kernel(for_cpu=True)
-def name_corners_kernel(places: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
+def name_corners_kernel(indices: array(dtype=int32), blocks: int, corners: array(dtype=int32)):
     i = tid()
-    color = places[i] // blocks
-    corners[i] = SLOTS * (places[i] - color * blocks) + color
+    color = indices[i] // blocks
+    corners[i] = SLOTS * (indices[i] - color * blocks) + color
 
 
 @kernel
@@ -142,10 +142,10 @@ def list_unknowns(mask: Mask, blocks: int) -> tuple[Indices, Integers, list[int]
         inclusive_scan(ranks, ranks)
         launch(list_unknowns_kernel, mask.size, [mask, ranks, blocks, corners, firsts])
         return corners, firsts, [blocks] * SLOTS
-    places = positions_of(mask)
-    begins = np.searchsorted(download(places), np.arange(SLOTS + 1) * blocks)
-    corners = empty(places.size, int32, device)
-    launch(name_corners_kernel, places.size, [places, blocks, corners])
+    indices = positions_of(mask)
+    begins = np.searchsorted(download(indices), np.arange(SLOTS + 1) * blocks)
+    corners = empty(indices.size, int32, device)
+    launch(name_corners_kernel, indices.size, [indices, blocks, corners])
     return corners, upload(begins, int32, device), np.diff(begins).tolist()
 
 
@@ -176,7 +176,7 @@ class SamplePulls:
     def __init__(
         self, pyramid: "DensityPyramid", depth: int, values: Scalars, weight: float, areas: Array1[vec2d]
     ) -> None:
-        cells, level, slots = pyramid.cells[depth], pyramid.levels[depth], pyramid.reaches[depth].slots
+        cells, level, slots = pyramid.cells[depth], pyramid.levels[depth], pyramid.nodes[depth].slots
         device = level.device
         self.cells_at = pyramid.cells_at[depth]
         self.shares = empty(cells.count, vec3, device)
@@ -221,9 +221,9 @@ def _step(kind: int, step: int) -> tuple[int, int]:
 
 
 def _entry(kinds: Sequence[int], steps: Sequence[int] | tuple[int, int, int]) -> int:
-    blocks, places = zip(*(_step(kind, step) for kind, step in zip(kinds, steps, strict=True)), strict=True)
+    blocks, indices = zip(*(_step(kind, step) for kind, step in zip(kinds, steps, strict=True)), strict=True)
     around = sum(factor * (block + 1) for factor, block in zip((9, 3, 1), blocks, strict=True))
-    return SLOTS * around + sum(place << axis for axis, place in enumerate(places))
+    return SLOTS * around + sum(index << axis for axis, index in enumerate(indices))
 
 
 def _cell_entry(kinds: Sequence[int], corner: int) -> int:
@@ -256,11 +256,11 @@ def axis_kind(at: int, cells: int) -> int:
 
 
 @func
-def sides_met(place: vec3i, cells: int) -> float:
+def sides_met(position: vec3i, cells: int) -> float:
     """2 to the power of the number of cube sides that a corner is on."""
     factor = 1.0
     for axis in range(3):
-        if place[axis] == 0 or place[axis] == cells:
+        if position[axis] == 0 or position[axis] == cells:
             factor = factor * 2.0
     return factor
 
@@ -283,9 +283,9 @@ def renew_corners_kernel(
         return
     slot = corners[first + i]
     around = AROUND * (slot // SLOTS)
-    place = slot_place(slot, level)
+    position = slot_position(slot, level)
     side = 1 << level.depth
-    kind = axis_kind(place[0], side) + 4 * axis_kind(place[1], side) + 16 * axis_kind(place[2], side)
+    kind = axis_kind(position[0], side) + 4 * axis_kind(position[1], side) + 16 * axis_kind(position[2], side)
     row = ENTRIES * kind
     across_faces = 0.0
     for j in range(FACES):
@@ -308,11 +308,11 @@ def renew_corners_kernel(
                 share = corner_weight(pulls.shares[cell], corner)
                 pull += pulls.weights[cell] * share * pulls.values[cell]
                 stiffness += pulls.weights[cell] * share * share
-    mirrored = sides_met(place, side)
-    own = values[slot]
-    rest = mirrored * (tested[slot] - pull) - (8.0 / 3.0) * own + across_faces / 6.0 + across_cells / 12.0
+    mirrored = sides_met(position, side)
+    value = values[slot]
+    rest = mirrored * (tested[slot] - pull) - (8.0 / 3.0) * value + across_faces / 6.0 + across_cells / 12.0
     change = rest / (8.0 / 3.0 + mirrored * stiffness)
-    values[slot] = own + change
+    values[slot] = value + change
     if stiffness > 0.0:
         for corner in range(CELLS):
             cell = cells[corner]
@@ -359,7 +359,7 @@ def solve(
         launch(mark_unknowns_kernel, values.size, [level, level.count, mask])
         if envelope is not None:
             assert cube is not None
-            hold_outside(level, cube, envelope, mask, values)
+            fix_outside(level, cube, envelope, mask, values)
         corners, firsts, counts = list_unknowns(mask, level.count)
         pulls = SamplePulls(pyramid, depth, values, weight, areas)
         arguments = [level, tests[depth], pulls, values]
@@ -375,9 +375,9 @@ def solve(
 
 def _repeat(body: Callable[[], None], count: int, device: Device) -> None:
     if device.is_cuda:
-        turn = record(device, body)
+        graph = record(device, body)
         for _ in range(count):
-            replay(turn)
+            replay(graph)
     else:
         for _ in range(count):
             body()
@@ -400,7 +400,7 @@ def mean_at_samples(pyramid: "DensityPyramid", solutions: Sequence[Scalars | Non
     """Weighted mean of the solution at the samples, the value on the surface: (sum, weight), vec2d [1]."""
     sums = []
     for depth in range(1, len(solutions)):
-        cells, slots = pyramid.cells[depth], pyramid.reaches[depth].slots
+        cells, slots = pyramid.cells[depth], pyramid.nodes[depth].slots
         sums.append(reduce(weigh_values, cells.count, [cells, slots, pyramid.levels[depth], solutions[depth]]))
     return sum_levels(sums)
 
@@ -411,13 +411,13 @@ SAMPLE_BYTES = 90  # of a sample on the finest level, with its cells of the leve
 
 
 @reduction
-def sum_areas(cells: SampleCells, reach: SampleReach) -> vec2d:
+def sum_areas(cells: SampleCells, nodes: SampleNodes) -> vec2d:
     """(area, weight) of the samples of cells that end on a level; areas in faces of the cube."""
     i = tid()
     area = float64(0.0)
     weight = float64(0.0)
-    if reach.states[i] == ENDS:
-        area = float64(cells.weights[i]) * float64(pow(4.0, -reach.depths[i]))
+    if nodes.states[i] == ENDS:
+        area = float64(cells.weights[i]) * float64(pow(4.0, -nodes.depths[i]))
         weight = float64(cells.weights[i])
     return vec2d(area, weight)
 
@@ -481,5 +481,5 @@ def reconstruct_poisson(
     for level, first, last in surface.ranges:
         if last > first:
             fill(depths[first:last], level)
-    densities = local_depths(pyramid, surface.places, surface.slots, depths)
+    densities = local_depths(pyramid, surface.cube_positions, surface.slots, depths)
     return PoissonSurface(surface.vertices, surface.normals, surface.triangles, densities, len(pyramid.levels) - 1)

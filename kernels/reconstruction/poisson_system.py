@@ -28,9 +28,9 @@ from ..lang import (
     vector,
 )
 from ..memory import download, empty, zeros
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_place
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_beside, slot_position
 from .sample_cells import SampleCells
-from .sample_density import ENDS, DensityPyramid, SampleReach
+from .sample_density import ENDS, DensityPyramid, SampleNodes
 from .splines import is_beyond, mirrored_step, shares_in_cell, spline_weight
 
 eight = vector(8, float32)
@@ -53,30 +53,30 @@ def cell_area(local: float, depth: int, samples_per_cell: float) -> float:
 @kernel
 def sum_flux_kernel(
     cells: SampleCells,
-    reach: SampleReach,
+    nodes: SampleNodes,
     depth: int,
     has_below: int,
     below: SampleCells,
-    below_reach: SampleReach,
+    below_nodes: SampleNodes,
     samples_per_cell: float,
     flux: array(dtype=vec3),
-    found: array(dtype=int32),
+    flux_flags: array(dtype=int32),
 ):
-    """Area times normal of each cell's samples on this level. All threads that write `found` write the same value."""
+    """Area times normal of each cell's samples on this level. All threads that write `flux_flags` write 1."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
-    if reach.states[i] == ENDS:
-        local = reach.depths[i]
+    if nodes.states[i] == ENDS:
+        local = nodes.depths[i]
         total = cells.sums[i] * (level_share(local, depth) * cell_area(local, depth, samples_per_cell))
-        atomic_max(found, depth, 1)
-    if has_below == 1 and reach.slots[i] >= 0:
+        atomic_max(flux_flags, depth, 1)
+    if has_below == 1 and nodes.slots[i] >= 0:
         for j in range(cells.starts[i], cells.starts[i + 1]):
-            if below_reach.states[j] == ENDS:
-                local = below_reach.depths[j]
+            if below_nodes.states[j] == ENDS:
+                local = below_nodes.depths[j]
                 rest = 1.0 - level_share(local, depth + 1)
                 if rest > 0.0:
                     total = total + below.sums[j] * (rest * cell_area(local, depth, samples_per_cell))
-                    atomic_max(found, depth, 1)
+                    atomic_max(flux_flags, depth, 1)
     flux[i] = total
 
 
@@ -94,7 +94,7 @@ def spread_flux_kernel(
     ys = eight(0.0)
     zs = eight(0.0)
     width = 1 << level.depth
-    base = level.places[i] * 2
+    base = level.positions[i] * 2
     n = 4
     if is_beyond(base, width - 1) == 1:
         n = 0
@@ -229,7 +229,7 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
     i = tid()
     total = eight(0.0)
     width = 1 << level.depth
-    base = level.places[i] * 2
+    base = level.positions[i] * 2
     n = int(5)
     for x in range(n):
         dx = max(mirrored_step(base[0], x - 2, width), -2)  # farther only for corners beyond the cube
@@ -245,7 +245,7 @@ def test_field_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: arra
                     high = high + tested_along_z(v, z - 3, base[2] + 1, width, spline_mass, spline_slope)
             total = tested_across(total, low, high, x - 2, y - 2, base, width, spline_mass, spline_slope)
     for corner in range(SLOTS):
-        if is_beyond(slot_place(SLOTS * i + corner, level), width) == 1:
+        if is_beyond(slot_position(SLOTS * i + corner, level), width) == 1:
             total[corner] = 0.0
         tested[SLOTS * i + corner] = total[corner]
 
@@ -303,19 +303,19 @@ def lower_field_kernel(
     """V h at the corners of a block from all coarser levels; `coarse` is that of the level above."""
     i = tid()
     parent = level.parents[i]
-    place = slot_place(parent, above)
+    position = slot_position(parent, above)
     width = 1 << above.depth
     xs = eight(0.0)
     ys = eight(0.0)
     zs = eight(0.0)
     n = int(3)
     for x in range(n):
-        dx = mirrored_step(place[0], x - 1, width)
+        dx = mirrored_step(position[0], x - 1, width)
         for y in range(n):
-            dy = mirrored_step(place[1], y - 1, width)
+            dy = mirrored_step(position[1], y - 1, width)
             for z in range(n):
                 v = vec3(0.0, 0.0, 0.0)
-                slot = neighbor_slot(parent, dx, dy, mirrored_step(place[2], z - 1, width), above)
+                slot = neighbor_slot(parent, dx, dy, mirrored_step(position[2], z - 1, width), above)
                 if slot >= 0:
                     v = splines[slot] * 0.5
                 u = vec3(0.0, 0.0, 0.0)
@@ -336,7 +336,7 @@ def lower_field_kernel(
                     zs[corner] = zs[corner] + weight * v[2] + share * u[2]
     for corner in range(SLOTS):
         lowered = vec3(xs[corner], ys[corner], zs[corner])
-        if is_beyond(slot_place(SLOTS * i + corner, level), 2 * width) == 1:
+        if is_beyond(slot_position(SLOTS * i + corner, level), 2 * width) == 1:
             lowered = vec3(0.0, 0.0, 0.0)
         fine[SLOTS * i + corner] = lowered
 
@@ -347,7 +347,7 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
     i = tid()
     total = eight(0.0)
     width = 1 << level.depth
-    base = level.places[i] * 2
+    base = level.positions[i] * 2
     n = int(4)
     for x in range(n):
         for y in range(n):
@@ -361,31 +361,31 @@ def test_lowered_kernel(field: array(dtype=vec3), level: OctreeLevel, tested: ar
                     high = high + tested_along_z(v, z - 2, base[2] + 1, width, linear_mass, linear_slope)
             total = tested_across(total, low, high, x - 1, y - 1, base, width, linear_mass, linear_slope)
     for corner in range(SLOTS):
-        if is_beyond(slot_place(SLOTS * i + corner, level), width) == 0:
+        if is_beyond(slot_position(SLOTS * i + corner, level), width) == 0:
             tested[SLOTS * i + corner] = tested[SLOTS * i + corner] + total[corner]
 
 
 def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
     """Right-hand sides of all levels of a complete pyramid by depth (None for 0), float32 per slot."""
-    levels, reaches, cells = pyramid.levels, pyramid.reaches, pyramid.cells
+    levels, nodes, cells = pyramid.levels, pyramid.nodes, pyramid.cells
     device, last = levels[1].device, len(levels) - 1
-    found = zeros(last + 1, int32, device)
+    flux_flags = zeros(last + 1, int32, device)
     fields: list[Any] = [None] * (last + 1)
     tests: list[Any] = [None] * (last + 1)
     for depth in range(last, 0, -1):
         flux = empty(cells[depth].count, vec3, device)
         has_below = int(depth < last)
-        beside = [cells[depth + has_below], reaches[depth + has_below]]
-        arguments = [cells[depth], reaches[depth], depth, has_below, *beside, pyramid.samples_per_cell, flux, found]
+        beside = [cells[depth + has_below], nodes[depth + has_below]]
+        arguments = [cells[depth], nodes[depth], depth, has_below, *beside, pyramid.samples_per_cell, flux, flux_flags]
         launch(sum_flux_kernel, flux.size, arguments)
         fields[depth] = flux
     # on CUDA a field of zeros is faster than a test for zero
-    is_found = np.ones(last + 1, bool) if device.is_cuda else download(found) != 0
+    has_flux = np.ones(last + 1, bool) if device.is_cuda else download(flux_flags) != 0
     for depth in range(last, 0, -1):
         level, slots = levels[depth], SLOTS * levels[depth].count
         tests[depth] = zeros(slots, float32, device)
         flux, fields[depth] = fields[depth], zeros(slots, vec3, device)
-        if is_found[depth]:
+        if has_flux[depth]:
             arguments = [pyramid.cells_at[depth], cells[depth], flux, level, fields[depth]]
             launch(spread_flux_kernel, level.count, arguments)
             launch(test_field_kernel, level.count, [fields[depth], level, tests[depth]])
@@ -393,7 +393,7 @@ def constraints(pyramid: DensityPyramid) -> list[Scalars | None]:
             launch(restrict_tests_kernel, slots, [level, tests[depth + 1], tests[depth]])
     coarse = zeros(SLOTS * levels[1].count, vec3, device)
     for depth in range(2, last + 1):
-        if not is_found[:depth].any():
+        if not has_flux[:depth].any():
             coarse = zeros(SLOTS * levels[depth].count, vec3, device)
             continue
         fine = empty(SLOTS * levels[depth].count, vec3, device)

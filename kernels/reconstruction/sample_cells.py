@@ -52,7 +52,7 @@ class Cube:
 
 
 @func
-def place_in_cube(p: vec3, cube: Cube) -> vec3d:
+def position_in_cube(p: vec3, cube: Cube) -> vec3d:
     return (widen(p) - cube.corner) * cube.scale
 
 
@@ -77,7 +77,7 @@ def encode_samples_kernel(
     points: array(dtype=vec3), rows: array(dtype=int32), cube: Cube, depth: int, codes: array(dtype=int64)
 ):
     i = tid()
-    x = place_in_cube(points[rows[i]], cube)
+    x = position_in_cube(points[rows[i]], cube)
     cells = float64(1 << depth)
     top = cells - 1.0
     cx = spread_bits(int(min(max(x[0] * cells, 0.0), top)))
@@ -147,12 +147,12 @@ def sum_samples_kernel(
 ):
     """Counts, means, summed unit normals, and weights of the cells on the finest level."""
     i = tid()
-    place = vec3d(0.0, 0.0, 0.0)
+    total = vec3d(0.0, 0.0, 0.0)
     normal = vec3d(0.0, 0.0, 0.0)
     weight = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
         row = rows[order[j]]
-        place = place + place_in_cube(points[row], cube)
+        total = total + position_in_cube(points[row], cube)
         n = widen(normals[row])
         size = length(n)
         share = float64(1.0)
@@ -162,7 +162,7 @@ def sum_samples_kernel(
         weight = weight + share
     count = starts[i + 1] - starts[i]
     counts[i] = float(count)
-    means[i] = narrow(place * (1.0 / float64(count)))
+    means[i] = narrow(total * (1.0 / float64(count)))
     sums[i] = narrow(normal)
     weights[i] = float(weight)
 
@@ -180,18 +180,18 @@ def sum_children_kernel(
     weights: array(dtype=float32),
 ):
     i = tid()
-    place = vec3d(0.0, 0.0, 0.0)
+    total = vec3d(0.0, 0.0, 0.0)
     normal = vec3d(0.0, 0.0, 0.0)
     count = float64(0.0)
     weight = float64(0.0)
     for j in range(starts[i], starts[i + 1]):
         size = float64(child_counts[j])
-        place = place + widen(child_means[j]) * size
+        total = total + widen(child_means[j]) * size
         normal = normal + widen(child_sums[j])
         count = count + size
         weight = weight + float64(child_weights[j])
     counts[i] = float(count)
-    means[i] = narrow(place * (1.0 / count))
+    means[i] = narrow(total * (1.0 / count))
     sums[i] = narrow(normal)
     weights[i] = float(weight)
 

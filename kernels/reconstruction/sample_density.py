@@ -11,7 +11,7 @@ from typing import Any
 from ..array_types import Device, Integers, Points, Scalars
 from ..lang import array, float32, func, int32, kernel, launch, log, struct, tid, vec3
 from ..memory import empty, full
-from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_place
+from .octree_levels import SLOTS, OctreeLevel, neighbor_slot, slot_position
 from .sample_cells import SampleCells
 from .splines import is_beyond, shares_in_cell, spline_product, spline_value
 
@@ -21,8 +21,8 @@ LOG_4 = 1.3862943611198906  # on a surface a cell's children contain a quarter o
 
 
 @struct
-class SampleReach:
-    """Reach of the tree for cells of samples of one level. `slots` are -1 below the tree, `anchors` the slots on the
+class SampleNodes:
+    """Nodes of the tree for cells of samples of one level. `slots` are -1 below the tree, `anchors` the slots on the
     level of the density, `states` ON, ENDS or BELOW, `densities` W, `depths` the local depth of cells that end."""
 
     slots: array(dtype=int32)
@@ -38,7 +38,7 @@ class SampleReach:
 
 @kernel
 def find_slots_kernel(
-    cells: SampleCells, above: SampleReach, level_above: OctreeLevel, own_anchors: int, reach: SampleReach
+    cells: SampleCells, above: SampleNodes, level_above: OctreeLevel, has_density: int, nodes: SampleNodes
 ):
     """Slot of each cell of samples, and the slot that provides its density."""
     i = tid()
@@ -48,8 +48,8 @@ def find_slots_kernel(
         block = level_above.children[above.slots[parent]]
         if block >= 0:
             slot = SLOTS * block + int(cells.codes[i] & 7)
-    reach.slots[i] = slot
-    reach.anchors[i] = slot if own_anchors == 1 else above.anchors[parent]
+    nodes.slots[i] = slot
+    nodes.anchors[i] = slot if has_density == 1 else above.anchors[parent]
 
 
 @kernel
@@ -65,7 +65,7 @@ def gather_density_kernel(
 ):
     """Spline coefficients of the cells. None beyond the cube, where only its upper sides have slots."""
     i = tid()
-    if is_beyond(slot_place(i, level), (1 << level.depth) - 1) == 1:
+    if is_beyond(slot_position(i, level), (1 << level.depth) - 1) == 1:
         density[i] = 0.0
         return
     total = 0.0
@@ -95,15 +95,15 @@ def depth_between(above: float, w: float, depth: int) -> float:
 
 
 @kernel
-def measure_reach_kernel(
+def measure_depths_kernel(
     cells: SampleCells,
-    above: SampleReach,
+    above: SampleNodes,
     depth: int,
     kernel_depth: int,
     deepest: int,
-    asked: OctreeLevel,
+    density_level: OctreeLevel,
     density: array(dtype=float32),
-    reach: SampleReach,
+    nodes: SampleNodes,
 ):
     """W at each cell of samples with a growing parent, and whether the cell itself grows."""
     i = tid()
@@ -111,11 +111,13 @@ def measure_reach_kernel(
     state = int(BELOW)
     w = 0.0
     local = above.depths[parent]
-    if reach.slots[i] >= 0 and above.states[parent] == ON:
-        w = spline_value(density, reach.anchors[i], shares_in_cell(cells.means[i], reach.anchors[i], asked), asked)
+    if nodes.slots[i] >= 0 and above.states[parent] == ON:
+        w = spline_value(
+            density, nodes.anchors[i], shares_in_cell(cells.means[i], nodes.anchors[i], density_level), density_level
+        )
         state = ENDS
-        if depth > asked.depth:
-            local = depth_beyond(w, asked.depth)
+        if depth > density_level.depth:
+            local = depth_beyond(w, density_level.depth)
         elif w < 1.0:
             local = depth_between(above.densities[parent], w, depth)
         elif depth == kernel_depth:
@@ -124,18 +126,18 @@ def measure_reach_kernel(
             local = float(depth + 1)
         if local > float(depth) and depth < deepest:
             state = ON
-    reach.states[i] = state
-    reach.densities[i] = w
-    reach.depths[i] = local
+    nodes.states[i] = state
+    nodes.densities[i] = w
+    nodes.depths[i] = local
 
 
 @kernel
-def list_growing_kernel(reach: SampleReach, growing: array(dtype=int32)):
+def list_growing_kernel(nodes: SampleNodes, growing: array(dtype=int32)):
     """Slots of cells of samples that the tree subdivides, -1 for others."""
     i = tid()
     slot = -1
-    if reach.states[i] == ON:
-        slot = reach.slots[i]
+    if nodes.states[i] == ON:
+        slot = nodes.slots[i]
     growing[i] = slot
 
 
@@ -149,11 +151,11 @@ class DensityPyramid:
         self.deepest, self.kernel_depth = deepest, kernel_depth
         self.unit = 1.0 / (samples_per_cell * SPLINE_SQUARES)
         device = cells[0].codes.device
-        top = SampleReach(1, device)
+        top = SampleNodes(1, device)
         top.slots, top.anchors = full(1, 0, int32, device), full(1, 0, int32, device)
         top.states, top.depths = full(1, ON, int32, device), full(1, 0.0, float32, device)
         top.densities = full(1, max(1.0, sample_count / samples_per_cell), float32, device)
-        self.reaches: list[SampleReach] = [top]
+        self.nodes: list[SampleNodes] = [top]
         self.cells_at: list[Any] = [None]  # by depth. None at 0
         self.densities: list[Any] = [None]
         self.levels: list[Any] = [None]
@@ -161,69 +163,78 @@ class DensityPyramid:
     def enter(self, level: OctreeLevel, level_above: OctreeLevel) -> Integers:
         """Find the samples and densities of a new level. Return the slots to subdivide, or -1 (int32)."""
         depth, device = level.depth, level.device
-        cells, above = self.cells[depth], self.reaches[-1]
-        reach = SampleReach(cells.count, device)
-        own = int(depth <= self.kernel_depth)
-        launch(find_slots_kernel, cells.count, [cells, above, level_above, own, reach])
+        cells, above = self.cells[depth], self.nodes[-1]
+        nodes = SampleNodes(cells.count, device)
+        has_density = int(depth <= self.kernel_depth)
+        launch(find_slots_kernel, cells.count, [cells, above, level_above, has_density, nodes])
         cells_at = full(SLOTS * level.count, -1, int32, device)
-        launch(fill_cells_kernel, cells.count, [reach.slots, cells_at])
-        if own:
+        launch(fill_cells_kernel, cells.count, [nodes.slots, cells_at])
+        if has_density:
             density = empty(SLOTS * level.count, float32, device)
             launch(gather_density_kernel, density.size, [cells_at, cells, self.unit, level, density])
             self.densities.append(density)
-            self.asked = level
-        arguments = [cells, above, depth, self.kernel_depth, self.deepest, self.asked, self.densities[-1], reach]
-        launch(measure_reach_kernel, cells.count, arguments)
-        self.reaches.append(reach)
+            self.density_level = level
+        arguments = [
+            cells,
+            above,
+            depth,
+            self.kernel_depth,
+            self.deepest,
+            self.density_level,
+            self.densities[-1],
+            nodes,
+        ]
+        launch(measure_depths_kernel, cells.count, arguments)
+        self.nodes.append(nodes)
         self.cells_at.append(cells_at)
         self.levels.append(level)
         growing = empty(cells.count, int32, device)
-        launch(list_growing_kernel, cells.count, [reach, growing])
+        launch(list_growing_kernel, cells.count, [nodes, growing])
         return growing
 
-    def pairs(self) -> Iterator[tuple[SampleCells, SampleReach]]:
-        """Cells of samples and their SampleReach by level, from level 1 on."""
-        return zip(self.cells[1 : len(self.reaches)], self.reaches[1:], strict=True)
+    def pairs(self) -> Iterator[tuple[SampleCells, SampleNodes]]:
+        """Cells of samples and their SampleNodes by level, from level 1 on."""
+        return zip(self.cells[1 : len(self.nodes)], self.nodes[1:], strict=True)
 
 
 @kernel
 def rise_to_density_kernel(
     level: OctreeLevel,
-    is_asked: int,
+    has_density: int,
     density: array(dtype=float32),
-    places: array(dtype=vec3),
+    positions: array(dtype=vec3),
     slots: array(dtype=int32),
     depths: array(dtype=int32),
     below: array(dtype=float32),
-    found: array(dtype=float32),
+    result: array(dtype=float32),
 ):
     """Local depth at positions of this level; those with W < 1 continue on the level above."""
     i = tid()
     if depths[i] == level.depth:
         slot = slots[i]
         w = 0.0
-        if is_asked == 1:
-            w = spline_value(density, slot, shares_in_cell(places[i], slot, level), level)
+        if has_density == 1:
+            w = spline_value(density, slot, shares_in_cell(positions[i], slot, level), level)
         if w >= 1.0:
             depths[i] = -1
             if below[i] < 0.0:
-                found[i] = depth_beyond(w, level.depth)
+                result[i] = depth_beyond(w, level.depth)
             else:
-                found[i] = depth_between(w, below[i], level.depth + 1)
+                result[i] = depth_between(w, below[i], level.depth + 1)
         else:
-            if is_asked == 1:
+            if has_density == 1:
                 below[i] = w
             depths[i] = level.depth - 1
             slots[i] = level.parents[slot // SLOTS]
 
 
-def local_depths(pyramid: DensityPyramid, places: Points, slots: Integers, depths: Integers) -> Scalars:
+def local_depths(pyramid: DensityPyramid, positions: Points, slots: Integers, depths: Integers) -> Scalars:
     """Local depth (float32 [m]) at positions (0..1); `slots` and `depths` of a slot at or next to each are modified."""
-    device = places.device
-    below, found = full(places.size, -1.0, float32, device), full(places.size, 0.0, float32, device)
+    device = positions.device
+    below, result = full(positions.size, -1.0, float32, device), full(positions.size, 0.0, float32, device)
     for level in reversed(pyramid.levels[1:]):
-        is_asked = int(level.depth < len(pyramid.densities))
-        density = pyramid.densities[level.depth] if is_asked else pyramid.densities[-1]
-        arguments = [level, is_asked, density, places, slots, depths, below, found]
-        launch(rise_to_density_kernel, places.size, arguments)
-    return found
+        has_density = int(level.depth < len(pyramid.densities))
+        density = pyramid.densities[level.depth] if has_density else pyramid.densities[-1]
+        arguments = [level, has_density, density, positions, slots, depths, below, result]
+        launch(rise_to_density_kernel, positions.size, arguments)
+    return result

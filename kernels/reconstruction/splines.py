@@ -4,7 +4,7 @@ Both are products over the axes, and both are partitions of unity.
 """
 
 from ..lang import array, float32, func, vec3, vec3i
-from .octree_levels import OctreeLevel, neighbor_slot, slot_place
+from .octree_levels import OctreeLevel, neighbor_slot, slot_position
 
 
 @func
@@ -34,11 +34,11 @@ def corner_weight(f: vec3, corner: int) -> float:
 
 @func
 def shares_in_cell(x: vec3, slot: int, level: OctreeLevel) -> vec3:
-    place = slot_place(slot, level)
+    position = slot_position(slot, level)
     cells = float(1 << level.depth)
-    fx = min(max(x[0] * cells - float(place[0]), 0.0), 1.0)
-    fy = min(max(x[1] * cells - float(place[1]), 0.0), 1.0)
-    fz = min(max(x[2] * cells - float(place[2]), 0.0), 1.0)
+    fx = min(max(x[0] * cells - float(position[0]), 0.0), 1.0)
+    fy = min(max(x[1] * cells - float(position[1]), 0.0), 1.0)
+    fz = min(max(x[2] * cells - float(position[2]), 0.0), 1.0)
     return vec3(fx, fy, fz)
 
 
@@ -69,8 +69,8 @@ def mirrored_step(at: int, step: int, width: int) -> int:
 
 
 @func
-def is_beyond(place: vec3i, width: int) -> int:
-    return 1 if place[0] > width or place[1] > width or place[2] > width else 0
+def is_beyond(position: vec3i, width: int) -> int:
+    return 1 if position[0] > width or position[1] > width or position[2] > width else 0
 
 
 @func

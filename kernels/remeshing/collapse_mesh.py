@@ -21,7 +21,7 @@ from .quadrics import quadric
 
 OWNER, FEATURE = 1, 2  # bits of a half-edge: owner of its edge. Feature edge
 FREE, LINE, CORNER = 0, 1, 2  # kinds of vertices
-REFUSED_KEY = NO_KEY - 1  # of an edge that may not collapse in its current neighborhood
+REJECTED_KEY = NO_KEY - 1  # of an edge that may not collapse in its current neighborhood
 STALE_KEY = NO_KEY - 2  # of an edge whose cost must be computed
 
 # Record: remaining triangles. Triangles and vertices including removed ones. Edges considered, able to collapse at
@@ -60,32 +60,32 @@ class CollapseMesh:
 
     def __init__(
         self,
-        places: Positions,
+        positions: Positions,
         triangles: Triangles,
         uvs: Array1[vec2] | None,
         materials: Integers | None,
         rows: Sequence[Vectors],
     ) -> None:
         device = triangles.device
-        self.positions, self.triangles = places, clone(triangles)
+        self.positions, self.triangles = positions, clone(triangles)
         self.rows = [clone(values) for values in rows]
         numbers = np.zeros(NUMBERS, np.int32)
-        numbers[[TRIANGLES, SLOTS, VERTICES, SEAMS, EVERY]] = triangles.size, triangles.size, places.size, 1, 1
+        numbers[[TRIANGLES, SLOTS, VERTICES, SEAMS, EVERY]] = triangles.size, triangles.size, positions.size, 1, 1
         self.numbers = upload(numbers, int32, device)
         self.has_uvs, self.has_materials = int(uvs is not None), int(materials is not None)
         self.uvs = empty(1, vec2, device) if uvs is None else clone(uvs)
         self.materials = empty(1, int32, device) if materials is None else clone(materials)
-        around = CornersByVertex(triangles, places.size)
+        around = CornersByVertex(triangles, positions.size)
         self.starts, self.corners = around.starts, around.corners
         self.spokes = empty(3 * triangles.size, vec2i, device)
         launch(fill_spokes_kernel, self.spokes.size, [triangles, self.corners, self.spokes])
-        self.flags, self.kinds = zeros(3 * triangles.size, uint8, device), zeros(places.size, uint8, device)
-        self.touched = zeros(places.size, uint8, device)
+        self.flags, self.kinds = zeros(3 * triangles.size, uint8, device), zeros(positions.size, uint8, device)
+        self.touched = zeros(positions.size, uint8, device)
         self.keys = full(3 * triangles.size, NO_KEY, int64, device)
 
-    def live(self, number: int, most: int) -> int:
-        """Number of threads for a count in the record: exact on the CPU, `most` on CUDA."""
-        return most if self.numbers.device.is_cuda else int(host_view(self.numbers)[number])
+    def live(self, number: int, capacity: int) -> int:
+        """Number of threads for a count in the record: exact on the CPU, `capacity` on CUDA."""
+        return capacity if self.numbers.device.is_cuda else int(host_view(self.numbers)[number])
 
     def twin(self) -> "CollapseMesh":
         """A copy with room for all arrays that change, sharing the record."""
@@ -108,9 +108,9 @@ class CollapseMesh:
         every, count = empty(0, int32, self.numbers.device), self.live(VERTICES, self.positions.size)
         self._find_features(every, count)
 
-    def find_features(self, moved: Integers, most: int) -> None:
+    def find_features(self, moved: Integers, capacity: int) -> None:
         """`find_all_features` around moved vertices (int32), none adjacent to another."""
-        self._find_features(moved, self.live(CHOSEN, most))
+        self._find_features(moved, self.live(CHOSEN, capacity))
 
     def _find_features(self, rows: Integers, count: int) -> None:
         launch(flag_edges_kernel, count, [self, rows, self.flags, self.keys])
@@ -180,15 +180,15 @@ def join_corners_kernel(
     i = tid()
     if i >= mesh.numbers[VERTICES]:
         return
-    place = starts[i]
+    slot = starts[i]
     v = i if partners[i] > -2 else -1
     while v >= 0:
         for j in range(mesh.starts[v], mesh.starts[v + 1]):
             s = joined_spoke(mesh, j, partners)
             if s[0] != s[1] and s[0] != i and s[1] != i:
-                corners[place] = mesh.corners[j]
-                spokes[place] = s
-                place += 1
+                corners[slot] = mesh.corners[j]
+                spokes[slot] = s
+                slot += 1
         v = partners[i] if v == i else -1
 
 
@@ -220,25 +220,25 @@ def valence(mesh: CollapseMesh, v: int) -> int:
 
 @func
 def uv_at(mesh: CollapseMesh, h: int, v: int) -> vec2:
-    place = h
+    corner = h
     if corner_vertex(mesh.triangles, h) != v:
-        place = next_corner(h)
-    return mesh.uvs[place]
+        corner = next_corner(h)
+    return mesh.uvs[corner]
 
 
 @func
 def differ_across(mesh: CollapseMesh, g: int, h: int, a: int, b: int) -> int:
     """1 if two half-edges of edge a, b have different texture coordinates or materials."""
-    found = 0
+    differs = 0
     if mesh.has_uvs == 1:
         p = uv_at(mesh, g, a) - uv_at(mesh, h, a)
         q = uv_at(mesh, g, b) - uv_at(mesh, h, b)
         if p[0] != 0.0 or p[1] != 0.0 or q[0] != 0.0 or q[1] != 0.0:
-            found = 1
+            differs = 1
     if mesh.has_materials == 1:
         if mesh.materials[g // 3] != mesh.materials[h // 3]:
-            found = 1
-    return found
+            differs = 1
+    return differs
 
 
 @func

@@ -42,7 +42,7 @@ from .collapse_mesh import (
     EVERY,
     FREE,
     PICKED,
-    REFUSED_KEY,
+    REJECTED_KEY,
     SEAMS,
     SLOTS,
     SQUEEZE,
@@ -56,12 +56,20 @@ from .collapse_mesh import (
     uv_at,
 )
 from .compacted_mesh import Squeezing, left_vertices
-from .edge_costs import BINS, STEP, mark_cheap_edges_kernel, may_collapse, place_vertex, placement, price_edges_kernel
+from .edge_costs import (
+    BINS,
+    STEP,
+    mark_cheap_edges_kernel,
+    may_collapse,
+    merged_position,
+    placement,
+    price_edges_kernel,
+)
 from .quadrics import quadric
 
 
 @func
-def place_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
+def weights_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
     """Nonnegative barycentric coordinates of x projected to a triangle; c gets 0 without area."""
     u = b - a
     v = c - a
@@ -84,10 +92,10 @@ def place_in_triangle(a: vec3d, b: vec3d, c: vec3d, x: vec3d) -> vec3d:
 
 
 @kernel
-def place_edges_kernel(
+def position_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
-    places: array(dtype=vec3d),
+    new_positions: array(dtype=vec3d),
     shares: array(dtype=vec3d),
     tips: array(dtype=int32),
 ):
@@ -99,22 +107,22 @@ def place_edges_kernel(
     a = corner_vertex(mesh.triangles, h)
     b = corner_vertex(mesh.triangles, next_corner(h))
     mode = placement(mesh, h, a, b)
-    place = place_vertex(mesh, a, b, mode)
-    x = vec3d(place[0], place[1], place[2])
+    merged = merged_position(mesh, a, b, mode)
+    x = vec3d(merged[0], merged[1], merged[2])
     p = mesh.positions[a]
     r = mesh.positions[b]
-    best = place_in_triangle(p, r, p, x)
+    best = weights_in_triangle(p, r, p, x)
     tip = -1
     if int(mesh.kinds[a]) == FREE and int(mesh.kinds[b]) == FREE:
         for j in range(mesh.starts[a], mesh.starts[a + 1]):
             g = edge_at(mesh, j, b)
             if g >= 0:
                 other = last_corner(g)
-                here = place_in_triangle(p, r, mesh.positions[corner_vertex(mesh.triangles, other)], x)
+                here = weights_in_triangle(p, r, mesh.positions[corner_vertex(mesh.triangles, other)], x)
                 if here[2] > best[2]:
                     best = here
                     tip = other
-    places[i] = x
+    new_positions[i] = x
     shares[i] = best
     tips[i] = tip
 
@@ -123,7 +131,7 @@ def place_edges_kernel(
 def collapse_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
-    places: array(dtype=vec3d),
+    new_positions: array(dtype=vec3d),
     partners: array(dtype=int32),
     positions: array(dtype=vec3d),
     quadrics: array(dtype=quadric),
@@ -141,7 +149,7 @@ def collapse_edges_kernel(
     partners[a] = b
     partners[b] = -2 - a
     quadrics[a] = quadrics[a] + quadrics[b]
-    positions[a] = places[i]
+    positions[a] = new_positions[i]
     moved[i] = a
     for j in range(mesh.starts[b], mesh.starts[b + 1]):
         s = mesh.spokes[j]
@@ -190,17 +198,17 @@ def merge_rows_kernel(
 def merged_uv(mesh: CollapseMesh, a: int, b: int, v: int, old: vec2, s: vec3d, tip: int) -> vec2:
     """New coordinates of a corner at v: from the triangle at the edge with the same `old` ones, or unchanged."""
     new = old
-    found = 0
+    matched = 0
     for j in range(mesh.starts[a], mesh.starts[a + 1]):
         g = edge_at(mesh, j, b)
-        if g >= 0 and found == 0:
+        if g >= 0 and matched == 0:
             p = uv_at(mesh, g, a)
             q = uv_at(mesh, g, b)
             here = p
             if v == b:
                 here = q
             if here[0] == old[0] and here[1] == old[1]:
-                found = 1
+                matched = 1
                 new = p * float(s[0]) + q * float(s[1])
                 if tip >= 0:
                     new = new + mesh.uvs[tip] * float(s[2])
@@ -245,19 +253,19 @@ def take_uvs_kernel(mesh: CollapseMesh, edges: array(dtype=int32), merged: array
 
 
 class EdgeCollapse:
-    """Buffers to collapse up to `most` edges; `moved` are the merged vertices."""
+    """Buffers to collapse up to `capacity` edges; `moved` are the merged vertices."""
 
-    def __init__(self, mesh: CollapseMesh, most: int, unit: Sequence[bool]) -> None:
-        device, self.most, self.unit = mesh.numbers.device, most, unit
-        self.moved: Indices = empty(most, int32, device)
-        self._places, self._shares = empty(most, vec3d, device), empty(most, vec3d, device)
-        self._tips, self._partners = empty(most, int32, device), empty(mesh.positions.size, int32, device)
+    def __init__(self, mesh: CollapseMesh, capacity: int, unit: Sequence[bool]) -> None:
+        device, self.capacity, self.unit = mesh.numbers.device, capacity, unit
+        self.moved: Indices = empty(capacity, int32, device)
+        self._positions, self._shares = empty(capacity, vec3d, device), empty(capacity, vec3d, device)
+        self._tips, self._partners = empty(capacity, int32, device), empty(mesh.positions.size, int32, device)
         self._scan = LoopScan(mesh.positions.size, device)
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh, edges: Indices) -> None:
         """Collapse independent edges (int32 half-edges), as many as in the record."""
-        count, vertices = mesh.live(CHOSEN, self.most), mesh.live(VERTICES, mesh.positions.size)
-        launch(place_edges_kernel, count, [mesh, edges, self._places, self._shares, self._tips])
+        count, vertices = mesh.live(CHOSEN, self.capacity), mesh.live(VERTICES, mesh.positions.size)
+        launch(position_edges_kernel, count, [mesh, edges, self._positions, self._shares, self._tips])
         for rows, is_unit in zip(mesh.rows, self.unit, strict=True):
             launch(merge_rows_kernel, count, [mesh, edges, self._shares, self._tips, int(is_unit), rows])
         if mesh.has_uvs:
@@ -265,11 +273,11 @@ class EdgeCollapse:
             launch(take_uvs_kernel, count, [mesh, edges, twin.uvs, mesh.uvs])
         fill(self._partners[:vertices], -1)
         outputs = [self._partners, mesh.positions, mesh.quadrics, mesh.triangles, mesh.keys, self.moved]
-        launch(collapse_edges_kernel, count, [mesh, edges, self._places, *outputs])
+        launch(collapse_edges_kernel, count, [mesh, edges, self._positions, *outputs])
         mesh.join_corners(self._partners, twin, self._scan)
 
 
-LEAST = 4  # minimum number of edges considered
+MIN_EDGES = 4  # minimum number of edges considered
 BLOCKS = 64  # of bins
 BLOCK = BINS // BLOCKS
 DIGIT_BITS = 12  # of BINS
@@ -302,7 +310,7 @@ def limit_prices_kernel(blocks: array(dtype=int32), target: int, bins: array(dty
     total = sum_of_blocks(blocks, BLOCKS)
     excess = numbers[TRIANGLES] - target
     share = int((int64(total) * 7 + 19) // 20)  # 0.35, rounded up: more is faster and less accurate
-    wanted = min(max(min(share, excess), LEAST), total)
+    wanted = min(max(min(share, excess), MIN_EDGES), total)
     if i == 0 and total == 0:
         numbers[BIN] = -1
     has_limit = 0
@@ -328,7 +336,7 @@ def is_cut(mesh: CollapseMesh, target: int) -> int:
 
 
 @kernel
-def count_gone_kernel(
+def count_removed_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
     target: int,
@@ -369,19 +377,19 @@ def find_digit_kernel(
         wanted = rests[digit]
     before = sum_of_blocks(blocks, i)
     after = before + blocks[i]
-    found = -1
+    bin_index = -1
     if i == BLOCKS - 1 and after < wanted:
-        found = BINS - 1
+        bin_index = BINS - 1
         rests[digit + 1] = wanted
     for j in range(i * BLOCK, (i + 1) * BLOCK):
         if before < wanted:
             if before + bins[j] >= wanted:
-                found = j
+                bin_index = j
                 rests[digit + 1] = wanted - before
         before += bins[j]
         bins[j] = 0
-    if found >= 0:
-        heads[digit + 1] = (heads[digit] << int64(DIGIT_BITS)) | int64(found)
+    if bin_index >= 0:
+        heads[digit + 1] = (heads[digit] << int64(DIGIT_BITS)) | int64(bin_index)
 
 
 @kernel
@@ -414,7 +422,7 @@ class EdgeBins:
     def mark_cheapest(self, mesh: CollapseMesh, edges: Indices, count: int, mask: Bytes) -> None:
         """Mark the cheapest selected edges that reach the target, or all."""
         for digit in range(DIGITS):
-            launch(count_gone_kernel, count, [mesh, edges, self.target, digit, self._heads, self.bins])
+            launch(count_removed_kernel, count, [mesh, edges, self.target, digit, self._heads, self.bins])
             launch(sum_bins_kernel, BLOCKS, [self.bins, self._blocks])
             arguments = [mesh, self._blocks, self.target, digit, self._heads, self._rests, self.bins]
             launch(find_digit_kernel, BLOCKS, arguments)
@@ -423,7 +431,7 @@ class EdgeBins:
 
 @kernel
 def take_edges_kernel(
-    mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), least: array(dtype=int64)
+    mesh: CollapseMesh, edges: array(dtype=int32), blocked: array(dtype=uint8), lowest: array(dtype=int64)
 ):
     """Minimum key of the unblocked edges at each vertex. The minimum does not depend on the order."""
     i = tid()
@@ -435,20 +443,20 @@ def take_edges_kernel(
         a = corner_vertex(mesh.triangles, h)
         b = corner_vertex(mesh.triangles, next_corner(h))
         if blocked[a] == 0 and blocked[b] == 0:
-            atomic_min(least, a, key)
-            atomic_min(least, b, key)
+            atomic_min(lowest, a, key)
+            atomic_min(lowest, b, key)
 
 
 @func
-def is_least_around(mesh: CollapseMesh, v: int, key: int64, least: array(dtype=int64)) -> int:
-    found = 1
+def is_lowest_around(mesh: CollapseMesh, v: int, key: int64, lowest: array(dtype=int64)) -> int:
+    flag = 1
     j = mesh.starts[v]
-    while j < mesh.starts[v + 1] and found == 1:
+    while j < mesh.starts[v + 1] and flag == 1:
         s = mesh.spokes[j]
-        if least[s[0]] < key or least[s[1]] < key:
-            found = 0
+        if lowest[s[0]] < key or lowest[s[1]] < key:
+            flag = 0
         j += 1
-    return found
+    return flag
 
 
 @func
@@ -465,7 +473,7 @@ def block_around(mesh: CollapseMesh, v: int, blocked: array(dtype=uint8)):
 def choose_edges_kernel(
     mesh: CollapseMesh,
     edges: array(dtype=int32),
-    least: array(dtype=int64),
+    lowest: array(dtype=int64),
     keys: array(dtype=int64),
     chosen: array(dtype=uint8),
     blocked: array(dtype=uint8),
@@ -478,17 +486,17 @@ def choose_edges_kernel(
     key = mesh.keys[h]
     a = corner_vertex(mesh.triangles, h)
     b = corner_vertex(mesh.triangles, next_corner(h))
-    if least[a] == key and least[b] == key:
-        first = is_least_around(mesh, a, key, least)
+    if lowest[a] == key and lowest[b] == key:
+        first = is_lowest_around(mesh, a, key, lowest)
         if first == 1:
-            first = is_least_around(mesh, b, key, least)
+            first = is_lowest_around(mesh, b, key, lowest)
         if first == 1:
             if may_collapse(mesh, h, a, b, mesh.numbers[BENDING]) == 1:
                 chosen[i] = 1
                 block_around(mesh, a, blocked)
                 block_around(mesh, b, blocked)
             else:
-                keys[h] = int64(REFUSED_KEY)
+                keys[h] = int64(REJECTED_KEY)
 
 
 class EdgeChoice:
@@ -497,22 +505,22 @@ class EdgeChoice:
     def __init__(self, mesh: CollapseMesh) -> None:
         device = mesh.numbers.device
         self.chosen: Bytes = empty(mesh.keys.size, uint8, device)
-        self._least = empty(mesh.positions.size, int64, device)
+        self._lowest = empty(mesh.positions.size, int64, device)
 
-    def run(self, mesh: CollapseMesh, edges: Indices, turns: int) -> None:
-        """Select independent `edges` (owners) in `turns` passes; sets `mesh.touched` and the keys of rejected edges."""
+    def run(self, mesh: CollapseMesh, edges: Indices, passes: int) -> None:
+        """Select independent `edges` (owners) in passes; sets `mesh.touched` and the keys of rejected edges."""
         count, vertices = mesh.live(EDGES, edges.size), mesh.live(VERTICES, mesh.positions.size)
         fill(self.chosen[:count], 0)
         fill(mesh.touched[:vertices], 0)
-        least = self._least[:vertices]
-        for _ in range(turns):
-            fill(least, NO_KEY)
-            launch(take_edges_kernel, count, [mesh, edges, mesh.touched, self._least])
-            arguments = [mesh, edges, self._least, mesh.keys, self.chosen, mesh.touched]
+        lowest = self._lowest[:vertices]
+        for _ in range(passes):
+            fill(lowest, NO_KEY)
+            launch(take_edges_kernel, count, [mesh, edges, mesh.touched, self._lowest])
+            arguments = [mesh, edges, self._lowest, mesh.keys, self.chosen, mesh.touched]
             launch(choose_edges_kernel, count, arguments)
 
 
-TURNS = 3  # selection passes per round
+PASSES = 3  # selection passes per round
 LEFT, PARTS = 3, 4  # fraction of remaining triangles below which the mesh is compacted
 
 
@@ -521,16 +529,18 @@ def take_rows_kernel(
     values: array(dtype=int32),
     rows: array(dtype=int32),
     counts: array(dtype=int32),
-    place: int,
+    entry: int,
     out: array(dtype=int32),
 ):
     i = tid()
-    if i < counts[place]:
+    if i < counts[entry]:
         out[i] = values[rows[i]]
 
 
 @kernel
-def judge_round_kernel(mesh: CollapseMesh, ends_there: int, numbers: array(dtype=int32), running: array(dtype=int32)):
+def judge_round_kernel(
+    mesh: CollapseMesh, stops_at_limit: int, numbers: array(dtype=int32), running: array(dtype=int32)
+):
     """Round outcome: if no edge can collapse, relax constraints. Decide on compaction."""
     i = tid()
     left = mesh.starts[numbers[VERTICES]] // 3
@@ -538,7 +548,7 @@ def judge_round_kernel(mesh: CollapseMesh, ends_there: int, numbers: array(dtype
     numbers[EVERY] = i
     running[0] = 1
     if numbers[BIN] < 0:
-        if numbers[BENDING] == 1 or ends_there == 1:
+        if numbers[BENDING] == 1 or stops_at_limit == 1:
             running[0] = 0
         else:
             has_seams = numbers[SEAMS] * max(mesh.has_uvs, mesh.has_materials)
@@ -567,24 +577,24 @@ def end_round_kernel(
 
 
 @kernel
-def ask_squeeze_kernel(numbers: array(dtype=int32)):
+def request_squeeze_kernel(numbers: array(dtype=int32)):
     i = tid()
     numbers[SQUEEZE] = i + 1
 
 
 class CollapseRounds:
-    """All rounds of a mesh with features and quadrics to `target` triangles; `most` is the maximum error."""
+    """All rounds of a mesh with features and quadrics to `target` triangles, up to the error `max_error`."""
 
-    def __init__(self, mesh: CollapseMesh, unit: Sequence[bool], target: int, most: float) -> None:
-        device, halves = mesh.numbers.device, mesh.keys.size
-        self.mesh, self.twin, self.target, self.most = mesh, mesh.twin(), target, float64(most)
-        self.ends_there = int(most < float("inf"))
+    def __init__(self, mesh: CollapseMesh, unit: Sequence[bool], target: int, max_error: float) -> None:
+        device, half_edge_count = mesh.numbers.device, mesh.keys.size
+        self.mesh, self.twin, self.target, self.max_error = mesh, mesh.twin(), target, float64(max_error)
+        self.stops_at_limit = int(max_error < float("inf"))
         self.bins, self.choice, self.squeezing = EdgeBins(target, mesh.numbers), EdgeChoice(mesh), Squeezing(mesh)
-        self.cheap = empty(halves, uint8, device)
-        self.looked_at, self.picked_places = LoopList(halves, device), LoopList(halves, device)
+        self.cheap = empty(half_edge_count, uint8, device)
+        self.considered, self.picked_list = LoopList(half_edge_count, device), LoopList(half_edge_count, device)
         apart = max(1, min(mesh.triangles.size, mesh.positions.size // 2))  # edges with a triangle and no common end
         self.picked: Indices = empty(apart, int32, device)
-        self.taken, self.taken_places = empty(apart, uint8, device), LoopList(apart, device)
+        self.taken, self.taken_list = empty(apart, uint8, device), LoopList(apart, device)
         self.chosen: Indices = empty(apart, int32, device)
         self.collapse = EdgeCollapse(mesh, apart, unit)
         self.running = full(1, int(mesh.triangles.size > target), int32, device)
@@ -597,14 +607,14 @@ class CollapseRounds:
             running = host_view(self.running)
             while running[0]:
                 self.run_round()
-        launch(ask_squeeze_kernel, 1, [self.mesh.numbers])
+        launch(request_squeeze_kernel, 1, [self.mesh.numbers])
         self.squeeze()
 
     def price_edges(self) -> None:
         """Compute missing edge costs and the limit of edges to consider."""
         mesh = self.mesh
         count = 3 * mesh.live(SLOTS, mesh.triangles.size)
-        launch(price_edges_kernel, count, [mesh, self.most, mesh.keys, self.bins.bins])
+        launch(price_edges_kernel, count, [mesh, self.max_error, mesh.keys, self.bins.bins])
         self.bins.limit_prices()
 
     def choose(self) -> None:
@@ -612,16 +622,16 @@ class CollapseRounds:
         mesh, numbers = self.mesh, self.mesh.numbers
         count = 3 * mesh.live(SLOTS, mesh.triangles.size)
         launch(mark_cheap_edges_kernel, count, [mesh.keys, numbers, self.cheap])
-        self.looked_at.find(self.cheap, count, numbers, EDGES)
-        self.choice.run(mesh, self.looked_at.rows, TURNS)
-        looked_at = mesh.live(EDGES, self.looked_at.rows.size)
-        self.picked_places.find(self.choice.chosen, looked_at, numbers, PICKED)
+        self.considered.find(self.cheap, count, numbers, EDGES)
+        self.choice.run(mesh, self.considered.rows, PASSES)
+        considered_count = mesh.live(EDGES, self.considered.rows.size)
+        self.picked_list.find(self.choice.chosen, considered_count, numbers, PICKED)
         picked = mesh.live(PICKED, self.picked.size)
-        rows = [self.looked_at.rows, self.picked_places.rows, numbers, PICKED, self.picked]
+        rows = [self.considered.rows, self.picked_list.rows, numbers, PICKED, self.picked]
         launch(take_rows_kernel, picked, rows)
         self.bins.mark_cheapest(mesh, self.picked, picked, self.taken)
-        self.taken_places.find(self.taken, picked, numbers, CHOSEN)
-        rows = [self.picked, self.taken_places.rows, numbers, CHOSEN, self.chosen]
+        self.taken_list.find(self.taken, picked, numbers, CHOSEN)
+        rows = [self.picked, self.taken_list.rows, numbers, CHOSEN, self.chosen]
         launch(take_rows_kernel, mesh.live(CHOSEN, self.chosen.size), rows)
 
     def run_round(self) -> None:
@@ -629,8 +639,8 @@ class CollapseRounds:
         self.price_edges()
         self.choose()
         self.collapse.run(mesh, self.twin, self.chosen)
-        mesh.find_features(self.collapse.moved, self.collapse.most)
-        launch(judge_round_kernel, 1, [mesh, self.ends_there, mesh.numbers, self.running])
+        mesh.find_features(self.collapse.moved, self.collapse.capacity)
+        launch(judge_round_kernel, 1, [mesh, self.stops_at_limit, mesh.numbers, self.running])
         if self.running.device.is_cuda or host_view(mesh.numbers)[EVERY]:
             mesh.find_all_features()
         self.squeeze()

@@ -41,7 +41,7 @@ def list_left_kernel(mesh: CollapseMesh, ranks: array(dtype=int32), old: array(d
 
 
 @func
-def vertex_place(mesh: CollapseMesh, ranks: array(dtype=int32), v: int) -> int:
+def vertex_index(mesh: CollapseMesh, ranks: array(dtype=int32), v: int) -> int:
     slots = mesh.numbers[SLOTS]
     return ranks[slots + v] - 1 - ranks[slots - 1]
 
@@ -72,9 +72,9 @@ def gather_edges_kernel(
         uvs[i] = mesh.uvs[h]
     if i % 3 == 0:
         t = mesh.triangles[row]
-        a = vertex_place(mesh, ranks, t[0])
-        b = vertex_place(mesh, ranks, t[1])
-        triangles[i // 3] = vec3i(a, b, vertex_place(mesh, ranks, t[2]))
+        a = vertex_index(mesh, ranks, t[0])
+        b = vertex_index(mesh, ranks, t[1])
+        triangles[i // 3] = vec3i(a, b, vertex_index(mesh, ranks, t[2]))
         if mesh.has_materials == 1:
             materials[i // 3] = mesh.materials[row]
 
@@ -138,7 +138,7 @@ def renumber_corners_kernel(
     h = corners[i]
     s = spokes[i]
     corners[i] = 3 * (ranks[h // 3] - 1) + h % 3
-    spokes[i] = vec2i(vertex_place(mesh, ranks, s[0]), vertex_place(mesh, ranks, s[1]))
+    spokes[i] = vec2i(vertex_index(mesh, ranks, s[0]), vertex_index(mesh, ranks, s[1]))
 
 
 @kernel
@@ -195,11 +195,11 @@ class Squeezing:
     """Buffers for compaction; `ranks` int32 [t + m] count remaining triangles, then vertices."""
 
     def __init__(self, mesh: CollapseMesh) -> None:
-        most, device = mesh.triangles.size + mesh.positions.size, mesh.numbers.device
+        capacity, device = mesh.triangles.size + mesh.positions.size, mesh.numbers.device
         self.ranks, self._old, self._scan = (
-            empty(most, int32, device),
-            empty(most, int32, device),
-            LoopScan(most, device),
+            empty(capacity, int32, device),
+            empty(capacity, int32, device),
+            LoopScan(capacity, device),
         )
 
     def run(self, mesh: CollapseMesh, twin: CollapseMesh) -> None:
@@ -209,18 +209,18 @@ class Squeezing:
         launch(mark_left_kernel, slots + count, [mesh, ranks])
         self._scan.run(ranks, ranks, slots + count)
         launch(list_left_kernel, slots + count, [mesh, ranks, self._old])
-        halves = 3 * mesh.live(TRIANGLES, mesh.triangles.size)
+        half_edge_count = 3 * mesh.live(TRIANGLES, mesh.triangles.size)
         edges = ["triangles", "keys", "flags", "uvs", "materials"]
-        launch(gather_edges_kernel, halves, [mesh, ranks, self._old, *(getattr(twin, name) for name in edges)])
+        launch(gather_edges_kernel, half_edge_count, [mesh, ranks, self._old, *(getattr(twin, name) for name in edges)])
         vertices = ["positions", "quadrics", "kinds", "touched", "starts"]
         launch(gather_vertices_kernel, count, [mesh, ranks, self._old, *(getattr(twin, name) for name in vertices)])
-        launch(renumber_corners_kernel, halves, [mesh, ranks, mesh.corners, mesh.spokes])
+        launch(renumber_corners_kernel, half_edge_count, [mesh, ranks, mesh.corners, mesh.spokes])
         for rows, out in zip(mesh.rows, twin.rows, strict=True):
             launch(gather_left_kernel, count, [mesh, ranks, self._old, rows, out])
         if not mesh.numbers.device.is_cuda:
             mesh.exchange(twin, [*OTHERS, "starts", "rows"])
             return
-        launch(keep_edges_kernel, halves, [twin, *(getattr(mesh, name) for name in edges)])
+        launch(keep_edges_kernel, half_edge_count, [twin, *(getattr(mesh, name) for name in edges)])
         launch(keep_vertices_kernel, count + 1, [twin, ranks, *(getattr(mesh, name) for name in vertices)])
         for rows, out in zip(twin.rows, mesh.rows, strict=True):
             launch(keep_rows_kernel, count, [twin, ranks, rows, out])

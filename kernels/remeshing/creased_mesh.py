@@ -81,16 +81,16 @@ class CreasedMesh:
         launch(sort_vertices_kernel, count, [ends, fixed, self.kinds])
 
     @property
-    def gone_edge(self) -> int:
+    def removed_edge(self) -> int:
         return self.vertices.size << key_bits(self.vertices.size) | self.vertices.size
 
     def count_edges(self, *beside: Integers) -> list[Any]:
         """Remove the padding of edges, and copy `beside` to NumPy. One sync."""
-        if self.edges.told is None:
+        if self.edges.summary is None:
             return read_together(beside) if beside else []
-        (count, low, high), *found = read_together([self.edges.told, *beside])  # sync
-        self.edges.cut(int(count) - int((int(high) << 32 | int(low) & 0xFFFF_FFFF) == self.gone_edge))
-        return found
+        (count, low, high), *values = read_together([self.edges.summary, *beside])  # sync
+        self.edges.cut(int(count) - int((int(high) << 32 | int(low) & 0xFFFF_FFFF) == self.removed_edge))
+        return values
 
 
 @func
@@ -104,7 +104,7 @@ def is_paired(triangles: array(dtype=vec3i), edges: MeshEdges, e: int) -> int:
     first = edges.starts[e]
     paired = 0
     if edges.starts[e + 1] - first == 2:
-        if corner_vertex(triangles, edges.halves[first]) != corner_vertex(triangles, edges.halves[first + 1]):
+        if corner_vertex(triangles, edges.half_edges[first]) != corner_vertex(triangles, edges.half_edges[first + 1]):
             paired = 1
     return paired
 
@@ -125,11 +125,11 @@ def join_creases_kernel(
     last = mesh.edges.starts[e + 1]
     crease = 1 - is_paired(mesh.triangles, mesh.edges, e)
     for j in range(first, last):
-        if creases[mesh.edges.halves[j]] != 0:
+        if creases[mesh.edges.half_edges[j]] != 0:
             crease = 1
     for j in range(first, last):
-        creases[mesh.edges.halves[j]] = uint8(crease)
-        edge_of[mesh.edges.halves[j]] = e
+        creases[mesh.edges.half_edges[j]] = uint8(crease)
+        edge_of[mesh.edges.half_edges[j]] = e
     if last - first == 1:
         rims[mesh.edges.lows[e]] = uint8(1)
         rims[mesh.edges.highs[e]] = uint8(1)
@@ -162,8 +162,8 @@ def find_creases_kernel(
     """1 for both half-edges of an edge with a dihedral angle above the limit."""
     e = tid()
     if is_paired(triangles, edges, e) == 1:
-        g = edges.halves[edges.starts[e]]
-        h = edges.halves[edges.starts[e] + 1]
+        g = edges.half_edges[edges.starts[e]]
+        h = edges.half_edges[edges.starts[e] + 1]
         n = triangle_cross(vertices, triangles[g // 3])
         m = triangle_cross(vertices, triangles[h // 3])
         size = length(n) * length(m)
@@ -175,19 +175,19 @@ def find_creases_kernel(
 @func
 def line_neighbor(mesh: CreasedMesh, v: int, other: int) -> int:
     """A vertex other than `other` across a crease at v, the first by corners, or -1."""
-    found = -1
+    neighbor = -1
     for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
         c = mesh.around.corners[j]
         d = last_corner(c)
-        if mesh.creases[c] != 0 and found < 0:
+        if mesh.creases[c] != 0 and neighbor < 0:
             u = corner_vertex(mesh.triangles, next_corner(c))
             if u != other:
-                found = u
-        if mesh.creases[d] != 0 and found < 0:
+                neighbor = u
+        if mesh.creases[d] != 0 and neighbor < 0:
             u = corner_vertex(mesh.triangles, d)
             if u != other:
-                found = u
-    return found
+                neighbor = u
+    return neighbor
 
 
 @kernel
@@ -222,10 +222,10 @@ def drop_creases_kernel(
 
 @func
 def is_crease(mesh: CreasedMesh, e: int) -> int:
-    found = 0
+    flag = 0
     if is_edge(mesh.edges, e) == 1:
-        found = int(mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]])
-    return found
+        flag = int(mesh.creases[mesh.edges.half_edges[mesh.edges.starts[e]]])
+    return flag
 
 
 @kernel
@@ -252,36 +252,36 @@ def stretch_sets_kernel(mesh: CreasedMesh, sets: array(dtype=int32), extents: ar
 
 
 @kernel
-def choose_wide_kernel(extents: array(dtype=float32, ndim=2), least: float64, chosen: array(dtype=uint8)):
+def choose_large_kernel(extents: array(dtype=float32, ndim=2), min_size: float64, chosen: array(dtype=uint8)):
     i = tid()
     x = float64(extents[i, 0]) + float64(extents[i, 3])
     y = float64(extents[i, 1]) + float64(extents[i, 4])
     z = float64(extents[i, 2]) + float64(extents[i, 5])
     d = vec3d(x, y, z)
-    chosen[i] = uint8(1 if dot(d, d) >= least * least else 0)
+    chosen[i] = uint8(1 if dot(d, d) >= min_size * min_size else 0)
 
 
-def drop_short_creases(mesh: CreasedMesh, least: float) -> Bytes:
-    """Creases without connected sets smaller than `least`; boundaries are found again."""
+def drop_short_creases(mesh: CreasedMesh, min_size: float) -> Bytes:
+    """Creases without connected sets smaller than `min_size`; boundaries are found again."""
     device, count = mesh.vertices.device, mesh.vertices.size
     sets = positions(count, device)
     launch(unite_creases_kernel, mesh.edges.count, [mesh, sets])
     launch(flatten_sets_kernel, count, [sets])
     extents, chosen = full((count, 6), -math.inf, float32, device), empty(count, uint8, device)
     launch(stretch_sets_kernel, mesh.edges.count, [mesh, sets, extents])
-    launch(choose_wide_kernel, count, [extents, least, chosen])
+    launch(choose_large_kernel, count, [extents, min_size, chosen])
     launch(drop_creases_kernel, mesh.creases.size, [mesh, sets, chosen, mesh.creases])
     return mesh.creases
 
 
-def find_features(vertices: Points, triangles: Triangles, angle: float, least: float) -> tuple[Bytes, Bytes]:
-    """(creases, fixed): `angle` limits dihedral and line angles [rad], `least` the size of connected creases."""
+def find_features(vertices: Points, triangles: Triangles, angle: float, min_size: float) -> tuple[Bytes, Bytes]:
+    """(creases, fixed): `angle` limits dihedral and line angles [rad], `min_size` the size of connected creases."""
     device = vertices.device
     creases, cosine = zeros(3 * triangles.size, uint8, device), math.cos(angle)
     edges = MeshEdges(triangles, vertices.size, padded=True)
     launch(find_creases_kernel, edges.count, [vertices, triangles, edges, cosine, creases])
     free = zeros(vertices.size, uint8, device)
-    creases = drop_short_creases(CreasedMesh(vertices, triangles, creases, free), least)
+    creases = drop_short_creases(CreasedMesh(vertices, triangles, creases, free), min_size)
     mesh = CreasedMesh(vertices, triangles, creases, free)
     fixed = empty(vertices.size, uint8, device)
     launch(fix_bends_kernel, vertices.size, [mesh, cosine, fixed])
@@ -319,13 +319,17 @@ def crease_segments(mesh: CreasedMesh) -> Triangles:
 
 @kernel
 def end_rounds_kernel(
-    told: array(dtype=int32), gone_edge: int64, few: float64, changed: array(dtype=int32), rounds: array(dtype=int32)
+    summary: array(dtype=int32),
+    removed_edge: int64,
+    few: float64,
+    changed: array(dtype=int32),
+    rounds: array(dtype=int32),
 ):
     """Count a round, and end if it changed few edges. One thread. `rounds` is (1 if ended, count)."""
     i = tid()
     if rounds[i] == 0:
-        edges = told[0]
-        if (int64(told[2]) << 32) | (int64(told[1]) & 0xFFFFFFFF) == gone_edge:
+        edges = summary[0]
+        if (int64(summary[2]) << 32) | (int64(summary[1]) & 0xFFFFFFFF) == removed_edge:
             edges -= 1
         rounds[i + 1] = rounds[i + 1] + 1
         if float64(changed[0]) <= few * float64(edges):
@@ -334,7 +338,7 @@ def end_rounds_kernel(
 
 def end_rounds(made: CreasedMesh, changed: Integers, few: float, rounds: Integers) -> None:
     """End the rounds on CUDA if at most the fraction `few` of edges changed. `rounds`: int32 (1 if ended, count)."""
-    launch(end_rounds_kernel, 1, [made.edges.told, made.gone_edge, few, changed, rounds])
+    launch(end_rounds_kernel, 1, [made.edges.summary, made.removed_edge, few, changed, rounds])
 
 
 def after_round(

@@ -24,17 +24,17 @@ from .unit_frame import UnitFrame
 
 
 @kernel
-def mark_whole_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
+def mark_valid_kernel(mesh: CollapseMesh, mask: array(dtype=uint8)):
     i = tid()
     t = mesh.triangles[i]
-    whole = 1
+    valid = 1
     if t[0] == t[1] or t[1] == t[2] or t[2] == t[0]:
-        whole = 0
+        valid = 0
     for j in range(mesh.starts[t[0]], mesh.starts[t[0] + 1]):
         s = mesh.spokes[j]
         if s[0] == t[1] and s[1] == t[2] and mesh.corners[j] // 3 < i:
-            whole = 0
-    mask[i] = uint8(whole)
+            valid = 0
+    mask[i] = uint8(valid)
 
 
 @kernel
@@ -61,7 +61,7 @@ def keep_lone_kernel(keys: array(dtype=int64), order: array(dtype=int32), mask: 
 
 class Decimation:
     """Decimation to `target` triangles. `per_vertex` are vec3 [m] arrays, vertices first; `unit` marks unit vectors.
-    `most` is the maximum error (area times squared distance). `border_weight` scales the planes along features."""
+    `max_error` limits the error (area times squared distance). `border_weight` scales the planes along features."""
 
     def __init__(
         self,
@@ -71,25 +71,25 @@ class Decimation:
         uvs: Array1[vec2] | None,
         materials: Integers | None,
         target: int,
-        most: float,
+        max_error: float,
         border_weight: float,
     ) -> None:
         self.frame, self.unit, self.target = UnitFrame(per_vertex[0]), unit, target
-        self.most = most * self.frame.scale**4
-        mesh = self._whole_mesh(triangles, per_vertex, uvs, materials)
+        self.max_error = max_error * self.frame.scale**4
+        mesh = self._valid_mesh(triangles, per_vertex, uvs, materials)
         device = triangles.device
         mesh.quadrics = empty(mesh.positions.size, quadric, device)
         mesh.find_all_features()
         launch(sum_quadrics_kernel, mesh.positions.size, [mesh, border_weight, mesh.quadrics])
         self.mesh = mesh
 
-    def _whole_mesh(
+    def _valid_mesh(
         self, triangles: Triangles, per_vertex: Sequence[Points], uvs: Array1[vec2] | None, materials: Integers | None
     ) -> CollapseMesh:
         positions = self.frame.scaled(per_vertex[0])
         mesh = CollapseMesh(positions, triangles, uvs, materials, per_vertex[1:])
         mask = empty(triangles.size, uint8, triangles.device)
-        launch(mark_whole_kernel, mask.size, [mesh, mask])
+        launch(mark_valid_kernel, mask.size, [mesh, mask])
         rows = positions_of(mask)  # sync
         return mesh if rows.size == triangles.size else self._mesh_at(rows, mesh)
 
@@ -104,7 +104,7 @@ class Decimation:
         mesh = self.mesh
         if not mesh.triangles.size:
             return
-        rounds = CollapseRounds(mesh, self.unit, self.target, self.most)
+        rounds = CollapseRounds(mesh, self.unit, self.target, self.max_error)
         rounds.run()
         self.mesh = mesh = rounds.mesh
         numbers = download(mesh.numbers)  # sync
@@ -115,7 +115,7 @@ class Decimation:
         for name, count in sizes.items():
             setattr(mesh, name, clone(getattr(mesh, name)[:count]))
         mesh.rows = [clone(rows[:vertices]) for rows in mesh.rows]
-        if left > self.target and np.isinf(self.most):
+        if left > self.target and np.isinf(self.max_error):
             self._drop_lone()
 
     def _drop_lone(self) -> None:

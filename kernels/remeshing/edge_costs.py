@@ -27,15 +27,15 @@ from ..lang import (
 )
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .collapse_mesh import BIN, FEATURE, FREE, LINE, SLOTS, STALE_KEY, CollapseMesh, last_corner, mix_number, valence
-from .quadrics import least_point, plane_quadric, quadric, quadric_error, quadric_trace
+from .quadrics import minimum_point, plane_quadric, quadric, quadric_error, quadric_trace
 
-REFUSED, BEST, FIRST, SECOND = -1, 0, 1, 2  # possible positions of the merged vertex
+REJECTED, BEST, FIRST, SECOND = -1, 0, 1, 2  # possible positions of the merged vertex
 PRICE_UNIT = 2.0**60  # costs are stored in float32: nonzero costs should not be subnormal
 SHAPE = 1e-9  # what the squared length adds to the cost: short edges go first on ties
 PULL = 1e-8  # prior weight of the edge midpoint relative to the planes
-REACH = 2.0  # edge lengths: maximum distance of the merged vertex from the midpoint
+MAX_SHIFT = 2.0  # edge lengths: maximum distance of the merged vertex from the midpoint
 STEP = 21  # of a float's bits: costs are compared in quarters of a doubling; equal ones go in any order
-TURN = 0.2  # minimum cosine between a triangle's normals before and after: 78 degrees
+MIN_COSINE = 0.2  # minimum cosine between a triangle's normals before and after: 78 degrees
 SHRINK = 1e-3  # minimum fraction of a triangle's area that remains
 BIN_SHIFT = 19  # of a float's bits: sign, exponent and four more bits give a bin
 BINS = 4096
@@ -80,7 +80,7 @@ def sum_quadrics_kernel(mesh: CollapseMesh, border_weight: float64, quadrics: ar
 def placement(mesh: CollapseMesh, h: int, a: int, b: int) -> int:
     ka = int(mesh.kinds[a])
     kb = int(mesh.kinds[b])
-    mode = int(REFUSED)
+    mode = int(REJECTED)
     if (int(mesh.flags[h]) & FEATURE) != 0:
         if ka == LINE and kb == LINE:
             mode = BEST
@@ -98,7 +98,7 @@ def placement(mesh: CollapseMesh, h: int, a: int, b: int) -> int:
 
 
 @func
-def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
+def merged_position(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
     q = mesh.quadrics[a] + mesh.quadrics[b]
     p = mesh.positions[a]
     r = mesh.positions[b]
@@ -107,8 +107,8 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
         x = r
     if mode == BEST:
         middle = (p + r) * 0.5
-        x = least_point(q, middle, float64(PULL))
-        if not (length(x - middle) <= float64(REACH) * length(r - p)):
+        x = minimum_point(q, middle, float64(PULL))
+        if not (length(x - middle) <= float64(MAX_SHIFT) * length(r - p)):
             x = middle
             if quadric_error(q, p) < quadric_error(q, x):
                 x = p
@@ -119,22 +119,22 @@ def place_vertex(mesh: CollapseMesh, a: int, b: int, mode: int) -> vec4d:
 
 
 @func
-def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, most: float64) -> int64:
+def edge_key(mesh: CollapseMesh, h: int, a: int, b: int, max_error: float64) -> int64:
     """Cost of an edge with a unique number in the low bits."""
     key = int64(NO_KEY)
     mode = placement(mesh, h, a, b)
-    if mode != REFUSED:
-        place = place_vertex(mesh, a, b, mode)
-        if place[3] <= most and isfinite(place[3]):
+    if mode != REJECTED:
+        merged = merged_position(mesh, a, b, mode)
+        if merged[3] <= max_error and isfinite(merged[3]):
             edge = mesh.positions[b] - mesh.positions[a]
             weight = quadric_trace(mesh.quadrics[a]) + quadric_trace(mesh.quadrics[b])
-            price = float((place[3] + weight * dot(edge, edge) * float64(SHAPE)) * float64(PRICE_UNIT))
+            price = float((merged[3] + weight * dot(edge, edge) * float64(SHAPE)) * float64(PRICE_UNIT))
             key = (int64((float_bits(price) >> STEP) << STEP) << 32) | mix_number(h)
     return key
 
 
 @kernel
-def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
+def price_edges_kernel(mesh: CollapseMesh, max_error: float64, keys: array(dtype=int64), bins: array(dtype=int32)):
     """Keys of edges at owners, and a histogram of costs. Unmoved edges keep theirs; rejected ones are reevaluated."""
     i = tid()
     if i >= 3 * mesh.numbers[SLOTS]:
@@ -145,7 +145,7 @@ def price_edges_kernel(mesh: CollapseMesh, most: float64, keys: array(dtype=int6
             a = corner_vertex(mesh.triangles, i)
             b = corner_vertex(mesh.triangles, next_corner(i))
             if key == int64(STALE_KEY) or mesh.touched[a] != 0 or mesh.touched[b] != 0:
-                key = edge_key(mesh, i, a, b, most)
+                key = edge_key(mesh, i, a, b, max_error)
                 keys[i] = key
         if key < int64(STALE_KEY):
             atomic_add(bins, key_bits(key) >> BIN_SHIFT, 1)  # integers: the order does not matter
@@ -169,26 +169,26 @@ def has_neighbor(mesh: CollapseMesh, v: int, u: int) -> int:
     if valence(mesh, u) < valence(mesh, v):
         w = u
         wanted = v
-    found = 0
+    flag = 0
     j = mesh.starts[w]
-    while j < mesh.starts[w + 1] and found == 0:
+    while j < mesh.starts[w + 1] and flag == 0:
         s = mesh.spokes[j]
         if s[0] == wanted or s[1] == wanted:
-            found = 1
+            flag = 1
         j += 1
-    return found
+    return flag
 
 
 @func
 def has_triangle(mesh: CollapseMesh, v: int, p: int, q: int) -> int:
-    found = 0
+    flag = 0
     j = mesh.starts[v]
-    while j < mesh.starts[v + 1] and found == 0:
+    while j < mesh.starts[v + 1] and flag == 0:
         s = mesh.spokes[j]
         if (s[0] == p and s[1] == q) or (s[0] == q and s[1] == p):
-            found = 1
+            flag = 1
         j += 1
-    return found
+    return flag
 
 
 @func
@@ -238,7 +238,7 @@ def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
             after = cross(side, x - mesh.positions[p])
             old = dot(before, before)
             new = dot(after, after)
-            if dot(before, after) < float64(TURN) * sqrt(old * new) or new < old * float64(SHRINK * SHRINK):
+            if dot(before, after) < float64(MIN_COSINE) * sqrt(old * new) or new < old * float64(SHRINK * SHRINK):
                 bent = 1
         j += 1
     return bent
@@ -248,13 +248,13 @@ def bends_surface(mesh: CollapseMesh, v: int, other: int, x: vec3d) -> int:
 def may_collapse(mesh: CollapseMesh, h: int, a: int, b: int, bending: int) -> int:
     """1 if an edge may collapse; `bending` is 1 if triangles may flip."""
     mode = placement(mesh, h, a, b)
-    refused = 1
-    if mode != REFUSED:
-        refused = breaks_surface(mesh, a, b)
-        if refused == 0 and bending == 0:
-            place = place_vertex(mesh, a, b, mode)
-            x = vec3d(place[0], place[1], place[2])
-            refused = bends_surface(mesh, a, b, x)
-            if refused == 0:
-                refused = bends_surface(mesh, b, a, x)
-    return 1 - refused
+    rejected = 1
+    if mode != REJECTED:
+        rejected = breaks_surface(mesh, a, b)
+        if rejected == 0 and bending == 0:
+            merged = merged_position(mesh, a, b, mode)
+            x = vec3d(merged[0], merged[1], merged[2])
+            rejected = bends_surface(mesh, a, b, x)
+            if rejected == 0:
+                rejected = bends_surface(mesh, b, a, x)
+    return 1 - rejected

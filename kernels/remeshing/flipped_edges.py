@@ -57,12 +57,12 @@ def agrees(n: vec3d, m: vec3d) -> int:
 def flip_gain(mesh: CreasedMesh, e: int) -> int:
     """Decrease of the squared valence errors by a flip. 0 if not allowed."""
     gain = 0
-    whole = is_edge(mesh.edges, e)
-    if whole == 1:
-        whole = 1 - is_crease(mesh, e)
-    if whole == 1:
-        g = mesh.edges.halves[mesh.edges.starts[e]]
-        h = mesh.edges.halves[mesh.edges.starts[e] + 1]
+    flippable = is_edge(mesh.edges, e)
+    if flippable == 1:
+        flippable = 1 - is_crease(mesh, e)
+    if flippable == 1:
+        g = mesh.edges.half_edges[mesh.edges.starts[e]]
+        h = mesh.edges.half_edges[mesh.edges.starts[e] + 1]
         a = corner_vertex(mesh.triangles, g)
         b = corner_vertex(mesh.triangles, next_corner(g))
         c = corner_vertex(mesh.triangles, last_corner(g))
@@ -97,8 +97,8 @@ def price_flips_kernel(
     if ended[0] == 0:
         gain = flip_gain(mesh, e)
     if gain > 0:
-        g = mesh.edges.halves[mesh.edges.starts[e]]
-        h = mesh.edges.halves[mesh.edges.starts[e] + 1]
+        g = mesh.edges.half_edges[mesh.edges.starts[e]]
+        h = mesh.edges.half_edges[mesh.edges.starts[e] + 1]
         key = mixed_key(MAX_GAIN - gain, e)
         keys[e] = key
         atomic_min(lowest, corner_vertex(mesh.triangles, g), key)
@@ -121,8 +121,8 @@ def flip_kernel(
     key = keys[e]
     if key == int64(NO_NUMBER):
         return
-    g = mesh.edges.halves[mesh.edges.starts[e]]
-    h = mesh.edges.halves[mesh.edges.starts[e] + 1]
+    g = mesh.edges.half_edges[mesh.edges.starts[e]]
+    h = mesh.edges.half_edges[mesh.edges.starts[e] + 1]
     a = corner_vertex(mesh.triangles, g)
     b = corner_vertex(mesh.triangles, next_corner(g))
     c = corner_vertex(mesh.triangles, last_corner(g))

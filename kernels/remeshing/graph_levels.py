@@ -87,7 +87,7 @@ def row_product(level: Level, values: array(dtype=vec3d), i: int) -> vec3d:
 
 
 @func
-def goes_before(i: int, j: int) -> int:
+def precedes(i: int, j: int) -> int:
     a = mix_bits(int64(i))
     b = mix_bits(int64(j))
     before = 0
@@ -105,7 +105,7 @@ def choose_peaks_kernel(level: Level, states: array(dtype=int32), last: int, pea
         other = level.around.vertices[j]
         if level.pulls[j] > 0.0 and level.free[other] == 1:
             if states[other] == UNDECIDED and last == 0:
-                rivals += goes_before(other, i)
+                rivals += precedes(other, i)
     peak = 0
     if rivals == 0 and level.free[i] == 1 and states[i] == UNDECIDED:
         peak = 1
@@ -136,13 +136,13 @@ def mark_chosen_kernel(states: array(dtype=int32), marks: array(dtype=int32)):
 
 @kernel
 def find_parents_kernel(
-    level: Level, states: array(dtype=int32), places: array(dtype=int32), parents: array(dtype=int32)
+    level: Level, states: array(dtype=int32), coarse_indices: array(dtype=int32), parents: array(dtype=int32)
 ):
     """Coarse vertex of each vertex: that of the selected neighbor with the largest weight. The last index if fixed."""
     i = tid()
-    parent = places[places.shape[0] - 1]
+    parent = coarse_indices[coarse_indices.shape[0] - 1]
     if states[i] == CHOSEN:
-        parent = places[i]
+        parent = coarse_indices[i]
     elif states[i] == JOINED:
         heaviest = float64(0.0)
         for j in range(level.around.starts[i], level.around.starts[i + 1]):
@@ -150,7 +150,7 @@ def find_parents_kernel(
             weight = level.pulls[j]
             if states[other] == CHOSEN and weight > heaviest:
                 heaviest = weight
-                parent = places[other]
+                parent = coarse_indices[other]
     parents[i] = parent
 
 
@@ -166,7 +166,7 @@ def key_coarse_edges_kernel(
     highs: array(dtype=int32),
     parents: array(dtype=int32),
     weights: array(dtype=float64),
-    places: array(dtype=int32),
+    coarse_indices: array(dtype=int32),
     bits: int,
     keys: array(dtype=int64),
 ):
@@ -174,7 +174,7 @@ def key_coarse_edges_kernel(
     i = tid()
     a = parents[lows[i]]
     b = parents[highs[i]]
-    none = places[places.shape[0] - 1]
+    none = coarse_indices[coarse_indices.shape[0] - 1]
     key = (int64(1) << int64(2 * bits)) - 1
     if a != b and a != none and b != none and weights[i] > 0.0:
         key = (int64(min(a, b)) << int64(bits)) | int64(max(a, b))
@@ -197,12 +197,12 @@ def measure_excess_kernel(level: Level, excess: array(dtype=float64, ndim=2)):
 class CoarseEdges:
     """Sorted edges between `vertex_count` coarse vertices, with weights. Both counts need one sync per level."""
 
-    def __init__(self, level: Level, parents: Indices, places: Integers) -> None:
-        device, coarse = parents.device, places[level.count :]
-        most = level.count if device.is_cuda else int(download(coarse)[0])  # fewer bits sort faster
-        bits = max(1, (most + 1).bit_length())
+    def __init__(self, level: Level, parents: Indices, coarse_indices: Integers) -> None:
+        device, coarse = parents.device, coarse_indices[level.count :]
+        max_count = level.count if device.is_cuda else int(download(coarse)[0])  # fewer bits sort faster
+        bits = max(1, (max_count + 1).bit_length())
         keys = empty(level.edges.count, int64, device)
-        arguments = [level.edges.lows, level.edges.highs, parents, level.weights, places, bits, keys]
+        arguments = [level.edges.lows, level.edges.highs, parents, level.weights, coarse_indices, bits, keys]
         launch(key_coarse_edges_kernel, level.edges.count, arguments)
         unique = UniqueKeys(keys, 2 * bits, beside=coarse)  # sync
         self.vertex_count = unique.beside[0]
@@ -228,14 +228,14 @@ class Coarsening:
     def __init__(self, level: Level) -> None:
         device, count = level.free.device, level.count
         states, peaks, marks = zeros(count, int32, device), empty(count, int32, device), empty(count, int32, device)
-        for turn in range(ROUNDS):
-            launch(choose_peaks_kernel, count, [level, states, int(turn == ROUNDS - 1), peaks])
+        for iteration in range(ROUNDS):
+            launch(choose_peaks_kernel, count, [level, states, int(iteration == ROUNDS - 1), peaks])
             launch(join_peaks_kernel, count, [level, peaks, states])
         launch(mark_chosen_kernel, count, [states, marks])
-        places = offsets_of(marks)
+        coarse_indices = offsets_of(marks)
         self.parents, keys = empty(count, int32, device), empty(count, int64, device)
-        launch(find_parents_kernel, count, [level, states, places, self.parents])
-        self._edges = CoarseEdges(level, self.parents, places)  # sync
+        launch(find_parents_kernel, count, [level, states, coarse_indices, self.parents])
+        self._edges = CoarseEdges(level, self.parents, coarse_indices)  # sync
         self.count = self._edges.vertex_count
         launch(key_members_kernel, count, [self.parents, keys])
         keys, self.members = argsort_keys(keys, max(1, self.count.bit_length()))
@@ -311,7 +311,7 @@ def fill_matrix_kernel(level: Level, matrix: array(dtype=float64, ndim=2)):
 
 @kernel
 def eliminate_kernel(
-    level: Level, matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), turned: array(dtype=float64, ndim=2)
+    level: Level, matrix: array(dtype=float64, ndim=2), done: array(dtype=int32), out: array(dtype=float64, ndim=2)
 ):
     """Gauss-Jordan step, one thread per entry. A copy once all unknowns are done. Zeros for a zero pivot."""
     i = tid()
@@ -331,7 +331,7 @@ def eliminate_kernel(
             value = -inverse * matrix[row, k]
             if row == k:
                 value = inverse
-    turned[row, column] = value
+    out[row, column] = value
 
 
 @kernel
@@ -353,16 +353,16 @@ def multiply_kernel(matrix: array(dtype=float64, ndim=2), values: array(dtype=ve
 def invert(level: Level) -> Array2[float64]:
     """Inverse of a level's symmetric positive definite matrix, float64 [m, m], without pivoting."""
     device, count = level.free.device, level.count
-    matrix, turned = zeros((count, count), float64, device), empty((count, count), float64, device)
+    matrix, other = zeros((count, count), float64, device), empty((count, count), float64, device)
     launch(fill_matrix_kernel, count, [level, matrix])
     done, running = zeros(1, int32, device), full(1, int(count > 0), int32, device)
 
-    def turn() -> None:
-        for before, after in ((matrix, turned), (turned, matrix)):
+    def run_step() -> None:
+        for before, after in ((matrix, other), (other, matrix)):
             launch(eliminate_kernel, count * count, [level, before, done, after])
             launch(count_unknown_kernel, 1, [matrix, done, running])
 
-    loop_while(running, turn)
+    loop_while(running, run_step)
     return matrix
 
 

@@ -14,24 +14,24 @@ from .creased_mesh import CreasedMesh, is_edge
 
 
 @kernel
-def mark_long_kernel(mesh: CreasedMesh, most: float64, marks: array(dtype=int32)):
+def mark_long_kernel(mesh: CreasedMesh, max_sqlength: float64, marks: array(dtype=int32)):
     e = tid()
     mark = 0
     if is_edge(mesh.edges, e) == 1:
         d = widen(mesh.vertices[mesh.edges.highs[e]]) - widen(mesh.vertices[mesh.edges.lows[e]])
-        if dot(d, d) > most:
+        if dot(d, d) > max_sqlength:
             mark = 1
     marks[e] = mark
 
 
 @kernel
-def place_middles_kernel(
-    mesh: CreasedMesh, marks: array(dtype=int32), places: array(dtype=int32), first: int, vertices: array(dtype=vec3)
+def compute_middles_kernel(
+    mesh: CreasedMesh, marks: array(dtype=int32), indices: array(dtype=int32), first: int, vertices: array(dtype=vec3)
 ):
     e = tid()
     if marks[e] == 1:
         middle = 0.5 * (widen(mesh.vertices[mesh.edges.lows[e]]) + widen(mesh.vertices[mesh.edges.highs[e]]))
-        vertices[first + places[e]] = narrow(middle)
+        vertices[first + indices[e]] = narrow(middle)
 
 
 @kernel
@@ -45,18 +45,18 @@ def count_parts_kernel(mesh: CreasedMesh, marks: array(dtype=int32), counts: arr
 
 
 @func
-def put_part(place: int, t: vec3i, flags: vec3i, triangles: array(dtype=vec3i), creases: array(dtype=uint8)):
-    triangles[place] = t
-    creases[3 * place] = uint8(flags[0])
-    creases[3 * place + 1] = uint8(flags[1])
-    creases[3 * place + 2] = uint8(flags[2])
+def put_part(slot: int, t: vec3i, flags: vec3i, triangles: array(dtype=vec3i), creases: array(dtype=uint8)):
+    triangles[slot] = t
+    creases[3 * slot] = uint8(flags[0])
+    creases[3 * slot + 1] = uint8(flags[1])
+    creases[3 * slot + 2] = uint8(flags[2])
 
 
 @kernel
 def write_parts_kernel(
     mesh: CreasedMesh,
     marks: array(dtype=int32),
-    places: array(dtype=int32),
+    indices: array(dtype=int32),
     first_new: int,
     offsets: array(dtype=int32),
     vertices: array(dtype=vec3),
@@ -81,9 +81,9 @@ def write_parts_kernel(
     a = corner_vertex(mesh.triangles, h)
     b = corner_vertex(mesh.triangles, h1)
     c = corner_vertex(mesh.triangles, h2)
-    ab = first_new + places[mesh.edge_of[h]]
-    bc = first_new + places[mesh.edge_of[h1]]
-    ca = first_new + places[mesh.edge_of[h2]]
+    ab = first_new + indices[mesh.edge_of[h]]
+    bc = first_new + indices[mesh.edge_of[h1]]
+    ca = first_new + indices[mesh.edge_of[h2]]
     f = int(mesh.creases[h])
     f1 = int(mesh.creases[h1])
     f2 = int(mesh.creases[h2])
@@ -119,14 +119,14 @@ def split_long_edges(
     counts = empty(mesh.triangles.size, int32, device)
     launch(count_parts_kernel, counts.size, [mesh, marks, counts])
     wanted = [(marks, [marks.size]), (counts, [counts.size])]
-    (places, (split,)), (offsets, (total,)), *told = scan_together(wanted, beside)  # sync
-    found = told[0][1] if told else []
+    (indices, (split,)), (offsets, (total,)), *extra = scan_together(wanted, beside)  # sync
+    values = extra[0][1] if extra else []
     if not split:
-        return mesh, 0, found
+        return mesh, 0, values
     vertices, fixed = empty(count + split, vec3, device), zeros(count + split, uint8, device)
     copy(vertices, mesh.vertices, count=count)
     copy(fixed, mesh.fixed, count=count)
-    launch(place_middles_kernel, marks.size, [mesh, marks, places, count, vertices])
+    launch(compute_middles_kernel, marks.size, [mesh, marks, indices, count, vertices])
     triangles, creases = empty(total, vec3i, device), empty(3 * total, uint8, device)
-    launch(write_parts_kernel, counts.size, [mesh, marks, places, count, offsets, vertices, triangles, creases])
-    return CreasedMesh(vertices, triangles, creases, fixed), split, found
+    launch(write_parts_kernel, counts.size, [mesh, marks, indices, count, offsets, vertices, triangles, creases])
+    return CreasedMesh(vertices, triangles, creases, fixed), split, values

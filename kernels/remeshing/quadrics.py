@@ -42,7 +42,7 @@ def quadric_error(q: quadric, x: vec3d) -> float64:
 
 
 @func
-def least_point(q: quadric, middle: vec3d, share: float64) -> vec3d:
+def minimum_point(q: quadric, middle: vec3d, share: float64) -> vec3d:
     """Regularized minimum near `middle`; `share` of the trace is added to A."""
     pull = quadric_trace(q) * share
     g = quadric_slope(q, middle)

@@ -14,7 +14,7 @@ from ..meshes.mesh_measures import triangle_cross
 from .creased_mesh import FREE, LINE, CreasedMesh, line_neighbor
 from .flipped_edges import agrees
 
-TURNS = 2  # of restoring before the host reads the count: the first nearly always restores nothing
+PASSES = 2  # of restoring before the host reads the count: the first nearly always restores nothing
 
 
 @kernel
@@ -54,7 +54,7 @@ def relax_kernel(mesh: CreasedMesh, moved: array(dtype=vec3)):
 
 
 @kernel
-def mark_turned_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8)):
+def mark_flipped_kernel(mesh: CreasedMesh, moved: array(dtype=vec3), back: array(dtype=uint8)):
     """1 for vertices of triangles that flip. All threads write the same value."""
     i = tid()
     t = mesh.triangles[i]
@@ -84,7 +84,7 @@ def take_back_kernel(
 
 
 @kernel
-def choose_places_kernel(
+def choose_positions_kernel(
     kinds: array(dtype=uint8),
     before: array(dtype=vec3),
     on_surface: array(dtype=vec3),
@@ -106,22 +106,22 @@ def relaxed(mesh: CreasedMesh) -> Points:
     return moved
 
 
-def choose_places(mesh: CreasedMesh, on_surface: Points, on_lines: Points) -> Points:
+def choose_positions(mesh: CreasedMesh, on_surface: Points, on_lines: Points) -> Points:
     chosen = empty(mesh.vertices.size, vec3, mesh.vertices.device)
-    launch(choose_places_kernel, chosen.size, [mesh.kinds, mesh.vertices, on_surface, on_lines, chosen])
+    launch(choose_positions_kernel, chosen.size, [mesh.kinds, mesh.vertices, on_surface, on_lines, chosen])
     return chosen
 
 
-def move_where_nothing_turns(mesh: CreasedMesh, moved: Points, taken: Integers | None = None) -> None:
+def move_without_flips(mesh: CreasedMesh, moved: Points, taken: Integers | None = None) -> None:
     """Move vertices, except those of triangles that would turn by more than 60 degrees; modifies `moved` (vec3 [m]).
-    With `taken` (int32 [1], zero) there is no sync: TURNS passes run, and the last adds the number of restored
+    With `taken` (int32 [1], zero) there is no sync: PASSES passes run, and the last adds the number of restored
     vertices. If that is zero, the result is complete."""
-    for turn in itertools.count(1):  # each pass restores a vertex that had moved
+    for pass_number in itertools.count(1):  # each pass restores a vertex that had moved
         back, count = zeros(moved.size, uint8, moved.device), zeros(1, int32, moved.device)
-        if taken is not None and turn == TURNS:
+        if taken is not None and pass_number == PASSES:
             count = taken
-        launch(mark_turned_kernel, mesh.triangles.size, [mesh, moved, back])
+        launch(mark_flipped_kernel, mesh.triangles.size, [mesh, moved, back])
         launch(take_back_kernel, moved.size, [mesh.vertices, back, moved, count])
-        if turn == TURNS if taken is not None else not download(count)[0]:  # sync, if it is not given
+        if pass_number == PASSES if taken is not None else not download(count)[0]:  # sync, if it is not given
             break
     mesh.vertices = moved

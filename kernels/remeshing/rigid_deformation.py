@@ -43,7 +43,7 @@ from ..meshes.mesh_edges import MeshEdges, opposite_vertex
 from .graph_levels import Level, Preconditioner, row_product
 from .vertex_values import widen_rows
 
-MAX_TURNS = 5000  # of one solve: hundreds suffice if weights differ by less than 1e6
+MAX_ITERATIONS = 5000  # of one solve: hundreds suffice if weights differ by less than 1e6
 
 
 class UnsolvedError(ArithmeticError): ...
@@ -69,12 +69,17 @@ def map_search_kernel(level: Level, state: Gradients):
 
 class LaplacianSolver:
     """Laplacian solver that starts from the last solution. It has converged when the square of the preconditioned
-    residual is at most `limit` (in units of `unit`, vec2d [1], or 1); `most` is the maximum number of iterations."""
+    residual is at most `limit` (in units of `unit`, vec2d [1], or 1)."""
 
     def __init__(
-        self, level: Level, solution: Positions, limit: float, most: int = MAX_TURNS, unit: Array1[vec2d] | None = None
+        self,
+        level: Level,
+        solution: Positions,
+        limit: float,
+        max_iterations: int = MAX_ITERATIONS,
+        unit: Array1[vec2d] | None = None,
     ) -> None:
-        self.level, self.state = level, Gradients(solution, limit, most, unit)
+        self.level, self.state = level, Gradients(solution, limit, max_iterations, unit)
         self.preconditioner = Preconditioner(level)
         self._descent = ConjugateGradients(self.state, self._map, self._precondition)
 
@@ -128,7 +133,7 @@ def weigh_edges_kernel(
     count = float64(0.0)
     last = -1
     for j in range(edges.starts[i], edges.starts[i + 1]):
-        triangle = edges.halves[j] // 3
+        triangle = edges.half_edges[j] // 3
         if triangle != last and a != b:
             value = cotangent(rest[a], rest[b], rest[opposite_vertex(triangles[triangle], a, b)])
             if isfinite(value):
@@ -149,18 +154,18 @@ def unite_along_edges_kernel(edges: MeshEdges, weights: array(dtype=float64), pa
 
 
 @kernel
-def hold_vertices_kernel(
-    held: array(dtype=int32),
+def fix_vertices_kernel(
+    fixed: array(dtype=int32),
     targets: array(dtype=vec3d),
     parents: array(dtype=int32),
-    places: array(dtype=vec3d),
+    positions: array(dtype=vec3d),
     reached: array(dtype=int32),
     marks: array(dtype=int32),
 ):
     """Place each fixed vertex and mark its set. All threads write the same mark."""
     i = tid()
-    v = held[i]
-    places[v] = targets[i]
+    v = fixed[i]
+    positions[v] = targets[i]
     marks[v] = 1
     reached[parents[v]] = 1
 
@@ -189,14 +194,14 @@ class Bending:
     """Iteration state: positions at rest and now, `rotations` now and `earlier` (mat33d [m]), right-hand sides."""
 
     rest: array(dtype=vec3d)
-    places: array(dtype=vec3d)
+    positions: array(dtype=vec3d)
     rotations: array(dtype=mat33d)
     earlier: array(dtype=mat33d)
     right: array(dtype=vec3d)
 
     def __init__(self, rest: Positions) -> None:
         count, device = rest.size, rest.device
-        self.rest, self.places, self.right = rest, clone(rest), empty(count, vec3d, device)
+        self.rest, self.positions, self.right = rest, clone(rest), empty(count, vec3d, device)
         self.rotations, self.earlier = empty(count, mat33d, device), empty(count, mat33d, device)
 
 
@@ -213,7 +218,7 @@ def rotate_vertices_kernel(level: Level, bending: Bending, likeness: float64):
         weight = level.pulls[j]
         if weight > zero:
             before = bending.rest[i] - bending.rest[neighbor]
-            now = bending.places[i] - bending.places[neighbor]
+            now = bending.positions[i] - bending.positions[neighbor]
             S = S + weight * outer(before, now)
         if likeness > zero:
             others = others + bending.earlier[neighbor]
@@ -233,63 +238,63 @@ def pull_vertices_kernel(level: Level, bending: Bending):
             weight = level.pulls[j]
             if weight > 0.0:
                 edge = bending.rest[i] - bending.rest[neighbor]
-                turned = (bending.rotations[i] + bending.rotations[neighbor]) @ edge
-                total = total + (0.5 * weight) * turned
+                rotated = (bending.rotations[i] + bending.rotations[neighbor]) @ edge
+                total = total + (0.5 * weight) * rotated
     bending.right[i] = total
 
 
 @kernel
-def turn_directions_kernel(
-    rotations: array(dtype=mat33d), rows: array(dtype=vec3), places: array(dtype=int32), turned: array(dtype=vec3)
+def rotate_directions_kernel(
+    rotations: array(dtype=mat33d), rows: array(dtype=vec3), indices: array(dtype=int32), rotated: array(dtype=vec3)
 ):
     i = tid()
-    place = i
-    if places.shape[0] > 0:
-        place = places[i]
-    turned[i] = narrow(rotations[place] @ widen(rows[i]))
+    index = i
+    if indices.shape[0] > 0:
+        index = indices[i]
+    rotated[i] = narrow(rotations[index] @ widen(rows[i]))
 
 
-def turn_directions(rotations: Array1[mat33d], rows: Vectors, places: Indices | None = None) -> Vectors:
-    """Rotate vec3 directions with their vertices, or with the vertices at int32 places."""
-    turned = empty(rows.size, vec3, rows.device)
-    of = empty(0, int32, rows.device) if places is None else places
-    launch(turn_directions_kernel, rows.size, [rotations, rows, of, turned])
-    return turned
+def rotate_directions(rotations: Array1[mat33d], rows: Vectors, indices: Indices | None = None) -> Vectors:
+    """Rotate vec3 directions with their vertices, or with the vertices `indices` (int32)."""
+    rotated = empty(rows.size, vec3, rows.device)
+    of = empty(0, int32, rows.device) if indices is None else indices
+    launch(rotate_directions_kernel, rows.size, [rotations, rows, of, rotated])
+    return rotated
 
 
-def _hold(edges: MeshEdges, weights: Doubles, bending: Bending, held: Indices, targets: Positions) -> Integers:
+def _fix_vertices(edges: MeshEdges, weights: Doubles, bending: Bending, fixed: Indices, targets: Positions) -> Integers:
     """Place the fixed vertices. Return int32 [m], 1 for those that move."""
     device, count = bending.rest.device, bending.rest.size
     parents = positions(count, device)
     launch(unite_along_edges_kernel, edges.count, [edges, weights, parents])
     launch(flatten_sets_kernel, count, [parents])
     reached, marks, free = zeros(count, int32, device), zeros(count, int32, device), empty(count, int32, device)
-    launch(hold_vertices_kernel, held.size, [held, targets, parents, bending.places, reached, marks])
+    launch(fix_vertices_kernel, fixed.size, [fixed, targets, parents, bending.positions, reached, marks])
     launch(free_vertices_kernel, count, [parents, reached, marks, free])
     return free
 
 
 def deform_rigidly(
-    vertices: Points, triangles: Triangles, held: Indices, targets: Positions, turns: int, likeness: float
+    vertices: Points, triangles: Triangles, fixed: Indices, targets: Positions, iterations: int, likeness: float
 ) -> tuple[Positions, Array1[mat33d]]:
-    """Deform a mesh so that distinct vertices `held` (int32 [h]) are at `targets` (vec3d [h]), in `turns` >= 1
+    """Deform a mesh so that distinct vertices `fixed` (int32 [h]) are at `targets` (vec3d [h]), in `iterations` >= 1
     iterations. `likeness` [m^2] weights similar rotations. Returns (positions vec3d [m], rotations mat33d [m]).
     Vertices not connected to a fixed one stay. Raises UnsolvedError without convergence."""
     device, count = vertices.device, vertices.size
     edges = MeshEdges(triangles, count)  # sync
     bending, weights = Bending(widen_rows(vertices)), empty(edges.count, float64, device)
     launch(weigh_edges_kernel, edges.count, [triangles, edges, bending.rest, weights])
-    free = _hold(edges, weights, bending, held, targets)
+    free = _fix_vertices(edges, weights, bending, fixed, targets)
     level = Level(edges, weights, zeros((count, 1), float64, device), free)
     stretch = reduce(measure_stretch, edges.count, [edges, weights, bending.rest])
-    solver = LaplacianSolver(level, bending.places, TOLERANCE * TOLERANCE, unit=stretch)
+    solver = LaplacianSolver(level, bending.positions, TOLERANCE * TOLERANCE, unit=stretch)
     launch(rest_rotations_kernel, count, [bending.rotations])
     _solve(level, bending, solver)
-    turn = _Turn(level, bending, solver, likeness)
-    for _ in range(turns - 1):
-        turn.run()
+    iteration = _Iteration(level, bending, solver, likeness)
+    for _ in range(iterations - 1):
+        iteration.run()
     solver.check()  # sync
-    return bending.places, bending.rotations
+    return bending.positions, bending.rotations
 
 
 def _solve(level: Level, bending: Bending, solver: LaplacianSolver) -> None:
@@ -297,7 +302,7 @@ def _solve(level: Level, bending: Bending, solver: LaplacianSolver) -> None:
     solver.solve(bending.right)
 
 
-class _Turn:
+class _Iteration:
     """Local and global step. On CUDA, the part before the solver loop is recorded once."""
 
     def __init__(self, level: Level, bending: Bending, solver: LaplacianSolver, likeness: float) -> None:

@@ -38,12 +38,12 @@ MIN_COSINE = 0.5  # between the normals of a triangle before and after
 
 @func
 def is_next_to(mesh: CreasedMesh, u: int, v: int) -> int:
-    found = 0
+    flag = 0
     for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
         if t[0] == u or t[1] == u or t[2] == u:
-            found = 1
-    return found
+            flag = 1
+    return flag
 
 
 @func
@@ -62,15 +62,15 @@ def breaks_link(mesh: CreasedMesh, a: int, b: int, c: int, d: int) -> int:
 def has_too_few(mesh: CreasedMesh, v: int) -> int:
     """1 for a vertex that would have too few triangles after losing one."""
     count = mesh.around.starts[v + 1] - mesh.around.starts[v]
-    least = 4
+    min_count = 4
     if mesh.rims[v] != 0:
-        least = 2
-    return 1 if count < least else 0
+        min_count = 2
+    return 1 if count < min_count else 0
 
 
 @func
-def turns_around(mesh: CreasedMesh, a: int, b: int, x: vec3d, most: float64) -> int:
-    """1 if a triangle at a without b turns too far, or gets a squared edge length above `most`, when a moves to x."""
+def flips_triangle(mesh: CreasedMesh, a: int, b: int, x: vec3d, max_sqlength: float64) -> int:
+    """1 if a triangle at a without b turns too far, or a squared edge exceeds `max_sqlength`, when a moves to x."""
     wrong = 0
     for j in range(mesh.around.starts[a], mesh.around.starts[a + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
@@ -89,7 +89,7 @@ def turns_around(mesh: CreasedMesh, a: int, b: int, x: vec3d, most: float64) -> 
             if not dot(n, m) > float64(MIN_COSINE) * length(n) * length(m):
                 wrong = 1
             longest = max(dot(q - p, q - p), max(dot(r - q, r - q), dot(p - r, p - r)))
-            if longest > most:
+            if longest > max_sqlength:
                 wrong = 1
     return wrong
 
@@ -99,7 +99,7 @@ def goal(mesh: CreasedMesh, e: int) -> int:
     """Target of a collapse: 0 none, 1 the lower vertex, 2 the higher one, 3 the midpoint."""
     a = int(mesh.kinds[mesh.edges.lows[e]])
     b = int(mesh.kinds[mesh.edges.highs[e]])
-    crease = int(mesh.creases[mesh.edges.halves[mesh.edges.starts[e]]])
+    crease = int(mesh.creases[mesh.edges.half_edges[mesh.edges.starts[e]]])
     way = 0
     if a == FREE and b == FREE:
         way = 3
@@ -118,7 +118,7 @@ def goal(mesh: CreasedMesh, e: int) -> int:
 
 
 @func
-def goal_place(mesh: CreasedMesh, e: int, way: int) -> vec3d:
+def goal_position(mesh: CreasedMesh, e: int, way: int) -> vec3d:
     a = widen(mesh.vertices[mesh.edges.lows[e]])
     b = widen(mesh.vertices[mesh.edges.highs[e]])
     x = 0.5 * (a + b)
@@ -132,8 +132,8 @@ def goal_place(mesh: CreasedMesh, e: int, way: int) -> vec3d:
 @kernel
 def price_short_kernel(
     mesh: CreasedMesh,
-    least: float64,
-    most: float64,
+    min_sqlength: float64,
+    max_sqlength: float64,
     ended: array(dtype=int32),
     keys: array(dtype=int64),
     lowest: array(dtype=int64),
@@ -149,30 +149,30 @@ def price_short_kernel(
     b = mesh.edges.highs[e]
     gap = widen(mesh.vertices[b]) - widen(mesh.vertices[a])
     sqdist = dot(gap, gap)
-    if not sqdist < least:
+    if not sqdist < min_sqlength:
         return
     count = mesh.edges.starts[e + 1] - mesh.edges.starts[e]
     way = goal(mesh, e)
     paired = is_paired(mesh.triangles, mesh.edges, e)
     if way == 0 or (count != 1 and paired == 0):
         return
-    g = mesh.edges.halves[mesh.edges.starts[e]]
-    h = mesh.edges.halves[mesh.edges.starts[e] + count - 1]
+    g = mesh.edges.half_edges[mesh.edges.starts[e]]
+    h = mesh.edges.half_edges[mesh.edges.starts[e] + count - 1]
     c = opposite_vertex(mesh.triangles[g // 3], a, b)
     d = opposite_vertex(mesh.triangles[h // 3], a, b)
-    x = goal_place(mesh, e, way)
-    refused = has_too_few(mesh, c)
+    x = goal_position(mesh, e, way)
+    rejected = has_too_few(mesh, c)
     if has_too_few(mesh, d) == 1:
-        refused = 1
+        rejected = 1
     if count == 2 and c == d:
-        refused = 1
-    if refused == 0:
-        refused = breaks_link(mesh, a, b, c, d)
-    if refused == 0:
-        refused = turns_around(mesh, a, b, x, most)
-    if refused == 0:
-        refused = turns_around(mesh, b, a, x, most)
-    if refused == 0:
+        rejected = 1
+    if rejected == 0:
+        rejected = breaks_link(mesh, a, b, c, d)
+    if rejected == 0:
+        rejected = flips_triangle(mesh, a, b, x, max_sqlength)
+    if rejected == 0:
+        rejected = flips_triangle(mesh, b, a, x, max_sqlength)
+    if rejected == 0:
         key = mixed_key(float_bits(float(sqdist)), e)
         keys[e] = key
         atomic_min(lowest, a, key)
@@ -181,12 +181,12 @@ def price_short_kernel(
 
 @func
 def is_lowest_around(mesh: CreasedMesh, v: int, key: int64, lowest: array(dtype=int64)) -> int:
-    found = 1
+    flag = 1
     for j in range(mesh.around.starts[v], mesh.around.starts[v + 1]):
         t = mesh.triangles[mesh.around.corners[j] // 3]
         if lowest[t[0]] < key or lowest[t[1]] < key or lowest[t[2]] < key:
-            found = 0
-    return found
+            flag = 0
+    return flag
 
 
 @kernel
@@ -211,7 +211,7 @@ def collapse_short_kernel(
         first = is_lowest_around(mesh, b, key, lowest)
     if first == 1:
         atomic_add(count, 0, 1)
-        vertices[a] = narrow(goal_place(mesh, e, goal(mesh, e)))
+        vertices[a] = narrow(goal_position(mesh, e, goal(mesh, e)))
         fixed[a] = uint8(max(int(mesh.fixed[a]), int(mesh.fixed[b])))
         for j in range(mesh.around.starts[b], mesh.around.starts[b + 1]):
             i = mesh.around.corners[j] // 3
@@ -250,13 +250,13 @@ def collapse_short_edges(
     if not device.is_cuda:
         if not download(count)[0]:
             return mesh, 0
-        made = CreasedMesh(vertices, *without_gone(triangles, mesh.creases), fixed)
+        made = CreasedMesh(vertices, *without_removed(triangles, mesh.creases), fixed)
     else:
         made = CreasedMesh(vertices, triangles, clone(mesh.creases), fixed)
     return after_round(mesh, made, count, few, rounds)
 
 
-def without_gone(triangles: Triangles, creases: Bytes) -> tuple[Triangles, Bytes]:
+def without_removed(triangles: Triangles, creases: Bytes) -> tuple[Triangles, Bytes]:
     """Remaining triangles and the flags of their half-edges. One sync."""
     mask = empty(triangles.size, uint8, triangles.device)
     launch(mask_left_kernel, mask.size, [triangles, mask])

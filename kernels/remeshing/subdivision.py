@@ -18,20 +18,20 @@ from ..meshes.vertex_neighbors import VertexNeighbors
 
 
 @kernel
-def mark_first_halves_kernel(edges: MeshEdges, firsts: array(dtype=int32)):
+def mark_first_half_edges_kernel(edges: MeshEdges, firsts: array(dtype=int32)):
     i = tid()
-    firsts[edges.halves[edges.starts[i]]] = 1
+    firsts[edges.half_edges[edges.starts[i]]] = 1
 
 
 @kernel
 def number_edges_kernel(
-    edges: MeshEdges, places: array(dtype=int32), base: int, numbers: array(dtype=int32), middles: array(dtype=int32)
+    edges: MeshEdges, offsets: array(dtype=int32), base: int, numbers: array(dtype=int32), middles: array(dtype=int32)
 ):
     i = tid()
-    number = base + places[edges.halves[edges.starts[i]]]
+    number = base + offsets[edges.half_edges[edges.starts[i]]]
     numbers[i] = number
     for j in range(edges.starts[i], edges.starts[i + 1]):
-        middles[edges.halves[j]] = number
+        middles[edges.half_edges[j]] = number
 
 
 @struct
@@ -43,13 +43,13 @@ class EdgeSplit:
     middles: array(dtype=int32)
 
     def __init__(self, triangles: Triangles, vertex_count: int) -> None:
-        device, halves = triangles.device, 3 * triangles.size
+        device, half_edge_count = triangles.device, 3 * triangles.size
         self.edges = MeshEdges(triangles, vertex_count)  # sync
-        firsts = zeros(halves, int32, device)
-        launch(mark_first_halves_kernel, self.edges.count, [self.edges, firsts])
-        places = offsets_of(firsts)
-        self.numbers, self.middles = empty(self.edges.count, int32, device), empty(halves, int32, device)
-        arguments = [self.edges, places, vertex_count, self.numbers, self.middles]
+        firsts = zeros(half_edge_count, int32, device)
+        launch(mark_first_half_edges_kernel, self.edges.count, [self.edges, firsts])
+        offsets = offsets_of(firsts)
+        self.numbers, self.middles = empty(self.edges.count, int32, device), empty(half_edge_count, int32, device)
+        arguments = [self.edges, offsets, vertex_count, self.numbers, self.middles]
         launch(number_edges_kernel, self.edges.count, arguments)
         self.vertex_count = (vertex_count, vertex_count + self.edges.count)
 
@@ -123,7 +123,7 @@ def mask_edges_kernel(
         share = 0.25 / float64(sharers[i])
         last = -1
         for j in range(split.edges.starts[i], split.edges.starts[i + 1]):
-            triangle = split.edges.halves[j] // 3
+            triangle = split.edges.half_edges[j] // 3
             if triangle != last:
                 value = value + share * values[opposite_vertex(triangles[triangle], a, b)]
             last = triangle
@@ -177,8 +177,8 @@ def repeat_four_times(values: Integers) -> Integers:
 def mixed_ends(split: EdgeSplit) -> MixedRows:
     """Sources of the vertices if new ones are midpoints."""
     edges = split.edges
-    halves = full(edges.count, 0.5, float64, edges.lows.device)
-    return with_vertices_on_edges(split.vertex_count[0], split.numbers, edges.lows, edges.highs, halves)
+    weights = full(edges.count, 0.5, float64, edges.lows.device)
+    return with_vertices_on_edges(split.vertex_count[0], split.numbers, edges.lows, edges.highs, weights)
 
 
 def halve(triangles: Triangles, split: EdgeSplit, values: Sequence[Positions]) -> list[Positions]:

@@ -38,7 +38,7 @@ from ..meshes.mesh_edits import keep_triangles
 from ..meshes.mesh_topology import CornersByVertex, corner_vertex, next_corner
 from ..sampling.voxel_keys import VoxelGroups
 from .collapse_mesh import last_corner
-from .quadrics import least_point, plane_quadric, quadric
+from .quadrics import minimum_point, plane_quadric, quadric
 from .unit_frame import UnitFrame
 
 PULL = 1e-3  # prior weight of a voxel's mean relative to its planes: less leaves a line or a plane undetermined
@@ -116,15 +116,15 @@ def average_clusters_kernel(clusters: VertexClusters, unit: int, rows: array(dty
 
 
 @kernel
-def place_clusters_kernel(
+def fit_clusters_kernel(
     clusters: VertexClusters,
     positions: array(dtype=vec3d),
     triangles: array(dtype=vec3i),
     around: CornersByVertex,
-    reach: float64,
+    max_distance: float64,
     points: array(dtype=vec3d),
 ):
-    """Point of each voxel closest to the planes of its triangles, or the mean if farther away than `reach`."""
+    """Point of each voxel closest to the planes of its triangles, or the mean if farther away than `max_distance`."""
     i = tid()
     mean = vec3d(0.0, 0.0, 0.0)
     for j in range(clusters.starts[i], clusters.stops[i]):
@@ -141,8 +141,8 @@ def place_clusters_kernel(
             size = length(n)
             if size > 0.0 and isfinite(size):
                 q += plane_quadric(n / size, p - mean, size * 0.5)
-    x = least_point(q, vec3d(0.0, 0.0, 0.0), float64(PULL))
-    if not (length(x) <= reach):
+    x = minimum_point(q, vec3d(0.0, 0.0, 0.0), float64(PULL))
+    if not (length(x) <= max_distance):
         x = vec3d(0.0, 0.0, 0.0)
     points[i] = mean + x
 
@@ -157,16 +157,16 @@ def relabel_triangles_kernel(
     a = labels[t[0]]
     b = labels[t[1]]
     c = labels[t[2]]
-    turned = vec3i(a, b, c)
+    rotated = vec3i(a, b, c)
     if b < a and b < c:
-        turned = vec3i(b, c, a)
+        rotated = vec3i(b, c, a)
     elif c < a and c < b:
-        turned = vec3i(c, a, b)
-    kept = 0
-    if turned[0] >= 0 and a != b and b != c and c != a:
-        kept = 1
-    relabeled[i] = turned
-    mask[i] = uint8(kept)
+        rotated = vec3i(c, a, b)
+    valid = 0
+    if rotated[0] >= 0 and a != b and b != c and c != a:
+        valid = 1
+    relabeled[i] = rotated
+    mask[i] = uint8(valid)
 
 
 @kernel
@@ -229,6 +229,6 @@ def cluster_vertices(
         points = empty(clusters.count, vec3d, device)
         around = CornersByVertex(triangles, vertices.size)
         arguments = [clusters, frame.scaled(vertices), triangles, around, voxel_size * frame.scale, points]
-        launch(place_clusters_kernel, clusters.count, arguments)
+        launch(fit_clusters_kernel, clusters.count, arguments)
         arrays[0] = frame.unscaled(points)
     return joined, arrays

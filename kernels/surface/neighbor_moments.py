@@ -68,5 +68,5 @@ def sum_neighbor_moments(neighborhood: Neighborhood) -> Array1[Any]:
     """Moments of each point's neighbors about the point, in tree order. See algebra.moments."""
     tree = neighborhood.tree
     sums = empty(tree.count, moments, tree.device)
-    neighborhood.visit(sum_moments_kernel, neighborhood.places, [sums])
+    neighborhood.visit(sum_moments_kernel, neighborhood.positions, [sums])
     return sums

@@ -44,7 +44,7 @@ class Atlas:
 
 
 @func
-def texel_place(uv: vec2, width: int, height: int) -> vec3d:
+def texel_position(uv: vec2, width: int, height: int) -> vec3d:
     """Texture coordinates in texels from the upper left corner."""
     x = float64(uv[0]) * float64(width)
     y = (1.0 - float64(uv[1])) * float64(height)
@@ -53,23 +53,23 @@ def texel_place(uv: vec2, width: int, height: int) -> vec3d:
 
 @func
 def texel_corners(atlas: Atlas, t: int) -> tuple[vec3d, vec3d, vec3d]:
-    a = texel_place(atlas.uvs[3 * t], atlas.width, atlas.height)
-    b = texel_place(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
-    c = texel_place(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
+    a = texel_position(atlas.uvs[3 * t], atlas.width, atlas.height)
+    b = texel_position(atlas.uvs[3 * t + 1], atlas.width, atlas.height)
+    c = texel_position(atlas.uvs[3 * t + 2], atlas.width, atlas.height)
     return a, b, c
 
 
 @func
 def first_texel(x: float64, count: int) -> int:
     """First texel whose center is not below x; `count` if none."""
-    place = ceil(x - 0.5)
-    return int(min(max(place, 0.0), float64(count)))
+    texel = ceil(x - 0.5)
+    return int(min(max(texel, 0.0), float64(count)))
 
 
 @func
 def last_texel(x: float64, count: int) -> int:
-    place = floor(x - 0.5)
-    return int(min(max(place, -1.0), float64(count - 1)))
+    texel = floor(x - 0.5)
+    return int(min(max(texel, -1.0), float64(count - 1)))
 
 
 @func
@@ -99,16 +99,16 @@ def claim_texels_kernel(atlas: Atlas, rows: array(dtype=int32), owners: array(dt
     owner = find_owner(rows, i)
     a, b, c = texel_corners(atlas, owner)
     row = first_texel(min(a[1], min(b[1], c[1])), atlas.height) + i - rows[owner]
-    turn = float64(1.0)
+    sign = float64(1.0)
     if side_of(a, b, c[0], c[1]) < 0.0:
-        turn = -1.0
+        sign = -1.0
     y = float64(row) + 0.5
     begin = first_texel(min(a[0], min(b[0], c[0])), atlas.width)
     end = last_texel(max(a[0], max(b[0], c[0])), atlas.width)
     for column in range(begin, end + 1):
         x = float64(column) + 0.5
-        least = min(side_of(a, b, x, y) * turn, min(side_of(b, c, x, y) * turn, side_of(c, a, x, y) * turn))
-        if least >= 0.0:
+        min_side = min(side_of(a, b, x, y) * sign, min(side_of(b, c, x, y) * sign, side_of(c, a, x, y) * sign))
+        if min_side >= 0.0:
             atomic_min(owners, row * atlas.width + column, owner)
 
 
@@ -129,9 +129,9 @@ def mix_texels_kernel(
         a, b, c = texel_corners(atlas, owner)
         x = float64(i % atlas.width) + 0.5
         y = float64(i // atlas.width) + 0.5
-        whole = side_of(a, b, c[0], c[1])
-        wa = side_of(b, c, x, y) / whole
-        wb = side_of(c, a, x, y) / whole
+        doubled_area = side_of(a, b, c[0], c[1])
+        wa = side_of(b, c, x, y) / doubled_area
+        wb = side_of(c, a, x, y) / doubled_area
         t = triangles[owner]
         mixed = widen(colors[t[0]]) * wa + widen(colors[t[1]]) * wb
         texels[i] = narrow(mixed + widen(colors[t[2]]) * (1.0 - wa - wb))
@@ -153,7 +153,7 @@ def spread_texels_kernel(
     wider_marks[i] = marks[i]
     if marks[i] == 0:
         total = vec3d(0.0, 0.0, 0.0)
-        found = 0
+        count = 0
         around = int(AROUND)
         for k in range(around):
             x = i % width + k % 3 - 1
@@ -161,9 +161,9 @@ def spread_texels_kernel(
             if x >= 0 and x < width and y >= 0 and y < height:
                 if marks[y * width + x] == 1:
                     total += widen(texels[y * width + x])
-                    found += 1
-        if found > 0:
-            wider[i] = narrow(total / float64(found))
+                    count += 1
+        if count > 0:
+            wider[i] = narrow(total / float64(count))
             wider_marks[i] = 1
 
 

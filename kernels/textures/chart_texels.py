@@ -45,12 +45,12 @@ from .seam_levels import Seams, picture_color
 RINGS = 2  # of texels around a chart, extrapolated from its triangles
 OUTSIDE = 1.5  # maximum extrapolation beyond the corners, in barycentric units
 MAX_SAMPLES = 4  # per texel side
-NOWHERE = 1 << 20  # texels from any seam
+UNREACHED = 1 << 20  # texels from any seam
 
 
 @struct
 class ChartTexels:
-    """Texels and their triangles: `owners` or NO_TRIANGLE; `rings`, 0 inside; `steps` from a seam or NOWHERE."""
+    """Texels and their triangles: `owners` or NO_TRIANGLE; `rings`, 0 inside; `steps` from a seam or UNREACHED."""
 
     atlas: Atlas
     owners: array(dtype=int32)
@@ -72,7 +72,7 @@ class ChartTexels:
             launch(widen_owners_kernel, count, [size, owners, ring + 1, wider, self.rings])
             owners, wider = wider, owners
         self.owners = owners
-        self.colors, self.steps = zeros(count, vec3d, device), full(count, NOWHERE, int32, device)
+        self.colors, self.steps = zeros(count, vec3d, device), full(count, UNREACHED, int32, device)
 
 
 @func
@@ -97,9 +97,9 @@ def claim_edges_kernel(atlas: Atlas, spare: array(dtype=int32)):
             way = side_of_corner(a, b, c, side + 1) - begin
             count = int(ceil(2.0 * length(way))) + 1
             for k in range(count):
-                place = begin + way * (float64(k) / float64(count))
-                x = min(max(int(floor(place[0])), 0), atlas.width - 1)
-                y = min(max(int(floor(place[1])), 0), atlas.height - 1)
+                position = begin + way * (float64(k) / float64(count))
+                x = min(max(int(floor(position[0])), 0), atlas.width - 1)
+                y = min(max(int(floor(position[1])), 0), atlas.height - 1)
                 atomic_min(spare, y * atlas.width + x, i)
 
 
@@ -132,13 +132,13 @@ def widen_owners_kernel(
 def shares_at(atlas: Atlas, t: int, x: float64, y: float64) -> vec3d:
     """Barycentric weights at a texture position, clamped near the triangle."""
     a, b, c = texel_corners(atlas, t)
-    whole = side_of(a, b, c[0], c[1])
+    doubled_area = side_of(a, b, c[0], c[1])
     limit = float64(OUTSIDE)
     second = float64(0.0)
     third = float64(0.0)
-    if whole != 0.0:
-        second = min(max(side_of(c, a, x, y) / whole, 1.0 - limit), limit)
-        third = min(max(side_of(a, b, x, y) / whole, 1.0 - limit), limit)
+    if doubled_area != 0.0:
+        second = min(max(side_of(c, a, x, y) / doubled_area, 1.0 - limit), limit)
+        third = min(max(side_of(a, b, x, y) / doubled_area, 1.0 - limit), limit)
     return vec3d(1.0 - second - third, second, third)
 
 
@@ -183,8 +183,8 @@ def paint_texels_kernel(
             for k in range(n * n):
                 at_x = x + (float64(k % n) + 0.5) / float64(n)
                 at_y = y + (float64(k // n) + 0.5) / float64(n)
-                place = point_at(shares_at(texels.atlas, owner, at_x, at_y), t, vertices)
-                color += picture_color(place, view, pictures, exposures) / float64(n * n)
+                point = point_at(shares_at(texels.atlas, owner, at_x, at_y), t, vertices)
+                color += picture_color(point, view, pictures, exposures) / float64(n * n)
         elif vertex_colors.shape[0] > 0:
             color = 255.0 * point_at(shares, t, vertex_colors)
     texels.colors[i] = color

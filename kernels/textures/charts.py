@@ -97,11 +97,11 @@ def bound_charts_kernel(
         chart = int(charts.labels[i])
         charts.views[chart] = view
         for k in range(3):
-            place = project_vertex(vertices[triangles[i][k]], view, pictures)
-            atomic_min(charts.lows, 2 * chart, int(floor(place[0])))
-            atomic_min(charts.lows, 2 * chart + 1, int(floor(place[1])))
-            atomic_max(charts.highs, 2 * chart, int(ceil(place[0])))
-            atomic_max(charts.highs, 2 * chart + 1, int(ceil(place[1])))
+            projected = project_vertex(vertices[triangles[i][k]], view, pictures)
+            atomic_min(charts.lows, 2 * chart, int(floor(projected[0])))
+            atomic_min(charts.lows, 2 * chart + 1, int(floor(projected[1])))
+            atomic_max(charts.highs, 2 * chart, int(ceil(projected[0])))
+            atomic_max(charts.highs, 2 * chart + 1, int(ceil(projected[1])))
 
 
 @kernel
@@ -111,13 +111,13 @@ def mark_blind_kernel(views: array(dtype=int32), marks: array(dtype=int32)):
 
 
 @kernel
-def place_corners_kernel(
+def compute_uvs_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     views: array(dtype=int32),
     pictures: PosedPictures,
     charts: Charts,
-    places: array(dtype=int32),
+    origins: array(dtype=int32),
     scale: float64,
     blind: array(dtype=int32),
     cells: vec4i,
@@ -131,9 +131,9 @@ def place_corners_kernel(
         y = float64(0.0)
         if view >= 0:
             chart = int(charts.labels[i])
-            place = project_vertex(vertices[triangles[i][k]], view, pictures)
-            x = (place[0] - float64(charts.lows[2 * chart])) * scale + float64(places[2 * chart]) + 0.5
-            y = (place[1] - float64(charts.lows[2 * chart + 1])) * scale + float64(places[2 * chart + 1]) + 0.5
+            projected = project_vertex(vertices[triangles[i][k]], view, pictures)
+            x = (projected[0] - float64(charts.lows[2 * chart])) * scale + float64(origins[2 * chart]) + 0.5
+            y = (projected[1] - float64(charts.lows[2 * chart + 1])) * scale + float64(origins[2 * chart + 1]) + 0.5
         elif cells[2] == 0:
             x = 2.0
             y = float64(cells[0]) + 2.0
@@ -173,27 +173,25 @@ def cut_charts(
     return charts
 
 
-def place_corners(
+def compute_uvs(
     vertices: Points,
     triangles: Triangles,
     views: Indices,
     pictures: PosedPictures,
     charts: Charts,
-    places: np.ndarray,
+    origins: np.ndarray,
     scale: float,
     cells: Cells,
     size: int,
 ) -> Array1[vec2]:
-    """Texture coordinates of all corners, vec2 (3 t). `places` (c, 2): texel of each chart's first pixel."""
+    """Texture coordinates of all corners, vec2 (3 t). `origins` (c, 2): texel of each chart's first pixel."""
     device, count = triangles.device, triangles.size
     marks, uvs = empty(count, int32, device), empty(3 * count, vec2, device)
     launch(mark_blind_kernel, count, [views, marks])
     blind: Integers = offsets_of(marks)
-    where = upload(np.asarray(places).reshape(-1), int32, device)
+    where = upload(np.asarray(origins).reshape(-1), int32, device)
     grid = vec4i(cells.top, cells.columns, cells.side, size)
     launch(
-        place_corners_kernel,
-        count,
-        [vertices, triangles, views, pictures, charts, where, float(scale), blind, grid, uvs],
+        compute_uvs_kernel, count, [vertices, triangles, views, pictures, charts, where, float(scale), blind, grid, uvs]
     )
     return uvs

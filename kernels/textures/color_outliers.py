@@ -8,12 +8,12 @@ from ..lang import array, float64, func, kernel, launch, length, tid, uint8, vec
 from ..memory import empty
 from .face_views import FaceViews
 
-FEWEST = 4  # minimum images for outlier detection
+MIN_VIEWS = 4  # minimum images for outlier detection
 UNLIKELY = 10.23  # squared Mahalanobis distance: exp(-x / 2) is 6e-3, as in the paper
-KNOWN = 6.0e-5  # variance always added: two gray levels, in 0..1
+NOISE_VARIANCE = 6.0e-5  # variance always added: two gray levels, in 0..1
 NEAR = 3.0  # median distances from the medoid of the initial inliers
-LEAST = 0.02  # [0..1] and at least this, five gray levels
-TURNS = 10
+MIN_DISTANCE = 0.02  # [0..1] and at least this, five gray levels
+MAX_ITERATIONS = 10
 
 moments = vector(10, float64)  # count, sums, and sums of products: xx, xy, xz, yy, yz, zz
 
@@ -24,16 +24,16 @@ def wide(c: vec3) -> vec3d:
 
 
 @func
-def find_middle(first: int, last: int, colors: array(dtype=vec3)) -> int:
+def find_medoid(first: int, last: int, colors: array(dtype=vec3)) -> int:
     """Medoid color of a run."""
     middle = first
-    least = float64(-1.0)
+    min_total = float64(-1.0)
     for i in range(first, last):
         total = float64(0.0)
         for j in range(first, last):
             total += length(wide(colors[i]) - wide(colors[j]))
-        if least < 0.0 or total < least:
-            least = total
+        if min_total < 0.0 or total < min_total:
+            min_total = total
             middle = i
     return middle
 
@@ -41,7 +41,7 @@ def find_middle(first: int, last: int, colors: array(dtype=vec3)) -> int:
 @func
 def median_distance(middle: int, first: int, last: int, colors: array(dtype=vec3)) -> float64:
     """Lower median distance of a run's colors from one of them."""
-    found = float64(0.0)
+    median = float64(0.0)
     for i in range(first, last):
         distance = length(wide(colors[i]) - wide(colors[middle]))
         rank = 0
@@ -50,8 +50,8 @@ def median_distance(middle: int, first: int, last: int, colors: array(dtype=vec3
             if other < distance or (other == distance and j < i):
                 rank += 1
         if rank == (last - first - 1) // 2:
-            found = distance
-    return found
+            median = distance
+    return median
 
 
 @func
@@ -73,7 +73,7 @@ def squared_deviations(c: vec3, sums: moments) -> float64:
     x = float64(c[0]) - sums[1] / n
     y = float64(c[1]) - sums[2] / n
     z = float64(c[2]) - sums[3] / n
-    known = float64(KNOWN)
+    known = float64(NOISE_VARIANCE)
     xx = sums[4] / n - (sums[1] / n) * (sums[1] / n) + known
     xy = sums[5] / n - (sums[1] / n) * (sums[2] / n)
     xz = sums[6] / n - (sums[1] / n) * (sums[3] / n)
@@ -86,8 +86,8 @@ def squared_deviations(c: vec3, sums: moments) -> float64:
     d = xx * zz - xz * xz
     e = xy * xz - xx * yz
     f = xx * yy - xy * xy
-    whole = xx * a + xy * b + xz * c0
-    return (a * x * x + d * y * y + f * z * z + 2.0 * (b * x * y + c0 * x * z + e * y * z)) / whole
+    determinant = xx * a + xy * b + xz * c0
+    return (a * x * x + d * y * y + f * z * z + 2.0 * (b * x * y + c0 * x * z + e * y * z)) / determinant
 
 
 @kernel
@@ -96,22 +96,22 @@ def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
     i = tid()
     first = views.starts[i]
     last = views.starts[i + 1]
-    if last - first < FEWEST:
+    if last - first < MIN_VIEWS:
         for k in range(first, last):
             keep[k] = uint8(1)
         return
-    middle = find_middle(first, last, views.colors)
-    reach = max(float64(NEAR) * median_distance(middle, first, last, views.colors), float64(LEAST))
+    middle = find_medoid(first, last, views.colors)
+    max_distance = max(float64(NEAR) * median_distance(middle, first, last, views.colors), float64(MIN_DISTANCE))
     count = 0
     for k in range(first, last):
         is_in = 0
-        if length(wide(views.colors[k]) - wide(views.colors[middle])) <= reach:
+        if length(wide(views.colors[k]) - wide(views.colors[middle])) <= max_distance:
             is_in = 1
         keep[k] = uint8(is_in)
         count += is_in
     changed = 1
-    turn = 0
-    while turn < TURNS and changed == 1 and count >= FEWEST:
+    iteration = 0
+    while iteration < MAX_ITERATIONS and changed == 1 and count >= MIN_VIEWS:
         sums = moments_of(first, last, views.colors, keep)
         changed = 0
         count = 0
@@ -123,8 +123,8 @@ def keep_likely_kernel(views: FaceViews, keep: array(dtype=uint8)):
                 changed = 1
             keep[k] = uint8(is_in)
             count += is_in
-        turn += 1
-    if count < FEWEST:
+        iteration += 1
+    if count < MIN_VIEWS:
         for k in range(first, last):
             keep[k] = uint8(1)
 

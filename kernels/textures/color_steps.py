@@ -35,21 +35,21 @@ pair_row = vector(12, float64)
 FIRST_DAMPING = 1.0e-6  # of the diagonal: negligible unless a step fails
 MIN_DAMPING, MAX_DAMPING = 1.0e-9, 1.0e4  # above the maximum a step is negligible
 SHRINK, GROW = 0.1, 10.0  # factors of the damping after good and bad steps
-SETTLED = 1.0e-6  # minimum relative decrease of the mean square
+MIN_DECREASE = 1.0e-6  # minimum relative decrease of the mean square
 
 
 @struct
 class SearchState:
-    """`turns`: so far and maximum; `error`: initial, best, damping, latest; `outcome`: 1 if the latest was best."""
+    """`iterations`: done and maximum; `error`: initial, best, damping, latest; `outcome`: 1 if the latest was best."""
 
     running: array(dtype=int32)
-    turns: array(dtype=int32)
+    iterations: array(dtype=int32)
     error: array(dtype=float64)
     outcome: array(dtype=int32)
 
-    def __init__(self, most_turns: int, device: Device) -> None:
+    def __init__(self, max_iterations: int, device: Device) -> None:
         self.running = full(1, 1, int32, device)
-        self.turns = upload(np.array([0, most_turns]), int32, device)
+        self.iterations = upload(np.array([0, max_iterations]), int32, device)
         self.error = upload(np.array([-1.0, -1.0, FIRST_DAMPING, 0.0]), float64, device)
         self.outcome = zeros(1, int32, device)
 
@@ -79,27 +79,27 @@ def average_brightness_kernel(
 def measure_pair(p: vec3, image: int, proxy: float64, pictures: PosedPictures, warps: Warps) -> pair_row:
     """Row of an image and a vertex. Zero if the vertex is outside or in the margin."""
     row = pair_row(0.0)
-    place = project_vertex(p, image, pictures)
-    if place[2] > 0.0:
-        u = place[0]
-        v = place[1]
+    projected = project_vertex(p, image, pictures)
+    if projected[2] > 0.0:
+        u = projected[0]
+        v = projected[1]
         warp = warp_at(u, v, image, warps)
         inside = is_inside(u, v, image, pictures.margin, pictures)
         inside += is_inside(u + warp[0], v + warp[1], image, pictures.margin, pictures)
         if inside == 2:
             lens = pictures.lenses[image]
-            seen = shade_at(u + warp[0], v + warp[1], image, pictures)
-            along_u = seen[1] * (1.0 + warp[2]) + seen[2] * warp[3]
-            along_v = seen[1] * warp[4] + seen[2] * (1.0 + warp[5])
-            z = place[2]
+            sampled = shade_at(u + warp[0], v + warp[1], image, pictures)
+            along_u = sampled[1] * (1.0 + warp[2]) + sampled[2] * warp[3]
+            along_v = sampled[1] * warp[4] + sampled[2] * (1.0 + warp[5])
+            z = projected[2]
             x = (u - lens[2]) * z / lens[0]
             y = (v - lens[3]) * z / lens[1]
             a = along_u * lens[0] / z
             b = along_v * lens[1] / z
             c = -(a * x + b * y) / z
             row = pair_row(
-                1.0, seen[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
-                seen[1], seen[2], u, v,
+                1.0, sampled[0] - proxy, y * c - z * b, z * a - x * c, x * b - y * a, a, b, c,
+                sampled[1], sampled[2], u, v,
             )  # fmt: skip
     return row
 
@@ -130,7 +130,7 @@ def sum_pair_rows(
 
 
 @kernel
-def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), state: SearchState):
+def judge_iteration_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), state: SearchState):
     """Accept or reject the latest poses, and set the damping; `ties` are squares of warp anchors. One thread."""
     i = tid()
     squares = float64(0.0)
@@ -148,7 +148,7 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
         state.error[1] = error
     else:
         if error <= best and count > 0.0:
-            if best - error <= float64(SETTLED) * best:
+            if best - error <= float64(MIN_DECREASE) * best:
                 running = 0
             state.error[1] = error
             damping = max(damping * float64(SHRINK), float64(MIN_DAMPING))
@@ -157,9 +157,9 @@ def judge_turn_kernel(sums: array(dtype=pose_sums), ties: array(dtype=float64), 
             damping = damping * float64(GROW)
             if damping > float64(MAX_DAMPING):
                 running = 0
-    if state.turns[0] >= state.turns[1] or count == 0.0:
+    if state.iterations[0] >= state.iterations[1] or count == 0.0:
         running = 0
-    state.turns[0] = state.turns[0] + 1
+    state.iterations[0] = state.iterations[0] + 1
     state.error[2] = damping
     state.error[3] = error
     state.outcome[i] = outcome
@@ -210,7 +210,7 @@ class ColorSearch:
     """Arrays and iterations of a pose search over `pictures`, whose poses change. Vertices about their origin."""
 
     def __init__(
-        self, vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps, most_turns: int
+        self, vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps, max_iterations: int
     ) -> None:
         device, count = vertices.device, pictures.count
         self.vertices, self.sightings, self.pictures, self.warps = vertices, sightings, pictures, warps
@@ -221,7 +221,7 @@ class ColorSearch:
         self.sums, self.best_sums = zeros(count, pose_sums, device), zeros(count, pose_sums, device)
         self.best_poses = zeros(count, mat44d, device)
         self.proxies, self.ties = zeros(vertices.size, float64, device), zeros(count, float64, device)
-        self.state = SearchState(most_turns, device)
+        self.state = SearchState(max_iterations, device)
 
     def measure(self) -> None:
         """Evaluate means, sums and acceptance at the current poses."""
@@ -232,11 +232,11 @@ class ColorSearch:
 
     def judge(self) -> None:
         """Accept or reject, and keep or restore the best poses."""
-        launch(judge_turn_kernel, 1, [self.sums, self.ties, self.state])
-        kept = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
-        launch(keep_best_kernel, self.pictures.count, kept)
+        launch(judge_iteration_kernel, 1, [self.sums, self.ties, self.state])
+        arguments = [self.state, self.sums, self.pictures.poses, self.best_sums, self.best_poses]
+        launch(keep_best_kernel, self.pictures.count, arguments)
 
-    def turn_rigid(self) -> None:
+    def iterate_rigid(self) -> None:
         self.measure()
         self.judge()
         launch(step_poses_kernel, self.pictures.count, [self.state, self.best_sums, self.pictures.poses])

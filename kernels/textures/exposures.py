@@ -38,8 +38,8 @@ LEVELS = 1024  # integer levels of a color
 FINE = 4096  # integer scale of a logarithm
 NUMBERS = 9
 DARKEST, BRIGHTEST = 0.05, 0.97  # usable color range
-DRAWN = 1.0e-3  # regularization to gain 1 and no bend, relative to the mean overlap
-ALIKE = 0.1  # regularization of bends to their mean, likewise
+PRIOR_WEIGHT = 1.0e-3  # regularization to gain 1 and no bend, relative to the mean overlap
+BEND_WEIGHT = 0.1  # regularization of bends to their mean, likewise
 STRONGEST = 0.7  # maximum bend: a factor of two in the corners
 MAX_VIEWS = 32  # of a triangle, its first images: sufficient
 
@@ -56,7 +56,7 @@ class Exposures:
 
 
 @func
-def squared_reach(u: float64, v: float64, image: int, pictures: PosedPictures) -> float64:
+def image_sqradius(u: float64, v: float64, image: int, pictures: PosedPictures) -> float64:
     """Squared distance from an image's center, 1 at the corners."""
     size = pictures.sizes[image]
     width = 0.5 * float64(size[0])
@@ -67,51 +67,51 @@ def squared_reach(u: float64, v: float64, image: int, pictures: PosedPictures) -
 
 
 @func
-def as_whole(share: float64) -> int64:
+def to_integer(share: float64) -> int64:
     return int64(floor(share * float64(int64(LEVELS)) + 0.5))
 
 
 @func
 def exposed(color: vec3d, u: float64, v: float64, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
-    reach = squared_reach(u, v, image, pictures)
+    sqradius = image_sqradius(u, v, image, pictures)
     gain = exposures.gains[image]
-    shown = vec3d(0.0, 0.0, 0.0)
+    result = vec3d(0.0, 0.0, 0.0)
     for channel in range(3):
-        x = exposures.bends[image][channel] * reach
-        shown[channel] = (
+        x = exposures.bends[image][channel] * sqradius
+        result[channel] = (
             color[channel] * gain[channel] * (1.0 + x * (1.0 + x / 2.0 * (1.0 + x / 3.0 * (1.0 + x / 4.0))))
         )
-    return shown
+    return result
 
 
 @kernel
-def measure_reaches_kernel(
+def measure_sqradii_kernel(
     vertices: array(dtype=vec3),
     triangles: array(dtype=vec3i),
     views: FaceViews,
     pictures: PosedPictures,
-    reaches: array(dtype=int32),
+    sqradii: array(dtype=int32),
 ):
     """Squared radius at which each image shows a triangle, as an integer."""
     i = tid()
     a, b, c = widened_corners(vertices, triangles[i])
     center = narrow((a + b + c) / 3.0)
     for k in range(views.starts[i], views.starts[i + 1]):
-        place = project_vertex(center, views.views[k], pictures)
-        square = squared_reach(place[0], place[1], views.views[k], pictures)
-        reaches[k] = int(as_whole(square))
+        projected = project_vertex(center, views.views[k], pictures)
+        sqradius = image_sqradius(projected[0], projected[1], views.views[k], pictures)
+        sqradii[k] = int(to_integer(sqradius))
 
 
 @func
 def logarithm(share: float64, table: array(dtype=int32)) -> int64:
     """Log color as an integer. 0 if invalid."""
-    level = min(max(int(as_whole(share)), 0), LEVELS)
+    level = min(max(int(to_integer(share)), 0), LEVELS)
     return int64(table[level])
 
 
 @kernel
 def sum_differences_kernel(
-    views: FaceViews, reaches: array(dtype=int32), table: array(dtype=int32), count: int, sums: array(dtype=int64)
+    views: FaceViews, sqradii: array(dtype=int32), table: array(dtype=int32), count: int, sums: array(dtype=int64)
 ):
     """Add nine integer statistics per channel of each image pair: count, r^2 moments, log difference d, and d r^2."""
     i = tid()
@@ -119,8 +119,8 @@ def sum_differences_kernel(
     last = min(views.starts[i + 1], first + MAX_VIEWS)
     for k in range(first, last):
         for j in range(k + 1, last):
-            p = int64(reaches[k])
-            q = int64(reaches[j])
+            p = int64(sqradii[k])
+            q = int64(sqradii[j])
             for channel in range(3):
                 a = logarithm(float64(views.colors[k][channel]), table)
                 b = logarithm(float64(views.colors[j][channel]), table)
@@ -146,11 +146,11 @@ def find_exposures(vertices: Points, triangles: Triangles, views: FaceViews, pic
     """Exposures that make images agree on shared triangles. One sync."""
     device, n = vertices.device, pictures.count
     levels = np.arange(LEVELS + 1)
-    tells = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
-    table = upload(np.where(tells, np.rint(FINE * elementwise(math.log, np.maximum(levels, 2))), 0), int32, device)
-    reaches, sums = empty(views.count, int32, device), zeros(3 * n * n * NUMBERS, int64, device)
-    launch(measure_reaches_kernel, triangles.size, [vertices, triangles, views, pictures, reaches])
-    launch(sum_differences_kernel, triangles.size, [views, reaches, table, n, sums])
+    is_usable = (levels >= DARKEST * LEVELS) & (levels <= BRIGHTEST * LEVELS)
+    table = upload(np.where(is_usable, np.rint(FINE * elementwise(math.log, np.maximum(levels, 2))), 0), int32, device)
+    sqradii, sums = empty(views.count, int32, device), zeros(3 * n * n * NUMBERS, int64, device)
+    launch(measure_sqradii_kernel, triangles.size, [vertices, triangles, views, pictures, sqradii])
+    launch(sum_differences_kernel, triangles.size, [views, sqradii, table, n, sums])
     units = np.array([1, LEVELS, LEVELS**2, LEVELS, LEVELS**2, LEVELS**2, FINE, FINE * LEVELS, FINE * LEVELS], float)
     every = download(sums).reshape(3, n, n, NUMBERS) / units  # sync
     solved = np.array([_solve(channel) for channel in every])
@@ -170,6 +170,6 @@ def _solve(sums: np.ndarray) -> np.ndarray:
     b[0] = sums[..., 6].sum(axis=0) - sums[..., 6].sum(axis=1)
     b[1] = sums[..., 8].sum(axis=0) - sums[..., 7].sum(axis=1)
     weight = A[0, rows, 0, rows].mean() + 1e-9
-    A[0, rows, 0, rows] += DRAWN * weight
-    A[1, :, 1, :] += ALIKE * weight * (np.eye(n) - 1 / n) + DRAWN * weight * np.eye(n)
+    A[0, rows, 0, rows] += PRIOR_WEIGHT * weight
+    A[1, :, 1, :] += BEND_WEIGHT * weight * (np.eye(n) - 1 / n) + PRIOR_WEIGHT * weight * np.eye(n)
     return solve(A.reshape(2 * n, 2 * n), b.reshape(-1)).reshape(2, n)

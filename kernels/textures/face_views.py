@@ -37,14 +37,14 @@ from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_voxels import widened_corners
 from .atlas_colors import side_of
 from .hidden_vertices import drop_hidden, render_depth
-from .posed_pictures import PosedPictures, camera_place, color_at, is_inside, pixel, project_vertex
-from .surface_texels import BESIDE, mark_steps_kernel
-from .vertex_views import Sightings, list_sightings, see_in_frame
+from .posed_pictures import PosedPictures, camera_center, color_at, is_inside, pixel, project_vertex
+from .surface_texels import STEP_MARGIN, mark_steps_kernel
+from .vertex_views import Sightings, list_sightings, mask_in_frame
 
 FLATTEST = 0.258819  # cosine of the view angle: 75 degrees, as in the paper
 MARGIN = 1.0  # [px] ignored image border, for bilinear neighbors
 MAX_SAMPLES = 4096.0  # pixels sampled per triangle, relative to its box
-DOUBTED = 0.1  # quality factor beside depth edges
+EDGE_FACTOR = 0.1  # quality factor beside depth edges
 PLAIN = 0.002  # [1 / px] of brightness, half a gray level: value of a uniform triangle
 
 
@@ -63,7 +63,7 @@ class FaceViews:
 
 
 @kernel
-def place_centers_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), centers: array(dtype=vec3)):
+def compute_centers_kernel(vertices: array(dtype=vec3), triangles: array(dtype=vec3i), centers: array(dtype=vec3)):
     i = tid()
     a, b, c = widened_corners(vertices, triangles[i])
     centers[i] = narrow((a + b + c) / 3.0)
@@ -84,10 +84,10 @@ def facing(vertices: array(dtype=vec3), t: vec3i, eye: vec3d) -> float64:
 
 @func
 def inside_margin(p: vec3, image: int, pictures: PosedPictures) -> int:
-    place = project_vertex(p, image, pictures)
+    projected = project_vertex(p, image, pictures)
     inside = 0
-    if place[2] > 0.0:
-        inside = is_inside(place[0], place[1], image, float64(MARGIN), pictures)
+    if projected[2] > 0.0:
+        inside = is_inside(projected[0], projected[1], image, float64(MARGIN), pictures)
     return inside
 
 
@@ -97,21 +97,21 @@ def mask_faces_kernel(
     triangles: array(dtype=vec3i),
     image: int,
     pictures: PosedPictures,
-    seen: array(dtype=uint8),
+    visible: array(dtype=uint8),
     mask: array(dtype=uint8),
 ):
-    """1 for triangles entirely visible from the front; `seen` has vertices, then centers."""
+    """1 for triangles entirely visible from the front; `visible` has vertices, then centers."""
     i = tid()
     t = triangles[i]
-    found = 0
-    if seen[t[0]] != 0 and seen[t[1]] != 0 and seen[t[2]] != 0 and seen[vertices.shape[0] + i] != 0:
-        eye = camera_place(image, pictures)
+    flag = 0
+    if visible[t[0]] != 0 and visible[t[1]] != 0 and visible[t[2]] != 0 and visible[vertices.shape[0] + i] != 0:
+        eye = camera_center(image, pictures)
         inside = inside_margin(vertices[t[0]], image, pictures) + inside_margin(vertices[t[1]], image, pictures)
         inside += inside_margin(vertices[t[2]], image, pictures)
         if inside == 3:
             if facing(vertices, t, eye) > float64(FLATTEST):
-                found = 1
-    mask[i] = uint8(found)
+                flag = 1
+    mask[i] = uint8(flag)
 
 
 @func
@@ -137,22 +137,22 @@ def pixel_color(u: int, v: int, image: int, pictures: PosedPictures) -> vec3d:
 
 
 @func
-def flat(place: pixel) -> vec3d:
-    return vec3d(place[0], place[1], 0.0)
+def flat(projected: pixel) -> vec3d:
+    return vec3d(projected[0], projected[1], 0.0)
 
 
 @func
-def beside_step(u: float64, v: float64, image: int, pictures: PosedPictures, steps: array(dtype=uint8)) -> int:
+def is_near_step(u: float64, v: float64, image: int, pictures: PosedPictures, steps: array(dtype=uint8)) -> int:
     """1 if the depth is discontinuous within two pixels."""
     size = pictures.sizes[image]
     column = int(floor(u + 0.5))
     row = int(floor(v + 0.5))
-    found = 0
-    for y in range(max(row - BESIDE, 0), min(row + BESIDE, size[1] - 1) + 1):
-        for x in range(max(column - BESIDE, 0), min(column + BESIDE, size[0] - 1) + 1):
+    is_near = 0
+    for y in range(max(row - STEP_MARGIN, 0), min(row + STEP_MARGIN, size[1] - 1) + 1):
+        for x in range(max(column - STEP_MARGIN, 0), min(column + STEP_MARGIN, size[0] - 1) + 1):
             if steps[size[2] + y * size[0] + x] != 0:
-                found = 1
-    return found
+                is_near = 1
+    return is_near
 
 
 @kernel
@@ -175,9 +175,9 @@ def measure_views_kernel(
     b = flat(project_vertex(vertices[t[1]], image, pictures))
     c = flat(project_vertex(vertices[t[2]], image, pictures))
     doubled = side_of(a, b, c[0], c[1])
-    turn = float64(1.0)
+    sign = float64(1.0)
     if doubled < 0.0:
-        turn = -1.0
+        sign = -1.0
     left = int(ceil(min(a[0], min(b[0], c[0]))))
     right = int(floor(max(a[0], max(b[0], c[0]))))
     top = int(ceil(min(a[1], min(b[1], c[1]))))
@@ -193,8 +193,8 @@ def measure_views_kernel(
         u = left
         while u <= right:
             x = float64(u)
-            least = min(side_of(a, b, x, y) * turn, min(side_of(b, c, x, y) * turn, side_of(c, a, x, y) * turn))
-            if least >= 0.0:
+            min_side = min(side_of(a, b, x, y) * sign, min(side_of(b, c, x, y) * sign, side_of(c, a, x, y) * sign))
+            if min_side >= 0.0:
                 count += 1.0
                 slope += slope_at(u, v, image, pictures)
                 color += pixel_color(u, v, image, pictures)
@@ -208,16 +208,16 @@ def measure_views_kernel(
         color = color_at(x, y, image, pictures)
     views[i] = image
     quality = 0.5 * abs(doubled) * (slope / count + float64(PLAIN))
-    beside = beside_step(a[0], a[1], image, pictures, steps) + beside_step(b[0], b[1], image, pictures, steps)
-    beside += beside_step(c[0], c[1], image, pictures, steps) + beside_step(x, y, image, pictures, steps)
+    beside = is_near_step(a[0], a[1], image, pictures, steps) + is_near_step(b[0], b[1], image, pictures, steps)
+    beside += is_near_step(c[0], c[1], image, pictures, steps) + is_near_step(x, y, image, pictures, steps)
     if beside > 0:
-        quality = quality * float64(DOUBTED)
+        quality = quality * float64(EDGE_FACTOR)
     qualities[i] = quality
     colors[i] = narrow(color / (255.0 * count))
 
 
 @kernel
-def count_kept_kernel(starts: array(dtype=int32), keep: array(dtype=uint8), counts: array(dtype=int32)):
+def count_selected_kernel(starts: array(dtype=int32), keep: array(dtype=uint8), counts: array(dtype=int32)):
     i = tid()
     count = 0
     for k in range(starts[i], starts[i + 1]):
@@ -227,18 +227,18 @@ def count_kept_kernel(starts: array(dtype=int32), keep: array(dtype=uint8), coun
 
 
 @kernel
-def copy_kept_kernel(before: FaceViews, keep: array(dtype=uint8), after: FaceViews):
+def copy_selected_kernel(before: FaceViews, keep: array(dtype=uint8), after: FaceViews):
     i = tid()
-    place = after.starts[i]
+    slot = after.starts[i]
     for k in range(before.starts[i], before.starts[i + 1]):
         if keep[k] != 0:
-            after.views[place] = before.views[k]
-            after.qualities[place] = before.qualities[k]
-            after.colors[place] = before.colors[k]
-            place += 1
+            after.views[slot] = before.views[k]
+            after.qualities[slot] = before.qualities[k]
+            after.colors[slot] = before.colors[k]
+            slot += 1
 
 
-class FaceLooks:
+class FaceVisibility:
     """Visibility of a mesh's triangles image by image. Points beyond `farthest` [m] are not visible."""
 
     def __init__(
@@ -247,25 +247,25 @@ class FaceLooks:
         self.vertices, self.triangles, self.pictures, self.trees = vertices, triangles, pictures, trees
         self.farthest = float(farthest)
         centers = empty(triangles.size, vec3, vertices.device)
-        launch(place_centers_kernel, triangles.size, [vertices, triangles, centers])
+        launch(compute_centers_kernel, triangles.size, [vertices, triangles, centers])
         self.points = concatenate_rows([vertices, centers])
         self.steps = empty(pictures.pixels.shape[0], uint8, vertices.device)
 
     def mask(self, image: int) -> Mask:
         points, pictures = self.points, self.pictures
-        seen = see_in_frame(points, image, pictures, self.farthest)
-        drop_hidden(points, image, pictures, self.trees, seen)
+        visible = mask_in_frame(points, image, pictures, self.farthest)
+        drop_hidden(points, image, pictures, self.trees, visible)
         depth = render_depth(image, pictures, self.trees)
         marks, (width, height, first) = empty(depth.size, uint8, depth.device), pictures.layout[image].tolist()
         launch(mark_steps_kernel, depth.size, [depth, width, height, marks])
         copy(self.steps, marks, count=marks.size, offset=first)
-        mask = empty(self.triangles.size, uint8, seen.device)
-        launch(mask_faces_kernel, mask.size, [self.vertices, self.triangles, image, pictures, seen, mask])
+        mask = empty(self.triangles.size, uint8, visible.device)
+        launch(mask_faces_kernel, mask.size, [self.vertices, self.triangles, image, pictures, visible, mask])
         return mask
 
-    def views(self, say: Callable[[int], None]) -> FaceViews:
-        """Images of all triangles. Reports progress to `say`. A few syncs."""
-        sightings = list_sightings(self._masks(say))  # sync
+    def views(self, report: Callable[[int], None]) -> FaceViews:
+        """Images of all triangles. Calls `report` with the number of each image. A few syncs."""
+        sightings = list_sightings(self._masks(report))  # sync
         device, count = self.vertices.device, sightings.count
         views, qualities = empty(count, int32, device), empty(count, float64, device)
         colors = empty(count, vec3, device)
@@ -273,9 +273,9 @@ class FaceLooks:
         launch(measure_views_kernel, count, given)
         return FaceViews(sightings.starts, views, qualities, colors)
 
-    def _masks(self, say: Callable[[int], None]) -> Iterator[Mask]:
+    def _masks(self, report: Callable[[int], None]) -> Iterator[Mask]:
         for image in range(self.pictures.count):
-            say(image)
+            report(image)
             yield self.mask(image)
 
 
@@ -283,8 +283,8 @@ def keep_views(views: FaceViews, keep: Mask) -> FaceViews:
     """Select pairs by a mask uint8 (k). One sync."""
     faces, device = views.starts.size - 1, views.device
     counts = empty(faces, int32, device)
-    launch(count_kept_kernel, faces, [views.starts, keep, counts])
+    launch(count_selected_kernel, faces, [views.starts, keep, counts])
     starts, total = exclusive_scan(counts)  # sync
-    kept = FaceViews(starts, empty(total, int32, device), empty(total, float64, device), empty(total, vec3, device))
-    launch(copy_kept_kernel, faces, [views, keep, kept])
-    return kept
+    selected = FaceViews(starts, empty(total, int32, device), empty(total, float64, device), empty(total, vec3, device))
+    launch(copy_selected_kernel, faces, [views, keep, selected])
+    return selected

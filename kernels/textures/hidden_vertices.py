@@ -8,7 +8,7 @@ from ..memory import empty
 from ..rays.ray_casting import cast_rays, test_occlusions
 from ..rays.scene_trees import SceneTrees
 from ..rays.triangle_tree import TriangleTree
-from .posed_pictures import PosedPictures, camera_place
+from .posed_pictures import PosedPictures, camera_center
 
 SHORT = 0.999  # fraction of the ray that must be free
 
@@ -17,7 +17,7 @@ SHORT = 0.999  # fraction of the ray that must be free
 def aim_pixels_kernel(image: int, pictures: PosedPictures, rays: array(dtype=float32)):
     """Ray through each pixel's center. Its parameter is the depth."""
     i = tid()
-    eye = camera_place(image, pictures)
+    eye = camera_center(image, pictures)
     T = pictures.poses[image]
     lens = pictures.lenses[image]
     width = pictures.sizes[image][0]
@@ -41,14 +41,14 @@ def aim_rays_kernel(
     vertices: array(dtype=vec3),
     image: int,
     pictures: PosedPictures,
-    seen: array(dtype=uint8),
+    mask: array(dtype=uint8),
     rays: array(dtype=float32),
 ):
     """Ray from the camera to each vertex. Zero-length where not needed."""
     i = tid()
-    eye = camera_place(image, pictures)
+    eye = camera_center(image, pictures)
     way = vec3(0.0, 0.0, 0.0)
-    if seen[i] != 0:
+    if mask[i] != 0:
         p = vertices[i]
         way = vec3(float(float64(p[0]) - eye[0]), float(float64(p[1]) - eye[1]), float(float64(p[2]) - eye[2]))
     n = int(3)
@@ -58,10 +58,10 @@ def aim_rays_kernel(
 
 
 @kernel
-def keep_free_kernel(occluded: array(dtype=uint8), seen: array(dtype=uint8)):
+def keep_free_kernel(occluded: array(dtype=uint8), mask: array(dtype=uint8)):
     i = tid()
     if occluded[i] != 0:
-        seen[i] = 0
+        mask[i] = 0
 
 
 def plant_trees(vertices: Points, triangles: Triangles) -> SceneTrees:
@@ -79,9 +79,9 @@ def render_depth(image: int, pictures: PosedPictures, trees: SceneTrees) -> Scal
     return depth
 
 
-def drop_hidden(vertices: Points, image: int, pictures: PosedPictures, trees: SceneTrees, seen: Mask) -> Mask:
-    """Clear `seen` (uint8 (m), in place, returned) for vertices that the mesh hides from a camera."""
+def drop_hidden(vertices: Points, image: int, pictures: PosedPictures, trees: SceneTrees, mask: Mask) -> Mask:
+    """Clear `mask` (uint8 (m), in place, returned) for vertices that the mesh hides from a camera."""
     rays = empty(6 * vertices.size, float32, vertices.device)
-    launch(aim_rays_kernel, vertices.size, [vertices, image, pictures, seen, rays])
-    launch(keep_free_kernel, vertices.size, [test_occlusions(trees, rays, 0.0, SHORT), seen])
-    return seen
+    launch(aim_rays_kernel, vertices.size, [vertices, image, pictures, mask, rays])
+    launch(keep_free_kernel, vertices.size, [test_occlusions(trees, rays, 0.0, SHORT), mask])
+    return mask

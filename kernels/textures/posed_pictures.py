@@ -34,7 +34,7 @@ from ..memory import empty, upload, zeros
 LARGEST_PIXEL = 1.0e9  # limit of image coordinates, which fits into int32
 pixel = vector(3, float64)  # column, row and depth [m]
 shade = vector(3, float64)  # brightness, and its gradient along row and column [1 / px]
-warp_place = vector(6, float64)  # shift along u and v, then its derivatives: du/du, dv/du, du/dv, dv/dv
+warp_sample = vector(6, float64)  # shift along u and v, then its derivatives: du/du, dv/du, du/dv, dv/dv
 
 
 @struct
@@ -115,17 +115,17 @@ def project_vertex(p: vec3, image: int, pictures: PosedPictures) -> pixel:
     x = T[0, 0] * float64(p[0]) + T[0, 1] * float64(p[1]) + T[0, 2] * float64(p[2]) + T[0, 3]
     y = T[1, 0] * float64(p[0]) + T[1, 1] * float64(p[1]) + T[1, 2] * float64(p[2]) + T[1, 3]
     z = T[2, 0] * float64(p[0]) + T[2, 1] * float64(p[1]) + T[2, 2] * float64(p[2]) + T[2, 3]
-    place = pixel(0.0, 0.0, -1.0)
+    projected = pixel(0.0, 0.0, -1.0)
     if isfinite(p) and z > 0.0:
         u = lens[0] * x / z + lens[2]
         v = lens[1] * y / z + lens[3]
         if abs(u) < float64(LARGEST_PIXEL) and abs(v) < float64(LARGEST_PIXEL):
-            place = pixel(u, v, z)
-    return place
+            projected = pixel(u, v, z)
+    return projected
 
 
 @func
-def camera_place(image: int, pictures: PosedPictures) -> vec3d:
+def camera_center(image: int, pictures: PosedPictures) -> vec3d:
     T = pictures.poses[image]
     return vec3d(
         -(T[0, 0] * T[0, 3] + T[1, 0] * T[1, 3] + T[2, 0] * T[2, 3]),
@@ -197,10 +197,10 @@ def shade_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> sha
 
 
 @func
-def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
+def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_sample:
     """Warp shift and its derivatives. Zero without a warp."""
     grid = warps.grids[image]
-    result = warp_place(0.0)
+    result = warp_sample(0.0)
     if grid[1] > 0:
         step = warps.steps[image]
         i = min(max(int(floor(u / step)), 0), grid[0] - 2)
@@ -216,25 +216,25 @@ def warp_at(u: float64, v: float64, image: int, warps: Warps) -> warp_place:
         shift = (a * (one - q) + b * q) * (one - p) + (c * (one - q) + d * q) * p
         along_u = ((c - a) * (one - q) + (d - b) * q) / step
         along_v = ((b - a) * (one - p) + (d - c) * p) / step
-        result = warp_place(shift[0], shift[1], along_u[0], along_u[1], along_v[0], along_v[1])
+        result = warp_sample(shift[0], shift[1], along_u[0], along_u[1], along_v[0], along_v[1])
     return result
 
 
 @func
 def find_vertex(p: vec3, image: int, pictures: PosedPictures, warps: Warps) -> pixel:
     """Warped image position of a point. Depth -1 if it is not visible."""
-    place = project_vertex(p, image, pictures)
-    if place[2] > 0.0:
-        warp = warp_at(place[0], place[1], image, warps)
-        u = place[0] + warp[0]
-        v = place[1] + warp[1]
-        inside = is_inside(place[0], place[1], image, pictures.margin, pictures)
+    projected = project_vertex(p, image, pictures)
+    if projected[2] > 0.0:
+        warp = warp_at(projected[0], projected[1], image, warps)
+        u = projected[0] + warp[0]
+        v = projected[1] + warp[1]
+        inside = is_inside(projected[0], projected[1], image, pictures.margin, pictures)
         inside += is_inside(u, v, image, pictures.margin, pictures)
         if inside == 2:
-            place = pixel(u, v, place[2])
+            projected = pixel(u, v, projected[2])
         else:
-            place = pixel(0.0, 0.0, -1.0)
-    return place
+            projected = pixel(0.0, 0.0, -1.0)
+    return projected
 
 
 @func
@@ -262,10 +262,10 @@ def color_at(u: float64, v: float64, image: int, pictures: PosedPictures) -> vec
 def unwarp_pixels_kernel(image: int, pictures: PosedPictures, warps: Warps, out: array(dtype=uint8, ndim=2)):
     i = tid()
     size = pictures.sizes[image]
-    place = vec2d(float64(i % size[0]), float64(i // size[0]))
-    warp = warp_at(place[0], place[1], image, warps)
-    u = place[0] + warp[0]
-    v = place[1] + warp[1]
+    position = vec2d(float64(i % size[0]), float64(i // size[0]))
+    warp = warp_at(position[0], position[1], image, warps)
+    u = position[0] + warp[0]
+    v = position[1] + warp[1]
     color = vec3d(0.0, 0.0, 0.0)
     if is_inside(u, v, image, 0.0, pictures) == 1:
         color = color_at(u, v, image, pictures)

@@ -1,6 +1,6 @@
 """Texel corrections so that bilinear colors agree along seams (Iwanicki, "Lighting technology of The Last of Us",
-SIGGRAPH 2013). Two samples per texel along seam edges; minimizes sum (step + difference of x)^2 + HOLD sum x^2 over the
-texels drawn at seams, by conjugate gradients with fixed-order sums.
+SIGGRAPH 2013). Two samples per texel along seam edges; minimizes sum (step + difference of x)^2 + ZERO_WEIGHT sum x^2
+over the texels drawn at seams, by conjugate gradients with fixed-order sums.
 """
 
 from ..array_types import Array1, Bytes
@@ -31,23 +31,23 @@ from ..lang import (
 from ..memory import download, empty, zeros
 from ..meshes.mesh_edges import corner_at
 from ..meshes.mesh_topology import corner_vertex, next_corner
-from .atlas_colors import Atlas, texel_place
+from .atlas_colors import Atlas, texel_position
 from .chart_texels import ChartTexels
 from .seam_levels import Seams, is_seam, name_nodes_kernel
 
 A_TEXEL = 2.0  # samples per texel along the longer side
-MAX_PLACES = 1024  # per edge
+MAX_SAMPLES = 1024  # per edge
 SIDES = 8  # texels of a sample: four per side
-HOLD = 0.01  # weight of no change: leaves 1 % of a step
+ZERO_WEIGHT = 0.01  # weight of no change: leaves 1 % of a step
 SOLVED = 1.0e-8
-MAX_TURNS = 300
-MOST = 0.95  # quantile reported by `drawn_steps`
+MAX_ITERATIONS = 300
+HIGH_QUANTILE = 0.95  # quantile reported by `drawn_steps`
 
 step_sums = vector(2, float64)  # sample count, sum of steps
 
 
 @struct
-class SeamPlaces:
+class SeamSamples:
     """Seam samples: `firsts` per half-edge; `keys`, `weights` (8 p): four texels per side; `nodes`: unknowns."""
 
     firsts: array(dtype=int32)
@@ -60,21 +60,21 @@ class SeamPlaces:
     def __init__(self, texels: ChartTexels, seams: Seams) -> None:
         device, corners = texels.owners.device, seams.twins.size
         counts = empty(corners, int32, device)
-        launch(count_places_kernel, corners, [texels.atlas, seams, counts])
-        self.firsts, self.place_count = exclusive_scan(counts)  # sync
-        entries = SIDES * self.place_count
+        launch(count_samples_kernel, corners, [texels.atlas, seams, counts])
+        self.firsts, self.sample_count = exclusive_scan(counts)  # sync
+        entries = SIDES * self.sample_count
         self.keys, self.weights = empty(entries, int64, device), empty(entries, float64, device)
         self.nodes, self.count = empty(entries, int32, device), 0
         self.starts, self.entries = zeros(1, int32, device), empty(0, int32, device)
         if entries:
-            launch(place_samples_kernel, self.place_count, [texels.atlas, seams, self])
+            launch(compute_samples_kernel, self.sample_count, [texels.atlas, seams, self])
             unique = UniqueKeys(self.keys, max(1, (texels.size * texels.size - 1).bit_length()))  # sync
             self.count, self.starts, self.entries = unique.count, unique.starts, unique.order
             launch(name_nodes_kernel, self.count, [self.starts, self.entries, self.nodes])
 
 
 @func
-def side_places(h: int, other: int, atlas: Atlas, seams: Seams) -> tuple[vec3d, vec3d]:
+def side_positions(h: int, other: int, atlas: Atlas, seams: Seams) -> tuple[vec3d, vec3d]:
     """Texel coordinates of an edge's ends from a half-edge, in another's order."""
     v = corner_vertex(seams.triangles, other)
     begin = corner_at(seams.triangles, h, v)
@@ -82,37 +82,37 @@ def side_places(h: int, other: int, atlas: Atlas, seams: Seams) -> tuple[vec3d, 
     if begin == end:
         end = h
     return (
-        texel_place(atlas.uvs[begin], atlas.width, atlas.height),
-        texel_place(atlas.uvs[end], atlas.width, atlas.height),
+        texel_position(atlas.uvs[begin], atlas.width, atlas.height),
+        texel_position(atlas.uvs[end], atlas.width, atlas.height),
     )
 
 
 @kernel
-def count_places_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32)):
+def count_samples_kernel(atlas: Atlas, seams: Seams, counts: array(dtype=int32)):
     """Samples of each half-edge. Only on seams, at the lower half-edge."""
     i = tid()
     count = 0
     seam = is_seam(i, seams)
     if seams.twins[i] > i and seam == 1:
-        a, b = side_places(i, i, atlas, seams)
-        c, d = side_places(seams.twins[i], i, atlas, seams)
+        a, b = side_positions(i, i, atlas, seams)
+        c, d = side_positions(seams.twins[i], i, atlas, seams)
         longest = max(length(b - a), length(d - c))
-        count = int(min(max(ceil(float64(A_TEXEL) * longest), 2.0), float64(MAX_PLACES)))
+        count = int(min(max(ceil(float64(A_TEXEL) * longest), 2.0), float64(MAX_SAMPLES)))
     counts[i] = count
 
 
 @kernel
-def place_samples_kernel(atlas: Atlas, seams: Seams, places: SeamPlaces):
+def compute_samples_kernel(atlas: Atlas, seams: Seams, samples: SeamSamples):
     i = tid()
-    h = find_owner(places.firsts, i)
-    share = (float64(i - places.firsts[h]) + 0.5) / float64(places.firsts[h + 1] - places.firsts[h])
+    h = find_owner(samples.firsts, i)
+    share = (float64(i - samples.firsts[h]) + 0.5) / float64(samples.firsts[h + 1] - samples.firsts[h])
     for side in range(2):
         from_side = h
         sign = float64(1.0)
         if side == 1:
             from_side = seams.twins[h]
             sign = -1.0
-        a, b = side_places(from_side, h, atlas, seams)
+        a, b = side_positions(from_side, h, atlas, seams)
         x = min(max(a[0] * (1.0 - share) + b[0] * share - 0.5, 0.0), float64(atlas.width - 1))
         y = min(max(a[1] * (1.0 - share) + b[1] * share - 0.5, 0.0), float64(atlas.height - 1))
         column = min(int(floor(x)), atlas.width - 2)
@@ -130,27 +130,29 @@ def place_samples_kernel(atlas: Atlas, seams: Seams, places: SeamPlaces):
             else:
                 weight = weight * t
             at = 8 * i + 4 * side + k
-            places.keys[at] = int64(row + k // 2) * int64(atlas.width) + int64(column + k % 2)
-            places.weights[at] = weight
+            samples.keys[at] = int64(row + k // 2) * int64(atlas.width) + int64(column + k % 2)
+            samples.weights[at] = weight
 
 
 @kernel
-def see_steps_kernel(places: SeamPlaces, colors: array(dtype=vec3d), steps: array(dtype=vec3d)):
+def measure_steps_kernel(samples: SeamSamples, colors: array(dtype=vec3d), steps: array(dtype=vec3d)):
     i = tid()
     step = vec3d(0.0, 0.0, 0.0)
     for k in range(SIDES):
-        step += colors[int(places.keys[8 * i + k])] * places.weights[8 * i + k]
+        step += colors[int(samples.keys[8 * i + k])] * samples.weights[8 * i + k]
     steps[i] = step
 
 
 @kernel
-def begin_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), diagonal: array(dtype=float64), state: Gradients):
+def begin_joins_kernel(
+    samples: SeamSamples, steps: array(dtype=vec3d), diagonal: array(dtype=float64), state: Gradients
+):
     i = tid()
-    weight = float64(HOLD)
+    weight = float64(ZERO_WEIGHT)
     right = vec3d(0.0, 0.0, 0.0)
-    for j in range(places.starts[i], places.starts[i + 1]):
-        entry = places.entries[j]
-        w = places.weights[entry]
+    for j in range(samples.starts[i], samples.starts[i + 1]):
+        entry = samples.entries[j]
+        w = samples.weights[entry]
         weight += w * w
         right -= steps[entry // 8] * w
     diagonal[i] = weight
@@ -158,62 +160,62 @@ def begin_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), diagonal: 
 
 
 @kernel
-def turn_steps_kernel(places: SeamPlaces, state: Gradients, steps: array(dtype=vec3d)):
+def search_steps_kernel(samples: SeamSamples, state: Gradients, steps: array(dtype=vec3d)):
     i = tid()
     step = vec3d(0.0, 0.0, 0.0)
     for k in range(SIDES):
-        step += state.search[places.nodes[8 * i + k]] * places.weights[8 * i + k]
+        step += state.search[samples.nodes[8 * i + k]] * samples.weights[8 * i + k]
     steps[i] = step
 
 
 @kernel
-def map_joins_kernel(places: SeamPlaces, steps: array(dtype=vec3d), state: Gradients):
+def map_joins_kernel(samples: SeamSamples, steps: array(dtype=vec3d), state: Gradients):
     i = tid()
-    total = state.search[i] * float64(HOLD)
-    for j in range(places.starts[i], places.starts[i + 1]):
-        entry = places.entries[j]
-        total += steps[entry // 8] * places.weights[entry]
+    total = state.search[i] * float64(ZERO_WEIGHT)
+    for j in range(samples.starts[i], samples.starts[i + 1]):
+        entry = samples.entries[j]
+        total += steps[entry // 8] * samples.weights[entry]
     state.image[i] = total
 
 
 @kernel
-def change_joined_kernel(places: SeamPlaces, solution: array(dtype=vec3d), colors: array(dtype=vec3d)):
+def change_joined_kernel(samples: SeamSamples, solution: array(dtype=vec3d), colors: array(dtype=vec3d)):
     i = tid()
-    texel = int(places.keys[places.entries[places.starts[i]]])
+    texel = int(samples.keys[samples.entries[samples.starts[i]]])
     colors[texel] = colors[texel] + solution[i]
 
 
-def join_seams(places: SeamPlaces, colors: Array1[vec3d]) -> None:
+def join_seams(samples: SeamSamples, colors: Array1[vec3d]) -> None:
     """Correct colors, 0..255, in place. No sync besides the solve."""
-    device, count = colors.device, places.count
+    device, count = colors.device, samples.count
     if not count:
         return
-    steps, diagonal = empty(places.place_count, vec3d, device), empty(count, float64, device)
-    state = Gradients(zeros(count, vec3d, device), SOLVED, MAX_TURNS, zeros(1, vec2d, device))
+    steps, diagonal = empty(samples.sample_count, vec3d, device), empty(count, float64, device)
+    state = Gradients(zeros(count, vec3d, device), SOLVED, MAX_ITERATIONS, zeros(1, vec2d, device))
 
     def apply() -> None:
-        launch(turn_steps_kernel, places.place_count, [places, state, steps])
-        launch(map_joins_kernel, count, [places, steps, state])
+        launch(search_steps_kernel, samples.sample_count, [samples, state, steps])
+        launch(map_joins_kernel, count, [samples, steps, state])
 
     def weigh() -> None:
         launch(weigh_by_diagonal_kernel, count, [diagonal, state])
 
-    launch(see_steps_kernel, places.place_count, [places, colors, steps])
-    launch(begin_joins_kernel, count, [places, steps, diagonal, state])
+    launch(measure_steps_kernel, samples.sample_count, [samples, colors, steps])
+    launch(begin_joins_kernel, count, [samples, steps, diagonal, state])
     ConjugateGradients(state, apply, weigh).solve()
-    launch(change_joined_kernel, count, [places, state.solution, colors])
+    launch(change_joined_kernel, count, [samples, state.solution, colors])
 
 
 @kernel
-def drawn_steps_kernel(places: SeamPlaces, picture: array(dtype=uint8), sizes: array(dtype=float64)):
+def drawn_steps_kernel(samples: SeamSamples, picture: array(dtype=uint8), sizes: array(dtype=float64)):
     """Step at each sample of the finished texture, 0..255, mean of three channels."""
     i = tid()
     total = float64(0.0)
     for channel in range(3):
         step = float64(0.0)
         for k in range(SIDES):
-            texel = int(places.keys[8 * i + k])
-            step += float64(picture[3 * texel + channel]) * places.weights[8 * i + k]
+            texel = int(samples.keys[8 * i + k])
+            step += float64(picture[3 * texel + channel]) * samples.weights[8 * i + k]
         total += abs(step)
     sizes[i] = total / 3.0
 
@@ -224,11 +226,11 @@ def sum_steps(sizes: array(dtype=float64)) -> step_sums:
     return step_sums(1.0, sizes[i])
 
 
-def drawn_steps(places: SeamPlaces, picture: Bytes) -> tuple[float, float] | None:
+def drawn_steps(samples: SeamSamples, picture: Bytes) -> tuple[float, float] | None:
     """(mean, 95th percentile) of the finished texture's steps across seams, 0..255, or None. A few syncs."""
-    if not places.place_count:
+    if not samples.sample_count:
         return None
-    sizes = empty(places.place_count, float64, picture.device)
-    launch(drawn_steps_kernel, places.place_count, [places, picture, sizes])
-    count, total = download(reduce(sum_steps, places.place_count, [sizes]))[0].tolist()  # sync
-    return total / count, quantiles_of(sizes, [MOST])[0]  # sync
+    sizes = empty(samples.sample_count, float64, picture.device)
+    launch(drawn_steps_kernel, samples.sample_count, [samples, picture, sizes])
+    count, total = download(reduce(sum_steps, samples.sample_count, [sizes]))[0].tolist()  # sync
+    return total / count, quantiles_of(sizes, [HIGH_QUANTILE])[0]  # sync

@@ -40,7 +40,7 @@ STIFFNESS = 5.0  # half of 1 / lambda, lambda 0.1 as in the paper: an edge withi
 PULL = 1.0e-5  # weight of zero shift,
 PULL_LEVEL = 0.1  # and for exposure-corrected images: remaining differences come from poses and stay within ten edges
 SOLVED = 1.0e-12  # of the initial squared residual
-MAX_TURNS = 3000
+MAX_ITERATIONS = 3000
 
 step_sums = vector(3, float64)  # sample count, sums of steps and of their squares
 
@@ -93,23 +93,23 @@ def name_nodes_kernel(starts: array(dtype=int32), corners: array(dtype=int32), n
 @func
 def is_seam(h: int, seams: Seams) -> int:
     """1 if the triangles of a half-edge use different images."""
-    found = 0
+    flag = 0
     twin = seams.twins[h]
     if twin >= 0:
         here = seams.views[h // 3]
         there = seams.views[twin // 3]
         if here >= 0 and there >= 0 and here != there:
-            found = 1
-    return found
+            flag = 1
+    return flag
 
 
 @func
 def picture_color(p: vec3d, image: int, pictures: PosedPictures, exposures: Exposures) -> vec3d:
     """Exposure-corrected color of an image, 0..255, with replicated border."""
-    place = project_vertex(vec3(float(p[0]), float(p[1]), float(p[2])), image, pictures)
+    projected = project_vertex(vec3(float(p[0]), float(p[1]), float(p[2])), image, pictures)
     size = pictures.sizes[image]
-    u = min(max(place[0], 0.0), float64(size[0] - 1))
-    v = min(max(place[1], 0.0), float64(size[1] - 1))
+    u = min(max(projected[0], 0.0), float64(size[0] - 1))
+    v = min(max(projected[1], 0.0), float64(size[1] - 1))
     return exposed(color_at(u, v, image, pictures), u, v, image, pictures, exposures)
 
 
@@ -137,8 +137,8 @@ def compare_sides_kernel(vertices: array(dtype=vec3), seams: Seams, pictures: Po
         total = float64(0.0)
         for k in range(count):
             share = (float64(k) + 0.5) / float64(count)
-            place = widen(p) * (1.0 - share) + widen(q) * share
-            step = picture_color(place, here, pictures, exposures) - picture_color(place, there, pictures, exposures)
+            point = widen(p) * (1.0 - share) + widen(q) * share
+            step = picture_color(point, here, pictures, exposures) - picture_color(point, there, pictures, exposures)
             at_begin += step * (1.0 - share)
             at_end += step * share
             total += share
@@ -210,8 +210,8 @@ def sum_steps(
         count = samples_of(vertices[a], vertices[b], min(here, there), pictures)
         for k in range(count):
             share = (float64(k) + 0.5) / float64(count)
-            place = widen(vertices[a]) * (1.0 - share) + widen(vertices[b]) * share
-            step = picture_color(place, here, pictures, exposures) - picture_color(place, there, pictures, exposures)
+            point = widen(vertices[a]) * (1.0 - share) + widen(vertices[b]) * share
+            step = picture_color(point, here, pictures, exposures) - picture_color(point, there, pictures, exposures)
             step += at_a * (1.0 - share) + at_b * share
             size = (abs(step[0]) + abs(step[1]) + abs(step[2])) / 3.0
             sums += step_sums(1.0, size, size * size)
@@ -219,18 +219,18 @@ def sum_steps(
 
 
 class SeamLevels:
-    """Color shifts of a mesh: `shifts` vec3d (n), 0..255, zero until `solve`; `turns` of the solve."""
+    """Color shifts of a mesh: `shifts` vec3d (n), 0..255, zero until `solve`; `iterations` of the solve."""
 
     def __init__(self, vertices: Points, seams: Seams, pictures: PosedPictures, exposures: Exposures) -> None:
         self.vertices, self.seams, self.pictures, self.exposures = vertices, seams, pictures, exposures
         self.shifts: Positions = zeros(seams.count, vec3d, vertices.device)
-        self.turns = 0
+        self.iterations = 0
         launch(compare_sides_kernel, 3 * seams.triangles.size, [vertices, seams, pictures, exposures])
 
     def solve(self, *, level: bool = False) -> None:
         """Solve for the shifts; `level` if images were exposure-corrected. One sync."""
         count, device = self.seams.count, self.vertices.device
-        state = Gradients(self.shifts, SOLVED, MAX_TURNS, zeros(1, vec2d, device))
+        state = Gradients(self.shifts, SOLVED, MAX_ITERATIONS, zeros(1, vec2d, device))
         weights = empty(count, float64, device)
 
         def apply() -> None:
@@ -241,7 +241,7 @@ class SeamLevels:
 
         launch(begin_levels_kernel, count, [self.seams, PULL_LEVEL if level else PULL, weights, state])
         ConjugateGradients(state, apply, weigh).solve()
-        self.turns = int(download(state.iterations)[0])  # sync
+        self.iterations = int(download(state.iterations)[0])  # sync
 
     def mean_step(self) -> float | None:
         """Mean step across seams, 0..255. None without seams. One sync."""

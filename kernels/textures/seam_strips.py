@@ -11,16 +11,16 @@ from ..lang import array, dot, float64, func, int32, kernel, launch, length, tid
 from ..memory import empty, zeros
 from ..meshes.mesh_topology import corner_vertex, next_corner
 from .atlas_colors import NO_TRIANGLE, texel_corners
-from .chart_texels import NOWHERE, RINGS, ChartTexels, point_at, shares_at, side_of_corner
+from .chart_texels import RINGS, UNREACHED, ChartTexels, point_at, shares_at, side_of_corner
 from .exposures import Exposures
 from .posed_pictures import PosedPictures
 from .seam_levels import Seams, is_seam, node_beyond, picture_color
 
 ON_SEAM = 1.5  # [texels] maximum distance of a chart's texel on a seam
-REACH = 4.0  # [texels] the same for ring texels
+MAX_RING_DISTANCE = 4.0  # [texels] the same for ring texels
 STRIP = 20  # texels over which a change fades, as in the paper
 SOLVED = 1.0e-8
-MAX_TURNS = 400
+MAX_ITERATIONS = 400
 
 
 @func
@@ -38,16 +38,16 @@ def on_segment(a: vec3d, b: vec3d, x: float64, y: float64) -> float64:
 def nearest_seam(texels: ChartTexels, seams: Seams, owner: int, x: float64, y: float64) -> vec3d:
     """Nearest seam half-edge of a triangle, its distance, and the parameter."""
     a, b, c = texel_corners(texels.atlas, owner)
-    found = vec3d(-1.0, 1.0e9, 0.0)
+    nearest = vec3d(-1.0, 1.0e9, 0.0)
     for side in range(3):
         if is_seam(3 * owner + side, seams) == 1:
             begin = side_of_corner(a, b, c, side)
             end = side_of_corner(a, b, c, side + 1)
             share = on_segment(begin, end, x, y)
             distance = length(begin * (1.0 - share) + end * share - vec3d(x, y, 0.0))
-            if distance < found[1]:
-                found = vec3d(float64(3 * owner + side), distance, share)
-    return found
+            if distance < nearest[1]:
+                nearest = vec3d(float64(3 * owner + side), distance, share)
+    return nearest
 
 
 @kernel
@@ -88,7 +88,7 @@ def mean_at_vertices_kernel(
 @func
 def both_sides(
     h: int,
-    place: vec3d,
+    point: vec3d,
     share: float64,
     seams: Seams,
     pictures: PosedPictures,
@@ -97,8 +97,8 @@ def both_sides(
 ) -> vec3d:
     """Mean color of both sides of a seam edge, with interpolated shifts."""
     t = seams.triangles[h // 3]
-    total = picture_color(place, seams.views[h // 3], pictures, exposures)
-    total += picture_color(place, seams.views[seams.twins[h] // 3], pictures, exposures)
+    total = picture_color(point, seams.views[h // 3], pictures, exposures)
+    total += picture_color(point, seams.views[seams.twins[h] // 3], pictures, exposures)
     begin = shifts[seams.nodes[h]] + shifts[node_beyond(h, t[h % 3], seams)]
     end = shifts[seams.nodes[next_corner(h)]] + shifts[node_beyond(h, t[next_corner(h) % 3], seams)]
     return 0.5 * (total + begin * (1.0 - share) + end * share)
@@ -107,7 +107,7 @@ def both_sides(
 @func
 def seam_color(
     h: int,
-    place: vec3d,
+    point: vec3d,
     share: float64,
     vertices: array(dtype=vec3),
     seams: Seams,
@@ -122,7 +122,7 @@ def seam_color(
     b = t[next_corner(h) % 3]
     begin = means[a] - both_sides(h, widen(vertices[a]), float64(0.0), seams, pictures, exposures, shifts)
     end = means[b] - both_sides(h, widen(vertices[b]), float64(1.0), seams, pictures, exposures, shifts)
-    color = both_sides(h, place, share, seams, pictures, exposures, shifts)
+    color = both_sides(h, point, share, seams, pictures, exposures, shifts)
     return color + begin * (1.0 - share) + end * share
 
 
@@ -147,10 +147,10 @@ def aim_at_seams_kernel(
     size = texels.atlas.width
     x = float64(i % size) + 0.5
     y = float64(i // size) + 0.5
-    reach = float64(ON_SEAM)
+    max_distance = float64(ON_SEAM)
     if texels.rings[i] > 0:
-        reach = float64(REACH)
-    nearest = vec3d(-1.0, reach, 0.0)
+        max_distance = float64(MAX_RING_DISTANCE)
+    nearest = vec3d(-1.0, max_distance, 0.0)
     last = -1
     for row in range(max(i // size - RINGS, 0), min(i // size + RINGS, size - 1) + 1):
         for column in range(max(i % size - RINGS, 0), min(i % size + RINGS, size - 1) + 1):
@@ -162,8 +162,8 @@ def aim_at_seams_kernel(
                     nearest = seam
     if nearest[0] >= 0.0:
         h = int(nearest[0])
-        place = point_at(shares_at(texels.atlas, h // 3, x, y), seams.triangles[h // 3], vertices)
-        color = seam_color(h, place, nearest[2], vertices, seams, pictures, exposures, shifts, means)
+        point = point_at(shares_at(texels.atlas, h // 3, x, y), seams.triangles[h // 3], vertices)
+        color = seam_color(h, point, nearest[2], vertices, seams, pictures, exposures, shifts, means)
         changes[i] = color - texels.colors[i]
         texels.steps[i] = 0
 
@@ -173,16 +173,16 @@ def neighbor_texel(i: int, k: int, size: int) -> int:
     """Texel to the left, right, above or below; -1 beyond the border."""
     x = i % size
     y = i // size
-    found = -1
+    neighbor = -1
     if k == 0 and x > 0:
-        found = i - 1
+        neighbor = i - 1
     if k == 1 and x < size - 1:
-        found = i + 1
+        neighbor = i + 1
     if k == 2 and y > 0:
-        found = i - size
+        neighbor = i - size
     if k == 3 and y < size - 1:
-        found = i + size
-    return found
+        neighbor = i + size
+    return neighbor
 
 
 @kernel
@@ -190,15 +190,15 @@ def spread_steps_kernel(texels: ChartTexels, seams: Seams, step: int, free: arra
     """Extend the distance by one ring."""
     i = tid()
     owner = texels.owners[i]
-    if owner != NO_TRIANGLE and texels.steps[i] == NOWHERE:
+    if owner != NO_TRIANGLE and texels.steps[i] == UNREACHED:
         if seams.views[owner] >= 0:
-            found = 0
+            is_next = 0
             for k in range(4):
                 j = neighbor_texel(i, k, texels.atlas.width)
                 if j >= 0:
                     if texels.steps[j] == step - 1:
-                        found = 1
-            if found == 1:
+                        is_next = 1
+            if is_next == 1:
                 texels.steps[i] = step
                 free[i] = uint8(1)
 
@@ -243,7 +243,7 @@ def map_strips_kernel(
     for k in range(4):
         j = neighbor_texel(free[i], k, texels.atlas.width)
         if j >= 0:
-            if texels.steps[j] > 0 and texels.steps[j] < NOWHERE:
+            if texels.steps[j] > 0 and texels.steps[j] < UNREACHED:
                 total -= state.search[numbers[j]]
     state.image[i] = total
 
@@ -280,7 +280,7 @@ def blend_strips(
     if rows.size:
         numbers, weights = empty(count, int32, device), empty(rows.size, float64, device)
         launch(number_rows_kernel, rows.size, [rows, numbers])
-        state = Gradients(zeros(rows.size, vec3d, device), SOLVED, MAX_TURNS, zeros(1, vec2d, device))
+        state = Gradients(zeros(rows.size, vec3d, device), SOLVED, MAX_ITERATIONS, zeros(1, vec2d, device))
 
         def apply() -> None:
             launch(map_strips_kernel, rows.size, [texels, rows, numbers, weights, state])

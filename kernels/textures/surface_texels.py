@@ -38,13 +38,13 @@ from .atlas_colors import (
     texel_corners,
 )
 from .hidden_vertices import drop_hidden, render_depth
-from .posed_pictures import PosedPictures, camera_place, color_at, nearest_pixel, project_vertex
-from .vertex_views import see_in_frame
+from .posed_pictures import PosedPictures, camera_center, color_at, nearest_pixel, project_vertex
+from .vertex_views import mask_in_frame
 
 STEEPEST = 0.1  # minimum cosine of the view angle
 FEATHER = 0.05  # fraction of the shorter image side over which weights fall to zero
 STEP = 0.05  # relative depth step of an occlusion edge
-BESIDE = 2  # pixels ignored beside such an edge, because of pose errors
+STEP_MARGIN = 2  # pixels ignored beside such an edge, because of pose errors
 
 
 @kernel
@@ -57,7 +57,7 @@ def mark_owned_kernel(owners: array(dtype=int32), mask: array(dtype=uint8)):
 
 
 @kernel
-def place_texels_kernel(
+def locate_texels_kernel(
     texels: array(dtype=int32),
     atlas: Atlas,
     owners: array(dtype=int32),
@@ -73,9 +73,9 @@ def place_texels_kernel(
     u, v, w = texel_corners(atlas, t)
     x = float64(texel % atlas.width) + 0.5
     y = float64(texel // atlas.width) + 0.5
-    whole = side_of(u, v, w[0], w[1])
-    share_b = side_of(w, u, x, y) / whole
-    share_c = side_of(u, v, x, y) / whole
+    doubled_area = side_of(u, v, w[0], w[1])
+    share_b = side_of(w, u, x, y) / doubled_area
+    share_c = side_of(u, v, x, y) / doubled_area
     a, b, c = widened_corners(vertices, triangles[t])
     points[i] = narrow(a + (b - a) * share_b + (c - a) * share_c)
     n = cross(b - a, c - a)
@@ -102,23 +102,23 @@ def mark_steps_kernel(depth: array(dtype=float32), width: int, height: int, mark
 
 
 @kernel
-def drop_beside_steps_kernel(
-    points: array(dtype=vec3), image: int, pictures: PosedPictures, marks: array(dtype=uint8), seen: array(dtype=uint8)
+def drop_near_steps_kernel(
+    points: array(dtype=vec3), image: int, pictures: PosedPictures, marks: array(dtype=uint8), mask: array(dtype=uint8)
 ):
     """Drop texels beside depth edges, where small pose errors matter."""
     i = tid()
-    if seen[i] != 0:
-        place = project_vertex(points[i], image, pictures)
+    if mask[i] != 0:
+        projected = project_vertex(points[i], image, pictures)
         size = pictures.sizes[image]
-        at = nearest_pixel(place[0], place[1], image, pictures) - size[2]
+        at = nearest_pixel(projected[0], projected[1], image, pictures) - size[2]
         u = at % size[0]
         v = at // size[0]
-        found = 1
-        for row in range(max(v - BESIDE, 0), min(v + BESIDE, size[1] - 1) + 1):
-            for column in range(max(u - BESIDE, 0), min(u + BESIDE, size[0] - 1) + 1):
+        visible = 1
+        for row in range(max(v - STEP_MARGIN, 0), min(v + STEP_MARGIN, size[1] - 1) + 1):
+            for column in range(max(u - STEP_MARGIN, 0), min(u + STEP_MARGIN, size[0] - 1) + 1):
                 if marks[row * size[0] + column] != 0:
-                    found = 0
-        seen[i] = uint8(found)
+                    visible = 0
+        mask[i] = uint8(visible)
 
 
 @kernel
@@ -127,26 +127,26 @@ def blend_picture_kernel(
     normals: array(dtype=vec3),
     image: int,
     pictures: PosedPictures,
-    seen: array(dtype=uint8),
+    mask: array(dtype=uint8),
     sums: array(dtype=vec4d),
 ):
     """Add an image's color and weight to each visible texel."""
     i = tid()
-    if seen[i] != 0:
+    if mask[i] != 0:
         p = points[i]
-        eye = camera_place(image, pictures)
+        eye = camera_center(image, pictures)
         way = eye - widen(p)
         distance = length(way)
         cosine = dot(way, widen(normals[i])) / distance
         if cosine > float64(STEEPEST):
-            place = project_vertex(p, image, pictures)
+            projected = project_vertex(p, image, pictures)
             size = pictures.sizes[image]
-            reach = float64(FEATHER) * float64(min(size[0], size[1]))
-            border = min(place[0] + 0.5, float64(size[0]) - 0.5 - place[0])
-            border = min(border, min(place[1] + 0.5, float64(size[1]) - 0.5 - place[1]))
-            detail = cosine / place[2]
-            w = detail * detail * detail * detail * min(max(border / reach, 1.0e-6), 1.0)
-            color = color_at(place[0], place[1], image, pictures)
+            feather = float64(FEATHER) * float64(min(size[0], size[1]))
+            border = min(projected[0] + 0.5, float64(size[0]) - 0.5 - projected[0])
+            border = min(border, min(projected[1] + 0.5, float64(size[1]) - 0.5 - projected[1]))
+            detail = cosine / projected[2]
+            w = detail * detail * detail * detail * min(max(border / feather, 1.0e-6), 1.0)
+            color = color_at(projected[0], projected[1], image, pictures)
             sums[i] = sums[i] + vec4d(w * color[0], w * color[1], w * color[2], w)
 
 
@@ -164,9 +164,9 @@ def write_texels_kernel(
 
 
 @kernel
-def mark_shown_kernel(sums: array(dtype=vec4d), shown: array(dtype=int32)):
+def mark_visible_kernel(sums: array(dtype=vec4d), visible: array(dtype=int32)):
     i = tid()
-    shown[i] = 1 if sums[i][3] > 0.0 else 0
+    visible[i] = 1 if sums[i][3] > 0.0 else 0
 
 
 class SurfaceTexels:
@@ -184,27 +184,27 @@ class SurfaceTexels:
         self.texels = positions_of(mask)
         self.points, self.normals = (empty(self.texels.size, vec3, device) for _ in range(2))
         given = [self.texels, self.atlas, self.owners, vertices, triangles, self.points, self.normals]
-        launch(place_texels_kernel, self.texels.size, given)
+        launch(locate_texels_kernel, self.texels.size, given)
 
     def blend(self, pictures: PosedPictures, trees: SceneTrees) -> Array1[vec4d]:
         """Weighted sums of colors, 0..255, and of weights over the visible images: vec4d (n)."""
         sums = zeros(self.texels.size, vec4d, self.points.device)
         for image in range(pictures.count):
-            seen = see_in_frame(self.points, image, pictures, float("inf"))
-            drop_hidden(self.points, image, pictures, trees, seen)
+            mask = mask_in_frame(self.points, image, pictures, float("inf"))
+            drop_hidden(self.points, image, pictures, trees, mask)
             depth = render_depth(image, pictures, trees)
             marks, (width, height, _) = empty(depth.size, uint8, depth.device), pictures.layout[image].tolist()
             launch(mark_steps_kernel, depth.size, [depth, width, height, marks])
-            launch(drop_beside_steps_kernel, self.texels.size, [self.points, image, pictures, marks, seen])
-            given = [self.points, self.normals, image, pictures, seen, sums]
+            launch(drop_near_steps_kernel, self.texels.size, [self.points, image, pictures, marks, mask])
+            given = [self.points, self.normals, image, pictures, mask, sums]
             launch(blend_picture_kernel, self.texels.size, given)
         return sums
 
-    def share_shown(self, sums: Array1[vec4d]) -> float:
+    def visible_fraction(self, sums: Array1[vec4d]) -> float:
         """Fraction of texels visible in an image. One sync."""
-        shown = empty(sums.size, int32, sums.device)
-        launch(mark_shown_kernel, sums.size, [sums, shown])
-        return sum_counts(shown) / sums.size  # sync
+        visible = empty(sums.size, int32, sums.device)
+        launch(mark_visible_kernel, sums.size, [sums, visible])
+        return sum_counts(visible) / sums.size  # sync
 
     def write(self, sums: Array1[vec4d], colors: Vectors | None, gutter: int) -> Bytes:
         """Texture, uint8 (3 size^2). Vertex `colors` fill invisible texels (None: black); `gutter` rings."""

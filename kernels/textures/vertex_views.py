@@ -37,15 +37,20 @@ MAX_MARKS = 1 << 26  # flags of images whose vertices are listed together: 5 B e
 
 @struct
 class DepthRule:
-    """Visibility by depth: `farthest` depth, `tolerance`, edge threshold `jump` [m], edge distance `reach` [px]."""
+    """Visibility by depth: `farthest` depth, `tolerance`, edge threshold `jump` [m], `edge_distance` [px]."""
 
     farthest: float
     tolerance: float
     jump: float
-    reach: int
+    edge_distance: int
 
-    def __init__(self, farthest: float, tolerance: float, jump: float, reach: int) -> None:
-        self.farthest, self.tolerance, self.jump, self.reach = float(farthest), float(tolerance), float(jump), reach
+    def __init__(self, farthest: float, tolerance: float, jump: float, edge_distance: int) -> None:
+        self.farthest, self.tolerance, self.jump, self.edge_distance = (
+            float(farthest),
+            float(tolerance),
+            float(jump),
+            edge_distance,
+        )
 
 
 @struct
@@ -67,9 +72,9 @@ class Sightings:
         launch(name_images_kernel, self.count, [firsts, self.images])
         bits = max(1, (max(vertex_count, 1) - 1).bit_length())
         _, self.order = argsort_keys(cast(self.vertices, int64), bit_count=bits)
-        seen = zeros(vertex_count, int32, device)
-        launch(count_views_kernel, self.count, [self.vertices, seen])
-        self.starts = offsets_of(seen)
+        view_counts = zeros(vertex_count, int32, device)
+        launch(count_views_kernel, self.count, [self.vertices, view_counts])
+        self.starts = offsets_of(view_counts)
 
 
 @kernel
@@ -119,36 +124,36 @@ def match_depth_kernel(
     depth: array(dtype=float32),
     marks: array(dtype=uint8),
     rule: DepthRule,
-    seen: array(dtype=uint8),
+    mask: array(dtype=uint8),
 ):
     i = tid()
-    place = project_vertex(vertices[i], image, pictures)
-    found = 0
+    projected = project_vertex(vertices[i], image, pictures)
+    visible = 0
     size = pictures.sizes[image]
-    u = int(floor(place[0] + 0.5))
-    v = int(floor(place[1] + 0.5))
-    if place[2] > 0.0 and u >= 0 and v >= 0 and u < size[0] and v < size[1]:
+    u = int(floor(projected[0] + 0.5))
+    v = int(floor(projected[1] + 0.5))
+    if projected[2] > 0.0 and u >= 0 and v >= 0 and u < size[0] and v < size[1]:
         d = depth[v * size[0] + u]
-        if d <= rule.farthest and abs(float(place[2]) - d) < rule.tolerance:
-            found = 1
-            for row in range(max(v - rule.reach, 0), min(v + rule.reach, size[1] - 1) + 1):
-                for column in range(max(u - rule.reach, 0), min(u + rule.reach, size[0] - 1) + 1):
+        if d <= rule.farthest and abs(float(projected[2]) - d) < rule.tolerance:
+            visible = 1
+            for row in range(max(v - rule.edge_distance, 0), min(v + rule.edge_distance, size[1] - 1) + 1):
+                for column in range(max(u - rule.edge_distance, 0), min(u + rule.edge_distance, size[0] - 1) + 1):
                     if marks[row * size[0] + column] != 0:
-                        found = 0
-    seen[i] = uint8(found)
+                        visible = 0
+    mask[i] = uint8(visible)
 
 
 @kernel
 def match_frame_kernel(
-    vertices: array(dtype=vec3), image: int, pictures: PosedPictures, farthest: float64, seen: array(dtype=uint8)
+    vertices: array(dtype=vec3), image: int, pictures: PosedPictures, farthest: float64, mask: array(dtype=uint8)
 ):
     """1 if the vertex is in the image up to a depth; occlusion is tested elsewhere."""
     i = tid()
-    place = project_vertex(vertices[i], image, pictures)
-    found = 0
-    if place[2] > 0.0 and place[2] <= farthest:
-        found = is_inside(place[0], place[1], image, 0.0, pictures)
-    seen[i] = uint8(found)
+    projected = project_vertex(vertices[i], image, pictures)
+    visible = 0
+    if projected[2] > 0.0 and projected[2] <= farthest:
+        visible = is_inside(projected[0], projected[1], image, 0.0, pictures)
+    mask[i] = uint8(visible)
 
 
 @kernel
@@ -158,7 +163,7 @@ def average_colors_kernel(
     pictures: PosedPictures,
     warps: Warps,
     colors: array(dtype=vec3),
-    seen: array(dtype=uint8),
+    colored: array(dtype=uint8),
 ):
     """Mean nearest-pixel color of a vertex over its images; black if there are none."""
     i = tid()
@@ -168,21 +173,21 @@ def average_colors_kernel(
     count = float64(0.0)
     for k in range(sightings.starts[i], sightings.starts[i + 1]):
         image = sightings.images[sightings.order[k]]
-        place = find_vertex(vertices[i], image, pictures, warps)
-        if place[2] > 0.0:
-            at = nearest_pixel(place[0], place[1], image, pictures)
+        projected = find_vertex(vertices[i], image, pictures, warps)
+        if projected[2] > 0.0:
+            at = nearest_pixel(projected[0], projected[1], image, pictures)
             red += float64(int(pictures.pixels[at, 0]))
             green += float64(int(pictures.pixels[at, 1]))
             blue += float64(int(pictures.pixels[at, 2]))
             count += 1.0
     color = vec3(0.0, 0.0, 0.0)
-    found = 0
+    has_color = 0
     if count > 0.0:
         scale = 255.0 * count
         color = vec3(float(red / scale), float(green / scale), float(blue / scale))
-        found = 1
+        has_color = 1
     colors[i] = color
-    seen[i] = uint8(found)
+    colored[i] = uint8(has_color)
 
 
 @kernel
@@ -196,40 +201,40 @@ def fill_colors_kernel(
     """Mean color of the nearest colored vertices. Uncolored rows are written, colored ones read."""
     i = tid()
     total = vec3(0.0, 0.0, 0.0)
-    found = 0.0
+    known_count = 0.0
     for k in range(count):
         j = neighbors[i, k]
         if j >= 0:
             total += colors[known[j]]
-            found += 1.0
-    if found > 0.0:
-        colors[rows[i]] = total / found
+            known_count += 1.0
+    if known_count > 0.0:
+        colors[rows[i]] = total / known_count
 
 
-def see_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: Scalars, rule: DepthRule) -> Mask:
+def mask_by_depth(vertices: Points, image: int, pictures: PosedPictures, depth: Scalars, rule: DepthRule) -> Mask:
     """Vertices visible in a depth image, uint8 (m); `depth` float32 (pixels) [m], 0 for none."""
     width, height, _ = pictures.layout[image].tolist()
-    marks, seen = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
+    marks, mask = empty(depth.size, uint8, depth.device), empty(vertices.size, uint8, depth.device)
     launch(mark_jumps_kernel, depth.size, [depth, width, height, rule.jump, marks])
-    launch(match_depth_kernel, vertices.size, [vertices, image, pictures, depth, marks, rule, seen])
-    return seen
+    launch(match_depth_kernel, vertices.size, [vertices, image, pictures, depth, marks, rule, mask])
+    return mask
 
 
-def see_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest: float) -> Mask:
+def mask_in_frame(vertices: Points, image: int, pictures: PosedPictures, farthest: float) -> Mask:
     """Vertices that project into an image, including occluded ones, uint8 (m)."""
-    seen = empty(vertices.size, uint8, vertices.device)
-    launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), seen])
-    return seen
+    mask = empty(vertices.size, uint8, vertices.device)
+    launch(match_frame_kernel, vertices.size, [vertices, image, pictures, float(farthest), mask])
+    return mask
 
 
 @kernel
-def count_shown_kernel(ranks: array(dtype=int32), vertex_count: int, counts: array(dtype=int32)):
+def count_visible_kernel(ranks: array(dtype=int32), vertex_count: int, counts: array(dtype=int32)):
     i = tid()
     counts[i] = ranks[(i + 1) * vertex_count - 1]
 
 
 @kernel
-def list_shown_kernel(
+def list_visible_kernel(
     mask: array(dtype=uint8), ranks: array(dtype=int32), vertex_count: int, vertices: array(dtype=int32)
 ):
     i = tid()
@@ -240,28 +245,28 @@ def list_shown_kernel(
 def list_sightings(masks: Iterable[Mask]) -> Sightings:
     """Sightings of masks uint8 (m), one per image, as an iterable to limit memory. CUDA: a sync per MAX_MARKS."""
     rows: list[Indices] = []
-    held: list[Mask] = []
+    batch: list[Mask] = []
     count = 0
     for mask in masks:
         count = mask.size
-        held.append(mask)
-        if not mask.device.is_cuda or (len(held) + 1) * count > MAX_MARKS:
-            rows += _rows_of(held)  # sync
-            held = []
-    return Sightings(rows + _rows_of(held), count)
+        batch.append(mask)
+        if not mask.device.is_cuda or (len(batch) + 1) * count > MAX_MARKS:
+            rows += _rows_of(batch)  # sync
+            batch = []
+    return Sightings(rows + _rows_of(batch), count)
 
 
 def _rows_of(masks: Sequence[Mask]) -> list[Indices]:
     if len(masks) < 2:
         return [positions_of(mask) for mask in masks]  # sync
-    device, count, whole = masks[0].device, masks[0].size, concatenate_rows(masks)
-    ranks, counts = empty(whole.size, int32, device), empty(len(masks), int32, device)
-    launch(count_mask_kernel, whole.size, [whole, ranks])
+    device, count, joined = masks[0].device, masks[0].size, concatenate_rows(masks)
+    ranks, counts = empty(joined.size, int32, device), empty(len(masks), int32, device)
+    launch(count_mask_kernel, joined.size, [joined, ranks])
     inclusive_scan(ranks, ranks)
-    launch(count_shown_kernel, len(masks), [ranks, count, counts])
+    launch(count_visible_kernel, len(masks), [ranks, count, counts])
     ends = download(counts).tolist()  # sync
     vertices = empty(ends[-1], int32, device)
-    launch(list_shown_kernel, whole.size, [whole, ranks, count, vertices])
+    launch(list_visible_kernel, joined.size, [joined, ranks, count, vertices])
     return [vertices[first:end] if end > first else empty(0, int32, device) for first, end in pairwise([0, *ends])]
 
 
@@ -269,9 +274,9 @@ def average_colors(
     vertices: Points, sightings: Sightings, pictures: PosedPictures, warps: Warps
 ) -> tuple[Vectors, Mask]:
     """Mean colors of vertices, vec3 (m) in 0..1, and visibility in any image, uint8 (m)."""
-    colors, seen = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
-    launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, seen])
-    return colors, seen
+    colors, colored = empty(vertices.size, vec3, vertices.device), empty(vertices.size, uint8, vertices.device)
+    launch(average_colors_kernel, vertices.size, [vertices, sightings, pictures, warps, colors, colored])
+    return colors, colored
 
 
 def fill_colors(colors: Vectors, rows: Indices, neighbors: Array2[int32], known: Integers) -> None:

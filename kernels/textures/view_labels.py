@@ -15,7 +15,7 @@ from .face_views import FaceViews
 UNIT = 1 << 16  # cost of an invisible triangle
 BEST = 0.995  # quality quantile from which on the cost is zero
 FAR = 1 << 30
-TURNS = 120  # message iterations: the range of a message in triangles
+ITERATIONS = 120  # message iterations: the range of a message in triangles
 MAX_CHANGES = 4096
 
 
@@ -45,15 +45,19 @@ def cost_views_kernel(qualities: array(dtype=float64), best: float64, costs: arr
 
 
 @kernel
-def believe_kernel(graph: LabelGraph, messages: array(dtype=int32), beliefs: array(dtype=int32)):
+def sum_beliefs_kernel(graph: LabelGraph, messages: array(dtype=int32), beliefs: array(dtype=int32)):
     """Belief of each candidate: cost plus messages."""
     i = tid()
     beliefs[i] = graph.costs[i] + messages[3 * i] + messages[3 * i + 1] + messages[3 * i + 2]
 
 
 @kernel
-def tell_kernel(
-    graph: LabelGraph, beliefs: array(dtype=int32), messages: array(dtype=int32), parity: int, told: array(dtype=int32)
+def pass_messages_kernel(
+    graph: LabelGraph,
+    beliefs: array(dtype=int32),
+    messages: array(dtype=int32),
+    parity: int,
+    new_messages: array(dtype=int32),
 ):
     """Messages to a triangle through one of its edges."""
     i = tid()
@@ -67,9 +71,9 @@ def tell_kernel(
         begin = graph.starts[twin // 3]
         end = graph.starts[twin // 3 + 1]
     other = twin % 3
-    least = int(FAR)
+    min_belief = int(FAR)
     for j in range(begin, end):
-        least = min(least, beliefs[j] - messages[3 * j + other])
+        min_belief = min(min_belief, beliefs[j] - messages[3 * j + other])
     j = begin
     for k in range(first, last):
         message = 0
@@ -78,8 +82,8 @@ def tell_kernel(
                 j += 1
             message = graph.price
             if j < end and graph.views[j] == graph.views[k]:
-                message = min(message, beliefs[j] - messages[3 * j + other] - least)
-        told[3 * k + side] = (messages[3 * k + side] + message + parity) // 2
+                message = min(message, beliefs[j] - messages[3 * j + other] - min_belief)
+        new_messages[3 * k + side] = (messages[3 * k + side] + message + parity) // 2
 
 
 @kernel
@@ -87,10 +91,10 @@ def take_best_kernel(graph: LabelGraph, beliefs: array(dtype=int32), labels: arr
     """Candidate with the least belief, the first of equals; -1 if there is none."""
     i = tid()
     label = -1
-    least = int(FAR)
+    min_belief = int(FAR)
     for k in range(graph.starts[i], graph.starts[i + 1]):
-        if beliefs[k] < least:
-            least = beliefs[k]
+        if beliefs[k] < min_belief:
+            min_belief = beliefs[k]
             label = k
     labels[i] = label
 
@@ -148,14 +152,14 @@ def change_kernel(
     """Change triangles that gain more than all neighbors (ties: the lower)."""
     i = tid()
     if gains[i] > 0:
-        most = 1
+        is_best = 1
         for side in range(3):
             twin = graph.twins[3 * i + side]
             if twin >= 0:
                 j = twin // 3
                 if gains[j] > gains[i] or (gains[j] == gains[i] and j < i):
-                    most = 0
-        if most == 1:
+                    is_best = 0
+        if is_best == 1:
             labels[i] = better[i]
             atomic_add(changes, 0, 1)  # integer sum: order-independent
 
@@ -213,27 +217,27 @@ def improve(graph: LabelGraph, labels: Indices) -> None:
     gains, better = empty(count, int32, device), empty(count, int32, device)
     changes, running = zeros(2, int32, device), full(1, 1, int32, device)
 
-    def turn() -> None:
+    def run_round() -> None:
         launch(weigh_changes_kernel, count, [graph, labels, gains, better])
         launch(change_kernel, count, [graph, gains, better, labels, changes])
         launch(end_changes_kernel, 1, [changes, running])
 
-    loop_while(running, turn)
+    loop_while(running, run_round)
 
 
-def choose_labels(graph: LabelGraph, turns: int = TURNS) -> Indices:
+def choose_labels(graph: LabelGraph, iterations: int = ITERATIONS) -> Indices:
     """Low-energy candidate per triangle, int32 (t), -1 if it has none. No single change improves it."""
     pairs, device = graph.views.size, graph.device
-    messages, told, beliefs = (
+    messages, new_messages, beliefs = (
         zeros(3 * pairs, int32, device),
         empty(3 * pairs, int32, device),
         empty(pairs, int32, device),
     )
-    for turn in range(turns):
-        launch(believe_kernel, pairs, [graph, messages, beliefs])
-        launch(tell_kernel, 3 * graph.count, [graph, beliefs, messages, turn % 2, told])
-        messages, told = told, messages
-    launch(believe_kernel, pairs, [graph, messages, beliefs])
+    for iteration in range(iterations):
+        launch(sum_beliefs_kernel, pairs, [graph, messages, beliefs])
+        launch(pass_messages_kernel, 3 * graph.count, [graph, beliefs, messages, iteration % 2, new_messages])
+        messages, new_messages = new_messages, messages
+    launch(sum_beliefs_kernel, pairs, [graph, messages, beliefs])
     labels = empty(graph.count, int32, device)
     launch(take_best_kernel, graph.count, [graph, beliefs, labels])
     improve(graph, labels)

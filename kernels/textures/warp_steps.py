@@ -341,15 +341,15 @@ class WarpSearch(ColorSearch):
         sightings: Sightings,
         pictures: PosedPictures,
         warps: Warps,
-        most_turns: int,
+        max_iterations: int,
         weight: float,
     ) -> None:
-        super().__init__(vertices, sightings, pictures, warps, most_turns)
+        super().__init__(vertices, sightings, pictures, warps, max_iterations)
         self.system = WarpSystem(warps, sightings.count, sightings.counts / max(vertices.size, 1), weight)
         self.best_shifts = clone(warps.shifts)
         self.keys = empty(sightings.count, int64, vertices.device)
 
-    def turn(self) -> bool:
+    def iterate(self) -> bool:
         """One iteration. False after the last (one sync)."""
         warps, system = self.warps, self.system
         self.measure()

@@ -24,7 +24,7 @@ from ...kernels.textures.vertex_views import (
     average_colors,
     fill_colors,
     list_sightings,
-    see_by_depth,
+    mask_by_depth,
 )
 from ...kernels.textures.warp_steps import WarpSearch
 from ...pcd.cloud import PointCloud
@@ -88,7 +88,7 @@ def run_rigid_optimizer(
     pictures, sightings = _look(mesh, images, chosen, occlusion)
     warps = Warps(pictures.layout, 0, mesh.device)
     search = ColorSearch(mesh.array("vertices"), sightings, pictures, warps, chosen.maximum_iteration)
-    loop_while(search.state.running, search.turn_rigid)
+    loop_while(search.state.running, search.iterate_rigid)
     return _conclude(mesh, images, camera_trajectory, chosen, search)
 
 
@@ -130,7 +130,7 @@ def run_non_rigid_optimizer(
     warps = Warps(pictures.layout, chosen.number_of_vertical_anchors, mesh.device)
     weight, turns = chosen.non_rigid_anchor_point_weight, chosen.maximum_iteration
     search = WarpSearch(mesh.array("vertices"), sightings, pictures, warps, turns, weight)
-    while search.turn():
+    while search.iterate():
         pass
     return _conclude(mesh, images, camera_trajectory, chosen, search)
 
@@ -189,7 +189,7 @@ def _masks(
         option.half_dilation_kernel_size_for_discontinuity_map,
     )
     for i, depth in enumerate(depths):
-        yield see_by_depth(mesh.array("vertices"), i, pictures, depth, rule)
+        yield mask_by_depth(mesh.array("vertices"), i, pictures, depth, rule)
 
 
 def _depths_by_rays(mesh: TriangleMesh, pictures: PosedPictures) -> Iterator[wp.array]:
@@ -205,7 +205,7 @@ def _conclude(
     colors, seen = average_colors(search.vertices, search.sightings, search.pictures, search.warps)
     _fill_unseen(mesh, colors, seen, option.invisible_vertex_color_knn)
     state = search.state
-    found = read_together([search.best_sums, state.error, state.turns, search.pictures.poses, seen])  # sync
+    found = read_together([search.best_sums, state.error, state.iterations, search.pictures.poses, seen])  # sync
     sums, error, turns, poses, seen_there = found
     count = max(float(sums[:, COUNT].sum()), 1.0)
     return ColorMapResult(

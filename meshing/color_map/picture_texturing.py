@@ -14,13 +14,13 @@ from ...kernels.arrays.sort import positions
 from ...kernels.memory import check_room, download
 from ...kernels.meshes.merge_vertices import find_equal_vertices, rename_corners
 from ...kernels.textures.chart_texels import ChartTexels, finish_texels, paint_texels
-from ...kernels.textures.charts import cut_charts, find_twins, place_corners
+from ...kernels.textures.charts import compute_uvs, cut_charts, find_twins
 from ...kernels.textures.color_outliers import keep_likely
 from ...kernels.textures.exposures import Exposures, find_exposures, plain_exposures
-from ...kernels.textures.face_views import FaceLooks, FaceViews, keep_views
+from ...kernels.textures.face_views import FaceViews, FaceVisibility, keep_views
 from ...kernels.textures.hidden_vertices import plant_trees
 from ...kernels.textures.posed_pictures import PosedPictures
-from ...kernels.textures.seam_joins import SeamPlaces, drawn_steps, join_seams
+from ...kernels.textures.seam_joins import SeamSamples, drawn_steps, join_seams
 from ...kernels.textures.seam_levels import SeamLevels, Seams
 from ...kernels.textures.seam_strips import blend_strips
 from ...kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, cost_views, energy_of, name_views
@@ -120,7 +120,13 @@ def texture_from_pictures(
     views = download(choice.seams.views).copy()
     counts = {"chart_count": painted.charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
     mean, most = painted.steps if painted.steps is not None else (None, None)
-    figures = {"energy": choice.energy, "step_before": before, "step": mean, "step_95": most, "turns": levels.turns}
+    figures = {
+        "energy": choice.energy,
+        "step_before": before,
+        "step": mean,
+        "step_95": most,
+        "turns": levels.iterations,
+    }
     how = {"size": painted.packing.size, "scale": painted.packing.scale, "drew_colors": painted.drew_colors}
     return PicturedMesh(painted.mesh, views, choice.pictures.count, **counts, **figures, **how)
 
@@ -150,7 +156,7 @@ def _choose(
     owners = find_equal_vertices(vertices)
     triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
     pictures = images.pictures(mesh.origin, 0)
-    looks = FaceLooks(vertices, triangles, pictures, plant_trees(vertices, triangles), farthest)
+    looks = FaceVisibility(vertices, triangles, pictures, plant_trees(vertices, triangles), farthest)
     all_views = looks.views(lambda done: say("views", done, pictures.count))
     if not all_views.count:
         raise NothingSeenError(
@@ -190,10 +196,10 @@ def _paint(
     side = packing.size
     check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
     where = (packing.places, packing.scale, packing.cells, side)
-    uvs = place_corners(vertices, seams.triangles, seams.views, pictures, charts, *where)
+    uvs = compute_uvs(vertices, seams.triangles, seams.views, pictures, charts, *where)
     texels = ChartTexels(uvs, side)
     paint_texels(texels, vertices, seams, pictures, choice.exposures, levels.shifts, packing.scale, colors, plain)
-    places = SeamPlaces(texels, seams)
+    places = SeamSamples(texels, seams)
     if blend:
         blend_strips(texels, vertices, seams, pictures, choice.exposures, levels.shifts)
         join_seams(places, texels.colors)

@@ -32,7 +32,7 @@ from ...kernels.rays.distance_colors import color_distances
 from ...kernels.rays.solid_voxels import crossed_columns, inner_voxels
 from ...kernels.rays.surface_hausdorff import distances_to
 from ...kernels.rays.triangle_tree import TriangleTree
-from ...kernels.rays.triangle_voxels import VoxelFrame, settle, touched_columns, touched_voxels, voxels_of
+from ...kernels.rays.triangle_voxels import VoxelFrame, read_counts, touched_columns, touched_voxels, voxels_of
 from ...kernels.surface.orientation import normalize_vectors
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.cloud import PointCloud
@@ -601,7 +601,7 @@ class MeshMeasures(MeshSelection):
             columns = [touched_columns(vertices, triangles, frame)]
             if solid:
                 columns.append(crossed_columns(vertices, triangles, frame))
-            settle(columns)  # sync
+            read_counts(columns)  # sync
             keys = touched_voxels(columns[0])
             if solid:
                 keys = concatenate_rows([keys, inner_voxels(columns[1], frame)])  # sync

@@ -28,7 +28,7 @@ from ...kernels.lang import int32, vec3d
 from ...kernels.memory import check_room, download, fill, upload, zeros
 from ...kernels.meshes import clean_triangles
 from ...kernels.meshes.mesh_measures import measure
-from ...kernels.rays.surface_positions import SurfacePlaces
+from ...kernels.rays.surface_positions import SurfacePositions
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.remeshing import subdivision
 from ...kernels.remeshing.creased_mesh import CreasedMesh, crease_segments, find_features
@@ -36,8 +36,8 @@ from ...kernels.remeshing.decimation import Decimation
 from ...kernels.remeshing.flipped_edges import flip_edges
 from ...kernels.remeshing.long_edges import split_long_edges
 from ...kernels.remeshing.mesh_filters import approach_mean_kernel, average_kernel, filter_values, sharpen_kernel
-from ...kernels.remeshing.relaxed_vertices import choose_places, move_where_nothing_turns, relaxed
-from ...kernels.remeshing.rigid_deformation import deform_rigidly, turn_directions
+from ...kernels.remeshing.relaxed_vertices import choose_positions, move_without_flips, relaxed
+from ...kernels.remeshing.rigid_deformation import deform_rigidly, rotate_directions
 from ...kernels.remeshing.short_edges import collapse_short_edges
 from ...kernels.remeshing.vertex_clustering import cluster_vertices
 from ...kernels.remeshing.vertex_values import narrow_directions, narrow_rows, widen_rows
@@ -502,7 +502,7 @@ class MeshRemeshing(MeshMeasures):
         moved, rotations = deform_rigidly(arrays["vertices"], arrays["triangles"], rows, places, turns, likeness)
         bent: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
         if "vertex_normals" in self._arrays:
-            bent["vertex_normals"] = turn_directions(rotations, self._arrays["vertex_normals"], sewn.places)
+            bent["vertex_normals"] = rotate_directions(rotations, self._arrays["vertex_normals"], sewn.places)
         return self._with_arrays(**bent)
 
 
@@ -590,9 +590,9 @@ class Course:
         """Relax vertices RELAXED times along the surface and creases. One sync each if `taken` is None."""
         for k in range(RELAXED):
             moved = relaxed(self.mesh)
-            on_surface, on_lines = (SurfacePlaces(moved, tree).points for tree in self.trees)
-            places = choose_places(self.mesh, on_surface, on_lines)
-            move_where_nothing_turns(self.mesh, places, None if taken is None else taken[k : k + 1])
+            on_surface, on_lines = (SurfacePositions(moved, tree).points for tree in self.trees)
+            places = choose_positions(self.mesh, on_surface, on_lines)
+            move_without_flips(self.mesh, places, None if taken is None else taken[k : k + 1])
 
 
 def _names_of(scope: Any) -> tuple[str, ...]:

@@ -25,7 +25,7 @@ from ...kernels.meshes import clean_triangles, mesh_edges, orientation
 from ...kernels.meshes.boundary_loops import Border, find_loops
 from ...kernels.meshes.corner_vertices import split_fans
 from ...kernels.meshes.holes import Filling, spread_corners, spread_ids
-from ...kernels.meshes.mesh_components import holds_marked
+from ...kernels.meshes.mesh_components import has_marked
 from ...kernels.meshes.mesh_edges import find_split_vertices, mask_counts
 from ...kernels.meshes.mesh_edits import count_referenced, count_unlike, shift_triangles
 from ...kernels.meshes.orientation import Orientation, flip_some, flip_some_corners
@@ -367,7 +367,7 @@ class MeshRepair(MeshMeasures):
         finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
         found = cut_and_stitch(finite)
         mesh, orientation = found.mesh, Orientation(found.mesh._device_arrays["triangles"], found.mesh._vertex_count)
-        orientation.follow_most()
+        orientation.follow_majority()
         mesh, flipped = found.mesh._flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
         if size is not None:
@@ -439,8 +439,8 @@ class MeshRepair(MeshMeasures):
         several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # a single part cannot be nested
         labels = download(measured.labels) if several else np.empty(0, np.int64)  # sync
         parts = Parts(labels, measured.closed, measured.volumes)
-        kept = ~holds_marked(measured.labels, flipped, len(measured.closed))  # sync
-        found.turn_parts(measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), kept))
+        kept = ~has_marked(measured.labels, flipped, len(measured.closed))  # sync
+        found.flip_parts(measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), kept))
         return self._flipped(found.flips), found.orientable
 
     def _findings(self) -> dict[str, Any]:

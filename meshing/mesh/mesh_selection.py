@@ -41,7 +41,7 @@ from ...kernels.meshes.close_vertices import find_close_vertices
 from ...kernels.meshes.holes import spread_corners
 from ...kernels.meshes.level_cut import LevelCut
 from ...kernels.meshes.mesh_components import Parts
-from ...kernels.meshes.mesh_edits import mark_places, renumber_triangles
+from ...kernels.meshes.mesh_edits import mask_and_index, renumber_triangles
 from ...kernels.meshes.trim import mask_trimmed
 from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
@@ -96,7 +96,7 @@ class MeshSelection(MeshArrays):
             [[1, 0, 2]]
         """
         used = cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
-        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))
+        whole = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))
         return self._with_used(whole.pop("triangles"), used, **whole)
 
     @returns_new
@@ -137,7 +137,7 @@ class MeshSelection(MeshArrays):
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
         arrays = self._triangles_at(rows) | self._vertices_at(vertices)
-        places = mesh_edits.mark_places(vertices, count)[1]
+        places = mesh_edits.mask_and_index(vertices, count)[1]
         arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], places)
         return self._with_arrays(**arrays), rows, vertices, *positions
 
@@ -292,7 +292,7 @@ class MeshSelection(MeshArrays):
         """Remove masked triangles. Keep their vertices and those of `used`. One sync."""
         rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
         taken = self._triangles_at(rows) | self._vertices_at(vertices)
-        places = mark_places(vertices, used.size)[1]
+        places = mask_and_index(vertices, used.size)[1]
         taken["triangles"] = renumber_triangles(taken["triangles"], places)
         return self._with_arrays(**taken)
 
@@ -418,8 +418,8 @@ class MeshSelection(MeshArrays):
 
     def _at_vertices(self, rows: wp.array) -> Self:
         """Select vertices by row, each once, and the triangles between them."""
-        used, places = mesh_edits.mark_places(rows, self._vertex_count)
-        whole = self._triangles_at(mesh_edits.whole_triangles(self._arrays["triangles"], used))  # sync
+        used, places = mesh_edits.mask_and_index(rows, self._vertex_count)
+        whole = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))  # sync
         whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self._vertices_at(rows)
         return self._with_arrays(**whole)
 
@@ -672,19 +672,19 @@ class MeshSelection(MeshArrays):
         found = plane_cut.read_half_edges(whole._arrays["vertices"], cut.pieces, sides, rows)  # sync
         ends = lines_in_plane(found.rows, self._arrays["vertices"].size)
         used, numbers = np.unique(ends, return_inverse=True)
-        return found.places(used) + self._origin, numbers.reshape(-1, 2)
+        return found.positions(used) + self._origin, numbers.reshape(-1, 2)
 
     def _above(self, cut: LevelCut, sides: wp.array, kept: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
         """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
         mesh, rows, chosen, found = self._chosen(kept, plane_cut.mark_in_plane(cut, kept))  # sync
         vertices, pieces = self._arrays["vertices"], cut.pieces
-        places = [mesh_edits.mark_places(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]
+        places = [mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]
         return mesh, plane_cut.read_half_edges(vertices, pieces, sides, found, (places[0], places[1]))  # sync
 
     def _with_lid(self, found: plane_cut.HalfEdges, plane: _Plane) -> Self:
         ends = outline(found.rows)[:, ::-1]  # in the direction of the cap's triangles
         used = np.unique(ends)
-        flat = matmul(found.places(used), plane.axes()[::-1].T)  # seen from below
+        flat = matmul(found.positions(used), plane.axes()[::-1].T)  # seen from below
         loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
         if paths:
             warnings.warn(f"cap: {len(paths)} outlines are not closed, as the mesh is not; no lid there", stacklevel=4)

@@ -18,7 +18,7 @@ from ...kernels.memory import download, empty, upload
 from ...kernels.meshes import clean_triangles, merge_vertices
 from ...kernels.meshes.copies import find_copies
 from ...kernels.meshes.corner_vertices import CornerVertices, keep_corners
-from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, later_listed
+from ...kernels.meshes.mesh_edits import count_referenced, gather_triangles, repeated_positions
 from ...kernels.meshes.part_votes import keep_alone, mark_open_sides
 from ...kernels.meshes.sheets import Sheets, mask_loose
 from .covered_parts import Copies, find_covered, find_doubled
@@ -86,8 +86,8 @@ def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeat
         copied_area=copied_area,
         crowding=crowding.size,
         halved=len(whole) - len(sewn),
-        merged=used - found.kept,
-        split=whole._device_arrays["vertices"].size - found.kept,
+        merged=used - found.kept_count,
+        split=whole._device_arrays["vertices"].size - found.kept_count,
         unused=vertices.size - used,
         open_sides=sum_counts(mark_open_sides(twins)),  # sync
     )
@@ -105,7 +105,7 @@ def _find_worthless(mesh: MeshSelection, placed: Triangles, loose: Mask) -> tupl
     classes, count = find_copies(triangles, vertices.size)  # sync
     turned = again
     if count < rest.size:
-        turned = later_listed(classes, count)
+        turned = repeated_positions(classes, count)
     return gather_rows(rows, folded), gather_rows(rows_left, again), gather_rows(rows_left, turned)
 
 

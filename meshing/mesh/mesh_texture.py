@@ -164,7 +164,7 @@ class MeshTexture(MeshArrays):
         sums = texels.blend(checked.pictures(self._origin, 0), trees)
         colors = self._arrays.get("vertex_colors")
         picture = download(texels.write(sums, colors, GUTTER)).reshape(size, size, 3)  # sync
-        share = texels.share_shown(sums)  # sync
+        share = texels.visible_fraction(sums)  # sync
         textured = self._with_arrays(triangle_material_ids=None)
         textured.textures = (picture.copy(),)
         return textured, share

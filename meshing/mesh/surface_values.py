@@ -6,7 +6,7 @@ from typing import Any, TypeVar
 
 from ...core.array_libraries import view_as
 from ...kernels.lang import float32, vec3
-from ...kernels.rays.surface_positions import SurfacePlaces, middles_of
+from ...kernels.rays.surface_positions import SurfacePositions, middles_of
 from ...kernels.rays.triangle_tree import TriangleTree
 from ...kernels.surface.orientation import normalize_vectors
 from .mesh_attributes import each, rows_of
@@ -25,9 +25,9 @@ def with_attributes_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None
     arrays: dict[str, Any] = {}
     vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
     if held["vertex_attributes"]:
-        arrays["vertex_attributes"] = each(held["vertex_attributes"], SurfacePlaces(vertices, tree).mixed.of)
+        arrays["vertex_attributes"] = each(held["vertex_attributes"], SurfacePositions(vertices, tree).mixed.of)
     if held["triangle_attributes"]:
-        nearest = SurfacePlaces(middles_of(vertices, triangles), tree).triangles
+        nearest = SurfacePositions(middles_of(vertices, triangles), tree).triangles
         arrays["triangle_attributes"] = rows_of(held["triangle_attributes"], nearest)
     return mesh._with_arrays(**arrays)
 
@@ -38,7 +38,7 @@ def with_vectors_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None) -
     if not names or not len(source) or not mesh._device_arrays["vertices"].size:
         return mesh
     tree = tree or TriangleTree(source._device_arrays["vertices"], source._device_arrays["triangles"])
-    mixed, arrays = SurfacePlaces(mesh._device_arrays["vertices"], tree).mixed, {}
+    mixed, arrays = SurfacePositions(mesh._device_arrays["vertices"], tree).mixed, {}
     for name in names:
         rows = source._device_arrays[name]
         table = mixed.of(view_as(rows, float32, (rows.size, 3)))

@@ -223,7 +223,7 @@ class SceneDistances(SceneGeometries):
     def _find_nearest(self, queries: wp.array) -> NearestTriangles:
         nearest = NearestTriangles(queries)
         for number in range(len(self)):
-            nearest.look_into(self._trees[self._mesh_of[number]], self._seen_from(number, queries), number)
+            nearest.search(self._trees[self._mesh_of[number]], self._seen_from(number, queries), number)
         return nearest
 
     def _winding_numbers(self, queries: wp.array, order: Any) -> wp.array:

@@ -75,8 +75,8 @@ def test_every_device_makes_the_same_mesh_however_often_vertices_are_taken_back(
     mesh.vertices = mesh.vertices + 0.4 * is_rough * rng.normal(size=mesh.vertices.shape)
     first, redone, settle = mesh.remesh_isotropic(length, 8), [], Course._is_settled
     monkeypatch.setattr(Course, "_is_settled", lambda *given: redone.append(settle(*given)) or redone[-1])
-    for turns in (relaxed_vertices.TURNS, 1):  # with one, the host finds that more would have to be taken back
-        monkeypatch.setattr(relaxed_vertices, "TURNS", turns)
+    for turns in (relaxed_vertices.PASSES, 1):  # with one, the host finds that more would have to be taken back
+        monkeypatch.setattr(relaxed_vertices, "PASSES", turns)
         made = mesh.to(device).remesh_isotropic(length, 8)
         assert (made.triangles == first.triangles).all() and (made.vertices == first.vertices).all()
     assert all(redone) == (not is_rough or mesh.to(device).device.is_cpu)

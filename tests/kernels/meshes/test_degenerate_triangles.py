@@ -38,7 +38,7 @@ def test_a_triangle_that_has_an_edge_twice_counts_once(put):
 
 def test_open_half_edges_without_length_belong_to_no_edge(put):
     found = OpenEdges(put([[0, 1, 1], [0, 1, 2]], vec3i), 3, put([0, 1, 0, 1, 1, 1], uint8))
-    assert found.count == 3 and sorted(download(found.halves)[: download(found.starts)[3]]) == [3, 4, 5]
+    assert found.count == 3 and sorted(download(found.half_edges)[: download(found.starts)[3]]) == [3, 4, 5]
 
 
 def test_masks_are_joined(put):

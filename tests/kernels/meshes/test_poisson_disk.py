@@ -72,7 +72,7 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
 @pytest.mark.parametrize(("kept", "in_rounds"), [(57, False), (300, True)])
 @pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "strays", "nowhere", "crowd and strays"])
 def test_the_samples_are_those_that_a_heap_leaves(device, rng, monkeypatch, name, kept, in_rounds):
-    monkeypatch.setattr(poisson_disk, "IN_TURN", 0 if in_rounds else 2**16)
+    monkeypatch.setattr(poisson_disk, "MAX_SEQUENTIAL", 0 if in_rounds else 2**16)
     points, area = scene(name, rng)
     widest = 2 * np.sqrt(area / kept / (2 * np.sqrt(3)))
     np.testing.assert_array_equal(by_rounds(points, kept, widest, device), by_heap(points, kept, widest))

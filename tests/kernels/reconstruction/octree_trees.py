@@ -37,7 +37,7 @@ def tree_of(points, depth, device, normals=None, samples_per_cell=1.5):
 def slot_places(level):
     """int [8 blocks, 3]."""
     corners = np.stack([np.arange(8) >> axis & 1 for axis in range(3)], axis=1)
-    return (2 * download(level.places).reshape(-1, 1, 3) + corners).reshape(-1, 3)
+    return (2 * download(level.positions).reshape(-1, 1, 3) + corners).reshape(-1, 3)
 
 
 def is_cell(level):

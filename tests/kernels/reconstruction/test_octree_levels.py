@@ -59,7 +59,7 @@ def test_cells_around_a_divided_cell_exist(pyramid):
 def test_blocks_around_a_block_are_those_of_its_places(pyramid):
     steps = np.stack(np.meshgrid(*[[-1, 0, 1]] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     for level in pyramid.levels[1:]:
-        places = download(level.places).reshape(-1, 3)
+        places = download(level.positions).reshape(-1, 3)
         at = {tuple(p): i for i, p in enumerate(places)}
         wanted = [[at.get(tuple(p), -1) for p in place + steps] for place in places]
         np.testing.assert_array_equal(download(level.around).reshape(-1, 27), wanted)
@@ -68,7 +68,7 @@ def test_blocks_around_a_block_are_those_of_its_places(pyramid):
 def test_children_and_parents_are_halves_and_doubles(pyramid):
     for above, level in zip(pyramid.levels[1:], pyramid.levels[2:], strict=False):
         parents = download(level.parents)
-        np.testing.assert_array_equal(slot_places(above)[parents], download(level.places).reshape(-1, 3))
+        np.testing.assert_array_equal(slot_places(above)[parents], download(level.positions).reshape(-1, 3))
         np.testing.assert_array_equal(download(above.children)[parents], np.arange(level.count))
         np.testing.assert_array_equal(download(level.has_cells), download(above.divided)[parents])
 
@@ -76,7 +76,7 @@ def test_children_and_parents_are_halves_and_doubles(pyramid):
 def test_each_cell_of_samples_has_the_slot_of_its_place(pyramid):
     reached = 0
     for cells, reach, at, level in zip(
-        pyramid.cells[1:], pyramid.reaches[1:], pyramid.cells_at[1:], pyramid.levels[1:], strict=False
+        pyramid.cells[1:], pyramid.nodes[1:], pyramid.cells_at[1:], pyramid.levels[1:], strict=False
     ):
         slots = download(reach.slots)
         found = slots >= 0

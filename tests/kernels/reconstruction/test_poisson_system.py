@@ -44,7 +44,7 @@ def spread_samples(pyramid, depth):
     for k in (depth, depth + 1):
         if k > DEPTH:
             continue
-        cells, reach = pyramid.cells[k], pyramid.reaches[k]
+        cells, reach = pyramid.cells[k], pyramid.nodes[k]
         local = download(reach.depths).astype(float)
         share = np.clip(1 - (k - local), 0, 1) if k > 1 else np.ones_like(local)
         share = share if k == depth else 1 - share

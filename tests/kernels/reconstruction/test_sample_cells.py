@@ -57,7 +57,7 @@ def test_the_density_is_that_of_splines_by_brute_force(device):
     assert len(pyramid.densities) == 3  # asked up to two levels above the finest
     above = np.full(1, 600 / 1.5)
     for depth in (1, 2):
-        cells, reach, n = pyramid.cells[depth], pyramid.reaches[depth], 1 << depth
+        cells, reach, n = pyramid.cells[depth], pyramid.nodes[depth], 1 << depth
         at = download(cells.means).astype(float) * n
         centers = np.stack(np.meshgrid(*[np.arange(n) + 0.5] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
         weights = spline(at[:, None] - centers).prod(axis=2)  # [cells of samples, cells]

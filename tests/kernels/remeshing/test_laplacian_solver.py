@@ -94,7 +94,7 @@ def test_vertices_without_springs_move_by_their_own_weights(device, rng):
 
 def test_a_limit_that_is_never_reached_is_an_error(device):
     system = System(device)
-    solver = LaplacianSolver(system.level, system.solution, -1.0, most=7)
+    solver = LaplacianSolver(system.level, system.solution, -1.0, max_iterations=7)
     solver.solve(system.sides)
     assert solver.state.iterations.numpy()[0] == 7
     with pytest.raises(UnsolvedError, match="7 turns"):

@@ -8,7 +8,7 @@ from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import uint8, vec3, vec3i
 from pointloom.kernels.memory import download, upload, zeros
 from pointloom.kernels.remeshing.creased_mesh import CreasedMesh
-from pointloom.kernels.remeshing.relaxed_vertices import move_where_nothing_turns
+from pointloom.kernels.remeshing.relaxed_vertices import move_without_flips
 
 SQUARE = np.array([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0], [5, 5, 0], [6, 5, 0], [7, 5, 0]], float)
 FANS = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [5, 6, 7]])
@@ -24,7 +24,7 @@ def test_vertices_of_triangles_that_would_turn_stay(device):
         )
         moved = SQUARE.copy()
         moved[4:6, 0] += step
-        move_where_nothing_turns(mesh, upload(moved, vec3, place))
+        move_without_flips(mesh, upload(moved, vec3, place))
         expected = moved.copy()
         if stays:
             expected[4] = SQUARE[4]

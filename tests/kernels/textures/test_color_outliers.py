@@ -5,22 +5,30 @@ import numpy as np
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import float64, int32, vec3
 from pointloom.kernels.memory import download, upload
-from pointloom.kernels.textures.color_outliers import FEWEST, KNOWN, LEAST, NEAR, TURNS, UNLIKELY, keep_likely
+from pointloom.kernels.textures.color_outliers import (
+    MAX_ITERATIONS,
+    MIN_DISTANCE,
+    MIN_VIEWS,
+    NEAR,
+    NOISE_VARIANCE,
+    UNLIKELY,
+    keep_likely,
+)
 from pointloom.kernels.textures.face_views import FaceViews
 
 
 def likely(colors):
     """The mask of one triangle's colors, and how many Gaussians were fitted until it was settled."""
-    if len(colors) < FEWEST:
+    if len(colors) < MIN_VIEWS:
         return np.ones(len(colors), bool), 0
     gaps = np.linalg.norm(colors[:, None] - colors, axis=2)
     middle = gaps[gaps.sum(axis=1).argmin()]
-    keep = middle <= max(NEAR * np.sort(middle)[(len(colors) - 1) // 2], LEAST)
-    for turn in range(TURNS):
-        if keep.sum() < FEWEST:
+    keep = middle <= max(NEAR * np.sort(middle)[(len(colors) - 1) // 2], MIN_DISTANCE)
+    for turn in range(MAX_ITERATIONS):
+        if keep.sum() < MIN_VIEWS:
             return np.ones(len(colors), bool), turn
         off = colors - colors[keep].mean(axis=0)
-        inverse = np.linalg.inv(np.cov(colors[keep].T, bias=True) + KNOWN * np.eye(3))
+        inverse = np.linalg.inv(np.cov(colors[keep].T, bias=True) + NOISE_VARIANCE * np.eye(3))
         before, keep = keep, np.einsum("ni,ij,nj->n", off, inverse, off) <= UNLIKELY
         if (keep == before).all():
             break

@@ -11,7 +11,7 @@ from pointloom.kernels.textures.color_steps import (
     FIRST_DAMPING,
     SQUARES,
     SearchState,
-    judge_turn_kernel,
+    judge_iteration_kernel,
     keep_best_kernel,
     pose_sums,
 )
@@ -22,7 +22,7 @@ def judge(state, squares, place, counts=(10.0, 10.0)):
     sums = np.zeros((2, 29))
     sums[:, SQUARES], sums[:, COUNT] = squares, counts
     given = upload(sums, pose_sums, place)
-    launch(judge_turn_kernel, 1, [given, zeros(2, float64, place), state])
+    launch(judge_iteration_kernel, 1, [given, zeros(2, float64, place), state])
     return given, download(state.error).copy(), int(download(state.running)[0]), int(download(state.outcome)[0])
 
 

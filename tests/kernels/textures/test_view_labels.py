@@ -87,7 +87,7 @@ def test_after_no_messages_no_single_change_lowers_the_energy(device, rng, price
     place, triangles = wp.get_device(device), grid(7, 5)
     costs = rng.integers(0, UNIT, (len(triangles), 3))
     graph = make_graph(triangles, costs, round(price * UNIT), place)
-    views = download(graph.views)[download(choose_labels(graph, turns=0))]
+    views = download(graph.views)[download(choose_labels(graph, iterations=0))]
     start, _ = energy_by_hand(triangles, costs, graph.price, costs.argmin(axis=1))
     least, _ = energy_by_hand(triangles, costs, graph.price, views)
     assert least < start

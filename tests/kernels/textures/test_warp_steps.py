@@ -67,7 +67,7 @@ def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
     copy(warps.shifts, upload(start, vec2d, place), count=warps.count)
     search = WarpSearch(vertices, sightings, pictures, warps, 1, 0.9)
     poses = download(pictures.poses).copy()
-    assert search.turn()
+    assert search.iterate()
     damping = 1 + 1e-6  # FIRST_DAMPING
     shifts = download(warps.shifts).copy()
     moved = download(pictures.poses)
