@@ -44,7 +44,7 @@ def show_results(block: Any, script: dict[str, Any], gallery: dict[str, Any]) ->
     for name, value in list(script["example_globals"].items()):
         if id(value) in shown or name.startswith("_"):
             continue
-        if isinstance(value, Picture) and value._is_whole():
+        if isinstance(value, Picture) and value._is_image():
             shown[id(value)] = value
             text += show_picture(name, value, script, gallery)
         elif name == PAGE and isinstance(value, Path) and value.suffix == ".html" and value.exists():

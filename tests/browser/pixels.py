@@ -52,7 +52,7 @@ def is_idle(viewer: Any) -> bool:
         boxes = [session._toolbox for session in viewer.sessions.values() if session._toolbox is not None]
         return not (
             events.events.at_rest_running
-            or viewer._later._asked.is_set()
+            or viewer._deferred._requested.is_set()
             or viewer._levels._coming
             or any(box._waiting for box in boxes)
             or any(session._timer or session._feeder for session in viewer.sessions.values())

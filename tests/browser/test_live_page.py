@@ -26,7 +26,7 @@ def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
     with program.pages.atomic():
         first.remove()
         program.add_square(BLUE)
-        client.ask_for_sign()
+        client.request_signal()
     wait_until(page, lambda: signed, lambda: "no sign")
     image = picture(page)
     assert count_pixels(image, BLUE) > 20_000
@@ -221,7 +221,7 @@ def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
     again = Program(program.port)
     try:
         again.add_square(RED)
-        again.add_square(BLUE).place(np.eye(3), (5, 0, 0))
+        again.add_square(BLUE).set_transform(np.eye(3), (5, 0, 0))
         with again.pages.gui.add_folder("folder", open=False):
             again.pages.gui.add_words("another")
         expect(page.get_by_text("another")).to_be_visible()  # the folder that was opened is open
@@ -266,10 +266,10 @@ def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeyp
     page = visit()
     monkeypatch.setattr("pointloom.visualization.viewer.link.hub.PROTOCOL", "pointloom.2")
     program.pages.disconnect_all()
-    expect(page.get_by_role("button", name="Load again")).to_be_visible()
+    expect(page.get_by_role("button", name="Reload")).to_be_visible()
     monkeypatch.undo()
     with page.expect_event("load"):
-        page.get_by_role("button", name="Load again").click()
+        page.get_by_role("button", name="Reload").click()
     ready(page)
 
 

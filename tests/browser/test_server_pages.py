@@ -100,5 +100,5 @@ def test_a_name_that_was_turned_to_this_machine_gets_nothing(server, open_page):
 
 def test_a_page_without_the_key_sees_nothing(server, open_page):
     page = open_page(server.url.partition("?")[0], faults=False)
-    page.get_by_text("This address lacks its key").wait_for()
+    page.get_by_text("This address lacks its token").wait_for()
     assert page.locator("canvas").count() == 0

@@ -167,7 +167,7 @@ def test_pairs_picked_with_the_mouse_bring_two_clouds_together(viewer, open_page
         visitor.until(lambda n=number: len(tool._picks) == 2 * n + 2)
     assert [found.index for found in tool._picks] == [500, 500, 1033, 1033, 820, 821, 390, 390]
     visitor.page.keyboard.press("Enter")
-    visitor.until(lambda: "lies on target now" in visitor.box.stage.status.value)
+    visitor.until(lambda: "is registered to target" in visitor.box.stage.status.value)
     pose = viewer.items["source"].pose
     assert np.abs(moved @ pose[:3, :3].T + pose[:3, 3] - points).max() < 1e-3
     with visitor.page.expect_download(lambda download: download.suggested_filename == "pairs.txt") as download:

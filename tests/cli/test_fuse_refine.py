@@ -53,7 +53,7 @@ def test_a_pose_that_does_not_fit_is_kept_and_counted(walked, tmp_path):
     shown = run("fuse", walked, "-o", tmp_path / "again.ply", *COARSE, "--refine", "--every", 2)
     assert shown.exit_code == 0
     assert "2 refined, by " in shown.stdout
-    assert "1 as given: frame " in shown.stdout
+    assert "1 unchanged: frame " in shown.stdout
 
 
 def test_poses_that_all_lie_elsewhere_are_unreliable(walked, tmp_path):

@@ -180,7 +180,7 @@ def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fra
     assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
     assert answer(*words, "-o", tmp_path / "b.ply", "--force")["resumed"]["fragments"] == 0
     shown = run(*words, "-o", tmp_path / "c.ply", "--resume")
-    assert "2 of 2 joined, 0 loops; 2 kept from an earlier run" in shown.stdout
+    assert "2 of 2 joined, 0 loops; 2 reused from an earlier run" in shown.stdout
 
 
 @pytest.mark.slow

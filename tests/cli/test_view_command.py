@@ -164,10 +164,10 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
     ("words", "reason"),
     [
         (["missing.ply"], "missing.ply: does not exist"),
-        (["notes.md"], "notes.md: unknown kind of file '.md'. Shown are .ply"),
+        (["notes.md"], "notes.md: unknown kind of file '.md'. Supported: .ply"),
         (["."], "is a folder. Give its files"),
         (["broken.ply"], "broken.ply"),
-        (["other.json"], "holds Other, which is no geometry"),
+        (["other.json"], "contains Other, which is not a geometry"),
         (["cloud.ply", "--color-by", "ring"], "no cloud here has 'ring'; there are rgb, height, x, y, intensity"),
         (["mesh.ply", "--color-by", "height"], "no cloud here has 'height'; and there is no cloud"),
         (["cloud.ply", "--view", "other.json"], "other.json"),
@@ -228,7 +228,7 @@ def test_a_large_file_is_seen_while_it_is_read(tmp_path, rng, monkeypatch):
     result = run("view", tmp_path / "large.ply", "--max-points", 10_000, "--port", 0, "--no-open", "--linger", 5)
     assert waited == [{}, {"linger": 5.0}]
     assert result.exit_code == 0 and result.stderr.count("viewer: http://127.0.0.1:") == 1
-    assert shown == [{"large.ply: a first look": 10_000}, {"large.ply": 30_000}]
+    assert shown == [{"large.ply: a preview": 10_000}, {"large.ply": 30_000}]
 
 
 @pytest.mark.slow

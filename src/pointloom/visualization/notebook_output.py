@@ -52,17 +52,19 @@ def in_notebook() -> bool:
 
 def still_jpeg(picture: NDArray[np.uint8]) -> bytes:
     """JPEG of an image, at most 200 kB and 960 pixels wide. RGBA is composited over white."""
-    image, most = Image.fromarray(np.ascontiguousarray(picture)), MAX_WIDTH
+    image, max_width = Image.fromarray(np.ascontiguousarray(picture)), MAX_WIDTH
     if image.mode == "RGBA":
         image = Image.alpha_composite(Image.new("RGBA", image.size, "white"), image).convert("RGB")
     while True:
-        if image.width > most:
-            image = image.resize((most, max(1, round(image.height * most / image.width))), Image.Resampling.LANCZOS)
+        if image.width > max_width:
+            image = image.resize(
+                (max_width, max(1, round(image.height * max_width / image.width))), Image.Resampling.LANCZOS
+            )
         file = io.BytesIO()
         image.save(file, "JPEG", quality=QUALITY, optimize=True)
         if file.tell() <= MAX_BYTES or image.width < 2:
             return file.getvalue()
-        most = max(1, int(image.width * SMALLER))
+        max_width = max(1, int(image.width * SMALLER))
 
 
 def live_output(text: str, url: str, ssh_line: str, picture: NDArray[np.uint8], height: int) -> dict[str, Any]:
@@ -73,8 +75,8 @@ def live_output(text: str, url: str, ssh_line: str, picture: NDArray[np.uint8], 
         'allow="fullscreen"></iframe>'
     )
     words = (
-        f"<small>Live while the kernel runs and {html.escape(url)} is reached, from another machine after "
-        f"<code>{html.escape(ssh_line)}</code>; else a picture of when this cell ran</small>"
+        f"<small>Live while the kernel runs and {html.escape(url)} is reachable, from another machine after "
+        f"<code>{html.escape(ssh_line)}</code>; otherwise an image from the time when this cell ran</small>"
     )
     still = _encoded(picture)
     shown = _over_still(frame, still, height) + f"<p>{words}</p>" + _COVER % {"name": name, "ready": READY}

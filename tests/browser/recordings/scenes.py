@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 import pointloom as loom
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 from pointloom.visualization.render.view import View
 
 from ..pixels import picture, ready
@@ -24,7 +24,7 @@ def grid(count=60, size=1.0, z=0.0) -> np.ndarray:
 
 def one_frame(*shapes: Shape, origin=(0, 0, 0), label="") -> Timeline:
     """Shapes that stay, each under a name of its own."""
-    shown = {f"part {number}": Placed((number,)) for number in range(len(shapes))}
+    shown = {f"part {number}": Placement((number,)) for number in range(len(shapes))}
     return Timeline(np.array(origin, float), list(shapes), [Frame(shown, label)])
 
 
@@ -44,7 +44,7 @@ def two_clouds(frame_count=8, origin=(0, 0, 0)) -> Timeline:
     last = frame_count - 1
     frames = [
         Frame(
-            {"source": Placed((0,), moved(3 * (k / last - 1))), "target": Placed((1,))},
+            {"source": Placement((0,), moved(3 * (k / last - 1))), "target": Placement((1,))},
             f"iteration {k}",
             {"fitness": k / last, "inlier_rmse": 0.1 * math.exp(-k)},
         )

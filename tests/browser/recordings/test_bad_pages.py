@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from pointloom.visualization.recording.page import write_page
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 
 from ..pixels import wait_for_messages, wait_in_page
 from .scenes import from_above, grid, one_frame, stage, two_clouds
@@ -14,7 +14,7 @@ HOSTILE = "</script ><img src=x onerror=\"document.title='taken'\"><b>bold"
 
 def test_hostile_names_are_shown_as_text(open_recording):
     cloud = Shape("points", grid(5))
-    frames = [Frame({HOSTILE: Placed((0,))}, HOSTILE, {HOSTILE: float(k)}) for k in range(2)]
+    frames = [Frame({HOSTILE: Placement((0,))}, HOSTILE, {HOSTILE: float(k)}) for k in range(2)]
     page = open_recording(Timeline(np.zeros(3), [cloud], frames, title=HOSTILE))
     assert page.title().startswith("</script >")
     assert page.text_content("#items label") == page.text_content("#label") == page.text_content("h1") == HOSTILE

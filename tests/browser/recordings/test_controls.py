@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 
 from ..pixels import count_pixels, ready, wait_in_page
 from .scenes import BLUE, GREEN, RED, from_above, grid, is_reddish, stage, two_clouds
@@ -82,7 +82,7 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
         Shape("points", dots, None, tilted, size=5.0, plain=RED),
     ]
     page = open_recording(
-        Timeline(np.zeros(3), shapes, [Frame({"mesh": Placed((0,)), "dots": Placed((1,))})]), view=from_above()
+        Timeline(np.zeros(3), shapes, [Frame({"mesh": Placement((0,)), "dots": Placement((1,))})]), view=from_above()
     )
     first = stage(page)
     large = [is_reddish(first).sum()]

@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 from pointloom.visualization.render.view import fit_view
 
 from ..pixels import count_pixels, is_color, middle_of
@@ -42,7 +42,7 @@ def test_points_are_seen_where_the_view_projects_them(open_recording, size, orig
     colors = np.uint8([RED, BLUE, GREEN])
     view = fit_view(np.vstack([places, -places]) + np.array(origin), width=640, height=480)
     timeline = Timeline(
-        np.array(origin, float), [Shape("points", places, colors, size=9.0)], [Frame({"dots": Placed((0,))})]
+        np.array(origin, float), [Shape("points", places, colors, size=9.0)], [Frame({"dots": Placement((0,))})]
     )
     image = stage(open_recording(timeline, width=size[0], height=size[1], view=view))
     scale = min(size[0] / 640, size[1] / 480)
@@ -120,7 +120,7 @@ def test_lines_are_as_wide_as_asked_and_end_behind_the_camera(open_recording):
 
 def test_one_frame_fills_the_window_and_needs_no_bar(open_recording):
     timeline = Timeline(
-        np.zeros(3), [Shape("points", grid(1), size=12.0, plain=RED)], [Frame({"dot": Placed((0,))}, "one dot")]
+        np.zeros(3), [Shape("points", grid(1), size=12.0, plain=RED)], [Frame({"dot": Placement((0,))}, "one dot")]
     )
     page = open_recording(timeline, width=640, height=480)
     assert page.locator("#scene").bounding_box() == {"x": 0, "y": 0, "width": 640, "height": 480}

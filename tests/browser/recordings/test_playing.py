@@ -4,7 +4,7 @@ import math
 
 import numpy as np
 
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 
 from ..pixels import count_pixels, is_color, middle_of, picture, ready, wait_in_page
 from .scenes import BLUE, RED, from_above, grid, is_reddish, moved, stage, statistics, two_clouds
@@ -81,7 +81,7 @@ def test_plots_mark_the_frame_and_a_click_goes_to_one(open_recording):
 def test_many_points_move_thinned_and_are_drawn_whole_at_rest(open_recording):
     rng = np.random.default_rng(0)
     shapes = [Shape("points", rng.normal(size=(50_000, 3)).astype(np.float32), plain=color) for color in (RED, BLUE)]
-    frames = [Frame({"a": Placed((0,), moved(6 - 0.03 * k)), "b": Placed((1,))}) for k in range(200)]
+    frames = [Frame({"a": Placement((0,), moved(6 - 0.03 * k)), "b": Placement((1,))}) for k in range(200)]
     page = open_recording(Timeline(np.zeros(3), shapes, frames, fps=10))
     page.keyboard.press("Space")
     wait_in_page(page, "recording.statistics().frame >= 6")
@@ -96,7 +96,7 @@ def test_many_points_move_thinned_and_are_drawn_whole_at_rest(open_recording):
 def test_shapes_of_frames_long_gone_are_freed_and_come_back(open_recording, changed_player):
     changed_player("const MEMORY_BUDGET = 2 ** 30", "const MEMORY_BUDGET = 150_000")
     shapes = [Shape("points", grid() + np.float32([k, 0, 0]), size=4.0, plain=RED) for k in range(8)]  # 43,200 B each
-    frames = [Frame({"cloud": Placed((k,))}) for k in range(8)]
+    frames = [Frame({"cloud": Placement((k,))}) for k in range(8)]
     page = open_recording(Timeline(np.zeros(3), shapes, frames), view=from_above(20.0))
     first = stage(page)
     for frame in [*range(8), 0]:

@@ -70,7 +70,7 @@ def test_poses_that_contradict_each_other_are_told_and_right_ones_are_not(walk):
     for name, poses in cases.items():
         found = loom.fuse(Posed(walk, poses), voxel_size=VOXEL)
         assert (found.reliable) == (name == "right"), name
-        assert name == "right" or "of what the frames see lies off the surface" in str(found.warnings)
+        assert name == "right" or "of the measured depth is off the fused surface" in str(found.warnings)
         assert found.to_dict()["share_off"] == found.share_off
     assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame contradicts nobody
 
@@ -89,9 +89,9 @@ def test_of_a_long_sequence_some_frames_spread_over_it_are_held_against_the_surf
     check = PoseCheck(walk.intrinsic, 1000.0, 4.0)
     for k in range(200):
         check.add(np.full((120, 160), k, np.uint16), np.eye(4))
-    kept = [int(depth[0, 0]) for depth, _ in check._kept]
+    kept = [int(depth[0, 0]) for depth, _ in check._samples]
     assert kept == list(range(0, 200, 16))
-    assert check._kept[0][0].shape == (60, 80)
+    assert check._samples[0][0].shape == (60, 80)
 
 
 def test_reading_ahead_changes_no_bit(device, walk):

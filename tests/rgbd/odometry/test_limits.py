@@ -29,11 +29,11 @@ def test_a_pair_that_agrees_has_no_fault():
     ("sums", "fault"),
     [
         ({"PIXELS": 0}, "the source has no depth"),
-        ({"SEEN": 200, "INLIERS": 180}, "only 20 % of the source's pixels meet depth in the target"),
-        ({"INLIERS": 450}, "only 50 % of the pixels that meet depth lie on its surface"),
-        ({"IN_FRONT": 180}, "20 % of the source's pixels lie where the target looked through"),
-        ({"AGREEING": 640}, "only 80 % of the normals agree"),
-        ({"EXCESS": 12_800.0}, "the surfaces lie 4.0 times as far apart as noise explains"),
+        ({"SEEN": 200, "INLIERS": 180}, "only 20% of the source pixels overlap with depth of the target"),
+        ({"INLIERS": 450}, "only 50% of the overlapping pixels agree with the target's surface"),
+        ({"IN_FRONT": 180}, "20% of the source pixels are in space that the target observed as free"),
+        ({"AGREEING": 640}, "only 80% of the normals agree"),
+        ({"EXCESS": 12_800.0}, "the surface residual is 4.0 times the depth noise"),
     ],
 )
 def test_each_sum_counts(sums, fault):
@@ -43,6 +43,6 @@ def test_each_sum_counts(sums, fault):
 def test_what_a_target_blurs_counts_as_noise_does():
     """Surfaces 4 times as far apart as noise of 2 mm: of a target blurred by 4 mm, the root of 5 as much."""
     sums = {"EXCESS": 12_800.0, "SQUARES": 12_800.0 * 0.002**2}
-    assert "4.0 times as far apart" in fault_of(**sums)
+    assert "4.0 times the depth noise" in fault_of(**sums)
     assert fault_of(**sums, blur=0.004) == ""
-    assert "3.6 times as far apart" in fault_of(**sums, blur=0.001)
+    assert "3.6 times the depth noise" in fault_of(**sums, blur=0.001)

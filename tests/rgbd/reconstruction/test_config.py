@@ -115,7 +115,7 @@ def test_what_is_written_is_read_again(tmp_path):
 @pytest.mark.parametrize(
     ("names", "said"),
     [
-        ({"voxelsize": 0.05}, "voxelsize: no name .* did you mean 'voxel_size'"),
+        ({"voxelsize": 0.05}, "voxelsize: unknown name .* did you mean 'voxel_size'"),
         ({"depth_max": "3.0"}, "depth_max: expected a number"),
         ({"depth_max": True}, "depth_max: expected a number"),
         ({"depth_max": None}, "depth_max: expected a number"),
@@ -125,9 +125,9 @@ def test_what_is_written_is_read_again(tmp_path):
         ({"icp_method": "colors"}, "icp_method: expected one of"),
         ({"icp_method": 3}, "icp_method: expected a string"),
         ({"depth_min": 4.0}, "depth_min: expected less than depth_max"),
-        ({"max_depth": 2.0, "depth_max": 2.0}, "depth_max: the same as max_depth"),
+        ({"max_depth": 2.0, "depth_max": 2.0}, "depth_max: a second name of max_depth"),
         ({"integration": {"voxel_size": 0.1}, "voxel_size": 0.1}, "voxel_size: given twice"),
-        ({"sdf_trunc": 0.001}, "sdf_trunc: .* below one voxel"),
+        ({"sdf_trunc": 0.001}, "sdf_trunc: expected at least one voxel"),
         ({"n_frames_least": 200}, "n_frames_least: expected at most n_frames_per_fragment"),
         ({"folder_scene": "/scene"}, "folder_scene: expected a path within the job's folder"),
         ({"template_global_mesh": "../mesh.ply"}, "template_global_mesh: expected a path within"),

@@ -102,7 +102,7 @@ def test_a_stage_wants_the_one_before(tmp_path):
 def test_fragments_made_again_are_placed_again(tmp_path):
     run_system(Walk([0, 1]), config(), tmp_path)
     loom.reconstruction.make_fragments(Walk([0, 1, 2]), config(), tmp_path)
-    with pytest.raises(FileError, match="made again since"):
+    with pytest.raises(FileError, match="recreated after their registration"):
         loom.reconstruction.integrate_scene(Walk([0, 1, 2]), config(), tmp_path)
 
 
@@ -157,7 +157,7 @@ def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
     assert (report.used, report.trajectory_error) == (4, None)
     assert len(loom.open_frames(tmp_path / "frames")) == 4
     again = run_system(Stream(Walk([])), config(), tmp_path, resume=True)
-    assert again.kept == 1
+    assert again.resumed == 1
     with pytest.raises(FileError, match="frames"):
         run_system(Stream(walk), config(), tmp_path)
 

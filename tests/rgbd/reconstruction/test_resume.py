@@ -51,7 +51,7 @@ def job(done, tmp_path):
 def test_a_run_that_is_done_is_kept_as_it_is(done, job):
     times = {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")}
     again = run_system(the_walk(), SETTINGS, job, resume=True)
-    assert again.kept == 2
+    assert again.resumed == 2
     assert {path: path.stat().st_mtime_ns for path in job.rglob("*.ply")} == times
     for name in ("lost", "fragments", "mesh", "trajectory_error", "warnings"):
         assert getattr(again, name) == getattr(done[1], name)
@@ -80,7 +80,7 @@ def test_an_interruption_loses_one_fragment_at_most(tmp_path):
     walk.read = read
     with pytest.raises(KeyboardInterrupt):
         run_system(walk, SETTINGS, tmp_path)
-    assert run_system(the_walk(), SETTINGS, tmp_path, resume=True).kept == 1
+    assert run_system(the_walk(), SETTINGS, tmp_path, resume=True).resumed == 1
 
 
 class FullDisk(io.FileIO):
@@ -117,26 +117,26 @@ def test_a_damaged_file_is_made_again(job, whole, name):
 
 def test_another_configuration_is_another_run(job):
     report = run_system(the_walk(), config(n_frames_per_fragment=2), job, resume=True)
-    assert report.kept == 0
+    assert report.resumed == 0
     assert [fragment.frames for fragment in report.fragments] == [2, 2]
 
 
 def test_a_stage_is_made_again_where_its_own_names_change(done, job):
     report = run_system(the_walk(), config(n_frames_per_fragment=3, tsdf_voxel_size=0.04), job, resume=True)
-    assert report.kept == 2
+    assert report.resumed == 2
     assert report.mesh["vertices"] < done[1].mesh["vertices"]
 
 
 def test_a_changed_frame_is_made_again_from_there_on(job):
     changed = Walk(range(7), changed={3: blank(frame_at(3)), 5: {"depth": frame_at(5).depth + np.uint16(1)}})
-    assert run_system(changed, SETTINGS, job, resume=True).kept == 1
+    assert run_system(changed, SETTINGS, job, resume=True).resumed == 1
 
 
 @pytest.mark.slow
 def test_a_walk_that_grew_keeps_what_was_complete(tmp_path):
     run_system(Walk(range(5)), SETTINGS, tmp_path)
     report = run_system(Walk(range(8)), SETTINGS, tmp_path, resume=True)
-    assert report.kept == 1
+    assert report.resumed == 1
     assert [fragment.frames for fragment in report.fragments] == [3, 3, 2]
 
 
@@ -157,4 +157,4 @@ def test_fragments_of_an_older_run_are_gone_even_where_it_was_interrupted_while_
 
 
 def test_without_resume_nothing_is_kept(job):
-    assert run_system(the_walk(), SETTINGS, job).kept == 0
+    assert run_system(the_walk(), SETTINGS, job).resumed == 0

@@ -7,7 +7,7 @@ from pointloom.cameras.camera import PinholeCameraIntrinsic
 from pointloom.cameras.trajectory import Trajectory
 from pointloom.core.errors import FileError
 from pointloom.datasets.scenes.room import room_loop_sequence
-from pointloom.rgbd.slam.focal_check import TURN, check_focal, turned_pairs
+from pointloom.rgbd.slam.focal_check import MIN_ROTATION, check_focal, rotated_pairs
 
 from ..sequences import Part
 
@@ -71,9 +71,9 @@ def test_uncertain_poses_and_frames_that_cannot_be_read_say_nothing(turning, mon
 
 def test_pairs_are_turned_by_enough_and_end_at_different_frames(turning):
     path = path_of(turning)
-    pairs = turned_pairs(path)
+    pairs = rotated_pairs(path)
     assert len(pairs) >= 3
     assert len({second for _, second in pairs}) == len(pairs)
     for first, second in pairs:
         cosine = path.poses[first, :3, 2] @ path.poses[second, :3, 2]
-        assert cosine < np.cos(np.radians(TURN))
+        assert cosine < np.cos(np.radians(MIN_ROTATION))

@@ -75,7 +75,7 @@ def test_a_model_of_few_frames_finds_no_camera_that_was_lost_for_long():
     dark = changed(taken[2], depth=np.zeros_like(taken[2].depth), timestamp=None)
     results = slam.run([taken[0], taken[1], *[dark] * 6, taken[2]])
     assert verdicts(results) == ["tracked", "tracked", *["lost"] * 7]
-    assert results[-1].warnings == ("only 2 frames are in the model, too few to find a place on it",)
+    assert results[-1].warnings == ("the model has only 2 frames, too few for relocalization",)
 
 
 def test_the_limit_lies_between_the_two_classes():

@@ -188,7 +188,7 @@ def test_bad_input_is_refused(device):
     part = hall_run(device, 2, (0.0, 0.4))
     for arguments, error, message in (
         (([],), ValueError, "submaps: expected at least one"),
-        (([part, part],), ValueError, "begin with the same frame"),
+        (([part, part],), ValueError, "expected different first frames"),
         (([part, None],), TypeError, r"submaps\[1\]: expected a Submap"),
     ):
         with pytest.raises(error, match=message):

@@ -80,7 +80,7 @@ def test_maps_are_joined_by_their_submaps_too(device):
     slam.run(frames(*range(0, 24, 2)))
     other = begun(device, submap_frames=8, T_init=None)
     other.run(frames(*range(30, 4, -2)))
-    slam._maps.kept.append(renumbered(other, slam))
+    slam._maps.searchable.append(renumbered(other, slam))
     (join,) = slam.join_maps()
     assert not join.refused and len(slam.trajectory) == 25
     off = [error(r.pose, k) for r, k in zip(slam.results, [*range(0, 24, 2), *range(30, 4, -2)], strict=True)]
@@ -119,10 +119,10 @@ def test_a_join_has_to_be_borne_out_by_the_maps(device):
     ("given", "refused"),
     [
         ({}, ""),
-        ({"views": 1}, "1 views bear it out"),
-        ({"apart": 0.0}, "1 views bear it out"),  # the same view twice
+        ({"views": 1}, "1 views confirm it"),
+        ({"apart": 0.0}, "1 views confirm it"),  # the same view twice
         ({"against": 1}, "1 views contradict it"),
-        ({"score": 0.4}, "their surfaces do not bear it out: score 0.40"),
+        ({"score": 0.4}, "their surfaces do not confirm it: score 0.40"),
     ],
 )
 def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
@@ -140,13 +140,13 @@ def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
 
 def test_a_proposal_is_borne_out_by_frames_over_some_way_and_dropped_by_a_few_that_are_not():
     off, shift = [0.0], np.eye(4)
-    tracker = SimpleNamespace(try_place=lambda _, pose: SimpleNamespace(status="tracked", pose=pose @ moved(off[0])))
+    tracker = SimpleNamespace(try_pose=lambda _, pose: SimpleNamespace(status="tracked", pose=pose @ moved(off[0])))
     proposal = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
-    assert not any(proposal.ask(None, moved(0.001 * k)) for k in range(20))  # hardly moved
-    assert proposal.ask(None, moved(0.2))
+    assert not any(proposal.check(None, moved(0.001 * k)) for k in range(20))  # hardly moved
+    assert proposal.check(None, moved(0.2))
     off[0] = 0.1
     fresh = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
-    assert not any(fresh.ask(None, moved(0.1 * k)) for k in range(3)) and fresh.is_refuted
+    assert not any(fresh.check(None, moved(0.1 * k)) for k in range(3)) and fresh.is_refuted
 
 
 def moved(x: float):
@@ -160,7 +160,7 @@ def test_a_map_that_is_lost_again_at_once_is_given_up(device, monkeypatch):
     slam = begun(device)
     slam.run(frames(*range(4), *ELSEWHERE[:3], 100))  # two frames of a new map, and then elsewhere
     assert slam.status_counts == {"tracked": 4, "uncertain": 0, "lost": 4}
-    assert "given up after 2 frames" in slam.results[5].warnings[0]
+    assert "discarded after 2 frames" in slam.results[5].warnings[0]
     assert slam.map_sizes == {0: 4} and slam.model.frame_count == 4
     found = slam.step(frame(3))
     assert found.is_tracked and found.map == 0  # where it was, it is found
@@ -177,7 +177,7 @@ def test_models_that_are_kept_are_few(device, monkeypatch):
     monkeypatch.setattr(maps, "MAX_MAPS", 2)
     slam = away(device)
     slam.run(frames(*range(75, 85)))
-    assert slam._maps.begun == 3 and len(slam._maps.kept) == 2
+    assert slam._maps.begun == 3 and len(slam._maps.searchable) == 2
     assert set(slam.map_sizes) == {0, 1, 2}  # its frames still say which map they are of
 
 
@@ -201,7 +201,7 @@ def test_a_path_says_what_lies_in_a_map_of_its_own():
     (other,) = path.other_maps
     assert other.ids[:, 0].tolist() == list(range(4))
     assert sorted(path.lost) == [4, 5, 6, 7]
-    assert "2 maps that do not lie relative to each other: frame 0-3 are in a map of their own" in str(path.warnings)
+    assert "2 maps without known relative poses: frame 0-3 are in a separate map" in str(path.warnings)
     report = json.loads(json.dumps(path.to_dict()))
     assert report["other_maps"] == [{"first": 0, "last": 3, "tracked": 4}] and report["tracked"] == 5
     assert "other maps" in str(path)

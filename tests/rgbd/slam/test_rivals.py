@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, judge_recognition, speaks_against
+from pointloom.rgbd.slam.frame_checks import SURE_OVERLAP, fits_worse, judge_recognition
 from pointloom.rgbd.slam.tracker import find_rivals
 
 from .slam_walks import blank, changed
@@ -66,7 +66,7 @@ def test_a_place_that_looks_like_another_is_never_accepted_wrongly(device):
 def test_without_texture_it_is_uncertain_as_long_as_both_fit_and_nothing_is_fused(device):
     results, _ = covered_walk(device, False)
     assert [r.status for r in results[21:]] == ["uncertain"] * 3
-    assert "it fits as well" in results[21].warnings[0] and not any(r.fused for r in results[21:])
+    assert "away fits equally well" in results[21].warnings[0] and not any(r.fused for r in results[21:])
 
 
 def test_rivals_of_a_wall_of_like_pillars_are_a_pillar_away(device):
@@ -106,9 +106,9 @@ def test_a_recognition_that_lies_far_off_the_model_is_refused(usual, verdict):
         ({"intensity_rmse": 0.018}, False),
         ({"fitness": 0.45}, True),
         ({"fitness": 0.45, "overlap": 0.5}, False),  # it shows less, and lies on that as well
-        ({"warnings": ("the target looked through",), "overlap": 0.1, "fitness": 0.09}, False),
-        ({"warnings": ("the target looked through",)}, True),
+        ({"warnings": ("in free space of the target",), "overlap": 0.1, "fitness": 0.09}, False),
+        ({"warnings": ("in free space of the target",)}, True),
     ],
 )
 def test_a_rival_is_beaten_by_what_it_contradicts_not_by_what_it_lacks(change, is_worse):
-    assert speaks_against(dataclasses.replace(GOOD, **change), GOOD) == is_worse
+    assert fits_worse(dataclasses.replace(GOOD, **change), GOOD) == is_worse

@@ -58,7 +58,7 @@ def test_colors_that_are_only_noisy_do_not_move(device):
 def test_a_lens_that_stays_covered_is_blank_and_no_stall(device):
     taken, slam = frames(*range(6)), begun(device)
     moving = [taken[0], *(changed(f, depth=blank(f).depth) for f in taken[1:])]
-    assert [r.warnings for r in slam.run(moving)[1:]] == [("the picture is blank",)] * 5
+    assert [r.warnings for r in slam.run(moving)[1:]] == [("the image is blank",)] * 5
 
 
 def trembling(count: int, late: int, seed: int = 0, period: float | None = None) -> StreamLag:
@@ -112,16 +112,16 @@ def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
     slam.run(taken[:3])
     slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
     result = slam.step(taken[3])
-    said = "color and depth seem to be 1.0 s apart"
+    said = "color and depth appear to be 1.0 s apart in time"
     assert (result.status, result.warnings, result.fused) == ("uncertain", (said,), False)
     slam.stream.lag.seconds = math.nan
-    assert slam.stream.problem == "color and depth seem to be 30 frames apart"
+    assert slam.stream.problem == "color and depth appear to be 30 frames apart in time"
 
 
 def test_a_path_whose_streams_are_apart_is_unreliable():
     path = loom.track(loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], walk().intrinsic), voxel_size=0.04)
     assert path.stream is None and path.reliable
-    said = "color and depth seem to be 1.0 s apart"
+    said = "color and depth appear to be 1.0 s apart in time"
     apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), uncertain_warning=said)
     assert apart.warnings == (said, "2 of 2 poses are uncertain (frame 0-1)")
     assert apart.to_dict()["stream"] == said

@@ -40,7 +40,7 @@ def test_a_frame_that_lies_on_the_model_near_by_is_tracked():
 @pytest.mark.parametrize(("shift", "turn"), [(0.5, 0.0), (0.0, 40.0), (0.5, 40.0), (np.nan, 0.0)])
 def test_a_frame_that_jumps_is_lost_however_well_it_fits(shift, turn):
     verdict, reason = judge_tracking(GOOD, moved(shift, turn))
-    assert verdict == "lost" and reason.startswith("it jumps by ")
+    assert verdict == "lost" and reason.startswith("its pose jumps by ")
 
 
 @pytest.mark.parametrize(

@@ -14,7 +14,7 @@ from PIL import Image
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.visualization.recording.film import Film, view_frames
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 from pointloom.visualization.recording.writers import changed_box, make_palette, write_gif
 
 WHITE = (255, 255, 255)
@@ -53,7 +53,7 @@ def walk(frames: int = 4) -> Timeline:
     for k in range(frames):
         pose = np.eye(4)
         pose[0, 3] = 4.0 - k
-        shown = {"target": Placed((0,)), "source": Placed((1,), pose)}
+        shown = {"target": Placement((0,)), "source": Placement((1,), pose)}
         timeline.frames.append(Frame(shown, f"step {k}", {"rmse": 1.0 / (k + 1)}))
     return timeline
 

@@ -62,7 +62,7 @@ def test_what_is_too_large_for_a_notebook_is_its_last_frame_and_where_it_is(tmp_
     monkeypatch.setattr(cell_output, "MAX_PAGE_BYTES", 10_000)
     shown = recorded(tmp_path / "large.html")._repr_mimebundle_()
     assert "<iframe" not in shown["text/html"] and "large.html" in shown["text/html"] and reds(still_of(shown)) > 1000
-    assert "9.8 KiB: open it in a browser" in shown["text/html"] and len(shown["text/html"]) < 300_000
+    assert "9.8 KiB in notebooks: open it in a browser" in shown["text/html"] and len(shown["text/html"]) < 300_000
 
 
 def test_a_file_that_went_leaves_its_last_frame(tmp_path):

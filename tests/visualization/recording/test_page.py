@@ -13,7 +13,7 @@ from pointloom.core.errors import FileError
 from pointloom.visualization.recording import page as page_module
 from pointloom.visualization.recording.page import write_page
 from pointloom.visualization.recording.shared_player import PLAYER, share_player, write_player
-from pointloom.visualization.recording.timeline import Frame, Placed, Shape, Timeline
+from pointloom.visualization.recording.timeline import Frame, Placement, Shape, Timeline
 from pointloom.visualization.render.view import View, fit_view
 from tests.visualization.recording.reading import outside_addresses, read_page
 
@@ -40,7 +40,7 @@ def timeline(rng) -> Timeline:
         Shape("lines", SQUARE, np.uint8([[255, 0, 0], [0, 255, 0]]), indices=np.int32([[0, 1], [2, 3]]), size=3.0),
     ]
     frames = [
-        Frame({"cloud": Placed((0,), moved(k)), "mesh": Placed((1, 2))}, f"step {k}", {"fitness": k / 3})
+        Frame({"cloud": Placement((0,), moved(k)), "mesh": Placement((1, 2))}, f"step {k}", {"fitness": k / 3})
         for k in range(3)
     ]
     frames[1].values["rmse"] = math.nan
@@ -72,7 +72,7 @@ def test_normals_keep_their_direction_to_a_hundredth_of_a_degree(written, timeli
 def test_normals_of_no_length_or_of_nan_are_none(rng, tmp_path):
     normals = np.float32([[0, 0, 0], [np.nan, 0, 1], [np.inf, 0, 0], [0, 0, 1e-30], [0, 3, 0]])
     shape = points(rng, 5, normals=normals)
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})]))
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
     page = read_page(tmp_path / "p.html")
     kept = page.array(page.description["shapes"][0]["normals"])
     assert kept.tolist() == [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 32767], [0, 32767, 0]]
@@ -89,9 +89,9 @@ def test_frames_tell_what_is_shown_where(written):
 
 
 def test_a_shape_or_pose_that_stays_is_stored_once(rng, tmp_path):
-    shape, still = points(rng), Placed((0,), moved(1))
+    shape, still = points(rng), Placement((0,), moved(1))
     one = Timeline(np.zeros(3), [shape], [Frame({"cloud": still})])
-    many = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,), moved(1))}) for _ in range(200)])
+    many = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placement((0,), moved(1))}) for _ in range(200)])
     for name, each in (("one", one), ("many", many)):
         write_page(tmp_path / f"{name}.html", each)
     page = read_page(tmp_path / "many.html")
@@ -120,7 +120,7 @@ def test_nothing_outside_is_named_and_only_the_page_itself_may_run(written):
 
 
 def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
-    frame = Frame({HOSTILE: Placed((0,))}, HOSTILE, {HOSTILE: 1.0})
+    frame = Frame({HOSTILE: Placement((0,))}, HOSTILE, {HOSTILE: 1.0})
     write_page(tmp_path / "p.html", Timeline(np.zeros(3), [points(rng)], [frame], title=HOSTILE))
     page = read_page(tmp_path / "p.html")
     assert "img" not in {tag for tag, _ in page.elements}
@@ -139,7 +139,7 @@ def test_hostile_titles_labels_and_names_stay_text(rng, tmp_path):
 def test_without_frames_or_points_there_is_still_a_page(tmp_path):
     nothing = Shape("points", np.empty((0, 3), np.float32))
     no_lines = Shape("lines", np.empty((0, 3), np.float32), indices=np.empty((0, 2), np.int32))
-    frame = Frame({"a": Placed((0, 1)), "b": Placed(())})
+    frame = Frame({"a": Placement((0, 1)), "b": Placement(())})
     for each in (Timeline(np.zeros(3)), Timeline(np.zeros(3), [nothing, no_lines], [frame])):
         write_page(tmp_path / "p.html", each)
         page = read_page(tmp_path / "p.html")
@@ -151,7 +151,7 @@ def test_without_frames_or_points_there_is_still_a_page(tmp_path):
 def test_arrays_of_any_length_come_back(rng, tmp_path, count, monkeypatch):
     monkeypatch.setattr(page_module, "BLOCK", 100)
     shape = points(rng, count, colors=rng.integers(0, 256, (count, 3)).astype(np.uint8))
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})]))
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
     page = read_page(tmp_path / "p.html")
     np.testing.assert_array_equal(page.arrays[page.description["shapes"][0]["positions"]], shape.positions)
     np.testing.assert_array_equal(page.arrays[page.description["shapes"][0]["colors"]], shape.colors)
@@ -170,7 +170,7 @@ def test_the_view_is_counted_from_the_timelines_origin(timeline, tmp_path):
 
 def test_without_a_view_all_frames_are_seen_whole(rng, tmp_path):
     shape = points(rng, 50_000)
-    frames = [Frame({"a": Placed((0,), moved(20 * k))}) for k in range(3)]
+    frames = [Frame({"a": Placement((0,), moved(20 * k))}) for k in range(3)]
     write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], frames))
     described = read_page(tmp_path / "p.html").description
     camera, R = described["camera"], np.reshape(described["camera"]["rotation"], (3, 3))
@@ -185,7 +185,7 @@ def test_without_a_view_all_frames_are_seen_whole(rng, tmp_path):
 def test_vertices_that_no_triangle_uses_do_not_count_for_the_view(tmp_path):
     stray = np.vstack([SQUARE, np.float32([[1000, 0, 0]])])
     shape = Shape("triangles", stray, indices=np.int32([[0, 1, 2]]))
-    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})]))
+    write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
     assert read_page(tmp_path / "p.html").description["bounds"] == [[0, 0, 0], [1, 1, 0]]
 
 
@@ -197,7 +197,7 @@ def test_a_size_of_points_given_is_that_of_all_points(timeline, tmp_path):
 @pytest.mark.slow
 def test_writing_takes_little_memory_beside_the_points(rng, tmp_path):
     shape = points(rng, 500_000)
-    each = Timeline(np.zeros(3), [shape], [Frame({"a": Placed((0,))})])
+    each = Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})])
     tracemalloc.start()
     write_page(tmp_path / "p.html", each)
     _, most = tracemalloc.get_traced_memory()
@@ -227,7 +227,7 @@ def shape(**changes):
 
 def placed(*given):
     """The timeline with one frame that shows this."""
-    return lambda timeline: dataclasses.replace(timeline, frames=[Frame({"a": Placed(*given)})])
+    return lambda timeline: dataclasses.replace(timeline, frames=[Frame({"a": Placement(*given)})])
 
 
 @pytest.mark.parametrize(
@@ -268,7 +268,7 @@ def test_what_no_page_shows_is_refused_by_name(timeline, tmp_path, change, optio
 @pytest.fixture
 def recorded(tmp_path, rng):
     shape = Shape("points", rng.random((100, 3)).astype(np.float32))
-    write_page(tmp_path / "whole.html", Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,))})]))
+    write_page(tmp_path / "whole.html", Timeline(np.zeros(3), [shape], [Frame({"cloud": Placement((0,))})]))
     return tmp_path / "whole.html"
 
 

@@ -105,7 +105,7 @@ def test_registration_without_steps_is_a_start_and_a_result(path):
     pairs = np.column_stack([np.arange(1500)] * 2)
     with loom.record(path) as r:
         result = loom.registration.registration_ransac_based_on_correspondence(source, target, pairs, 0.05)
-    assert [frame.label for frame in r.timeline.frames] == ["as the clouds lie", "registered: converged"]
+    assert [frame.label for frame in r.timeline.frames] == ["initial poses", "registered: converged"]
     np.testing.assert_array_equal(r.timeline.frames[1].shown["source"].pose, result.transformation)
 
 

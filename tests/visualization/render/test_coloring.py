@@ -135,7 +135,7 @@ def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
         ),
         ("rgb", {}, "no colors"),
         ("normal", {}, r"call cloud = cloud.estimate_normals\(\)"),
-        ("pair", {}, "'pair' has 2 numbers a point"),
+        ("pair", {}, "but 'pair' has 2"),
         ([1, 2, 3], {}, r"color_by: expected shape \[2\]"),
         ("z", {"colormap": "rainbow"}, "colormap: expected one of viridis, plasma"),
         ("z", {"limits": (2, 1)}, "low < high"),

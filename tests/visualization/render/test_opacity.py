@@ -127,7 +127,7 @@ def test_files_hold_what_is_transparent(tmp_path, name):
 
 @pytest.mark.parametrize("name", ["a.jpg", "a.gif"])
 def test_files_that_hold_no_transparency_are_refused_with_a_remedy(tmp_path, name):
-    with pytest.raises(FileError, match="holds no transparency"):
+    with pytest.raises(FileError, match="does not support transparency"):
         save_picture(tmp_path / name, np.zeros((4, 4, 4), np.uint8))
 
 

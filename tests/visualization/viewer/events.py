@@ -16,7 +16,7 @@ from pointloom.visualization.viewer.callback_queue import Calls
 from pointloom.visualization.viewer.link.client import PageClient, Worker
 from pointloom.visualization.viewer.link.delivery import Delivery
 from pointloom.visualization.viewer.link.hub import Hub
-from pointloom.visualization.viewer.scene import Later, LevelBuilder
+from pointloom.visualization.viewer.scene import DeferredUpdate, LevelBuilder
 from pointloom.visualization.viewer.sessions import Session
 from pointloom.visualization.viewer.streaming import CloudStream
 from pointloom.visualization.viewer.tools.toolbox import Toolbox
@@ -26,11 +26,11 @@ SOURCES: tuple[tuple[type, tuple[str, ...]], ...] = (
     (Delivery, ("send", "join", "leave", "take")),
     (PageClient, ("take",)),
     (Worker, ("_call", "_work")),
-    (Later, ("now", "_run")),
+    (DeferredUpdate, ("now", "_run")),
     (Calls, ("_do", "_run")),
     (Toolbox, ("_do",)),
     (Session, ("_feed", "_pause", "close")),
-    (CloudStream, ("_ask", "close")),
+    (CloudStream, ("_update_request", "close")),
     (LevelBuilder, ("_build",)),
 )
 PATIENCE = 60.0  # [s]; only a failing test waits so long

@@ -75,12 +75,12 @@ def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
         port = taken.getsockname()[1]
         with draw([cloud], port=port) as viewer:
             first = capfd.readouterr().err.splitlines()[0]
-    assert first == f"port {port} is taken; the next free one is {viewer.server.port}"
+    assert first == f"port {port} is in use; using the next free one, {viewer.server.port}"
 
 
 def test_an_open_door_is_told(cloud, capfd):
     with draw([cloud], host="0.0.0.0"):
-        assert "whoever has this address with its token sees the scene" in capfd.readouterr().err
+        assert "anyone with this address and its token can see the scene" in capfd.readouterr().err
 
 
 def test_open3d_s_parameters_count(cloud):

@@ -130,7 +130,7 @@ def test_more_than_can_wait_is_told_to_the_page(viewer, page):
     for _ in range(callback_queue.MAX_WAITING + 2):
         page.press("slow")
     go.set()
-    assert {told.text for told in page.others("notify")} == {"The program is busy: this was passed over."}
+    assert {told.text for told in page.others("notify")} == {"The program is busy: this request was skipped."}
 
 
 REFUSED = [
@@ -209,13 +209,13 @@ class Clock:
         monkeypatch.setattr(Calls, "_begin", lambda self: None)  # no thread: a turn is made by hand
         self.calls = Calls(self)
 
-    def tell(self, client, text):
+    def show_error(self, client, text):
         self.told.append((client, text))
 
     def are_open(self):
         return self.open
 
-    def ask_for_signs(self, answer):
+    def request_signals(self, answer):
         self.answers.append(answer)
 
     def turn(self, seconds):
@@ -224,7 +224,7 @@ class Clock:
         for beat in (beats := self.calls._due()):
             self.calls._call_beat(beat)
         if beats:
-            self.calls._ask_for_signs()
+            self.calls._request_signals()
         return len(beats)
 
 
@@ -251,7 +251,7 @@ def test_a_slow_page_is_waited_for_but_not_for_ever(clock):
     assert clock.turn(1.0) == 0  # it has not drawn the last one
     clock.answers.pop()()
     assert clock.turn(0.0) == 1
-    assert clock.turn(callback_queue.PATIENCE + 0.1) == 1  # it may be hidden behind another
+    assert clock.turn(callback_queue.SIGNAL_TIMEOUT + 0.1) == 1  # it may be hidden behind another
 
 
 def test_without_a_page_nothing_is_called_and_the_time_begins_anew(clock):

@@ -11,12 +11,12 @@ from pointloom.kernels.lang import vec3
 from pointloom.kernels.memory import upload
 from pointloom.visualization.render.styles import Style
 from pointloom.visualization.render.view import fit_view
-from pointloom.visualization.viewer.camera import camera_of, reach_of, view_of
+from pointloom.visualization.viewer.camera import camera_limits, camera_of, view_of
 from pointloom.visualization.viewer.coloring_choice import ColoringChoice, choices_of
 from pointloom.visualization.viewer.extents import Extents
 from pointloom.visualization.viewer.items import Frame, make_item, to_bytes
 from pointloom.visualization.viewer.link import CameraState
-from pointloom.visualization.viewer.sessions import told
+from pointloom.visualization.viewer.sessions import counts_text
 from pointloom.visualization.viewer.surfaces import line_arrays, surface_arrays
 
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
@@ -36,7 +36,7 @@ def turn(angle, axis=2):
 def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
     low, high = UTM * scale, UTM * scale + scale
     frame = Frame.around((low, high))
-    ends = [frame.place(end, None)[1] for end in (low, high)]
+    ends = [frame.pose_in_page(end, None)[1] for end in (low, high)]
     width = np.linalg.norm(ends[1] - ends[0])
     assert 0.05 <= width <= 1e5
     assert np.allclose(ends[0], -ends[1], rtol=1e-3)
@@ -48,7 +48,7 @@ def test_a_pose_is_applied_about_the_world_s_zero_not_the_cloud_s():
     frame, T = Frame(UTM), turn(0.5)
     T[:3, 3] = [1, 2, 3]
     origin, local = UTM + np.array([10, 20, 30]), np.array([0.1, 0.2, 0.3])
-    R, t = frame.place(origin, T)
+    R, t = frame.pose_in_page(origin, T)
     seen = R @ local + t
     assert np.allclose(seen, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)
 
@@ -109,7 +109,7 @@ def test_a_choice_that_no_cloud_knows_names_those_that_there_are(rng):
     ],
 )
 def test_the_page_says_how_many_points_and_triangles_it_draws(drawn, total, triangles, text):
-    assert told(drawn, total, triangles) == text
+    assert counts_text(drawn, total, triangles) == text
 
 
 def arrays_of(mesh, **style):
@@ -230,7 +230,7 @@ def test_the_scene_lies_between_what_is_drawn_nearest_and_farthest(distance):
     bounds = np.full(3, -0.5), np.full(3, 0.5)
     frame = Frame(np.zeros(3))
     camera = CameraState(np.array([0, 0, -distance]), np.eye(3), 1.0, (800, 600), np.zeros(3))
-    reach = reach_of(camera, frame, bounds)
+    reach = camera_limits(camera, frame, bounds)
     assert reach["near"] < distance - 0.5 and distance + 0.5 < reach["far"]
     assert reach["closest"] < distance < reach["farthest"]
     assert reach["far"] / reach["near"] <= 1e5

@@ -5,7 +5,7 @@ import threading
 import pytest
 
 from pointloom.visualization.viewer import scene
-from pointloom.visualization.viewer.scene import Later
+from pointloom.visualization.viewer.scene import DeferredUpdate
 
 from .events import wait_until
 
@@ -15,7 +15,7 @@ def made(monkeypatch):
     """A job that counts how often it is done, and its lock."""
     monkeypatch.setattr(scene, "IDLE", 0.05)
     lock, done = threading.RLock(), []
-    job = Later(lambda: done.append(threading.current_thread().name), lambda: lock.acquire(), lock.release)
+    job = DeferredUpdate(lambda: done.append(threading.current_thread().name), lambda: lock.acquire(), lock.release)
     yield job, lock, done
     job.close()
     job.join()
@@ -25,19 +25,19 @@ def test_many_who_ask_meanwhile_are_answered_once(made):
     job, lock, done = made
     with lock:
         for _ in range(100):
-            job.ask()
+            job.request()
         assert done == []
     wait_until(lambda: done == ["pointloom-later"])
     wait_until(lambda: job._thread is None)  # there was nothing more to do
     with lock:
-        job.ask()
+        job.request()
     wait_until(lambda: len(done) == 2)
 
 
 def test_what_is_done_at_once_is_not_done_again(made):
     job, lock, done = made
     with lock:
-        job.ask()
+        job.request()
         job.now()
         job.now()
     wait_until(lambda: job._thread is None)  # there was nothing more to do
@@ -48,21 +48,21 @@ def test_a_fault_of_the_job_is_logged_and_the_next_one_is_done(made, caplog):
     job, lock, done = made
     good, job._job = job._job, lambda: 1 / 0
     with lock:
-        job.ask()
+        job.request()
     wait_until(lambda: "ZeroDivisionError" in caplog.text)
     job._job = good
     with lock:
-        job.ask()
+        job.request()
     wait_until(lambda: len(done) == 1)
 
 
 def test_nothing_is_done_behind_the_end(made):
     job, lock, done = made
     with lock:
-        job.ask()
+        job.request()
         job.close()
     job.join()
     assert done == []
     with lock:
-        job.ask()
+        job.request()
     assert job._thread is None or not job._thread.is_alive()

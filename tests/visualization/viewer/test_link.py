@@ -100,7 +100,7 @@ def test_a_page_that_comes_later_gets_the_newest_state_and_what_is_gone_is_gone(
     child = scene.add_points(POINTS, parent=group)
     gone = scene.add_points(POINTS, parent=scene.add_group(parent=group))
     child.set(size=7)
-    child.place(None, (1, 2, 3), 2.0)
+    child.set_transform(None, (1, 2, 3), 2.0)
     with gui.add_folder("folder") as folder:
         gui.add_button("in it")
     gone._channel.drop("drop", 3)
@@ -176,7 +176,7 @@ def test_notices_that_nobody_reads_do_not_pile_up(delivery, scene, gui):
     client = PageClient(page.channel, 0, FIRST, (scene, gui))
     for number in range(1000):
         client.notify("n", str(number))
-        client.ask_for_sign()
+        client.request_signal()
     ops = page.read_all()
     assert [op["text"] for op in ops if op["op"] == "notify"] == [str(number) for number in range(936, 1000)]
     assert [op["n"] for op in ops if op["op"] == "sign"] == [1000]
@@ -272,5 +272,5 @@ def test_what_is_no_property_is_told_to_who_gives_it(delivery, scene, wrong):
     with pytest.raises(TypeError, match=r"^size:"):
         node.set(size=3)
     with pytest.raises(ValueError, match="R"):
-        node.place(np.full((3, 3), np.nan), None)
+        node.set_transform(np.full((3, 3), np.nan), None)
     assert len(page.read_all()) == 1

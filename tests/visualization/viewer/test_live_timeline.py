@@ -13,7 +13,7 @@ from pointloom.core.errors import PointloomError
 from pointloom.visualization.viewer import live_timeline
 from pointloom.visualization.viewer.live_recording import Drawn, moments_of
 from pointloom.visualization.viewer.live_timeline import ENTRY
-from pointloom.visualization.viewer.timed_calls import asked_by_page
+from pointloom.visualization.viewer.timed_calls import requested_by_page
 from pointloom.visualization.viewer.viewer import Viewer
 
 from .stand_in import page_in
@@ -131,7 +131,7 @@ def test_a_pose_that_the_program_changes_in_place_is_that_of_its_moment(viewer):
 def test_what_a_page_asks_for_of_what_was_changes_nothing_that_is(viewer):
     tell_story(viewer)
     viewer.show_time(1)
-    with asked_by_page():
+    with requested_by_page():
         viewer.set_visible("old", False)
         assert not viewer.shown["old"].visible and viewer.items.keys() == {"a", "b"}
         with pytest.raises(PointloomError, match="go to its end to change the scene"):
@@ -285,7 +285,7 @@ def test_of_many_moments_the_recording_has_some_and_the_newest(viewer, tmp_path)
     moments = moments_of(viewer.timeline, 10)
     assert len(moments) == 10 and moments[-1][0] == "9.9 s"
     viewer.save_recording(tmp_path / "run.html", max_frames=10, title="run")
-    assert "run, 10 of 100 moments" in (tmp_path / "run.html").read_text()
+    assert "run, 10 of 100 time steps" in (tmp_path / "run.html").read_text()
     for wrong in ({"fps": 0}, {"max_points": 0}, {"max_frames": 1}, {"color": 1}):
         with pytest.raises((ValueError, TypeError), match=next(iter(wrong))):
             viewer.save_recording(tmp_path / "a.html", **wrong)

@@ -360,7 +360,7 @@ def test_updates_of_a_page_that_reads_nothing_take_no_more_than_one(server):
         node = client.scene.add_points(points)
         for step in range(100):
             node.set(positions=points, size=1 + step)
-            node.place(None, (step, 0, 0))
+            node.set_transform(None, (step, 0, 0))
         assert client._channel.delivery._outboxes[client._channel][0].own_bytes <= 2 * points.nbytes
         found = hear_until(line, "node", kind="points")
         while found.get("size") != 100:

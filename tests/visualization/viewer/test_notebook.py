@@ -13,14 +13,14 @@ from PIL import Image
 
 import pointloom as loom
 from pointloom.visualization.viewer import draw as drawing
-from pointloom.visualization.viewer.draw import MAX_BYTES, PLACES, VARIABLE, InlinePage, wants_inline
+from pointloom.visualization.viewer.draw import HOSTED_NOTEBOOKS, MAX_BYTES, VARIABLE, InlinePage, wants_inline
 from pointloom.visualization.viewer.server import ViewerError, ViewerExtraError
 
 
 @pytest.fixture(autouse=True)
 def at_home(monkeypatch):
     """A kernel on the machine of its browser, whatever runs the tests."""
-    for variable, _ in PLACES:
+    for variable, _ in HOSTED_NOTEBOOKS:
         monkeypatch.delenv(variable, raising=False)
     monkeypatch.delenv(VARIABLE, raising=False)
 
@@ -87,7 +87,7 @@ def test_a_page_inside_comes_where_the_extra_is_missing(notebook, without_extra,
     assert 'sandbox="allow-scripts"' in shown["text/html"] and "http" not in shown["text/html"].partition("<iframe")[0]
 
 
-@pytest.mark.parametrize("variable", [variable for variable, _ in PLACES])
+@pytest.mark.parametrize("variable", [variable for variable, _ in HOSTED_NOTEBOOKS])
 def test_where_no_server_is_reached_the_page_lies_inside(notebook, cloud, monkeypatch, variable):
     monkeypatch.setenv(variable, "1")
     assert wants_inline(None, notebook=True) and wants_inline(False, notebook=True) is None
@@ -128,10 +128,10 @@ def test_a_script_is_told_what_to_install(without_extra, cloud):
 
 def test_a_page_inside_comes_where_no_port_is_free(notebook, cloud, monkeypatch):
     def refuse(**_):
-        raise ViewerError("ports 8080 to 8099: all taken")
+        raise ViewerError("ports 8080 to 8099: all in use")
 
     monkeypatch.setattr(drawing, "Viewer", refuse)
-    assert "all taken" in repr(loom.draw([cloud], width=160, height=120))
+    assert "all in use" in repr(loom.draw([cloud], width=160, height=120))
 
 
 def test_printing_costs_a_small_table_and_no_picture(monkeypatch, cloud):

@@ -32,6 +32,6 @@ def test_a_page_that_goes_ends_the_wait_and_is_asked_no_more():
 
 
 def test_a_page_that_gives_no_sign_is_asked_once_and_sent_the_next_step(monkeypatch):
-    monkeypatch.setattr(sessions, "PATIENCE", 0.01)
+    monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 0.01)
     asked = []
     assert Pace(lambda: asked.append(1)).wait() and asked == [1]

@@ -130,7 +130,7 @@ def test_a_page_that_is_known_goes_over_once(server):
     assert get(server, If_None_Match='"other"')[0] == 200
     assert get(server)[1]["cache-control"] == "no-cache"
     status, _, body = get(server, "/", If_None_Match=tag)
-    assert status == 403 and b"Open the whole address that the program printed" in body
+    assert status == 403 and b"Open the complete address that the program printed" in body
 
 
 def test_without_the_token_there_is_nothing_but_words(server):

@@ -28,7 +28,7 @@ def small_steps(monkeypatch):
     for name, value in {"FIRST": 100, "STEP": 300, "AT_ONCE": 200}.items():
         monkeypatch.setattr(point_transfer, name, value)
     monkeypatch.setattr(scene, "FIRST", 100)
-    monkeypatch.setattr(sessions, "PATIENCE", 0.01)
+    monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 0.01)
     monkeypatch.setattr(sessions, "PAUSE", 0.0)
 
 
@@ -119,7 +119,7 @@ def test_colors_size_pose_and_visibility_reach_all_steps(small_steps, rng):
 
 
 def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
-    monkeypatch.setattr(sessions, "PATIENCE", 60.0)
+    monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 60.0)
     with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
         stream = stream_of(shown)
@@ -131,7 +131,7 @@ def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
 
 
 def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypatch):
-    monkeypatch.setattr(sessions, "PATIENCE", 60.0)
+    monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 60.0)
     with Viewer(port=0, max_points=1000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((900, 3))))
         shown.add("large", loom.PointCloud(rng.random((3000, 3))))
@@ -149,7 +149,7 @@ def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, 
         stream = stream_of(shown)
         wait_until(lambda: stream.drawn == 100)
         assert line_of(shown) == "100 of 60,000 points"
-        wait_until(lambda: page.others("progress")[-1].text == "a first look; preparing all points of cloud")
+        wait_until(lambda: page.others("progress")[-1].text == "a preview; preparing all points of cloud")
         may_go.set()
         wait_until(lambda: stream_of(shown) is not stream and 10_000 < stream_of(shown).drawn <= 20_000)
         wait_until(lambda: stream._nodes == [])

@@ -23,9 +23,9 @@ class Node:
     def __init__(self, client, kind, number, parent=None, R=None, t=None, scale=1.0, visible=True, **values):
         self.client, self.kind, self.id, self.parent, self.removed = client, kind, number, parent, False
         self._visible, self.values = visible, values
-        self.place(R, t, told=False)
+        self.set_transform(R, t, told=False)
 
-    def place(self, R=None, t=None, scale=None, *, told=True):
+    def set_transform(self, R=None, t=None, scale=None, *, told=True):
         self.R = np.eye(3) if R is None else np.asarray(R)
         self.t = np.zeros(3) if t is None else np.asarray(t, np.float64)
         if told:

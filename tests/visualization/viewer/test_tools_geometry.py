@@ -144,8 +144,8 @@ def test_pairs_give_the_motion_that_brings_them_together(rng):
     [
         ([[0, 0, 0], [1, 0, 0]], "at least three, got 2; pick 1 more"),
         (np.zeros((0, 3)), "at least three, got 0"),
-        ([[0, 0, 0], [1, 1, 1], [2, 2, 2.01]], "source's points lie on one line"),
-        ([[1, 1, 1]] * 3, "source's points lie in one place"),
+        ([[0, 0, 0], [1, 1, 1], [2, 2, 2.01]], "points of the source are collinear"),
+        ([[1, 1, 1]] * 3, "points of the source are identical"),
         ([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "source"),
     ],
 )
@@ -177,7 +177,7 @@ def test_wrong_pairs_are_told_and_leave_the_pose_as_picked():
     target = loom.PointCloud(wavy())
     far = [[90, 0, 0], [91, 0, 0], [90, 1, 0]]
     found = register_from_pairs(target, target, target.points[[0, 500, 3000]], far, max_correspondence_distance=0.1)
-    assert not found.refined and found.fitness == 0 and "look at the pairs again" in found.warnings[0]
+    assert not found.refined and found.fitness == 0 and "check the pairs" in found.warnings[0]
 
 
 def test_clouds_with_nothing_to_register_are_refused():
@@ -186,7 +186,7 @@ def test_clouds_with_nothing_to_register_are_refused():
         register_from_pairs(loom.PointCloud(), loom.PointCloud(three), three, three)
     with pytest.raises(TypeError, match="target"):
         register_from_pairs(loom.PointCloud(three), three, three, three)
-    with pytest.raises(ValueError, match="one place"):
+    with pytest.raises(ValueError, match="all points are identical"):
         register_from_pairs(loom.PointCloud(three[:1]), loom.PointCloud(three[:1]), three, three)
 
 

@@ -90,25 +90,25 @@ def fuse(
         >>> result.frame_count, bool(np.allclose(result.mesh.vertices[:, 2], 1.0, atol=1e-4))
         (2, True)
     """
-    count, where = count_of(check_frames("frames", frames)), resolve_device(device)
-    say, clock = check_progress(progress), check_clock(clock)
-    farthest, ahead = check_positive("depth_max", depth_max), check_count("read_ahead", read_ahead, minimum=0)
+    count, target_device = count_of(check_frames("frames", frames)), resolve_device(device)
+    report_progress, clock = check_progress(progress), check_clock(clock)
+    max_depth, ahead = check_positive("depth_max", depth_max), check_count("read_ahead", read_ahead, minimum=0)
     if weight_threshold is not None:
         weight_threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
     if hasattr(frames, "__len__") and not count:
         raise ValueError(NO_FRAME)
     edge, cut = check_sizes(voxel_size, truncation)
-    sizes = {"voxel_size": edge, "truncation": cut, "device": where}
-    fold = (_Refined if refine else _AsGiven)(frames, farthest, sizes)
-    check = PoseCheck(frames.intrinsic, frames.depth_scale, farthest)
-    poses, shares = _integrate_frames(frames, fold, check, ahead, say, clock)
+    sizes = {"voxel_size": edge, "truncation": cut, "device": target_device}
+    fold = (_Refined if refine else _AsGiven)(frames, max_depth, sizes)
+    check = PoseCheck(frames.intrinsic, frames.depth_scale, max_depth)
+    poses, shares = _integrate_frames(frames, fold, check, ahead, report_progress, clock)
     threshold = least_weight(len(poses)) if weight_threshold is None else weight_threshold
-    say("extract", 0, 0)
+    report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")
     share_off, extent = None if refine else check.share_off(fold.volume), check.seen_extent()
     clock.stop("check")
-    return FusionResult(mesh, fold.volume, poses, farthest, *shares, threshold, fold.refinement, share_off, extent)
+    return FusionResult(mesh, fold.volume, poses, max_depth, *shares, threshold, fold.refinement, share_off, extent)
 
 
 class _AsGiven:
@@ -146,12 +146,12 @@ def _integrate_frames(
     fold: Callable[[Any, Pose], Pose],
     check: PoseCheck,
     read_ahead: int,
-    say: ReportProgress,
+    report_progress: ReportProgress,
     clock: Clock,
 ) -> tuple[Pose, tuple[float, float]]:
     """Integrate all frames. Returns their poses, and the fractions of pixels measured and used."""
     poses, shares, count = [], [], count_of(frames)
-    say("frames", 0, count)
+    report_progress("frames", 0, count)
     with contextlib.closing(read_frames(frames, read_ahead)) as taken:
         for frame in taken:
             clock.stop("read")
@@ -162,7 +162,7 @@ def _integrate_frames(
             except ValueError as error:
                 raise ValueError(f"frame {escaped(frame.name)}: {error}") from error
             clock.stop("integrate")
-            say("frames", len(poses), count)
+            report_progress("frames", len(poses), count)
     if not poses:
         raise ValueError(NO_FRAME)
     depth_share, used_share = np.mean(shares, axis=0).tolist()
@@ -171,5 +171,5 @@ def _integrate_frames(
 
 def _pose_of(frame: Any) -> Pose:
     if frame.T_world_camera is None:
-        raise ValueError("has no pose, and fusing needs where each frame was taken; pointloom reconstruct finds out")
+        raise ValueError("expected a camera pose (T_world_camera), got None; pointloom reconstruct estimates poses")
     return check_rigid("T_world_camera", frame.T_world_camera)

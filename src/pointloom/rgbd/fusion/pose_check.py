@@ -28,42 +28,42 @@ class PoseCheck:
         rows, columns = (len(range(0, n, self._step)) for n in (intrinsic.height, intrinsic.width))
         K, s = intrinsic, self._step
         self._camera = PinholeCameraIntrinsic(columns, rows, K.fx / s, K.fy / s, K.cx / s, K.cy / s)
-        self._kept: list[tuple[NDArray[Any], Pose]] = []
+        self._samples: list[tuple[NDArray[Any], Pose]] = []
         self._every, self._count = 1, 0
 
     def add(self, depth: Any, T_world_camera: Pose) -> None:
         if self._count % self._every == 0:
-            if len(self._kept) == MAX_FRAMES:
-                self._kept = self._kept[::2]
+            if len(self._samples) == MAX_FRAMES:
+                self._samples = self._samples[::2]
                 self._every *= 2
             small = np.array(np.asarray(depth)[:: self._step, :: self._step])
-            self._kept.append((small, T_world_camera))
+            self._samples.append((small, T_world_camera))
         self._count += 1
 
     def seen_extent(self) -> float:
         """Longest side of the bounding box of the sampled frames [m]. 0 if empty."""
         K, ends = self._camera, []
-        for depth, pose in self._kept:
-            z = self._metres(depth)
-            v, u = np.nonzero(self._seen(z))
+        for depth, pose in self._samples:
+            z = self._in_meters(depth)
+            v, u = np.nonzero(self._is_valid(z))
             rays = np.stack([(u - K.cx) / K.fx, (v - K.cy) / K.fy, np.ones(len(u))], axis=1)
             points = matmul(rays * z[v, u, None], pose[:3, :3].T) + pose[:3, 3]
             if len(points):
                 ends += [points.min(axis=0), points.max(axis=0)]
         return float(np.ptp(ends, axis=0).max()) if ends else 0.0
 
-    def _metres(self, depth: NDArray[Any]) -> NDArray[np.float64]:
+    def _in_meters(self, depth: NDArray[Any]) -> NDArray[np.float64]:
         return depth / (self._unit if depth.dtype.kind in "iu" else 1.0)
 
-    def _seen(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
+    def _is_valid(self, z: NDArray[np.float64]) -> NDArray[np.bool_]:
         return np.isfinite(z) & (z > 0) & (z <= self.depth_max)
 
     def share_off(self, volume: TSDFVolume) -> float | None:
         """Median fraction of frame pixels off the surface by half the truncation. None for fewer than two frames."""
         shares = []
-        for depth, pose in self._kept:
-            z = self._metres(depth)
-            seen = self._seen(z)
+        for depth, pose in self._samples:
+            z = self._in_meters(depth)
+            seen = self._is_valid(z)
             if not seen.any():
                 continue
             near = min(0.1, 0.5 * float(z[seen].min()))

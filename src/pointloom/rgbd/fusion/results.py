@@ -96,9 +96,8 @@ class FusionResult(Assessed):
         if self.share_off is None or self.share_off <= CONTRADICTED:
             return None
         return (
-            f"{format_share(self.share_off)} of what the frames see lies off the surface that they make together: the "
-            "poses are wrong, of other frames, or camera to world where world to camera is meant, or the depth is in "
-            "other units"
+            f"{format_share(self.share_off)} of the measured depth is off the fused surface: the poses are wrong, "
+            "belong to other frames, or are camera to world instead of world to camera, or the depth is in another unit"
         )
 
     def to_dict(self) -> dict[str, Any]:

@@ -17,7 +17,7 @@ from .motion_checks import judge
 from .options import Method
 from .results import OdometryResult
 
-REACH = 25.0  # outlier limit in depth noise deviations
+OUTLIER_LIMIT = 25.0  # in standard deviations of the depth noise
 SHORT_STEP = 0.03  # [px]
 STEPS = (12, 12, 10, 8, 6)  # maximum per level, the coarsest first
 BRIGHTNESS_SHARE = 0.02  # relative weight of the brightness term: its errors correlate between pixels
@@ -56,7 +56,9 @@ def align_frames(
         if not isinstance(frame, OdometryFrame):
             raise TypeError(f"{name}: expected an OdometryFrame, got {type(frame).__name__}")
     if source.device != target.device:
-        raise DeviceError(f"source lies on {source.device}, target on {target.device}; make both on one device")
+        raise DeviceError(
+            f"target: expected the device of the source, {source.device}, got {target.device}; use one device"
+        )
     if not isinstance(method, Method):
         raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
     start = np.eye(4) if init is None else check_rigid("init", init)
@@ -72,8 +74,8 @@ def align_steps(
     share: float = BRIGHTNESS_SHARE,
 ) -> OdometryResult:
     """As `align_frames` without checks, with maximum steps per level (coarsest first) and a brightness weight."""
-    found, verdict_level = descend(source, target, start, method, steps, share)
-    return judge(found, source, verdict_level, target.blur)
+    alignment, checked_level = descend(source, target, start, method, steps, share)
+    return judge(alignment, source, checked_level, target.blur)
 
 
 def descend(
@@ -89,14 +91,16 @@ def descend(
     first = min(max(0, -shift), source.levels.count - 1)
     last = min(source.levels.count, target.levels.count - shift) - 1
     if last < first:
-        raise ValueError("target: its pixels are so much wider or finer than the source's that no levels compare")
+        raise ValueError(
+            "target: the pixel sizes of source and target differ too much, so no pyramid levels are comparable"
+        )
     surface = 0.0 if method is Method.Intensity else 1.0
     brightness = 0.0 if method is Method.PointToPlane else 1.0 if method is Method.Intensity else share
-    rules = AlignmentRules(shift, surface, brightness, REACH, first, SHORT_STEP)
-    verdict_level = min(first + 1, last)
+    rules = AlignmentRules(shift, surface, brightness, OUTLIER_LIMIT, first, SHORT_STEP)
+    checked_level = min(first + 1, last)
     used = last - first + 1
-    most = [steps[max(len(steps) - 1 - k, 0)] for k in range(used)]  # the finest level first
-    return align_levels(source.levels, target.levels, start, rules, most, last, verdict_level), verdict_level
+    max_steps = [steps[max(len(steps) - 1 - k, 0)] for k in range(used)]  # the finest level first
+    return align_levels(source.levels, target.levels, start, rules, max_steps, last, checked_level), checked_level
 
 
 def _shift_between(source: OdometryFrame, target: OdometryFrame) -> int:

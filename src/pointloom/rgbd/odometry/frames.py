@@ -65,7 +65,7 @@ class OdometryFrame:
     ):
         if isinstance(depth, RGBDImage):
             if color is not None:
-                raise ValueError("color: an RGBDImage has its own; pass None")
+                raise ValueError("color: expected None, because an RGBDImage contains its color")
             metric, brightness = depth.depth_array, depth.color_array
             height, width = depth.height, depth.width
         else:
@@ -80,14 +80,14 @@ class OdometryFrame:
         depth: wp.array,
         brightness: wp.array | None,
         intrinsic: PinholeCameraIntrinsic,
-        most_pixels: int = MAX_PIXELS,
+        max_pixels: int = MAX_PIXELS,
         *,
         normals: wp.array | None = None,
         blur: float = 0.0,
     ) -> Self:
         """A frame of device arrays [pixels]: float32 depth [m], float32 brightness (< 0: none) or 8-bit colors."""
         frame = cls.__new__(cls)
-        frame._make(depth, brightness, intrinsic, most_pixels, normals)
+        frame._make(depth, brightness, intrinsic, max_pixels, normals)
         frame.blur = blur
         return frame
 
@@ -104,7 +104,7 @@ class OdometryFrame:
         depth: Any,
         brightness: Any,
         intrinsic: PinholeCameraIntrinsic,
-        most: int = MAX_PIXELS,
+        max_pixels: int = MAX_PIXELS,
         normals: wp.array | None = None,
     ) -> None:
         lens = (intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy)
@@ -115,7 +115,7 @@ class OdometryFrame:
             intrinsic.width,
             intrinsic.height,
             lens,
-            max_pixels=most,
+            max_pixels=max_pixels,
             min_side=MIN_SIDE,
             radius=PLANE_RADIUS,
             normals=normals,

@@ -25,9 +25,9 @@ MIN_AGREEMENT = 0.87  # normal agreement: 0.93 and more | half below 0.3, one ot
 MAX_EXCESS = 5.5  # squared distance in noise variances, at most 16 per pixel: up to 4.8 | all but 2% above
 MIN_CORRELATION = 0.3  # brightness correlation: 0.65 and more | nearly all below 0.57
 MIN_EIGENVALUE = 0.015  # 0.07 and more | untextured walls 0.004 and less
-FEWEST = 12  # inliers
+MIN_INLIER_COUNT = 12  # inliers
 IMITATED = 0.004  # eigenvalue of untextured walls due to noise and rounded edges
-MIN_KEPT = 1e-4  # of it, for a finite covariance: a meter and more
+MIN_INFORMATION = 1e-4  # of it, for a finite covariance: a meter and more
 MIN_EXCESS = 0.1  # of the measured noise: means of many pixels are less exact than their number suggests
 MAX_OPEN = 0.06  # [m] deviation along undetermined motions
 SHARED = 25.0  # pixels per plane window, with common errors
@@ -35,17 +35,17 @@ SHADED = 0.3  # minimum fraction of inliers with brightness
 SHIFT = 0.01  # [m] displacement whose cost the eigenvalue measures, in noise variances
 
 
-def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0) -> OdometryResult:
-    v = found.consistency
+def judge(alignment: Alignment, source: OdometryFrame, level: int, blur: float = 0.0) -> OdometryResult:
+    v = alignment.consistency
     pixels, seen, inliers = v[at.PIXELS], v[at.SEEN], v[at.INLIERS]
-    reason = _first_fault(found, pixels, seen, inliers, blur)
-    smallest = smallest_eigenvalue(found.certainty, v)
+    reason = _first_fault(alignment, pixels, seen, inliers, blur)
+    smallest = smallest_eigenvalue(alignment.certainty, v)
     if not reason and smallest < MIN_EIGENVALUE:
         reason = UNDETERMINED
     scale = source.width * source.height / float(source.levels.counts[level])
     shades = v[at.SHADE_COUNT]
     return OdometryResult(
-        transformation=found.pose,
+        transformation=alignment.pose,
         information=np.zeros((6, 6)) if reason else spread_information(inliers, v[POINTS]) * scale,
         warnings=(reason,) if reason else (),
         inliers=int(inliers),
@@ -54,24 +54,24 @@ def judge(found: Alignment, source: OdometryFrame, level: int, blur: float = 0.0
         inlier_rmse=float(np.sqrt(v[at.SQUARES] / v[at.PLANES])) if v[at.PLANES] else 0.0,
         intensity_rmse=float(np.sqrt(v[at.SHADE_SQUARES] / shades)) if shades else float("nan"),
         smallest_eigenvalue=smallest,
-        iterations=found.steps,
+        iterations=alignment.steps,
         contradiction=_contradiction(v, blur),
-        covariance=covariance_of(found.firm, v),
+        covariance=covariance_of(alignment.firm, v),
     )
 
 
-def _first_fault(found: Alignment, pixels: float, seen: float, inliers: float, blur: float = 0.0) -> str:
-    v = found.consistency
-    if not np.isfinite(found.pose).all():
-        return "the steps left the numbers"
+def _first_fault(alignment: Alignment, pixels: float, seen: float, inliers: float, blur: float = 0.0) -> str:
+    v = alignment.consistency
+    if not np.isfinite(alignment.pose).all():
+        return "the alignment diverged: its pose is not finite"
     if pixels == 0:
         return "the source has no depth"
     if seen / pixels < MIN_OVERLAP:
-        return f"only {100 * seen / pixels:.0f} % of the source's pixels meet depth in the target"
+        return f"only {100 * seen / pixels:.0f}% of the source pixels overlap with depth of the target"
     if inliers / seen < MIN_INLIERS:
-        return f"only {100 * inliers / seen:.0f} % of the pixels that meet depth lie on its surface"
+        return f"only {100 * inliers / seen:.0f}% of the overlapping pixels agree with the target's surface"
     if v[at.IN_FRONT] / seen > MAX_IN_FRONT:
-        return f"{100 * v[at.IN_FRONT] / seen:.0f} % of the source's pixels lie where the target looked through"
+        return f"{100 * v[at.IN_FRONT] / seen:.0f}% of the source pixels are in space that the target observed as free"
     return _contradiction(v, blur)
 
 
@@ -79,9 +79,9 @@ def _contradiction(v: NDArray[np.float64], blur: float) -> str:
     """Contradiction of the inlier pixels with the pose, independent of occlusion."""
     inliers = v[at.INLIERS]
     if v[at.NORMALS] and v[at.AGREEING] / v[at.NORMALS] < MIN_AGREEMENT:
-        return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f} % of the normals agree"
+        return f"only {100 * v[at.AGREEING] / v[at.NORMALS]:.0f}% of the normals agree"
     if (excess := _excess(v, blur)) > MAX_EXCESS:
-        return f"the surfaces lie {np.sqrt(excess):.1f} times as far apart as noise explains"
+        return f"the surface residual is {np.sqrt(excess):.1f} times the depth noise"
     if v[at.SHADE_COUNT] > SHADED * inliers and correlation(v) < MIN_CORRELATION:
         return f"the brightness does not agree (correlation {correlation(v):.2f})"
     return ""
@@ -107,7 +107,7 @@ def correlation(v: NDArray[np.float64]) -> float:
 
 def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> float:
     """Relative smallest eigenvalue of the normal equations about the center, rotations in units of the spread."""
-    if v[at.INLIERS] < FEWEST:
+    if v[at.INLIERS] < MIN_INLIER_COUNT:
         return 0.0
     b = _about_middle(v)
     values = eigvalsh(matmul(b.T, symmetric_matrices(sums[None, :21])[0], b)) / v[at.INLIERS]
@@ -117,15 +117,15 @@ def smallest_eigenvalue(sums: NDArray[np.float64], v: NDArray[np.float64]) -> fl
 def covariance_of(firm: NDArray[np.float64], v: NDArray[np.float64]) -> NDArray[np.float64]:
     """Covariance of the motion about the target's camera, rotation first; infinite with too few pixels."""
     n = v[at.INLIERS]
-    if n < FEWEST or not v[at.PLANES]:
+    if n < MIN_INLIER_COUNT or not v[at.PLANES]:
         return np.full((6, 6), np.inf)
     b = _about_middle(v)
     values, vectors = eigh(matmul(b.T, symmetric_matrices(firm[None, :21])[0], b))
     unit = n / SHIFT**2
-    kept = np.maximum(values - IMITATED * unit, MIN_KEPT * unit)
+    information = np.maximum(values - IMITATED * unit, MIN_INFORMATION * unit)
     noise = SHARED * max(v[at.EXCESS] / v[at.PLANES], MIN_EXCESS)
     spread = matmul(b, vectors)
-    return matmul(spread * np.minimum(noise / kept, MAX_OPEN**2), spread.T)
+    return matmul(spread * np.minimum(noise / information, MAX_OPEN**2), spread.T)
 
 
 def _about_middle(v: NDArray[np.float64]) -> NDArray[np.float64]:

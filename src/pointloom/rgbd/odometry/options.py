@@ -61,17 +61,17 @@ class OdometryOption:
 
     def __post_init__(self) -> None:
         name = "iteration_number_per_pyramid_level"
-        steps = check_list(name, self.iteration_number_per_pyramid_level, "numbers of steps")
+        steps = check_list(name, self.iteration_number_per_pyramid_level, "iteration counts")
         if not 1 <= len(steps) <= MAX_LEVELS:
             raise ValueError(f"{name}: expected 1 to {MAX_LEVELS} levels, got {len(steps)}")
-        reason = "what has not come near by then does not come"
-        most = {"maximum": MAX_STEPS, "because": reason}
-        object.__setattr__(self, name, tuple(check_count(name, step, minimum=0, **most) for step in steps))
+        reason = "alignments that have not converged by then do not converge"
+        limit = {"maximum": MAX_STEPS, "because": reason}
+        object.__setattr__(self, name, tuple(check_count(name, step, minimum=0, **limit) for step in steps))
         check_positive("depth_diff_max", self.depth_diff_max)
         check_positive("depth_min", self.depth_min, allow_zero=True)
         check_positive("depth_max", self.depth_max, allow_infinite=True)
         if self.depth_min >= self.depth_max:
-            raise ValueError(f"depth_min: {self.depth_min} is not below depth_max, {self.depth_max}")
+            raise ValueError(f"depth_min: expected less than depth_max, {self.depth_max}, got {self.depth_min}")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -98,7 +98,7 @@ class OdometryConvergenceCriteria:
     relative_fitness: float = 1e-6
 
     def __post_init__(self) -> None:
-        reason = "what has not come near by then does not come"
+        reason = "alignments that have not converged by then do not converge"
         check_count("max_iteration", self.max_iteration, minimum=0, maximum=MAX_STEPS, because=reason)
         check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)

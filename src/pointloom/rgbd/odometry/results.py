@@ -51,9 +51,9 @@ class OdometryResult(AssessedRecord):
         return iter((self.reliable, self.transformation, self.information))
 
     def __repr__(self) -> str:
-        verdict = "reliable" if self.reliable else f"unreliable: {'; '.join(self.warnings)}"
+        status = "reliable" if self.reliable else f"unreliable: {'; '.join(self.warnings)}"
         rmse = f"inlier_rmse {self.inlier_rmse:.6g}"
-        return f"OdometryResult({verdict}, fitness {self.fitness:.4f}, {rmse}, {self.iterations} iterations)"
+        return f"OdometryResult({status}, fitness {self.fitness:.4f}, {rmse}, {self.iterations} iterations)"
 
 
 def spread_information(count: float, moments: NDArray[np.float64]) -> NDArray[np.float64]:

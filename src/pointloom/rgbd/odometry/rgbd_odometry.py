@@ -100,11 +100,11 @@ def compute_rgbd_odometry(
     with_depth = isinstance(term, RGBDOdometryJacobianFromHybridTerm)
     if _check_weights(weights) == "open3d":
         _check_levels(camera, len(chosen.iteration_number_per_pyramid_level))
-        return _told(run_legacy(source, target, camera, start, with_depth, chosen), source, target, camera)
+        return _reported(run_legacy(source, target, camera, start, with_depth, chosen), source, target, camera)
     frames = [OdometryFrame.from_image(image, camera, chosen.depth_min, chosen.depth_max) for image in (source, target)]
     method = Method.Hybrid if with_depth else Method.Intensity
-    found = align_steps(frames[0], frames[1], start, method, chosen.iteration_number_per_pyramid_level)
-    return _told(found, source, target, camera)
+    result = align_steps(frames[0], frames[1], start, method, chosen.iteration_number_per_pyramid_level)
+    return _reported(result, source, target, camera)
 
 
 def rgbd_odometry_multi_scale(
@@ -152,7 +152,7 @@ def rgbd_odometry_multi_scale(
     camera = _check_pair("intrinsics", source, target, intrinsics)
     start = _check_start("init_source_to_target", init_source_to_target)
     check_positive("depth_scale", depth_scale)
-    farthest, told = check_positive("depth_max", depth_max), (source, target, camera)
+    farthest, inputs = check_positive("depth_max", depth_max), (source, target, camera)
     criteria = _check_criteria(criteria_list)
     if not isinstance(method, Method):
         raise TypeError(f"method: expected a loom.odometry.Method, got {type(method).__name__}")
@@ -161,9 +161,9 @@ def rgbd_odometry_multi_scale(
         raise TypeError(f"params: expected an OdometryLossParams, got {type(limits).__name__}")
     if _check_weights(weights) == "open3d":
         _check_levels(camera, len(criteria))
-        return _told(run_tensor(source, target, camera, start, farthest, criteria, method, limits), *told)
+        return _reported(run_tensor(source, target, camera, start, farthest, criteria, method, limits), *inputs)
     frames = [OdometryFrame.from_image(image, camera, 0.0, farthest) for image in (source, target)]
-    return _told(align_steps(frames[0], frames[1], start, method, [c.max_iteration for c in criteria]), *told)
+    return _reported(align_steps(frames[0], frames[1], start, method, [c.max_iteration for c in criteria]), *inputs)
 
 
 def compute_odometry_information_matrix(
@@ -201,19 +201,21 @@ def compute_odometry_information_matrix(
         >>> float(compute_odometry_information_matrix(depth, depth, K, np.eye(4), 0.07)[5, 5])
         3072.0
     """
-    reach, farthest = check_positive("dist_threshold", dist_threshold), check_positive("depth_max", depth_max)
+    max_distance, farthest = check_positive("dist_threshold", dist_threshold), check_positive("depth_max", depth_max)
     device = device_for(source_depth, None)
     first, height, width = _upload("source_depth", source_depth, depth_scale, device)
     second, *size = _upload("target_depth", target_depth, depth_scale, device)
     if size != [height, width]:
         have = f"{size[1]} x {size[0]}"
-        raise ValueError(f"target_depth: {have} pixels, but the source has {width} x {height}; resize one of them")
+        raise ValueError(
+            f"target_depth: expected {width} x {height} pixels as the source, got {have}; resize one of them"
+        )
     camera = _check_camera("intrinsic", intrinsic, width, height)
     pose = check_rigid("source_to_target", source_to_target)
-    return measure_information(first, second, camera, pose, reach, farthest)
+    return measure_information(first, second, camera, pose, max_distance, farthest)
 
 
-def _told(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: Any) -> OdometryResult:
+def _reported(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: Any) -> OdometryResult:
     report("rgbd_odometry", source=source, target=target, intrinsic=camera, result=result)
     return result
 
@@ -221,12 +223,14 @@ def _told(result: OdometryResult, source: RGBDImage, target: RGBDImage, camera: 
 def _check_images(source: RGBDImage, target: RGBDImage) -> None:
     for name, image in (("source", source), ("target", target)):
         if not isinstance(image, RGBDImage):
-            raise TypeError(f"{name}: expected an RGBDImage, got {type(image).__name__}; align_frames takes frames")
+            raise TypeError(f"{name}: expected an RGBDImage, got {type(image).__name__}; use align_frames for frames")
     if (source.width, source.height) != (target.width, target.height):
         sizes = [f"{image.width} x {image.height}" for image in (source, target)]
-        raise ValueError(f"target: {sizes[1]} pixels, but the source has {sizes[0]}; resize one of them")
+        raise ValueError(f"target: expected {sizes[0]} pixels as the source, got {sizes[1]}; resize one of them")
     if source.device != target.device:
-        raise DeviceError(f"source lies on {source.device}, target on {target.device}; make both on one device")
+        raise DeviceError(
+            f"target: expected the device of the source, {source.device}, got {target.device}; use one device"
+        )
 
 
 def _check_pair(name: str, source: RGBDImage, target: RGBDImage, intrinsic: Any) -> PinholeCameraIntrinsic:
@@ -238,18 +242,18 @@ def _check_camera(name: str, camera: Any, width: int, height: int) -> PinholeCam
     if not isinstance(camera, PinholeCameraIntrinsic):
         matrix = check_finite(name, check_shape(name, camera, (3, 3)))
         try:
-            found = PinholeCameraIntrinsic.from_matrix(matrix, width, height)
+            result = PinholeCameraIntrinsic.from_matrix(matrix, width, height)
         except ValueError as error:
             raise ValueError(f"{name}: {error}") from None
-        if found.fx * WIDEST < width or found.fy * WIDEST < height:
+        if result.fx * WIDEST < width or result.fy * WIDEST < height:
             raise ValueError(
-                f"{name}: focal lengths of {found.fx:g} and {found.fy:g} px see nearly a half-space in {width} x "
-                f"{height} pixels: no camera's matrix; expected fx and fy in pixels, or a PinholeCameraIntrinsic"
+                f"{name}: expected fx and fy in pixels, got {result.fx:g} and {result.fy:g}, a field of view of nearly "
+                f"180 degrees at {width} x {height} pixels; pass a matrix in pixels or a PinholeCameraIntrinsic"
             )
-        return found
+        return result
     if (camera.width, camera.height) != (width, height):
         made = f"{camera.width} x {camera.height}"
-        raise ValueError(f"{name}: made for {made} pixels, but the images have {width} x {height}")
+        raise ValueError(f"{name}: expected a camera of {width} x {height} pixels as the images, got {made}")
     return camera
 
 
@@ -276,7 +280,7 @@ def _check_weights(weights: str) -> str:
 def _check_levels(camera: PinholeCameraIntrinsic, count: int) -> None:
     if min(camera.width, camera.height) >> (count - 1) < 1:
         size = f"{camera.width} x {camera.height}"
-        raise ValueError(f"option: {count} levels, but pictures of {size} pixels cannot be halved so often")
+        raise ValueError(f"option: expected fewer pyramid levels for images of {size} pixels, got {count}")
 
 
 def _check_criteria(criteria: Sequence[OdometryConvergenceCriteria] | None) -> list[OdometryConvergenceCriteria]:
@@ -314,7 +318,7 @@ def run_legacy(
     paired = rows.Open3DRules(rows.LEGACY, rows.PAIRS, option.depth_diff_max)
     sums = _sum(depths[0], shades[0], _level((width, height), lens, depths[1], shades[1]), start, paired)
     if not sums[rows.COUNT]:
-        return _failed(start, "no pixels pair up under the first pose")
+        return _failed(start, "no pixels correspond at the initial pose")
     for k, total in enumerate(sums[[rows.SOURCE_SHADE, rows.TARGET_SHADE]]):
         shades[k] = images.scale(shades[k], 0.5 / (total / sums[rows.COUNT]))
     levels = []
@@ -333,7 +337,7 @@ def run_legacy(
             sums = _sum(level[0], level[1], level[2], pose, rules)
             step = _solve(sums)
             if step is None:
-                return _failed(pose, "the pixels do not determine a step", steps)
+                return _failed(pose, "the pixels do not determine the motion", steps)
             pose, steps = matmul(step, pose), steps + 1
     information, pixels = _information(depths[0], levels[0][2], pose, rows.LEGACY, option.depth_diff_max)
     inliers = int(information[5, 5])
@@ -362,11 +366,11 @@ def run_tensor(
             count = sums[rows.COUNT]
             step = _solve(sums) if count else None
             if step is None:
-                return _failed(pose, "the pixels do not determine a step", steps)
+                return _failed(pose, "the pixels do not determine the motion", steps)
             pose, steps = matmul(step, pose), steps + 1
             new_rmse, new_fitness = sums[rows.SQUARES] / count, count / level[0].size
-            settled = abs(fitness - new_fitness) < criterion.relative_fitness * fitness
-            if settled and abs(rmse - new_rmse) < criterion.relative_rmse * rmse:
+            has_converged = abs(fitness - new_fitness) < criterion.relative_fitness * fitness
+            if has_converged and abs(rmse - new_rmse) < criterion.relative_rmse * rmse:
                 break
             rmse, fitness = new_rmse, new_fitness
     depths = [images.mark_missing(image.depth_array, 0.0, _below(depth_max)) for image in (source, target)]
@@ -383,14 +387,14 @@ def measure_information(
     target: wp.array,
     intrinsic: PinholeCameraIntrinsic,
     pose: NDArray[np.float64],
-    reach: float,
+    max_distance: float,
     depth_max: float,
 ) -> NDArray[np.float64]:
     """Open3D's `compute_odometry_information_matrix` on device arrays."""
     depths = [images.mark_missing(depth, 0.0, _below(depth_max)) for depth in (source, target)]
     lens = np.array([intrinsic.fx, intrinsic.fy, intrinsic.cx, intrinsic.cy])
     level = _level((intrinsic.width, intrinsic.height), lens, depths[1], depths[1])
-    return _information(depths[0], level, pose, rows.TENSOR, reach)[0]
+    return _information(depths[0], level, pose, rows.TENSOR, max_distance)[0]
 
 
 def _below(depth_max: float) -> float:
@@ -422,8 +426,8 @@ def _tensor_levels(
             smoothed = images.spread_holes(marked[1], smoothed, *size)
             level.normals = images.short_normals(smoothed, *size, camera)
         levels.append((marked[0], shades[0], level))
-        kept = [images.fill_missing(depth) for depth in marked]
-        filled = [halve_depth(depth, *size, 2 * params.depth_outlier_trunc) for depth in kept]
+        depths = [images.fill_missing(depth) for depth in marked]
+        filled = [halve_depth(depth, *size, 2 * params.depth_outlier_trunc) for depth in depths]
         shades = [halve_color(shade, *size) for shade in shades] if with_color else filled
         size, camera = (size[0] // 2, size[1] // 2), camera / 2
     return levels
@@ -475,9 +479,9 @@ def _solve(sums: NDArray[np.float64]) -> NDArray[np.float64] | None:
 
 
 def _information(
-    depth: wp.array, level: rows.Open3DLevel, pose: NDArray[np.float64], form: int, reach: float
+    depth: wp.array, level: rows.Open3DLevel, pose: NDArray[np.float64], form: int, max_distance: float
 ) -> tuple[NDArray[np.float64], int]:
-    arguments = [depth, level, mat44d(*pose.ravel()), form, float(reach)]
+    arguments = [depth, level, mat44d(*pose.ravel()), form, float(max_distance)]
     sums = download(reduce(rows.sum_open3d_information, depth.size, arguments))[0]  # sync
     return spread_information(sums[0], sums[1:10]), int(sums[10])
 

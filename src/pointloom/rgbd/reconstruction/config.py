@@ -150,7 +150,8 @@ class ReconstructionConfig:
             raise ValueError(f"n_frames_least: expected at most n_frames_per_fragment, got {limits}")
         if self.sdf_trunc is not None and self.sdf_trunc < self.volume_voxel_size:
             raise ValueError(
-                f"sdf_trunc: {self.sdf_trunc} m is below one voxel ({self.volume_voxel_size:.4g} m); 4 voxels are usual"
+                f"sdf_trunc: expected at least one voxel ({self.volume_voxel_size:.4g} m), got {self.sdf_trunc} m; "
+                "4 voxels are usual"
             )
 
     @property
@@ -236,11 +237,11 @@ def _checked(name: str, value: Any, default: Any) -> Any:
         return check_positive(name, value, allow_zero=name in _MAY_BE_ZERO)
     text = check_name(name, value)
     if name.startswith(("folder_", "template_")):
-        _check_place(name, text)
+        _check_path(name, text)
     return text
 
 
-def _check_place(name: str, text: str) -> None:
+def _check_path(name: str, text: str) -> None:
     path = PurePosixPath(text)
     if not path.parts or path.is_absolute() or ".." in path.parts:
         raise ValueError(f"{name}: expected a path within the job's folder, got {shown(text)}")
@@ -274,9 +275,11 @@ def _translated(names: Mapping[str, Any]) -> dict[str, Any]:
             name = "sdf_trunc"
         if name not in known:
             near = nearest_name(str(given), [*known, *ALIASES, *IGNORED])
-            raise ValueError(f"{escaped(given)}: no name of a reconstruction's configuration{near}")
+            raise ValueError(f"{escaped(given)}: unknown name in a reconstruction configuration{near}")
         if name in fields:
-            raise ValueError(f"{escaped(given)}: the same as {origins[name]}, which is given too")
+            raise ValueError(
+                f"{escaped(given)}: a second name of {origins[name]}, which is also given; pass one of them"
+            )
         choices = VALUE_ALIASES.get(name, {})
         fields[name] = choices.get(value, value) if isinstance(value, str) else value
         origins[name] = given

@@ -19,11 +19,11 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from .config import ReconstructionConfig
 from .job import run_system
-from .job_files import Places
+from .job_files import JobFiles
 from .report import SystemReport
 
 # Entries of the system's report in the account. The rest is about the mesh and the run.
-_TOLD = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
+_REPORTED = ("frames", "used", "lost", "fragments", "edges", "loops", "slac", "resumed")
 
 
 @dataclasses.dataclass(frozen=True)
@@ -84,10 +84,10 @@ class FragmentsAccount(Assessed):
         return self.system.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        told, sizes = self.system.to_dict(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
+        values, sizes = self.system.to_dict(), {"voxel_size": self.voxel_size, "depth_max": self.depth_max}
         return {
             "device": self.device,
-            **{name: told[name] for name in _TOLD},
+            **{name: values[name] for name in _REPORTED},
             **sizes,
             "work": self.folder,
             **quality(self),
@@ -113,12 +113,12 @@ def model_by_fragments(
     report = run_system(frames, settings, work, **switches, device=device, progress=progress)
     clock.seconds |= report.seconds
     clock.restart()
-    places = Places.make(work, settings)
+    job = JobFiles.make(work, settings)
     mesh, path = TriangleMesh(device=device), Trajectory(np.empty((0, 4, 4)), ids=np.empty((0, 3), np.int64))
     for file in report.files:
-        if Path(file) == places.scene_mesh:
+        if Path(file) == job.scene_mesh:
             mesh = read_triangle_mesh(file, device=device)
-        elif Path(file) == places.trajectory:
+        elif Path(file) == job.trajectory:
             path = read_trajectory(file)
     clock.stop("read")
     sizes = (settings.volume_voxel_size, settings.depth_max)

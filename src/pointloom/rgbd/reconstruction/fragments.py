@@ -34,7 +34,7 @@ from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .config import ReconstructionConfig
 from .frames import Frames, LostFrame, ReadFrame
-from .job_files import Places
+from .job_files import JobFiles
 from .volumes import cloud_of, fuse_frames, make_volume
 
 Matrix = NDArray[np.float64]
@@ -87,11 +87,11 @@ class Fragment:
 
 @dataclass(frozen=True, eq=False)
 class FragmentSet:
-    """All `fragments` in frame order, the `lost` frames, and the number of fragments `kept` from an earlier run."""
+    """All `fragments` in frame order, the `lost` frames, and the number of fragments `resumed` from an earlier run."""
 
     fragments: list[Fragment]
     lost: list[LostFrame]
-    kept: int
+    resumed: int
 
 
 def make_fragments(
@@ -141,23 +141,23 @@ def make_fragments(
         >>> [len(fragment) for fragment in found.fragments], found.lost
         ([6, 3], [])
     """
-    places, where = Places.make(folder, config), resolve_device(device)
-    frames, say = Frames(source, config), check_progress(progress)
+    job, where = JobFiles.make(folder, config), resolve_device(device)
+    frames, report_progress = Frames(source, config), check_progress(progress)
     settings = _settings_of(frames)
-    fragments, lost = _read_done(places, frames, settings) if resume else ([], [])
-    kept, start = len(fragments), Start()
+    fragments, lost = _read_done(job, frames, settings) if resume else ([], [])
+    resumed, start = len(fragments), Start()
     if fragments:
         last = fragments[-1]
-        velocity = _result_of(places, last.number)["velocity"]
+        velocity = _result_of(job, last.number)["velocity"]
         start = Start(last.number + 1, int(last.indices[-1]) + 1, np.array(velocity), last.made_from)
-    _forget(places, kept)
-    walk = Walk(frames, settings, where, start, say)
-    with contextlib.closing(walk.drafts()) as drafts:
+    _forget(job, resumed)
+    builder = DraftBuilder(frames, settings, where, start, report_progress)
+    with contextlib.closing(builder.drafts()) as drafts:
         for draft in drafts:
-            before = [frame for frame in walk.lost if frame.index < draft.indices[-1]]
-            fragments.append(_finish(draft, frames, places, where, before))
-    everything = sorted([*lost, *walk.lost], key=lambda frame: frame.index)
-    return FragmentSet(fragments, everything, kept)
+            before = [frame for frame in builder.lost if frame.index < draft.indices[-1]]
+            fragments.append(_finish(draft, frames, job, where, before))
+    everything = sorted([*lost, *builder.lost], key=lambda frame: frame.index)
+    return FragmentSet(fragments, everything, resumed)
 
 
 def _settings_of(frames: Frames) -> dict[str, Any]:
@@ -167,17 +167,17 @@ def _settings_of(frames: Frames) -> dict[str, Any]:
     return sizes | {"voxel": config.fragment_voxel, "depth_scale": frames.depth_scale, "camera": lens}
 
 
-def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Sequence[LostFrame]) -> Fragment:
+def _finish(draft: Draft, frames: Frames, job: JobFiles, device: Any, lost: Sequence[LostFrame]) -> Fragment:
     """Close the loops of a draft, fuse its frames, and write its files, the record last."""
     graph, tried = _close_loops(draft, frames)
     solved = _optimize(graph, frames.config)
-    found = sum(edge.uncertain for edge in graph.edges)
-    loops = tried, found, sum(edge.uncertain for edge in solved.edges)
+    aligned = sum(edge.uncertain for edge in graph.edges)
+    loops = tried, aligned, sum(edge.uncertain for edge in solved.edges)
     poses = np.array([node.pose for node in solved.nodes])
     volume = make_volume(frames.config.fragment_voxel, None, draft.colored, device)
     fuse_frames(frames, draft.indices, poses, volume)  # frames that are now unreadable: their neighbors saw the same
     cloud, number = cloud_of(volume), draft.number
-    paths = places.fragment_graph(number), places.fragment_graph_optimized(number), places.fragment_cloud(number)
+    paths = job.fragment_graph(number), job.fragment_graph_optimized(number), job.fragment_cloud(number)
     write_pose_graph(paths[0], graph)
     write_pose_graph(paths[1], solved)
     write_point_cloud(paths[2], cloud)
@@ -195,21 +195,21 @@ def _finish(draft: Draft, frames: Frames, places: Places, device: Any, lost: Seq
     )
     result = _to_json(fragment) | {"velocity": draft.velocity.tolist()}
     result |= {"lost": [[frame.index, frame.name, frame.reason] for frame in lost]}
-    write_record(places.record(STAGE, number), STAGE, draft.made_from, places.root, paths, result)
+    write_record(job.record(STAGE, number), STAGE, draft.made_from, job.root, paths, result)
     return fragment
 
 
 def _close_loops(draft: Draft, frames: Frames) -> tuple[PoseGraph, int]:
     edges = [
-        make_edge(i + 1, i, found.transformation, found.information, uncertain=False)
-        for i, found in enumerate(draft.motions)
+        make_edge(i + 1, i, result.transformation, result.information, uncertain=False)
+        for i, result in enumerate(draft.motions)
     ]
     candidates = find_candidates(draft.keyframes, draft.poses, frames.intrinsic)
-    for later, earlier, T in candidates:
-        b, a = draft.keyframes[later], draft.keyframes[earlier]
-        found = align(frames.config, b.frame, a.frame, T)
-        if found.reliable:
-            edges.append(make_edge(b.place, a.place, found.transformation, found.information, uncertain=True))
+    for source, target, T in candidates:
+        b, a = draft.keyframes[source], draft.keyframes[target]
+        result = align(frames.config, b.frame, a.frame, T)
+        if result.reliable:
+            edges.append(make_edge(b.index, a.index, result.transformation, result.information, uncertain=True))
     draft.keyframes.clear()  # frees their pyramids
     return PoseGraph([PoseGraphNode(pose) for pose in draft.poses], edges), len(candidates)
 
@@ -245,34 +245,34 @@ def _to_json(fragment: Fragment) -> dict[str, Any]:
     }
 
 
-def _result_of(places: Places, number: int) -> dict[str, Any]:
-    result = read_record(places.record(STAGE, number), STAGE, places.root)
+def _result_of(job: JobFiles, number: int) -> dict[str, Any]:
+    result = read_record(job.record(STAGE, number), STAGE, job.root)
     assert result is not None  # it was read just now
     return result
 
 
-def read_fragments(places: Places) -> list[Fragment]:
+def read_fragments(job: JobFiles) -> list[Fragment]:
     fragments = []
     while True:
         number = len(fragments)
-        result = read_record(places.record(STAGE, number), STAGE, places.root)
+        result = read_record(job.record(STAGE, number), STAGE, job.root)
         if result is None:
             return fragments
-        fragments.append(_from_json(number, result, places))
+        fragments.append(_from_json(number, result, job))
 
 
 def digest_of_all(fragments: Sequence[Fragment]) -> str:
     return digest_of([fragment.made_from for fragment in fragments])
 
 
-def fragments_in(places: Places) -> list[Fragment]:
-    fragments = read_fragments(places)
+def fragments_in(job: JobFiles) -> list[Fragment]:
+    fragments = read_fragments(job)
     if not fragments:
-        raise FileError(places.root, "holds no fragments", remedy="Run make_fragments with this folder first")
+        raise FileError(job.root, "contains no fragments", remedy="Run make_fragments with this folder first")
     return fragments
 
 
-def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
+def _from_json(number: int, result: dict[str, Any], job: JobFiles) -> Fragment:
     joint = result["joint"]
     return Fragment(
         number,
@@ -283,14 +283,14 @@ def _from_json(number: int, result: dict[str, Any], places: Places) -> Fragment:
         result["broke"],
         (result["loops"][0], result["loops"][1], result["loops"][2]),
         result["colored"],
-        places.fragment_cloud(number),
+        job.fragment_cloud(number),
         result["made_from"],
     )
 
 
-def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tuple[list[Fragment], list[LostFrame]]:
+def _read_done(job: JobFiles, frames: Frames, settings: dict[str, Any]) -> tuple[list[Fragment], list[LostFrame]]:
     done, lost, before, first = [], [], "", 0
-    for fragment in read_fragments(places):
+    for fragment in read_fragments(job):
         last = int(fragment.indices[-1])
         if last >= frames.count:
             break
@@ -299,20 +299,20 @@ def _read_done(places: Places, frames: Frames, settings: dict[str, Any]) -> tupl
         if digest_of_fragment(settings, before, digests) != fragment.made_from:
             break
         done.append(fragment)
-        found = _result_of(places, fragment.number)["lost"]
-        lost += [LostFrame(*entry) for entry in found if first <= entry[0] <= last]
+        lost_entries = _result_of(job, fragment.number)["lost"]
+        lost += [LostFrame(*entry) for entry in lost_entries if first <= entry[0] <= last]
         before, first = fragment.made_from, last + 1
     return done, lost
 
 
-def _forget(places: Places, number: int) -> None:
+def _forget(job: JobFiles, number: int) -> None:
     """Remove outdated fragments from a number on, their records first."""
-    for record in sorted(places.record(STAGE, 0).parent.glob(f"{STAGE}_*.json"), reverse=True):
+    for record in sorted(job.record(STAGE, 0).parent.glob(f"{STAGE}_*.json"), reverse=True):
         digits = record.stem.removeprefix(f"{STAGE}_")
         if digits.isdecimal() and int(digits) >= number:
             record.unlink()
             old = int(digits)
-            for path in (places.fragment_cloud(old), places.fragment_graph(old), places.fragment_graph_optimized(old)):
+            for path in (job.fragment_cloud(old), job.fragment_graph(old), job.fragment_graph_optimized(old)):
                 path.unlink(missing_ok=True)
 
 
@@ -363,11 +363,14 @@ def digest_of_fragment(settings: dict[str, Any], before: str, digests: list[str]
     return digest_of([settings, before, digests])
 
 
-class Walk:
+class DraftBuilder:
     """Iterates through frames and yields drafts of fragments; `lost` grows meanwhile."""
 
-    def __init__(self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, say: ReportProgress):
-        self.frames, self.settings, self.device, self.start, self.say = frames, settings, device, start, say
+    def __init__(
+        self, frames: Frames, settings: dict[str, Any], device: Any, start: Start, report_progress: ReportProgress
+    ):
+        self.frames, self.settings, self.device, self.start = frames, settings, device, start
+        self.report_progress = report_progress
         self.config: ReconstructionConfig = frames.config
         self.lost: list[LostFrame] = []
         self.number, self.made_from, self._first = start.number, start.made_from, start.index
@@ -383,17 +386,17 @@ class Walk:
         if self.start.number:
             last = self.prepare(self.frames.read(begin - 1))
             self._previous, self._anchor = (last, begin - 1), (last, begin - 1, self.start.number - 1)
-        self.say("frames", begin, count)
+        self.report_progress("frames", begin, count)
         with self.frames.closing(range(begin, count)) as frames:
             for frame in frames:
                 self._digests[frame.index] = frame.digest
                 yield from self._take(frame)
-                self.say("frames", frame.index + 1, count)
+                self.report_progress("frames", frame.index + 1, count)
         yield from self._close("the frames end")
         if self._spare is not None:
             draft, self._spare = self._spare, None
             self.lost = [lost for lost in self.lost if lost.index not in draft.indices]
-            yield self._kept(draft)
+            yield self._finished(draft)
 
     def prepare(self, frame: ReadFrame) -> OdometryFrame:
         assert frame.depth is not None
@@ -409,16 +412,16 @@ class Walk:
             self._previous = None
             return
         current = self.prepare(frame)
-        found, reason = None, "there is no frame before it"
+        result, reason = None, "there is no previous frame"
         if self._previous is not None:
-            found = self._follow(current, self._previous[0])
-            reason = "; ".join(found.warnings)
-        if found is not None and found.reliable and self._draft and len(self._draft) < self._limit:
-            self._append(frame, current, found)
+            result = self._follow(current, self._previous[0])
+            reason = "; ".join(result.warnings)
+        if result is not None and result.reliable and self._draft and len(self._draft) < self._limit:
+            self._append(frame, current, result)
         else:
-            succeeded = found is not None and found.reliable
+            succeeded = result is not None and result.reliable
             yield from self._close("" if succeeded else f"{frame.name} cannot be aligned with it: {reason}")
-            self._begin(frame, current, found if succeeded else None, reason)
+            self._begin(frame, current, result if succeeded else None, reason)
         self._previous = current, frame.index
 
     @property
@@ -427,17 +430,17 @@ class Walk:
 
     def _follow(self, current: OdometryFrame, previous: OdometryFrame) -> OdometryResult:
         """Align with the previous frame, starting from the predicted motion or else from no motion."""
-        found = align(self.config, current, previous, self._velocity)
-        if not found.reliable and not np.array_equal(self._velocity, np.eye(4)):
-            found = align(self.config, current, previous, np.eye(4))
-        return found
+        result = align(self.config, current, previous, self._velocity)
+        if not result.reliable and not np.array_equal(self._velocity, np.eye(4)):
+            result = align(self.config, current, previous, np.eye(4))
+        return result
 
-    def _append(self, frame: ReadFrame, current: OdometryFrame, found: OdometryResult) -> None:
+    def _append(self, frame: ReadFrame, current: OdometryFrame, result: OdometryResult) -> None:
         draft = self._draft
         assert draft is not None
-        self._velocity = np.asarray(found.transformation)
-        draft.motions.append(found)
-        self._add(draft, frame, current, matmul(draft.poses[-1], found.transformation))
+        self._velocity = np.asarray(result.transformation)
+        draft.motions.append(result)
+        self._add(draft, frame, current, matmul(draft.poses[-1], result.transformation))
 
     def _add(self, draft: Draft, frame: ReadFrame, current: OdometryFrame, pose: Matrix) -> None:
         if len(draft) % self.config.n_keyframes_per_n_frame == 0:
@@ -448,11 +451,11 @@ class Walk:
         draft.poses.append(pose)
         draft.colored = draft.colored and frame.color is not None
 
-    def _begin(self, frame: ReadFrame, current: OdometryFrame, found: OdometryResult | None, reason: str) -> None:
+    def _begin(self, frame: ReadFrame, current: OdometryFrame, result: OdometryResult | None, reason: str) -> None:
         """Begin a draft, linked to the previous fragment if odometry succeeded."""
-        draft = Draft(self.number, broke="" if found is not None else reason)
-        if found is not None and self._anchor is not None and self._anchor[1] == frame.index - 1:
-            self._velocity = np.asarray(found.transformation)
+        draft = Draft(self.number, broke="" if result is not None else reason)
+        if result is not None and self._anchor is not None and self._anchor[1] == frame.index - 1:
+            self._velocity = np.asarray(result.transformation)
             draft.joint = Joint(self._anchor[2], self._velocity, 0)
         else:
             self._velocity = np.eye(4)
@@ -464,10 +467,10 @@ class Walk:
         """Align a frame with the end of the previous fragment across skipped frames."""
         if self._anchor is None or not 1 < frame.index - self._anchor[1] <= BRIDGE:
             return None
-        found = align(self.config, current, self._anchor[0], np.eye(4))
-        if not found.reliable:
+        result = align(self.config, current, self._anchor[0], np.eye(4))
+        if not result.reliable:
             return None
-        return Joint(self._anchor[2], np.asarray(found.transformation), frame.index - self._anchor[1] - 1)
+        return Joint(self._anchor[2], np.asarray(result.transformation), frame.index - self._anchor[1] - 1)
 
     def _close(self, reason: str) -> Generator[Draft, None, None]:
         draft, self._draft = self._draft, None
@@ -478,9 +481,9 @@ class Walk:
             self._spare = None
             if self._previous is not None:
                 self._anchor = self._previous[0], draft.indices[-1], draft.number
-            yield self._kept(draft)
+            yield self._finished(draft)
             return
-        few = f"{len(draft)} frame{'s' * (len(draft) > 1)} alone, {self.config.n_frames_least} needed"
+        few = f"{len(draft)} frame{'s' * (len(draft) > 1)} unconnected, {self.config.n_frames_least} needed"
         before = f"; {draft.broke}" if draft.broke else ""
         behind = f"; {reason}" if reason else ""
         for index, name in zip(draft.indices, draft.names, strict=True):
@@ -488,7 +491,7 @@ class Walk:
         if self.number == 0 and (self._spare is None or len(draft) > len(self._spare)):
             self._spare = draft
 
-    def _kept(self, draft: Draft) -> Draft:
+    def _finished(self, draft: Draft) -> Draft:
         last = draft.indices[-1]
         decided = [self._digests[i] for i in range(self._first, last + 1)] + [self._digests.get(last + 1, "")]
         draft.made_from = self.made_from = digest_of_fragment(self.settings, self.made_from, decided)
@@ -516,14 +519,14 @@ MAX_LOOPS = 3  # per keyframe: the most distant in time, and its neighbor
 class Keyframe:
     """A candidate for loop closures, with sampled `points`, float64 [k, 3] [m], and `depths` at every `step` pixels."""
 
-    place: int
+    index: int
     frame: Any
     points: Matrix
     depths: NDArray[np.float32]
     step: int
 
     @classmethod
-    def make(cls, place: int, frame: Any, depth: NDArray[np.float32], intrinsic: PinholeCameraIntrinsic) -> Keyframe:
+    def make(cls, index: int, frame: Any, depth: NDArray[np.float32], intrinsic: PinholeCameraIntrinsic) -> Keyframe:
         step = max(1, min(depth.shape) // 60)
         depths = depth[::step, ::step].copy()
         rows, columns = np.nonzero(depths)
@@ -532,7 +535,7 @@ class Keyframe:
         z = depths[rows, columns].astype(np.float64)
         x = (columns * step - intrinsic.cx) / intrinsic.fx * z
         y = (rows * step - intrinsic.cy) / intrinsic.fy * z
-        return cls(place, frame, np.stack([x, y, z], axis=1), depths, step)
+        return cls(index, frame, np.stack([x, y, z], axis=1), depths, step)
 
     def share_seen_by(self, other: Keyframe, T_other_self: Matrix, intrinsic: PinholeCameraIntrinsic) -> float:
         """Fraction of the points that another keyframe sees without occlusion."""
@@ -551,19 +554,19 @@ class Keyframe:
 def find_candidates(
     keyframes: list[Keyframe], poses: list[Matrix], intrinsic: PinholeCameraIntrinsic
 ) -> list[tuple[int, int, Matrix]]:
-    found = []
-    for b, later in enumerate(keyframes):
+    candidates = []
+    for b, source in enumerate(keyframes):
         chosen = []
-        for a, earlier in enumerate(keyframes[:b]):
-            T = matmul(invert_pose(poses[earlier.place]), poses[later.place])
-            if later.place - earlier.place < 2:
+        for a, target in enumerate(keyframes[:b]):
+            T = matmul(invert_pose(poses[target.index]), poses[source.index])
+            if source.index - target.index < 2:
                 continue  # the pair of odometry
-            if min(_shares(later, earlier, T, intrinsic)) >= SHARED:
+            if min(_shares(source, target, T, intrinsic)) >= SHARED:
                 chosen.append((b, a, T))
-        found += chosen if len(chosen) <= MAX_LOOPS else [*chosen[: MAX_LOOPS - 1], chosen[-1]]
-    return found
+        candidates += chosen if len(chosen) <= MAX_LOOPS else [*chosen[: MAX_LOOPS - 1], chosen[-1]]
+    return candidates
 
 
-def _shares(later: Keyframe, earlier: Keyframe, T: Matrix, intrinsic: PinholeCameraIntrinsic) -> tuple[float, float]:
-    back = earlier.share_seen_by(later, invert_pose(T), intrinsic)
-    return later.share_seen_by(earlier, T, intrinsic), back
+def _shares(source: Keyframe, target: Keyframe, T: Matrix, intrinsic: PinholeCameraIntrinsic) -> tuple[float, float]:
+    back = target.share_seen_by(source, invert_pose(T), intrinsic)
+    return source.share_seen_by(target, T, intrinsic), back

@@ -48,12 +48,12 @@ class Frames:
         for name in ("__len__", "read", "intrinsic"):
             if not hasattr(source, name):
                 raise TypeError(
-                    f"source: expected frames that can be read by their place (open_frames, open_dataset), got "
+                    f"source: expected frames with random access (open_frames, open_dataset), got "
                     f"{type(source).__name__} without {name}; record a stream to a folder first"
                 )
         if not isinstance(source.intrinsic, PinholeCameraIntrinsic):
-            found = type(source.intrinsic).__name__
-            raise TypeError(f"source.intrinsic: expected a PinholeCameraIntrinsic, got {found}")
+            given = type(source.intrinsic).__name__
+            raise TypeError(f"source.intrinsic: expected a PinholeCameraIntrinsic, got {given}")
         self.source, self.config, self.count = source, config, len(source)
         if not self.count:
             raise ValueError("source: expected at least one frame, got none")
@@ -91,12 +91,12 @@ class Frames:
             return ReadFrame(index, name, None, None, pose, digest, reason)
         meters = depth.astype(np.float32) / np.float32(self.depth_scale if depth.dtype.kind in "iu" else 1.0)
         near, far = self.config.depth_min, self.config.depth_max
-        in_reach = (meters >= near) & (meters <= far)  # False for NaN
-        share = float(np.mean(in_reach))
+        in_range = (meters >= near) & (meters <= far)  # False for NaN
+        share = float(np.mean(in_range))
         if share < HARDLY_ANY:
             reason = f"{share:.1%} of its pixels have a depth from {near:g} to {far:g} m"
             return ReadFrame(index, name, None, color, pose, digest, reason)
-        return ReadFrame(index, name, np.where(in_reach, meters, np.float32(0)), color, pose, digest, "")
+        return ReadFrame(index, name, np.where(in_range, meters, np.float32(0)), color, pose, digest, "")
 
     def read_all(self, indices: Iterable[int]) -> Generator[ReadFrame, None, None]:
         with contextlib.closing(read_in_order(self.read, indices)) as frames:
@@ -122,10 +122,10 @@ class Frames:
     def _fault(self, depth: NDArray[Any], color: Any) -> str:
         size = (self.intrinsic.height, self.intrinsic.width)
         if depth.shape != size:
-            return f"its depth is {list(depth.shape)}, the camera's pictures are {list(size)}"
+            return f"its depth has shape {list(depth.shape)}, expected {list(size)} of the camera"
         if depth.dtype.kind not in "iuf" or depth.dtype.itemsize == 1:
-            return f"its depth is {depth.dtype}; expected whole numbers of 16 bits or more, or meters in float"
+            return f"its depth is {depth.dtype}; expected integers of 16 bits or more, or floats in meters"
         if color is not None and (np.asarray(color).dtype != np.uint8 or np.shape(color) != (*size, 3)):
-            found = f"{np.asarray(color).dtype} {list(np.shape(color))}"
-            return f"its color is {found}; expected uint8 {[*size, 3]}"
+            given = f"{np.asarray(color).dtype} {list(np.shape(color))}"
+            return f"its color is {given}; expected uint8 {[*size, 3]}"
         return ""

@@ -65,15 +65,15 @@ class ReconstructionResult(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         focal = None if self.focal is None else self.focal.to_dict()
-        told = {"method": self.method, **self.account.to_dict(), **describe_mesh(self.mesh).to_dict(), "focal": focal}
-        return told | quality(self)
+        values = {"method": self.method, **self.account.to_dict(), **describe_mesh(self.mesh).to_dict(), "focal": focal}
+        return values | quality(self)
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
         account, size = self.account, describe_mesh(self.mesh).to_dict()
-        told = account.fields(frames_per_second) if isinstance(account, SlamAccount) else account.fields()
+        fields = account.fields(frames_per_second) if isinstance(account, SlamAccount) else account.fields()
         voxels = f"voxels of {account.voxel_size * 1000:.4g} mm"
         return [
-            *told,
+            *fields,
             ("mesh", f"{size['vertices']:,} vertices, {size['triangles']:,} triangles, {voxels}"),
             ("bounds", format_bounds(size["bounds"])),
         ]
@@ -124,11 +124,11 @@ def reconstruct(
         (3, Trajectory(2 poses, ids))
     """
     check_frames("frames", frames)
-    where, say, clock = resolve_device(device), check_progress(progress), check_clock(clock)
+    where, report_progress, clock = resolve_device(device), check_progress(progress), check_clock(clock)
     ahead = check_count("read_ahead", read_ahead, minimum=0)
     edge = None if voxel_size is None else check_sizes(voxel_size)[0]
     farthest = None if depth_max is None else check_positive("depth_max", depth_max)
-    shared: dict[str, Any] = {"device": where, "progress": say, "clock": clock}
+    shared: dict[str, Any] = {"device": where, "progress": report_progress, "clock": clock}
     if fragments is None:
         sizes: dict[str, Any] = {"voxel_size": edge or VOXEL_SIZE, "depth_max": farthest or DEPTH_MAX}
         mesh, account = model_by_slam(frames, **sizes, read_ahead=ahead, **shared)

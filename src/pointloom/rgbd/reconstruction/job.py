@@ -16,7 +16,7 @@ from ...io.frames.recordings import record_frames
 from ...io.frames.rgbd_sources import RGBDSource
 from .config import ReconstructionConfig
 from .fragments import make_fragments
-from .job_files import Places
+from .job_files import JobFiles
 from .nonrigid import refine_with_slac, slac_params
 from .placement import register_fragments
 from .refinement import refine_registration
@@ -79,19 +79,19 @@ def run_system(
         (8, (), True)
     """
     config = ReconstructionConfig() if config is None else config
-    places, clock = Places.make(folder, config), Clock()
-    say = check_progress(progress)
-    options: dict[str, Any] = {"resume": resume, "device": device, "progress": say}
+    job, clock = JobFiles.make(folder, config), Clock()
+    report_progress = check_progress(progress)
+    options: dict[str, Any] = {"resume": resume, "device": device, "progress": report_progress}
     if slac:
         slac_params(config)  # fail before the work
-    config.write(places.root / CONFIG_FILE)
-    frames = _readable(source, places, resume, say)
+    config.write(job.root / CONFIG_FILE)
+    frames = _readable(source, job, resume, report_progress)
     clock.stop("record")
     observers.report("stage", name="fragments")
-    found = make_fragments(frames, config, folder, **options)
+    fragment_set = make_fragments(frames, config, folder, **options)
     clock.stop("fragments")
     placement, bent, scene = None, None, None
-    if found.fragments:
+    if fragment_set.fragments:
         observers.report("stage", name="register")
         placement = register_fragments(config, folder, **options)
         clock.stop("register")
@@ -107,15 +107,15 @@ def run_system(
         clock.stop("integrate")
     cost: dict[str, Any] = {"seconds": clock.seconds, "peak_bytes": peak_bytes()}
     figures = None if bent is None else bent.figures
-    return report_of(os.fspath(folder), len(frames), found, placement, scene, slac=figures, **cost)
+    return report_of(os.fspath(folder), len(frames), fragment_set, placement, scene, slac=figures, **cost)
 
 
-def _readable(source: Any, places: Places, resume: bool, say: ReportProgress) -> FrameSource:
+def _readable(source: Any, job: JobFiles, resume: bool, report_progress: ReportProgress) -> FrameSource:
     if hasattr(source, "read") and hasattr(source, "__len__"):
         return source
     if not isinstance(source, RGBDSource):
         raise TypeError(f"source: expected frames of an RGBDSource, got {type(source).__name__}")
-    folder = places.root / RECORDING
+    folder = job.root / RECORDING
     if not (resume and folder.exists()):
-        record_frames(source, folder, progress=say)
+        record_frames(source, folder, progress=report_progress)
     return open_frames(folder)

@@ -13,25 +13,25 @@ from .config import ReconstructionConfig
 
 
 @dataclass(frozen=True)
-class Places:
+class JobFiles:
     root: Path
     config: ReconstructionConfig
 
     @classmethod
-    def make(cls, folder: FilePath, config: ReconstructionConfig) -> Places:
+    def make(cls, folder: FilePath, config: ReconstructionConfig) -> JobFiles:
         if not isinstance(config, ReconstructionConfig):
             raise TypeError(f"config: expected a ReconstructionConfig, got {type(config).__name__}")
-        places = cls(path_of(folder, "folder"), config)
-        for path in (places.fragment_cloud(0), places.scene_mesh, places.trajectory, places.record("fragment", 0)):
+        job = cls(path_of(folder, "folder"), config)
+        for path in (job.fragment_cloud(0), job.scene_mesh, job.trajectory, job.record("fragment", 0)):
             try:
                 path.parent.mkdir(parents=True, exist_ok=True)
             except OSError as error:
-                raise FileError(path.parent, f"cannot be made: {error.strerror or error}") from error
+                raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
             if not os.access(path.parent, os.W_OK | os.X_OK):
                 raise FileError(path.parent, "is not writable", remedy="Choose another folder")
         for name in ("template_fragment_posegraph", "template_fragment_posegraph_optimized"):
-            (places.root / (getattr(config, name) % 0)).parent.mkdir(parents=True, exist_ok=True)
-        return places
+            (job.root / (getattr(config, name) % 0)).parent.mkdir(parents=True, exist_ok=True)
+        return job
 
     def fragment_graph(self, number: int) -> Path:
         return self.root / (self.config.template_fragment_posegraph % number)

@@ -25,7 +25,7 @@ from ...registration.pose_graphs.pose_graph_files import read_pose_graph, write_
 from ...registration.pose_graphs.reports import RefinementReport
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
-from .job_files import Places
+from .job_files import JobFiles
 from .placement import Placement, read_clouds
 from .refinement import latest_placement
 
@@ -81,34 +81,36 @@ def refine_with_slac(
     Notes:
         Bitwise reproducible. A single fragment, or fragments without an edge, are unchanged.
     """
-    places, where, params = Places.make(folder, config), resolve_device(device), slac_params(config)
-    say = check_progress(progress)
-    fragments = fragments_in(places)
-    before = latest_placement(places, fragments)
+    job, where, params = JobFiles.make(folder, config), resolve_device(device), slac_params(config)
+    report_progress = check_progress(progress)
+    fragments = fragments_in(job)
+    before = latest_placement(job, fragments)
     settings = {name: getattr(config, name) for name in (*SETTINGS, "method")}
     made_from = digest_of([before.made_from, settings])
     if resume:
-        done = _read(places, before, where, made_from)
+        done = _read(job, before, where, made_from)
         if done is not None:
             return done
     clouds = read_clouds([fragments[i] for i in before.members], config, where)
     graph, grid = before.pose_graph, ControlGrid(device=where)
     if graph.edges:
         if config.method == "rigid":
-            graph = run_rigid_optimizer_for_fragments(clouds, graph, params, progress=say)
+            graph = run_rigid_optimizer_for_fragments(clouds, graph, params, progress=report_progress)
         else:
-            graph, grid = run_slac_optimizer_for_fragments(clouds, graph, params, progress=say)
+            graph, grid = run_slac_optimizer_for_fragments(clouds, graph, params, progress=report_progress)
     result = BentPlacement(_placement(before, graph, made_from), grid, _figures(config.method, grid, graph.report))
-    _write(places, result)
+    _write(job, result)
     return result
 
 
-def placement_with_slac(places: Places, fragments: list[Fragment], device: Any) -> BentPlacement:
+def placement_with_slac(job: JobFiles, fragments: list[Fragment], device: Any) -> BentPlacement:
     """The current result of `refine_with_slac`. FileError if missing or outdated."""
-    found = _read(places, latest_placement(places, fragments), device)
-    if found is None:
-        raise FileError(places.root, "holds no placement by SLAC", remedy="Run refine_with_slac with it first")
-    return found
+    result = _read(job, latest_placement(job, fragments), device)
+    if result is None:
+        raise FileError(
+            job.root, "contains no result of refine_with_slac", remedy="Run refine_with_slac with this folder first"
+        )
+    return result
 
 
 def _placement(before: Placement, graph: PoseGraph, made_from: str) -> Placement:
@@ -121,35 +123,35 @@ def _placement(before: Placement, graph: PoseGraph, made_from: str) -> Placement
 def _figures(method: str, grid: ControlGrid, report: Any) -> dict[str, Any]:
     shifts = grid.get_curr_positions() - grid.get_init_positions()
     bent = float(np.sqrt((shifts**2).sum(axis=1).mean())) if len(grid) else 0.0
-    told = {"method": method, "anchors": len(grid), "bent_m": bent}
+    values = {"method": method, "anchors": len(grid), "bent_m": bent}
     if not isinstance(report, RefinementReport):
-        return told | {"rmse_before": None, "rmse": None, "edges": 0, "used": 0}
+        return values | {"rmse_before": None, "rmse": None, "edges": 0, "used": 0}
     used = sum(overlap.used for overlap in report.overlaps)
     ends = {"rmse_before": float(report.rmse[0]), "rmse": float(report.rmse[-1])}
-    return told | ends | {"edges": len(report.overlaps), "used": used}
+    return values | ends | {"edges": len(report.overlaps), "used": used}
 
 
-def _grid_path(places: Places) -> Path:
-    return places.slac_graph.with_name("control_grid.npz")
+def _grid_path(job: JobFiles) -> Path:
+    return job.slac_graph.with_name("control_grid.npz")
 
 
-def _write(places: Places, found: BentPlacement) -> None:
-    paths, placement = [places.slac_graph, _grid_path(places)], found.placement
+def _write(job: JobFiles, bent: BentPlacement) -> None:
+    paths, placement = [job.slac_graph, _grid_path(job)], bent.placement
     try:
         paths[0].parent.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FileError(paths[0].parent, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(paths[0].parent, f"cannot be created: {error.strerror or error}") from error
     write_pose_graph(paths[0], placement.pose_graph)
-    write_control_grid(paths[1], found.grid)
-    result = {"poses": placement.poses.tolist(), "before": placement.before, "figures": found.figures}
-    write_record(places.record(STAGE), STAGE, placement.made_from, places.root, paths, result)
+    write_control_grid(paths[1], bent.grid)
+    result = {"poses": placement.poses.tolist(), "before": placement.before, "figures": bent.figures}
+    write_record(job.record(STAGE), STAGE, placement.made_from, job.root, paths, result)
 
 
-def _read(places: Places, before: Placement, device: Any, made_from: str | None = None) -> BentPlacement | None:
-    result = read_record(places.record(STAGE), STAGE, places.root, made_from)
+def _read(job: JobFiles, before: Placement, device: Any, made_from: str | None = None) -> BentPlacement | None:
+    result = read_record(job.record(STAGE), STAGE, job.root, made_from)
     if result is None or result["before"] != before.made_from:
         return None
-    graph = read_pose_graph(places.slac_graph)
+    graph = read_pose_graph(job.slac_graph)
     names = {"poses": np.array(result["poses"]), "made_from": result["made_from"], "before": result["before"]}
     placement = replace(before, pose_graph=graph, **names)
-    return BentPlacement(placement, read_control_grid(_grid_path(places), device=device), result["figures"])
+    return BentPlacement(placement, read_control_grid(_grid_path(job), device=device), result["figures"])

@@ -20,7 +20,7 @@ from ...registration.pose_graphs.pose_graph import PoseGraph
 from ...registration.pose_graphs.pose_graph_files import read_pose_graph, write_pose_graph
 from .config import ReconstructionConfig
 from .fragments import Fragment, digest_of_all, fragments_in
-from .job_files import Places
+from .job_files import JobFiles
 
 Matrix = NDArray[np.float64]
 
@@ -88,26 +88,28 @@ def register_fragments(
     Notes:
         Bitwise reproducible. Memory O(downsampled points of all fragments).
     """
-    places, where = Places.make(folder, config), resolve_device(device)
-    say = check_progress(progress)
-    fragments = fragments_in(places)
-    whole = digest_of_all(fragments)
-    made_from = digest_of([whole, {name: getattr(config, name) for name in SETTINGS}])
+    job, where = JobFiles.make(folder, config), resolve_device(device)
+    report_progress = check_progress(progress)
+    fragments = fragments_in(job)
+    fragments_digest = digest_of_all(fragments)
+    made_from = digest_of([fragments_digest, {name: getattr(config, name) for name in SETTINGS}])
     if resume:
-        found = read_placement(places, STAGE, made_from)
-        if found is not None:
-            return found
+        result = read_placement(job, STAGE, made_from)
+        if result is not None:
+            return result
     clouds = read_clouds(fragments, config, where)
     known = [
         FragmentPair(f.number, f.joint.fragment, f.T_earlier(fragments[f.joint.fragment]), 0.0, SURE)
         for f in fragments
         if f.joint is not None
     ]
-    found = multiway.register_fragments(
-        clouds, voxel_size=config.voxel_size, seed=config.seed, known=known, progress=say
+    result = multiway.register_fragments(
+        clouds, voxel_size=config.voxel_size, seed=config.seed, known=known, progress=report_progress
     )
-    placement = Placement(found.poses, found.placed, found.groups, found.pose_graph, made_from, fragments=whole)
-    write_placement(places, STAGE, placement)
+    placement = Placement(
+        result.poses, result.placed, result.groups, result.pose_graph, made_from, fragments=fragments_digest
+    )
+    write_placement(job, STAGE, placement)
     return placement
 
 
@@ -116,8 +118,8 @@ def read_clouds(fragments: list[Fragment], config: ReconstructionConfig, device:
     return [fragment.read_cloud(device).voxel_down_sample(size) for fragment in fragments]
 
 
-def write_placement(places: Places, stage: str, placement: Placement) -> None:
-    path = places.scene_graph if stage == STAGE else places.refined_graph_optimized
+def write_placement(job: JobFiles, stage: str, placement: Placement) -> None:
+    path = job.scene_graph if stage == STAGE else job.refined_graph_optimized
     write_pose_graph(path, placement.pose_graph)
     result = {
         "poses": placement.poses.tolist(),
@@ -126,27 +128,31 @@ def write_placement(places: Places, stage: str, placement: Placement) -> None:
         "before": placement.before,
         "fragments": placement.fragments,
     }
-    write_record(places.record(stage), stage, placement.made_from, places.root, [path], result)
+    write_record(job.record(stage), stage, placement.made_from, job.root, [path], result)
 
 
-def placement_of(places: Places, fragments: list[Fragment]) -> Placement:
+def placement_of(job: JobFiles, fragments: list[Fragment]) -> Placement:
     """The current result of `register_fragments`. FileError if missing or outdated."""
-    placed = read_placement(places, STAGE)
-    if placed is None or placed.fragments != digest_of_all(fragments):
-        reason = "holds no placed fragments" if placed is None else "holds fragments that were made again since"
-        raise FileError(places.root, reason, remedy="Run register_fragments with it first")
-    return placed
+    placement = read_placement(job, STAGE)
+    if placement is None or placement.fragments != digest_of_all(fragments):
+        reason = (
+            "contains no registered fragments"
+            if placement is None
+            else "contains fragments that were recreated after their registration"
+        )
+        raise FileError(job.root, reason, remedy="Run register_fragments with this folder first")
+    return placement
 
 
-def read_placement(places: Places, stage: str, made_from: str | None = None) -> Placement | None:
-    result = read_record(places.record(stage), stage, places.root, made_from)
+def read_placement(job: JobFiles, stage: str, made_from: str | None = None) -> Placement | None:
+    result = read_record(job.record(stage), stage, job.root, made_from)
     if result is None:
         return None
-    graph = read_pose_graph(places.scene_graph if stage == STAGE else places.refined_graph_optimized)
-    poses, placed = np.array(result["poses"]), np.array(result["placed"], bool)
+    graph = read_pose_graph(job.scene_graph if stage == STAGE else job.refined_graph_optimized)
+    poses, is_placed = np.array(result["poses"]), np.array(result["placed"], bool)
     return Placement(
         poses,
-        placed,
+        is_placed,
         np.array(result["groups"], np.int64),
         graph,
         result["made_from"],

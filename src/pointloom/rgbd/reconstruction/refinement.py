@@ -29,7 +29,7 @@ from ...registration.pose_graphs.pose_graph_optimization import GlobalOptimizati
 from ...registration.rigid import invert_pose
 from .config import ReconstructionConfig
 from .fragments import PRUNE, Fragment, fragments_in, make_edge
-from .job_files import Places
+from .job_files import JobFiles
 from .placement import Placement, placement_of, read_clouds, read_placement, write_placement
 
 Matrix = NDArray[np.float64]
@@ -37,7 +37,7 @@ Matrix = NDArray[np.float64]
 STAGE = "refine"
 SETTINGS = ("voxel_size", "icp_method", "preference_loop_closure_registration")
 SCALES = ((1.0, 50), (2.0, 30), (4.0, 14))  # voxel factors and iterations, as in Open3D
-REACH = 1.4  # [voxels] correspondence distance, as in Open3D
+MAX_DISTANCE = 1.4  # [voxels] correspondence distance, as in Open3D
 STILL = 1e-6  # convergence threshold, as in Open3D
 ASTRAY = 2.0  # [coarsest voxels] maximum displacement; beyond it the match is wrong
 METHODS: dict[str, type[TransformationEstimation]] = {
@@ -73,21 +73,21 @@ def refine_registration(
         TypeError: Not a configuration.
         FileError, DeviceError: No placement, a file that cannot be read or written, or no such device.
     """
-    places, where = Places.make(folder, config), resolve_device(device)
-    say = check_progress(progress)
-    fragments = fragments_in(places)
-    before = placement_of(places, fragments)
+    job, where = JobFiles.make(folder, config), resolve_device(device)
+    report_progress = check_progress(progress)
+    fragments = fragments_in(job)
+    before = placement_of(job, fragments)
     made_from = digest_of([before.made_from, {name: getattr(config, name) for name in SETTINGS}])
     if resume:
-        done = read_placement(places, STAGE, made_from)
+        done = read_placement(job, STAGE, made_from)
         if done is not None:
             return done
     members = before.members
     clouds = read_clouds([fragments[i] for i in members], config, where)
-    graph = _refine_edges(before.pose_graph, clouds, config, say)
-    write_pose_graph(places.refined_graph, graph)
+    graph = _refine_edges(before.pose_graph, clouds, config, report_progress)
+    write_pose_graph(job.refined_graph, graph)
     option = GlobalOptimizationOption(
-        max_correspondence_distance=REACH * config.voxel_size,
+        max_correspondence_distance=MAX_DISTANCE * config.voxel_size,
         edge_prune_threshold=PRUNE,
         preference_loop_closure=config.preference_loop_closure_registration,
         reference_node=0,
@@ -96,19 +96,19 @@ def refine_registration(
     poses = before.poses.copy()
     poses[members] = [node.pose for node in solved.nodes]
     placement = Placement(poses, before.placed, before.groups, solved, made_from, before.made_from, before.fragments)
-    write_placement(places, STAGE, placement)
+    write_placement(job, STAGE, placement)
     return placement
 
 
-def latest_placement(places: Places, fragments: list[Fragment]) -> Placement:
+def latest_placement(job: JobFiles, fragments: list[Fragment]) -> Placement:
     """The refined placement if up to date, else the original. FileError without any."""
-    placed = placement_of(places, fragments)
-    refined = read_placement(places, STAGE)
-    return placed if refined is None or refined.before != placed.made_from else refined
+    original = placement_of(job, fragments)
+    refined = read_placement(job, STAGE)
+    return original if refined is None or refined.before != original.made_from else refined
 
 
 def _refine_edges(
-    graph: PoseGraph, clouds: Sequence[PointCloud], config: ReconstructionConfig, say: ReportProgress
+    graph: PoseGraph, clouds: Sequence[PointCloud], config: ReconstructionConfig, report_progress: ReportProgress
 ) -> PoseGraph:
     edges, nodes = graph.edges, [PoseGraphNode(node.pose) for node in graph.nodes]
     if not edges:
@@ -117,14 +117,14 @@ def _refine_edges(
     poses, method = start, method_for(config, clouds)
     information: Sequence[Matrix] = []
     for done, (fineness, steps) in enumerate(SCALES):
-        say("refine", done, len(SCALES))
+        report_progress("refine", done, len(SCALES))
         size = config.voxel_size / fineness
         level = [cloud.voxel_down_sample(size) for cloud in clouds]
         sources, targets = [level[e.source_node_id] for e in edges], [level[e.target_node_id] for e in edges]
-        problem = IterativeRegistration(sources, targets, poses, REACH * size, method)
+        problem = IterativeRegistration(sources, targets, poses, MAX_DISTANCE * size, method)
         problem.run(steps, STILL, STILL)
         poses, information = np.array([r.transformation for r in problem.results()]), list(problem.information())
-    say("refine", len(SCALES), len(SCALES))
+    report_progress("refine", len(SCALES), len(SCALES))
     refined = []
     for edge, first, last, matrix in zip(edges, start, poses, information, strict=True):
         if _moved(clouds[edge.source_node_id], first, last) > ASTRAY * config.voxel_size:

@@ -41,7 +41,7 @@ class LoopCount:
 
 
 @dataclass(frozen=True)
-class ToldFragment:
+class FragmentSummary:
     """Summary of a fragment; `broke`: reason for the gap before it, `joined`: linked by odometry to an earlier one."""
 
     number: int
@@ -67,7 +67,7 @@ class SystemReport(Report, Assessed):
         loops: Its loop closures, which may be removed.
         mesh: `Scene.figures`, or None.
         trajectory_error: rmse, median and max [m] if true poses are known.
-        kept: Number of fragments reused from an earlier run.
+        resumed: Number of fragments reused from an earlier run.
         files: The mesh and the trajectory files.
         warnings: Failed quality checks. Empty if the result is reliable.
         slac: `BentPlacement.figures`. None if not requested.
@@ -78,12 +78,12 @@ class SystemReport(Report, Assessed):
     folder: str
     frames: int
     lost: tuple[LostRun, ...]
-    fragments: tuple[ToldFragment, ...]
+    fragments: tuple[FragmentSummary, ...]
     edges: int
     loops: int
     mesh: dict[str, Any] | None
     trajectory_error: dict[str, float] | None
-    kept: int
+    resumed: int
     files: tuple[str, ...]
     warnings: tuple[str, ...]
     slac: dict[str, Any] | None
@@ -108,7 +108,7 @@ class SystemReport(Report, Assessed):
                 "loops": self.loops,
                 "mesh": self.mesh,
                 "trajectory_error": self.trajectory_error,
-                "resumed": {"fragments": self.kept},
+                "resumed": {"fragments": self.resumed},
                 "files": self.files,
                 **quality(self),
                 "slac": self.slac,
@@ -118,10 +118,10 @@ class SystemReport(Report, Assessed):
         )
 
     def parts(self, where: str = "") -> Fields:
-        placed = sum(fragment.placed for fragment in self.fragments)
-        fragments = f"{placed} of {len(self.fragments)} joined, {self.loops} loops"
-        if self.kept:
-            fragments += f"; {self.kept} kept from an earlier run"
+        joined = sum(fragment.placed for fragment in self.fragments)
+        fragments = f"{joined} of {len(self.fragments)} joined, {self.loops} loops"
+        if self.resumed:
+            fragments += f"; {self.resumed} reused from an earlier run"
         fields = [("frames", f"{self.used} of {self.frames} in the model{where}"), ("fragments", fragments)]
         if self.lost:
             runs = [str(run) for run in self.lost[:_SHOWN]]
@@ -139,7 +139,7 @@ class SystemReport(Report, Assessed):
 def report_of(
     folder: str,
     frame_count: int,
-    found: FragmentSet,
+    fragment_set: FragmentSet,
     placement: Placement | None,
     scene: Scene | None,
     *,
@@ -147,8 +147,8 @@ def report_of(
     seconds: dict[str, float],
     peak_bytes: int,
 ) -> SystemReport:
-    placed = [False] * len(found.fragments) if placement is None else placement.placed.tolist()
-    lost = _lost_frames(found, placed, scene)
+    registered = [False] * len(fragment_set.fragments) if placement is None else placement.placed.tolist()
+    lost = _lost_frames(fragment_set, registered, scene)
     edges = [] if placement is None else placement.pose_graph.edges
     written = () if scene is None else (scene.mesh_path, scene.trajectory_path, scene.cloud_path)
     files = [path for path in written if path is not None]
@@ -159,16 +159,23 @@ def report_of(
         frames=frame_count,
         lost=tuple(lost),
         fragments=tuple(
-            ToldFragment(
-                f.number, len(f), f.names[0], f.names[-1], is_placed, f.broke, f.joint is not None, LoopCount(*f.loops)
+            FragmentSummary(
+                f.number,
+                len(f),
+                f.names[0],
+                f.names[-1],
+                is_registered,
+                f.broke,
+                f.joint is not None,
+                LoopCount(*f.loops),
             )
-            for f, is_placed in zip(found.fragments, placed, strict=True)
+            for f, is_registered in zip(fragment_set.fragments, registered, strict=True)
         ),
         edges=len(edges),
         loops=sum(edge.uncertain for edge in edges),
         mesh=figures or None,
         trajectory_error=error,
-        kept=found.kept,
+        resumed=fragment_set.resumed,
         files=tuple(os.fspath(path) for path in files),
         warnings=_warnings(lost, scene, frame_count),
         slac=slac,
@@ -177,10 +184,10 @@ def report_of(
     )
 
 
-def _lost_frames(found: FragmentSet, placed: list[bool], scene: Scene | None) -> list[LostRun]:
-    entries = [(frame, "make_fragments") for frame in found.lost]
-    for fragment, is_placed in zip(found.fragments, placed, strict=True):
-        if not is_placed:
+def _lost_frames(fragment_set: FragmentSet, registered: list[bool], scene: Scene | None) -> list[LostRun]:
+    entries = [(frame, "make_fragments") for frame in fragment_set.lost]
+    for fragment, is_registered in zip(fragment_set.fragments, registered, strict=True):
+        if not is_registered:
             reason = f"fragment {fragment.number} could not be joined with the others"
             frames = zip(fragment.indices.tolist(), fragment.names, strict=True)
             entries += [(LostFrame(i, name, reason), "register_fragments") for i, name in frames]
@@ -204,14 +211,14 @@ def _warnings(lost: list[LostRun], scene: Scene | None, frame_count: int) -> tup
         reasons.append("the mesh is empty: no voxel was seen often enough; use more frames")
     if lost:
         count = sum(run.count for run in lost)
-        where = f"{lost[0].first} and on" if len(lost) == 1 else f"{len(lost)} runs, the first at {lost[0].first}"
+        where = f"from {lost[0].first} on" if len(lost) == 1 else f"{len(lost)} runs, the first at {lost[0].first}"
         reasons.append(f"{count} of {frame_count} frames are not in the model ({where}): {lost[0].reason}")
     return tuple(reasons)
 
 
 def _slac_line(figures: dict[str, Any]) -> str:
     if not figures["edges"]:
-        return "nothing to align: no two fragments overlap; fewer frames a fragment (--config) make more of them"
+        return "nothing to align: no two fragments overlap; set fewer frames per fragment (--config) for more fragments"
     apart = f"{figures['rmse_before'] * 1000:.1f} to {figures['rmse'] * 1000:.1f} mm apart"
     bent = f", {figures['anchors']:,} anchors moved by {figures['bent_m'] * 1000:.1f} mm" if figures["anchors"] else ""
     return f"fragments {apart} on {figures['used']} of {figures['edges']} overlaps{bent}"

@@ -27,7 +27,7 @@ from ...registration.trajectories.trajectory_error import evaluate_trajectory
 from .config import ReconstructionConfig
 from .fragments import Fragment, fragments_in
 from .frames import Frames, LostFrame, ReadFrame
-from .job_files import Places
+from .job_files import JobFiles
 from .nonrigid import placement_with_slac
 from .placement import Placement
 from .refinement import latest_placement
@@ -92,18 +92,20 @@ def integrate_scene(
     Notes:
         Frames are read ahead, one is in use at a time. Bitwise reproducible.
     """
-    places, where = Places.make(folder, config), resolve_device(device)
-    frames, say = Frames(source, config), check_progress(progress)
-    fragments = fragments_in(places)
-    bent = placement_with_slac(places, fragments, where) if slac else None
-    placement = latest_placement(places, fragments) if bent is None else bent.placement
+    job, where = JobFiles.make(folder, config), resolve_device(device)
+    frames, report_progress = Frames(source, config), check_progress(progress)
+    fragments = fragments_in(job)
+    bent = placement_with_slac(job, fragments, where) if slac else None
+    placement = latest_placement(job, fragments) if bent is None else bent.placement
     indices, poses = poses_of(fragments, placement)
     if len(indices) and indices[-1] >= frames.count:
-        raise ValueError(f"source: has {frames.count} frames, and the fragments hold frame {indices[-1]}")
+        raise ValueError(
+            f"source: expected frames up to {indices[-1]}, as the fragments contain, got {frames.count} frames"
+        )
     sizes = {"voxel_size": config.volume_voxel_size, "truncation": config.truncation}
     is_cloud_wanted = slac and config.save_output_as == "pointcloud"
     made_from = digest_of([placement.made_from, sizes, config.surface_weight_threshold, is_cloud_wanted])
-    if resume and (done := _read_scene(places, made_from)) is not None:
+    if resume and (done := _read_scene(job, made_from)) is not None:
         return done
     colored = all(fragments[i].colored for i in placement.members)
     volume = make_volume(config.volume_voxel_size, config.truncation, colored, where)
@@ -111,25 +113,25 @@ def integrate_scene(
 
     def see(frame: ReadFrame) -> None:
         truths.append(frame.T_world_camera)
-        say("integrate", len(truths), len(indices))
+        report_progress("integrate", len(truths), len(indices))
 
-    say("integrate", 0, len(indices))
+    report_progress("integrate", 0, len(indices))
     straight = None
     if bent is not None and len(bent.grid):
         straight = Straightener(bent.grid, np.concatenate([fragments[i].poses for i in placement.members]))
     lost = fuse_frames(frames, indices.tolist(), poses, volume, straight=straight, seen=see)
-    say("extract", 0, 0)
+    report_progress("extract", 0, 0)
     mesh, threshold = extract_mesh(volume, config.surface_weight_threshold)
     figures = sizes | {"weight_threshold": threshold, "volume_bytes": volume.memory_bytes}
     figures |= describe_mesh(mesh).to_dict() | {"trajectory_error": _error_of(poses, truths)}
     ids = np.stack([indices, indices, np.full(len(indices), frames.count)], axis=1)
-    write_trajectory(places.trajectory, Trajectory(poses, ids=ids))
-    mesh_path = places.scene_mesh if len(mesh) else None
-    cloud_path = places.slac_cloud if len(mesh) and is_cloud_wanted else None
+    write_trajectory(job.trajectory, Trajectory(poses, ids=ids))
+    mesh_path = job.scene_mesh if len(mesh) else None
+    cloud_path = job.slac_cloud if len(mesh) and is_cloud_wanted else None
     if cloud_path is not None:
         write_point_cloud(cloud_path, volume.extract_point_cloud(threshold))
-    scene = Scene(mesh_path, places.trajectory, indices, poses, lost, figures, cloud_path)
-    _write_scene(places, scene, made_from, mesh)
+    scene = Scene(mesh_path, job.trajectory, indices, poses, lost, figures, cloud_path)
+    _write_scene(job, scene, made_from, mesh)
     return scene
 
 
@@ -152,11 +154,11 @@ def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleM
 def _error_of(poses: Matrix, truths: list[Any]) -> dict[str, float] | None:
     if len(truths) != len(poses) or len(poses) < 3 or any(T is None for T in truths):
         return None
-    found = evaluate_trajectory(Trajectory(poses), Trajectory(np.array(truths))).absolute_translation
-    return {"rmse": found.rmse, "median": found.median, "max": found.max}
+    error = evaluate_trajectory(Trajectory(poses), Trajectory(np.array(truths))).absolute_translation
+    return {"rmse": error.rmse, "median": error.median, "max": error.max}
 
 
-def _write_scene(places: Places, scene: Scene, made_from: str, mesh: TriangleMesh) -> None:
+def _write_scene(job: JobFiles, scene: Scene, made_from: str, mesh: TriangleMesh) -> None:
     if scene.mesh_path is not None:
         write_triangle_mesh(scene.mesh_path, mesh)
     files = [path for path in (scene.trajectory_path, scene.mesh_path, scene.cloud_path) if path is not None]
@@ -168,19 +170,19 @@ def _write_scene(places: Places, scene: Scene, made_from: str, mesh: TriangleMes
         "lost": [[frame.index, frame.name, frame.reason] for frame in scene.lost],
         "figures": scene.figures,
     }
-    write_record(places.record(STAGE), STAGE, made_from, places.root, files, result)
+    write_record(job.record(STAGE), STAGE, made_from, job.root, files, result)
 
 
-def _read_scene(places: Places, made_from: str) -> Scene | None:
-    result = read_record(places.record(STAGE), STAGE, places.root, made_from)
+def _read_scene(job: JobFiles, made_from: str) -> Scene | None:
+    result = read_record(job.record(STAGE), STAGE, job.root, made_from)
     if result is None:
         return None
     return Scene(
-        places.scene_mesh if result["has_mesh"] else None,
-        places.trajectory,
+        job.scene_mesh if result["has_mesh"] else None,
+        job.trajectory,
         np.array(result["indices"], np.int64),
         np.array(result["poses"]),
         [LostFrame(*entry) for entry in result["lost"]],
         result["figures"],
-        places.slac_cloud if result.get("has_cloud") else None,
+        job.slac_cloud if result.get("has_cloud") else None,
     )

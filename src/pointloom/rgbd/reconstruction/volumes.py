@@ -50,17 +50,17 @@ def fuse_frames(
     """Fuse frames at poses T_volume_camera [n, 4, 4] in order. Returns the unreadable ones. Calls `seen` with each."""
     lost = []
     with frames.closing(indices) as read:
-        for place, (frame, pose) in enumerate(zip(read, poses, strict=True)):
+        for index, (frame, pose) in enumerate(zip(read, poses, strict=True)):
             color = frame.color if volume.has_color else None
             if frame.depth is None or (volume.has_color and color is None):
-                reason = frame.reason or "has no color any more"
+                reason = frame.reason or "no longer has color"
                 lost.append(LostFrame(frame.index, frame.name, reason))
             else:
                 limit = frames.config.depth_max
                 if straight is None:
                     volume.integrate(frame.depth, frames.intrinsic, invert_pose(pose), color, depth_max=limit)
                 else:
-                    T = straight.T_fragment_camera[place]
+                    T = straight.T_fragment_camera[index]
                     given = volume, straight.grid, frame.depth, frames.intrinsic, matmul(pose, invert_pose(T)), T, color
                     integrate_deformed(*given, depth_max=limit)
             seen(frame)
@@ -142,11 +142,11 @@ def integrate_deformed(
     check_positive("depth_max", depth_max, allow_infinite=True)
     T = check_rigid("T_world_fragment", T_world_fragment)
     step = np.eye(4) if T_fragment_camera is None else check_rigid("T_fragment_camera", T_fragment_camera)
-    place = inv(step)
+    T_camera_fragment = inv(step)
     if color is None:
-        straight = grid.deform_depth(depth, intrinsic, place, depth_scale, depth_max)
+        straight = grid.deform_depth(depth, intrinsic, T_camera_fragment, depth_scale, depth_max)
         return volume.integrate(straight, intrinsic, invert_pose(matmul(T, step)), depth_max=depth_max)
     frame = RGBDImage(color, depth, depth_scale=depth_scale, depth_trunc=depth_max, device=grid.device)
-    straight = grid.deform_rgbd(frame, intrinsic, place, depth_max=depth_max)
+    straight = grid.deform_rgbd(frame, intrinsic, T_camera_fragment, depth_max=depth_max)
     given = straight.depth, intrinsic, invert_pose(matmul(T, step))
     return volume.integrate(*given, color=straight.color, depth_max=depth_max)

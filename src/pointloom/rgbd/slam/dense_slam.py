@@ -169,7 +169,7 @@ class DenseSLAM:
     @property
     def _largest(self) -> SlamMap:
         sizes = self.map_sizes
-        return max(self._maps.kept, key=lambda known: (sizes.get(known.number, 0), -known.number))
+        return max(self._maps.searchable, key=lambda known: (sizes.get(known.number, 0), -known.number))
 
     @property
     def status_counts(self) -> dict[str, int]:
@@ -192,10 +192,10 @@ class DenseSLAM:
             TypeError, ValueError: `number` is not an integer >= 0.
         """
         check_count("number", number, minimum=0)
-        found = [result for result in self.results if result.pose is not None and result.map == number]
-        poses = np.array([result.pose for result in found]).reshape(-1, 4, 4)
-        ids = np.array([(r.index, r.index, int(r.is_tracked)) for r in found], np.int64).reshape(-1, 3)
-        times = [result.timestamp for result in found]
+        results = [result for result in self.results if result.pose is not None and result.map == number]
+        poses = np.array([result.pose for result in results]).reshape(-1, 4, 4)
+        ids = np.array([(r.index, r.index, int(r.is_tracked)) for r in results], np.int64).reshape(-1, 3)
+        times = [result.timestamp for result in results]
         return Trajectory(poses, None if None in times or not times else np.array(times, np.float64), ids)
 
     def track(self, frame: Any) -> TrackingResult:
@@ -223,7 +223,9 @@ class DenseSLAM:
             ValueError: No frame was tracked yet, or the last one was fused already.
         """
         if not self.results or self.results[-1].fused:
-            raise ValueError("frame: track it first; only the frame that was tracked last can be integrated, once")
+            raise ValueError(
+                "frame: expected the last tracked frame, which can be integrated once; call track with it first"
+            )
         assert self._latest is not None
         given, prepared = self._latest
         if given is not frame:  # the same images in another array
@@ -269,16 +271,16 @@ class DenseSLAM:
         Raises:
             TypeError, ValueError: As `track`; earlier frames stay processed.
         """
-        tell, first = check_progress(progress), len(self.results)
+        report_progress, first = check_progress(progress), len(self.results)
         try:
             frames = iter(source)
             count = operator.length_hint(source, 0)
         except TypeError as error:
             kind = type(source).__name__
-            raise TypeError(f"source: expected frames that can be iterated over, got {kind}") from error
+            raise TypeError(f"source: expected an iterable of frames, got {kind}") from error
         for frame in frames:
             self.step(frame)
-            tell("tracking", len(self.results) - first, count)
+            report_progress("tracking", len(self.results) - first, count)
         return self.results[first:]
 
     def close_loops(self, *, progress: ReportProgress | None = None) -> LoopClosure:
@@ -296,17 +298,17 @@ class DenseSLAM:
             ValueError: No submaps were kept (`submap_frames`), or no frame was fused yet.
         """
         if self._submap_frames is None:
-            raise ValueError("submap_frames: no submaps were kept; make the DenseSLAM with submap_frames=100")
+            raise ValueError("submap_frames: no submaps were recorded; create the DenseSLAM with submap_frames=100")
         if not self.volume.frame_count:
-            raise ValueError("submap_frames: no frame was fused yet, so that there is no submap")
-        tell = check_progress(progress)
+            raise ValueError("submap_frames: no frame was fused yet, so there is no submap; call run or step first")
+        report_progress = check_progress(progress)
         self.join_maps()
         largest = self._largest
         with unwatched():
-            for other in self._maps.kept:
+            for other in self._maps.searchable:
                 if other is not largest and other.model.frame_count:
-                    close_and_correct(other, self.results, tell)
-            closed = close_and_correct(largest, self.results, tell)
+                    close_and_correct(other, self.results, report_progress)
+            closed = close_and_correct(largest, self.results, report_progress)
         report("loops", slam=self, closure=closed)
         return closed
 
@@ -337,36 +339,36 @@ class DenseSLAM:
 
     def _track(self, frame: SensorFrame) -> TrackingResult:
         known = {"index": len(self.results), "name": frame.name, "timestamp": frame.timestamp}
-        maps, doubt = self._maps, self.stream.look(frame)
+        maps, warning = self._maps, self.stream.look(frame)
         if maps.is_failing() or (maps.is_on_trial and not self.model.frame_count):
             maps.give_up(self.results)
-        if doubt == STALE and self.model.frame_count:
+        if warning == STALE and self.model.frame_count:
             self._tracker.motion.missed += 1
-            return TrackingResult(None, "lost", (doubt,), map=maps.here.number, **known)
+            return TrackingResult(None, "lost", (warning,), map=maps.here.number, **known)
         if self._restarts(frame) or not self.model.frame_count:
             return self._begin(frame, known)
         attempt, is_anew = self._tracker.locate(frame)
-        attempt = attempt.doubted(doubt)
+        attempt = attempt.with_warning(warning)
         if attempt.status == "lost":
             maps.here.tracker.motion.missed += 1
             if maps.is_on_trial:
                 maps.give_up(self.results)
             elsewhere = maps.find_elsewhere(frame)
             if elsewhere is None:
-                self.foreground.place(None)
+                self.foreground.set_pose(None)
                 lost = TrackingResult(None, "lost", attempt.warnings, map=maps.here.number, **attempt.measures, **known)
                 return self._begin_anew(frame, known, lost)
             attempt, is_anew = elsewhere, True
-        maps.found()
+        maps.note_tracked()
         motion, is_tracked = maps.here.tracker.motion, attempt.status == "tracked"
-        self.foreground.place(attempt.pose if is_tracked else None)
-        tells_velocity = not is_anew and is_determined(attempt.result)
+        self.foreground.set_pose(attempt.pose if is_tracked else None)
+        has_velocity = not is_anew and is_determined(attempt.result)
         if is_tracked:
             motion.learn(attempt.result)
-        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=tells_velocity)
-        said = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
-        found = TrackingResult(attempt.pose, attempt.status, attempt.warnings, map=maps.here.number, **said)
-        return judge_drift(found, self.model.volume.truncation)
+        motion.advance(attempt.pose, frame, is_tracked=is_tracked, is_continuous=has_velocity)
+        fields = {**attempt.measures, **known, "relocalized": is_anew, "covariance": attempt.covariance}
+        result = TrackingResult(attempt.pose, attempt.status, attempt.warnings, map=maps.here.number, **fields)
+        return judge_drift(result, self.model.volume.truncation)
 
     def _restarts(self, frame: SensorFrame) -> bool:
         """True if near pixels move independently while a young model contains them, which must then restart."""
@@ -384,10 +386,10 @@ class DenseSLAM:
         """The first frame with depth of a map defines the map's world."""
         here = self._maps.here
         if depth_share(frame.pyramid) < MIN_DEPTH:
-            return TrackingResult(None, "lost", ("the picture is blank, and there is no model yet",), **known)
+            return TrackingResult(None, "lost", ("the image is blank, and there is no model yet",), **known)
         pose = here.model.current_frame_pose
         here.tracker.motion.advance(pose, frame, is_tracked=True, is_continuous=False)
-        self.foreground.place(pose)
+        self.foreground.set_pose(pose)
         return TrackingResult(pose, "tracked", fitness=1.0, overlap=1.0, map=here.number, **known)
 
     def _begin_anew(self, frame: SensorFrame, known: dict[str, Any], lost: TrackingResult) -> TrackingResult:
@@ -414,13 +416,13 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     submaps, seed = recorder.finish(), keyframes.seed
     closure = close_loops(submaps, seed=seed, progress=progress)
     numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
-    own = [result for result in results if result.map == known.number]
-    before = {result.index: result.pose for result in own if result.pose is not None}
+    map_results = [result for result in results if result.map == known.number]
+    before = {result.index: result.pose for result in map_results if result.pose is not None}
     corrections = {n: matmul(pose, invert_pose(before[n])) for n, pose in zip(numbers.tolist(), poses, strict=True)}
 
     def corrected(pose: Pose, number: int) -> Pose:
-        place = max(int(np.searchsorted(numbers, number, side="right")) - 1, 0)
-        return clean_pose(matmul(corrections[int(numbers[place])], pose))
+        index = max(int(np.searchsorted(numbers, number, side="right")) - 1, 0)
+        return clean_pose(matmul(corrections[int(numbers[index])], pose))
 
     for i, result in enumerate(results):
         if result.pose is not None and result.map == known.number:
@@ -436,7 +438,7 @@ def close_and_correct(known: SlamMap, results: list[TrackingResult], progress: R
     return closure
 
 
-STALE = "its depth picture is the last one's"
+STALE = "its depth image repeats the previous one"
 STALLED = 3  # frames: real cameras repeat single frames, and a tenth of a second is harmless
 STALLED_SECONDS = 0.12  # likewise with timestamps
 MIN_CELLS = 0.02  # minimum fraction of measured cells
@@ -486,7 +488,7 @@ class StreamCheck:
         if self.lag.frames is None:
             return None
         apart = f"{self.lag.seconds:.1f} s" if not math.isnan(self.lag.seconds) else f"{abs(self.lag.frames)} frames"
-        return f"color and depth seem to be {apart} apart"
+        return f"color and depth appear to be {apart} apart in time"
 
 
 def motion_between(now: StreamView, before: StreamView) -> NDArray[np.float64]:
@@ -512,9 +514,9 @@ def has_moved(sums: NDArray[np.float64], view: StreamView) -> bool:
 
 Shifts = NDArray[np.float64]
 
-KEPT = 120  # correlated frames: four seconds at 30 Hz
+WINDOW = 120  # correlated frames: four seconds at 30 Hz
 FARTHEST = 45  # maximum lag in frames
-FEWEST = 25  # minimum pairs for a lag
+MIN_PAIRS = 25  # for a lag
 EVERY = 5  # frames between checks
 SWEEP = 4  # frames on either side for the running mean
 CLIPPED = 3.0  # clipping in deviations, against single jerks
@@ -534,20 +536,20 @@ class StreamLag:
         self._bright: list[Shifts] = []
         self._near: list[Shifts] = []
         self._times: list[float | None] = []
-        self._told: list[int] = []
+        self._lags: list[int] = []
         self._count = 0
 
     def add(self, bright: Shifts, near: Shifts, time: float | None) -> None:
         """Add a frame's color and depth shifts [cells] from the previous frame. NaN where undetermined."""
-        self._bright, self._near = [*self._bright[1 - KEPT :], bright], [*self._near[1 - KEPT :], near]
-        self._times = [*self._times[1 - KEPT :], time]
+        self._bright, self._near = [*self._bright[1 - WINDOW :], bright], [*self._near[1 - WINDOW :], near]
+        self._times = [*self._times[1 - WINDOW :], time]
         self._count += 1
-        if self._count % EVERY == 0 and len(self._bright) > FEWEST:
+        if self._count % EVERY == 0 and len(self._bright) > MIN_PAIRS:
             self._look()
 
     def _look(self) -> None:
         bright, near = tremble(np.array(self._bright)), tremble(np.array(self._near))
-        farthest = min(FARTHEST, len(bright) - FEWEST)
+        farthest = min(FARTHEST, len(bright) - MIN_PAIRS)
         lags = np.arange(-farthest, farthest + 1)
         together = correlations(bright, near)[lags + len(bright) - 1]
         step = self._step()
@@ -555,11 +557,11 @@ class StreamLag:
         best, beside = int(np.argmax(together)), float(together[is_short].max())
         lag = int(lags[best])
         if not is_short[best] and together[best] > max(TOGETHER, beside + BESIDE):
-            self._told = [*self._told[1 - AGREED :], lag]
-            if len(self._told) == AGREED and np.ptp(self._told) <= 1:
+            self._lags = [*self._lags[1 - AGREED :], lag]
+            if len(self._lags) == AGREED and np.ptp(self._lags) <= 1:
                 self.frames, self.seconds, self.correlation = lag, abs(lag) * step, float(together[best])
         elif together[best] > TOGETHER:  # no lag; too little motion is no evidence
-            self._told, self.frames = [], None
+            self._lags, self.frames = [], None
 
     def _step(self) -> float:
         times = [time for time in self._times if time is not None]
@@ -581,10 +583,10 @@ def tremble(shifts: Shifts) -> Shifts:
 
 def correlations(bright: Shifts, near: Shifts) -> Shifts:
     """Correlations of two signals [n, 2] at color lags 1 - n to n - 1. 0 if too few frames have both."""
-    told: Any = np.isfinite(bright).all(axis=1)
-    shown: Any = np.isfinite(near).all(axis=1)
-    first_known, second_known = told.astype(np.float64), shown.astype(np.float64)
-    a, b = np.where(told[:, None], bright, 0.0), np.where(shown[:, None], near, 0.0)
+    is_bright_known: Any = np.isfinite(bright).all(axis=1)
+    is_near_known: Any = np.isfinite(near).all(axis=1)
+    first_known, second_known = is_bright_known.astype(np.float64), is_near_known.astype(np.float64)
+    a, b = np.where(is_bright_known[:, None], bright, 0.0), np.where(is_near_known[:, None], near, 0.0)
 
     def at_lags(x: Any, y: Any) -> Shifts:
         return np.correlate(x, y, "full")
@@ -598,4 +600,4 @@ def correlations(bright: Shifts, near: Shifts) -> Shifts:
         first += at_lags(x * x, second_known) - sums[0] ** 2 / np.maximum(count, 1)
         second += at_lags(first_known, y * y) - sums[1] ** 2 / np.maximum(count, 1)
     scale = np.sqrt(np.maximum(first, 0.0) * np.maximum(second, 0.0))
-    return np.where((count > FEWEST - 0.5) & (scale > 1e-9), shared / np.maximum(scale, 1e-9), 0.0)
+    return np.where((count > MIN_PAIRS - 0.5) & (scale > 1e-9), shared / np.maximum(scale, 1e-9), 0.0)

@@ -28,7 +28,7 @@ from ..odometry.frames import OdometryFrame
 from ..odometry.results import OdometryResult
 from .tracking import track
 
-TURN = 12.0  # [degrees] rotation of a pair: resolves 10% of the focal length, with enough overlap
+MIN_ROTATION = 12.0  # [degrees] rotation of a pair: resolves 10% of the focal length, with enough overlap
 PAIRS = 8
 MIN_PAIRS = 3  # minimum for a result
 FACTORS = (0.8, 0.9, 1.1, 1.25)  # tested focal length factors
@@ -61,8 +61,8 @@ class FocalCheck(Assessed):
     residual_there: float
 
     def __str__(self) -> str:
-        found = f"{self.pairs} pairs of turned frames are {self.residual * 1000:.1f} mm off each other"
-        return "; ".join(self.warnings) or f"{found}, and no other focal length fits better"
+        summary = f"{self.pairs} pairs of rotated frames have a residual of {self.residual * 1000:.1f} mm"
+        return "; ".join(self.warnings) or f"{summary}, and no other focal length fits better"
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -116,49 +116,51 @@ def check_focal(
     """
     check_frames("frames", frames)
     where, farthest = resolve_device(device), check_positive("depth_max", depth_max)
-    doubtful = [check_count("uncertain", number, minimum=0) for number in check_list("uncertain", uncertain, "numbers")]
+    uncertain_frames = [
+        check_count("uncertain", number, minimum=0) for number in check_list("uncertain", uncertain, "numbers")
+    ]
     if trajectory is None:
         tracked = track(frames, depth_max=farthest, device=where)
-        path, doubtful = tracked.trajectory, [*doubtful, *tracked.uncertain]
+        path, uncertain_frames = tracked.trajectory, [*uncertain_frames, *tracked.uncertain]
     elif isinstance(trajectory, Trajectory):
         path = trajectory
     else:
         raise TypeError(f"trajectory: expected a Trajectory or None, got {type(trajectory).__name__}")
-    poses, numbers = _sure(path, doubtful)
-    pairs = turned_pairs(Trajectory(poses))
-    read = _reader(frames, {int(numbers[place]) for pair in pairs for place in pair})
+    poses, numbers = _sure(path, uncertain_frames)
+    pairs = rotated_pairs(Trajectory(poses))
+    read = _reader(frames, {int(numbers[index]) for pair in pairs for index in pair})
     options = {"depth_max": farthest, "device": where}
-    found = []
+    pair_residuals = []
     for first, second in pairs:
         ends = [
-            check_rigid(f"trajectory: the pose of frame {numbers[place]}", poses[place]) for place in (first, second)
+            check_rigid(f"trajectory: the pose of frame {numbers[index]}", poses[index]) for index in (first, second)
         ]
         start = matmul(inv(ends[0]), ends[1])
         residuals = _residuals(read, frames, (int(numbers[first]), int(numbers[second])), start, options)
         if residuals is not None:
-            found.append(residuals)
-    return _judged(found)
+            pair_residuals.append(residuals)
+    return _judged(pair_residuals)
 
 
-def _judged(found: Sequence[Sequence[float]]) -> FocalCheck | None:
-    if len(found) < MIN_PAIRS:
+def _judged(residuals: Sequence[Sequence[float]]) -> FocalCheck | None:
+    if len(residuals) < MIN_PAIRS:
         return None
-    table = np.array(found)
+    table = np.array(residuals)
     ratios = np.median(table[:, 1:] / table[:, :1], axis=0)
     best = int(np.argmin(ratios))
     given = float(np.median(table[:, 0]))
     factor, ratio = (FACTORS[best], float(ratios[best])) if ratios[best] < BETTER else (1.0, 1.0)
-    return FocalCheck(len(found), given, factor, given * ratio)
+    return FocalCheck(len(residuals), given, factor, given * ratio)
 
 
-def turned_pairs(path: Trajectory) -> list[tuple[int, int]]:
+def rotated_pairs(path: Trajectory) -> list[tuple[int, int]]:
     """Index pairs of poses that are rotated against each other, spread over the path."""
     axes = path.poses[:, :3, 2]
     pairs = []
     for first in range(0, len(path), max(1, len(path) // PAIRS)):
-        turned = np.flatnonzero(matmul(axes[first + 1 :], axes[first]) < math.cos(math.radians(TURN)))
-        if len(turned) and first + 1 + int(turned[0]) not in (second for _, second in pairs):
-            pairs.append((first, first + 1 + int(turned[0])))
+        rotated = np.flatnonzero(matmul(axes[first + 1 :], axes[first]) < math.cos(math.radians(MIN_ROTATION)))
+        if len(rotated) and first + 1 + int(rotated[0]) not in (second for _, second in pairs):
+            pairs.append((first, first + 1 + int(rotated[0])))
     return pairs
 
 
@@ -173,10 +175,10 @@ def _reader(frames: FrameSource | RGBDSource, numbers: set[int]) -> Callable[[in
         read: Callable[[int], Any] = frames.read
         known = numbers.intersection(range(len(frames)))
     else:
-        kept = {i: frame for i, frame in enumerate(frames if numbers else ()) if i in numbers}  # type: ignore[arg-type]
-        read, known = kept.__getitem__, set(kept)
+        cached = {i: frame for i, frame in enumerate(frames if numbers else ()) if i in numbers}  # type: ignore[arg-type]
+        read, known = cached.__getitem__, set(cached)
     if unknown := numbers - known:
-        raise ValueError(f"trajectory: names frame {min(unknown)}, and frames has no such frame")
+        raise ValueError(f"trajectory: frame {min(unknown)} is not in frames")
     return read
 
 

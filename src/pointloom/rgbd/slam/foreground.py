@@ -32,42 +32,43 @@ EVERY = 4  # frames between checks, after ...
 AT_ONCE = 12  # ... this many, which are all checked: a new model cannot contradict a wrong pose
 NEAREST, FARTHEST, BINS = 0.25, 2.5, 64  # nearness bins [1/m]: 4 m to 0.4 m
 MIN_LAYER = 0.05  # minimum image fraction of each layer
-APART = 3.0  # misfit ratio: static scenes up to 1.6 | moving 2.5 at once, 7 to 300 soon
+APART = 3.0  # residual ratio: static scenes up to 1.6 | moving 2.5 at once, 7 to 300 soon
 NOISE = 0.3  # minimum difference in noise variances
-ALIKE = 2.0  # maximum misfit ratio of a common motion
+ALIKE = 2.0  # maximum residual ratio of a common motion
 AGREED = 8  # consecutive checks until the near part is static again: a second
-SHIFTED, TURNED = 0.02, np.deg2rad(1.0)  # [m], [rad] minimum camera motion between the two frames
+MIN_SHIFT, MIN_ROTATION = 0.02, np.deg2rad(1.0)  # [m], [rad] minimum camera motion between the two frames
 STRIDE = 1.3  # factor of the next tried limits
 AS_GOOD, SLACK = 1.15, 0.02  # factor, and variances, by which a nearer limit may fit worse
 MIN_LEFT = 0.25  # minimum image fraction beyond it
-PLAIN = 2.5  # noise variances: a far part with a larger misfit also contains moving objects
-MAX_SHIFT, MAX_TURN = 0.3, np.deg2rad(20.0)  # [m], [rad] maximum motion: larger view changes hide moving objects
+PLAIN = 2.5  # noise variances: a far part with a larger residual also contains moving objects
+MAX_SHIFT, MAX_ROTATION = 0.3, np.deg2rad(20.0)  # [m], [rad] maximum motion: larger view changes hide moving objects
 MIN_OVERLAP = 0.6  # minimum overlap of the far part: border effects dominate below
 FIRM_AGREEMENT = 0.9  # minimum agreement of the visible far part
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Fit:
-    """One alignment: `misfit` in noise variances, `agreement`: fraction of the common visible surface that matches."""
+    """One alignment: `residual` in noise variances, `agreement`: matching fraction of the common visible surface."""
 
-    misfit: float
+    residual: float
     agreement: float
     result: OdometryResult
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Layers:
-    """Alignments of all (`whole`) and of the far part of a frame; `start`: pose of the earlier frame or None."""
+    """Alignments of all (`full`) and of the far part of a frame; `start`: pose of the earlier frame or None."""
 
-    whole: Fit
+    full: Fit
     far: Fit
     start: Pose | None
 
     @property
-    def is_told(self) -> bool:
+    def is_conclusive(self) -> bool:
+        """True if the far part is aligned well enough for a decision."""
         result = self.far.result
-        shift, turn = self._moved
-        is_near = shift < MAX_SHIFT and turn < MAX_TURN and result.overlap > MIN_OVERLAP
+        shift, angle = self._moved
+        is_near = shift < MAX_SHIFT and angle < MAX_ROTATION and result.overlap > MIN_OVERLAP
         return self.far.agreement > FIRM_AGREEMENT and is_near and not result.contradiction
 
     @property
@@ -78,20 +79,20 @@ class Layers:
     @property
     def are_apart(self) -> bool:
         """True if the near part moves differently."""
-        return self.is_told and self.whole.misfit > APART * self.far.misfit + NOISE
+        return self.is_conclusive and self.full.residual > APART * self.far.residual + NOISE
 
     @property
     def are_one(self) -> bool:
         """True if both move alike, with enough motion to decide."""
-        shift, turn = self._moved
-        is_plain = self.far.misfit < PLAIN and self.whole.misfit < ALIKE * self.far.misfit + NOISE
-        return self.is_told and (shift > SHIFTED or turn > TURNED) and is_plain
+        shift, angle = self._moved
+        is_plain = self.far.residual < PLAIN and self.full.residual < ALIKE * self.far.residual + NOISE
+        return self.is_conclusive and (shift > MIN_SHIFT or angle > MIN_ROTATION) and is_plain
 
     @property
     def pose(self) -> Pose | None:
         """T_world_camera by the far part. None if undetermined."""
         result = self.far.result
-        is_fixed = self.is_told and result.smallest_eigenvalue > MIN_EIGENVALUE
+        is_fixed = self.is_conclusive and result.smallest_eigenvalue > MIN_EIGENVALUE
         return matmul(self.start, result.transformation) if self.start is not None and is_fixed else None
 
 
@@ -121,7 +122,7 @@ class Foreground:
             self.frames += 1
         return layers if self.is_apart and not was_apart else None
 
-    def place(self, pose: Pose | None) -> None:
+    def set_pose(self, pose: Pose | None) -> None:
         if self._earlier and self._earlier[-1][0] == self._count:
             self._earlier[-1] = (*self._earlier[-1][:2], pose)
 
@@ -140,31 +141,31 @@ class Foreground:
         """The Layers and their depth limit: Otsu's; once separated the last one, or a nearer one if as good."""
         is_far = (self._count // (1 if self._count <= AT_ONCE else EVERY)) % 2 == 1
         back = BACK if not is_far else BACK_FAR if self._count > FIRST else FIRST
-        _, earlier, pose = next(kept for kept in self._earlier if kept[0] >= self._count - back)
+        _, earlier, pose = next(entry for entry in self._earlier if entry[0] >= self._count - back)
         start = np.eye(4) if pose is None or expected is None else matmul(invert_pose(pose), expected)
-        whole = _fit(frame.pyramid, earlier, start)
+        full = _fit(frame.pyramid, earlier, start)
 
         def parted(at_depth: float) -> Layers:
-            return Layers(whole, _fit(frame.pyramid_of(hide_near(frame.depth, at_depth)), earlier, start), pose)
+            return Layers(full, _fit(frame.pyramid_of(hide_near(frame.depth, at_depth)), earlier, start), pose)
 
         if not self.is_apart:
             return parted(limit), limit
         layers = parted(self._limit)
-        if layers.are_apart and layers.far.misfit < PLAIN:
+        if layers.are_apart and layers.far.residual < PLAIN:
             nearer = parted(self._limit / STRIDE)
-            is_as_good = nearer.are_apart and nearer.far.misfit < AS_GOOD * layers.far.misfit + SLACK
+            is_as_good = nearer.are_apart and nearer.far.residual < AS_GOOD * layers.far.residual + SLACK
             return (nearer, self._limit / STRIDE) if is_as_good else (layers, self._limit)
-        found = [(layers, self._limit)]
-        if layers.far.misfit > PLAIN or not layers.is_told:
+        candidates = [(layers, self._limit)]
+        if layers.far.residual > PLAIN or not layers.is_conclusive:
             is_left = np.mean((nearness > 0.0) & (nearness * self._limit * STRIDE < 1.0)) > MIN_LEFT
             others = [limit, self._limit * STRIDE] if is_left else [limit]
-            found += [(parted(other), other) for other in others]
-        return min(found, key=lambda pair: (not pair[0].is_told, pair[0].far.misfit))
+            candidates += [(parted(other), other) for other in others]
+        return min(candidates, key=lambda pair: (not pair[0].is_conclusive, pair[0].far.residual))
 
     def _keep(self, pyramid: OdometryFrame) -> None:
         """Keep a frame as reference: the first for a while, and the last ones."""
         first = 0 if self._count < FIRST else self._count
-        recent = [kept for kept in self._earlier if kept[0] == first or kept[0] >= self._count - BACK_FAR]
+        recent = [entry for entry in self._earlier if entry[0] == first or entry[0] >= self._count - BACK_FAR]
         self._earlier = [*recent, (self._count, pyramid, None)]
 
 
@@ -182,8 +183,8 @@ def depth_between(nearness: NDArray[np.float32]) -> float:
 
 
 def _fit(source: OdometryFrame, target: OdometryFrame, start: Pose) -> Fit:
-    found, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
-    sums = found.consistency
+    alignment, level = descend(source, target, start, Method.Hybrid, STEPS, BRIGHTNESS_SHARE)
+    sums = alignment.consistency
     shown = max(sums[at.SEEN] - sums[at.BEHIND], 1.0)
-    misfit, agreement = sums[at.EXCESS] / max(sums[at.PLANES], 1.0), sums[at.INLIERS] / shown
-    return Fit(float(misfit), float(agreement), judge(found, source, level))
+    residual, agreement = sums[at.EXCESS] / max(sums[at.PLANES], 1.0), sums[at.INLIERS] / shown
+    return Fit(float(residual), float(agreement), judge(alignment, source, level))

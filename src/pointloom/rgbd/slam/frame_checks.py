@@ -24,7 +24,7 @@ MIN_DEPTH = 0.02  # minimum depth fraction of a frame
 MIN_OVERLAP, FIRM_OVERLAP = 0.15, 0.25  # fraction of the frame's depth where the model has depth
 MIN_AGREEMENT, FIRM_AGREEMENT = 0.45, 0.6  # fraction of that on its surface
 MIN_EIGENVALUE = 0.005  # as of OdometryResult: small images of rooms 0.007 and more | flat walls up to 0.004
-MAX_SHIFT, MAX_TURN = 0.35, np.deg2rad(30.0)  # [m], [rad] jump from the expected pose
+MAX_SHIFT, MAX_ROTATION = 0.35, np.deg2rad(30.0)  # [m], [rad] jump from the expected pose
 MAX_DEVIATION = 0.035  # [m] position deviation: 0.04 and more in a white office 10 cm off | textured rooms up to 0.011
 MAX_OF_TRUNCATION = 0.44  # larger limit for coarser models
 SURE_OVERLAP, SURE_AGREEMENT = 0.5, 0.75  # from a keyframe
@@ -35,7 +35,7 @@ SHAPE_OVERLAP = 0.08  # if registration accepts the pose, and two frames agree
 MAX_SHADES, MIN_SHADES = 2.0, 0.01  # factor of the typical brightness residual, and minimum difference
 MAX_GAP, MIN_GAP = 2.5, 0.005  # factor of the typical surface distance, and minimum difference [m]
 FOLLOWED_GAP = 0.015  # [m] likewise for a tracked frame: the view may move from near to far objects
-MAX_MISFIT, MIN_MISFIT = 2.0, 0.05  # factor of the fraction off the surface, and minimum difference
+MAX_OUTLIER_RATIO, MIN_OUTLIER_EXCESS = 2.0, 0.05  # factor of the fraction off the surface, and minimum difference
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -59,7 +59,7 @@ class Attempt:
         names = ("fitness", "overlap", "inlier_rmse", "intensity_rmse", "smallest_eigenvalue", "iterations")
         return {name: getattr(self.result, name) for name in names}
 
-    def doubted(self, warning: str) -> Attempt:
+    def with_warning(self, warning: str) -> Attempt:
         """The attempt with a warning: uncertain at best."""
         if not warning:
             return self
@@ -83,40 +83,46 @@ def judge_tracking(
     """Status of a tracked frame by its deviation `moved` and the run's typical surface distance [m]."""
     agreement = agreement_of(result)
     shift = float(norm(moved[:3, 3]))
-    turn = float(norm(rotation_vector(moved[:3, :3])))
-    if not np.isfinite(moved).all() or shift > MAX_SHIFT or turn > MAX_TURN:
-        return "lost", f"it jumps by {shift:.2f} m, {np.rad2deg(turn):.0f} degrees"
+    angle = float(norm(rotation_vector(moved[:3, :3])))
+    if not np.isfinite(moved).all() or shift > MAX_SHIFT or angle > MAX_ROTATION:
+        return "lost", f"its pose jumps by {shift:.2f} m, {np.rad2deg(angle):.0f} degrees"
     if result.overlap < MIN_OVERLAP:
-        return "lost", f"{result.overlap:.0%} of its depth meet the model"
+        return "lost", f"{result.overlap:.0%} of its depth overlaps with the model"
     if agreement < MIN_AGREEMENT:
-        return "lost", f"{agreement:.0%} of what meets the model lie on its surface"
+        return "lost", f"{agreement:.0%} of the overlapping depth agrees with the model"
     if result.contradiction:
         return "lost", result.contradiction
     if result.inlier_rmse > MAX_GAP * usual_gap and result.inlier_rmse - usual_gap > FOLLOWED_GAP:
-        return "lost", f"it lies {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times as far off the model as usual"
+        return (
+            "lost",
+            f"its distance from the model is {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times the usual one",
+        )
     if not is_determined(result):
-        return "uncertain", "what it shows does not fix where it was taken"
+        return "uncertain", "the visible surfaces do not determine its pose"
     if result.overlap < FIRM_OVERLAP:
-        return "uncertain", f"{result.overlap:.0%} of its depth meet the model"
+        return "uncertain", f"{result.overlap:.0%} of its depth overlaps with the model"
     if agreement < FIRM_AGREEMENT:
-        return "uncertain", f"{agreement:.0%} of what meets the model lie on its surface"
+        return "uncertain", f"{agreement:.0%} of the overlapping depth agrees with the model"
     return "tracked", ""
 
 
 def judge_recognition(
-    result: OdometryResult, least_overlap: float, usual: float = math.nan, usual_gap: float = math.nan
+    result: OdometryResult, min_overlap: float, usual: float = math.nan, usual_gap: float = math.nan
 ) -> tuple[Status, str]:
     """Found or lost, compared with the run's typical brightness (`usual`) and distance [m] residuals."""
     if not result.reliable and UNDETERMINED not in result.warnings:  # whose limit is for full-size frames
         return "lost", result.warnings[0]
     if not is_determined(result):
         return "lost", UNDETERMINED
-    if agreement_of(result) < SURE_AGREEMENT or result.overlap < least_overlap:
-        return "lost", f"{result.fitness:.0%} of its depth lie on the model"
+    if agreement_of(result) < SURE_AGREEMENT or result.overlap < min_overlap:
+        return "lost", f"{result.fitness:.0%} of its depth agrees with the model"
     if is_off_shade(result.intensity_rmse, usual):
-        return "lost", f"its brightness is {result.intensity_rmse / max(usual, 1e-4):.1f} times as far off as usual"
+        return "lost", f"its brightness residual is {result.intensity_rmse / max(usual, 1e-4):.1f} times the usual one"
     if result.inlier_rmse > MAX_GAP * usual_gap and result.inlier_rmse - usual_gap > MIN_GAP:
-        return "lost", f"it lies {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times as far off the model as usual"
+        return (
+            "lost",
+            f"its distance from the model is {result.inlier_rmse / max(usual_gap, 1e-6):.1f} times the usual one",
+        )
     return "tracked", ""
 
 
@@ -125,12 +131,12 @@ def is_off_shade(shades: float, usual: float) -> bool:
     return shades > MAX_SHADES * usual and shades - usual > MIN_SHADES
 
 
-def speaks_against(result: OdometryResult, other: OdometryResult) -> bool:
+def fits_worse(result: OdometryResult, other: OdometryResult) -> bool:
     """True if a pose explains a frame clearly worse than another one, regardless of the overlap."""
     if not result.reliable and result.overlap >= RIM_OVERLAP and UNDETERMINED not in result.warnings:
         return True
-    misfit, other_misfit = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
-    if misfit > MAX_MISFIT * other_misfit + MIN_MISFIT:
+    outlier_share, other_outlier_share = 1.0 - agreement_of(result), 1.0 - agreement_of(other)
+    if outlier_share > MAX_OUTLIER_RATIO * other_outlier_share + MIN_OUTLIER_EXCESS:
         return True
     return is_off_shade(result.intensity_rmse, other.intensity_rmse)
 
@@ -140,11 +146,11 @@ def judge_drift(result: TrackingResult, truncation: float) -> TrackingResult:
     off = result.position_deviation
     if not result.is_tracked or off <= max(MAX_DEVIATION, MAX_OF_TRUNCATION * truncation):
         return result
-    warning = f"what was open on the way adds up to {off:.2f} m"
+    warning = f"the uncertainty accumulated along the path is {off:.2f} m"
     return dataclasses.replace(result, status="uncertain", warnings=(warning,), has_drifted=True)
 
 
-def lies_on_model(result: OdometryResult) -> bool:
+def fits_model(result: OdometryResult) -> bool:
     return result.overlap >= SHAPE_OVERLAP and agreement_of(result) >= SURE_AGREEMENT
 
 

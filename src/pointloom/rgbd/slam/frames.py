@@ -41,7 +41,7 @@ class SensorFrame:
     ):
         if not hasattr(frame, "depth"):
             kind = type(frame).__name__
-            raise TypeError(f"frame: expected something with depth and color, such as a Frame, got {kind}")
+            raise TypeError(f"frame: expected an object with depth and color, such as a Frame, got {kind}")
         scale = integer_scale(frame.depth, depth_scale)
         self.depth, _, height, width = upload_depth(frame.depth, scale, depth_max, device)
         self.intrinsic = check_intrinsic(intrinsic, width, height)

@@ -18,7 +18,7 @@ from ..odometry.frames import OdometryFrame
 Pose = NDArray[np.float64]
 
 APART = 0.25  # [m] minimum distance to the nearest keyframe, or ...
-TURNED = np.deg2rad(18.0)  # ... minimum rotation of a new view
+MIN_ROTATION = np.deg2rad(18.0)  # ... minimum rotation of a new view
 MIN_COMMON = 0.15  # minimum fraction of tests valid in both frames
 
 
@@ -66,16 +66,16 @@ class Keyframes:
             return []
         counts = download(compare_codes(self._encode(frame), self._codes, len(self.poses)))  # sync
         common, different = counts[:, 0], counts[:, 1]
-        least = max(MIN_COMMON * common.max(initial=0), 1)
-        shares = np.where(common >= least, different / np.maximum(common, 1), 1.0)
-        found: list[tuple[int, float]] = []
+        min_common = max(MIN_COMMON * common.max(initial=0), 1)
+        shares = np.where(common >= min_common, different / np.maximum(common, 1), 1.0)
+        matches: list[tuple[int, float]] = []
         for index in np.argsort(shares, kind="stable").tolist():
             pose = self.poses[index]
-            if shares[index] < 0.5 and all(view_distance(pose, self.poses[i]) > 1.5 for i, _ in found):
-                found.append((index, float(shares[index])))
-            if len(found) == count:
+            if shares[index] < 0.5 and all(view_distance(pose, self.poses[i]) > 1.5 for i, _ in matches):
+                matches.append((index, float(shares[index])))
+            if len(matches) == count:
                 break
-        return found
+        return matches
 
     def _encode(self, frame: OdometryFrame, codes: Any = None, row: int = 0) -> Any:
         levels = frame.levels
@@ -86,6 +86,6 @@ class Keyframes:
 
 
 def view_distance(a: Pose, b: Pose) -> float:
-    """Distance of two views: 1 for APART meters, or for TURNED radians."""
+    """Distance of two views: 1 for APART meters, or for MIN_ROTATION radians."""
     shift = float(norm(a[:3, 3] - b[:3, 3])) / APART
-    return shift + float(norm(rotation_vector(matmul(a[:3, :3].T, b[:3, :3])))) / TURNED
+    return shift + float(norm(rotation_vector(matmul(a[:3, :3].T, b[:3, :3])))) / MIN_ROTATION

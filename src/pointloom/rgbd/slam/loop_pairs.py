@@ -31,7 +31,7 @@ from .submaps import Submap
 Matrix = NDArray[np.float64]
 
 FAR = 5.0  # [voxels] initial correspondence distance; larger errors are also registered globally
-REACH = 1.5  # [voxels] final correspondence distance
+MAX_DISTANCE = 1.5  # [voxels] final correspondence distance
 OVERLAP = 0.2  # minimum overlap of the smaller submap
 SURE = 0.5  # minimum score of a predicted pose
 SURER = 0.95  # minimum score at the drift limit: wrong poses with 0.5 to 0.7 are far off
@@ -133,15 +133,15 @@ def find_candidates(
     surfaces: Sequence[SubmapSurface], poses: Matrix, limits: Matrix, known: set[tuple[int, int]]
 ) -> list[Candidate]:
     """Unknown pairs whose boxes, grown by the possible error, intersect."""
-    found = []
+    candidates = []
     for target in range(len(surfaces)):
         for source in range(target + 1, len(surfaces)):
             if (source, target) in known or not len(surfaces[source].box) or not len(surfaces[target].box):
                 continue
             T, limit = matmul(invert_pose(poses[target]), poses[source]), float(limits[source, target])
             if not np.isfinite(limit) or _boxes_meet(surfaces[source].box, surfaces[target].box, T, limit):
-                found.append(Candidate(source, target, T, limit))
-    return found
+                candidates.append(Candidate(source, target, T, limit))
+    return candidates
 
 
 def _boxes_meet(source: Matrix, target: Matrix, T: Matrix, limit: float) -> bool:
@@ -171,9 +171,9 @@ def verify_far(surfaces: Sequence[SubmapSurface], candidates: Sequence[Candidate
     """Register the candidates globally; those without a result are left out."""
     loops = []
     for c in candidates:
-        found = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
-        if found.score is not None and found.score > SURE:  # one of two equally good poses is rejected
-            loops += _register(surfaces, [c], found.transformation[None], coarse=False)
+        result = register_described(surfaces[c.source].described, surfaces[c.target].described, seed=seed)
+        if result.score is not None and result.score > SURE:  # one of two equally good poses is rejected
+            loops += _register(surfaces, [c], result.transformation[None], coarse=False)
     return loops
 
 
@@ -189,7 +189,7 @@ def _register(
         first.run(STEPS, STILL, None)
         poses = np.array([result.transformation for result in first.results()])
     fine = TransformationEstimationForGeneralizedICP()
-    last = IterativeRegistration(left, right, poses, REACH * size, fine)  # type: ignore[arg-type]
+    last = IterativeRegistration(left, right, poses, MAX_DISTANCE * size, fine)  # type: ignore[arg-type]
     last.run(STEPS, STILL, None)
     information = last.information()
     loops = []
@@ -206,15 +206,15 @@ def _judge(surfaces: Sequence[SubmapSurface], c: Candidate, T: Matrix, informati
     share = fitness * max(1.0, len(source.witness.surface) / len(target.witness.surface))  # relative to the smaller one
     shift, score, refused = shift_of(source.box, c.T_target_source, T), 0.0, ""
     if shift > c.limit:
-        refused = f"it lies {shift:.2f} m from where tracking, which may be off by {c.limit:.2f} m, has it"
+        refused = f"it differs by {shift:.2f} m from tracking, whose error is at most {c.limit:.2f} m"
     elif share < OVERLAP:
-        refused = f"{share:.0%} of the smaller submap lie on the other, {OVERLAP:.0%} are asked for"
+        refused = f"{share:.0%} of the smaller submap overlaps with the other, {OVERLAP:.0%} is required"
     else:
         local = to_local(T, source.cloud.origin, target.cloud.origin)
-        score = rate_surfaces(source.witness, target.witness, local, REACH * source.voxel_size).score
-        asked = SURE + (SURER - SURE) * shift / c.limit if np.isfinite(c.limit) else SURE
-        if score <= asked:
-            refused = f"score {score:.2f} is too low: {asked:.2f} is required for {shift:.2f} m off tracking"
+        score = rate_surfaces(source.witness, target.witness, local, MAX_DISTANCE * source.voxel_size).score
+        required = SURE + (SURER - SURE) * shift / c.limit if np.isfinite(c.limit) else SURE
+        if score <= required:
+            refused = f"score {score:.2f} is too low: {required:.2f} is required for {shift:.2f} m off tracking"
     return Loop(c.source, c.target, T, information, score, fitness, shift, c.limit, refused)
 
 
@@ -225,8 +225,8 @@ def refine(surfaces: Sequence[SubmapSurface], loops: Sequence[Loop]) -> list[Loo
         part = loops[first : first + AT_ONCE]
         left, right = [surfaces[p.source].fine for p in part], [surfaces[p.target].fine for p in part]
         starts = np.array([p.T_target_source for p in part])
-        reach = REACH * surfaces[part[0].source].voxel_size / 2
-        problem = IterativeRegistration(left, right, starts, reach, TransformationEstimationForGeneralizedICP())
+        max_distance = MAX_DISTANCE * surfaces[part[0].source].voxel_size / 2
+        problem = IterativeRegistration(left, right, starts, max_distance, TransformationEstimationForGeneralizedICP())
         problem.run(STEPS, STILL, None)
         for p, result, matrix in zip(part, problem.results(), problem.information(), strict=True):
             T = result.transformation

@@ -67,11 +67,11 @@ class SlamAccount(Assessed):
         return {"submaps": self.submap_count, "loops": loops, **refused}
 
     def fields(self, frames_per_second: float | None = None) -> Fields:
-        told = self.path.fields(frames_per_second)
+        fields = self.path.fields(frames_per_second)
         if not self.loops:
-            return [*told, ("loops", "none")]
+            return [*fields, ("loops", "none")]
         count = f"{len(self.loops)} closed among {self.submap_count} submaps"
-        return [*told, ("loops", f"{count}, which moved frames by {self.corrected * 1000:.1f} mm at most")]
+        return [*fields, ("loops", f"{count}, which moved frames by {self.corrected * 1000:.1f} mm at most")]
 
 
 def model_by_slam(

@@ -21,7 +21,7 @@ from ...registration.rigid import invert_pose, make_pose, rotation_of, rotation_
 from ..odometry.results import spread_information
 from .loop_pairs import (
     FAR,
-    REACH,
+    MAX_DISTANCE,
     Candidate,
     Loop,
     SubmapSurface,
@@ -115,13 +115,13 @@ def close_loops(
     coarsest = max(submap.volume.voxel_size for submap in ordered)
     size = max(VOXELS * coarsest, MIN_VOXEL) if voxel_size is None else check_positive("voxel_size", voxel_size)
     share, chooser = check_positive("drift", drift), check_seed(seed)
-    say = check_progress(progress)
+    report_progress = check_progress(progress)
     surfaces = []
     for i, submap in enumerate(ordered):
-        say("surfaces", i, len(ordered))
+        report_progress("surfaces", i, len(ordered))
         surfaces.append(SubmapSurface(submap, size))
-    say("surfaces", len(ordered), len(ordered))
-    search = _Search(ordered, surfaces, size, share, chooser, say)
+    report_progress("surfaces", len(ordered), len(ordered))
+    search = _Search(ordered, surfaces, size, share, chooser, report_progress)
     search.run()
     return search.result(order)
 
@@ -130,7 +130,7 @@ def _in_order(submaps: Sequence[Submap]) -> tuple[list[Submap], list[int]]:
     items = check_submaps(submaps)
     firsts = [int(submap.frames[0]) for submap in items]
     if len(set(firsts)) < len(firsts):
-        raise ValueError("submaps: two begin with the same frame")
+        raise ValueError("submaps: expected different first frames, got two with the same one")
     order = np.argsort(firsts).tolist()
     return [items[i] for i in order], order
 
@@ -143,10 +143,10 @@ class _Search:
         size: float,
         drift: float,
         seed: int,
-        say: ReportProgress,
+        report_progress: ReportProgress,
     ):
-        self.submaps, self.surfaces, self.size, self.seed, self.say = submaps, surfaces, size, seed, say
-        self.drift = drift
+        self.submaps, self.surfaces, self.size, self.seed = submaps, surfaces, size, seed
+        self.drift, self.report_progress = drift, report_progress
         self.poses = np.array([submap.T_world_submap for submap in submaps])
         self.steps = _tracked_steps(submaps)
         self.loops: list[Loop] = []
@@ -156,13 +156,13 @@ class _Search:
         self.graph = self._optimized()
 
     def run(self) -> None:
-        for turn in range(ROUNDS):
-            self.say("loops", turn, ROUNDS)
-            found = self._find(self._candidates())
-            if not found:
+        for iteration in range(ROUNDS):
+            self.report_progress("loops", iteration, ROUNDS)
+            new_loops = self._find(self._candidates())
+            if not new_loops:
                 break
-            self._take(found)
-        self.say("loops", ROUNDS, ROUNDS)
+            self._take(new_loops)
+        self.report_progress("loops", ROUNDS, ROUNDS)
 
     def _ways(self) -> Matrix:
         links = [*self.steps, *((loop.source, loop.target, 0.0) for loop in self.loops)]
@@ -187,10 +187,10 @@ class _Search:
                 self.refused.setdefault((loop.source, loop.target), loop)
         return refine(self.surfaces, [loop for loop in loops if not loop.refused])
 
-    def _take(self, found: list[Loop]) -> None:
+    def _take(self, new_loops: list[Loop]) -> None:
         """Optimize with more loops; newly connected groups are aligned first."""
         groups = self._groups()
-        for loop in sorted(found, key=lambda loop: (-loop.score, loop.target, loop.source)):
+        for loop in sorted(new_loops, key=lambda loop: (-loop.score, loop.target, loop.source)):
             a, b = groups[loop.target], groups[loop.source]
             if a != b:
                 target = matmul(self.poses[loop.target], loop.T_target_source)
@@ -202,16 +202,16 @@ class _Search:
                 self.poses[groups == goes] = matmul(move, self.poses[groups == goes])
                 groups[groups == goes] = stays
                 self.joins.add((loop.source, loop.target))
-        self.loops = sorted([*self.loops, *found], key=lambda loop: (loop.target, loop.source))
-        for loop in found:
+        self.loops = sorted([*self.loops, *new_loops], key=lambda loop: (loop.target, loop.source))
+        for loop in new_loops:
             self.refused.pop((loop.source, loop.target), None)
         self.graph = self._optimized()
         self.poses = np.array([node.pose for node in self.graph.nodes])
-        kept = {(edge.source_node_id, edge.target_node_id) for edge in self.graph.edges}
+        remaining = {(edge.source_node_id, edge.target_node_id) for edge in self.graph.edges}
         for loop in self.loops:
-            if (loop.source, loop.target) not in kept:
+            if (loop.source, loop.target) not in remaining:
                 self.refused[loop.source, loop.target] = dataclasses.replace(loop, refused=CONTRADICTED)
-        self.loops = [loop for loop in self.loops if (loop.source, loop.target) in kept]
+        self.loops = [loop for loop in self.loops if (loop.source, loop.target) in remaining]
 
     def _groups(self) -> NDArray[np.int64]:
         reached = np.isfinite(self._ways())
@@ -231,7 +231,7 @@ class _Search:
         usual = np.mean([edge.information[5, 5] for edge in edges])
         preference = float(np.mean([loop.information[5, 5] for loop in self.loops]) / usual)
         option = GlobalOptimizationOption(
-            max_correspondence_distance=REACH * self.size,
+            max_correspondence_distance=MAX_DISTANCE * self.size,
             edge_prune_threshold=PRUNE,
             preference_loop_closure=preference,
             reference_node=0,
@@ -247,12 +247,12 @@ class _Search:
         return PoseGraphEdge(b, a, T, weight * _point_information(self.surfaces[b]), uncertain=False)
 
     def result(self, order: list[int]) -> LoopClosure:
-        place = np.array(order)
+        index = np.array(order)
         poses, groups = np.empty_like(self.poses), np.empty(len(order), np.int64)
-        poses[place], groups[place] = self.poses, place[self._groups()]
+        poses[index], groups[index] = self.poses, index[self._groups()]
 
         def given(loop: Loop) -> Loop:
-            return dataclasses.replace(loop, source=int(place[loop.source]), target=int(place[loop.target]))
+            return dataclasses.replace(loop, source=int(index[loop.source]), target=int(index[loop.target]))
 
         refused = [self.refused[pair] for pair in sorted(self.refused, key=lambda pair: (pair[1], pair[0]))]
         return LoopClosure(poses, groups, [given(p) for p in self.loops], [given(p) for p in refused], self.graph)
@@ -261,23 +261,23 @@ class _Search:
 def _optimize_groups(
     poses: Matrix, edges: list[PoseGraphEdge], groups: NDArray[np.int64], option: GlobalOptimizationOption
 ) -> PoseGraph:
-    whole = PoseGraph([PoseGraphNode(pose) for pose in poses])
+    graph = PoseGraph([PoseGraphNode(pose) for pose in poses])
     for group in np.unique(groups):
         members = np.flatnonzero(groups == group)
         number = {int(m): i for i, m in enumerate(members)}
-        own = [
+        group_edges = [
             dataclasses.replace(e, source_node_id=number[e.source_node_id], target_node_id=number[e.target_node_id])
             for e in edges
             if e.source_node_id in number
         ]
-        solved = global_optimization(PoseGraph([PoseGraphNode(poses[m]) for m in members], own), option=option)
+        solved = global_optimization(PoseGraph([PoseGraphNode(poses[m]) for m in members], group_edges), option=option)
         for m, node in zip(members, solved.nodes, strict=True):
-            whole.nodes[m] = node
+            graph.nodes[m] = node
         for e in solved.edges:
             ends = int(members[e.source_node_id]), int(members[e.target_node_id])
-            whole.edges.append(dataclasses.replace(e, source_node_id=ends[0], target_node_id=ends[1]))
-        whole.report = solved.report if len(members) == len(poses) else None
-    return whole
+            graph.edges.append(dataclasses.replace(e, source_node_id=ends[0], target_node_id=ends[1]))
+        graph.report = solved.report if len(members) == len(poses) else None
+    return graph
 
 
 def _point_information(surface: SubmapSurface) -> Matrix:
@@ -326,7 +326,7 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
     """
     ordered, order = _in_order(submaps)
     given = check_poses(ordered, T_world_submap)
-    moves = [matmul(given[place], invert_pose(s.T_world_submap)) for s, place in zip(ordered, order, strict=True)]
+    moves = [matmul(given[index], invert_pose(s.T_world_submap)) for s, index in zip(ordered, order, strict=True)]
     numbers, tracked = tracked_run(ordered)
     middles = [float(submap.frames[len(submap.frames) // 2]) for submap in ordered]
     poses = np.empty_like(tracked)
@@ -345,8 +345,8 @@ def corrected_trajectory(submaps: Sequence[Submap], T_world_submap: ArrayLike) -
 
 def _between(first: Matrix, second: Matrix, share: float) -> Matrix:
     """Interpolate two poses: rotation about one axis, position linearly."""
-    turn = rotation_of(share * rotation_vector(matmul(first[:3, :3].T, second[:3, :3])))
-    return make_pose(matmul(first[:3, :3], turn), first[:3, 3] + share * (second[:3, 3] - first[:3, 3]))
+    rotation = rotation_of(share * rotation_vector(matmul(first[:3, :3].T, second[:3, :3])))
+    return make_pose(matmul(first[:3, :3], rotation), first[:3, 3] + share * (second[:3, 3] - first[:3, 3]))
 
 
 def fuse_submaps(

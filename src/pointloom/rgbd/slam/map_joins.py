@@ -35,8 +35,8 @@ MAX_AGAINST = 0.25  # ratio to the confirming views: rarely seen map borders are
 CONTRADICTING = 0.5  # agreement below which a view contradicts
 OFF = 0.06  # [m], [rad] maximum correction of a view: above the drift of maps
 VOXELS, MIN_VOXEL = 2.5, 0.05  # voxels of the registration, as for loops
-REACH = 1.5  # [voxels] match distance
-BELIEVED = 0.5  # minimum score of `registration`
+MAX_DISTANCE = 1.5  # [voxels] match distance
+MIN_SCORE = 0.5  # of `registration`
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -72,10 +72,10 @@ class Proposal:
     def is_refuted(self) -> bool:
         return self._missed >= FAILING
 
-    def ask(self, frame: SensorFrame, pose: Pose) -> bool:
+    def check(self, frame: SensorFrame, pose: Pose) -> bool:
         """Test a tracked frame in the other map. True once enough frames agree."""
         expected = matmul(self.T_other_here, pose)
-        attempt = self.other.tracker.try_place(frame, expected)
+        attempt = self.other.tracker.try_pose(frame, expected)
         if attempt.status != "tracked" or apart(matmul(invert_pose(expected), attempt.pose)) > AGREED:
             self._missed += 1
             return False
@@ -95,17 +95,17 @@ def judge_join(target: SlamMap, source: SlamMap, T_target_source: Pose) -> MapJo
     against += against_too
     views = _count_apart(first) + _count_apart(second)
 
-    def said(refused: str) -> MapJoin:
+    def make_join(refused: str) -> MapJoin:
         return MapJoin(target.number, source.number, T_target_source, views, against, refused=refused)
 
     if views < MIN_VIEWS:
-        return said(f"{views} views bear it out, {MIN_VIEWS} are asked for")
+        return make_join(f"{views} views confirm it, {MIN_VIEWS} are required")
     if against > MAX_AGAINST * (len(first) + len(second)):
-        return said(f"{against} views contradict it")
+        return make_join(f"{against} views contradict it")
     T = _mean([*moves, *(invert_pose(move) for move in back)])
     score = _rate(target, source, T)
-    refused = "" if score > BELIEVED else f"their surfaces do not bear it out: score {score:.2f}"
-    return dataclasses.replace(said(refused), T_target_source=T, score=score)
+    refused = "" if score > MIN_SCORE else f"their surfaces do not confirm it: score {score:.2f}"
+    return dataclasses.replace(make_join(refused), T_target_source=T, score=score)
 
 
 def _views(target: SlamMap, source: SlamMap, T: Pose) -> tuple[list[Pose], list[Pose], int]:
@@ -116,32 +116,32 @@ def _views(target: SlamMap, source: SlamMap, T: Pose) -> tuple[list[Pose], list[
     against = 0
     for pose in poses[:: max(1, -(-len(poses) // MAX_VIEWS))]:
         seen, there = source.model.seen_from(pose), target.model.seen_from(matmul(T, pose))
-        found = align_frames(seen, there)
-        if found.overlap < MIN_OVERLAP:
+        result = align_frames(seen, there)
+        if result.overlap < MIN_OVERLAP:
             continue
-        if _speaks_for(found):
+        if _agrees(result):
             agreeing.append(pose)
-            moves.append(clean_pose(matmul(T, pose, found.transformation, invert_pose(pose))))
-        elif found.overlap >= FIRM_OVERLAP and _speaks_against(found):
+            moves.append(clean_pose(matmul(T, pose, result.transformation, invert_pose(pose))))
+        elif result.overlap >= FIRM_OVERLAP and _contradicts(result):
             against += 1
     return agreeing, moves, against
 
 
-def _speaks_for(found: OdometryResult) -> bool:
-    is_firm = found.overlap >= FIRM_OVERLAP and agreement_of(found) >= SURE_AGREEMENT and not found.contradiction
-    return is_firm and is_determined(found) and apart(found.transformation) < NEAR_AGAIN
+def _agrees(result: OdometryResult) -> bool:
+    is_firm = result.overlap >= FIRM_OVERLAP and agreement_of(result) >= SURE_AGREEMENT and not result.contradiction
+    return is_firm and is_determined(result) and apart(result.transformation) < NEAR_AGAIN
 
 
-def _speaks_against(found: OdometryResult) -> bool:
-    return agreement_of(found) < CONTRADICTING or apart(found.transformation) > OFF
+def _contradicts(result: OdometryResult) -> bool:
+    return agreement_of(result) < CONTRADICTING or apart(result.transformation) > OFF
 
 
 def _count_apart(poses: list[Pose]) -> int:
-    kept: list[Pose] = []
+    distinct: list[Pose] = []
     for pose in poses:
-        if all(view_distance(pose, other) > 1.0 for other in kept):
-            kept.append(pose)
-    return len(kept)
+        if all(view_distance(pose, other) > 1.0 for other in distinct):
+            distinct.append(pose)
+    return len(distinct)
 
 
 def _mean(poses: list[Pose]) -> Pose:
@@ -158,7 +158,7 @@ def _rate(target: SlamMap, source: SlamMap, T: Pose) -> float:
     if min(len(source_surface), len(target_surface)) < MIN_POINTS:
         return 0.0
     seen = Witness(source_surface, size), Witness(target_surface, size)
-    return rate_surfaces(*seen, to_local(T, left.origin, right.origin), REACH * size).score
+    return rate_surfaces(*seen, to_local(T, left.origin, right.origin), MAX_DISTANCE * size).score
 
 
 def _thinned(known: SlamMap, size: float) -> PointCloud:

@@ -40,9 +40,9 @@ def find_join(target: SlamMap, source: SlamMap, results: list[TrackingResult], s
         if len(surfaces[t].box) and len(surfaces[s].box)
     ]
     loops = [loop for loop in verify_far(surfaces, pairs, seed) if not loop.refused]
-    places = [piece.T_world_submap for part in pieces for piece in part]
+    submap_poses = [piece.T_world_submap for part in pieces for piece in part]
     judged: list[MapJoin] = []
-    for T in _distinct(refine(surfaces, loops), places)[:TRIED]:
+    for T in _distinct(refine(surfaces, loops), submap_poses)[:TRIED]:
         judged.append(judge_join(target, source, T))
         if not judged[-1].refused:
             return judged[-1]
@@ -59,25 +59,25 @@ def _pieces(known: SlamMap, results: list[TrackingResult]) -> list[Submap]:
     return [Submap(known.model.volume, np.eye(4), np.array(frames), np.array(poses), follows=False)]
 
 
-def _distinct(loops: list[Loop], places: list[Pose]) -> list[Pose]:
+def _distinct(loops: list[Loop], submap_poses: list[Pose]) -> list[Pose]:
     """Distinct relative poses of the maps, those with most agreeing loops first."""
-    poses = [clean_pose(matmul(places[p.target], p.T_target_source, inv(places[p.source]))) for p in loops]
+    poses = [clean_pose(matmul(submap_poses[p.target], p.T_target_source, inv(submap_poses[p.source]))) for p in loops]
     near = [[apart(matmul(inv(a), b)) < AGREED for b in poses] for a in poses]
     order = sorted(range(len(poses)), key=lambda k: (-sum(near[k]), -loops[k].score, k))
-    kept: list[int] = []
+    selected: list[int] = []
     for k in order:
-        if not any(near[k][other] for other in kept):
-            kept.append(k)
-    return [poses[k] for k in kept]
+        if not any(near[k][other] for other in selected):
+            selected.append(k)
+    return [poses[k] for k in selected]
 
 
 def merge_maps(target: SlamMap, source: SlamMap, T_target_source: Pose, results: list[TrackingResult]) -> None:
     T = T_target_source
-    turned = np.kron(np.eye(2), T[:3, :3])
+    rotation = np.kron(np.eye(2), T[:3, :3])
     for i, result in enumerate(results):
         if result.map == source.number:
             pose = None if result.pose is None else clean_pose(matmul(T, result.pose))
-            covariance = matmul(turned, result.covariance, turned.T)
+            covariance = matmul(rotation, result.covariance, rotation.T)
             results[i] = dataclasses.replace(result, pose=pose, covariance=covariance, map=target.number)
     target.keyframes.extend(source.keyframes, T)
     target.tracker.drift.take_over(source.tracker.drift, T, target.model.volume.voxel_size)
@@ -111,10 +111,10 @@ class Joining:
     def look(self, frame: SensorFrame, pose: Pose, is_new_view: bool) -> None:
         """Test whether recent fused frames locate another map relative to the current one."""
         proposal = self._proposal
-        if proposal is None or proposal.here is not self._maps.here or proposal.other not in self._maps.kept:
+        if proposal is None or proposal.here is not self._maps.here or proposal.other not in self._maps.searchable:
             self._proposal = self._propose(frame, pose, is_new_view)
             return
-        if proposal.ask(frame, pose):
+        if proposal.check(frame, pose):
             self._proposal = None
             low, high = sorted((proposal.other, proposal.here), key=_number)
             T = proposal.T_other_here
@@ -142,8 +142,8 @@ class Joining:
 
     def _next(self) -> MapJoin | None:
         sizes = map_sizes(self._results)
-        kept = sorted(self._maps.kept, key=lambda known: (-sizes.get(known.number, 0), known.number))
-        for pair in itertools.combinations(kept, 2):
+        maps = sorted(self._maps.searchable, key=lambda known: (-sizes.get(known.number, 0), known.number))
+        for pair in itertools.combinations(maps, 2):
             low, high = sorted(pair, key=_number)
             state = (low.number, high.number, low.model.frame_count, high.model.frame_count)
             if state in self._tried or not (low.model.frame_count and high.model.frame_count):
@@ -157,7 +157,7 @@ class Joining:
         return None
 
     def _join(self, join: MapJoin) -> None:
-        by_number = {known.number: known for known in self._maps.kept}
+        by_number = {known.number: known for known in self._maps.searchable}
         target, source = by_number[join.target], by_number[join.source]
         merge_maps(target, source, join.T_target_source, self._results)
         if source is self._maps.here:

@@ -51,19 +51,19 @@ class SlamMap:
 
 
 class Maps:
-    """The current map (`here`), all searchable maps (`kept`), and the number ever begun (`begun`)."""
+    """The current map (`here`), all searchable maps (`searchable`), and the number ever begun (`begun`)."""
 
     def __init__(self, make: Callable[[int], SlamMap]):
         self._make = make
         self.here = make(0)
-        self.kept, self.begun = [self.here], 1
+        self.searchable, self.begun = [self.here], 1
         self._before: SlamMap | None = None  # the map before the trial
         self._lost = self._taken = 0  # lost frames with content. Frames on trial
         self._is_tracking_alone = False
 
     @property
     def others(self) -> list[SlamMap]:
-        return [known for known in reversed(self.kept) if known is not self.here]
+        return [known for known in reversed(self.searchable) if known is not self.here]
 
     @property
     def is_on_trial(self) -> bool:
@@ -83,7 +83,7 @@ class Maps:
             self.here.leave()
         self.here, self._before, self._lost = other, None, 0
 
-    def found(self) -> None:
+    def note_tracked(self) -> None:
         self._lost = 0
         if self.is_on_trial:
             self._taken += 1
@@ -104,7 +104,7 @@ class Maps:
         self._let_go()
         self.here = self._make(self.begun)
         self.begun += 1
-        self.kept.append(self.here)
+        self.searchable.append(self.here)
         self._before, self._lost, self._taken = before, 0, 0
         return self.here
 
@@ -113,25 +113,25 @@ class Maps:
         number, self._is_tracking_alone = self.here.number, not self.here.model.frame_count
         count = sum(result.map == number and result.pose is not None for result in results)
         assert self._before is not None
-        told = f"a new map that began here was given up after {count} frame{'s' if count != 1 else ''}"
+        message = f"the new map that began here was discarded after {count} frame{'s' if count != 1 else ''}"
         for i, result in enumerate(results):
             if result.map == number:
-                warnings = (told,) if result.pose is not None else result.warnings
+                warnings = (message,) if result.pose is not None else result.warnings
                 changes = {"pose": None, "status": "lost", "warnings": warnings, "fused": False}
                 results[i] = dataclasses.replace(result, map=self._before.number, **changes)
-        self.kept.remove(self.here)
+        self.searchable.remove(self.here)
         self.here, self._before, self._lost = self._before, None, 0
 
     def drop(self, joined: SlamMap, *, instead: SlamMap) -> None:
-        self.kept.remove(joined)
+        self.searchable.remove(joined)
         if self.here is joined:
             self.here, self._before = instead, None
 
     def _let_go(self) -> None:
         """Free the smallest map if there are too many. Its frames keep its number."""
-        while len(self.kept) >= MAX_MAPS:
-            least = min(self.others or self.kept, key=lambda known: (known.model.frame_count, -known.number))
-            self.kept.remove(least)
+        while len(self.searchable) >= MAX_MAPS:
+            smallest = min(self.others or self.searchable, key=lambda known: (known.model.frame_count, -known.number))
+            self.searchable.remove(smallest)
 
 
 def map_sizes(results: list[TrackingResult]) -> dict[int, int]:

@@ -87,7 +87,7 @@ class Model:
         self.depth_scale = check_positive("depth_scale", depth_scale)
         self.depth_max = check_positive("depth_max", depth_max)
         if self.depth_max <= DEPTH_MIN:
-            raise ValueError(f"depth_max: expected more than {DEPTH_MIN} m, where depth begins, got {depth_max}")
+            raise ValueError(f"depth_max: expected more than the minimum depth, {DEPTH_MIN} m, got {depth_max}")
         self.current_frame_pose = np.eye(4) if T_init is None else check_rigid("T_init", T_init)
         self.volume = TSDFVolume(voxel_size=voxel_size, truncation=truncation, device=device)
         self.device = self.volume.device
@@ -132,8 +132,8 @@ class Model:
             TypeError, ValueError: As `prepare`; or an initial pose that is not rigid.
         """
         given = self.current_frame_pose if T_world_camera is None else check_rigid("T_world_camera", T_world_camera)
-        found = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=Method.Hybrid)
-        return _moved(found, given)
+        result = align_frames(self.prepare(frame).pyramid, self.seen_from(given), method=Method.Hybrid)
+        return _moved(result, given)
 
     def integrate(self, frame: Any, T_world_camera: ArrayLike) -> None:
         """Fuse a frame, which becomes the current one.
@@ -216,5 +216,5 @@ def compared_camera(intrinsic: PinholeCameraIntrinsic) -> PinholeCameraIntrinsic
     return camera
 
 
-def _moved(found: OdometryResult, pose: Pose) -> OdometryResult:
-    return dataclasses.replace(found, transformation=matmul(pose, found.transformation))
+def _moved(result: OdometryResult, pose: Pose) -> OdometryResult:
+    return dataclasses.replace(result, transformation=matmul(pose, result.transformation))

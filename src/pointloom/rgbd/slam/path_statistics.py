@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 from ...cameras.trajectory import Trajectory
 from ...registration.trajectories.trajectory_error import TrajectoryError, evaluate_trajectory
 
-FEWEST = 2  # minimum poses with known truth
+MIN_PAIRS = 2  # poses with known truth
 
 
 def error_against_truth(
     poses: Sequence[NDArray[np.float64]] | NDArray[np.float64], true_poses: Sequence[NDArray[np.float64] | None]
 ) -> TrajectoryError | None:
     pairs = [(T, truth) for T, truth in zip(poses, true_poses, strict=True) if truth is not None]
-    if len(pairs) < FEWEST:
+    if len(pairs) < MIN_PAIRS:
         return None
     estimate, truth = (Trajectory(np.array(side)) for side in zip(*pairs, strict=True))
     return evaluate_trajectory(estimate, truth, align=True)

@@ -64,7 +64,7 @@ class Submap:
             raise TypeError(f"volume: expected a TSDFVolume, got {type(self.volume).__name__}")
         frames = check_numeric("frames", self.frames)
         if frames.ndim != 1 or not len(frames) or frames.dtype.kind not in "iu" or (np.diff(frames) <= 0).any():
-            raise ValueError("frames: expected ascending whole numbers, at least one")
+            raise ValueError("frames: expected at least one integer, in ascending order")
         given = check_list("T_submap_camera", self.T_submap_camera, "poses")
         if len(given) != len(frames):
             raise ValueError(f"T_submap_camera: expected {len(frames)} poses, got {len(given)}")
@@ -181,8 +181,8 @@ class SubmapRecorder:
         self._depth_max = check_positive("depth_max", depth_max)
         self._sizes = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
         TSDFVolume(**self._sizes)  # validates them
-        self._most_frames = check_count("frames", frames)
-        self._most_way = math.inf if way is None else check_positive("way", way)
+        self._max_frames = check_count("frames", frames)
+        self._max_way = math.inf if way is None else check_positive("way", way)
         self._shared = check_share("shared", shared)
         if self._shared > 0.5:
             raise ValueError(f"shared: expected at most 0.5, got {shared}")
@@ -240,7 +240,7 @@ class SubmapRecorder:
         recording.poses.append(pose)
 
     def _fullness(self, recording: _Recording) -> float:
-        return max(len(recording.numbers) / self._most_frames, recording.way / self._most_way)
+        return max(len(recording.numbers) / self._max_frames, recording.way / self._max_way)
 
     def finish(self) -> list[Submap]:
         """Complete and return all submaps without those that have no own frames; later frames begin a new one."""

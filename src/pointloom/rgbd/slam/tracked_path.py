@@ -78,8 +78,8 @@ class TrackedPath(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        count, reach = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
-        reasons = [reason for reason in (reach, self.stream) if reason is not None]
+        count, range_warning = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
+        reasons = [reason for reason in (range_warning, self.stream) if reason is not None]
         if lost := self.lost:
             first = next(iter(lost.values()))
             reasons.append(
@@ -87,8 +87,8 @@ class TrackedPath(Assessed):
             )
         if drifted := self.drifted:
             reasons.append(
-                f"{len(drifted)} of {count} positions are open by up to {max(self.deviations):.2f} m, which adds up on "
-                f"the way ({some_frames(drifted)})"
+                f"{len(drifted)} of {count} positions have an uncertainty of up to {max(self.deviations):.2f} m, "
+                f"accumulated along the path ({some_frames(drifted)})"
             )
         if self.other_maps:
             reasons.append(self._apart())
@@ -102,17 +102,19 @@ class TrackedPath(Assessed):
         return tuple(reasons)
 
     def _apart(self) -> str:
-        own = [_numbers(path) for path in self.other_maps]
-        told = " and ".join(some_frames(numbers) for numbers in own)
-        kind = "a map of their own" if len(own) == 1 else "maps of their own"
-        count = f"{1 + len(own)} maps that do not lie relative to each other"
-        return f"{count}: {told} are in {kind}, and are left out of the path"
+        numbers_by_map = [_numbers(path) for path in self.other_maps]
+        frame_lists = " and ".join(some_frames(numbers) for numbers in numbers_by_map)
+        kind = "a separate map" if len(numbers_by_map) == 1 else "separate maps"
+        count = f"{1 + len(numbers_by_map)} maps without known relative poses"
+        return f"{count}: {frame_lists} are in {kind} and are left out of the path"
 
     @returns_new
     def with_poses(self, poses: Sequence[NDArray[np.float64]]) -> TrackedPath:
-        told = self.trajectory
+        original = self.trajectory
         corrected = np.array(poses, np.float64).reshape(-1, 4, 4)
-        return dataclasses.replace(self, trajectory=Trajectory(corrected, timestamps=told.timestamps, ids=told.ids))
+        return dataclasses.replace(
+            self, trajectory=Trajectory(corrected, timestamps=original.timestamps, ids=original.ids)
+        )
 
     def to_dict(self) -> dict[str, Any]:
         return {
@@ -153,10 +155,10 @@ class TrackedPath(Assessed):
             if numbers:
                 fields.append((name, f"{len(numbers)}: {some_frames(list(numbers))}"))
         if self.deviations:
-            fields.append(("deviation", f"{max(self.deviations) * 1000:.0f} mm of a position at worst"))
+            fields.append(("deviation", f"{max(self.deviations) * 1000:.0f} mm of a position at most"))
         if self.other_maps:
-            told = "; ".join(some_frames(_numbers(path)) for path in self.other_maps)
-            fields.append(("other maps", f"{len(self.other_maps)}: {told}"))
+            frame_lists = "; ".join(some_frames(_numbers(path)) for path in self.other_maps)
+            fields.append(("other maps", f"{len(self.other_maps)}: {frame_lists}"))
         if self.residuals:
             residual, fitness = float(np.median(self.residuals)), float(np.median(self.fitness))
             fit = f"{residual * 1000:.1f} mm off the model, {format_share(fitness)} of the depth on it"

@@ -42,10 +42,10 @@ from .frame_checks import (
     Attempt,
     agreement_of,
     depth_share,
+    fits_model,
+    fits_worse,
     judge_recognition,
     judge_tracking,
-    lies_on_model,
-    speaks_against,
 )
 from .frames import SensorFrame, coarsest_level
 from .keyframes import Keyframes
@@ -62,7 +62,7 @@ PLAINLY = 0.95  # required ratio of the brightness residual if brightness leads
 PULLED = 0.008  # [m], [rad] difference of the two poses; below it the surface is more reliable
 RECENT = 0.1  # weight of the latest frame in running means
 NEAR_AGAIN = 0.05  # [m], [rad] maximum correction of a relocalized pose
-PLACE_OFF = 0.15  # likewise for a pose found by shape, at voxels of some centimeters
+MAX_SHAPE_CORRECTION = 0.15  # likewise for a pose found by shape, at voxels of some centimeters
 AGREED = 0.06  # [m], [rad] maximum difference of two frames found by shape
 HAND, AIM = 10.0, 0.05  # [m/s^2] hand acceleration, [m] besides: error of the extrapolation
 NOTHING = OdometryResult(np.eye(4), np.zeros((6, 6)), ("no frame",))
@@ -90,22 +90,22 @@ class Motion:
         share = seconds / self.seconds if self.seconds > 0 and not math.isnan(seconds) else 1.0
         if not 0.0 < share <= LONGEST_STEP:
             return self.pose
-        turn = rotation_of(share * rotation_vector(self.step[:3, :3]))
-        return matmul(self.pose, make_pose(turn, share * self.step[:3, 3]))
+        rotation = rotation_of(share * rotation_vector(self.step[:3, :3]))
+        return matmul(self.pose, make_pose(rotation, share * self.step[:3, 3]))
 
     def ahead(self) -> list[Pose]:
         """Predictions after lost frames: half and all of the extrapolated path."""
         assert self.pose is not None
-        turn, shift = rotation_vector(self.step[:3, :3]), self.step[:3, 3]
-        if not self.missed or not (np.any(turn) or np.any(shift)):
+        rotation, shift = rotation_vector(self.step[:3, :3]), self.step[:3, 3]
+        if not self.missed or not (np.any(rotation) or np.any(shift)):
             return []
-        pose, twist = self.pose, np.concatenate([turn, shift])
+        pose, twist = self.pose, np.concatenate([rotation, shift])
         return [matmul(pose, pose_of(share * (self.missed + 1) * twist)) for share in (1.0, 0.5)]
 
-    def reach(self, frame: SensorFrame) -> float:
+    def max_distance(self, frame: SensorFrame) -> float:
         """Maximum distance of the camera from its last or predicted position [m]."""
-        most, seconds = MAX_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
-        return most if math.isnan(seconds) else min(most, AIM + HAND / 2 * seconds * seconds)
+        limit, seconds = MAX_SHIFT * (self.missed + 1), frame.seconds_since(self.time)
+        return limit if math.isnan(seconds) else min(limit, AIM + HAND / 2 * seconds * seconds)
 
     def learn(self, result: OdometryResult) -> None:
         before = result.inlier_rmse if math.isnan(self.gap) else self.gap
@@ -131,7 +131,7 @@ class Tracker:
     def __init__(self, model: Model, keyframes: Keyframes):
         self.model, self.keyframes, self.motion = model, keyframes, Motion()
         self.drift = Drift(keyframes)
-        self.places, self._tries = PlaceSearch(model, keyframes.seed), 0
+        self.shape_search, self._tries = ShapeSearch(model, keyframes.seed), 0
         self._proposal: tuple[OdometryFrame, Pose] | None = None
         self._rivals: list[Pose] = []
 
@@ -139,7 +139,7 @@ class Tracker:
         """The best attempt for a frame, and whether it was relocalized."""
         attempt, is_anew = self._beaten(frame)
         if is_anew and attempt.status == "tracked" and self.motion.missed > MIN_FRAMES > self.model.frame_count:
-            warning = f"only {self.model.frame_count} frames are in the model, too few to find a place on it"
+            warning = f"the model has only {self.model.frame_count} frames, too few for relocalization"
             attempt = dataclasses.replace(attempt, status="lost", warnings=(warning,))
         if attempt.status == "lost":
             return attempt, is_anew
@@ -165,7 +165,7 @@ class Tracker:
             self._tries = 0
             return still, False
         if depth_share(frame.pyramid) < MIN_DEPTH:
-            return Attempt(np.eye(4), NOTHING, "lost", ("the picture is blank",)), False
+            return Attempt(np.eye(4), NOTHING, "lost", ("the image is blank",)), False
         if not self.motion.missed:
             followed = self._follow(frame, frame.pyramid)
             if followed.status != "lost":
@@ -182,7 +182,7 @@ class Tracker:
         """True if the last frame was found by shape, so that the next one must confirm it."""
         return self._proposal is not None
 
-    def try_place(self, frame: SensorFrame, pose: Pose) -> Attempt:
+    def try_pose(self, frame: SensorFrame, pose: Pose) -> Attempt:
         return self._recognize(frame, pose, SURE_OVERLAP)
 
     def _follow_still(self, frame: SensorFrame) -> Attempt | None:
@@ -201,64 +201,66 @@ class Tracker:
 
     def _recognitions(self, frame: SensorFrame) -> Iterator[Attempt]:
         assert self.motion.pose is not None
-        places = [(self.motion.pose, SURE_OVERLAP), *((ahead, RIM_OVERLAP) for ahead in self.motion.ahead())]
+        starts = [(self.motion.pose, SURE_OVERLAP), *((ahead, RIM_OVERLAP) for ahead in self.motion.ahead())]
         alike = self.keyframes.recognize(frame.pyramid, CANDIDATES)
-        places += [(self.keyframes.poses[index], SURE_OVERLAP) for index, _ in alike]
-        for place, overlap in places:
-            attempt = self._recognize(frame, place, overlap)
+        starts += [(self.keyframes.poses[index], SURE_OVERLAP) for index, _ in alike]
+        for pose, overlap in starts:
+            attempt = self._recognize(frame, pose, overlap)
             yield attempt
             if attempt.status == "tracked":
                 return
-        if self._proposal is not None or self.places.is_due(self._tries):
-            yield self._place(frame)
+        if self._proposal is not None or self.shape_search.is_due(self._tries):
+            yield self._relocalize_by_shape(frame)
 
     def _rival_starts(self, frame: SensorFrame, pose: Pose) -> list[Pose]:
         assert self.motion.pose is not None
-        led, reach = [self.motion.pose, *self.motion.ahead()], self.motion.reach(frame)
+        led, max_distance = [self.motion.pose, *self.motion.ahead()], self.motion.max_distance(frame)
         starts = [*led, *find_rivals(self.model, frame.pyramid, pose)]
-        if _way(pose, led) > reach:  # moved while blind: it may be anywhere
+        if _way(pose, led) > max_distance:  # moved while blind: it may be anywhere
             return starts
-        return [start for start in starts if _way(start, led) <= reach]
+        return [start for start in starts if _way(start, led) <= max_distance]
 
-    def _beat_rivals(self, frame: SensorFrame, found: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
+    def _beat_rivals(self, frame: SensorFrame, attempt: Attempt, starts: list[Pose], is_anew: bool) -> Attempt:
         """Select the best of a found pose and its rivals; uncertain if another one with overlap is as good."""
-        tried = [found]
+        tried = [attempt]
         for start in starts:
             rival = self._recognize(frame, start, RIM_OVERLAP)
             is_seen = rival.result.overlap >= RIM_OVERLAP
             if (is_seen or not is_anew) and all(_way(rival.pose, [other.pose]) > APART for other in tried):
                 tried.append(rival if is_seen else dataclasses.replace(rival, pose=start))
-        best = found
+        best = attempt
         for rival in tried[1:]:
-            if rival.status == "tracked" and speaks_against(best.result, rival.result):
+            if rival.status == "tracked" and fits_worse(best.result, rival.result):
                 best = rival
-        alike = [rival for rival in tried if rival is not best and not speaks_against(rival.result, best.result)]
+        alike = [rival for rival in tried if rival is not best and not fits_worse(rival.result, best.result)]
         self._rivals = [matmul(rival.pose, invert_pose(best.pose)) for rival in alike]
         if not alike:
             return best
         off = min(_way(rival.pose, [best.pose]) for rival in alike)
-        return dataclasses.replace(best, status="uncertain", warnings=(f"it fits as well {off:.2f} m away",))
+        return dataclasses.replace(best, status="uncertain", warnings=(f"a pose {off:.2f} m away fits equally well",))
 
-    def _place(self, frame: SensorFrame) -> Attempt:
+    def _relocalize_by_shape(self, frame: SensorFrame) -> Attempt:
         """Relocalize by shape. With little overlap, the next frame has to confirm it."""
         before, self._proposal = self._proposal, None
-        place = self.places.find(frame)
-        if place is None:
-            return Attempt(np.eye(4), NOTHING, "lost", ("its shape is nowhere on the model",))
-        attempt = self._recognize(frame, place, SURE_OVERLAP)
+        pose_by_shape = self.shape_search.find(frame)
+        if pose_by_shape is None:
+            return Attempt(np.eye(4), NOTHING, "lost", ("its shape does not match the model",))
+        attempt = self._recognize(frame, pose_by_shape, SURE_OVERLAP)
         if attempt.status == "tracked":
             return attempt
-        result = align_frames(frame.pyramid, self.model.seen_from(place, weight_threshold=0.0))
-        pose = clean_pose(matmul(place, result.transformation))
-        if not lies_on_model(result) or _apart(matmul(invert_pose(place), pose)) > PLACE_OFF:
-            return dataclasses.replace(attempt, status="lost", warnings=("its shape fits, the model does not",))
+        result = align_frames(frame.pyramid, self.model.seen_from(pose_by_shape, weight_threshold=0.0))
+        pose = clean_pose(matmul(pose_by_shape, result.transformation))
+        if not fits_model(result) or _apart(matmul(invert_pose(pose_by_shape), pose)) > MAX_SHAPE_CORRECTION:
+            return dataclasses.replace(
+                attempt, status="lost", warnings=("its shape matches, but it does not fit the model",)
+            )
         if before is not None:
             pyramid, its_pose = before
             step = align_frames(frame.pyramid, pyramid)
             if step.reliable and _apart(matmul(invert_pose(matmul(its_pose, step.transformation)), pose)) < AGREED:
                 return Attempt(pose, result, "tracked")
         self._proposal = frame.pyramid, pose
-        return Attempt(pose, result, "lost", ("found by its shape; the next frame has to confirm it",))
+        return Attempt(pose, result, "lost", ("relocalized by shape; the next frame must confirm it",))
 
     def _follow(self, frame: SensorFrame, pyramid: OdometryFrame) -> Attempt:
         last, expected = self.motion.pose, self.motion.expected(frame)
@@ -277,36 +279,36 @@ class Tracker:
         assert last is not None
         start = expected
         if before is not None:
-            found = align_frames(pyramid, before, matmul(invert_pose(last), expected))
-            if found.reliable:
-                start = clean_pose(matmul(last, found.transformation))
+            result = align_frames(pyramid, before, matmul(invert_pose(last), expected))
+            if result.reliable:
+                start = clean_pose(matmul(last, result.transformation))
         return self._try(pyramid, self.model.seen_from(start, weight_threshold=0.0), start, start, expected)
 
-    def _recognize(self, frame: SensorFrame, pose: Pose, least_overlap: float) -> Attempt:
+    def _recognize(self, frame: SensorFrame, pose: Pose, min_overlap: float) -> Attempt:
         """Try a frame at a pose: align, then align again from the result."""
-        found = align_frames(frame.pyramid, self.model.seen_from(pose))
-        at = clean_pose(matmul(pose, found.transformation))
-        if found.reliable or agreement_of(found) > 0.5:
+        result = align_frames(frame.pyramid, self.model.seen_from(pose))
+        at = clean_pose(matmul(pose, result.transformation))
+        if result.reliable or agreement_of(result) > 0.5:
             again = align_frames(frame.pyramid, self.model.seen_from(at))
             moved = again.transformation
-            status, warning = self._judge(again, least_overlap)
+            status, warning = self._judge(again, min_overlap)
             if status == "tracked" and _apart(moved) > NEAR_AGAIN:
-                status, warning = "lost", "it has not settled"
+                status, warning = "lost", "the alignment has not converged"
             attempt = Attempt(clean_pose(matmul(at, moved)), again, status, failed(warning))
-            return self._settle(frame, attempt) if status == "tracked" else attempt
-        return Attempt(at, found, "lost", found.warnings)
+            return self._refine(frame, attempt) if status == "tracked" else attempt
+        return Attempt(at, result, "lost", result.warnings)
 
-    def _judge(self, result: OdometryResult, least_overlap: float) -> tuple[Status, str]:
+    def _judge(self, result: OdometryResult, min_overlap: float) -> tuple[Status, str]:
         """Accept or reject a recognition by comparing its residuals with typical ones of this run."""
-        return judge_recognition(result, least_overlap, self.motion.shades, self.motion.gap)
+        return judge_recognition(result, min_overlap, self.motion.shades, self.motion.gap)
 
-    def _settle(self, frame: SensorFrame, found: Attempt) -> Attempt:
+    def _refine(self, frame: SensorFrame, attempt: Attempt) -> Attempt:
         """Align a relocalized frame with the complete model, including its rarely seen border."""
-        result = align_frames(frame.pyramid, self.model.seen_from(found.pose, weight_threshold=0.0))
-        is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > found.result.fitness
+        result = align_frames(frame.pyramid, self.model.seen_from(attempt.pose, weight_threshold=0.0))
+        is_near = _apart(result.transformation) < NEAR_AGAIN and result.fitness > attempt.result.fitness
         if not is_near or self._judge(result, SURE_OVERLAP)[0] != "tracked":
-            return found
-        return Attempt(clean_pose(matmul(found.pose, result.transformation)), result, "tracked")
+            return attempt
+        return Attempt(clean_pose(matmul(attempt.pose, result.transformation)), result, "tracked")
 
     def _try(self, pyramid: OdometryFrame, seen: OdometryFrame, at: Pose, start: Pose, expected: Pose) -> Attempt:
         """Align a frame with the model rendered at `at`, and judge the result by the expected pose."""
@@ -355,21 +357,21 @@ class Drift:
         self._joint = np.zeros((0, 0))
         self._latest = np.zeros((6, 0)), np.zeros((6, 6))  # row and own covariance of the latest frame
 
-    def of(self, frame: OdometryFrame, pose: Pose, own: Matrix) -> Matrix:
-        """Covariance [rad, m] of a pose about its camera, in world axes, [6, 6]; `own` is that of the alignment."""
+    def of(self, frame: OdometryFrame, pose: Pose, frame_covariance: Matrix) -> Matrix:
+        """Covariance [rad, m] of a pose about its camera, in world axes, [6, 6], from that of the alignment."""
         count = len(self._views)
         if not count:  # the first frame is the world
             return np.zeros((6, 6))
         parts = self._parts(frame, pose)
         to_world = adjoint_of(pose)
-        noise = matmul(to_world, own, to_world.T)
-        whole = parts.sum(0)
-        scale = np.abs(whole).max()
+        noise = matmul(to_world, frame_covariance, to_world.T)
+        full = parts.sum(0)
+        scale = np.abs(full).max()
         if scale > 0:
             shares = np.trace(parts, axis1=1, axis2=2)
             even = OPEN * scale * np.eye(6)
             parts += even * (shares / shares.sum())[:, None, None]
-            row = solve(whole + even, np.concatenate(list(parts), 1))
+            row = solve(full + even, np.concatenate(list(parts), 1))
         else:  # unseen points refer to the latest keyframe
             row = np.concatenate([np.zeros((6, 6 * (count - 1))), np.eye(6)], 1)
         self._latest = row, noise
@@ -425,18 +427,18 @@ class Drift:
         return inside & (there > 0) & (np.abs(there - z) < NEAR + NEAR_SHARE * z)
 
 
-def _about(place: NDArray[np.float64]) -> Matrix:
+def _about(position: NDArray[np.float64]) -> Matrix:
     """The adjoint from twists about the origin to twists about a position."""
-    return adjoint_of(make_pose(np.eye(3), -place))
+    return adjoint_of(make_pose(np.eye(3), -position))
 
 
 VOXELS = 2.0  # model voxels per registration voxel; larger ones miss small overlaps
 MIN_VOXEL = 0.04  # [m] below it normals of a single frame are noise
 SURE = 0.8  # minimum score. Half of it may be wrong for poses on a tenth of a frame
-FIRST, LATER = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
+FIRST, RETRY_INTERVAL = (1, 4, 10, 20), 20  # attempts in a row of lost frames, and the interval afterward
 
 
-class PlaceSearch:
+class ShapeSearch:
     """Global registration of lost frames with a model, whose description is cached."""
 
     def __init__(self, model: Model, seed: int):
@@ -446,7 +448,7 @@ class PlaceSearch:
 
     def is_due(self, attempts: int) -> bool:
         """True if the `attempts`-th lost frame in a row (from 1) is tried."""
-        return attempts in FIRST or (attempts > FIRST[-1] and attempts % LATER == 0)
+        return attempts in FIRST or (attempts > FIRST[-1] and attempts % RETRY_INTERVAL == 0)
 
     def find(self, frame: SensorFrame) -> Pose | None:
         target = self._model()
@@ -454,8 +456,8 @@ class PlaceSearch:
         cloud = PointCloud._from_device_depth(frame.depth, None, frame.intrinsic, None, stride, True, True)
         if target is None or len(cloud) < MIN_POINTS:
             return None
-        found = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)
-        return found.transformation if found.score is not None and found.score > SURE else None
+        result = register_described(describe(cloud, self.voxel_size), target, seed=self.seed)
+        return result.transformation if result.score is not None and result.score > SURE else None
 
     def _model(self) -> Description | None:
         count = self.model.frame_count
@@ -468,7 +470,7 @@ class PlaceSearch:
 
 FARTHEST = 4.0  # [m] maximum distance of a rival: the range of a depth camera
 APART = 0.15  # [m] minimum distance of rivals; nearer ones are within one alignment
-MOST = 6  # examined rivals
+MAX_RIVALS = 6  # examined rivals
 POINTS = 300  # shifted points per frame
 BLOCK = 8  # voxels per coarse step
 FINE = 2  # voxels per fine step: half the truncation of 4 voxels
@@ -487,17 +489,17 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     coarse = matmul(_ball(int(min(farthest, FARTHEST) / side)) * side, axes.T)
     here = np.zeros((1, 3))
     limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
-    least = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
-    met = score_shifts(volume, points, coarse, weight_threshold=threshold, least=least, is_coarse=True)
+    min_score = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
+    met = score_shifts(volume, points, coarse, weight_threshold=threshold, least=min_score, is_coarse=True)
     order = np.argsort(-met, kind="stable")[:MAX_COARSE]
-    order = order[met[order] >= least]
+    order = order[met[order] >= min_score]
     if not len(order):
         return []
     fine = (coarse[order][:, None] + matmul(_steps() * FINE * volume.voxel_size, axes.T)).reshape(-1, 3)
     fine = fine[np.linalg.norm(fine, axis=1) > APART]
-    least = ALIKE * float(score_shifts(volume, points, here, **limits)[0])
-    scores = score_shifts(volume, points, fine, weight_threshold=threshold, least=0.8 * least)
-    return [_moved(pose, shift) for shift in _best_apart(fine, scores, least)]
+    min_score = ALIKE * float(score_shifts(volume, points, here, **limits)[0])
+    scores = score_shifts(volume, points, fine, weight_threshold=threshold, least=0.8 * min_score)
+    return [_moved(pose, shift) for shift in _best_apart(fine, scores, min_score)]
 
 
 def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -508,19 +510,21 @@ def _points_of(frame: OdometryFrame, pose: Pose) -> tuple[NDArray[np.float64], N
     rays = np.stack([(at % width - cx) / fx, (at // width - cy) / fy, np.ones(len(at))], 1)
     normals = planes[at, :3]
     _, axes = eigh(matmul(normals.T, normals))
-    kept = np.random.default_rng(0).permutation(len(at))[:POINTS]
-    points = rays[kept] * depth[at[kept], None]
+    selected = np.random.default_rng(0).permutation(len(at))[:POINTS]
+    points = rays[selected] * depth[at[selected], None]
     return matmul(points, pose[:3, :3].T) + pose[:3, 3], matmul(pose[:3, :3], axes)
 
 
-def _best_apart(shifts: NDArray[np.float64], scores: NDArray[np.float32], least: float) -> list[NDArray[np.float64]]:
-    found: list[NDArray[np.float64]] = []
+def _best_apart(
+    shifts: NDArray[np.float64], scores: NDArray[np.float32], min_score: float
+) -> list[NDArray[np.float64]]:
+    selected: list[NDArray[np.float64]] = []
     for index in np.argsort(-scores, kind="stable").tolist():
-        if scores[index] < least or len(found) == MOST:
+        if scores[index] < min_score or len(selected) == MAX_RIVALS:
             break
-        if all(norm(shifts[index] - other) > APART for other in found):
-            found.append(shifts[index])
-    return found
+        if all(norm(shifts[index] - other) > APART for other in selected):
+            selected.append(shifts[index])
+    return selected
 
 
 @functools.cache

@@ -99,10 +99,10 @@ def track_with(
     progress: ReportProgress | None = None,
     clock: Clock | None = None,
 ) -> TrackedPath:
-    say, clock = check_progress(progress), check_clock(clock)
+    report_progress, clock = check_progress(progress), check_clock(clock)
     tally, count = _Tally(slam), count_of(frames)
     first_error: FileError | None = None
-    say("frames", 0, count)
+    report_progress("frames", 0, count)
     with contextlib.closing(read_frames_or_errors(frames, check_count("read_ahead", read_ahead, minimum=0))) as taken:
         for number, frame in enumerate(taken):
             clock.stop("read")
@@ -113,7 +113,7 @@ def track_with(
                 tally.take(number, frame, depth_max * depth_unit(frames, frame))
                 clock.stop("track")
             tally.count += 1
-            say("frames", tally.count, count)
+            report_progress("frames", tally.count, count)
     if first_error is not None and len(tally.unreadable) == tally.count:
         raise first_error
     if not tally.count:
@@ -153,25 +153,25 @@ class _Tally:
 
     def path(self, **sizes: Any) -> TrackedPath:
         results = dict(zip(self.stepped, self.slam.results[self._first :], strict=True))
-        placed = {number: result for number, result in results.items() if result.pose is not None}
-        largest, *others = map_sizes(list(placed.values())) or [0]
-        main = [number for number, result in placed.items() if result.map == largest]
-        aligned = [result for result in placed.values() if result.iterations]  # not the first frames of maps
+        located = {number: result for number, result in results.items() if result.pose is not None}
+        largest, *others = map_sizes(list(located.values())) or [0]
+        main = [number for number, result in located.items() if result.map == largest]
+        aligned = [result for result in located.values() if result.iterations]  # not the first frames of maps
         depth_share, used_share = np.mean(self.shares, axis=0).tolist() if self.shares else (0.0, 0.0)
         return TrackedPath(
             trajectory=self._trajectory(main, results), true_poses=tuple(self.true_poses[n] for n in main),
-            frame_count=self.count, uncertain=tuple(n for n, result in placed.items() if not result.is_tracked),
+            frame_count=self.count, uncertain=tuple(n for n, result in located.items() if not result.is_tracked),
             lost={n: "; ".join(result.warnings) for n, result in results.items() if result.pose is None},
             unreadable=self.unreadable, residuals=tuple(result.inlier_rmse for result in aligned),
             fitness=tuple(result.fitness for result in aligned),
             other_maps=tuple(
-                self._trajectory([n for n, result in placed.items() if result.map == other], results)
+                self._trajectory([n for n, result in located.items() if result.map == other], results)
                 for other in others
             ),
             joins=tuple(self.slam.joins),
-            uncertain_warning=next(("; ".join(r.warnings) for r in placed.values() if not r.is_tracked), ""),
+            uncertain_warning=next(("; ".join(r.warnings) for r in located.values() if not r.is_tracked), ""),
             stream=self.slam.stream.problem, deviations=tuple(results[n].position_deviation for n in main),
-            drifted=tuple(n for n, result in placed.items() if result.has_drifted),
+            drifted=tuple(n for n, result in located.items() if result.has_drifted),
             depth_share=depth_share, used_share=used_share, **sizes,
         )  # fmt: skip
 

@@ -113,11 +113,11 @@ def _painted(cloud: Any, change: Any, limit: Any) -> tuple[PointCloud, Coloring,
     check_cloud("cloud", cloud)
     distances, changed = _distances_of(change)
     if distances.shape != (len(cloud),):
-        raise ValueError(f"change: expected {len(cloud)} distances, one a point, got {list(distances.shape)}")
+        raise ValueError(f"change: expected {len(cloud)} distances, one per point, got {list(distances.shape)}")
     known = np.isfinite(distances)
     shown = np.where(changed & known, distances, np.nan)
-    most = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=LARGEST)
-    coloring = color_cloud(cloud, shown, colormap=COLORMAP, limits=(-most, most))
+    max_change = _limit_of(shown) if limit is None else check_positive("limit", limit, maximum=LARGEST)
+    coloring = color_cloud(cloud, shown, colormap=COLORMAP, limits=(-max_change, max_change))
     gray = [UNCHANGED] * bool((known & ~changed).any()) + [UNKNOWN] * (not known.all())
     painted = cloud._with_arrays(cloud._device_arrays | {"colors": coloring.colors}, grid=cloud.grid)
     return painted, dataclasses.replace(coloring, has_missing=False), [(", ".join(gray), MISSING)] if gray else []
@@ -133,8 +133,8 @@ def _distances_of(change: Any) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
 def _limit_of(shown: NDArray[np.float64]) -> float:
     """98th percentile of the changes, rounded up to 2 digits. 1 if there are none."""
     sizes = np.abs(shown[np.isfinite(shown)])
-    most = float(np.quantile(sizes, SHOWN)) if len(sizes) else 0.0
-    if most <= 0:
+    largest = float(np.quantile(sizes, SHOWN)) if len(sizes) else 0.0
+    if largest <= 0:
         return 1.0
-    step = 10.0 ** (np.floor(np.log10(most)) - 1)
-    return float(np.ceil(most / step - 1e-9) * step)
+    step = 10.0 ** (np.floor(np.log10(largest)) - 1)
+    return float(np.ceil(largest / step - 1e-9) * step)

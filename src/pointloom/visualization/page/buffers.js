@@ -18,14 +18,14 @@ class Program {
     if (!gl.getProgramParameter(this.program, gl.LINK_STATUS) && !gl.isContextLost()) {
       throw new Error(`a program does not link: ${gl.getProgramInfoLog(this.program)}`);
     }
-    this.places = new Map();
+    this.locations = new Map();
     this.values = new Map();
   }
 
   /** Location of a uniform, or null (ignored). */
   at(name) {
-    if (!this.places.has(name)) this.places.set(name, this.gl.getUniformLocation(this.program, name));
-    return this.places.get(name);
+    if (!this.locations.has(name)) this.locations.set(name, this.gl.getUniformLocation(this.program, name));
+    return this.locations.get(name);
   }
 
   /** Sets a float or integer uniform if changed: most are equal for most nodes. */
@@ -35,7 +35,7 @@ class Program {
     this.gl.uniform1f(this.at(name), value);
   }
 
-  whole(name, value) {
+  integer(name, value) {
     if (this.values.get(name) === value) return;
     this.values.set(name, value);
     this.gl.uniform1i(this.at(name), value);
@@ -65,8 +65,8 @@ class Geometry {
   }
 
   get bytes() {
-    const held = Object.values(this.buffers).reduce((sum, { bytes }) => sum + bytes, 0);
-    return held + (this.edges?.bytes ?? 0) + (this.texture?.bytes ?? 0);
+    const bufferBytes = Object.values(this.buffers).reduce((sum, { bytes }) => sum + bytes, 0);
+    return bufferBytes + (this.edges?.bytes ?? 0) + (this.texture?.bytes ?? 0);
   }
 
   get kept() {
@@ -103,20 +103,20 @@ class Geometry {
   fill(name, values) {
     const { gl } = this;
     const target = name === "indices" ? gl.ELEMENT_ARRAY_BUFFER : gl.ARRAY_BUFFER;
-    let held = this.buffers[name];
-    if (!held) held = this.buffers[name] = { buffer: gl.createBuffer(), bytes: -1 };
-    gl.bindBuffer(target, held.buffer);
-    if (held.bytes === values.byteLength) gl.bufferSubData(target, 0, values);
-    else gl.bufferData(target, values, held.bytes < 0 ? gl.STATIC_DRAW : gl.DYNAMIC_DRAW);
-    Object.assign(held, { bytes: values.byteLength, numbers: values.length, ...kindOf(gl, values) });
+    let entry = this.buffers[name];
+    if (!entry) entry = this.buffers[name] = { buffer: gl.createBuffer(), bytes: -1 };
+    gl.bindBuffer(target, entry.buffer);
+    if (entry.bytes === values.byteLength) gl.bufferSubData(target, 0, values);
+    else gl.bufferData(target, values, entry.bytes < 0 ? gl.STATIC_DRAW : gl.DYNAMIC_DRAW);
+    Object.assign(entry, { bytes: values.byteLength, numbers: values.length, ...kindOf(gl, values) });
   }
 
-  point(place, width, { buffer, type, bytesEach }, { stride = 0, offset = 0, divisor = 0 } = {}) {
+  point(location, width, { buffer, type, bytesEach }, { stride = 0, offset = 0, divisor = 0 } = {}) {
     const { gl } = this;
     gl.bindBuffer(gl.ARRAY_BUFFER, buffer);
-    gl.enableVertexAttribArray(place);
-    gl.vertexAttribPointer(place, width, type, bytesEach < 4 && type !== gl.HALF_FLOAT, stride, offset);
-    gl.vertexAttribDivisor(place, divisor);
+    gl.enableVertexAttribArray(location);
+    gl.vertexAttribPointer(location, width, type, bytesEach < 4 && type !== gl.HALF_FLOAT, stride, offset);
+    gl.vertexAttribDivisor(location, divisor);
   }
 
   rows(name, width) {
@@ -129,19 +129,19 @@ class Geometry {
     const count = this.rows("positions", kind === "lines" ? 6 : 3);
     this.has = {};
     gl.bindVertexArray(this.vertices);
-    for (const [name, [place, numbers]] of Object.entries(LAYOUTS[kind])) {
+    for (const [name, [location, numbers]] of Object.entries(LAYOUTS[kind])) {
       if (this.rows(name, numbers) < count || count === 0) continue;
       this.has[name] = true;
       const step = numbers * buffers[name].bytesEach;
       if (kind === "lines") {
-        this.pointEnds(place, buffers[name], this.rows(name, 6) >= count ? 6 : 3);
+        this.pointEnds(location, buffers[name], this.rows(name, 6) >= count ? 6 : 3);
       } else {
-        this.point(place, numbers, buffers[name], { stride: step * every });
+        this.point(location, numbers, buffers[name], { stride: step * every });
       }
     }
     for (const name of ["normals", "colors", "uvs"]) {
-      const places = kind === "lines" ? [2, 3] : [VERTICES[name][0]];
-      if (LAYOUTS[kind][name] && !this.has[name]) for (const place of places) gl.disableVertexAttribArray(place);
+      const locations = kind === "lines" ? [2, 3] : [VERTICES[name][0]];
+      if (LAYOUTS[kind][name] && !this.has[name]) for (const location of locations) gl.disableVertexAttribArray(location);
     }
     gl.bindVertexArray(null);
     this.elements = kind === "triangles" && buffers.indices ? buffers.indices.numbers : 0;
@@ -149,9 +149,9 @@ class Geometry {
   }
 
   /** Both ends of a segment, or values per segment. */
-  pointEnds(place, held, numbers) {
-    const stride = numbers * held.bytesEach;
-    for (const end of [0, 1]) this.point(place + end, 3, held, { stride, offset: numbers === 6 ? (end * stride) / 2 : 0, divisor: 1 });
+  pointEnds(location, entry, numbers) {
+    const stride = numbers * entry.bytesEach;
+    for (const end of [0, 1]) this.point(location + end, 3, entry, { stride, offset: numbers === 6 ? (end * stride) / 2 : 0, divisor: 1 });
   }
 
   /** One in `every` points, at most 16, by the stride, which must be below 256 bytes. */

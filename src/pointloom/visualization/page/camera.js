@@ -50,9 +50,9 @@ class Camera {
     else if (moved) this.pivot = this.onAxis(depth);
   }
 
-  /** Pivot: `wanted` if it is in front of the camera, else a point on its axis. */
-  onAxis(depth, wanted = null) {
-    if (wanted && depth > 0) return Array.from(wanted);
+  /** Pivot: `target` if it is in front of the camera, else a point on its axis. */
+  onAxis(depth, target = null) {
+    if (target && depth > 0) return Array.from(target);
     return add(this.eye, scale(column(this.rotation, 2), Math.max(depth, 1e-6 * (this.radius || 1))));
   }
 
@@ -79,11 +79,13 @@ class Camera {
   /** The upright world axis; if none, that of the image. */
   findUp() {
     const right = column(this.rotation, 0);
-    const upward = scale(column(this.rotation, 1), -1);
-    let best = upward;
-    let most = 0.02;
+    const imageUp = scale(column(this.rotation, 1), -1);
+    let best = imageUp;
+    let bestCosine = 0.02;
     for (const axis of [[0, 0, 1], [0, 0, -1], [0, 1, 0], [0, -1, 0], [1, 0, 0], [-1, 0, 0]]) {
-      if (Math.abs(dot(axis, right)) < 0.02 && dot(axis, upward) > most + 1e-9) [best, most] = [axis, dot(axis, upward)];
+      if (Math.abs(dot(axis, right)) < 0.02 && dot(axis, imageUp) > bestCosine + 1e-9) {
+        [best, bestCosine] = [axis, dot(axis, imageUp)];
+      }
     }
     return best;
   }
@@ -121,8 +123,8 @@ class Camera {
     const slack = Math.max(this.margin, 1e-3) * this.unit;
     if (this.orthographic) return [Math.min(...depths) - slack, Math.max(...depths) + slack];
     const far = Math.max(...depths) + 4 * slack; // far margin costs little precision
-    const least = Math.min(1e-3 * Math.max(far, this.pivotDepth()), 0.05 * this.pivotDepth());
-    const near = Math.max(Math.min(...depths) - slack, least);
+    const minNear = Math.min(1e-3 * Math.max(far, this.pivotDepth()), 0.05 * this.pivotDepth());
+    const near = Math.max(Math.min(...depths) - slack, minNear);
     return [near, Math.max(far, 2 * near)];
   }
 
@@ -151,21 +153,21 @@ class Camera {
   unproject(px, py, depth) {
     const { fx, fy, x, y } = this.pixels();
     const by = this.orthographic ? this.pivotDepth() : depth;
-    return add(this.eye, turn(this.rotation, [((px - x) / fx) * by, ((py - y) / fy) * by, depth]));
+    return add(this.eye, rotate(this.rotation, [((px - x) / fx) * by, ((py - y) / fy) * by, depth]));
   }
 
   /** Rotates about the pivot by angles to the right and down; "up" stays upright. */
   orbit(right, down) {
     const forward = column(this.rotation, 2);
     const angle = Math.acos(clamp(dot(forward, this.up), -1, 1));
-    const most = Math.max(0, angle - NEAREST_TO_POLE);
-    const least = Math.min(0, angle - (Math.PI - NEAREST_TO_POLE));
-    const pitch = rotationAbout(column(this.rotation, 0), clamp(-down, least, most));
-    this.turnBy(multiply(rotationAbout(this.up, -right), pitch));
+    const maxPitch = Math.max(0, angle - NEAREST_TO_POLE);
+    const minPitch = Math.min(0, angle - (Math.PI - NEAREST_TO_POLE));
+    const pitch = rotationAbout(column(this.rotation, 0), clamp(-down, minPitch, maxPitch));
+    this.rotateBy(multiply(rotationAbout(this.up, -right), pitch));
   }
 
-  turnBy(rotation) {
-    this.eye = add(this.pivot, turn(rotation, subtract(this.eye, this.pivot)));
+  rotateBy(rotation) {
+    this.eye = add(this.pivot, rotate(rotation, subtract(this.eye, this.pivot)));
     this.rotation = orthonormal(multiply(rotation, this.rotation));
   }
 
@@ -184,17 +186,17 @@ class Camera {
   zoom(factor, px = this.pixels().x, py = this.pixels().y) {
     const depth = this.pivotDepth();
     const { closest = 1e-6 * this.unit, farthest = 1e4 * this.unit } = this.limits;
-    const kept = clamp(depth * factor, Math.min(closest, depth), Math.max(farthest, depth)) / depth;
-    const place = this.unproject(px, py, depth);
-    this.eye = add(place, scale(subtract(this.eye, place), kept));
-    this.pivot = add(place, scale(subtract(this.pivot, place), kept));
+    const ratio = clamp(depth * factor, Math.min(closest, depth), Math.max(farthest, depth)) / depth;
+    const fixed = this.unproject(px, py, depth);
+    this.eye = add(fixed, scale(subtract(this.eye, fixed), ratio));
+    this.pivot = add(fixed, scale(subtract(this.pivot, fixed), ratio));
   }
 
-  lookAt(place) {
-    const depth = Math.max(dot(subtract(place, this.eye), column(this.rotation, 2)), 1e-6 * this.unit);
+  lookAt(point) {
+    const depth = Math.max(dot(subtract(point, this.eye), column(this.rotation, 2)), 1e-6 * this.unit);
     const { x, y } = this.pixels();
-    this.eye = add(this.eye, subtract(place, this.unproject(x, y, depth)));
-    this.pivot = place;
+    this.eye = add(this.eye, subtract(point, this.unproject(x, y, depth)));
+    this.pivot = point;
   }
 
   /** Looks along an axis, "+x" to "-z", from the same distance. */
@@ -204,12 +206,12 @@ class Camera {
 
   /** Looks along a unit vector with "up" upright; along "up" itself, another axis is upright. */
   face(forward) {
-    let upward = this.up;
-    if (Math.abs(dot(forward, upward)) > 0.9999) {
+    let up = this.up;
+    if (Math.abs(dot(forward, up)) > 0.9999) {
       const along = dot(forward, this.up) > 0 ? 1 : -1;
-      upward = Math.abs(this.up[1]) > 0.9 ? [0, 0, along * Math.sign(this.up[1])] : [0, 1, 0];
+      up = Math.abs(this.up[1]) > 0.9 ? [0, 0, along * Math.sign(this.up[1])] : [0, 1, 0];
     }
-    const right = cross(forward, upward);
+    const right = cross(forward, up);
     const x = scale(right, 1 / length(right));
     const y = cross(forward, x);
     const distance = length(subtract(this.pivot, this.eye));
@@ -223,7 +225,7 @@ class Camera {
   }
 
   /** Tangent of half the smaller view angle. */
-  reach() {
+  halfTangent() {
     const { fx, fy } = this.pixels();
     return Math.min(this.box.width / fx, this.box.height / fy) / 2;
   }
@@ -233,7 +235,7 @@ class Camera {
   }
 
   fit() {
-    const half = this.reach();
+    const half = this.halfTangent();
     const distance = ((this.radius || this.unit) * 1.05) / (this.orthographic ? half : Math.sin(Math.atan(half)));
     this.pivot = this.middle;
     this.eye = subtract(this.middle, scale(column(this.rotation, 2), distance));

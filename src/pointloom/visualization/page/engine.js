@@ -58,7 +58,7 @@ class Engine {
       move: (name, ...values) => this.move(name, ...values),
       use: (x, y) => this.use(x, y),
       click: (x, y) => this.click(x, y),
-      doubleClick: (x, y) => this.turnAbout(x, y),
+      doubleClick: (x, y) => this.pivotAt(x, y),
     });
     this.listen();
     this.resize();
@@ -97,7 +97,7 @@ class Engine {
     const node = this.tree.get(id);
     if (!node || id === 0) return;
     const { pose, visible, ...looks } = props;
-    if (pose) node.place(pose);
+    if (pose) node.setPose(pose);
     if (visible !== undefined) this.tree.show(node, Boolean(visible));
     Object.assign(node.props, looks);
     if (node.label) node.label = {};
@@ -235,14 +235,14 @@ class Engine {
 
   click(x, y) {
     const { box } = this.views.camera;
-    this.tellCamera();
+    this.reportCamera();
     this.host.onClick?.((x - box.x) / box.width, (y - box.y) / box.height);
   }
 
-  turnAbout(x, y) {
+  pivotAt(x, y) {
     this.use(x, y);
-    const place = this.pick(x, y);
-    if (place) this.move("lookAt", place);
+    const point = this.pick(x, y);
+    if (point) this.move("lookAt", point);
   }
 
   changed() {
@@ -250,7 +250,7 @@ class Engine {
     this.redraw();
   }
 
-  tellCamera() {
+  reportCamera() {
     if (!this.moved) return;
     this.moved = false;
     this.host.onCamera?.(this.camera());
@@ -283,7 +283,7 @@ class Engine {
   }
 
   redraw() {
-    this.pace?.ask();
+    this.pace?.request();
   }
 
   settled() {
@@ -300,12 +300,12 @@ class Engine {
 
   draw(every) {
     if (this.painter.gl.isContextLost()) return;
-    const nodes = this.tree.seen();
+    const nodes = this.tree.visibleNodes();
     this.draws += 1;
     this.painter.draw(this.views, nodes, this.looks, this.shownBackground ?? this.background.color, every);
     this.labels.draw(nodes, this.views, this.dark);
     this.corners.draw(this.views);
-    this.tellCamera();
+    this.reportCamera();
     this.host.onDrawn?.();
   }
 

@@ -32,14 +32,14 @@ class Gizmo {
   }
 
   draw(camera) {
-    const placed = this.ends.map((end) => ({ ...end, at: [0, 1, 2].map((k) => dot(column(camera.rotation, k), end.direction)) }));
-    for (const { group, line, circle, text, at } of placed.sort((a, b) => b.at[2] - a.at[2])) {
+    const projected = this.ends.map((end) => ({ ...end, at: [0, 1, 2].map((k) => dot(column(camera.rotation, k), end.direction)) }));
+    for (const { group, line, circle, text, at } of projected.sort((a, b) => b.at[2] - a.at[2])) {
       const [x, y] = [at[0] * GIZMO_REACH, at[1] * GIZMO_REACH];
       for (const [name, value] of [["cx", x], ["cy", y]]) circle.setAttribute(name, value.toFixed(2));
       if (line) for (const [name, value] of [["x2", x], ["y2", y]]) line.setAttribute(name, value.toFixed(2));
       if (text) for (const [name, value] of [["x", x], ["y", y]]) text.setAttribute(name, value.toFixed(2));
     }
-    const order = placed.map(({ group }) => group); // nearer ones last, on top
+    const order = projected.map(({ group }) => group); // nearer ones last, on top
     if (order.some((group, k) => this.element.children[k] !== group)) this.element.append(...order);
   }
 }

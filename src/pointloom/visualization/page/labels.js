@@ -38,8 +38,8 @@ class Labels {
       context.beginPath();
       context.rect(box.x, box.y, box.width, box.height);
       context.clip();
-      const placed = labels.map((node) => ({ node, at: camera.project([node.world[3], node.world[7], node.world[11]]) }));
-      const before = placed.filter(({ at }) => camera.orthographic || at[2] > 0);
+      const projected = labels.map((node) => ({ node, at: camera.project([node.world[3], node.world[7], node.world[11]]) }));
+      const before = projected.filter(({ at }) => camera.orthographic || at[2] > 0);
       for (const { node, at } of before.sort((a, b) => b.at[2] - a.at[2])) this.write(node, at, LABEL_COLORS[dark ? "dark" : "light"]);
       context.restore();
     }

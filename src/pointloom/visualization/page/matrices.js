@@ -11,7 +11,7 @@ const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a
 const column = (m, k) => [m[k], m[3 + k], m[6 + k]];
 const clamp = (value, low, high) => Math.min(Math.max(value, low), high);
 
-const turn = (m, v) => [0, 3, 6].map((k) => m[k] * v[0] + m[k + 1] * v[1] + m[k + 2] * v[2]);
+const rotate = (m, v) => [0, 3, 6].map((k) => m[k] * v[0] + m[k + 1] * v[1] + m[k + 2] * v[2]);
 
 function multiply(a, b) {
   const product = [];

@@ -17,7 +17,7 @@ class SceneNode {
     return this.composed;
   }
 
-  place(pose) {
+  setPose(pose) {
     if (pose.length !== 12 || !Array.from(pose).every(Number.isFinite)) return;
     this.pose = pose;
     this.forget();
@@ -59,25 +59,25 @@ class Tree {
     const top = this.nodes.get(id);
     if (!top || top === this.root) return [];
     top.parent.children.delete(top);
-    const gone = [top];
-    for (let k = 0; k < gone.length; k++) {
-      for (const child of gone[k].children) gone.push(child);
-      this.nodes.delete(gone[k].id);
+    const removed = [top];
+    for (let k = 0; k < removed.length; k++) {
+      for (const child of removed[k].children) removed.push(child);
+      this.nodes.delete(removed[k].id);
     }
     this.list = null;
-    return gone;
+    return removed;
   }
 
   /** Visible nodes, parents first, in order of addition. */
-  seen() {
+  visibleNodes() {
     if (this.list === null) {
       this.list = [];
-      const walk = (node) => {
+      const visit = (node) => {
         if (!node.visible) return;
         if (node.geometry || node.label) this.list.push(node);
-        for (const child of node.children) walk(child);
+        for (const child of node.children) visit(child);
       };
-      walk(this.root);
+      visit(this.root);
     }
     return this.list;
   }

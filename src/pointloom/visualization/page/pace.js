@@ -11,17 +11,17 @@ class Pace {
   constructor(draw, finished) {
     Object.assign(this, { draw, finished, settled: false, resting: [] });
     this.every = 1;
-    this.asked = false;
+    this.requested = false;
     this.waiting = false;
     this.timer = null;
     this.count = 0;
   }
 
   /** Draws soon: thinned if needed, and complete after a rest. */
-  ask() {
-    if (this.asked && this.waiting) return; // the pending frame shows this, too
-    this.tell(false);
-    this.asked = true;
+  request() {
+    if (this.requested && this.waiting) return; // the pending frame shows this, too
+    this.setSettled(false);
+    this.requested = true;
     clearTimeout(this.timer);
     if (!this.waiting) {
       this.waiting = true;
@@ -31,13 +31,13 @@ class Pace {
 
   /** Draws completely at once: a resized canvas is empty. */
   now() {
-    this.tell(false);
+    this.setSettled(false);
     this.next(1);
   }
 
   async next(every) {
     this.waiting = true;
-    this.asked = false;
+    this.requested = false;
     clearTimeout(this.timer);
     const start = performance.now();
     try {
@@ -49,9 +49,9 @@ class Pace {
     this.count += 1;
     if (this.count > 2) this.note(performance.now() - start, every); // the first frames compile programs and upload buffers
     this.waiting = false;
-    if (this.asked) this.ask();
+    if (this.requested) this.request();
     else if (every > 1) this.timer = setTimeout(() => this.next(1), REST);
-    else this.tell(true);
+    else this.setSettled(true);
   }
 
   /** Adapts the thinning to the duration of a frame. */
@@ -66,7 +66,7 @@ class Pace {
     return this.settled ? Promise.resolve() : new Promise((resolve) => this.resting.push(resolve));
   }
 
-  tell(settled) {
+  setSettled(settled) {
     this.settled = settled;
     if (settled) for (const resolve of this.resting.splice(0)) resolve();
   }

@@ -126,14 +126,14 @@ class Painter {
     gl.uniformMatrix3fv(program.at("to_world"), true, camera.rotation);
     gl.uniform4fv(program.at("lens"), frame.lens);
     gl.uniform2fv(program.at("depth_of"), frame.depthOf);
-    program.whole("parallel", frame.parallel ? 1 : 0);
-    program.whole("from_afar", frame.parallel ? 1 : 0);
+    program.integer("parallel", frame.parallel ? 1 : 0);
+    program.integer("from_afar", frame.parallel ? 1 : 0);
     program.number("near", frame.near);
     program.number("lift", 0.0005 * frame.pivot * frame.depthOf[0]);
     gl.uniform2f(program.at("window"), frame.box[2], frame.box[3]);
     gl.uniform2f(program.at("sizes"), 1, this.largest);
-    program.whole("paint_normals", this.looks.normals ? 1 : 0);
-    program.whole("image", 2); // not those that are rendered to
+    program.integer("paint_normals", this.looks.normals ? 1 : 0);
+    program.integer("image", 2); // not those that are rendered to
     return program;
   }
 
@@ -150,7 +150,7 @@ class Painter {
     if (isFace || normals) gl.uniformMatrix3fv(program.at("normal_to_camera"), false, normalMatrix(toCamera));
     const suits = isFace ? props.lit !== false : !colors;
     const lit = [suits, true, false][looks.light];
-    program.whole("lit", lit ? 1 : 0);
+    program.integer("lit", lit ? 1 : 0);
     program.number("opacity", props.opacity ?? 1);
     if (kind === "points") this.setPoints(program, node, every, lit);
     else if (!isFace) program.number("size", (props.width ?? 1) * this.density);
@@ -181,7 +181,7 @@ class Painter {
     const size = props.size ?? 3;
     const pixels = props.metric ? (size * scaleOf(world) * frame.focal) / frame.unit : size * this.density;
     program.number("size", pixels * factor);
-    program.whole("metric", props.metric ? 1 : 0);
+    program.integer("metric", props.metric ? 1 : 0);
     const relief = props.relief !== false && looks.light !== 2 && !(lit && geometry.has.normals);
     program.number("relief", relief ? 1 : 0);
   }
@@ -190,9 +190,9 @@ class Painter {
     const { gl } = this;
     const { texture } = geometry;
     const textured = Boolean(texture?.texture && geometry.has.uvs);
-    program.whole("flat_faces", geometry.has.normals ? 0 : 1);
-    program.whole("textured", textured ? 1 : 0);
-    program.whole("metric", 0);
+    program.integer("flat_faces", geometry.has.normals ? 0 : 1);
+    program.integer("textured", textured ? 1 : 0);
+    program.integer("metric", 0);
     if (textured) {
       gl.activeTexture(gl.TEXTURE2);
       gl.bindTexture(gl.TEXTURE_2D, texture.texture);
@@ -215,13 +215,13 @@ class Painter {
   drawEdges(program, geometry, plain) {
     const { gl } = this;
     geometry.makeEdges();
-    program.whole("lit", 0);
-    program.whole("textured", 0);
-    program.whole("paint_normals", 0);
+    program.integer("lit", 0);
+    program.integer("textured", 0);
+    program.integer("paint_normals", 0);
     gl.bindVertexArray(geometry.edges.vertices);
     gl.vertexAttrib3f(2, ...plain.map((value) => (EDGE_SHADE * value) / 255));
     gl.drawElements(gl.LINES, geometry.edges.count, gl.UNSIGNED_INT, 0);
-    program.whole("paint_normals", this.looks.normals ? 1 : 0);
+    program.integer("paint_normals", this.looks.normals ? 1 : 0);
     this.calls += 1;
   }
 
@@ -238,9 +238,9 @@ class Painter {
     this.target.read(relief);
     gl.uniform2fv(relief.at("depth_of"), depthOf);
     gl.uniform4iv(relief.at("box"), this.corners(box));
-    relief.whole("parallel", parallel ? 1 : 0);
+    relief.integer("parallel", parallel ? 1 : 0);
     relief.number("pivot", pivot);
-    relief.whole("reach", Math.max(1, Math.round(1.5 * this.density)));
+    relief.integer("radius", Math.max(1, Math.round(1.5 * this.density)));
     gl.bindVertexArray(this.empty);
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
@@ -292,11 +292,11 @@ class Painter {
 /** Nearest valid depth to the center of a square. */
 function nearestToMiddle(bytes) {
   let best = null;
-  let least = Infinity;
+  let nearest = Infinity;
   for (let i = 0; i < PROBE * PROBE; i++) {
     const depth = (bytes[4 * i] * 65536 + bytes[4 * i + 1] * 256 + bytes[4 * i + 2]) / 16777215;
     const distance = Math.hypot((i % PROBE) - (PROBE >> 1), Math.floor(i / PROBE) - (PROBE >> 1));
-    if (depth < 0.9999999 && distance < least) [best, least] = [depth, distance];
+    if (depth < 0.9999999 && distance < nearest) [best, nearest] = [depth, distance];
   }
   return best;
 }

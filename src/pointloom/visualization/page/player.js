@@ -1,10 +1,10 @@
 /** Connects the parts of the player: elements, keys, messages, drawing. */
 const NO_WEBGL =
-  "This page draws with WebGL 2, which this browser does not offer here. Open it in a current Chromium, Firefox or " +
-  "Safari, and switch hardware acceleration on where it is off.";
+  "This page draws with WebGL 2, which this browser does not support. Open it in a current Chromium, Firefox or " +
+  "Safari, and enable hardware acceleration.";
 
 const TOO_OLD =
-  "This browser cannot unpack what this page carries. Open it in a Chromium, Firefox or Safari of 2023 or later.";
+  "This browser cannot decompress the data of this page. Open it in a Chromium, Firefox or Safari of 2023 or later.";
 
 const at = (id) => document.getElementById(id);
 
@@ -27,7 +27,7 @@ class Player {
       prepare: (placements) => this.scene.send(placements),
       shown: (frame) => this.onShown(frame),
       drawn: () => !this.engine.pace.waiting,
-      failed: (error) => say(error.message),
+      failed: (error) => showMessage(error.message),
     });
     this.plots = new Plots(at("plots"), series, frames.length, (frame) => this.goTo(frame));
     this.listen();
@@ -42,7 +42,7 @@ class Player {
     new ResizeObserver(() => this.timeline.frame >= 0 && this.plots.show(this.timeline.frame)).observe(at("stage"));
     if (frames.length === 0) {
       at("panel").hidden = this.description.title === "";
-      say("Nothing was recorded: there are no frames.");
+      showMessage("Nothing was recorded: there are no frames.");
       return;
     }
     await this.scene.readPoses();
@@ -60,8 +60,8 @@ class Player {
       this.scene.hide(number, !box.checked);
       this.tellCount();
     });
-    const placed = this.scene.placements.find(({ item, shapes }) => item === number && shapes.length > 0);
-    const first = placed && this.description.shapes[placed.shapes[0]];
+    const placement = this.scene.placements.find(({ item, shapes }) => item === number && shapes.length > 0);
+    const first = placement && this.description.shapes[placement.shapes[0]];
     if (first && first.colors === undefined) swatch.style.background = `rgb(${first.plain.join(" ")})`;
     else swatch.hidden = true;
     label.append(box, swatch, name);
@@ -107,7 +107,7 @@ class Player {
 
   action(key) {
     const { timeline } = this;
-    const own = {
+    const runs = {
       " ": () => timeline.toggle(),
       ArrowLeft: () => timeline.step(-1),
       ArrowRight: () => timeline.step(1),
@@ -116,7 +116,7 @@ class Player {
       H: () => this.toggleHelp(),
       "?": () => this.toggleHelp(),
     };
-    return own[key] ?? this.engine.commands().find((command) => command.key === key)?.run;
+    return runs[key] ?? this.engine.commands().find((command) => command.key === key)?.run;
   }
 
   shownPlacements() {
@@ -161,7 +161,7 @@ class Player {
   }
 }
 
-function say(text) {
+function showMessage(text) {
   at("message").textContent = text;
   at("message").hidden = false;
 }
@@ -169,7 +169,7 @@ function say(text) {
 try {
   if (!window.DecompressionStream) throw new Error(TOO_OLD);
   const player = new Player();
-  const started = player.start().catch((error) => say(error.message));
+  const started = player.start().catch((error) => showMessage(error.message));
   // for embedding pages and tests
   window.pointloom = { ready: () => started.then(() => player.timeline.going).then(() => player.engine.ready()) };
   window.recording = {
@@ -178,5 +178,5 @@ try {
     statistics: () => ({ ...player.engine.statistics(), frame: player.timeline.frame, playing: player.timeline.playing }),
   };
 } catch (error) {
-  say(error instanceof NoWebGL ? NO_WEBGL : error.message);
+  showMessage(error instanceof NoWebGL ? NO_WEBGL : error.message);
 }

@@ -38,9 +38,9 @@ class Recorded {
   async sendShape(number) {
     const { kind, positions, normals, colors, indices } = this.description.shapes[number];
     const read = (array) => (array === undefined ? null : this.arrays.read(array));
-    const [places, directions, paints, corners] = await Promise.all([positions, normals, colors, indices].map(read));
-    const shape = { positions: places, normals: directions, colors: paints, indices: corners };
-    const sent = kind === "lines" ? { positions: segments(places, corners), colors: paints } : shape;
+    const [points, directions, paints, corners] = await Promise.all([positions, normals, colors, indices].map(read));
+    const shape = { positions: points, normals: directions, colors: paints, indices: corners };
+    const sent = kind === "lines" ? { positions: segments(points, corners), colors: paints } : shape;
     this.engine.add(nameOf(number), 0, kind, { visible: false, keep: false }, sent); // the page itself keeps them
   }
 
@@ -62,8 +62,8 @@ class Recorded {
       const { item, shapes, pose } = this.placements[number];
       for (const shape of shapes) {
         const id = `${number} of ${this.shown.length}`;
-        const placed = { pose: this.poseOf(pose), visible: !this.hidden.has(item) };
-        if (engine.has(nameOf(shape))) engine.add(id, 0, "group", { ...this.looksOf(shape), ...placed });
+        const placement = { pose: this.poseOf(pose), visible: !this.hidden.has(item) };
+        if (engine.has(nameOf(shape))) engine.add(id, 0, "group", { ...this.looksOf(shape), ...placement });
         this.shown.push({ id, item });
       }
     }

@@ -8,8 +8,8 @@ class ScaleBar {
     this.element.className = "scale-bar";
     this.element.hidden = true;
     this.bar = document.createElement("i");
-    this.words = document.createElement("span");
-    this.element.append(this.words, this.bar);
+    this.label = document.createElement("span");
+    this.element.append(this.label, this.bar);
     overlay.append(this.element);
     this.unit = null;
   }
@@ -23,21 +23,21 @@ class ScaleBar {
     const length = roundUp(SHORTEST_BAR / pixels);
     Object.assign(this, { length, pixels: length * pixels });
     this.bar.style.width = `${this.pixels.toFixed(1)}px`;
-    this.words.textContent = lengthInWords(length, unit);
-    this.element.title = camera.orthographic ? "" : "At the depth of the place that the view turns about";
+    this.label.textContent = lengthInWords(length, unit);
+    this.element.title = camera.orthographic ? "" : "At the depth of the rotation center";
   }
 
   paint(context, canvas, density) {
     if (this.unit === null) return;
-    const [own, other] = [this.element.getBoundingClientRect(), canvas.getBoundingClientRect()];
-    const [left, bottom] = [own.left - other.left, own.bottom - other.top];
+    const [box, other] = [this.element.getBoundingClientRect(), canvas.getBoundingClientRect()];
+    const [left, bottom] = [box.left - other.left, box.bottom - other.top];
     context.setTransform(density, 0, 0, density, 0, 0);
     const color = getComputedStyle(this.element).color;
     Object.assign(context, { strokeStyle: color, fillStyle: color, lineWidth: 2, font: LABEL_FONT, textAlign: "center" });
     context.beginPath();
     for (const [x, y] of [[0, -7], [0, -1], [this.pixels, -1], [this.pixels, -7]]) context.lineTo(left + x, bottom + y);
     context.stroke();
-    context.fillText(this.words.textContent, left + this.pixels / 2, bottom - 9);
+    context.fillText(this.label.textContent, left + this.pixels / 2, bottom - 9);
   }
 }
 

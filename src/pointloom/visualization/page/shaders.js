@@ -21,11 +21,11 @@ uniform bool paint_normals;
 uniform bool from_afar;
 uniform float opacity;
 uniform mat3 to_world;
-vec4 look(vec3 color, vec3 normal, vec3 place, float relief) {
+vec4 look(vec3 color, vec3 normal, vec3 point, float relief) {
   float size = length(normal);
   if (size > 0.0) {
     normal /= size;
-    float cosine = dot(normal, from_afar ? vec3(0.0, 0.0, 1.0) : normalize(place));
+    float cosine = dot(normal, from_afar ? vec3(0.0, 0.0, 1.0) : normalize(point));
     if (paint_normals) {
       color = 0.5 + 0.5 * (to_world * normal);
     } else if (lit == 1) {
@@ -127,11 +127,11 @@ void main() {
   along = length(along) > 0.0 ? normalize(along) : vec2(1.0, 0.0);
   float across = (corner & 1) == 0 ? -1.0 : 1.0;
   float onward = corner < 2 ? -0.5 : 0.5;
-  vec4 place = corner < 2 ? start : end;
-  place.xy += (vec2(-along.y, along.x) * across + along * onward) * size / window * place.w;
+  vec4 corner_position = corner < 2 ? start : end;
+  corner_position.xy += (vec2(-along.y, along.x) * across + along * onward) * size / window * corner_position.w;
   // a little nearer than the faces that it lies on
-  place.z = parallel ? place.z - lift : (depth_of.x + depth_of.y / (place.w * 0.9995)) * place.w;
-  gl_Position = hidden ? vec4(0.0, 0.0, 2.0, 1.0) : place;
+  corner_position.z = parallel ? corner_position.z - lift : (depth_of.x + depth_of.y / (corner_position.w * 0.9995)) * corner_position.w;
+  gl_Position = hidden ? vec4(0.0, 0.0, 2.0, 1.0) : corner_position;
   v_color = corner < 2 ? color : color_b;
 }
 `;
@@ -163,7 +163,7 @@ uniform vec2 depth_of;
 uniform bool parallel;
 uniform float pivot;
 uniform ivec4 box;
-uniform int reach;
+uniform int radius;
 out vec4 result;
 float log_depth(float d) {
   if (parallel) return (2.0 * d - 1.0 - depth_of.y) / depth_of.x / pivot;
@@ -177,8 +177,8 @@ void main() {
     float depth = log_depth(texelFetch(depths, pixel, 0).r);
     float hidden = 0.0;
     for (int k = 0; k < 8; k++) {
-      int place = k + k / 4;
-      ivec2 near = pixel + reach * ivec2(place % 3 - 1, place / 3 - 1);
+      int cell = k + k / 4;
+      ivec2 near = pixel + radius * ivec2(cell % 3 - 1, cell / 3 - 1);
       if (near == clamp(near, box.xy, box.zw)) {
         float d = texelFetch(depths, near, 0).r;
         if (d < 1.0) hidden += clamp(depth - log_depth(d), 0.0, 0.025);
@@ -201,7 +201,7 @@ uniform ivec4 box;
 out vec4 result;
 void main() {
   ivec2 pixel = clamp(corner + ivec2(gl_FragCoord.xy), box.xy, box.zw);
-  uint whole = uint(texelFetch(depths, pixel, 0).r * 16777215.0);
-  result = vec4(float(whole >> 16), float((whole >> 8) & 255u), float(whole & 255u), 255.0) / 255.0;
+  uint depth = uint(texelFetch(depths, pixel, 0).r * 16777215.0);
+  result = vec4(float(depth >> 16), float((depth >> 8) & 255u), float(depth & 255u), 255.0) / 255.0;
 }
 `;

@@ -2,7 +2,7 @@
 class Texture {
   /** `changed` is called when the image is ready. */
   constructor(gl, bytes, changed) {
-    Object.assign(this, { gl, texture: null, bytes: 0, gone: false });
+    Object.assign(this, { gl, texture: null, bytes: 0, released: false });
     this.ready = this.read(bytes).then(changed, () => changed()); // invalid images leave the plain color
   }
 
@@ -10,15 +10,15 @@ class Texture {
     const { gl } = this;
     const plain = { premultiplyAlpha: "none", colorSpaceConversion: "none" };
     let bitmap = await createImageBitmap(new Blob([bytes]), plain);
-    const most = gl.getParameter(gl.MAX_TEXTURE_SIZE);
-    const share = most / Math.max(bitmap.width, bitmap.height);
+    const maxSize = gl.getParameter(gl.MAX_TEXTURE_SIZE);
+    const share = maxSize / Math.max(bitmap.width, bitmap.height);
     if (share < 1) {
       const size = { resizeWidth: Math.floor(bitmap.width * share), resizeHeight: Math.floor(bitmap.height * share) };
       const smaller = await createImageBitmap(bitmap, { ...size, resizeQuality: "high" });
       bitmap.close();
       bitmap = smaller;
     }
-    if (!this.gone && !gl.isContextLost()) this.send(bitmap);
+    if (!this.released && !gl.isContextLost()) this.send(bitmap);
     bitmap.close();
   }
 
@@ -37,7 +37,7 @@ class Texture {
   }
 
   free() {
-    this.gone = true;
+    this.released = true;
     if (this.texture) this.gl.deleteTexture(this.texture);
     this.texture = null;
   }

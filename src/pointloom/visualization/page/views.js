@@ -20,7 +20,7 @@ class Views {
   /** Sets the number of views: the first is kept, the others look from its sides and above at the same scale. */
   set(count, linked) {
     const first = this.camera;
-    const reach = first.reach();
+    const halfTangent = first.halfTangent();
     this.linked = linked;
     this.active = 0;
     this.cameras = [first];
@@ -39,7 +39,7 @@ class Views {
       this.cameras[3].face(scale(others[1], -1));
     }
     this.resize(this.width, this.height);
-    for (const camera of this.cameras) camera.recede(reach / camera.reach());
+    for (const camera of this.cameras) camera.recede(halfTangent / camera.halfTangent());
   }
 
   resize(width, height) {
@@ -55,8 +55,8 @@ class Views {
 
   at(x, y) {
     const inside = ({ box }) => x >= box.x && x < box.x + box.width && y >= box.y && y < box.y + box.height;
-    const found = this.cameras.findIndex(inside);
-    return found < 0 ? this.active : found;
+    const index = this.cameras.findIndex(inside);
+    return index < 0 ? this.active : index;
   }
 
   each(change) {

@@ -31,7 +31,8 @@ def recorder_output(recorder: Recorder, view: View) -> dict[str, Any]:
     except OSError as error:
         return still_output(text, [f"the last frame; {shown} cannot be read: {error.strerror or error}"], picture)
     if data is None:
-        more = f"{format_bytes(size)}, where a notebook takes {format_bytes(MAX_PAGE_BYTES)}: open it in a browser"
+        limit = format_bytes(MAX_PAGE_BYTES)
+        more = f"{format_bytes(size)}, above the limit of {limit} in notebooks: open it in a browser"
         return still_output(text, [f"the last frame of {shown} ({more})"], picture)
     notes, kind = [f"{shown}, {format_bytes(size)}"], MEDIA.get(path.suffix.lower())
     if kind is not None:

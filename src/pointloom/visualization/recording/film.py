@@ -29,11 +29,11 @@ Picture = NDArray[np.uint8]
 
 LOOKED_AT = 1_000  # positions of each shape for fitting the view
 # Points beyond FAR times the distance within which most are located may be outside the view: far hits of a scanner.
-FAR, MOST, FEWEST = 2.5, 0.8, 50
+FAR, GAP_QUANTILE, MIN_POINTS = 2.5, 0.8, 50
 STRIP = 0.22  # of the height, for plots
 PANELS = 4  # plots side by side. More values are omitted
 MIN_STRIP, MIN_PANEL = 40, 80  # [px] minimum readable size
-PAST, WHOLE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
+PAST, FULL_CURVE, GROUND = (0.1, 0.35, 0.75), (0.78, 0.8, 0.83), (1.0, 1.0, 1.0)
 
 
 def view_frames(timeline: Timeline, look: Look | None, width: int, height: int) -> View:
@@ -79,14 +79,14 @@ def _seen_points(timeline: Timeline, points_of: Callable[[Shape], NDArray[np.flo
     samples: dict[int, NDArray[np.float64]] = {}
     seen: dict[tuple[int, bytes], NDArray[np.float64]] = {}
     for frame in timeline.frames:
-        for placed in frame.shown.values():
-            for number in placed.shapes:
-                key = number, b"" if placed.pose is None else placed.pose.tobytes()
+        for placement in frame.shown.values():
+            for number in placement.shapes:
+                key = number, b"" if placement.pose is None else placement.pose.tobytes()
                 if key in seen:
                     continue
                 if number not in samples:
                     samples[number] = points_of(timeline.shapes[number])
-                points, T = samples[number], placed.pose
+                points, T = samples[number], placement.pose
                 seen[key] = points if T is None else points @ T[:3, :3].T + T[:3, 3]
     return np.concatenate([np.empty((0, 3)), *seen.values()])
 
@@ -117,11 +117,11 @@ class Film:
         picture = canvas.to_numpy()
         return np.vstack([picture, self._plots.draw(number)]) if self._names else picture
 
-    def frames(self, say: ReportProgress = say_nothing) -> Iterator[Picture]:
+    def frames(self, report_progress: ReportProgress = say_nothing) -> Iterator[Picture]:
         for number in range(len(self)):
-            say("drawing", number, len(self))
+            report_progress("drawing", number, len(self))
             yield self.draw(number)
-        say("drawing", len(self), len(self))
+        report_progress("drawing", len(self), len(self))
 
 
 class _Plots:
@@ -138,21 +138,21 @@ class _Plots:
         self._limits = [_limits(values) for values in self._values]
         for k, values in enumerate(self._values):
             left, top, right, bottom = self._box(k)
-            self._ground.rectangle(left, top, right - left, bottom - top, outline=WHOLE)
-            for run in _runs(self._places(k, values)):
-                self._ground.polyline(run, color=WHOLE, width=1.5)
+            self._ground.rectangle(left, top, right - left, bottom - top, outline=FULL_CURVE)
+            for run in _runs(self._plot_points(k, values)):
+                self._ground.polyline(run, color=FULL_CURVE, width=1.5)
 
     def draw(self, number: int) -> Picture:
         canvas = self._ground.copy()
         for k, (name, values) in enumerate(zip(self._names, self._values, strict=True)):
-            places = self._places(k, values)
-            for run in _runs(places[: number + 1]):
+            points = self._plot_points(k, values)
+            for run in _runs(points[: number + 1]):
                 canvas.polyline(run, color=PAST, width=2.0)
             known = np.flatnonzero(np.isfinite(values[: number + 1]))
             left, top, right, _ = self._box(k)
             text = name
             if len(known):
-                canvas.dots(places[known[-1]][None], radius=3.5, color=PAST)
+                canvas.dots(points[known[-1]][None], radius=3.5, color=PAST)
                 text = f"{name}  {values[known[-1]]:.4g}"
             canvas.text(cut_text(text, self._size, right - left), left, top - 0.7 * self._size, size=self._size)
         return canvas.to_numpy()
@@ -161,7 +161,7 @@ class _Plots:
         size = self._size
         return k * self._panel + size, 1.6 * size, (k + 1) * self._panel - size, self._height - 0.6 * size
 
-    def _places(self, k: int, values: NDArray[np.float64]) -> NDArray[np.float64]:
+    def _plot_points(self, k: int, values: NDArray[np.float64]) -> NDArray[np.float64]:
         """Positions of values in the strip [px]. NaN for missing values."""
         left, top, right, bottom = self._box(k)
         low, high = self._limits[k]
@@ -191,19 +191,19 @@ def _limits(values: NDArray[np.float64]) -> tuple[float, float]:
     return (low, high) if high > low else (low - 0.5 * (abs(low) or 1), high + 0.5 * (abs(high) or 1))
 
 
-def _runs(places: NDArray[np.float64]) -> list[NDArray[np.float64]]:
-    known = np.isfinite(places).all(axis=1)
+def _runs(points: NDArray[np.float64]) -> list[NDArray[np.float64]]:
+    known = np.isfinite(points).all(axis=1)
     ends = np.flatnonzero(np.diff(np.concatenate([[0], known.astype(int), [0]])))
-    return [places[a:b] for a, b in ends.reshape(-1, 2).tolist() if b - a > 1]
+    return [points[a:b] for a, b in ends.reshape(-1, 2).tolist() if b - a > 1]
 
 
 def _core(shape: Shape) -> NDArray[np.float64]:
     """Sample of positions of a shape. For points without the farthest ones."""
     points = shape.positions[spread_rows(len(shape.positions), LOOKED_AT)].astype(np.float64)
-    if shape.kind != "points" or len(points) < FEWEST:
+    if shape.kind != "points" or len(points) < MIN_POINTS:
         return points
     gaps = np.linalg.norm(points - np.median(points, axis=0), axis=1)
-    return points[gaps <= FAR * np.quantile(gaps, MOST)]
+    return points[gaps <= FAR * np.quantile(gaps, GAP_QUANTILE)]
 
 
 def _sized(view: View, width: int, height: int) -> View:
@@ -234,12 +234,12 @@ class Stills:
 
     def draw(self, frame: Frame) -> Canvas:
         """Image of a frame, as a Canvas."""
-        placed = [(number, placed.pose) for placed in frame.shown.values() for number in placed.shapes]
-        wanted = {number for number, _ in placed}
+        placements = [(number, each.pose) for each in frame.shown.values() for number in each.shapes]
+        wanted = {number for number, _ in placements}
         self._parts = {number: part for number, part in self._parts.items() if number in wanted}
         for number in sorted(wanted - set(self._parts)):
             self._parts[number] = _part(self._timeline.shapes[number], self._device)
-        parts = [dataclasses.replace(self._parts[number], pose=pose) for number, pose in placed]
+        parts = [dataclasses.replace(self._parts[number], pose=pose) for number, pose in placements]
         camera = self._view.intrinsic
         drawing = Scene(parts, self._device).draw(self._view, background=self._background)
         return Canvas(drawing.picture, camera.width, camera.height)

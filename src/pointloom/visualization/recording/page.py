@@ -24,7 +24,7 @@ from ...core.checks import check_finite, check_positive, check_rows, check_shape
 from ...core.escaped_text import escaped
 from ..page.sources import hash_of, player_script, player_style, read_source
 from ..render.view import Triple, View, fit_view
-from .timeline import Placed, Shape, Timeline
+from .timeline import Placement, Shape, Timeline
 
 BLOCK = 65_536  # rows per block of byte planes: some MB, so that a large array is never stored twice
 PIECE = 3 * 2**20  # bytes per script element: divisible by 3, so that base64 needs no padding
@@ -54,7 +54,7 @@ def write_page(
         >>> from pathlib import Path
         >>> from pointloom.visualization.recording.timeline import Frame
         >>> shape = Shape("points", np.random.default_rng(0).random((100, 3), np.float32))
-        >>> timeline = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placed((0,))})], title="a cloud")
+        >>> timeline = Timeline(np.zeros(3), [shape], [Frame({"cloud": Placement((0,))})], title="a cloud")
         >>> with tempfile.TemporaryDirectory() as folder:
         ...     write_page(Path(folder) / "cloud.html", timeline)
         ...     (Path(folder) / "cloud.html").stat().st_size < 150_000  # most of it the player
@@ -128,9 +128,9 @@ def _describe(
     frames: list[dict[str, Any]] = []
     for frame in timeline.frames:
         shown = []
-        for name, placed in frame.shown.items():
-            pose = np.eye(4) if placed.pose is None else np.asarray(placed.pose, np.float64)
-            shapes = tuple(int(number) for number in placed.shapes)
+        for name, placement in frame.shown.items():
+            pose = np.eye(4) if placement.pose is None else np.asarray(placement.pose, np.float64)
+            shapes = tuple(int(number) for number in placement.shapes)
             shown.append(placements.add((numbers[name], shapes, poses.add(pose.tobytes()))))
         frames.append({"shown": shown, "label": frame.label})
     matrices = np.array([np.frombuffer(pose) for pose in poses.rows]).reshape(-1, 4, 4)
@@ -229,8 +229,8 @@ def _bounds(
 ) -> tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]:
     """Bounds of all frames, and positions that include the outermost ones."""
     outermost = {shape: _outermost(shapes[shape]) for shape in {shape for shape, _ in used}}
-    placed = [outermost[shape] @ poses[pose, :3, :3].T + poses[pose, :3, 3] for shape, pose in used]
-    everything = np.concatenate([np.empty((0, 3)), *placed])
+    positions = [outermost[shape] @ poses[pose, :3, :3].T + poses[pose, :3, 3] for shape, pose in used]
+    everything = np.concatenate([np.empty((0, 3)), *positions])
     if len(everything) == 0:
         return np.zeros(3), np.zeros(3), everything
     return everything.min(axis=0), everything.max(axis=0), everything
@@ -249,9 +249,9 @@ def _outermost(shape: Shape) -> NDArray[np.float64]:
     step = np.arange(DIRECTIONS) + 0.5  # Vogel spiral on the sphere: even and reproducible
     z, angle = 1 - 2 * step / DIRECTIONS, step * math.pi * (3 - math.sqrt(5))
     ring = np.sqrt(1 - z * z)
-    reach = sample.astype(np.float64) @ np.stack([ring * np.cos(angle), ring * np.sin(angle), z])
+    extents = sample.astype(np.float64) @ np.stack([ring * np.cos(angle), ring * np.sin(angle), z])
     axes = positions[np.concatenate([positions.argmin(axis=0), positions.argmax(axis=0)])]
-    return np.unique(np.concatenate([sample[reach.argmax(axis=0)], axes]), axis=0).astype(np.float64)
+    return np.unique(np.concatenate([sample[extents.argmax(axis=0)], axes]), axis=0).astype(np.float64)
 
 
 def _check_background(background: Any) -> list[float]:
@@ -269,8 +269,8 @@ def _check_timeline(timeline: Any) -> None:
     for number, shape in enumerate(timeline.shapes):
         _check_shape(f"timeline.shapes[{number}]", shape)
     for number, frame in enumerate(timeline.frames):
-        for name, placed in frame.shown.items():
-            _check_placed(f"timeline.frames[{number}].shown[{name!r}]", placed, len(timeline.shapes))
+        for name, placement in frame.shown.items():
+            _check_placement(f"timeline.frames[{number}].shown[{name!r}]", placement, len(timeline.shapes))
 
 
 def _check_shape(name: str, shape: Shape) -> None:
@@ -278,7 +278,7 @@ def _check_shape(name: str, shape: Shape) -> None:
         raise ValueError(f"{name}.kind: expected one of {', '.join(SIDES)}, got {shape.kind!r}")
     positions = check_rows(f"{name}.positions", shape.positions, 3)
     if not np.isfinite(positions).all():
-        raise ValueError(f"{name}.positions: expected finite numbers; leave out points that are not")
+        raise ValueError(f"{name}.positions: expected finite numbers; remove non-finite points")
     check_positive(f"{name}.size", shape.size)
     if len(shape.plain) != 3 or not all(0 <= value <= 255 for value in shape.plain):
         raise ValueError(f"{name}.plain: expected three whole numbers from 0 to 255, got {shape.plain}")
@@ -298,11 +298,11 @@ def _check_shape(name: str, shape: Shape) -> None:
         check_shape(f"{name}.normals", shape.normals, (len(positions), 3), dtype=np.float32)
 
 
-def _check_placed(name: str, placed: Placed, shape_count: int) -> None:
-    for number in placed.shapes:
+def _check_placement(name: str, placement: Placement, shape_count: int) -> None:
+    for number in placement.shapes:
         if not 0 <= number < shape_count:
             raise ValueError(f"{name}.shapes: expected numbers of {shape_count} shapes, got {number}")
-    if placed.pose is not None:
-        pose = check_finite(f"{name}.pose", check_shape(f"{name}.pose", placed.pose, (4, 4)))
+    if placement.pose is not None:
+        pose = check_finite(f"{name}.pose", check_shape(f"{name}.pose", placement.pose, (4, 4)))
         if np.abs(pose[3] - (0, 0, 0, 1)).max() > 1e-6:
             raise ValueError(f"{name}.pose: expected a last row (0, 0, 0, 1), got {pose[3].tolist()}")

@@ -19,13 +19,13 @@ from ...core.paths import path_of
 from ...core.progress import ReportProgress
 from ..render.parts import Matrix, Triple
 from ..render.styles import STYLE_KEYS, Style
-from ..render.up_axis import direction_under, told_up
+from ..render.up_axis import direction_under, up_of_geometry
 from ..render.view import View
 from .film import check_look, find_view
 from .script import Stage
 from .scripts import Scripts
 from .shapes import ShapeStore, Sketch, pose_about, sketch, usual_size
-from .timeline import Frame, Placed, Timeline
+from .timeline import Frame, Placement, Timeline
 from .writers import check_recording, write_recording
 
 MAX_POINTS, MAX_FRAMES, FASTEST = 200_000, 600, 100.0
@@ -139,12 +139,12 @@ class Recorder:
         self._fps = check_positive("fps", fps, maximum=FASTEST)
         self._title, self._view, self._overwrite = check_name("title", title), check_look(view), bool(overwrite)
         self._size, self._background = check_picture_size(size), background
-        self._say = check_progress(progress)
+        self._report_progress = check_progress(progress)
         check_recording(self.path, fps=self._fps, background=background, overwrite=self._overwrite)
-        self._store, self._most_bytes = ShapeStore(), MAX_BYTES
+        self._store, self._max_bytes = ShapeStore(), MAX_BYTES
         self._origin: NDArray[np.float64] | None = None
         self._device: Any = None
-        self._held: dict[str, Held] = {}
+        self._geometries: dict[str, ShownGeometry] = {}
         self._counts: dict[str, tuple[int, int]] = {}
         self._values: dict[str, float] = {}
         self._frames: list[Frame] = []
@@ -199,30 +199,30 @@ class Recorder:
             TypeError, ValueError: Unsupported geometry, unknown style key, or a value out of range.
         """
         name, chosen = check_name("name", name), style_of(style)
-        pose = self._held[name].pose if name in self._held and chosen.pose is None else None
-        self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
-        self._up = self._up or told_up(geometry, chosen.pose)
+        pose = self._geometries[name].pose if name in self._geometries and chosen.pose is None else None
+        self._set(name, sketch(geometry, chosen, self.max_points), chosen, pose)
+        self._up = self._up or up_of_geometry(geometry, chosen.pose)
 
     def update(self, name: str, geometry: Any, **style: Any) -> None:
         """Replace a geometry; style and pose are kept unless given. Raises `KeyError` or as `add`."""
-        held = self._known(name)
-        chosen = dataclasses.replace(held.style, **fields_of(style))
-        pose = held.pose if chosen.pose is None else None
-        self._hold(name, sketch(geometry, chosen, self.max_points), chosen, pose)
+        entry = self._known(name)
+        chosen = dataclasses.replace(entry.style, **fields_of(style))
+        pose = entry.pose if chosen.pose is None else None
+        self._set(name, sketch(geometry, chosen, self.max_points), chosen, pose)
 
     def set_pose(self, name: str, pose: Any) -> None:
         """Set the pose (4x4, geometry to world) of a geometry without a copy of it.
 
         Raises `KeyError` for an unknown name and `ValueError` if `pose` is not a transformation.
         """
-        held, T = self._known(name), np.array(check_transformation("pose", pose))
-        self._held[name] = dataclasses.replace(held, pose=T)
+        entry, T = self._known(name), np.array(check_transformation("pose", pose))
+        self._geometries[name] = dataclasses.replace(entry, pose=T)
         self._is_dirty = True
 
     def remove(self, name: str) -> None:
         """Remove a geometry from the next frame on. Raises `KeyError` for an unknown name."""
         self._known(name)
-        del self._held[name]
+        del self._geometries[name]
         self._is_dirty = True
 
     def plot(self, name: str, value: float) -> None:
@@ -233,7 +233,7 @@ class Recorder:
 
     def step(self, label: str = "") -> None:
         """Add a frame of the current geometries and of the numbers plotted since the last frame."""
-        shown = {name: held.placed(self.origin) for name, held in self._held.items()}
+        shown = {name: entry.placement(self.origin) for name, entry in self._geometries.items()}
         frame = Frame(shown, check_name("label", label), self._values)
         self._values, self._is_dirty, self._last = {}, False, None
         if self._seen % self._stride:
@@ -243,17 +243,17 @@ class Recorder:
         self._seen += 1
         if len(self._frames) > self._max_frames:
             self._thin()
-        if self._store.size > self._most_bytes:
+        if self._store.size > self._max_bytes:
             self._forget()
-        while self._store.size > self._most_bytes and len(self._frames) > 2:
+        while self._store.size > self._max_bytes and len(self._frames) > 2:
             before = self._store.size
             self._thin()
             if self._store.size > WORTH * before:
-                self._most_bytes = 2 * self._store.size
+                self._max_bytes = 2 * self._store.size
 
     @property
     def names(self) -> list[str]:
-        return list(self._held)
+        return list(self._geometries)
 
     @property
     def origin(self) -> NDArray[np.float64]:
@@ -290,14 +290,16 @@ class Recorder:
         look = look if self._up is None else (direction_under(self._up), self._up)
         view = find_view(self._view, timeline, look, *self._size)
         options: dict[str, Any] = {"view": view, "background": self._background, "overwrite": self._overwrite}
-        write_recording(self.path, timeline, size=self._size, say=self._say, device=self._device, **options)
+        write_recording(
+            self.path, timeline, size=self._size, report_progress=self._report_progress, device=self._device, **options
+        )
         self._seen_from = view
 
-    def _hold(self, name: str, drawn: Sketch, style: Style, pose: Matrix | None) -> None:
+    def _set(self, name: str, drawn: Sketch, style: Style, pose: Matrix | None) -> None:
         if self._origin is None and drawn.shapes:
             self._origin, self._device = drawn.origin.copy(), drawn.device
         numbers = tuple(self._store.add(shape) for shape in drawn.shapes)
-        self._held[name] = Held(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
+        self._geometries[name] = ShownGeometry(numbers, drawn.origin, style, drawn.pose if pose is None else pose)
         self._counts[name] = drawn.drawn, drawn.total
         self._is_dirty = True
 
@@ -311,24 +313,24 @@ class Recorder:
     ) -> None:
         """Show geometries of an algorithm under one name and drop those of other owners."""
         if self._owner is not owner:
-            for earlier in [name for name, by in self._owners.items() if by is not owner and name in self._held]:
-                del self._held[earlier]
+            for earlier in [name for name, by in self._owners.items() if by is not owner and name in self._geometries]:
+                del self._geometries[earlier]
             self._owner, self._owners = owner, {}
         self._owners[name] = owner
         if len(drawn) > 1:  # all parts of one cloud have one point size
-            whole = sum(len(geometry) for geometry, _ in drawn)
-            drawn = [(geometry, {"point_size": usual_size(whole), **style}) for geometry, style in drawn]
+            point_count = sum(len(geometry) for geometry, _ in drawn)
+            drawn = [(geometry, {"point_size": usual_size(point_count), **style}) for geometry, style in drawn]
         styles = [style_of(style) for _, style in drawn]
         sketches = [sketch(geometry, style, max_points) for (geometry, _), style in zip(drawn, styles, strict=True)]
         shapes = [shape for each in sketches for shape in each.shapes]
         count, all_points = sum(each.drawn for each in sketches), sum(each.total for each in sketches)
         counts = {"drawn": count, "total": all_points if total is None else total}
-        self._hold(name, dataclasses.replace(sketches[0], shapes=shapes, **counts), styles[0], None)
+        self._set(name, dataclasses.replace(sketches[0], shapes=shapes, **counts), styles[0], None)
 
-    def _known(self, name: str) -> Held:
-        if check_name("name", name) not in self._held:
-            raise KeyError(f"{name!r} is not shown; add it first. Shown are {sorted(self._held)}")
-        return self._held[name]
+    def _known(self, name: str) -> ShownGeometry:
+        if check_name("name", name) not in self._geometries:
+            raise KeyError(f"{name!r}: no such geometry; add it first. Existing: {sorted(self._geometries)}")
+        return self._geometries[name]
 
     def _thin(self) -> None:
         """Drop every second frame, also of the following ones."""
@@ -337,12 +339,14 @@ class Recorder:
 
     def _forget(self) -> None:
         """Free the shapes that only dropped frames used."""
-        now = Frame({name: held.placed(self.origin) for name, held in self._held.items()})
+        now = Frame({name: entry.placement(self.origin) for name, entry in self._geometries.items()})
         last = [] if self._last is None else [self._last]
-        *kept, now = self._store.keep_used([*self._frames, *last, now])
-        self._last = kept.pop() if last else None
-        self._frames = kept
-        self._held = {n: dataclasses.replace(held, shapes=now.shown[n].shapes) for n, held in self._held.items()}
+        *frames, now = self._store.keep_used([*self._frames, *last, now])
+        self._last = frames.pop() if last else None
+        self._frames = frames
+        self._geometries = {
+            n: dataclasses.replace(entry, shapes=now.shown[n].shapes) for n, entry in self._geometries.items()
+        }
 
     def _title_of(self, frames: Iterable[Frame]) -> str:
         shown = {name for frame in frames for name in frame.shown}
@@ -357,13 +361,13 @@ class Recorder:
 def check_picture_size(size: Any) -> tuple[int, int]:
     if not isinstance(size, tuple | list) or len(size) != 2:
         raise ValueError(f"size: expected width and height, got {size!r}")
-    limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are held whole"}
+    limits: dict[str, Any] = {"minimum": 16, "maximum": 8192, "because": "frames are kept in memory"}
     width, height = (check_count("size", side, **limits) for side in size)
     return width, height
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Held:
+class ShownGeometry:
     """A displayed geometry: numbers of its shapes, their origin, style and pose."""
 
     shapes: tuple[int, ...]
@@ -371,9 +375,9 @@ class Held:
     style: Style
     pose: Matrix | None
 
-    def placed(self, origin: NDArray[np.float64]) -> Placed:
+    def placement(self, origin: NDArray[np.float64]) -> Placement:
         """Its shapes and pose relative to another origin."""
-        return Placed(self.shapes, pose_about(self.pose, self.origin, origin))
+        return Placement(self.shapes, pose_about(self.pose, self.origin, origin))
 
 
 def style_of(style: dict[str, Any]) -> Style:

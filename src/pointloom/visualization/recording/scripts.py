@@ -88,7 +88,7 @@ class Registration(Script):
             return
         if self._pair is None or self._pair[0] is not source or self._pair[1] is not target:
             self._take(source, target)
-            self._at(np.eye(4), "as the clouds lie", {})
+            self._at(np.eye(4), "initial poses", {})
         fit = {"fitness": result.fitness, f"inlier rmse [{symbol_of(source.unit)}]": result.inlier_rmse}
         state = "converged" if result.converged else "not converged"
         self._at(result.transformation, f"registered: {state}", fit)
@@ -106,7 +106,7 @@ class Registration(Script):
 
 
 RED = (0.86, 0.1, 0.1)
-MAX_TURNS = 100  # maximum number of frames in which clusters appear
+MAX_CLUSTER_FRAMES = 100  # maximum number of frames in which clusters appear
 
 
 class Clusters(Script):
@@ -117,16 +117,18 @@ class Clusters(Script):
 
     def clusters(self, cloud: PointCloud, labels: Any, **_: Any) -> None:
         rows = spread_rows(len(cloud), self.stage.max_points)
-        chosen, found = cloud.select_by_index(rows), download(labels)[rows]
+        chosen, cluster_labels = cloud.select_by_index(rows), download(labels)[rows]
         self.look = self.look or look_at(chosen)
-        count = int(found.max(initial=-1)) + 1
-        turn = -(-max(count, 1) // MAX_TURNS)  # number of clusters that appear in one frame
-        groups = [(chosen.select_by_mask(found < 0), {"color": label_color(-1)})]
+        count = int(cluster_labels.max(initial=-1)) + 1
+        per_frame = -(-max(count, 1) // MAX_CLUSTER_FRAMES)  # number of clusters that appear in one frame
+        groups = [(chosen.select_by_mask(cluster_labels < 0), {"color": label_color(-1)})]
         painted: list[tuple[Any, Data]] = []
-        for first in range(0, count, turn):
-            part = chosen.select_by_mask((found >= first) & (found < first + turn))
+        for first in range(0, count, per_frame):
+            part = chosen.select_by_mask((cluster_labels >= first) & (cluster_labels < first + per_frame))
             groups.append((part, {"color": GRAY}))
-            kinds, each = np.unique(found[(found >= first) & (found < first + turn)], return_inverse=True)
+            kinds, each = np.unique(
+                cluster_labels[(cluster_labels >= first) & (cluster_labels < first + per_frame)], return_inverse=True
+            )
             shades = np.array([label_color(int(label)) for label in kinds]).reshape(-1, 3)[each]
             painted.append((_painted(part, shades), {}))
         plural = "" if count == 1 else "s"
@@ -135,7 +137,7 @@ class Clusters(Script):
         for k, part in enumerate(painted):
             groups[k + 1] = part
             self.stage.show_all("cloud", groups, len(cloud))
-            self.stage.step(f"{min((k + 1) * turn, count)} of {count} cluster{plural}")
+            self.stage.step(f"{min((k + 1) * per_frame, count)} of {count} cluster{plural}")
 
 
 class Planes(Script):
@@ -144,7 +146,7 @@ class Planes(Script):
     def __init__(self, stage: Stage):
         super().__init__(stage)
         self._cloud: Any = None
-        self._found: list[NDArray[np.int32]] = []
+        self._inliers: list[NDArray[np.int32]] = []
 
     def events(self) -> dict[str, Callable[..., None]]:
         return {"plane": self.plane}
@@ -152,23 +154,23 @@ class Planes(Script):
     def plane(self, cloud: PointCloud, inliers: Any, model: Any, number: int | None = None, **_: Any) -> None:
         """Points of a plane. Without a number it is the only plane."""
         if cloud is not self._cloud or not number:
-            self._cloud, self._found = cloud, []
+            self._cloud, self._inliers = cloud, []
             self.look = self.look or look_at(cloud)
             self.stage.show("cloud", cloud)
             self.stage.step("the cloud")
-        self._found.append(download(inliers))
+        self._inliers.append(download(inliers))
         rows = spread_rows(len(cloud), self.stage.max_points)
         taken = np.full(len(cloud), -1)
-        for k, found in enumerate(self._found):
-            taken[found] = k
+        for k, indices in enumerate(self._inliers):
+            taken[indices] = k
         taken, chosen = taken[rows], cloud.select_by_index(rows)
         drawn: list[tuple[Any, Data]] = [(chosen.select_by_mask(taken < 0), {"color": GRAY})]
-        for k in range(len(self._found)):
+        for k in range(len(self._inliers)):
             color = RED if number is None else label_color(k)
             drawn.append((chosen.select_by_mask(taken == k), {"color": color}))
         self.stage.show_all("cloud", drawn, len(cloud))
         a, b, c, d = model
-        self.stage.step(f"{len(self._found[-1]):,} points on {a:.3f} x {b:+.3f} y {c:+.3f} z {d:+.3f} = 0")
+        self.stage.step(f"{len(self._inliers[-1]):,} points on {a:.3f} x {b:+.3f} y {c:+.3f} z {d:+.3f} = 0")
 
 
 class Fragments(Script):
@@ -354,9 +356,9 @@ class Drive(Travel):
             self.stage.step(f"the map of {self._scans} scans")
 
     def _draw_map(self, share: int = SCAN_SHARE) -> None:
-        found = self._odometry.map
-        if len(found):
-            self.stage.show("map", found, share=share, color=GRAY)
+        cloud = self._odometry.map
+        if len(cloud):
+            self.stage.show("map", cloud, share=share, color=GRAY)
 
 
 def look_over(axes: Matrix, last: Matrix) -> Look:

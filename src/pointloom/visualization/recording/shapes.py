@@ -20,7 +20,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ..render.geometries import parts_of
 from ..render.parts import Lines, Matrix, Part, Points, Triangles
 from ..render.styles import Style
-from .timeline import Frame, Placed, Shape
+from .timeline import Frame, Placement, Shape
 
 GOLDEN = 0.6180339887498949
 SIZES = ((5_000, 5.0), (30_000, 3.0))  # (maximum number of points, diameter [px])
@@ -61,31 +61,31 @@ def pose_about(pose: Matrix | None, shape_origin: NDArray[np.float64], origin: N
     return None if np.array_equal(T, np.eye(4)) else T
 
 
-def spread_rows(count: int, most: int) -> NDArray[np.int32]:
-    """Up to `most` of `count` rows, ascending, one in each of equal runs.
+def spread_rows(count: int, max_count: int) -> NDArray[np.int32]:
+    """Up to `max_count` of `count` rows, ascending, one in each of equal runs.
 
     Offsets follow the golden ratio: a fixed stride would cause stripes in organized scans.
     """
-    if count <= most:
+    if count <= max_count:
         return np.arange(count, dtype=np.int32)
-    runs = np.arange(most)
-    return np.floor((runs + (runs * GOLDEN) % 1) * (count / most)).astype(np.int32)
+    runs = np.arange(max_count)
+    return np.floor((runs + (runs * GOLDEN) % 1) * (count / max_count)).astype(np.int32)
 
 
 def usual_size(count: int) -> float:
-    return next((diameter for most, diameter in SIZES if count <= most), 2.0)
+    return next((diameter for max_count, diameter in SIZES if count <= max_count), 2.0)
 
 
 def _shape(part: Part, shift: NDArray[np.float64], max_points: int) -> Shape:
     plain = tuple(_bytes(np.array(part.plain)).tolist())
     if isinstance(part, Lines):
-        places = _shifted(download(part.positions), shift)
+        positions = _shifted(download(part.positions), shift)
         pairs = download(part.indices).reshape(-1, 2)
-        finite = np.asarray(np.isfinite(places).all(axis=1))
-        kept = finite[pairs].all(axis=1)
-        colors = _bytes(download(part.colors))[kept] if part.colors.size else None
+        finite = np.asarray(np.isfinite(positions).all(axis=1))
+        selected = finite[pairs].all(axis=1)
+        colors = _bytes(download(part.colors))[selected] if part.colors.size else None
         return Shape(
-            "lines", _finite(places), colors, indices=pairs[kept].astype(np.int32), size=part.width, plain=plain
+            "lines", _finite(positions), colors, indices=pairs[selected].astype(np.int32), size=part.width, plain=plain
         )
     if isinstance(part, Triangles):
         return _surface(part, shift, max_points, plain)
@@ -137,21 +137,25 @@ def _surface(part: Triangles, shift: NDArray[np.float64], max_points: int, plain
 
 
 def _simplified(
-    positions: NDArray[Any], triangles: NDArray[Any], colors: NDArray[Any], most: int
+    positions: NDArray[Any], triangles: NDArray[Any], colors: NDArray[Any], max_vertices: int
 ) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
-    """A mesh with at most `most` vertices, by increasing voxel sizes."""
+    """A mesh with at most `max_vertices` vertices, by increasing voxel sizes."""
     some = positions[triangles[spread_rows(len(triangles), 10_000)]]
     lengths = np.linalg.norm(some[:, 0] - some[:, 1], axis=1)
     lengths = lengths[np.isfinite(lengths) & (lengths > 0)]
     edge = float(lengths.mean()) if len(lengths) else 1.0
     mesh = TriangleMesh(positions, triangles, vertex_colors=np.clip(colors, 0, 1) if len(colors) else None)
-    size, thin = edge * (len(positions) / most) ** 0.5, mesh
+    size, thin = edge * (len(positions) / max_vertices) ** 0.5, mesh
     for step in range(TRIES):
         thin = mesh.simplify_vertex_clustering(size * COARSER**step)
-        if len(thin.vertices) <= most:
+        if len(thin.vertices) <= max_vertices:
             break
-    kept = thin.vertex_colors
-    return thin.vertices, np.asarray(thin.triangles), np.empty((0, 3)) if kept is None else np.asarray(kept)
+    vertex_colors = thin.vertex_colors
+    return (
+        thin.vertices,
+        np.asarray(thin.triangles),
+        np.empty((0, 3)) if vertex_colors is None else np.asarray(vertex_colors),
+    )
 
 
 def _baked(texture: NDArray[np.uint8], uvs: NDArray[Any], triangles: NDArray[Any], count: int) -> NDArray[np.float32]:
@@ -198,17 +202,17 @@ class ShapeStore:
     def keep_used(self, frames: Iterable[Frame]) -> list[Frame]:
         """Drop unused shapes. Returns the frames with new numbers."""
         frames = list(frames)
-        used = sorted({number for frame in frames for placed in frame.shown.values() for number in placed.shapes})
-        new = {number: place for place, number in enumerate(used)}
+        used = sorted({number for frame in frames for placement in frame.shown.values() for number in placement.shapes})
+        new = {number: index for index, number in enumerate(used)}
         self.shapes = [self.shapes[number] for number in used]
         self.size = sum(map(_size_of, self.shapes))
         self._numbers = {key: new[number] for key, number in self._numbers.items() if number in new}
 
-        def renumbered(placed: Placed) -> Placed:
-            return dataclasses.replace(placed, shapes=tuple(new[number] for number in placed.shapes))
+        def renumbered(placement: Placement) -> Placement:
+            return dataclasses.replace(placement, shapes=tuple(new[number] for number in placement.shapes))
 
         return [
-            dataclasses.replace(frame, shown={name: renumbered(placed) for name, placed in frame.shown.items()})
+            dataclasses.replace(frame, shown={name: renumbered(placement) for name, placement in frame.shown.items()})
             for frame in frames
         ]
 

@@ -27,16 +27,16 @@ def share_player(page: str | os.PathLike[str], output: str | os.PathLike[str], f
     """
     text = Path(page).read_text(encoding="utf-8")
     script, style = player_script(), player_style()
-    place = f"{folder}{PLAYER}"
+    url = f"{folder}{PLAYER}"
     changes = (
-        (f"<script>{script}</script>", f'<script src="{place}.js"></script>'),
-        (f"<style>{style}</style>", f'<link rel="stylesheet" href="{place}.css">'),
+        (f"<script>{script}</script>", f'<script src="{url}.js"></script>'),
+        (f"<style>{style}</style>", f'<link rel="stylesheet" href="{url}.css">'),
         (f"'{hash_of(script)}'", "'self' file:"),
         (f"'{hash_of(style)}'", "'self' file:"),
     )
     for old, new in changes:
         if text.count(old) != 1:
-            raise FileError(page, "no recording, or one with another player", remedy="Record it again")
+            raise FileError(page, "is no recording, or has another version of the player", remedy="Record it again")
         text = text.replace(old, new)
     with atomic_write(output, overwrite=True) as file:
         file.write(text.encode())

@@ -36,7 +36,7 @@ class Shape:
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Placed:
+class Placement:
     """Shapes in a frame: numbers in `Timeline.shapes`, and pose (4x4, relative to the timeline's origin)."""
 
     shapes: tuple[int, ...]
@@ -47,7 +47,7 @@ class Placed:
 class Frame:
     """One time step: displayed shapes by name, label, and plotted numbers."""
 
-    shown: dict[str, Placed]
+    shown: dict[str, Placement]
     label: str = ""
     values: dict[str, float] = dataclasses.field(default_factory=dict)
 

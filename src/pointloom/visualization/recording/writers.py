@@ -39,10 +39,10 @@ def check_recording(path: str | Path, *, fps: float, background: Any, overwrite:
     """Check format, path and ffmpeg before any work. Raises FileError or ValueError."""
     suffix = Path(path).suffix.lower()
     if suffix not in RECORDINGS:
-        remedy = f"Give a name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
-        raise FileError(path, f"recordings are not written as {suffix or 'files without a suffix'}", remedy=remedy)
+        remedy = f"Use a file name that ends in {', '.join(RECORDINGS[:-1])} or {RECORDINGS[-1]}"
+        raise FileError(path, f"unknown recording format: {suffix or 'a name without a suffix'}", remedy=remedy)
     if suffix == ".gif" and fps > FASTEST_GIF:
-        raise ValueError(f"fps: a .gif holds up to {FASTEST_GIF:g} frames a second, got {fps:g}; take .mp4")
+        raise ValueError(f"fps: expected at most {FASTEST_GIF:g} frames per second for .gif, got {fps:g}; use .mp4")
     check_color("background", background)
     check_writable(path, overwrite=overwrite)
     if suffix == ".mp4":
@@ -57,7 +57,7 @@ def write_recording(
     size: tuple[int, int],
     background: Triple,
     overwrite: bool,
-    say: ReportProgress,
+    report_progress: ReportProgress,
     device: Any = None,
 ) -> None:
     """Write a recording atomically in the format of the suffix. Raises FileError."""
@@ -69,8 +69,8 @@ def write_recording(
     film = Film(timeline, view, width, height, background, device)
     ground = tuple(np.rint(255 * np.array(background)).astype(int).tolist())
     writers: dict[str, Callable[[IO[bytes]], int]] = {
-        ".gif": lambda file: write_gif(file, film.frames(say), _palette_of(film, ground), timeline.fps),
-        ".mp4": lambda file: write_mp4(file, film.frames(say), timeline.fps, path),
+        ".gif": lambda file: write_gif(file, film.frames(report_progress), _palette_of(film, ground), timeline.fps),
+        ".mp4": lambda file: write_mp4(file, film.frames(report_progress), timeline.fps, path),
     }
     with atomic_write(path, overwrite=overwrite) as file:
         writers[suffix](file)
@@ -100,9 +100,9 @@ def make_palette(pictures: Sequence[Picture], background: tuple[int, int, int]) 
     palette[0] = background
     if len(pixels):
         image = Image.fromarray(pixels[None])
-        found = np.array(image.quantize(COLORS - _FIXED, Image.Quantize.MEDIANCUT).getpalette(), np.uint8)
-        found = found.reshape(-1, 3)[: COLORS - _FIXED]
-        palette[_FIXED : _FIXED + len(found)] = found
+        colors = np.array(image.quantize(COLORS - _FIXED, Image.Quantize.MEDIANCUT).getpalette(), np.uint8)
+        colors = colors.reshape(-1, 3)[: COLORS - _FIXED]
+        palette[_FIXED : _FIXED + len(colors)] = colors
     return palette
 
 
@@ -162,34 +162,34 @@ def _packed(marks: NDArray[np.uint8], palette: NDArray[np.uint8]) -> bytes:
 
     image = Image.frombytes("P", (marks.shape[1], marks.shape[0]), marks.tobytes())
     image.putpalette(palette.tobytes())
-    held = io.BytesIO()
-    image.save(held, "GIF", optimize=False, interlace=0)
-    data = held.getvalue()
-    place = _HEADER + _TABLE
-    while data[place] == 0x21:  # extensions: a label, then blocks preceded by their length
-        place += 2
-        while data[place]:
-            place += data[place] + 1
-        place += 1
-    if data[place] != 0x2C or data[place + 9] & 0x80 or data[10] & 0x87 != 0x87 or data[-1] != 0x3B:
-        raise RuntimeError("Pillow packed a GIF in a way that is not known")
-    return data[place + 10 : -1]
+    buffer = io.BytesIO()
+    image.save(buffer, "GIF", optimize=False, interlace=0)
+    data = buffer.getvalue()
+    offset = _HEADER + _TABLE
+    while data[offset] == 0x21:  # extensions: a label, then blocks preceded by their length
+        offset += 2
+        while data[offset]:
+            offset += data[offset] + 1
+        offset += 1
+    if data[offset] != 0x2C or data[offset + 9] & 0x80 or data[10] & 0x87 != 0x87 or data[-1] != 0x3B:
+        raise RuntimeError("Pillow wrote a GIF of unknown structure")
+    return data[offset + 10 : -1]
 
 
 # Encoders of H.264 and MPEG-4 in builds of ffmpeg, best first, with quality options.
 _ENCODERS = (("libx264", ("-crf", "18", "-preset", "medium")), ("libopenh264", ()), ("mpeg4", ("-q:v", "3")))
 _LAST_LINES = 3  # of ffmpeg's error message
 _AT_ONCE = 2**20  # bytes
-_PATIENCE = 2.0  # [s] time for ffmpeg to end after its input
+_EXIT_TIMEOUT = 2.0  # [s] time for ffmpeg to end after its input
 
 
 def find_ffmpeg(path: str | Path) -> str:
     """Path of ffmpeg. Raises FileError."""
-    found = shutil.which("ffmpeg")
-    if found is None:
-        remedy = "Install ffmpeg, or give a name that ends in .html or .gif"
-        raise FileError(path, "videos are made by the program ffmpeg, which is not on the path", remedy=remedy)
-    return found
+    program = shutil.which("ffmpeg")
+    if program is None:
+        remedy = "Install ffmpeg, or use a file name that ends in .html or .gif"
+        raise FileError(path, "writing videos requires the program ffmpeg, which is not on the path", remedy=remedy)
+    return program
 
 
 def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: str | Path) -> int:
@@ -197,14 +197,14 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
     program, count = find_ffmpeg(path), 0
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:  # writing MP4 requires a seekable file
         made = Path(folder) / "video.mp4"
-        with (Path(folder) / "said.txt").open("w+b") as said:
+        with (Path(folder) / "ffmpeg.log").open("w+b") as log:
             process: subprocess.Popen[bytes] | None = None
             try:
                 for picture in pictures:
                     count += 1
                     if process is None:
                         line = _command(program, picture.shape[1], picture.shape[0], fps, made)
-                        process = subprocess.Popen(line, stdin=subprocess.PIPE, stdout=said, stderr=said)
+                        process = subprocess.Popen(line, stdin=subprocess.PIPE, stdout=log, stderr=log)
                     assert process.stdin is not None
                     process.stdin.write(np.ascontiguousarray(picture).data)
                 if process is not None:
@@ -215,9 +215,9 @@ def write_mp4(file: IO[bytes], pictures: Iterable[Picture], fps: float, path: st
                 if process is not None:
                     _end(process)
             if process is None or process.returncode or not made.exists():
-                said.seek(0)
-                lines = said.read().decode(errors="replace").strip().splitlines()[-_LAST_LINES:]
-                raise FileError(path, f"ffmpeg failed: {' '.join(lines) or 'it said nothing'}")
+                log.seek(0)
+                lines = log.read().decode(errors="replace").strip().splitlines()[-_LAST_LINES:]
+                raise FileError(path, f"ffmpeg failed: {' '.join(lines) or 'it printed no message'}")
         with made.open("rb") as video:
             shutil.copyfileobj(video, file, _AT_ONCE)
     return count
@@ -229,7 +229,7 @@ def _end(process: subprocess.Popen[bytes]) -> None:
         with contextlib.suppress(OSError):
             process.stdin.close()
     try:
-        process.wait(_PATIENCE)
+        process.wait(_EXIT_TIMEOUT)
     except subprocess.TimeoutExpired:
         process.kill()
         process.wait()
@@ -244,6 +244,6 @@ def _command(program: str, width: int, height: int, fps: float, output: Path) ->
 
 def _encoder(program: str) -> tuple[str, tuple[str, ...]]:
     """Name and options of the best encoder of this ffmpeg."""
-    said = subprocess.run([program, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False).stdout
-    names = {line.split()[1] for line in said.splitlines() if len(line.split()) > 1}
+    output = subprocess.run([program, "-hide_banner", "-encoders"], capture_output=True, text=True, check=False).stdout
+    names = {line.split()[1] for line in output.splitlines() if len(line.split()) > 1}
     return next((entry for entry in _ENCODERS if entry[0] in names), _ENCODERS[-1])

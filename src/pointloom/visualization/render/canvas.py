@@ -104,7 +104,10 @@ class Canvas:
         seam = None if halo is None else self._paint(halo, 0.85, name="halo")
         down, across = _split_anchor(anchor)
         letters = lettering()
-        rows = [_place(letters, str(text), x, y, check_positive("size", size), down, across) for text, x, y in entries]
+        rows = [
+            _anchored_glyphs(letters, str(text), x, y, check_positive("size", size), down, across)
+            for text, x, y in entries
+        ]
         glyphs = np.concatenate(rows) if rows else np.empty((0, 5), np.int32)
         if not len(glyphs):
             return
@@ -140,21 +143,21 @@ class Canvas:
         """Draw segments (x, y, x, y), shape (n, 4), with round ends."""
         ends = check_rows("segments", segments, 4, dtype=np.float64)
         width = check_positive("width", width)
-        reach = width / 2 + 2
-        high = self.width - 1 + reach, self.height - 1 + reach
-        ends, _ = clip_segments(ends, (-reach, -reach), high)
+        margin = width / 2 + 2
+        high = self.width - 1 + margin, self.height - 1 + margin
+        ends, _ = clip_segments(ends, (-margin, -margin), high)
         if len(ends):
             paint = self._paint(color, opacity)
             columns, rows = ends[:, ::2], ends[:, 1::2]
-            box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), reach)
+            box = self._box(columns.min(), rows.min(), columns.max(), rows.max(), margin)
             strokes.cover_segments(self.sheet, ends.astype(np.float32), width)
             strokes.blend(self.sheet, box, paint)
 
     def dots(self, points: ArrayLike, *, radius: float = 3.0, color: Color = BLACK, opacity: float = 1.0) -> None:
         """Draw filled circles at points (n, 2)."""
-        places = check_rows("points", points, 2, dtype=np.float64)
+        centers = check_rows("points", points, 2, dtype=np.float64)
         diameter = 2 * check_positive("radius", radius)
-        self.segments(np.hstack([places, places]), color=color, width=diameter, opacity=opacity)
+        self.segments(np.hstack([centers, centers]), color=color, width=diameter, opacity=opacity)
 
     def rectangle(
         self,
@@ -189,11 +192,11 @@ class Canvas:
             table = upload(values.ravel(), uint8, self.device)
             strokes.copy_image(self.sheet, box, table, values.shape[1], x, y)
 
-    def _box(self, left: float, top: float, right: float, bottom: float, reach: float) -> tuple[int, int, int, int]:
+    def _box(self, left: float, top: float, right: float, bottom: float, margin: float) -> tuple[int, int, int, int]:
         """The cells within a distance of a box, clipped."""
-        limits = np.array([left - reach, top - reach, right + reach, bottom + reach])
-        most = float(max(self.width, self.height) + 1)
-        low, high = np.floor(limits[:2].clip(-1, most)).tolist(), np.ceil(limits[2:].clip(-1, most)).tolist()
+        limits = np.array([left - margin, top - margin, right + margin, bottom + margin])
+        limit = float(max(self.width, self.height) + 1)
+        low, high = np.floor(limits[:2].clip(-1, limit)).tolist(), np.ceil(limits[2:].clip(-1, limit)).tolist()
         return clip_box(self.sheet, *map(int, low), *map(int, high))
 
     @staticmethod
@@ -215,7 +218,7 @@ def _check_image(image: Any) -> NDArray[np.uint8]:
     values = np.asarray(unmasked("image", image))
     if values.ndim != 3 or values.shape[2] != 3 or values.dtype != np.uint8 or not values.size:
         is_clear = values.ndim == 3 and values.shape[2] == 4
-        remedy = "; draw it before a background of a color, not a transparent one" if is_clear else ""
+        remedy = "; render it with an opaque background" if is_clear else ""
         shape = list(values.shape)
         raise ValueError(f"image: expected uint8 of shape [h, w, 3], got {values.dtype} of {shape}{remedy}")
     return np.ascontiguousarray(values)
@@ -225,11 +228,13 @@ def _split_anchor(anchor: str) -> tuple[str, float]:
     down, _, across = anchor.rpartition(" ")
     down = down or "middle"
     if across not in _ACROSS or down not in _DOWN:
-        raise ValueError(f"anchor: expected left, center or right, alone or behind upper or lower, got {anchor!r}")
+        raise ValueError(f"anchor: expected left, center or right, alone or after upper or lower, got {anchor!r}")
     return down, _ACROSS[across]
 
 
-def _place(letters: Any, text: str, x: float, y: float, size: float, down: str, across: float) -> NDArray[np.int32]:
+def _anchored_glyphs(
+    letters: Any, text: str, x: float, y: float, size: float, down: str, across: float
+) -> NDArray[np.int32]:
     """Letters of an anchored text. None if the position is not finite or far outside."""
     if not (np.isfinite(x) and np.isfinite(y) and abs(x) < 2**20 and abs(y) < 2**20):
         return np.empty((0, 5), np.int32)

@@ -60,8 +60,8 @@ class Coloring:
 
     def entries(self) -> list[tuple[str, Color]]:
         """Names and colors for a legend: labels and missing values."""
-        found = [(name, label_color(label)) for label, name in self.names.items()]
-        return found + [("none", MISSING)] * self.has_missing
+        entries = [(name, label_color(label)) for label, name in self.names.items()]
+        return entries + [("none", MISSING)] * self.has_missing
 
 
 def label_color(label: int) -> Color:
@@ -114,7 +114,7 @@ def color_cloud(
         if not cloud.has_normals:
             raise ValueError(
                 "color_by: there are no normals; call cloud = cloud.estimate_normals(), "
-                "of a mesh compute_vertex_normals()"
+                "or compute_vertex_normals() of a mesh"
             )
         colors, flag = value_colors.color_normals(contiguous(cloud._device_array("normals")), MISSING)
         return Coloring(colors, "rgb", title="normal", has_missing=_is_raised(flag))
@@ -148,7 +148,7 @@ def _color_axis(cloud: PointCloud, by: str, colormap: str | None, limits: tuple[
 def _color_attribute(values: Any, name: str, colormap: str | None, limits: tuple[float, float] | None) -> Coloring:
     if len(values.shape) != 1:
         what = repr(name) if name else "the array"
-        raise ValueError(f"color_by: {what} has {values.shape[1]} numbers a point; colors go by attributes with one")
+        raise ValueError(f"color_by: expected an attribute with one number per point, but {what} has {values.shape[1]}")
     values = contiguous(values)
     kind = np.dtype(wp.dtype_to_numpy(values.dtype))
     if kind.kind in "biu" and (name in _LABELS or not name) and colormap is None and limits is None:

@@ -166,15 +166,15 @@ def colormap_table(name: str) -> NDArray[np.float32]:
         >>> colormap_table("gray")[[0, -1]].tolist()
         [[0.0, 0.0, 0.0], [1.0, 1.0, 1.0]]
     """
-    places = np.arange(ENTRIES) / (ENTRIES - 1)
+    fractions = np.arange(ENTRIES) / (ENTRIES - 1)
     match check_colormap(name):
         case "gray":
-            columns = [places] * 3
+            columns = [fractions] * 3
         case "jet":
-            columns = [np.interp(places, *pieces) for pieces in _JET]
+            columns = [np.interp(fractions, *pieces) for pieces in _JET]
         case _:
             points = _from_hex(_TABLES[name])
-            columns = [np.interp(places, np.arange(len(points)) / (len(points) - 1), c) for c in points.T]
+            columns = [np.interp(fractions, np.arange(len(points)) / (len(points) - 1), c) for c in points.T]
     return np.stack(columns, axis=1).astype(np.float32)
 
 

@@ -34,15 +34,15 @@ def draw_errors(
     finite = distances[np.isfinite(distances)].astype(np.float64)
     largest = float(np.quantile(finite, _SHOWN)) if len(finite) else 0.0
     limits = 0.0, largest or float(finite.max(initial=0.0)) or 1.0
-    place = mesh.device
-    ramp = Ramp(colormap_table(COLORMAP), limits, MISSING, place)
-    colors = color_values(upload(distances, float32, place), ramp)
+    device = mesh.device
+    ramp = Ramp(colormap_table(COLORMAP), limits, MISSING, device)
+    colors = color_values(upload(distances, float32, device), ramp)
     colored = mesh.copy()
     colored.vertex_colors = download(colors)
     image = render(
         {"geometry": colored, "shaded": True, "back_faces": back_faces}, size=(_MESH, _HEIGHT), background=BACKDROP
     )
-    left = Canvas.blank(_MESH + _BAR, _HEIGHT, BACKDROP, place)
+    left = Canvas.blank(_MESH + _BAR, _HEIGHT, BACKDROP, device)
     left.image(image, 0, 0)
     coloring = Coloring(colors, "values", limits, COLORMAP, has_missing=len(finite) < len(distances))
     label = f"distance [{symbol_of(mesh.unit)}]"

@@ -49,8 +49,8 @@ class CameraFrustum:
         object.__setattr__(self, "color", (red, green, blue))
 
     def __repr__(self) -> str:
-        camera, place = self.intrinsic, self.T_world_camera[:3, 3].tolist()
-        return f"CameraFrustum({camera.width} x {camera.height}, at {place}, scale {self.scale:g} m)"
+        camera, position = self.intrinsic, self.T_world_camera[:3, 3].tolist()
+        return f"CameraFrustum({camera.width} x {camera.height}, at {position}, scale {self.scale:g} m)"
 
     def corners(self) -> NDArray[np.float64]:
         """World positions of the image corners and the tip of the mark [m], shape (5, 3).

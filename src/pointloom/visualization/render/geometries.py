@@ -39,8 +39,8 @@ from .styles import STYLE_KEYS, Style
 ACCEPTED = (
     "PointCloud, TriangleMesh, VoxelGrid, AxisAlignedBoundingBox, OrientedBoundingBox, LineSet, Trajectory, "
     "ConvexHull, SelectionPolygonVolume, TSDFVolume, GaussianSplats, CameraFrustum, an array of points [n, 3], an "
-    'object with points, or with vertices and triangles; or {"geometry": ...} with keys of style; files '
-    "are read first: loom.read_point_cloud, loom.read_triangle_mesh"
+    'object with points, or with vertices and triangles; or {"geometry": ...} with keys of style; read '
+    "files first with loom.read_point_cloud or loom.read_triangle_mesh"
 )
 
 # Colors of several clouds without colors. The first two as in Open3D's registration tutorials.
@@ -68,7 +68,7 @@ def named_geometries(geometries: Any) -> list[Named]:
         given = [(None, value) for value in geometries]
     else:
         given = [(None, geometries)]
-    found: list[Named] = []
+    named: list[Named] = []
     taken: dict[str, int] = {}
     for name, value in given:
         geometry, style = value, Style()
@@ -77,8 +77,8 @@ def named_geometries(geometries: Any) -> list[Named]:
         geometry = as_known(geometry)
         kind = kind_of(geometry)
         name = _free_name(name or kind, taken)
-        found.append((name, geometry, style))
-    return _told_apart(found)
+        named.append((name, geometry, style))
+    return _with_distinct_colors(named)
 
 
 def check_units(geometries: Iterable[Any]) -> LengthUnit | None:
@@ -106,7 +106,7 @@ def _free_name(name: str, taken: dict[str, int]) -> str:
     return free
 
 
-def _told_apart(named: list[Named]) -> list[Named]:
+def _with_distinct_colors(named: list[Named]) -> list[Named]:
     """Give different colors to several clouds without colors."""
     plain = [
         name
@@ -153,8 +153,8 @@ def parts_of(geometry: Any, style: Style | None = None, device: Any = None) -> l
     Raises TypeError if it cannot be drawn and ValueError for inconsistent arrays.
     """
     style, geometry = style or Style(), as_known(geometry)
-    place = resolve_device(getattr(geometry, "device", None) if device is None else device)
-    parts = _entry_of(geometry)[1](geometry, style, place)
+    target_device = resolve_device(getattr(geometry, "device", None) if device is None else device)
+    parts = _entry_of(geometry)[1](geometry, style, target_device)
     return [part if style.pose is None else dataclasses.replace(part, pose=style.pose) for part in parts]
 
 
@@ -176,17 +176,19 @@ def bounds_of(parts: Iterable[Part]) -> tuple[NDArray[np.float64], NDArray[np.fl
 
 
 def _of_cloud(cloud: PointCloud, style: Style, device: Any) -> list[Part]:
-    held = {name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud}
-    colors = held.get("colors", empty(0, vec3, device))
+    arrays = {
+        name: move(cloud._device_array(name), device) for name in ("points", "normals", "colors") if name in cloud
+    }
+    colors = arrays.get("colors", empty(0, vec3, device))
     coloring = None
-    has_own = "colors" in held and style.color is None and style.color_by in (None, "rgb")
+    has_own = "colors" in arrays and style.color is None and style.color_by in (None, "rgb")
     if style.color_by is not None:
         coloring = color_cloud(cloud, style.color_by, colormap=style.colormap, limits=style.limits)
         colors = move(coloring.colors, device)
     elif style.color is not None:
         colors = empty(0, vec3, device)
-    normals = held.get("normals", empty(0, vec3, device))
-    part = _points(held["points"], cloud.origin, colors, normals, style, has_own)
+    normals = arrays.get("normals", empty(0, vec3, device))
+    part = _points(arrays["points"], cloud.origin, colors, normals, style, has_own)
     return [dataclasses.replace(part, coloring=coloring)]
 
 
@@ -246,8 +248,8 @@ def _of_mesh(mesh: Any, style: Style, device: Any) -> list[Part]:
         rows = {
             n: optional_rows(mesh, n, made._device_arrays["vertices"].size) for n in ("vertex_normals", "vertex_colors")
         }
-        held: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
-        mesh = made._with_arrays(**held)
+        arrays: dict[str, Any] = {n: upload(values, vec3, device) for n, values in rows.items() if len(values)}
+        mesh = made._with_arrays(**arrays)
     mesh, chosen = mesh.to(device), _surface_style(style)
     if style.color_by is not None:
         coloring = color_cloud(vertices_of(mesh), style.color_by, colormap=style.colormap, limits=style.limits)
@@ -279,7 +281,7 @@ def _of_tsdf(volume: TSDFVolume, style: Style, device: Any) -> list[Part]:
 
 def _lines(drawn: outlines.Segments, style: Style, device: Any) -> Lines:
     if style.opacity is not None and style.opacity < 1:
-        raise ValueError(f"opacity: lines are drawn whole; it is for points and faces, got {style.opacity}")
+        raise ValueError(f"opacity: only points and faces can be transparent, not lines; got {style.opacity}")
     part = outlines.upload_lines(drawn, device)
     if style.color is not None:
         part = dataclasses.replace(part, colors=empty(0, vec3, device), plain=style.color)
@@ -327,8 +329,8 @@ def _entry_of(geometry: Any) -> Entry:
     if hasattr(geometry, "points"):
         return "cloud", _of_points
     kind = type(geometry)  # with its module: other libraries have a VoxelGrid as well
-    found = kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
-    raise TypeError(f"geometries: expected {ACCEPTED}; got {found}")
+    type_name = kind.__name__ if kind.__module__ == "builtins" else f"{kind.__module__}.{kind.__name__}"
+    raise TypeError(f"geometries: expected {ACCEPTED}; got {type_name}")
 
 
 # Faces of a cube: axis, side and corners, counterclockwise seen from outside.
@@ -345,7 +347,7 @@ _FACES = (
 def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
     """Drawn parts of a mesh, with shared arrays; `plain` and `coloring` in `chosen` replace its colors and textures."""
     arrays, none = mesh._device_arrays, empty(0, vec3, mesh.device)
-    held: dict[str, Any] = {
+    fields: dict[str, Any] = {
         "positions": arrays["vertices"],
         "origin": mesh.origin,
         "normals": arrays.get("vertex_normals", none),
@@ -353,10 +355,10 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
         **chosen,
     }
     if "triangle_uvs" not in arrays or not mesh.textures or chosen.keys() & {"plain", "coloring"}:
-        return [Triangles(indices=_flat(arrays["triangles"]), **held)]
+        return [Triangles(indices=_flat(arrays["triangles"]), **fields)]
     if "triangle_material_ids" not in arrays:
         uvs, texture = arrays["triangle_uvs"], mesh.textures[0]
-        return [Triangles(indices=_flat(arrays["triangles"]), uvs=uvs, texture=texture, **held)]
+        return [Triangles(indices=_flat(arrays["triangles"]), uvs=uvs, texture=texture, **fields)]
     ids = np.asarray(mesh.triangle_material_ids)
     parts: list[Part] = []
     for number in np.unique(ids).tolist():
@@ -364,7 +366,7 @@ def mesh_parts(mesh: TriangleMesh, chosen: dict[str, Any]) -> list[Part]:
         surface = (
             {"uvs": taken["triangle_uvs"], "texture": mesh.textures[number]} if number < len(mesh.textures) else {}
         )
-        parts.append(Triangles(indices=_flat(taken["triangles"]), **surface, **held))
+        parts.append(Triangles(indices=_flat(taken["triangles"]), **surface, **fields))
     return parts
 
 
@@ -372,8 +374,8 @@ def vertices_of(mesh: TriangleMesh) -> PointCloud:
     """The vertices of a mesh as a cloud with normals, colors and attributes."""
     arrays = mesh._device_arrays
     renamed = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
-    held = {new: arrays[old] for old, new in renamed.items() if old in arrays}
-    cloud = PointCloud._from_device_arrays(held, mesh.origin)
+    columns = {new: arrays[old] for old, new in renamed.items() if old in arrays}
+    cloud = PointCloud._from_device_arrays(columns, mesh.origin)
     for name, values in mesh.vertex_attributes.items():
         cloud[name] = values
     cloud.unit = mesh.unit
@@ -392,14 +394,14 @@ def voxel_parts(grid: VoxelGrid, chosen: dict[str, Any], device: Any) -> list[Pa
     indices = (first + np.array([0, 1, 2, 0, 2, 3])).ravel()
     local = corners.reshape(-1, 3) * grid.voxel_size
     none, wireframe = empty(0, vec3, device), chosen.pop("wireframe", False)
-    held: dict[str, Any] = {"colors": none, "normals": none, "uvs": empty(0, vec2, device), "lit": True, **chosen}
+    fields: dict[str, Any] = {"colors": none, "normals": none, "uvs": empty(0, vec2, device), "lit": True, **chosen}
     positions = upload(local, vec3, device)
-    parts: list[Part] = [Triangles(positions, origin, upload(indices, int32, device), **held)]
+    parts: list[Part] = [Triangles(positions, origin, upload(indices, int32, device), **fields)]
     if wireframe and count:
-        places, rows = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
+        vertices, rows = np.unique(corners.reshape(-1, 3), axis=0, return_inverse=True)
         sides = rows.reshape(-1)[first + np.array([0, 1, 1, 2, 2, 3, 3, 0])].reshape(-1, 2)
         lines = np.unique(np.sort(sides, axis=1), axis=0)
-        parts.append(upload_lines(Segments(places * grid.voxel_size + origin, lines), device))
+        parts.append(upload_lines(Segments(vertices * grid.voxel_size + origin, lines), device))
     return parts
 
 
@@ -410,9 +412,9 @@ def outer_faces(grid: VoxelGrid) -> NDArray[np.int64]:
     occupied = _keys(cells, sizes)  # ascending, as the coordinates are
     faces = []
     for side, corners in _FACES:
-        asked = _keys(cells + side, sizes)
-        place = np.searchsorted(occupied, asked).clip(max=max(len(cells) - 1, 0))
-        open_cells = cells[occupied[place] != asked] if len(cells) else cells
+        neighbor_keys = _keys(cells + side, sizes)
+        index = np.searchsorted(occupied, neighbor_keys).clip(max=max(len(cells) - 1, 0))
+        open_cells = cells[occupied[index] != neighbor_keys] if len(cells) else cells
         faces.append(open_cells[:, None] + np.array(corners))
     return np.concatenate(faces)
 

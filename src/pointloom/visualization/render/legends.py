@@ -35,13 +35,13 @@ def _letters_for(width: int, height: int) -> int:
     )
 
 
-def cut_text(text: str, size: float, most: float) -> str:
+def cut_text(text: str, size: float, max_width: float) -> str:
     """A text shortened with an ellipsis to a width [px]."""
     letters = lettering()
-    if len(text) <= most and letters.width(text, size) <= most:  # a letter is at least one pixel wide
+    if len(text) <= max_width and letters.width(text, size) <= max_width:  # a letter is at least one pixel wide
         return text
-    text = text[: max(int(most), 0)]
-    while text and letters.width(text + "…", size) > most:
+    text = text[: max(int(max_width), 0)]
+    while text and letters.width(text + "…", size) > max_width:
         text = text[:-1]
     return text + "…"
 
@@ -153,14 +153,14 @@ def draw_color_bar(canvas: Canvas, coloring: Coloring, title: str = "") -> None:
 def paint_bar(canvas: Canvas, x: int, y: int, width: int, height: int, colormap: str, ticks: Any, size: int) -> None:
     """Draw the bar of a colormap with ticks at its right."""
     rows = np.arange(height)[::-1]
-    places = rows * 255 // max(height - 1, 1)
-    colors = np.floor(colormap_table(colormap)[places] * 255 + 0.5).astype(np.uint8)
+    positions = rows * 255 // max(height - 1, 1)
+    colors = np.floor(colormap_table(colormap)[positions] * 255 + 0.5).astype(np.uint8)
     canvas.image(np.repeat(colors[:, None], width, axis=1), x, y)
     canvas.rectangle(x, y, width, height, outline=GRAY)
-    places = [y + (height - 1) * (1 - (v - ticks.low) / (ticks.high - ticks.low)) for v in ticks.values]
-    for place in places:
-        canvas.line(x + width, round(place), x + width + size // 4, round(place), color=GRAY)
-    texts = [(text, x + width + size // 2, round(p)) for text, p in zip(ticks.texts, places, strict=True)]
+    positions = [y + (height - 1) * (1 - (v - ticks.low) / (ticks.high - ticks.low)) for v in ticks.values]
+    for position in positions:
+        canvas.line(x + width, round(position), x + width + size // 4, round(position), color=GRAY)
+    texts = [(text, x + width + size // 2, round(p)) for text, p in zip(ticks.texts, positions, strict=True)]
     canvas.texts(texts, size=size)
 
 
@@ -179,7 +179,7 @@ def draw_labels(
     chosen = letter_size(canvas) if size is None else size
     gap, high = round(_DOT) + 4, round(chosen * 1.1)
     taken, texts, dots, hidden = np.empty((0, 4)), [], [], 0
-    for text, x, y in check_list("labels", labels, "texts with places"):
+    for text, x, y in check_list("labels", labels, "texts with positions"):
         if not (0 <= x < canvas.width and 0 <= y < canvas.height):
             continue
         text = cut_text(str(text), chosen, canvas.width - 4 * gap)

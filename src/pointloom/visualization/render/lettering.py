@@ -26,7 +26,7 @@ class Lettering:
         with np.load(path) as table:
             self.coverage, self._glyphs = table["coverage"], table["glyphs"]
             self.sizes = table["sizes"]
-            self._places = {chr(code): place for place, code in enumerate(table["codes"].tolist())}
+            self._indices = {chr(code): index for index, code in enumerate(table["codes"].tolist())}
         self._on_devices: dict[str, Any] = {}
 
     def atlas(self, device: Any) -> Any:
@@ -49,13 +49,13 @@ class Lettering:
         """
         glyphs = self._rows(text, size)
         pens = np.cumsum(glyphs[:, 5]) - glyphs[:, 5]
-        placed = np.column_stack([glyphs[:, :3], glyphs[:, 3] + pens, glyphs[:, 4]])
-        return placed[glyphs[:, 1] > 0].astype(np.int32)
+        glyph_rows = np.column_stack([glyphs[:, :3], glyphs[:, 3] + pens, glyphs[:, 4]])
+        return glyph_rows[glyphs[:, 1] > 0].astype(np.int32)
 
     def _rows(self, text: str, size: float) -> NDArray[np.int32]:
         table = self._glyphs[int(np.abs(self.sizes - size).argmin())]
-        unknown = self._places[UNKNOWN]
-        return table[[self._places.get(character, unknown) for character in " ".join(text.split("\n"))]]
+        unknown = self._indices[UNKNOWN]
+        return table[[self._indices.get(character, unknown) for character in " ".join(text.split("\n"))]]
 
 
 @functools.cache

@@ -20,7 +20,7 @@ Bounds = tuple[Any, Any]
 
 FIELD_OF_VIEW, ZOOM = 60.0, 0.7  # defaults of Open3D's viewer, which looks along -z with y up
 MIN_ZOOM, MAX_ZOOM = 0.02, 2.0  # limits of the wheel in Open3D
-MIN_ANGLE, MOST = 1e-6, 1e30  # minimum field of view [degrees] and maximum zoom: beyond them numbers overflow
+MIN_ANGLE, LARGEST_ZOOM = 1e-6, 1e30  # minimum field of view [degrees] and maximum zoom: beyond them numbers overflow
 
 ALONG = 1e-9  # sine of the angle below which `up` is parallel to the view direction
 
@@ -43,7 +43,7 @@ def view_from_open3d(
     if not np.linalg.norm(right) > ALONG:
         raise ValueError(f"up: expected a direction that is not along front, got {up!r} and {front!r}")
     right = right / np.linalg.norm(right)
-    zoom = check_positive("zoom", zoom, maximum=MOST)
+    zoom = check_positive("zoom", zoom, maximum=LARGEST_ZOOM)
     angle = check_number("field_of_view", field_of_view)
     if not MIN_ANGLE <= angle <= 180 - MIN_ANGLE:
         raise ValueError(f"field_of_view: expected an angle between 0 and 180 degrees, got {field_of_view!r}")
@@ -61,7 +61,7 @@ def view_to_open3d(camera: PinholeCameraIntrinsic, T: NDArray[np.float64], bound
     centered = abs(camera.cx - (camera.width - 1) / 2) < 1e-6 and abs(camera.cy - (camera.height - 1) / 2) < 1e-6
     if not centered or abs(camera.fx - camera.fy) > 1e-9 * camera.fy:
         raise ValueError(
-            "view: Open3D's viewer has square pixels and the principal point in the middle; got "
+            "view: expected square pixels and a centered principal point, as in Open3D's viewer; got "
             f"fx {camera.fx:g}, fy {camera.fy:g}, cx {camera.cx:g}, cy {camera.cy:g}"
         )
     tan, side = camera.height / 2 / camera.fy, _longest_side(low, high)

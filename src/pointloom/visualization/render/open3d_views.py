@@ -56,8 +56,8 @@ def read_view(path: str | os.PathLike[str], *, width: int = 1280, height: int = 
         raise FileError(path, f"expected 'ViewTrajectory', got {str(content['class_name'])[:40]!r}", where="class_name")
     entries = content["trajectory"]
     if not isinstance(entries, list) or len(entries) != 1 or not isinstance(entries[0], dict):
-        found = f"{len(entries)} entries" if isinstance(entries, list) else f"a {type(entries).__name__}"
-        raise FileError(path, f"expected a list with one view, got {found}", where="key trajectory")
+        given = f"{len(entries)} entries" if isinstance(entries, list) else f"a {type(entries).__name__}"
+        raise FileError(path, f"expected a list with one view, got {given}", where="key trajectory")
     check_keys(path, entries[0], required=_ENTRY, where="trajectory[0].")
     values = {key: _read_numbers(path, key, value) for key, value in entries[0].items()}
     bounds = values.pop("boundingbox_min"), values.pop("boundingbox_max")

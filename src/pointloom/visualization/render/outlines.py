@@ -72,14 +72,14 @@ def of_trajectory(trajectory: Any) -> Segments:
     poses = poses[np.isfinite(poses).all(axis=(1, 2))]
     if not len(poses):
         return Segments(np.empty((0, 3)), np.empty((0, 2), int))
-    places, count = poses[:, :3, 3], len(poses)
+    positions, count = poses[:, :3, 3], len(poses)
     path = np.column_stack([np.arange(count - 1), np.arange(1, count)])
     shown = np.unique(np.linspace(0, count - 1, min(count, MAX_AXES)).round().astype(int))
-    length = AXIS_SHARE * float(np.ptp(places, axis=0).max()) or 0.1
-    tips = places[shown, None] + length * poses[shown, :3, :3].transpose(0, 2, 1)
+    length = AXIS_SHARE * float(np.ptp(positions, axis=0).max()) or 0.1
+    tips = positions[shown, None] + length * poses[shown, :3, :3].transpose(0, 2, 1)
     axes = np.column_stack([np.repeat(shown, 3), count + np.arange(3 * len(shown))])
     colors = np.vstack([np.tile((0.1, 0.1, 0.1), (count - 1, 1)), np.tile(AXES_COLORS, (len(shown), 1))])
-    return Segments(np.vstack([places, tips.reshape(-1, 3)]), np.vstack([path, axes]), colors)
+    return Segments(np.vstack([positions, tips.reshape(-1, 3)]), np.vstack([path, axes]), colors)
 
 
 def of_triangles(vertices: NDArray[np.float64], triangles: NDArray[Any]) -> Segments:

@@ -39,7 +39,7 @@ class Overlays:
     def __bool__(self) -> bool:
         return bool(self.labels or self.entries or self.scale_bar or self.coloring is not None)
 
-    def rooms(self, width: int, height: int) -> list[Insets]:
+    def inset_choices(self, width: int, height: int) -> list[Insets]:
         """Alternative insets [px] for legend and color bar: beside or above the scene."""
         kinds: list[list[Insets]] = []
         if self.entries:
@@ -62,23 +62,23 @@ class Overlays:
 
 
 def check_labels(labels: Any) -> list[tuple[str, NDArray[np.float64]]]:
-    found = []
-    for entry in check_list("labels", [] if labels is None else labels, "texts with places"):
-        text, place = _pair("labels", entry, "a text and a place")
-        found.append((check_name("labels", text), check_shape("labels", place, (3,))))
-    return found
+    checked = []
+    for entry in check_list("labels", [] if labels is None else labels, "texts with positions"):
+        text, position = _pair("labels", entry, "a text and a position")
+        checked.append((check_name("labels", text), check_shape("labels", position, (3,))))
+    return checked
 
 
 def check_legend(legend: Any) -> Any:
     """Names with colors, or whether there is a legend."""
     if legend is None or legend is False or legend is True:
         return legend
-    found = []
+    checked = []
     for entry in check_list("legend", legend, "names with colors"):
         name, color = _pair("legend", entry, "a name and a color")
         red, green, blue = check_color("legend", color).tolist()
-        found.append((check_name("legend", name), (red, green, blue)))
-    return found
+        checked.append((check_name("legend", name), (red, green, blue)))
+    return checked
 
 
 def check_bar(color_bar: Any, parts: Sequence[Part]) -> Coloring | None:
@@ -113,12 +113,12 @@ def _pair(name: str, entry: Any, of: str) -> tuple[Any, Any]:
 
 def _project(labels: Sequence[tuple[str, NDArray[np.float64]]], view: View) -> list[tuple[str, float, float]]:
     """Labels in front of the camera, with image positions [px]."""
-    camera, T, found = view.intrinsic, view.T_world_camera, []
-    for text, place in labels:
-        x, y, z = ((place - T[:3, 3]) @ T[:3, :3]).tolist()
+    camera, T, projected = view.intrinsic, view.T_world_camera, []
+    for text, position in labels:
+        x, y, z = ((position - T[:3, 3]) @ T[:3, :3]).tolist()
         if z > 0:
-            found.append((text, camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy))
-    return found
+            projected.append((text, camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy))
+    return projected
 
 
 def _united(bands: Sequence[Insets]) -> Insets:
@@ -130,19 +130,19 @@ MAX_SHARE = 0.25  # maximum of the image width
 _END = 0.35  # half height of the bar's ends over the font size
 
 
-def round_length(most: float) -> float:
+def round_length(max_length: float) -> float:
     """The largest of 1, 2 and 5 times a power of 10 up to a length.
 
     Example:
         >>> round_length(3.7), round_length(0.19)
         (2.0, 0.1)
     """
-    power = math.floor(math.log10(most))
+    power = math.floor(math.log10(max_length))
     for factor, exponent in ((10, power), (5, power), (2, power), (1, power), (5, power - 1)):
         length = factor * 10.0**exponent if exponent >= 0 else factor / 10.0**-exponent
-        if length <= most * (1 + 1e-12):
+        if length <= max_length * (1 + 1e-12):
             return float(length)
-    return most
+    return max_length
 
 
 def draw_scale_bar(
@@ -173,8 +173,8 @@ def draw_scale_bar(
     canvas.segments(ends, color=color, width=thick)
     text = f"{_plain(length)} {symbol_of(unit)}"
     middle_of_text = max(left + wide / 2, left + canvas.text_width(text, size) / 2)
-    place = row - end - round(0.35 * size)
-    canvas.text(text, middle_of_text, place, size=size, color=color, anchor="lower center", halo=halo)
+    text_row = row - end - round(0.35 * size)
+    canvas.text(text, middle_of_text, text_row, size=size, color=color, anchor="lower center", halo=halo)
 
 
 def _plain(length: float) -> str:

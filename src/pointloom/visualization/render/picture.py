@@ -38,12 +38,12 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
     def __array_wrap__(self, array: Any, context: Any = None, return_scalar: bool = False) -> Any:
         return array[()] if return_scalar else np.asarray(array)
 
-    def _is_whole(self) -> bool:
+    def _is_image(self) -> bool:
         return self.ndim == 3 and self.shape[2] in CHANNELS and self.dtype == np.uint8 and self.size > 0
 
     def _repr_png_(self) -> bytes | None:
         """PNG for notebooks. None for large images and for parts that are no image."""
-        if not self._is_whole():
+        if not self._is_image():
             return None
         file = io.BytesIO()
         Image.fromarray(np.ascontiguousarray(self)).save(file, "PNG")
@@ -51,9 +51,9 @@ class Picture(np.ndarray[Any, np.dtype[np.uint8]]):
 
     def _repr_jpeg_(self) -> bytes | None:
         """JPEG for notebooks, for large images."""
-        return still_jpeg(np.asarray(self)) if self._is_whole() and self._repr_png_() is None else None
+        return still_jpeg(np.asarray(self)) if self._is_image() and self._repr_png_() is None else None
 
     def __repr__(self) -> str:
-        if not self._is_whole():
+        if not self._is_image():
             return repr(np.asarray(self))
         return f"Picture({self.shape[1]} x {self.shape[0]})"

@@ -23,7 +23,9 @@ MAX_WEBP = 16383  # [px] per side
 def check_picture(path: Any, *, overwrite: bool) -> None:
     """Check that an image can be written, before any work. Raises FileError."""
     if path_of(path).suffix.lower() not in KINDS:
-        raise FileError(path, "pictures are written as .png or .webp", remedy="Give a name that ends in .png")
+        raise FileError(
+            path, "unknown image format: expected .png or .webp", remedy="Use a file name that ends in .png"
+        )
     check_writable(path, overwrite=overwrite)
 
 
@@ -49,8 +51,8 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
     kind, shape = path_of(path).suffix.lower(), getattr(image, "shape", ())
     has_opacity = len(shape) == 3 and shape[2] == 4
     if has_opacity and kind in OPAQUE:
-        remedy = "Write .png or .webp, or draw it before a background of a color"
-        raise FileError(path, f"{kind} holds no transparency", remedy=remedy)
+        remedy = "Write .png or .webp, or render with an opaque background"
+        raise FileError(path, f"{kind} does not support transparency", remedy=remedy)
     check_writable(path, overwrite=overwrite)
     if not (has_opacity or kind == ".webp"):
         write_png(path, image)
@@ -61,10 +63,12 @@ def save_picture(path: str | os.PathLike[str], image: NDArray[Any], *, overwrite
         data = encode_png(pixels)
     else:
         if max(pixels.shape[:2]) > MAX_WEBP:
-            raise ValueError(f"image: .webp holds up to {MAX_WEBP} pixels a side, got shape {list(pixels.shape)}")
-        held = io.BytesIO()
-        Image.fromarray(pixels).save(held, "WEBP", lossless=True, exact=True)
-        data = held.getvalue()
+            raise ValueError(
+                f"image: expected at most {MAX_WEBP} pixels per side for .webp, got shape {list(pixels.shape)}"
+            )
+        buffer = io.BytesIO()
+        Image.fromarray(pixels).save(buffer, "WEBP", lossless=True, exact=True)
+        data = buffer.getvalue()
     with atomic_write(path) as file:
         file.write(data)
 

@@ -133,9 +133,9 @@ def error_histogram(
 def station_plan(result: StationsResult) -> Picture:
     """Plot stations from above: pairs colored by residuals (outliers red), sights to targets, scaled error ellipses."""
     where = result.poses[:, :2, 3]
-    placed = where[result.placed if result.placed.any() else slice(None)]
-    places = np.vstack([placed, *(place[None, :2] for place in result.targets.values())])
-    extent = float(max(np.ptp(places, axis=0).max(), 1e-3))
+    registered = where[result.placed if result.placed.any() else slice(None)]
+    positions = np.vstack([registered, *(position[None, :2] for position in result.targets.values())])
+    extent = float(max(np.ptp(positions, axis=0).max(), 1e-3))
     figure = new_figure(*PLOT_SIZE)
     axes = figure.subplots()
     _draw_links(figure, axes, result)
@@ -143,17 +143,17 @@ def station_plan(result: StationsResult) -> Picture:
     if enlarged := _draw_ellipses(axes, result, extent):
         title += f", ellipses of {CONFIDENCE:.0%}, {enlarged:,.0f} times as large"
     control = {g.observation.name for g in result.groups if isinstance(g.observation, ControlPoint)}
-    for name, place in result.targets.items():
+    for name, position in result.targets.items():
         color = CONTROL if name in control else TARGET
-        axes.plot(*place[:2], "^", color=color, markersize=9 if name in control else 6, fillstyle="none")
-        _write_name(axes, name if len(result.targets) <= MAX_NAMED else "", place, color, -3)
-    low, high = places.min(axis=0) - MARGIN * extent, places.max(axis=0) + MARGIN * extent
-    for name, place, is_placed in zip(result.names, where, result.placed, strict=True):
-        if not ((low <= place) & (place <= high)).all():
+        axes.plot(*position[:2], "^", color=color, markersize=9 if name in control else 6, fillstyle="none")
+        _write_name(axes, name if len(result.targets) <= MAX_NAMED else "", position, color, -3)
+    low, high = positions.min(axis=0) - MARGIN * extent, positions.max(axis=0) + MARGIN * extent
+    for name, position, is_registered in zip(result.names, where, result.placed, strict=True):
+        if not ((low <= position) & (position <= high)).all():
             continue  # not placed, and far from the others
-        color = STATION if is_placed else UNPLACED
-        axes.plot(*place, "o", color=color, markeredgecolor="white", markersize=8)
-        _write_name(axes, name, place, color, 4)
+        color = STATION if is_registered else UNPLACED
+        axes.plot(*position, "o", color=color, markeredgecolor="white", markersize=8)
+        _write_name(axes, name, position, color, 4)
     used = [bool(result.targets), bool(control), bool(result.outliers)]
     for name, color, is_used in zip(("target", "control", "outlier"), (TARGET, CONTROL, WRONG), used, strict=True):
         if is_used:
@@ -237,7 +237,7 @@ def _matplotlib(module: str) -> Any:
     try:
         return importlib.import_module(f"matplotlib.{module}")
     except ImportError as error:
-        raise ImportError('plots need the package matplotlib: pip install "pointloom[plot]"') from error
+        raise ImportError('plots require the package matplotlib: pip install "pointloom[plot]"') from error
 
 
 def _color_scale(colormap: str, low: float, high: float) -> Any:
@@ -264,8 +264,8 @@ def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
     def ends_of(groups: list[Any]) -> list[Any]:
         sights = [g.observation for g in groups if isinstance(g.observation, TargetObservation)]
         pairs = [g.observation for g in groups if isinstance(g.observation, StationPair)]
-        found = [(where[o.station], result.targets[o.name][:2]) for o in sights if o.name in result.targets]
-        return found + [(where[o.source], where[o.target]) for o in pairs]
+        links = [(where[o.station], result.targets[o.name][:2]) for o in sights if o.name in result.targets]
+        return links + [(where[o.source], where[o.target]) for o in pairs]
 
     pairs = [g for g in result.groups if g.kind == "pair"]
     axes.add_collection(
@@ -284,8 +284,8 @@ def _draw_links(figure: Any, axes: Any, result: StationsResult) -> None:
 def _draw_ellipses(axes: Any, result: StationsResult, extent: float) -> float:
     """Draw the error ellipses of the stations. Returns their scale, 0 if there is none."""
     first = result.covariances.shape[1] - 3
-    placed = np.flatnonzero(result.placed)
-    values, vectors = np.linalg.eigh(result.covariances[placed][:, first : first + 2, first : first + 2])
+    registered = np.flatnonzero(result.placed)
+    values, vectors = np.linalg.eigh(result.covariances[registered][:, first : first + 2, first : first + 2])
     lengths = 2 * np.sqrt(-2 * np.log(1 - CONFIDENCE) * np.maximum(values, 0))  # of both axes, ascending
     longest = float(lengths.max(initial=0.0)) / 2
     if not longest > 0:
@@ -293,16 +293,18 @@ def _draw_ellipses(axes: Any, result: StationsResult, extent: float) -> float:
     largest = max(ELLIPSE * extent / longest, 1.0)
     power = 10.0 ** np.floor(np.log10(largest))
     scale = float(max(n * power for n in (1, 2, 5) if n * power <= largest))
-    for i, (short, long), (x, y) in zip(placed, scale * lengths, vectors[:, :, 1], strict=True):
+    for i, (short, long), (x, y) in zip(registered, scale * lengths, vectors[:, :, 1], strict=True):
         if long > 0:
             angle, center = np.degrees(np.arctan2(y, x)), result.poses[i, :2, 3]
             axes.add_patch(_matplotlib("patches").Ellipse(center, long, short, angle=angle, fill=False, color=STATION))
     return scale
 
 
-def _write_name(axes: Any, name: str, place: NDArray[np.float64], color: str, up: int) -> None:
+def _write_name(axes: Any, name: str, position: NDArray[np.float64], color: str, up: int) -> None:
     outline = [_matplotlib("patheffects").withStroke(linewidth=2, foreground="white")]
-    text = axes.annotate(name, place[:2], xytext=(7, up), textcoords="offset points", color=color, path_effects=outline)
+    text = axes.annotate(
+        name, position[:2], xytext=(7, up), textcoords="offset points", color=color, path_effects=outline
+    )
     text.set_parse_math(False)
 
 

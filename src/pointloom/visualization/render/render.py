@@ -130,22 +130,22 @@ def render(
         raise ValueError(f"shading: expected one of {', '.join(SHADINGS)} or None, got {shown(shading)}")
     if not isinstance(scale_bar, bool | np.bool_):
         raise TypeError(f"scale_bar: expected True or False, got {shown(scale_bar)}")
-    told = None if up is None else check_up(up)
+    explicit_up = None if up is None else check_up(up)
     named = named_geometries(geometries)
-    upward = up_of((geometry, style.pose) for _, geometry, style in named) if told is None else told
+    up_axis = up_of((geometry, style.pose) for _, geometry, style in named) if explicit_up is None else explicit_up
     unit = check_units(geometry for _, geometry, _ in named)
-    place = device_of(named, device)
+    target_device = device_of(named, device)
     for_all = Style(point_size=point_size, wireframe=mesh_show_wireframe or None, back_faces=mesh_show_back_face)
     texts, entries = check_labels(labels), check_legend(legend)
-    groups = _groups_of(named, for_all, shading, place, on_dark=is_dark(backdrop))
+    groups = _groups_of(named, for_all, shading, target_device, on_dark=is_dark(backdrop))
     parts = _all_of(groups)
     if point_show_normal:
         parts += _normals_of(parts, PLAIN_BEFORE_DARK if is_dark(backdrop) else NORMAL_COLOR)
-    scene = Scene(parts, place)
+    scene = Scene(parts, target_device)
     if entries is True:
         entries = [(name, color_of(group)) for (name, _, _), group in zip(named, groups, strict=True) if group]
     overlays = Overlays(texts, entries or [], check_bar(color_bar, parts), bool(scale_bar), unit, is_dark(backdrop))
-    view = resolve_view(camera, scene, width, height, rooms=overlays.rooms(width, height), up=upward)
+    view = resolve_view(camera, scene, width, height, inset_choices=overlays.inset_choices(width, height), up=up_axis)
     drawing = scene.draw(view)
     picture = _written(drawing, backdrop, overlays)
     if not depth:
@@ -155,9 +155,9 @@ def render(
 
 
 def _groups_of(
-    named: Sequence[Named], for_all: Style, shading: str | None, place: Any, *, on_dark: bool
+    named: Sequence[Named], for_all: Style, shading: str | None, device: Any, *, on_dark: bool
 ) -> list[list[Part]]:
-    groups = [parts_of(geometry, style.over(for_all), place) for _, geometry, style in named]
+    groups = [parts_of(geometry, style.over(for_all), device) for _, geometry, style in named]
     if shading is not None:
         groups = [
             parts if style.shaded is not None else [_shaded(part, shading) for part in parts]
@@ -187,17 +187,17 @@ def _all_of(groups: list[list[Part]]) -> list[Part]:
     parts = [part for group in groups for part in group]
     if not any(part.positions.size for part in parts) and asked_by_user():
         has = "a geometry without points or faces" if groups else "an empty list"
-        warn_of_units(f"geometries: nothing to draw in {has}, so that the picture is empty", UserWarning)
+        warn_of_units(f"geometries: expected points or faces, got {has}; the image is empty", UserWarning)
     return parts
 
 
 def resolve_view(
-    camera: Any, scene: Scene, width: int, height: int, *, rooms: Sequence[Insets] = (), up: Triple = UP
+    camera: Any, scene: Scene, width: int, height: int, *, inset_choices: Sequence[Insets] = (), up: Triple = UP
 ) -> View:
-    """View for the `camera` of `render`. A fitted view uses those insets in `rooms` that allow the closest view."""
+    """View for the `camera` of `render`. A fitted view uses those of `inset_choices` that allow the closest view."""
     if camera is None:
         direction = direction_under(up)
-        views = [scene.fit(Frame(direction, up, width, height, room)) for room in rooms or [(0, 0, 0, 0)]]
+        views = [scene.fit(Frame(direction, up, width, height, room)) for room in inset_choices or [(0, 0, 0, 0)]]
         return max(views, key=lambda view: float(view.T_world_camera[:3, 3] @ view.T_world_camera[:3, 2]))
     if isinstance(camera, View):
         return camera
@@ -246,8 +246,8 @@ def _shaded(part: Part, shading: str) -> Part:
 def device_of(named: Sequence[Named], device: Any) -> Any:
     """The given device, else that of the first geometry that has one."""
     if device is None:
-        held = (getattr(geometry, "device", None) for _, geometry, _ in named)
-        device = next((each for each in held if hasattr(each, "is_cuda")), None)
+        devices = (getattr(geometry, "device", None) for _, geometry, _ in named)
+        device = next((each for each in devices if hasattr(each, "is_cuda")), None)
     return resolve_device(device)
 
 

@@ -53,7 +53,7 @@ MIN_SIZE, MAX_SIZE = 1.5, 16.0  # [px] of automatic point sizes
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Placed:
+class BoundedPart:
     """A part with the bounds of its finite positions [m] relative to its origin. None if empty."""
 
     part: Part
@@ -64,9 +64,9 @@ class Placed:
         if self.box is None:
             return np.empty((0, 3))
         x, y, z = self.box.T
-        places = np.array(np.meshgrid(x, y, z)).reshape(3, 8).T + self.part.origin
+        corners = np.array(np.meshgrid(x, y, z)).reshape(3, 8).T + self.part.origin
         pose = self.part.pose
-        return places if pose is None else places @ pose[:3, :3].T + pose[:3, 3]
+        return corners if pose is None else corners @ pose[:3, :3].T + pose[:3, 3]
 
 
 class Scene:
@@ -74,8 +74,8 @@ class Scene:
 
     def __init__(self, parts: Sequence[Part], device: Any):
         self.device = device
-        self.placed = [Placed(part, _box_of(part.positions)) for part in parts]
-        corners = np.concatenate([np.empty((0, 3)), *(placed.corners() for placed in self.placed)])
+        self.parts = [BoundedPart(part, _box_of(part.positions)) for part in parts]
+        corners = np.concatenate([np.empty((0, 3)), *(bounded.corners() for bounded in self.parts)])
         self.is_empty = not len(corners)
         self.low = np.zeros(3) if self.is_empty else corners.min(axis=0)
         self.high = np.zeros(3) if self.is_empty else corners.max(axis=0)
@@ -92,15 +92,15 @@ class Scene:
     def fit(self, frame: Frame) -> View:
         if self.is_empty:
             return frame.view(None, 0.0)
-        directions, reach = frame.directions(), []
-        for placed in self.placed:
-            if placed.box is None:
+        directions, extents = frame.directions(), []
+        for bounded in self.parts:
+            if bounded.box is None:
                 continue
-            A, t = _motion_of(placed.part)
+            A, t = _motion_of(bounded.part)
             local = upload(directions @ A, vec3, self.device)
-            offset = directions @ (A @ placed.part.origin + t)
-            reach.append(find_extremes(placed.part.positions, local) + offset)  # sync
-        return frame.view(np.max(reach, axis=0), float((self.high - self.low).max()))
+            offset = directions @ (A @ bounded.part.origin + t)
+            extents.append(find_extremes(bounded.part.positions, local) + offset)  # sync
+        return frame.view(np.max(extents, axis=0), float((self.high - self.low).max()))
 
     def draw(self, view: View, *, background: Triple = (1.0, 1.0, 1.0)) -> Drawing:
         return Drawing(self, view, background)
@@ -113,11 +113,11 @@ class Drawing:
         camera = view.intrinsic
         cells = camera.width * SAMPLES, camera.height * SAMPLES
         need = cells[0] * cells[1] * CELL_BYTES + camera.width * camera.height * PIXEL_BYTES
-        veils = [placed for placed in scene.placed if _is_veil(placed)]
-        splats = [placed for placed in scene.placed if placed.box is not None and isinstance(placed.part, Gaussians)]
+        veils = [bounded for bounded in scene.parts if _is_veil(bounded)]
+        splats = [bounded for bounded in scene.parts if bounded.box is not None and isinstance(bounded.part, Gaussians)]
         need += cells[0] * cells[1] * (LAYER_BYTES * bool(veils) + 8 * sum(isinstance(p.part, Points) for p in veils))
         need += cells[0] * cells[1] * 4 * bool(splats)
-        check_room(scene.device, need, f"a picture of {camera.width} x {camera.height} pixels")
+        check_room(scene.device, need, f"an image of {camera.width} x {camera.height} pixels")
         self.scene, self.view, self.device = scene, view, scene.device
         self.camera = _in_cells(camera)
         corners = np.stack([scene.low, scene.high]) - view.T_world_camera[:3, 3]
@@ -126,7 +126,7 @@ class Drawing:
         self.light = start_light(self.buffer)
         self.left = full(cells[0] * cells[1] if veils or splats else 0, 1.0, float32, self.device)
         self.stop = 0
-        self._draw(veils, [placed.part for placed in splats])
+        self._draw(veils, [bounded.part for bounded in splats])
         self.picture = self.before(background)
 
     def before(self, background: Triple) -> Any:
@@ -137,8 +137,8 @@ class Drawing:
         first, last, closer = self.lines
         return read_depth(self.buffer, self.unit, lines=(first, last), closer=closer)
 
-    def _draw(self, veils: Sequence[Placed], splats: Sequence[Any]) -> None:
-        seen = [p for p in self.scene.placed if p.box is not None and not isinstance(p.part, Gaussians)]
+    def _draw(self, veils: Sequence[BoundedPart], splats: Sequence[Any]) -> None:
+        seen = [p for p in self.scene.parts if p.box is not None and not isinstance(p.part, Gaussians)]
         points = [(p, p.part) for p in seen if isinstance(p.part, Points) and p.part.opacity == 1]
         surfaces = [(p, p.part) for p in seen if isinstance(p.part, Triangles) and p.part.opacity == 1]
         shown: list[tuple[Points | Triangles, Region]] = [
@@ -164,18 +164,18 @@ class Drawing:
         lists, projected = list_splats(part.columns, view, near=near, share=part.opacity)
         blend_splats(lists, projected, self.buffer, self.left, self.light)
 
-    def _draw_layers(self, veils: Sequence[Placed]) -> None:
+    def _draw_layers(self, veils: Sequence[BoundedPart]) -> None:
         """Composite transparent parts in front of opaque ones, layer by layer."""
         if not veils:
             return
         clouds, surfaces = [], []
-        for placed in veils:
-            if isinstance(placed.part, Points):
+        for bounded in veils:
+            if isinstance(bounded.part, Points):
                 own = DepthBuffer(self.buffer.width, self.buffer.height, self.device)
-                clouds.append((placed.part, self._draw_points(placed, placed.part, own), own))
+                clouds.append((bounded.part, self._draw_points(bounded, bounded.part, own), own))
             else:
-                count = placed.part.indices.size // 3
-                surfaces.append((placed.part, Region(self._number(count), self.stop, self._rectangle(placed, 1.0))))
+                count = bounded.part.indices.size // 3
+                surfaces.append((bounded.part, Region(self._number(count), self.stop, self._rectangle(bounded, 1.0))))
         behind = before_all(self.buffer)
         for _ in range(LAYERS):
             layer = start_layer(self.buffer, behind)
@@ -203,29 +203,29 @@ class Drawing:
         else:
             shade_surface(buffer, view, region, self.light, self._surface(part), veil)
 
-    def _draw_points(self, placed: Placed, part: Points, buffer: DepthBuffer) -> Region:
+    def _draw_points(self, bounded: BoundedPart, part: Points, buffer: DepthBuffer) -> Region:
         view = self._view_of(part)
         if part.metric and part.size is not None:
             splat = Splat(0.0, part.size / 2 / self.unit * self.camera.fx)
         elif part.size is not None:
             splat = Splat(part.size * SAMPLES / 2)
         else:
-            splat = self._closing_splat(placed, view)  # sync
+            splat = self._closing_splat(bounded, view)  # sync
         start = self._number(part.positions.size)
         draw_points(part.positions, view, buffer, splat=splat, start=start)
-        return Region(start, self.stop, self._rectangle(placed, splat.radius / SAMPLES, splat.scaled_radius / SAMPLES))
+        return Region(start, self.stop, self._rectangle(bounded, splat.radius / SAMPLES, splat.scaled_radius / SAMPLES))
 
-    def _closing_splat(self, placed: Placed, view: PartView) -> Splat:
+    def _closing_splat(self, bounded: BoundedPart, view: PartView) -> Splat:
         """Splats of one world size that touch most neighbors, limited to a few pixels."""
-        counts, depths = count_in_squares(placed.part.positions, view)  # sync
-        least, most = MIN_SIZE * SAMPLES / 2, MAX_SIZE * SAMPLES / 2
+        counts, depths = count_in_squares(bounded.part.positions, view)  # sync
+        min_radius, max_radius = MIN_SIZE * SAMPLES / 2, MAX_SIZE * SAMPLES / 2
         if not len(counts):
-            return Splat(least)
-        reach = CLOSING / 2 * float(np.quantile(depths * SQUARE / np.sqrt(counts), SPARSE))
-        return Splat(least, reach, most)
+            return Splat(min_radius)
+        world_radius = CLOSING / 2 * float(np.quantile(depths * SQUARE / np.sqrt(counts), SPARSE))
+        return Splat(min_radius, world_radius, max_radius)
 
-    def _draw_surface(self, placed: Placed, part: Triangles, buffer: DepthBuffer) -> Region:
-        region = Region(self._number(part.indices.size // 3), self.stop, self._rectangle(placed, 1.0))
+    def _draw_surface(self, bounded: BoundedPart, part: Triangles, buffer: DepthBuffer) -> Region:
+        region = Region(self._number(part.indices.size // 3), self.stop, self._rectangle(bounded, 1.0))
         self._draw_triangles(part, region, buffer)
         return region
 
@@ -234,7 +234,7 @@ class Drawing:
 
     def _draw_lines(self) -> tuple[Lines, Region] | None:
         """Draw all lines as one part. Returns it and its region for shading."""
-        lines = [p.part for p in self.scene.placed if isinstance(p.part, Lines) and p.box is not None]
+        lines = [p.part for p in self.scene.parts if isinstance(p.part, Lines) and p.box is not None]
         lines = sorted((part for part in lines if part.indices.size), key=lambda part: part.width)
         start, self.lines = self.stop, (self.stop, self.stop, 1.0)
         if not lines:
@@ -272,19 +272,19 @@ class Drawing:
             image = (upload(pixels.ravel(), uint8, self.device), texture.shape[1], texture.shape[0])
         else:
             uvs = empty(0, vec2, self.device)
-        held = {"normals": part.normals, "colors": part.colors, "uvs": uvs, "texture": image}
+        arrays = {"normals": part.normals, "colors": part.colors, "uvs": uvs, "texture": image}
         looks = {"plain": vec3(*part.plain), "lit": part.is_lit, "edges": part.wireframe}
-        return Surface(part.positions, part.indices, **looks, **held)
+        return Surface(part.positions, part.indices, **looks, **arrays)
 
-    def _rectangle(self, placed: Placed, margin: float, reach: float = 0.0) -> tuple[int, int, int, int]:
+    def _rectangle(self, bounded: BoundedPart, margin: float, world_margin: float = 0.0) -> tuple[int, int, int, int]:
         """Image rectangle of a part [px]: left, top, right, bottom."""
         camera, T = self.view.intrinsic, self.view.T_world_camera
-        whole = 0, 0, camera.width, camera.height
-        local = (placed.corners() - T[:3, 3]) @ T[:3, :3] / self.unit
+        full = 0, 0, camera.width, camera.height
+        local = (bounded.corners() - T[:3, 3]) @ T[:3, :3] / self.unit
         depth = local[:, 2]
         if depth.min() <= 1e-3:
-            return whole
-        margin += 2 + reach / depth.min()
+            return full
+        margin += 2 + world_margin / depth.min()
         columns = camera.fx * local[:, 0] / depth + camera.cx
         rows = camera.fy * local[:, 1] / depth + camera.cy
         ends = [columns.min() - margin, rows.min() - margin, columns.max() + margin + 1, rows.max() + margin + 1]
@@ -310,11 +310,11 @@ def merge_lines(parts: Sequence[Lines], origin: NDArray[np.float64], device: Any
     return Lines(positions, origin, indices, colors)
 
 
-def _is_veil(placed: Placed) -> bool:
+def _is_veil(bounded: BoundedPart) -> bool:
     """True if a part is transparent but not invisible. Gaussian splats are handled separately."""
-    if isinstance(placed.part, Gaussians):
+    if isinstance(bounded.part, Gaussians):
         return False
-    return placed.box is not None and not isinstance(placed.part, Lines) and 0 < placed.part.opacity < 1
+    return bounded.box is not None and not isinstance(bounded.part, Lines) and 0 < bounded.part.opacity < 1
 
 
 def _box_of(positions: Any) -> NDArray[np.float64] | None:

@@ -33,8 +33,8 @@ class Ticks:
         return f"{head}[1e{self.exponent} {unit}"
 
 
-def choose_ticks(low: float, high: float, most: int) -> Ticks:
-    """At most `most` (>= 2) ticks at multiples of 1, 2 or 5 times a power of 10.
+def choose_ticks(low: float, high: float, max_count: int) -> Ticks:
+    """At most `max_count` (>= 2) ticks at multiples of 1, 2 or 5 times a power of 10.
 
     Example:
         >>> choose_ticks(0.0, 0.9, 6).texts
@@ -43,7 +43,7 @@ def choose_ticks(low: float, high: float, most: int) -> Ticks:
         'distance [1e-9 m]'
     """
     low, high = widen(low, high)
-    step, power = _step(low, high, max(most, 2))
+    step, power = _step(low, high, max(max_count, 2))
     first, last = math.ceil(low / step - 1e-9), math.floor(high / step + 1e-9)
     values = [k * step for k in range(first, last + 1)]
     largest = max(abs(low), abs(high))
@@ -98,12 +98,12 @@ def widen(low: float, high: float) -> tuple[float, float]:
     return low - pad, high + pad
 
 
-def _step(low: float, high: float, most: int) -> tuple[float, int]:
-    power = _power((high - low) / most)
+def _step(low: float, high: float, max_count: int) -> tuple[float, int]:
+    power = _power((high - low) / max_count)
     while True:
         for factor in (1, 2, 5):
             step = factor * 10.0**power if power >= 0 else factor / 10.0**-power
-            if math.floor(high / step + 1e-9) - math.ceil(low / step - 1e-9) + 1 <= most:
+            if math.floor(high / step + 1e-9) - math.ceil(low / step - 1e-9) + 1 <= max_count:
                 return step, power
         power += 1
 

@@ -17,10 +17,10 @@ DIRECTION: Triple = (-0.65, 0.7, -0.75)  # down from the front right
 
 def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
     """Up axis of the first geometry (with 4x4 pose or None) that defines one, else z."""
-    return next(filter(None, (told_up(geometry, pose) for geometry, pose in geometries)), UP)
+    return next(filter(None, (up_of_geometry(geometry, pose) for geometry, pose in geometries)), UP)
 
 
-def told_up(geometry: Any, pose: Any = None) -> Triple | None:
+def up_of_geometry(geometry: Any, pose: Any = None) -> Triple | None:
     """Up axis of a geometry under its 4x4 pose. None if undefined."""
     up = geometry.up if isinstance(geometry, MeshArrays) else None
     return up if pose is None else up_under(up, pose[:3, :3])
@@ -40,8 +40,8 @@ def direction_under(up: Triple) -> Triple:
     if cosine < -1 + 1e-9:  # upside down: half a rotation about x
         return DIRECTION[0], -DIRECTION[1], -DIRECTION[2]
     axis, way = np.cross(UP, toward), np.array(DIRECTION)
-    turned = way + np.cross(axis, way) + np.cross(axis, np.cross(axis, way)) / (1 + cosine)  # Rodrigues
-    x, y, z = turned.tolist()
+    rotated = way + np.cross(axis, way) + np.cross(axis, np.cross(axis, way)) / (1 + cosine)  # Rodrigues
+    x, y, z = rotated.tolist()
     return x, y, z
 
 

@@ -40,8 +40,8 @@ class View:
         object.__setattr__(self, "T_world_camera", check_rigid("T_world_camera", self.T_world_camera))
 
     def __repr__(self) -> str:
-        place, forward = (self.T_world_camera[:3, i].round(6).tolist() for i in (3, 2))
-        return f"View({self.intrinsic.width} x {self.intrinsic.height}, from {place}, along {forward})"
+        position, forward = (self.T_world_camera[:3, i].round(6).tolist() for i in (3, 2))
+        return f"View({self.intrinsic.width} x {self.intrinsic.height}, from {position}, along {forward})"
 
     @classmethod
     def from_open3d(
@@ -138,8 +138,8 @@ class Frame:
 
     def __init__(self, direction: Triple, up: Triple, width: int, height: int, insets: Insets = (0, 0, 0, 0)):
         width, height = check_count("width", width), check_count("height", height)
-        forward, upward = check_direction("direction", direction), check_direction("up", up)
-        right = np.cross(forward, upward)
+        forward, up_direction = check_direction("direction", direction), check_direction("up", up)
+        right = np.cross(forward, up_direction)
         if not np.linalg.norm(right) > 1e-9:
             raise ValueError(f"direction: expected one that is not along up, got {direction!r} and {up!r}")
         right = right / np.linalg.norm(right)
@@ -158,30 +158,30 @@ class Frame:
         (left, right), (top, bottom) = self.tans
         return np.array([-x - left * z, x - right * z, -y - top * z, y - bottom * z, -z])
 
-    def view(self, reach: NDArray[np.float64] | None, extent: float) -> View:
+    def view(self, extents: NDArray[np.float64] | None, extent: float) -> View:
         """The closest view, from the scene's extent along the directions (5,) [m] (or None) and its longest side [m].
 
         Along each axis, the tangent planes of the scene meet at the camera position. The farther of the two positions
         is used.
         """
         T = np.eye(4)
-        place, depths = np.array([0.0, 0.0, -3.0]), []
-        if reach is not None:
+        position, depths = np.array([0.0, 0.0, -3.0]), []
+        if extents is not None:
             for axis, tans in enumerate(self.tans):
-                low, high = -reach[2 * axis], reach[2 * axis + 1]
-                place[axis] = (low + high) / 2
+                low, high = -extents[2 * axis], extents[2 * axis + 1]
+                position[axis] = (low + high) / 2
                 depths.append((low - high) / sum(tans))
-            place[2] = min(*depths, -reach[4] - 0.01 * (extent or 1.0))
+            position[2] = min(*depths, -extents[4] - 0.01 * (extent or 1.0))
             for axis, (before, behind) in enumerate(self.tans):
-                place[axis] += (behind - before) * place[2] / 2
-        T[:3, :3], T[:3, 3] = self.R, self.R @ place
+                position[axis] += (behind - before) * position[2] / 2
+        T[:3, :3], T[:3, 3] = self.R, self.R @ position
         return View(self.intrinsic, T)
 
 
 def _shortened(first: int, last: int, length: int) -> tuple[float, float]:
     """Two bands at the ends of a side, scaled to leave space between them."""
-    most = (1 - MIN_ROOM) * length
-    share = min(1.0, most / (first + last)) if first + last else 1.0
+    max_total = (1 - MIN_ROOM) * length
+    share = min(1.0, max_total / (first + last)) if first + last else 1.0
     return first * share, last * share
 
 

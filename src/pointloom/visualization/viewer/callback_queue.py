@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 MAX_WAITING = 64  # waiting calls
-PATIENCE = 3.0  # [s] after which a page without a signal counts as ready
+SIGNAL_TIMEOUT = 3.0  # [s] after which a page without a signal counts as ready
 POLL = 0.25  # [s] between checks for open pages
 PATIENT_JOIN = 5.0  # [s] that `close` waits for a running callback
 log = logging.getLogger("pointloom.viewer")
@@ -29,9 +29,9 @@ class HookPages:
     def __init__(self, viewer: Viewer):
         self._viewer = viewer
         self._answer: Callable[[], None] = lambda: None
-        self._asked: frozenset[int] = frozenset()  # pages with a signal callback
+        self._subscribed: frozenset[int] = frozenset()  # pages with a signal callback
 
-    def tell(self, client: int | None, text: str) -> None:
+    def show_error(self, client: int | None, text: str) -> None:
         """Show an error in a page, or in all if the page is unknown."""
         with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
             clients = self._viewer.server.pages.get_clients()
@@ -41,16 +41,16 @@ class HookPages:
     def are_open(self) -> bool:
         return bool(self._viewer.sessions)
 
-    def ask_for_signs(self, answer: Callable[[], None]) -> None:
+    def request_signals(self, answer: Callable[[], None]) -> None:
         """Request a signal from each page after it has drawn everything sent before."""
         self._answer = answer
         with contextlib.suppress(PointloomError):  # the viewer was closed meanwhile
             clients = self._viewer.server.pages.get_clients()
-            for client in [client for number, client in clients.items() if number not in self._asked]:
+            for client in [client for number, client in clients.items() if number not in self._subscribed]:
                 client.on_sign(lambda _: self._answer())
-            self._asked = frozenset(clients)
+            self._subscribed = frozenset(clients)
             for client in clients.values():
-                client.ask_for_sign()
+                client.request_signal()
 
 
 @dataclasses.dataclass(eq=False)
@@ -76,7 +76,7 @@ class Calls:
         self._jobs: dict[Any, tuple[int | None, Callable[[], Any]]] = {}
         self._beats: list[Beat] = []
         self._closed = False
-        self._asked: float | None = None  # time of an unanswered request for signals
+        self._requested: float | None = None  # time of an unanswered request for signals
         self._thread: threading.Thread | None = None
 
     def call(self, client: int | None, job: Callable[[], Any], key: Any = None) -> None:
@@ -88,7 +88,7 @@ class Calls:
                 self._jobs[key] = client, job
                 self._begin()
         if not is_room:
-            self._pages.tell(client, "The program is busy: this was passed over.")
+            self._pages.show_error(client, "The program is busy: this request was skipped.")
 
     def every(self, period: float, function: Callable[[float], Any]) -> Callable[[], None]:
         """Call a function periodically while a page is open. Returns a function that ends it."""
@@ -136,14 +136,14 @@ class Calls:
             for beat in beats:
                 self._call_beat(beat)
             if beats:
-                self._ask_for_signs()
+                self._request_signals()
 
     def _do(self, client: int | None, job: Callable[[], Any]) -> bool:
         try:
             job()
         except BaseException as error:  # SystemExit would silently end the thread, too
-            log.error("a function of the program that a page called", exc_info=True)
-            self._pages.tell(client, f"{type(error).__name__}: {error}")
+            log.error("a callback of the program failed", exc_info=True)
+            self._pages.show_error(client, f"{type(error).__name__}: {error}")
             return False
         return True
 
@@ -151,12 +151,12 @@ class Calls:
         if not self._beats:
             return []
         if not self._pages.are_open():
-            self._asked = None
+            self._requested = None
             for beat in self._beats:
                 beat.last = None
             return []
         now = time.monotonic()
-        if self._asked is not None and now - self._asked < PATIENCE:
+        if self._requested is not None and now - self._requested < SIGNAL_TIMEOUT:
             return []
         return [beat for beat in self._beats if beat.due <= now]
 
@@ -164,7 +164,7 @@ class Calls:
         """Time until the next periodic call [s]. None without one."""
         if not self._beats:
             return None
-        if self._asked is not None or not self._pages.are_open():
+        if self._requested is not None or not self._pages.are_open():
             return POLL
         return max(min(beat.due for beat in self._beats) - time.monotonic(), 1e-3)
 
@@ -174,16 +174,16 @@ class Calls:
         beat.last, beat.due = now, max(beat.due + beat.period, now + beat.period / 2)
         if not self._do(None, lambda: beat.function(passed)):
             self._stop(beat)
-            self._pages.tell(None, "This was called with each frame; it is called no more.")
+            self._pages.show_error(None, "The periodic callback failed and was stopped.")
 
-    def _ask_for_signs(self) -> None:
+    def _request_signals(self) -> None:
         with self._condition:
-            self._asked = asked = time.monotonic()
+            self._requested = requested = time.monotonic()
 
         def answer() -> None:
             with self._condition:
-                if self._asked == asked:
-                    self._asked = None
+                if self._requested == requested:
+                    self._requested = None
                     self._condition.notify_all()
 
-        self._pages.ask_for_signs(answer)
+        self._pages.request_signals(answer)

@@ -60,13 +60,13 @@ def camera_of(view: View, frame: Frame, bounds: Bounds, aspect: float | None = N
     forward, eye = T[:3, 2], T[:3, 3]
     middle = (bounds[0] + bounds[1]) / 2
     size = float(np.linalg.norm(bounds[1] - bounds[0])) or 1.0
-    reach = max(float((middle - eye) @ forward), 0.05 * size)
+    distance = max(float((middle - eye) @ forward), 0.05 * size)
     tangent = intrinsic.height / 2 / intrinsic.fy
     if aspect is not None:
         tangent = max(tangent, intrinsic.width / 2 / intrinsic.fx / aspect)
     up = level_up(T[:3, 0], -T[:3, 1])  # level, so that it stays level when rotated
     position = frame.to_page(eye)
-    pivot = position + forward * reach / frame.unit
+    pivot = position + forward * distance / frame.unit
     return Camera(position, T[:3, :3].copy(), pivot, up.copy(), 2 * math.atan(tangent))
 
 
@@ -96,7 +96,7 @@ def picture_size(size: tuple[int, int]) -> tuple[int, int]:
     return max(MIN_PIXELS, int(width * scale)), max(MIN_PIXELS, int(height * scale))
 
 
-def reach_of(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[str, float]:
+def camera_limits(camera: Camera | PageCamera, frame: Frame, bounds: Bounds) -> dict[str, float]:
     """Depth range and zoom limits of a camera for the scene."""
     size = diagonal(bounds) / frame.unit
     middle = frame.to_page((bounds[0] + bounds[1]) / 2)
@@ -119,6 +119,6 @@ def read_parameters(view: Any) -> View | dict[str, Any] | None:
     if isinstance(view, dict):
         unknown = [key for key in view if key not in OPEN3D_KEYS]
         if unknown:
-            raise TypeError(f"view: unknown key {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
+            raise TypeError(f"view: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")
         return {key: value for key, value in view.items() if value is not None} or None
     raise TypeError(f"view: expected a View, a path or Open3D's parameters, got {type(view).__name__}")

@@ -21,7 +21,7 @@ class Presence:
     """The pages of a viewer from the point of view of a waiting program."""
 
     def __init__(self, viewer: Viewer):
-        self._viewer, self._told, self._lock = viewer, False, threading.Lock()
+        self._viewer, self._is_reported, self._lock = viewer, False, threading.Lock()
 
     def wait(self, seconds: float | None, linger: float) -> bool:
         linger = check_positive("linger", linger, allow_zero=True, allow_infinite=True)
@@ -39,13 +39,13 @@ class Presence:
         """True if no page was connected for `linger` [s] since `seen`; prints when the last closes or one returns."""
         with self._lock:
             if is_open or seen is None:
-                if self._told:
-                    self._told = False
+                if self._is_reported:
+                    self._is_reported = False
                     write_to_stderr("a page is open again")
                 return False
             over = time.monotonic() - seen >= linger
-            if not self._told and linger > 0 and not over:
-                self._told = True
+            if not self._is_reported and linger > 0 and not over:
+                self._is_reported = True
                 ending = "waiting for another" if math.isinf(linger) else f"ending in {linger:g} s"
                 write_to_stderr(
                     f"the last page has closed; {ending} (open {self._viewer.url} again to stay, Ctrl-C ends now)"

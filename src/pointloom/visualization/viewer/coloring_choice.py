@@ -40,7 +40,7 @@ class ColoringChoice:
             clouds = [item.cloud for item in items if item.cloud is not None]
             known = list(dict.fromkeys(name for cloud in clouds for name in choices_of(cloud)))
             if by not in known:
-                raise ValueError(f"by: no cloud here has {by!r}; there are {', '.join(known) or 'no clouds'}")
+                raise ValueError(f"by: no cloud has {by!r}; available: {', '.join(known) or 'no clouds'}")
         choice = ColoringChoice(by, colormap, limits)
         for item in items:  # limits are checked on use
             choice.of(item)
@@ -50,11 +50,11 @@ class ColoringChoice:
 def _color(item: Item, by: Any, colormap: str | None, limits: Any) -> Coloring:
     """Coloring of an item's cloud. For a cloud read in parts, with a function for the other points."""
     assert item.cloud is not None
-    found = color_cloud(item.cloud, by, colormap=colormap, limits=limits)
+    coloring = color_cloud(item.cloud, by, colormap=colormap, limits=limits)
     if not item.is_in_parts or not isinstance(by, str):
-        return found
-    same: dict[str, Any] = {"colormap": found.colormap, "limits": found.limits}
-    return dataclasses.replace(found, paint=lambda cloud: color_cloud(cloud, by, **same).colors)
+        return coloring
+    same: dict[str, Any] = {"colormap": coloring.colormap, "limits": coloring.limits}
+    return dataclasses.replace(coloring, paint=lambda cloud: color_cloud(cloud, by, **same).colors)
 
 
 class Choices:
@@ -65,12 +65,12 @@ class Choices:
         self._counts: dict[str, int] = {}
 
     def put(self, item: Item) -> None:
-        found = () if item.cloud is None else tuple(choices_of(item.cloud))
-        if found != self._of.get(item.name, ()):
-            for name in found:
+        names = () if item.cloud is None else tuple(choices_of(item.cloud))
+        if names != self._of.get(item.name, ()):
+            for name in names:
                 self._counts[name] = self._counts.get(name, 0) + 1
             self.drop(item.name)
-            self._of[item.name] = found
+            self._of[item.name] = names
 
     def drop(self, name: str) -> None:
         for choice in self._of.pop(name, ()):

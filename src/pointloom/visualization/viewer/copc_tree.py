@@ -57,14 +57,18 @@ class CopcTree(NodesInView):
         octree = self.nodes.octree
         self._rows = np.arange(len(octree.nodes))  # index of each node in the file's octree
         self._full = 65535
-        self._place()
+        self._locate_nodes()
         head, end = self._read_head(first)
         self.lost, self.damaged = list(self.damaged.values()), {}
         if not head:
-            raise self.lost[0] if self.lost else FileError(path, "has an octree without points", remedy="Read it whole")
+            raise (
+                self.lost[0]
+                if self.lost
+                else FileError(path, "has an octree without points", remedy="Read the complete file")
+            )
         self._rows = np.concatenate([head, np.arange(end, len(self))]).astype(np.int64)
         self._full, self._last, heads = self.nodes.full_of(np.array(head)), None, len(head)
-        self._place()
+        self._locate_nodes()
         tables = [self._table(i) for i in range(heads)]
         points = np.concatenate([table.points for table in tables])
         steps = np.array(octree.file.header.scales, np.float64)
@@ -73,11 +77,11 @@ class CopcTree(NodesInView):
 
     def _read_head(self, first: int) -> tuple[list[int], int]:
         """Read the coarse levels. Returns the readable nodes and the number of nodes."""
-        kept: list[int] = []
+        readable: list[int] = []
         points = end = 0
         for level in np.unique(self.levels).tolist():
             of_level = np.flatnonzero(self.levels == level)
-            if kept and points + int(self.counts[of_level].sum()) > first:
+            if readable and points + int(self.counts[of_level].sum()) > first:
                 break
             for k in of_level.tolist():
                 try:
@@ -86,12 +90,12 @@ class CopcTree(NodesInView):
                     log.warning("%s; the other points are shown", error)
                     self.damaged[k] = error
                     continue
-                kept.append(k)
+                readable.append(k)
                 points += int(self.counts[k])
             end = int(of_level[-1]) + 1
-        return kept, end
+        return readable, end
 
-    def _place(self) -> None:
+    def _locate_nodes(self) -> None:
         octree, entries = self.nodes.octree, self.nodes.octree.nodes[self._rows]
         levels, cells = entries["level"].astype(np.int64), entries["cell"].astype(np.int64)
         widths = octree.side / 2.0**levels
@@ -153,8 +157,8 @@ class CopcTree(NodesInView):
         rows = self._check_nodes(nodes)
         steps = (np.arange(_PROBES) + 0.5) / _PROBES * 2 - 1
         grid = np.stack(np.meshgrid(steps, steps, steps), axis=-1).reshape(-1, 3)
-        places = self.middles[rows, None] + grid * self.halves[rows, None, None]
-        heights = (places - view.T_world_camera[:3, 3]) @ inward(view).T
+        positions = self.middles[rows, None] + grid * self.halves[rows, None, None]
+        heights = (positions - view.T_world_camera[:3, 3]) @ inward(view).T
         return (heights >= 0).all(axis=2).mean(axis=1)
 
     def _nodes_at(self, indices: NDArray[np.int64]) -> NDArray[np.int64]:

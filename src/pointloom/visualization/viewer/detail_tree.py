@@ -97,9 +97,9 @@ class DetailTree(NodesInView):
         table = make_nodes(*find_levels(positions, self._corner, self._side), most=MOST)
         self._positions: Points = download(positions).reshape(-1, 3)
         self.count = len(table.order)
-        self._place(table)
+        self._locate_nodes(table)
 
-    def _place(self, table: NodeTable) -> None:
+    def _locate_nodes(self, table: NodeTable) -> None:
         self._order, self._firsts, self.counts = table.order, table.firsts, table.counts
         corner = self._corner + self.origin
         sides = self._side / 2.0 ** table.depths.astype(np.float64)
@@ -144,18 +144,18 @@ class DetailTree(NodesInView):
         Notes:
             Peak memory: 40 B per point, 19 B afterward, plus attributes.
         """
-        where, say = resolve_device(device), check_progress(progress)
+        where, report_progress = resolve_device(device), check_progress(progress)
         attributes = [
             check_name(f"attributes[{k}]", name) for k, name in enumerate(check_list("attributes", attributes, "names"))
         ]
-        say("reading", 0, 100)
+        report_progress("reading", 0, 100)
         file = open_in_parts(path)
         if file is None:
             cloud = read_point_cloud(path, device=where)
             missing = [name for name in attributes if name not in cloud.attributes]
             if missing:
                 raise no_attribute(path, missing[0], list(cloud.attributes))
-            say("reading", _READING, 100)
+            report_progress("reading", _READING, 100)
             tree = cls.from_cloud(cloud)
             tree.attributes = {name: cloud[name] for name in attributes}
         else:
@@ -163,13 +163,13 @@ class DetailTree(NodesInView):
             for part in file.parts(_PART):
                 columns.append(columns_of(path, part, origin, attributes))
                 done += len(part.points)
-                say("reading", round(_READING * done / max(file.count, 1)), 100)
+                report_progress("reading", round(_READING * done / max(file.count, 1)), 100)
             arrays = columns.finish()
             colors = arrays.pop("colors", None)
             positions = upload(arrays.pop("positions"), vec3, where, copied=False)
-            kept = {name[1:]: values for name, values in arrays.items()}
-            tree = cls(positions, origin, None if colors is None else colors.__getitem__, kept)
-        say("reading", 100, 100)
+            point_attributes = {name[1:]: values for name, values in arrays.items()}
+            tree = cls(positions, origin, None if colors is None else colors.__getitem__, point_attributes)
+        report_progress("reading", 100, 100)
         return tree
 
     @property
@@ -225,8 +225,8 @@ class DetailTree(NodesInView):
         rows = self._check_nodes(nodes)
         normals, eye = inward(view), view.T_world_camera[:3, 3] - self.origin
         steps = np.arange(_PROBES) / _PROBES
-        places = self._firsts[rows, None] + (self.counts[rows, None] * steps).astype(np.int64)
-        heights = (self._positions[self._order[places]] - eye) @ normals.T
+        samples = self._firsts[rows, None] + (self.counts[rows, None] * steps).astype(np.int64)
+        heights = (self._positions[self._order[samples]] - eye) @ normals.T
         return (heights >= 0).all(axis=2).mean(axis=1)
 
 

@@ -161,12 +161,12 @@ def announce(viewer: Viewer) -> None:
     """Print the address of the page on stderr, and the SSH command if needed."""
     lines = []
     if viewer.server.moved_from is not None:
-        lines.append(f"port {viewer.server.moved_from} is taken; the next free one is {viewer.server.port}")
+        lines.append(f"port {viewer.server.moved_from} is in use; using the next free one, {viewer.server.port}")
     lines.append(f"viewer: {viewer.url} (Ctrl-C ends it)")
     if viewer.server.exposed:
-        lines.append(f"listening on {viewer.server.host}: whoever has this address with its token sees the scene")
+        lines.append(f"listening on {viewer.server.host}: anyone with this address and its token can see the scene")
     if "SSH_CONNECTION" in os.environ:
-        lines.append(f"from your own machine first: {viewer.ssh_line}")
+        lines.append(f"from another machine, run this first: {viewer.ssh_line}")
     write_to_stderr("\n".join(lines))
 
 
@@ -233,7 +233,9 @@ def make_room() -> None:
     for viewer in again:
         viewer.close()
     for _, viewer in surplus:
-        viewer._close(f"{MAX_OPEN} viewers of this notebook stay open, and this was the oldest: run its cell again.")
+        viewer._close(
+            f"At most {MAX_OPEN} viewers of a notebook stay open, and this was the oldest: run its cell again."
+        )
 
 
 def keep(viewer: Viewer) -> None:
@@ -259,7 +261,7 @@ FIRST_POINTS = 200_000  # of the first attempt: about 16 B each, packed
 SMALLER, TRIES = 0.9, 4  # safety factor of the next fraction, and maximum number of attempts
 
 # Signs that the browser is not on the kernel's machine, or does not show frames of its ports.
-PLACES = (
+HOSTED_NOTEBOOKS = (
     ("COLAB_RELEASE_TAG", "Colab"),
     ("KAGGLE_KERNEL_RUN_TYPE", "Kaggle"),
     ("DATABRICKS_RUNTIME_VERSION", "Databricks"),
@@ -267,7 +269,7 @@ PLACES = (
     ("JUPYTERHUB_SERVICE_PREFIX", "JupyterHub"),
     ("VSCODE_PID", "VS Code"),
     ("CODESPACES", "Codespaces"),
-    ("SSH_CONNECTION", "a kernel that is reached over SSH"),
+    ("SSH_CONNECTION", "a kernel reached over SSH"),
 )
 
 
@@ -296,23 +298,27 @@ class InlinePage:
 def wants_inline(inline: bool | None, *, notebook: bool) -> str | None:
     """The reason to embed a scene, or None. Raises ValueError if POINTLOOM_INLINE is neither 0 nor 1."""
     if inline is not None:
-        return "inline, as asked for" if inline else None
-    wish = os.environ.get(VARIABLE, "")
-    if wish not in ("", "0", "1"):
-        raise ValueError(f"{VARIABLE}: expected 0 or 1, got {wish!r}")
-    if not notebook or wish == "0":
+        return "inline, as requested" if inline else None
+    setting = os.environ.get(VARIABLE, "")
+    if setting not in ("", "0", "1"):
+        raise ValueError(f"{VARIABLE}: expected 0 or 1, got {setting!r}")
+    if not notebook or setting == "0":
         return None
-    if wish:
-        return f"inline, as {VARIABLE} says"
-    place = place_of_kernel()
-    return None if place is None else f"inline: this is {place}, where no server is reached; live by inline=False"
+    if setting:
+        return f"inline, as {VARIABLE} specifies"
+    host = hosted_notebook()
+    return (
+        None
+        if host is None
+        else f"inline: the browser cannot reach a server on {host}; pass inline=False for a live page"
+    )
 
 
-def place_of_kernel() -> str | None:
+def hosted_notebook() -> str | None:
     """Name of a remote environment whose servers the browser cannot reach. None for this machine."""
     if "google.colab" in sys.modules:
         return "Colab"
-    return next((place for variable, place in PLACES if os.environ.get(variable)), None)
+    return next((name for variable, name in HOSTED_NOTEBOOKS if os.environ.get(variable)), None)
 
 
 def inline_page(
@@ -323,14 +329,14 @@ def inline_page(
 
     width = min(size[0], MAX_WIDTH)
     still = (width, max(1, round(size[1] * width / size[0])))
-    place = device_of(named, None)
-    scene = Scene([part for _, geometry, style in named for part in parts_of(geometry, style, place)], place)
+    device = device_of(named, None)
+    scene = Scene([part for _, geometry, style in named for part in parts_of(geometry, style, device)], device)
     camera = resolve_view({name: value for name, value in view.items() if value is not None} or None, scene, *still)
     picture = render([as_entry(one) for one in named], camera=camera, size=still)
     page, counts = _bounded_page(named, camera, max_points)
     notes = [reason]
     if page is None:
-        notes.append(f"no page of {MAX_BYTES / 2**20:g} MB holds this scene; here is its picture")
+        notes.append(f"the scene does not fit into a page of {MAX_BYTES / 2**20:g} MB; this is its image")
     else:
         thinned = [f"{name}: {drawn:,} of {total:,} points" for name, (drawn, total) in counts.items() if drawn < total]
         notes.append("; ".join([f"{len(page) / 2**20:.1f} MB of this notebook", *thinned]))
@@ -339,14 +345,14 @@ def inline_page(
 
 def _bounded_page(named: list[Named], view: Any, max_points: int) -> tuple[str | None, dict[str, tuple[int, int]]]:
     """The page, sampled until it fits, and the displayed and total number of points of each name."""
-    most = min(max_points, FIRST_POINTS)
+    point_limit = min(max_points, FIRST_POINTS)
     with tempfile.TemporaryDirectory(prefix="pointloom-page-") as folder:
         path = Path(folder) / "page.html"
         for _ in range(TRIES):
-            counts = write_geometries(path, named, most, view=view)
+            counts = write_geometries(path, named, point_limit, view=view)
             size = path.stat().st_size
             if size <= MAX_BYTES:
                 return path.read_text(encoding="utf-8"), counts
             drawn = sum(count for count, _ in counts.values())
-            most = max(1, int(min(drawn, most) * SMALLER * MAX_BYTES / size))
+            point_limit = max(1, int(min(drawn, point_limit) * SMALLER * MAX_BYTES / size))
     return None, {}

@@ -14,7 +14,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any
 
 _HOST = re.compile(r"(?P<name>\[[0-9a-f:.]+\]|[a-z0-9._-]+)(:(?P<port>[0-9]{1,5}))?", re.IGNORECASE)
-_MAX_WHOLE = 2**53  # exact integers in a browser
+_MAX_INTEGER = 2**53  # exact integers in a browser
 
 
 def split_host(header: str) -> tuple[str, str] | None:
@@ -49,7 +49,7 @@ class RequestGuard:
         """Reason for a 403 response, given lowercase headers; "" if allowed."""
         hosts, origins = headers.get("host", []), headers.get("origin", [])
         host = split_host(hosts[0]) if len(hosts) == 1 else None
-        if host is None or not self._is_ours(host[0]):
+        if host is None or not self._is_allowed_host(host[0]):
             return "this viewer does not answer under that host name"
         if len(origins) > 1 or (websocket and not origins):
             return "only the viewer's own page may connect"
@@ -61,7 +61,7 @@ class RequestGuard:
             return "pages from elsewhere may not read this viewer"
         return ""
 
-    def _is_ours(self, name: str) -> bool:
+    def _is_allowed_host(self, name: str) -> bool:
         return is_loopback(name) or name in self.names or (self.any_address and as_address(name) is not None)
 
 
@@ -114,7 +114,7 @@ def control_value(value: Any, current: Any, *, low: Any = None, high: Any = None
     if kind in (int, float):
         if not isinstance(value, int | float) or isinstance(value, bool) or not math.isfinite(value):
             raise ValueError(f"expected a number, got {value!r:.80}")
-        if kind is int and (value != int(value) or abs(value) > _MAX_WHOLE):
+        if kind is int and (value != int(value) or abs(value) > _MAX_INTEGER):
             raise ValueError(f"expected a whole number, got {value!r:.80}")
         value = value if low is None else max(value, low)
         return kind(value if high is None else min(value, high))

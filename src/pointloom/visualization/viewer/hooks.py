@@ -63,7 +63,7 @@ class Control:
     @value.setter
     def value(self, value: Any) -> None:
         if self._check is None:
-            raise TypeError(f"value: {self.label!r} is a button, which has none")
+            raise TypeError(f"value: the button {self.label!r} has no value")
         self._value = self._check(value)
         if self._handles:
             self._handles[0].value = self._value
@@ -102,12 +102,12 @@ class Controls:
         """Add a slider. It is integer if all given numbers are integers."""
         given = {"low": low, "high": high, "value": value} | ({} if step is None else {"step": step})
         numbers = {name: check_number(name, number) for name, number in given.items()}
-        is_whole = all(isinstance(number, int) or hasattr(number, "__index__") for number in given.values())
-        kind = int if is_whole else float
+        is_integer = all(isinstance(number, int) or hasattr(number, "__index__") for number in given.values())
+        kind = int if is_integer else float
         first, last = numbers["low"], numbers["high"]
         if not first < last:
             raise ValueError(f"low: expected less than high, {last:g}, got {first:g}")
-        step = check_positive("step", numbers.get("step", 1 if is_whole else (last - first) / STEPS))
+        step = check_positive("step", numbers.get("step", 1 if is_integer else (last - first) / STEPS))
         if step > last - first:
             raise ValueError(f"step: expected at most high - low, {last - first:g}, got {step:g}")
 
@@ -115,7 +115,7 @@ class Controls:
             number = check_number("value", new)
             if not first <= number <= last:
                 raise ValueError(f"value: expected {first:g} to {last:g}, got {number:g}")
-            return kind(round(number)) if is_whole else number
+            return kind(round(number)) if is_integer else number
 
         start = check(value)
         ends = kind(first), kind(last), kind(step)
@@ -128,7 +128,7 @@ class Controls:
     def add_dropdown(self, label: str, options: Any, callback: Any, value: Any, folder: str) -> Control:
         known = tuple(check_name("options", option) for option in check_list("options", options, "strings"))
         if not known or len({*known}) != len(known):
-            raise ValueError(f"options: expected strings that differ, one at the least, got {shown(options)}")
+            raise ValueError(f"options: expected at least one string, all different, got {shown(options)}")
 
         def check(new: Any) -> str:
             if check_name("value", new) not in known:
@@ -162,8 +162,8 @@ class Controls:
         with self._lock:
             if folder not in self._folders:
                 self._folders[folder] = self._gui.add_folder(folder, order=ORDER), []
-            place, within = self._folders[folder]
-            with place:
+            folder_handle, within = self._folders[folder]
+            with folder_handle:
                 control._handles.append(make(label))
             within.append(control)
         if check is not None:
@@ -197,7 +197,7 @@ def _check_text(value: Any) -> str:
 
 def _check_label(name: str, label: Any) -> str:
     if not check_name(name, label).strip():
-        raise ValueError(f"{name}: expected words, got {label!r}")
+        raise ValueError(f"{name}: expected a text that is not empty, got {label!r}")
     return label
 
 
@@ -443,7 +443,9 @@ class Hooks:
             self._check_open()
             time = None if t is None else check_number("t", t)
             if self.timeline is None:
-                raise ValueError("t: nothing was logged; call viewer.set_time(t) before what belongs to a moment")
+                raise ValueError(
+                    "t: no time step was recorded; call viewer.set_time(t) before the changes of each time step"
+                )
             self.timeline.look(time)
 
     def save_recording(self, path: str | os.PathLike[str], **options: Any) -> None:
@@ -548,13 +550,13 @@ class Picks:
             return
         view = session.view_of(event.camera)
         x, y = event.x * view.intrinsic.width - 0.5, event.y * view.intrinsic.height - 0.5
-        found = stage.pick(view, x, y)
-        if found is None:
+        picked = stage.pick(view, x, y)
+        if picked is None:
             return
         with self._viewer.lock:
-            told = with_attributes(found, self._viewer.shown.get(found.name))
+            pick = with_attributes(picked, self._viewer.shown.get(picked.name))
         for callback in self._callbacks:
-            self._calls.call(event.client_id, lambda call=callback: call(told))
+            self._calls.call(event.client_id, lambda call=callback: call(pick))
 
 
 def with_attributes(pick: Pick, item: Item | None) -> Pick:

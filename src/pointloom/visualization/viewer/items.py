@@ -47,7 +47,9 @@ class Frame:
             unit = 10.0 ** np.floor(np.log10(extent))
         return cls((low + high) / 2, unit)
 
-    def place(self, origin: NDArray[np.float64], pose: Matrix | None) -> tuple[Matrix | None, NDArray[np.float64]]:
+    def pose_in_page(
+        self, origin: NDArray[np.float64], pose: Matrix | None
+    ) -> tuple[Matrix | None, NDArray[np.float64]]:
         """Rotation (None: identity) and position in the page for positions relative to `origin`."""
         if pose is None:
             return None, self.to_page(origin)
@@ -55,14 +57,14 @@ class Frame:
 
     def placing(self, origin: NDArray[np.float64], pose: Matrix | None) -> dict[str, Any]:
         """The same with scale, as properties of a node."""
-        R, t = self.place(origin, pose)
+        R, t = self.pose_in_page(origin, pose)
         return {"R": R, "t": t, "scale": 1 / self.unit}
 
-    def to_page(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
-        return (places - self.origin) / self.unit
+    def to_page(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        return (points - self.origin) / self.unit
 
-    def to_world(self, places: NDArray[np.float64]) -> NDArray[np.float64]:
-        return places * self.unit + self.origin
+    def to_world(self, points: NDArray[np.float64]) -> NDArray[np.float64]:
+        return points * self.unit + self.origin
 
 
 @dataclasses.dataclass(eq=False)
@@ -117,8 +119,8 @@ class Item:
             # the center moves and half the extent rotates: the extent along an axis is the sum of absolute components
             R, t = self.pose[:3, :3], self.pose[:3, 3]
             middle, half = (self.bounds[0] + self.bounds[1]) / 2, (self.bounds[1] - self.bounds[0]) / 2
-            place, reach = R @ middle + t, np.abs(R) @ half
-            self._moved = self.pose, (place - reach, place + reach)
+            center, half_extent = R @ middle + t, np.abs(R) @ half
+            self._moved = self.pose, (center - half_extent, center + half_extent)
         return self._moved[1]
 
     @property
@@ -160,9 +162,9 @@ class Item:
         if self._shown is None:
             values = part.colors if self.coloring is None else self.coloring.colors
             if self.tree is not None and self.coloring is None and self.style.color is None and not values.size:
-                found = self.tree.colors_of(indices)
-                if found is not None:  # the colors of a file are stored in its tree only
-                    return found
+                colors = self.tree.colors_of(indices)
+                if colors is not None:  # the colors of a file are stored in its tree only
+                    return colors
             if values.size:
                 self._shown = to_bytes(download(values).reshape(-1, 3))
             else:
@@ -224,9 +226,9 @@ def _bounds(parts: list[Part]) -> Bounds | None:
 
 def _cloud_of(part: Points) -> PointCloud:
     """The cloud of points given as an array or a plain object."""
-    held = {"normals": part.normals, "colors": part.colors}
+    arrays = {"normals": part.normals, "colors": part.colors}
     rows: dict[str, Any] = {
-        name: np.nan_to_num(download(values)).reshape(-1, 3) for name, values in held.items() if values.size
+        name: np.nan_to_num(download(values)).reshape(-1, 3) for name, values in arrays.items() if values.size
     }
     if "colors" in rows:
         rows["colors"] = np.clip(rows["colors"], 0, 1)

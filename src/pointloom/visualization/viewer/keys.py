@@ -71,5 +71,5 @@ def check_hotkey(key: str) -> str:
     """Name of a key in the page, from either case. Raises ValueError."""
     hotkey = key.upper() if isinstance(key, str) and len(key) == 1 else key
     if hotkey not in HOTKEYS:
-        raise ValueError(f"key: no key {key!r}; there are A to Z, 0 to 9, {', '.join(HOTKEYS[36:])}")
+        raise ValueError(f"key: expected A to Z, 0 to 9, {', '.join(HOTKEYS[36:])}, got {key!r}")
     return hotkey

@@ -13,7 +13,7 @@ from ...core.paths import path_of
 from ..recording.film import find_view
 from ..recording.recorder import FASTEST, MAX_FRAMES, MAX_POINTS, check_picture_size
 from ..recording.shapes import ShapeStore, Sketch, pose_about, sketch, spread_rows
-from ..recording.timeline import Frame, Placed, Timeline
+from ..recording.timeline import Frame, Placement, Timeline
 from ..recording.writers import check_recording, write_recording
 from .items import Item
 from .live_timeline import LiveTimeline, State
@@ -42,29 +42,29 @@ def write_history(
     More than `max_frames` steps are sampled evenly, including the newest.
     """
     fps, size = check_positive("fps", fps, maximum=FASTEST), check_picture_size(size)
-    most, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
+    point_limit, max_frames = check_count("max_points", max_points), check_count("max_frames", max_frames, minimum=2)
     ground = viewer.background.tolist() if background is None else background
-    place = path_of(path)
-    check_recording(place, fps=fps, background=ground, overwrite=overwrite)
+    output = path_of(path)
+    check_recording(output, fps=fps, background=ground, overwrite=overwrite)
     title = check_name("title", title)
     with viewer.lock:
         history = viewer.timeline
         if history is None:
-            raise ValueError("nothing was logged: call viewer.set_time(t) before what belongs to a moment")
+            raise ValueError("no time step was recorded: call viewer.set_time(t) before the changes of each time step")
         moments = moments_of(history, max_frames)
         view = viewer.get_view() if viewer.sessions or viewer._has_own_view else None
-        notes = [f"{max_frames:,} of {len(history.times):,} moments"] if len(moments) < len(history.times) else []
-    timeline = Drawn(viewer, most).timeline(moments)  # without the lock: program and pages continue
+        notes = [f"{max_frames:,} of {len(history.times):,} time steps"] if len(moments) < len(history.times) else []
+    timeline = Drawn(viewer, point_limit).timeline(moments)  # without the lock: program and pages continue
     timeline.title, timeline.fps = ", ".join([title, *notes] if title else notes), fps
     view = find_view(view, timeline, None, *size)
     look = {"view": view, "background": tuple(ground), "overwrite": overwrite}
-    write_recording(place, timeline, size=size, say=lambda *_: None, **look)
+    write_recording(output, timeline, size=size, report_progress=lambda *_: None, **look)
 
 
-def moments_of(history: LiveTimeline, most: int) -> list[Moment]:
-    """Label and scene of each step. At most `most`, evenly sampled including the newest."""
+def moments_of(history: LiveTimeline, max_count: int) -> list[Moment]:
+    """Label and scene of each step. At most `max_count`, evenly sampled including the newest."""
     count = len(history.times)
-    rows = count - 1 - spread_rows(count, most)[::-1]
+    rows = count - 1 - spread_rows(count, max_count)[::-1]
     return [(history.text_of(history.times[row]), history.scene_at(history.dropped + row)) for row in rows.tolist()]
 
 
@@ -80,23 +80,23 @@ class Drawn:
     def timeline(self, moments: list[Moment]) -> Timeline:
         frames = []
         for label, scene in moments:
-            shown = {name: self._placed(state) for name, state in scene.items() if state.visible}
+            shown = {name: self._placement(state) for name, state in scene.items() if state.visible}
             frames.append(Frame(shown, label))
         return Timeline(np.zeros(3) if self._origin is None else self._origin, self._store.shapes, frames)
 
-    def _placed(self, state: State) -> Placed:
+    def _placement(self, state: State) -> Placement:
         drawn, numbers = self._sketch(state.item)
         pose = drawn.pose
         if state.pose is not None:
             pose = state.pose if pose is None else state.pose @ pose
-        return Placed(numbers, pose_about(pose, drawn.origin, self._origin))
+        return Placement(numbers, pose_about(pose, drawn.origin, self._origin))
 
     def _sketch(self, item: Item) -> tuple[Sketch, tuple[int, ...]]:
-        found = self._sketches.get(item)
-        if found is None:
+        entry = self._sketches.get(item)
+        if entry is None:
             _, geometry, style = shown_geometry(self._viewer, item)
             drawn = sketch(geometry, dataclasses.replace(style, pose=item.style.pose), self._max_points)
             if self._origin is None:
                 self._origin = drawn.origin.copy()
-            found = self._sketches[item] = drawn, tuple(self._store.add(shape) for shape in drawn.shapes)
-        return found
+            entry = self._sketches[item] = drawn, tuple(self._store.add(shape) for shape in drawn.shapes)
+        return entry

@@ -26,8 +26,8 @@ HISTORY_BYTES = 2**30
 ENTRY = 400  # bytes of a change without arrays: a pose and Python objects
 SMALL = 256  # bytes of arrays included in ENTRY
 SPARSE = 4  # integer times with a larger mean interval use another step
-KEPT = 0.9  # of the memory limit after dropping, so that not every change drops a step
-FULL = "The history is full: its oldest moments go, as new ones come."
+REMAINING_SHARE = 0.9  # of the memory limit after dropping, so that not every change drops a step
+FULL = "The history is full: its oldest time steps are dropped when new ones are added."
 log = logging.getLogger("pointloom.viewer")
 
 
@@ -41,22 +41,22 @@ class State:
 
 
 class LiveTimeline:
-    """Time steps of a viewer. Requires the viewer's lock. Beyond `most_bytes` the oldest steps are dropped.
+    """Time steps of a viewer. Requires the viewer's lock. Beyond `max_bytes` the oldest steps are dropped.
 
     `times` are the stored times, ascending, and `bytes` is the memory used; shared arrays count once.
     """
 
-    def __init__(self, viewer: Viewer, most_bytes: float):
-        self._viewer, self._most_bytes = viewer, check_positive("history_bytes", most_bytes)
+    def __init__(self, viewer: Viewer, max_bytes: float):
+        self._viewer, self._max_bytes = viewer, check_positive("history_bytes", max_bytes)
         self.times: list[float] = []
         self.bytes, self.dropped = 0, 0  # number of dropped steps: that of the first of `times`
         self._tracks: dict[str, list[tuple[int, State | None]]] = {}
         self._touched: list[set[str]] = []  # names that changed, by step
         self._arrays: dict[int, tuple[int, int]] = {}  # by address: reference count and bytes
         self._shown: int | None = None  # number of the displayed step. None follows the newest
-        self.is_whole = True  # all times are integers
+        self.is_integer = True  # all times are integers
         self._control: Any = None
-        self._told = 0.0  # last value sent to the control
+        self._sent_value = 0.0  # last value sent to the control
         self._unbuilt: set[Item] = set()  # replaced while their levels of detail were being built
 
     @property
@@ -71,16 +71,16 @@ class LiveTimeline:
     def set_time(self, t: Any) -> None:
         time = check_number("t", t)
         if self.times and time < self.times[-1]:
-            raise ValueError(f"t: expected no time before the newest moment, {self.times[-1]:g}, got {time:g}")
+            raise ValueError(f"t: expected at least the newest time, {self.times[-1]:g}, got {time:g}")
         if self.times and time == self.times[-1]:
             return
         is_first = not self.times
-        self.is_whole = self.is_whole and hasattr(t, "__index__")
+        self.is_integer = self.is_integer and hasattr(t, "__index__")
         self.times.append(time)
         self._touched.append(set())
         if is_first:
             self.take_scene()
-        self._tell()
+        self._update_control()
 
     def take_scene(self, names: Iterable[Any] = ()) -> None:
         """Record the displayed state of some names, or of all, in the newest step."""
@@ -124,18 +124,18 @@ class LiveTimeline:
         return {n: dataclasses.replace(s.item, pose=s.pose, visible=s.visible) for n, s in states.items()}
 
     def scene_at(self, number: int) -> dict[str, State]:
-        found = {}
+        scene = {}
         for name, track in self._tracks.items():
-            place = bisect.bisect_right(track, number, key=lambda entry: entry[0])
-            state = track[place - 1][1] if place else None
+            index = bisect.bisect_right(track, number, key=lambda entry: entry[0])
+            state = track[index - 1][1] if index else None
             if state is not None:
-                found[name] = state
-        return found
+                scene[name] = state
+        return scene
 
     def look(self, t: float | None) -> None:
         """Show the newest step up to a time in all pages. None follows the newest."""
         self._look(t)
-        self._tell()
+        self._update_control()
 
     def _look(self, t: float | None) -> None:
         newest = self.dropped + len(self.times) - 1
@@ -164,7 +164,7 @@ class LiveTimeline:
                 if item.visible != state.visible:
                     inspect.unwrap(type(viewer).set_visible)(viewer, name, state.visible)
             if is_new:
-                viewer._settle()
+                viewer._choose_frame()
             viewer._changed(is_new)
         self._unbuilt |= {item for item in coming if viewer.shown.get(item.name) is not item}
 
@@ -183,21 +183,21 @@ class LiveTimeline:
         self._tracks, self._arrays, self._unbuilt, self.bytes = {}, {}, set(), 0
 
     def text_of(self, time: float) -> str:
-        return f"{time:.0f}" if self.is_whole else f"{time:.6g} s"
+        return f"{time:.0f}" if self.is_integer else f"{time:.6g} s"
 
     @property
     def step(self) -> float:
         """Step of the page's timeline: 1, or at most the mean interval between steps."""
         mean = (self.times[-1] - self.times[0]) / max(len(self.times) - 1, 1)
-        if self.is_whole and mean < SPARSE:
+        if self.is_integer and mean < SPARSE:
             return 1
         power = 10.0 ** math.floor(math.log10(mean)) if mean > 0 else 1.0
         return next(power * digit for digit in (5, 2, 1) if power * digit <= mean * (1 + 1e-9))
 
-    def _tell(self) -> None:
+    def _update_control(self) -> None:
         if len(self.times) < 2:
             return
-        kind = int if self.is_whole else float
+        kind = int if self.is_integer else float
         first, last, value = kind(self.times[0]), kind(self.times[-1]), kind(self.time)
         with self._viewer.server.pages.atomic():
             if self._control is None:
@@ -205,7 +205,7 @@ class LiveTimeline:
                 self._control.on_update(self._on_update)
                 return
             self._control.min, self._control.max, self._control.step = first, last, self.step
-            self._control.value = self._told = value
+            self._control.value = self._sent_value = value
 
     def _on_update(self, event: Any) -> None:
         """Handle a drag in a page; newer page events win over changes by the program meanwhile."""
@@ -215,7 +215,7 @@ class LiveTimeline:
         try:
             if viewer.timeline is self:
                 self._look(None if event.value > self.times[-1] - self.step / 2 else event.value + self.step / 1000)
-                if self._control.value == self._told:
+                if self._control.value == self._sent_value:
                     self._control.value = event.value
         finally:
             viewer.lock.release()
@@ -246,18 +246,18 @@ class LiveTimeline:
         newest = self.dropped + len(self.times) - 1
         track = self._tracks.setdefault(name, [])
         if state is not None:
-            self._hold(state, 1)
+            self._update_usage(state, 1)
         if track and track[-1][0] == newest:
             old, track[-1] = track[-1][1], (newest, state)
             if old is not None:
-                self._hold(old, -1)
+                self._update_usage(old, -1)
         else:
             track.append((newest, state))
             self._touched[-1].add(name)
-        if self.bytes > self._most_bytes:
+        if self.bytes > self._max_bytes:
             self._drop_oldest()
 
-    def _hold(self, state: State, change: int) -> None:
+    def _update_usage(self, state: State, change: int) -> None:
         """Update the memory usage for an added or removed state."""
         self.bytes += change * ENTRY
         for address, size in _arrays_of(state.item):
@@ -272,7 +272,7 @@ class LiveTimeline:
     def _drop_oldest(self) -> None:
         """Drop steps down to 90% of the memory limit, but never the newest and its content."""
         count = 0
-        while self.bytes > KEPT * self._most_bytes and count < len(self.times) - 1:
+        while self.bytes > REMAINING_SHARE * self._max_bytes and count < len(self.times) - 1:
             count += 1
             start = self.dropped + count
             for name in self._touched[count]:
@@ -289,7 +289,7 @@ class LiveTimeline:
         if self._shown is not None and self._shown < self.dropped:  # the displayed step was dropped
             self._show(self.scene_at(self.dropped))
             self._shown = self.dropped if len(self.times) > 1 else None
-        self._tell()
+        self._update_control()
 
     def _forget_before(self, name: str, start: int) -> None:
         """Drop states of a name before a step with its own state."""
@@ -297,7 +297,7 @@ class LiveTimeline:
         while len(track) > 1 and track[1][0] <= start:
             old = track.pop(0)[1]
             if old is not None:
-                self._hold(old, -1)
+                self._update_usage(old, -1)
         if track[0][1] is None and len(track) == 1:
             del self._tracks[name]
 
@@ -310,11 +310,11 @@ def _is_same_pose(a: Matrix | None, b: Matrix | None) -> bool:
 
 def _arrays_of(item: Item) -> Iterator[tuple[int, int]]:
     """Address and size of each array of an item."""
-    held: list[Any] = [getattr(part, field.name) for part in item.parts for field in dataclasses.fields(part)]
+    arrays: list[Any] = [getattr(part, field.name) for part in item.parts for field in dataclasses.fields(part)]
     if item.cloud is not None:
-        held += [item.cloud._device_array(name) for name in item.cloud.attributes]
+        arrays += [item.cloud._device_array(name) for name in item.cloud.attributes]
     seen = set()
-    for array in held:
+    for array in arrays:
         if isinstance(array, np.ndarray):
             address, size = array.__array_interface__["data"][0], array.nbytes
         elif hasattr(array, "ptr") and hasattr(array, "capacity"):

@@ -83,7 +83,7 @@ class NodesInView:
         T, halves = check_view(view).T_world_camera, self._level_halves
         lengths = check_finite("lengths", check_numeric("lengths", lengths))
         if lengths.shape not in ((), (len(self),)):
-            raise ValueError(f"lengths: expected shape [{len(self)}], one a node, got {list(lengths.shape)}")
+            raise ValueError(f"lengths: expected shape [{len(self)}], one per node, got {list(lengths.shape)}")
         beyond = np.maximum(np.abs(self._level_middles - T[:3, 3]) - halves[:, None], 0.0)
         distances = np.maximum(np.sqrt((beyond * beyond).sum(axis=1)), _NEAREST * halves)
         return max(view.intrinsic.fx, view.intrinsic.fy) * lengths / distances
@@ -99,7 +99,7 @@ class NodesInView:
     def _check_counts(self, counts: Any) -> NDArray[np.int64]:
         numbers = check_numeric("counts", counts)
         if numbers.shape != self.counts.shape:
-            raise ValueError(f"counts: expected shape [{len(self)}], one a node, got {list(numbers.shape)}")
+            raise ValueError(f"counts: expected shape [{len(self)}], one per node, got {list(numbers.shape)}")
         if numbers.dtype.kind not in "iu" and numbers.size:
             raise TypeError(f"counts: expected whole numbers, got {numbers.dtype}")
         if (numbers < 0).any() or (numbers > self.counts).any():

@@ -25,7 +25,7 @@ from .coloring_choice import COLORMAPS, Choices, choices_of, has_meaning, shown_
 from .items import Item, to_bytes
 from .keys import KEYS, STEP, add_key, bind_keys
 from .sessions import Session
-from .timed_calls import asked_by_page
+from .timed_calls import requested_by_page
 from .tools.toolbox import Toolbox
 
 if TYPE_CHECKING:
@@ -45,9 +45,9 @@ class Panel:
     def __init__(self, viewer: Viewer):
         self._viewer, self.actions = viewer, Actions(viewer)
         gui = self._gui = viewer.server.pages.gui
-        self._choices, self._is_told = Choices(), False  # choices; whether choices and legend match the items
+        self._choices, self._is_current = Choices(), False  # choices; whether choices and legend match the items
         self._legend: Shown | None = None
-        self._told: Any = None  # content of the legend
+        self._legend_content: Any = None  # content of the legend
         self._colored: dict[str, Item] = {}  # items with a coloring
         self._add_colors(gui)
         with gui.add_folder("Scene", order=SCENE):
@@ -74,7 +74,7 @@ class Panel:
         return Toolbox(session, session.client.gui.add_folder("Tools", order=TOOLS))
 
     def put_item(self, item: Item) -> None:
-        self._is_told = False
+        self._is_current = False
         self._choices.put(item)
         if has_meaning(item):
             self._colored[item.name] = item
@@ -84,22 +84,22 @@ class Panel:
         self._tree.put(item.name, item.name, item.visible, color)
 
     def drop_item(self, name: str) -> None:
-        self._is_told = False
+        self._is_current = False
         self._choices.drop(name)
         self._colored.pop(name, None)
         self._tree.drop(name)
 
     def catch_up(self) -> None:
         """Update the legend if items have changed."""
-        if not self._is_told:
-            self._tell_colors()
+        if not self._is_current:
+            self._update_colors()
 
     def show_legend(self) -> None:
         self._colored = {item.name: item for item in self._viewer.shown.values() if has_meaning(item)}
-        self._tell_colors()
+        self._update_colors()
 
-    def _tell_colors(self) -> None:
-        self._is_told = True
+    def _update_colors(self) -> None:
+        self._is_current = True
         choice, items = self._viewer.coloring, self._colored.values()
         known = (OWN, *self._choices.names())
         if known != tuple(self._by.options):
@@ -114,21 +114,21 @@ class Panel:
             self._show_limits(*coloring.limits)
         self._put_legend(None if coloring is None else legend_of(coloring, items))
 
-    def _put_legend(self, told: tuple[str, Any] | None) -> None:
+    def _put_legend(self, content: tuple[str, Any] | None) -> None:
         """Show a color bar or a legend at the edge of the image. None removes it."""
-        if told == self._told:
+        if content == self._legend_content:
             return
-        self._told = told
+        self._legend_content = content
         with self._viewer.server.pages.atomic():
             if self._legend is not None:
                 self._legend.remove()
                 self._legend = None
-            if told is not None and told[0] == "bar":
-                title, ticks, colormap = told[1]
+            if content is not None and content[0] == "bar":
+                title, ticks, colormap = content[1]
                 colors = to_bytes(colormap_table(colormap))
                 self._legend = self._gui.add_colorbar(title, ticks, colors)
-            elif told is not None:
-                self._legend = self._gui.add_legend(told[1])
+            elif content is not None:
+                self._legend = self._gui.add_legend(content[1])
 
     def _show_limits(self, low: float, high: float) -> None:
         """Show the range with enough digits to distinguish its hundredths."""
@@ -222,7 +222,7 @@ def counts_of(coloring: Coloring, items: Any) -> dict[int, int]:
 log = logging.getLogger("pointloom.viewer")
 
 
-def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
+def show_errors_in_page(action: Callable[..., None]) -> Callable[..., None]:
     """Decorator: show errors in the page that caused them."""
 
     @functools.wraps(action)
@@ -230,12 +230,12 @@ def told_to_page(action: Callable[..., None]) -> Callable[..., None]:
         if client is None or self.viewer.closed:  # the program itself has set the value
             return
         try:
-            with asked_by_page():
+            with requested_by_page():
                 action(self, client, *arguments)
         except (PointloomError, ValueError, TypeError, OSError, MemoryError) as error:
-            self.tell(client, str(error), error=True)
+            self.notify(client, str(error), error=True)
         except Exception:
-            log.debug("what page %s asked for", client, exc_info=True)
+            log.debug("a request of page %s failed", client, exc_info=True)
 
     return run
 
@@ -244,69 +244,69 @@ class Actions:
     def __init__(self, viewer: Viewer):
         self.viewer = viewer
 
-    def tell(self, client: int, text: str, *, error: bool = False) -> None:
+    def notify(self, client: int, text: str, *, error: bool = False) -> None:
         session = self.viewer.sessions.get(client)
         if session is not None:
             session.client.notify("pointloom", text, error=error)
 
     def calling(self, callback: Callable[[int], None]) -> Callable[[int | None], None]:
-        @told_to_page
+        @show_errors_in_page
         def call(_: Actions, client: int) -> None:
             callback(client)
 
         return functools.partial(call, self)
 
-    @told_to_page
+    @show_errors_in_page
     def reset_view(self, client: int) -> None:
         with self.viewer.lock:
             self._session(client).go_home()
 
-    @told_to_page
+    @show_errors_in_page
     def shrink_points(self, client: int) -> None:
         self._scale_points(1 / STEP)
 
-    @told_to_page
+    @show_errors_in_page
     def grow_points(self, client: int) -> None:
         self._scale_points(STEP)
 
-    @told_to_page
+    @show_errors_in_page
     def set_point_size(self, client: int, size: float) -> None:
         self.viewer.point_size = size
 
-    @told_to_page
+    @show_errors_in_page
     def toggle_normals(self, client: int) -> None:
         self.set_normals(client, not self.viewer.normals)
 
-    @told_to_page
+    @show_errors_in_page
     def set_normals(self, client: int, shown: bool) -> None:
         self.viewer.show_normals(shown)
         if shown and not any(item.cloud is not None and item.cloud.has_normals for item in self._items()):
-            self.tell(client, "No cloud here has normals; estimate_normals() makes them.")
+            self.notify(client, "No cloud in the scene has normals; call estimate_normals().")
 
-    @told_to_page
+    @show_errors_in_page
     def toggle_wireframe(self, client: int) -> None:
         self.set_wireframe(client, not self.viewer.wireframe)
 
-    @told_to_page
+    @show_errors_in_page
     def set_wireframe(self, client: int, shown: bool) -> None:
         self.viewer.show_wireframe(shown)
 
-    @told_to_page
+    @show_errors_in_page
     def set_background(self, client: int, color: tuple[int, int, int]) -> None:
         self.viewer.background = [value / 255 for value in color]
 
-    @told_to_page
+    @show_errors_in_page
     def set_visible(self, client: int, names: Iterable[str], visible: bool) -> None:
         with self.viewer.lock, self.viewer.batch():
             for name in names:
                 if name in self.viewer.shown:
                     self.viewer.set_visible(name, visible)
 
-    @told_to_page
+    @show_errors_in_page
     def color(self, client: int, by: str | None, colormap: str | None, limits: Any) -> None:
         self.viewer.color_by(by, colormap=colormap, limits=limits)
 
-    @told_to_page
+    @show_errors_in_page
     def next_coloring(self, client: int) -> None:
         names: list[str | None] = [None]
         for item in self._items():
@@ -315,37 +315,37 @@ class Actions:
         following = names[(names.index(now) + 1) % len(names)] if now in names else None
         self.viewer.color_by(following, colormap=self.viewer.coloring.colormap)
 
-    @told_to_page
+    @show_errors_in_page
     def color_as_given(self, client: int) -> None:
         self.viewer.color_by(None)
 
-    @told_to_page
+    @show_errors_in_page
     def color_by_rgb(self, client: int) -> None:
         self.viewer.color_by("rgb")
 
-    @told_to_page
+    @show_errors_in_page
     def color_by_x(self, client: int) -> None:
         self.viewer.color_by("x", colormap=self.viewer.coloring.colormap)
 
-    @told_to_page
+    @show_errors_in_page
     def color_by_y(self, client: int) -> None:
         self.viewer.color_by("y", colormap=self.viewer.coloring.colormap)
 
-    @told_to_page
+    @show_errors_in_page
     def color_by_height(self, client: int) -> None:
         self.viewer.color_by("height", colormap=self.viewer.coloring.colormap)
 
-    @told_to_page
+    @show_errors_in_page
     def color_by_normal(self, client: int) -> None:
         self.viewer.color_by("normal")
 
-    @told_to_page
+    @show_errors_in_page
     def take_screenshot(self, client: int) -> None:
         """Render the page's view and let the page save it."""
         picture = self.viewer.screenshot(client=client)
         self._send(client, "pointloom.png", encode_png(picture), "image/png")
 
-    @told_to_page
+    @show_errors_in_page
     def save_view(self, client: int) -> None:
         """Let the page save its view as Open3D's JSON."""
         with self.viewer.lock:
@@ -355,7 +355,7 @@ class Actions:
             write_view(path, view, bounds)
             self._send(client, "view.json", path.read_bytes(), "application/json")
 
-    @told_to_page
+    @show_errors_in_page
     def load_view(self, client: int, content: bytes) -> None:
         with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
             path = Path(folder) / "view.json"
@@ -375,7 +375,7 @@ class Actions:
     def _session(self, client: int) -> Session:
         session = self.viewer.sessions.get(client)
         if session is None:
-            raise PointloomError("the page has gone")
+            raise PointloomError("the page was closed")
         return session
 
     def _scale_points(self, factor: float) -> None:

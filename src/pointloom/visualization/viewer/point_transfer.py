@@ -108,10 +108,10 @@ class WholeCloud:
                 node.visible = visible
 
     def set_pose(self, T: Matrix | None) -> None:
-        R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
+        R, t = self._frame.pose_in_page(self._part.origin, self._item.pose_of(self._part))
         with self._client.atomic():
             for node in self._nodes:
-                node.place(R, t)
+                node.set_transform(R, t)
 
     def close(self) -> None:
         with self._client.atomic():
@@ -133,9 +133,9 @@ class WholeCloud:
         rows = self._steps[number]
         positions, sent = self._positions[rows], self._indices[rows]
         if self._keep is not None and len(positions):
-            kept = self._keep(positions.astype(np.float64) + self._part.origin)
-            positions, sent = positions[kept], sent[kept]
-        R, t = self._frame.place(self._part.origin, self._item.pose_of(self._part))
+            selected = self._keep(positions.astype(np.float64) + self._part.origin)
+            positions, sent = positions[selected], sent[selected]
+        R, t = self._frame.pose_in_page(self._part.origin, self._item.pose_of(self._part))
         looks = {"positions": positions, "colors": self._colors_of(sent), **self._light(sent)}
         for array in looks.values():
             array.flags.writeable = False  # made for the page only, so it need not be copied
@@ -143,7 +143,7 @@ class WholeCloud:
         if number < len(self._nodes):
             self._sent[number] = sent
             self._nodes[number].set(**looks)
-            self._nodes[number].place(R, t)
+            self._nodes[number].set_transform(R, t)
             return
         self._nodes.append(
             self._client.scene.add_points(

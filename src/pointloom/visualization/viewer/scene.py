@@ -22,7 +22,7 @@ from ..render.geometries import Named, check_units
 from ..render.parts import Lines, Part, Points, Triangles, Triple
 from ..render.up_axis import direction_under, up_of
 from ..render.view import View, fit_view
-from .camera import camera_of, diagonal, reach_of, read_parameters
+from .camera import camera_limits, camera_of, diagonal, read_parameters
 from .coloring_choice import ColoringChoice
 from .detail_tree import DetailTree
 from .extents import Bounds, Extents
@@ -84,7 +84,7 @@ class Scene(Hooks):
         self._extents = Extents()
         self._point_count = self.triangle_count = 0  # of all clouds, and of all surfaces
         self._with_unit: dict[str, Any] = {}  # geometries that had a unit when added
-        self._later = Later(self._catch_up, self.take_lock, self.lock.release)
+        self._deferred = DeferredUpdate(self._catch_up, self.take_lock, self.lock.release)
         self._shares_changed, self._arrivals = False, Arrivals(self)
         self.server = ViewerServer(host, port, title=title)
         self.url, self.ssh_line = self.server.url, self.server.ssh_line
@@ -143,8 +143,8 @@ class Scene(Hooks):
     @property
     def bounds(self) -> Bounds:
         """Lowest and highest corner of the scene [m]. A 2 m box if it is empty."""
-        found = self._extents.union()
-        return _NOTHING if found is None else found
+        bounds = self._extents.union()
+        return _NOTHING if bounds is None else bounds
 
     def _surface_nodes(self, name: str) -> list[tuple[Triangles, Node]]:
         with self.lock:
@@ -177,7 +177,7 @@ class Scene(Hooks):
             if self.closed:
                 return
             session = Session(self, client)  # type: ignore[arg-type]  # a Viewer
-            self._later.now()
+            self._deferred.now()
             with session.as_it_lasts():
                 session.start()
                 self.sessions[client.client_id] = session
@@ -253,16 +253,16 @@ class Scene(Hooks):
                 session.close()
             self.sessions, self._nodes, self.shown = {}, {}, {}
             self._extents, self._with_unit = Extents(), {}
-            self._later.close()
+            self._deferred.close()
             hooks = self._end_hooks()
-        return [*sessions, *builders, self._later, *hooks]
+        return [*sessions, *builders, self._deferred, *hooks]
 
     def _show_levels(self, item: Item) -> None:
         """Show the levels of a cloud after they were built. Requires the lock."""
         for session in self._open_sessions():
             with session.as_it_lasts():
                 session.show(item)
-                session.tell()
+                session.show_counts()
 
     def _take_out(self, name: str) -> None:
         self._levels.forget(name)
@@ -281,12 +281,12 @@ class Scene(Hooks):
         """Schedule one update for all changes within a frame."""
         if look:
             self._aim_first_camera()
-            self._reach()
+            self._update_limits()
             self._arrivals.fitted()
             for session in self._open_sessions():
                 with session.as_it_lasts():
                     session.go_home()
-        self._later.ask()
+        self._deferred.request()
 
     def _catch_up(self) -> None:
         """Update budgets of large clouds, clipping planes, panel and tools."""
@@ -294,25 +294,25 @@ class Scene(Hooks):
         self.panel.catch_up()
         self.server.pages.set_hint("" if self.shown else HINT)
         self.server.pages.set_unit(self._page_unit())
-        self._reach()
+        self._update_limits()
         self._arrivals.fit()
         for session in self._open_sessions():
             with session.as_it_lasts():
                 if shares:
                     session.share_anew()
-                session.tell()
+                session.show_counts()
                 session.refresh_tools()
 
     def catch_up(self) -> None:
         """Apply scheduled updates at once."""
         with self.lock:
-            self._later.now()
+            self._deferred.now()
 
-    def _settle(self) -> None:
+    def _choose_frame(self) -> None:
         """Choose the page's coordinates at the first geometry."""
-        found = self._extents.union()
-        if found is not None:
-            self.frame = Frame.around(found)
+        bounds = self._extents.union()
+        if bounds is not None:
+            self.frame = Frame.around(bounds)
             for item in self.shown.values():
                 self._take_nodes(item)
 
@@ -351,22 +351,22 @@ class Scene(Hooks):
         each = OUTLINE // max(len(clouds), 1)
         if each < MIN_OUTLINE:  # so few that their boxes suffice
             return self._extents.corners()
-        found = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
+        samples = [item.sample()[:: -(-len(item.sample()) // each)] for item in clouds]
         boxes = Extents()
         for item in self.shown.values():
             if item.cloud is None:
                 boxes.put(item.name, item.world_bounds())
-        return np.vstack([*found, boxes.corners()])
+        return np.vstack([*samples, boxes.corners()])
 
-    def _reach(self) -> None:
+    def _update_limits(self) -> None:
         self.server.pages.set_bounds(*map(self.frame.to_page, self.bounds))
         for session in self._open_sessions():
             with session.as_it_lasts():
-                session.set_reach()
+                session.update_limits()
 
     def _aim_first_camera(self) -> None:
         camera = camera_of(self.home(), self.frame, self.bounds)
-        self.server.pages.set_first_camera(**camera.fields(), **reach_of(camera, self.frame, self.bounds))
+        self.server.pages.set_first_camera(**camera.fields(), **camera_limits(camera, self.frame, self.bounds))
 
     def _paint_background(self) -> None:
         self.server.pages.set_background(self._background, own=self._has_own_background)
@@ -409,10 +409,10 @@ class ItemNodes:
     def set_pose(self) -> None:
         with self._pages.atomic():
             for part, node in self._nodes:
-                node.place(*self._frame.place(part.origin, self._item.pose_of(part)))
+                node.set_transform(*self._frame.pose_in_page(part.origin, self._item.pose_of(part)))
             if self._normals is not None and self._item.points is not None:
                 part = self._item.points
-                self._normals.place(*self._frame.place(part.origin, self._item.pose_of(part)))
+                self._normals.set_transform(*self._frame.pose_in_page(part.origin, self._item.pose_of(part)))
 
     def set_visible(self, visible: bool) -> None:
         for _, node in self._nodes:
@@ -439,7 +439,7 @@ class ItemNodes:
         finite = finite_rows(heads)
         if finite.any():
             ends = np.stack([feet[finite], heads[finite]], axis=1)
-            self._normals = self._pages.scene.add_lines(ends, plain=NORMAL_COLOR, **self._placed(part))
+            self._normals = self._pages.scene.add_lines(ends, plain=NORMAL_COLOR, **self._placement(part))
 
     def close(self) -> None:
         with self._pages.atomic():
@@ -452,16 +452,16 @@ class ItemNodes:
     def _add(self, part: Part) -> Node | None:
         if isinstance(part, Points):
             return None
-        scene, placed = self._pages.scene, self._placed(part)
+        scene, placement = self._pages.scene, self._placement(part)
         if isinstance(part, Lines):
             lines = line_arrays(part)
-            return None if lines is None else scene.add_lines(**lines, **placed)
+            return None if lines is None else scene.add_lines(**lines, **placement)
         surface = surface_arrays(part)
         if surface is None:
             return None
-        return scene.add_surface(**surface, wireframe=self._wireframe or part.wireframe, **placed)
+        return scene.add_surface(**surface, wireframe=self._wireframe or part.wireframe, **placement)
 
-    def _placed(self, part: Part) -> dict[str, Any]:
+    def _placement(self, part: Part) -> dict[str, Any]:
         return {**self._frame.placing(part.origin, self._item.pose_of(part)), "visible": self._item.visible}
 
 
@@ -469,29 +469,29 @@ FRAME = 1 / 30  # [s] minimum time between two runs
 IDLE = 0.5  # [s] without a request after which the thread ends
 
 
-class Later:
+class DeferredUpdate:
     """Runs a job once per frame in its own thread, with the lock held, if it was requested meanwhile."""
 
     def __init__(self, job: Callable[[], None], take_lock: Callable[[], bool], release_lock: Callable[[], None]):
         self._job, self._take_lock, self._release_lock = job, take_lock, release_lock
-        self._asked, self._ended = threading.Event(), threading.Event()
+        self._requested, self._ended = threading.Event(), threading.Event()
         self._thread: threading.Thread | None = None
 
-    def ask(self) -> None:
-        self._asked.set()
+    def request(self) -> None:
+        self._requested.set()
         if self._thread is None and not self._ended.is_set():
             self._thread = threading.Thread(target=self._run, name="pointloom-later", daemon=True)
             self._thread.start()
 
     def now(self) -> None:
         """Run a requested job at once. Requires the lock."""
-        if self._asked.is_set():
-            self._asked.clear()
+        if self._requested.is_set():
+            self._requested.clear()
             self._job()
 
     def close(self) -> None:
         self._ended.set()
-        self._asked.set()  # wake all waiting threads
+        self._requested.set()  # wake all waiting threads
 
     def join(self) -> None:
         """Wait for the thread after `close`. Without the lock."""
@@ -501,18 +501,18 @@ class Later:
 
     def _run(self) -> None:
         while True:
-            was_asked = self._asked.wait(IDLE)
+            was_requested = self._requested.wait(IDLE)
             if self._ended.is_set() or not self._take_lock():
                 return
             try:
                 if self._ended.is_set():  # closed while waiting for the lock
                     return
-                if not was_asked and not self._asked.is_set():
+                if not was_requested and not self._requested.is_set():
                     self._thread = None  # the next request starts a new thread
                     return
                 self.now()
             except Exception:  # an internal error must not stop the viewer
-                log.warning("what follows from a change of the scene", exc_info=True)
+                log.warning("an update after a change of the scene failed", exc_info=True)
             finally:
                 self._release_lock()
             if self._ended.wait(FRAME):
@@ -539,12 +539,12 @@ class LevelBuilder:
         self._threads = [thread for thread in self._threads if thread.is_alive()]
         thread = threading.Thread(target=self._build, args=(item,), name="pointloom-levels", daemon=True)
         self._threads.append(thread)
-        self._tell()
+        self._show_status()
         thread.start()
 
     def forget(self, name: str) -> None:
         if self._coming.pop(name, None) is not None:
-            self._tell()
+            self._show_status()
 
     def let_go(self) -> list[threading.Thread]:
         """Cancel all builds. Returns the threads to wait for."""
@@ -567,12 +567,12 @@ class LevelBuilder:
                 del self._coming[item.name]
                 item.tree = tree
                 viewer._show_levels(item)
-                self._tell()
+                self._show_status()
         finally:
             viewer.lock.release()
 
-    def _tell(self) -> None:
+    def _show_status(self) -> None:
         coming = list(self._coming)
         others = f" and {len(coming) - 1} more" if len(coming) > 1 else ""
-        text = f"a first look; preparing all points of {coming[0]}{others}" if coming else ""
+        text = f"a preview; preparing all points of {coming[0]}{others}" if coming else ""
         self._viewer.server.pages.set_progress(text)

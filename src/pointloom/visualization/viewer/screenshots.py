@@ -75,7 +75,7 @@ def write_geometries(
     from ..recording.film import view_frames
     from ..recording.page import write_page
     from ..recording.shapes import ShapeStore, pose_about, sketch
-    from ..recording.timeline import Frame, Placed, Timeline
+    from ..recording.timeline import Frame, Placement, Timeline
 
     store, shown = ShapeStore(), {}
     sketches = {name: sketch(geometry, style, max_points) for name, geometry, style in named}
@@ -88,7 +88,7 @@ def write_geometries(
     origin = next((drawn.origin for drawn in sketches.values()), np.zeros(3))
     for name, drawn in sketches.items():
         numbers = tuple(store.add(shape) for shape in drawn.shapes)
-        shown[name] = Placed(numbers, pose_about(drawn.pose, drawn.origin, origin))
+        shown[name] = Placement(numbers, pose_about(drawn.pose, drawn.origin, origin))
     timeline = Timeline(origin, store.shapes, [Frame(shown)], title=title)
     up = up or up_of((geometry, style.pose) for _, geometry, style in named)
     if view is None and up != UP:

@@ -81,7 +81,7 @@ class ViewerServer:
     @property
     def last_request(self) -> float:
         """Time of the last request for the page (`time.monotonic`); minus infinity when closed."""
-        return -math.inf if self._pages is None else self._pages.last_asked
+        return -math.inf if self._pages is None else self._pages.last_request
 
     @property
     def closed(self) -> bool:
@@ -119,8 +119,8 @@ def _bind(host: str, port: int) -> socket.socket:
                 raise ViewerError(f"host {host!r}: {error.strerror or error}. 127.0.0.1 is this machine") from error
             taken = error
     if taken is not None and taken.errno == errno.EACCES:
-        raise ViewerError(f"port {port}: not allowed to this user. Ports from 1024 are") from taken
-    raise ViewerError(f"ports {ports[0]} to {ports[-1]}: all taken. Choose another, or 0 for any") from taken
+        raise ViewerError(f"port {port}: this user is not allowed to open it. Choose one from 1024 on") from taken
+    raise ViewerError(f"ports {ports[0]} to {ports[-1]}: all in use. Choose another, or 0 for any") from taken
 
 
 def _guard(host: str) -> RequestGuard:

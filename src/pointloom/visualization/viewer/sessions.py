@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ..render.view import View
-from .camera import Camera, camera_of, reach_of, view_of
+from .camera import Camera, camera_limits, camera_of, view_of
 from .home_views import Homes
 from .items import Item
 from .point_transfer import WholeCloud
@@ -47,11 +47,11 @@ class Session:
         self._homes = Homes()
         self._line: Any = None
         self._toolbox: Any = None
-        self._pace = Pace(client.ask_for_sign)
+        self._pace = Pace(client.request_signal)
         self._feeder: threading.Thread | None = None
         self._leaving: list[Any] = []  # removed once the page has the replacement
         self._state: Any = None
-        self._reach: dict[str, float] = {}
+        self._limits: dict[str, float] = {}
 
     def start(self) -> None:
         """Show the scene. Requires the viewer's lock."""
@@ -61,7 +61,7 @@ class Session:
             for item in self.viewer.shown.values():
                 self.show(item)
             self._toolbox = self.viewer.panel.add_tools(self)
-            self.tell()
+            self.show_counts()
         self.client.on_sign(lambda _: self._pace.answer())
         self.client.camera.on_update(self._on_camera)
         self.feed()
@@ -91,15 +91,15 @@ class Session:
 
     def look_as(self, state: Any) -> None:
         """Restore a camera state (`client.camera.state`)."""
-        self._reach = reach_of(state, self.viewer.frame, self.viewer.bounds)
+        self._limits = camera_limits(state, self.viewer.frame, self.viewer.bounds)
         fields = {name: getattr(state, name) for name in ("position", "rotation", "fov", "pivot", "orthographic")}
-        self.client.camera.put(**fields, **self._reach)
+        self.client.camera.put(**fields, **self._limits)
 
-    def set_reach(self) -> None:
-        reach = reach_of(self.client.camera, self.viewer.frame, self.viewer.bounds)
-        if reach != self._reach:
-            self._reach = reach
-            self.client.camera.put(**reach)
+    def update_limits(self) -> None:
+        limits = camera_limits(self.client.camera, self.viewer.frame, self.viewer.bounds)
+        if limits != self._limits:
+            self._limits = limits
+            self.client.camera.put(**limits)
 
     def show(self, item: Item) -> None:
         stream, name = self.streams.get(item.name), item.name
@@ -183,15 +183,15 @@ class Session:
             yield
         except Exception:
             if self.client.is_open:
-                log.warning("page %d of the viewer", self.client.client_id, exc_info=True)
+                log.warning("an update of page %d failed", self.client.client_id, exc_info=True)
             else:
                 self.closed = True
 
-    def tell(self) -> None:
+    def show_counts(self) -> None:
         if self._line is not None and not self.closed:
             for name in self._in_levels:
                 self._note(name)
-            text = told(self._drawn, self._total, self.viewer.triangle_count)
+            text = counts_text(self._drawn, self._total, self.viewer.triangle_count)
             self._line.value, self._line.visible = text, bool(text)
 
     def close(self) -> None:
@@ -220,9 +220,9 @@ class Session:
                     return
                 self._unfinished[name].send_next()
                 self._note(name)
-                self.tell()
+                self.show_counts()
             except Exception:  # an error of one page must not stop the viewer
-                log.debug("a page's next step", exc_info=True)
+                log.debug("sending the next step to a page failed", exc_info=True)
                 self._feeder = None
                 return
             finally:
@@ -251,7 +251,7 @@ class Session:
             return False
         try:
             with self.as_it_lasts():
-                self.tell()
+                self.show_counts()
         finally:
             self.viewer.lock.release()
         return self._pace.wait()
@@ -289,8 +289,8 @@ class Session:
 
     def _put_camera(self, camera: Camera) -> None:
         self._put, self._put_shape = camera.position, _shape(self.client.camera.size)
-        self._reach = reach_of(camera, self.viewer.frame, self.viewer.bounds)
-        self.client.camera.put(**camera.fields(), **self._reach)
+        self._limits = camera_limits(camera, self.viewer.frame, self.viewer.bounds)
+        self.client.camera.put(**camera.fields(), **self._limits)
 
     def _on_camera(self, camera: PageCamera) -> None:
         if camera.state is self._state:
@@ -329,7 +329,7 @@ class Session:
         try:
             self._at_rest()
         except Exception:  # the page has gone, or a tool failed: continue
-            log.debug("a page's camera rested", exc_info=True)
+            log.debug("an update of a page after camera motion failed", exc_info=True)
 
     def _at_rest(self) -> None:
         with self.viewer.lock:
@@ -344,7 +344,7 @@ class Session:
             for stream in self._leaving:
                 stream.close()
             self._leaving.clear()
-            self.tell()
+            self.show_counts()
         self.refresh_tools()
 
 
@@ -352,7 +352,7 @@ def _shape(size: tuple[int, int]) -> int:
     return round(50 * size[0] / size[1]) if size[1] else 0
 
 
-def told(drawn: int, total: int, triangles: int = 0) -> str:
+def counts_text(drawn: int, total: int, triangles: int = 0) -> str:
     words = []
     if total >= 1_000_000:
         millions = f"{total / 1e6:.3g}" if total < 1e9 else f"{total / 1e6:,.0f}"
@@ -368,7 +368,7 @@ def _counted(count: int, name: str) -> str:
     return f"{count:,} {name}{'' if count == 1 else 's'}"
 
 
-PATIENCE = 3.0  # [s] after which the next step is sent without a signal
+SIGNAL_TIMEOUT = 3.0  # [s] after which the next step is sent without a signal
 SIGNS = 3  # frames between two steps: a page prepares one or two frames ahead
 PAUSE = 0.1  # [s] more
 
@@ -379,8 +379,8 @@ class Pace:
     A page handles messages once per frame: a page that draws slowly answers slowly.
     """
 
-    def __init__(self, ask: Callable[[], None]):
-        self._ask = ask
+    def __init__(self, request: Callable[[], None]):
+        self._request = request
         self._answered, self._ended = threading.Event(), threading.Event()
 
     def answer(self) -> None:
@@ -388,12 +388,12 @@ class Pace:
 
     def wait(self) -> bool:
         """Wait until the page has drawn what it was sent. False if it has gone."""
-        end = time.monotonic() + PATIENCE
+        end = time.monotonic() + SIGNAL_TIMEOUT
         for _ in range(SIGNS):
             self._answered.clear()
             if self._ended.is_set():
                 return False
-            self._ask()
+            self._request()
             if not self._answered.wait(max(end - time.monotonic(), 0.0)):
                 break
         return not self._ended.wait(PAUSE)

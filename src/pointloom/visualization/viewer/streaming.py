@@ -28,7 +28,7 @@ Keep = Callable[[NDArray[np.float64]], NDArray[np.bool_]]
 
 
 @dataclasses.dataclass
-class Wish:
+class ViewRequest:
     """Requested state of the client."""
 
     view: View | None = None
@@ -108,11 +108,11 @@ class CloudStream:
         self._client, self._tree = client, tree
         self._origin = check_shape("origin", origin, (3,))
         self._budget = check_count("budget", budget)
-        self._wish = Wish(size=_checked_size(point_size), metric=metric)
+        self._request = ViewRequest(size=_checked_size(point_size), metric=metric)
         self._version, self._is_closed, self._pause = 0, False, pause
         self._asking, self._working = threading.Lock(), threading.Lock()
         self._sent: dict[int, Sent] = {}  # hidden ones in the order of hiding
-        self._kept: NDArray[np.int64] = tree.counts  # number of kept points of each node
+        self._visible_counts: NDArray[np.int64] = tree.counts  # number of unmasked points of each node
         self._pose, self._drawn, self._size = np.eye(4), 0, 0.0
         self._steps = np.maximum(tree.halves * _HALF_STEP, _MIN_HALF_STEP)
         self._steps[tree.halves > _FLOAT16_MAX] = np.inf
@@ -133,19 +133,19 @@ class CloudStream:
 
     def look(self, view: View) -> None:
         """Send what matters for a view and hide the rest."""
-        self._ask(self._pause, view=check_view(view))
+        self._update_request(self._pause, view=check_view(view))
 
     def set_colors(self, colors_of: ColorsOf | None) -> None:
         """Set a function from point indices (k,) to uint8 colors (k, 3). None restores the cloud's own."""
-        self._ask(colors_of=colors_of, coloring=self._wish.coloring + 1)
+        self._update_request(colors_of=colors_of, coloring=self._request.coloring + 1)
 
     def set_keep(self, keep: Keep | None) -> None:
         """Set a function from positions (k, 3) [m] in cloud coordinates to a mask of visible points. None shows all."""
-        self._ask(keep=keep, keeping=self._wish.keeping + 1)
+        self._update_request(keep=keep, keeping=self._request.keeping + 1)
 
     def set_point_size(self, size: float | None, metric: bool = False) -> None:
         """Set the diameter of points [px], or [m] if `metric`. None closes most gaps."""
-        self._ask(size=_checked_size(size), metric=metric)
+        self._update_request(size=_checked_size(size), metric=metric)
 
     def set_visible(self, visible: bool) -> None:
         with self._working:
@@ -158,8 +158,8 @@ class CloudStream:
         with self._working:
             self._pose = pose
             if not self._is_closed:
-                self._frame.place(**self._placing())
-        self._ask()
+                self._frame.set_transform(**self._placing())
+        self._update_request()
 
     def close(self) -> None:
         with self._asking:
@@ -171,10 +171,10 @@ class CloudStream:
             self._is_closed, self._drawn = True, 0
             self._sent.clear()
 
-    def _ask(self, pause: Callable[[], bool] | None = None, **wishes: Any) -> None:
+    def _update_request(self, pause: Callable[[], bool] | None = None, **changes: Any) -> None:
         with self._asking:
-            for name, value in wishes.items():
-                setattr(self._wish, name, value)
+            for name, value in changes.items():
+                setattr(self._request, name, value)
             self._version += 1
             version = self._version
         while True:
@@ -189,40 +189,40 @@ class CloudStream:
     def _serve(self, version: int, *, in_steps: bool) -> bool:
         """Do the next step toward the requested state. True if more steps remain."""
         with self._asking:
-            wish = dataclasses.replace(self._wish)
-        if self._is_overtaken(version) or wish.view is None:
+            request = dataclasses.replace(self._request)
+        if self._is_overtaken(version) or request.view is None:
             return False
-        view = View(wish.view.intrinsic, np.linalg.inv(self._pose) @ wish.view.T_world_camera)
-        self._forget_masks(wish)
-        for _ in range(_PASSES if wish.keep is not None else 1):
-            kept = self._kept.copy()
+        view = View(request.view.intrinsic, np.linalg.inv(self._pose) @ request.view.T_world_camera)
+        self._forget_masks(request)
+        for _ in range(_PASSES if request.keep is not None else 1):
+            previous = self._visible_counts.copy()
             nodes = self._choose(view)
-            left = self._show(nodes, view, wish, version, in_steps)
-            if left is not _NOTHING or np.array_equal(kept, self._kept):
+            left = self._show(nodes, view, request, version, in_steps)
+            if left is not _NOTHING or np.array_equal(previous, self._visible_counts):
                 return left is _MORE
         return False
 
     def _choose(self, view: View) -> list[int]:
-        if int(self._kept.sum()) > self._budget:
-            return self._tree.select(view, self._budget, counts=self._kept)
+        if int(self._visible_counts.sum()) > self._budget:
+            return self._tree.select(view, self._budget, counts=self._visible_counts)
         gaps = self._tree.pixels(view, self._tree.spacings)
-        return [i for i in np.argsort(-gaps, kind="stable").tolist() if self._kept[i]]
+        return [i for i in np.argsort(-gaps, kind="stable").tolist() if self._visible_counts[i]]
 
-    def _forget_masks(self, wish: Wish) -> None:
+    def _forget_masks(self, request: ViewRequest) -> None:
         """Reset the masks of nodes after a change of `keep`."""
-        self._kept = self._tree.counts.copy()
+        self._visible_counts = self._tree.counts.copy()
         for i, sent in self._sent.items():
-            if sent.keeping == wish.keeping:
-                self._kept[i] = sent.count
+            if sent.keeping == request.keeping:
+                self._visible_counts[i] = sent.count
 
-    def _show(self, nodes: list[int], view: View, wish: Wish, version: int, in_steps: bool) -> str:
+    def _show(self, nodes: list[int], view: View, request: ViewRequest, version: int, in_steps: bool) -> str:
         """Show these nodes, or one batch of them. Returns the remaining work."""
-        sizes = self._sizes(nodes, view, wish)
+        sizes = self._sizes(nodes, view, request)
         errors = self._tree.pixels(view, self._steps)
         chosen = set(nodes)
         spare = [i for i in reversed(self._sent) if self._sent[i].visible and i not in chosen]
-        for batch in self._batches(nodes, errors, wish):
-            made = [(i, self._make(i, bool(errors[i] > _MAX_ERROR), wish)) for i in batch]
+        for batch in self._batches(nodes, errors, request):
+            made = [(i, self._make(i, bool(errors[i] > _MAX_ERROR), request)) for i in batch]
             if self._is_overtaken(version):
                 return _OVERTAKEN
             with self._client.atomic():
@@ -232,22 +232,22 @@ class CloudStream:
                     self._hide(spare.pop(0))
             if self._is_overtaken(version):
                 return _OVERTAKEN
-            if in_steps and next(self._batches(nodes, errors, wish), None):
+            if in_steps and next(self._batches(nodes, errors, request), None):
                 return _MORE
         with self._client.atomic():
             for i in spare:
                 self._hide(i)
-            self._resize(sizes, wish.is_metric)
+            self._resize(sizes, request.is_metric)
             self._drop_hidden()
         return _NOTHING
 
-    def _batches(self, nodes: list[int], errors: NDArray[np.float64], wish: Wish) -> Iterator[list[int]]:
+    def _batches(self, nodes: list[int], errors: NDArray[np.float64], request: ViewRequest) -> Iterator[list[int]]:
         """Batches of nodes that are missing or outdated."""
         batch: list[int] = []
         points = 0
         for i in nodes:
             sent = self._sent.get(i)
-            if sent is not None and sent.visible and self._is_right(sent, errors[i], wish):
+            if sent is not None and sent.visible and self._is_right(sent, errors[i], request):
                 continue
             batch.append(i)
             points += int(self._tree.counts[i])
@@ -257,52 +257,52 @@ class CloudStream:
         if batch:
             yield batch
 
-    def _is_right(self, sent: Sent, error: float, wish: Wish) -> bool:
+    def _is_right(self, sent: Sent, error: float, request: ViewRequest) -> bool:
         is_near_enough = sent.is_exact or not error > _MAX_ERROR
-        return sent.keeping == wish.keeping and sent.coloring == wish.coloring and is_near_enough
+        return sent.keeping == request.keeping and sent.coloring == request.coloring and is_near_enough
 
-    def _make(self, i: int, is_exact: bool, wish: Wish) -> Callable[[float], Sent] | None:
+    def _make(self, i: int, is_exact: bool, request: ViewRequest) -> Callable[[float], Sent] | None:
         """Prepare the update of a node: a function that sends it or its colors, or None to show it as is."""
         sent = self._sent.get(i)
-        if sent is not None and sent.keeping == wish.keeping and (sent.is_exact or not is_exact):
-            if sent.coloring == wish.coloring or sent.node is None:
+        if sent is not None and sent.keeping == request.keeping and (sent.is_exact or not is_exact):
+            if sent.coloring == request.coloring or sent.node is None:
                 return None
-            colors = self._colors(i, sent.mask, wish)
+            colors = self._colors(i, sent.mask, request)
 
             def recolor(size: float) -> Sent:
                 sent.node.set(colors=colors)
-                sent.coloring = wish.coloring
+                sent.coloring = request.coloring
                 return sent
 
             return recolor
         node = self._tree.node(i)
-        mask = None if wish.keep is None else np.asarray(wish.keep(self._tree.points_of(i)), bool)
+        mask = None if request.keep is None else np.asarray(request.keep(self._tree.points_of(i)), bool)
         positions = node.positions if mask is None else node.positions[mask]
-        colors = self._colors(i, mask, wish) if len(positions) else None
-        tag = (is_exact, wish.coloring, wish.keeping)
+        colors = self._colors(i, mask, request) if len(positions) else None
+        tag = (is_exact, request.coloring, request.keeping)
         middle = node.middle - self._tree.origin
 
         def send(size: float) -> Sent:
             if sent is not None and sent.node is not None:
                 sent.node.remove()
             if not len(positions):
-                return Sent(None, 0, mask, *tag, size, wish.is_metric)
+                return Sent(None, 0, mask, *tag, size, request.is_metric)
             node = self._client.scene.add_points(
                 np.asarray(positions, np.float32 if is_exact else np.float16),
                 colors,
                 size=size,
-                metric=wish.is_metric,
+                metric=request.is_metric,
                 parent=self._frame,
                 t=middle,
             )
-            return Sent(node, len(positions), mask, *tag, size, wish.is_metric)
+            return Sent(node, len(positions), mask, *tag, size, request.is_metric)
 
         return send
 
-    def _colors(self, i: int, mask: NDArray[np.bool_] | None, wish: Wish) -> Any:
+    def _colors(self, i: int, mask: NDArray[np.bool_] | None, request: ViewRequest) -> Any:
         indices = self._tree.indices_of(i)
         indices = indices if mask is None else indices[mask]
-        colors = self._tree.colors_of(indices) if wish.colors_of is None else wish.colors_of(indices)
+        colors = self._tree.colors_of(indices) if request.colors_of is None else request.colors_of(indices)
         return np.broadcast_to(np.array(PLAIN, np.uint8), (len(indices), 3)) if colors is None else colors
 
     def _put(self, i: int, content: Callable[[float], Sent] | None, size: float) -> None:
@@ -315,7 +315,7 @@ class CloudStream:
             sent.node.visible = True
         sent.visible = True
         self._sent[i] = sent
-        self._kept[i] = sent.count
+        self._visible_counts[i] = sent.count
         self._drawn += sent.count
 
     def _hide(self, i: int) -> None:
@@ -336,10 +336,10 @@ class CloudStream:
                     sent.node.remove()
                 del self._sent[i]
 
-    def _sizes(self, nodes: list[int], view: View, wish: Wish) -> dict[int, float]:
+    def _sizes(self, nodes: list[int], view: View, request: ViewRequest) -> dict[int, float]:
         """Point diameter of each node: uniform, but larger for coarse nodes without drawn children."""
-        if wish.size is not None or not nodes:
-            self._size = wish.size or self._size
+        if request.size is not None or not nodes:
+            self._size = request.size or self._size
             return dict.fromkeys(nodes, self._size)
         self._size = self._fitting_size(nodes, view)
         wide = np.where(self._tree._are_refined(nodes), 0.0, _FILLING * self._tree.spacings[nodes])
@@ -348,7 +348,7 @@ class CloudStream:
     def _fitting_size(self, nodes: list[int], view: View) -> float:
         """A diameter that closes most gaps: the spacing at the median level of the points in view."""
         spacings = self._tree.spacings[nodes]
-        counts = self._kept[nodes] * (
+        counts = self._visible_counts[nodes] * (
             self._tree.shares_in_view(view, nodes) + 1e-6
         )  # breaks ties if no point is in view
         ranks = np.argsort(-spacings, kind="stable")

@@ -37,8 +37,8 @@ def finite_surface(part: Triangles) -> tuple[NDArray[np.float32], NDArray[np.int
     faces = np.asarray(download(part.indices), np.int32).reshape(-1, 3)
     finite = np.isfinite(positions)
     if not finite.all():
-        kept = finite[faces].all(axis=(1, 2))
-        positions, faces = np.where(finite, positions, np.float32(0)), faces[kept]
+        is_finite = finite[faces].all(axis=(1, 2))
+        positions, faces = np.where(finite, positions, np.float32(0)), faces[is_finite]
     return positions, faces
 
 

@@ -1,4 +1,4 @@
-"""Decorator for viewer methods in the history of `set_time` (`logged`), and requests by pages (`asked_by_page`)."""
+"""Decorator for viewer methods in the history of `set_time` (`logged`), and requests by pages (`requested_by_page`)."""
 
 from __future__ import annotations
 
@@ -13,13 +13,13 @@ from ...core.errors import PointloomError
 if TYPE_CHECKING:
     from .live_timeline import LiveTimeline
 
-EARLIER = "The time line shows an earlier moment; go to its end to change the scene."
+EARLIER = "The timeline shows an earlier time; go to its end to change the scene."
 _asker = threading.local()
 Change = TypeVar("Change", bound=Callable[..., None])
 
 
 @contextlib.contextmanager
-def asked_by_page() -> Iterator[None]:
+def requested_by_page() -> Iterator[None]:
     """Context for changes requested by a page, which apply to the displayed step and not to the program's state."""
     before, _asker.is_page = getattr(_asker, "is_page", False), True
     try:

@@ -90,14 +90,14 @@ def open_octree(path: Path, max_points: int) -> CopcTree | None:
 
 def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Named]:
     """Read an even sample of up to `count` points from each large file, to show while it is being read."""
-    found: list[Named] = []
+    samples: list[Named] = []
     for path, name in zip(paths, _names(paths), strict=True):
         if path.suffix.lower() == ".laz" and path.is_file() and says_copc(path, more_than=larger_than):
             continue  # its coarse levels are available at once
         sample = sample_file(path, count) if _open_large(path, larger_than) is not None else None
         if sample is not None:
-            found.append((f"{name}: a first look", sample, Style()))
-    return found
+            samples.append((f"{name}: a preview", sample, Style()))
+    return samples
 
 
 def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: Sequence[str] | None = None) -> Any:
@@ -121,7 +121,7 @@ def read_geometry(path: str | os.PathLike[str], *, device: Any = None, columns: 
     if suffix in tables.READERS:
         return read_point_cloud(path, device=device)
     known = " ".join(dict.fromkeys([*tables.READERS, *tables.MESHES, ".log", ".tum", ".kitti", ".json"]))
-    raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Shown are {known}")
+    raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Supported: {known}")
 
 
 def read_recording(path: Path, topic: str | None, frame: str | None, *, device: Any = None) -> PointCloud:
@@ -158,14 +158,14 @@ def _read_large(
     """Levels of detail of a cloud with more points. None for other files."""
     if _open_large(path, max_points) is None:
         return None
-    kept = [color_by] if color_by is not None and color_by not in _COORDINATES else []
-    return DetailTree.from_file(path, attributes=kept, progress=progress, device=device)
+    attributes = [color_by] if color_by is not None and color_by not in _COORDINATES else []
+    return DetailTree.from_file(path, attributes=attributes, progress=progress, device=device)
 
 
 def _cloud_of(tree: DetailTree, path: Path) -> PointCloud:
     """The cloud of a file's levels, shared. Its colors stay in the tree."""
-    place = resolve_device("cpu")
-    arrays = {"points": upload(tree.positions, vec3, place, copied=False)}
+    device = resolve_device("cpu")
+    arrays = {"points": upload(tree.positions, vec3, device, copied=False)}
     cloud = PointCloud._from_device_arrays(arrays, tree.origin)
     for name, values in tree.attributes.items():
         cloud[name] = values
@@ -193,5 +193,5 @@ def _read_json(path: Path) -> Any:
     if "parameters" in content:
         return read_trajectory(path)
     kind = str(content.get("class_name", "an unknown kind"))[:40]
-    remedy = "Shown are trajectories and polygon volumes; a view of Open3D's goes with --view"
-    raise FileError(path, f"holds {kind}, which is no geometry", remedy=remedy)
+    remedy = "Supported are trajectories and polygon volumes; pass a view of Open3D with --view"
+    raise FileError(path, f"contains {kind}, which is not a geometry", remedy=remedy)

@@ -30,7 +30,7 @@ from .sessions import POINT_SIZE
 from .timed_calls import logged
 
 
-class Looks(Scene):
+class Appearance(Scene):
     """Appearance of a scene in all pages, batched changes and screenshots."""
 
     @contextlib.contextmanager
@@ -159,7 +159,7 @@ class Looks(Scene):
 MAX_POINTS = 2_000_000
 
 
-class Viewer(Looks):
+class Viewer(Appearance):
     """A scene in the browser that a program updates, on this machine or over SSH.
 
     `viewer.update(name, geometry)` from any thread replaces Open3D's sequence of update_geometry, poll_events and
@@ -311,7 +311,7 @@ class Viewer(Looks):
                 if item.tree is None and isinstance(item.geometry, PointCloud):
                     self._levels.build(item)
             if was_empty:
-                self._settle()
+                self._choose_frame()
             for item in made:
                 self._show(item)
                 self.panel.put_item(item)
@@ -331,7 +331,7 @@ class Viewer(Looks):
             self._take_in(item)
             self._color(item)
             if was_empty:
-                self._settle()
+                self._choose_frame()
             self._show(item)
             self.panel.put_item(item)
             self._changed(was_empty)
@@ -406,7 +406,7 @@ class Viewer(Looks):
             raise TypeError("view: expected a view or Open3D's parameters, not both")
         unknown = [key for key in parameters if key not in OPEN3D_KEYS]
         if unknown:
-            raise TypeError(f"parameters: unknown {unknown[0]!r}; there are {', '.join(OPEN3D_KEYS)}")
+            raise TypeError(f"parameters: expected the keys {', '.join(OPEN3D_KEYS)}, got {unknown[0]!r}")
         with self.lock:
             self._check_open()
             home = self._take_view(parameters or view)
@@ -426,7 +426,7 @@ class Viewer(Looks):
                 first = next(iter(self.sessions.values()), None)
                 return self.home() if first is None else first.camera_view()
             if not isinstance(client, int) or client not in self.sessions:
-                raise KeyError(f"client: no page {client!r}; there are {sorted(self.sessions)}")
+                raise KeyError(f"client: expected one of the pages {sorted(self.sessions)}, got {client!r}")
             return self.sessions[client].camera_view()
 
     def wait(self, seconds: float | None = None, *, linger: float = LINGER) -> bool:
@@ -447,7 +447,7 @@ class Viewer(Looks):
 
     def close(self) -> None:
         """Free port, threads and memory. Pages show that the viewer is closed and how to restart it."""
-        self._close(farewell())
+        self._close(shutdown_notice())
 
     def _close(self, words: str) -> None:
         if not self.closed and not self.server.closed:
@@ -475,7 +475,7 @@ def _close_all() -> None:
                 viewer.close()
 
 
-def farewell() -> str:
+def shutdown_notice() -> str:
     """Shutdown notice: the program has ended, and how to restart it."""
     if in_notebook():
         again = "Run the cell again to see it again."

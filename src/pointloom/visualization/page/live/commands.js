@@ -48,7 +48,7 @@ class Commands {
   constructor({ send, panel }) {
     Object.assign(this, { send, panel });
     this.ofProgram = new Map(); // by id
-    this.own = []; // { keys, label, group, run, isThere }
+    this.registered = []; // { keys, label, group, run, isThere }
     document.addEventListener("keydown", (event) => this.onKey(event));
   }
 
@@ -66,7 +66,7 @@ class Commands {
 
   addOwn(group, label, keys, run, isThere = () => true) {
     const named = keys.map((key) => (key === "+" ? "plus" : key.replace("Arrow", "arrow")));
-    this.own.push({ group: capitalized(group), label: capitalized(label), keys: named, run, isThere });
+    this.registered.push({ group: capitalized(group), label: capitalized(label), keys: named, run, isThere });
   }
 
   onKey(event) {
@@ -101,7 +101,7 @@ class Commands {
     for (const command of this.ofProgram.values()) {
       if (command.keys.some((key) => sameKey(key, name))) return () => this.runProgram(command);
     }
-    return this.own.find(({ keys, isThere }) => keys.some((key) => sameKey(key, name)) && isThere())?.run;
+    return this.registered.find(({ keys, isThere }) => keys.some((key) => sameKey(key, name)) && isThere())?.run;
   }
 
   runProgram({ id }) {
@@ -114,22 +114,22 @@ class Commands {
    * thing first is not named.
    */
   list({ withPanel = false } = {}) {
-    const found = new Map();
+    const merged = new Map();
     const taken = new Set();
     const put = ({ label, group, keys, run }, isKeyed) => {
       const id = plainLabel(label).toLowerCase();
-      const known = found.get(id) ?? { label: capitalized(plainLabel(label)), group, keys: [], run };
+      const known = merged.get(id) ?? { label: capitalized(plainLabel(label)), group, keys: [], run };
       for (const key of keys) {
         const name = key.toLowerCase();
         if (!taken.has(name) && isKeyed) known.keys.push(key);
         taken.add(name);
       }
-      found.set(id, known);
+      merged.set(id, known);
     };
     for (const command of this.ofProgram.values()) put({ ...command, run: () => this.runProgram(command) }, true);
-    for (const command of this.own) if (command.isThere()) put(command, true);
+    for (const command of this.registered) if (command.isThere()) put(command, true);
     if (withPanel) for (const action of this.panel.actions()) put({ ...action, keys: [] }, false);
-    return [...found.values()];
+    return [...merged.values()];
   }
 }
 

@@ -1,6 +1,6 @@
 /**
  * Connection to the program: reopened with growing pauses, and at once if the page becomes visible or the network
- * returns. `told` is called with "connecting", "open", "lost", "ended", "old".
+ * returns. `stateChanged` is called with "connecting", "open", "lost", "ended", "old".
  */
 const PAUSES = [500, 1000, 2000, 3500, 5000]; // [ms] before an attempt; the last one repeats
 const GIVEN_UP = 20_000; // [ms] without an answer after which the program is assumed to have ended
@@ -11,8 +11,8 @@ const OTHER_VERSION = 4001; // close code for a page of another version
 
 class Connection {
   /** `received` is called with each message; `hello` returns the first message. */
-  constructor({ received, told, hello }) {
-    Object.assign(this, { received, told, hello });
+  constructor({ received, stateChanged, hello }) {
+    Object.assign(this, { received, stateChanged, hello });
     this.state = "connecting";
     this.tries = 0;
     this.timer = null;
@@ -51,7 +51,7 @@ class Connection {
     if (socket.protocol !== PROTOCOL) return this.refuse();
     const again = this.wasOpen;
     Object.assign(this, { tries: 0, wasOpen: true, ending: null });
-    this.tell("open", { again });
+    this.setState("open", { again });
     this.send(this.hello());
     for (const n of this.syncs.keys()) this.send({ say: "sync", n });
   }
@@ -66,8 +66,8 @@ class Connection {
     this.socket = null;
     if (event.code === OTHER_VERSION) return this.refuse();
     if (this.state === "open") this.lostAt = performance.now();
-    if (this.ending !== null || performance.now() - this.lostAt > GIVEN_UP) this.tell("ended", { text: this.ending ?? "" });
-    else this.tell(this.wasOpen ? "lost" : "connecting");
+    if (this.ending !== null || performance.now() - this.lostAt > GIVEN_UP) this.setState("ended", { text: this.ending ?? "" });
+    else this.setState(this.wasOpen ? "lost" : "connecting");
     this.retry();
   }
 
@@ -76,7 +76,7 @@ class Connection {
     const socket = this.socket;
     this.socket = null;
     socket?.close();
-    this.tell("old");
+    this.setState("old");
   }
 
   retry() {
@@ -118,20 +118,20 @@ class Connection {
   /** The program reported its end. */
   end(text) {
     this.ending = text;
-    this.tell("ended", { text });
+    this.setState("ended", { text });
   }
 
-  tell(state, more = {}) {
+  setState(state, more = {}) {
     const before = this.state;
     this.state = state;
-    this.told(state, { before, ...more });
+    this.stateChanged(state, { before, ...more });
   }
 
   /** Sends a message if connected. True if sent. */
-  send(message, most = MAX_BYTES) {
+  send(message, maxLength = MAX_BYTES) {
     if (!this.socket || this.socket.readyState !== WebSocket.OPEN) return false;
     const text = JSON.stringify(message);
-    if (text.length > most || (text.length > most / 3 && new Blob([text]).size > most)) return false;
+    if (text.length > maxLength || (text.length > maxLength / 3 && new Blob([text]).size > maxLength)) return false;
     this.socket.send(text);
     return true;
   }

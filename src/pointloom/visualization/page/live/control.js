@@ -1,6 +1,6 @@
 /** Base class of controls: a row of the panel, label, state, and sent values. */
 class Control {
-  /** `panel` offers `say`, `press`, `notify`; `build` makes the elements, `update` shows values of the program. */
+  /** `panel` offers `sendValue`, `press`, `notify`; `build` makes the elements, `update` shows values of the program. */
   constructor(op, panel) {
     this.id = op.id;
     this.kind = op.kind;
@@ -61,9 +61,9 @@ class Control {
     return [];
   }
 
-  say(value) {
+  send(value) {
     this.props.value = value;
-    this.panel.sayValue(this.id, value);
+    this.panel.sendValue(this.id, value);
   }
 
   /** Removes the control with what it has outside its element. */

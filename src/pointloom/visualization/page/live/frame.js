@@ -2,7 +2,7 @@
  * Placement of the panel: docked at the right, folded or resized; on a phone a sheet at the bottom. It never covers the
  * image.
  */
-const WIDTHS = { least: 240, most: 640, first: 320 }; // [px]
+const WIDTHS = { min: 240, max: 640, initial: 320 }; // [px]
 const PULLED = 8; // [px] beyond which a press on the sheet's grip is a drag
 const SHEET_LEAST = 52; // [px] of the closed sheet: its grip
 const PICTURE_LEAST = 160; // [px] of the image above an open sheet
@@ -12,7 +12,7 @@ class Frame {
   constructor({ body, side, edge, grip, toggled }) {
     Object.assign(this, { body, side, edge, grip, toggled });
     this.phone = matchMedia("(max-width: 640px)");
-    this.width = clamp(Number(memory.get("width")) || WIDTHS.first, WIDTHS.least, WIDTHS.most);
+    this.width = clamp(Number(memory.get("width")) || WIDTHS.initial, WIDTHS.min, WIDTHS.max);
     this.isOpen = memory.get("panel") !== "folded";
     this.isPulled = false;
     this.listenToEdge();
@@ -44,8 +44,8 @@ class Frame {
 
   listenToEdge() {
     const { edge } = this;
-    edge.setAttribute("aria-valuemin", WIDTHS.least);
-    edge.setAttribute("aria-valuemax", WIDTHS.most);
+    edge.setAttribute("aria-valuemin", WIDTHS.min);
+    edge.setAttribute("aria-valuemax", WIDTHS.max);
     edge.addEventListener("pointerdown", (event) => {
       edge.setPointerCapture(event.pointerId);
       event.preventDefault();
@@ -53,7 +53,7 @@ class Frame {
     edge.addEventListener("pointermove", (event) => {
       if (edge.hasPointerCapture(event.pointerId)) this.setWidth(innerWidth - event.clientX);
     });
-    edge.addEventListener("dblclick", () => this.setWidth(WIDTHS.first));
+    edge.addEventListener("dblclick", () => this.setWidth(WIDTHS.initial));
     edge.addEventListener("keydown", (event) => {
       const by = { ArrowLeft: STEP_OF_WIDTH, ArrowRight: -STEP_OF_WIDTH }[event.key];
       if (!by) return;
@@ -63,7 +63,7 @@ class Frame {
   }
 
   setWidth(width) {
-    this.width = Math.round(clamp(width, WIDTHS.least, Math.min(WIDTHS.most, innerWidth - 240)));
+    this.width = Math.round(clamp(width, WIDTHS.min, Math.min(WIDTHS.max, innerWidth - 240)));
     memory.set("width", this.width);
     this.apply();
   }

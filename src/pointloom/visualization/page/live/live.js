@@ -7,8 +7,8 @@ const OTHER_KEYS = { M: "S", "Shift+M": "Shift+S" };
 const OF_PROGRAMS = ["R", "N", "W", "+", "-"]; // programs apply these keys to all pages: not offered twice
 const LONGEST_MOVE = 2000; // [ms] after which a signal is sent even if the image is not complete
 const NO_WEBGL_HERE =
-  "The scene is drawn with WebGL 2, which this browser does not offer here. Open the page in a current Chromium, Firefox " +
-  "or Safari, and switch hardware acceleration on where it is off.";
+  "The scene is drawn with WebGL 2, which this browser does not support. Open the page in a current Chromium, Firefox " +
+  "or Safari, and enable hardware acceleration.";
 
 class Live {
   constructor() {
@@ -19,9 +19,9 @@ class Live {
       list: byId("notices"), progress: byId("progress"), state: byId("state"), hint: byId("hint"), tryNow: () => this.connection.hurry(),
     });
     this.connection = new Connection({
-      received: (buffer) => this.receive(buffer), told: (state, more) => this.onState(state, more), hello: () => this.hello(),
+      received: (buffer) => this.receive(buffer), stateChanged: (state, more) => this.onState(state, more), hello: () => this.hello(),
     });
-    const send = (message, most) => this.connection.send(message, most);
+    const send = (message, maxLength) => this.connection.send(message, maxLength);
     this.panel = new Panel({
       root: byId("panel"), keys: byId("keys"), bar: byId("bar"), send,
       notify: (title, text) => this.notices.notify(title, text, 8, "error"),
@@ -57,7 +57,7 @@ class Live {
       });
     } catch (error) {
       this.engine = null;
-      this.notices.notify("Nothing can be drawn here", error instanceof NoWebGL ? NO_WEBGL_HERE : error.message, 3600, "error");
+      this.notices.notify("The scene cannot be drawn", error instanceof NoWebGL ? NO_WEBGL_HERE : error.message, 3600, "error");
     }
   }
 
@@ -123,11 +123,11 @@ class Live {
   }
 
   /** After a reconnection the page keeps its camera: the program only knows the initial one. */
-  putCamera({ op, ...given }) {
+  putCamera({ op, ...fields }) {
     if (performance.now() < this.keptUntil) {
-      for (const name of ["position", "rotation", "fov", "pivot", "up", "orthographic"]) delete given[name];
+      for (const name of ["position", "rotation", "fov", "pivot", "up", "orthographic"]) delete fields[name];
     }
-    this.engine?.setCamera(given);
+    this.engine?.setCamera(fields);
   }
 
   setTitle(text) {
@@ -208,15 +208,15 @@ class Live {
     const isTimed = () => panel.timeline !== undefined;
     const time = (label, keys, run) => commands.addOwn("Time", label, keys, () => run(panel.timeline), isTimed);
     time("Play or pause", ["space"], (line) => line.toggle());
-    time("One back", ["arrowleft"], (line) => line.step(-1));
-    time("One on", ["arrowright"], (line) => line.step(1));
+    time("One step back", ["arrowleft"], (line) => line.step(-1));
+    time("One step forward", ["arrowright"], (line) => line.step(1));
     time("To the beginning", ["home"], (line) => line.go(0));
     time("To the end", ["end"], (line) => line.go(line.steps.count));
     commands.addOwn("Page", "All commands", ["Ctrl+K"], () => this.palette.open());
     commands.addOwn("Page", "Keys and commands", ["H", "?"], () => this.help.open());
     commands.addOwn("Page", "Save the page's picture", ["Shift+P"], () => this.savePicture());
     commands.addOwn("Page", "Light or dark", ["D"], () => this.theme.toggle());
-    commands.addOwn("Page", "Show or fold the panel", ["T"], () => this.frame.toggle());
+    commands.addOwn("Page", "Show or hide the panel", ["T"], () => this.frame.toggle());
     for (const { key, label, group, run } of this.engine?.commands() ?? []) {
       const isThere = () => !OF_PROGRAMS.includes(key) || !commands.isTaken(key);
       commands.addOwn(group || "View", label, [OTHER_KEYS[key] ?? key], run, isThere);
@@ -233,13 +233,13 @@ class Live {
       const up = (axis) => [`${axis.toUpperCase()} up`, () => engine.setUp(axis), () => Math.abs(camera().up["xyz".indexOf(axis)]) > 0.9];
       const along = ["+x", "-x", "+y", "-y", "+z", "-z"].map((axis) => [`Along ${axis.replace("-", "−")}`, () => engine.lookAlong(axis)]);
       const views = (count, label) => [label, () => engine.setViews(count, true), () => engine.views.cameras.length === count];
-      const lights = ["Light where it suits", "Light everywhere", "No light"].map((label, light) => [
+      const lights = ["Automatic light", "Light everywhere", "No light"].map((label, light) => [
         label, () => this.setLook("light", light), () => engine.looks.light === light,
       ]);
-      bar.add("fit", "All of the scene", () => engine.fit(), { key: "F", narrow: true });
+      bar.add("fit", "Fit the scene", () => engine.fit(), { key: "F", narrow: true });
       bar.addMenu("axes", "Look along an axis", [...along, null, up("z"), up("y")], { narrow: true });
-      this.lensButton = bar.add("orthographic", "Parallel lines stay parallel", () => engine.setOrthographic(!camera().orthographic), { key: "O" });
-      bar.addMenu("split", "Views beside each other", [views(1, "One view"), views(2, "Two views"), views(4, "Four views")]);
+      this.lensButton = bar.add("orthographic", "Orthographic projection", () => engine.setOrthographic(!camera().orthographic), { key: "O" });
+      bar.addMenu("split", "Side-by-side views", [views(1, "One view"), views(2, "Two views"), views(4, "Four views")]);
       bar.addMenu("light", "Light", lights);
       this.meshButton = bar.add("mesh", "Edges of triangles, in this page", () => this.setLook("wireframe", !engine.looks.wireframe));
       pressed(this.lensButton, false);
@@ -250,7 +250,7 @@ class Live {
     bar.add("search", "All commands", () => this.palette.open(), { key: "Ctrl+K", narrow: true });
     bar.add("help", "Keys and commands", () => this.help.open(), { key: "H", narrow: true });
     bar.add("theme", "Light or dark", () => this.theme.toggle(), { key: "D", narrow: true });
-    this.panelButton = bar.add("panel", "Show or fold the panel", () => this.frame.toggle(), { key: "T" });
+    this.panelButton = bar.add("panel", "Show or hide the panel", () => this.frame.toggle(), { key: "T" });
     this.panelButton.classList.add("for-panel");
     this.onFrame(this.frame.isShown);
   }
@@ -277,11 +277,11 @@ async function whileSeen(milliseconds) {
 
 /** Splits properties of a node into plain values and arrays. */
 function splitArrays({ op, id, parent, kind, ...props }, arrays) {
-  const given = {};
+  const changedArrays = {};
   for (const name of ARRAYS_OF_NODES) {
-    if (typeof props[name] === "number") given[name] = arrays[props[name]].data;
-    else if (props[name] === null) given[name] = null; // removed
+    if (typeof props[name] === "number") changedArrays[name] = arrays[props[name]].data;
+    else if (props[name] === null) changedArrays[name] = null; // removed
     delete props[name];
   }
-  return [props, given];
+  return [props, changedArrays];
 }

@@ -19,8 +19,8 @@ class Notices {
   /** A notice; it stays while hovered or focused. */
   notify(title, text = "", seconds = 8, kind = "note") {
     const close = iconButton("close", "Close", () => remove());
-    const words = make("div", {}, make("strong", {}, title), text ? make("p", {}, text) : null);
-    const notice = make("div", { class: `notice ${kind === "error" ? "error" : "note"}`, role: kind === "error" ? "alert" : "status" }, words, close);
+    const content = make("div", {}, make("strong", {}, title), text ? make("p", {}, text) : null);
+    const notice = make("div", { class: `notice ${kind === "error" ? "error" : "note"}`, role: kind === "error" ? "alert" : "status" }, content, close);
     const remove = () => {
       clearTimeout(timer);
       notice.remove();
@@ -49,8 +49,8 @@ class Notices {
 
   /** Connection state; shown only if not open. */
   setState(name, { text = "", hadScene = true } = {}) {
-    if (this.told === name + text) return; // shown already
-    this.told = name + text;
+    if (this.shownState === name + text) return; // shown already
+    this.shownState = name + text;
     clearTimeout(this.waiting);
     this.isOld = name === "old";
     if (name === "open") {
@@ -59,9 +59,9 @@ class Notices {
     }
     const [title, words, button] = {
       connecting: ["Connecting …", "", ""],
-      lost: ["Connection lost; trying again", hadScene ? "What is shown stays as it was." : "", "Try now"],
+      lost: ["Connection lost; trying again", hadScene ? "The displayed scene is unchanged." : "", "Try now"],
       ended: ["The program has ended.", text || RESTART, "Try again"],
-      old: ["Load the page again", "The program is of another version than this page.", "Load again"],
+      old: ["Reload the page", "The program and this page have different versions.", "Reload"],
     }[name];
     const show = () => {
       this.stateTitle.textContent = title;
@@ -78,4 +78,4 @@ class Notices {
   }
 }
 
-const RESTART = "Start it again as before, and open the address that it prints. What is shown stays as it was.";
+const RESTART = "Start it again, and open the address that it prints. The displayed scene is unchanged.";

@@ -37,7 +37,7 @@ class NumberField {
     event.preventDefault(); // the browser would count whole steps from a limit and lose digits
     const start = Number.isFinite(this.input.valueAsNumber) ? this.input.valueAsNumber : this.value;
     const step = this.step ?? 10 ** Math.floor(Math.log10(Math.max(Math.abs(start), 1e-9)) - 1);
-    this.tell(start + (event.key === "ArrowUp" ? 1 : -1) * step * (event.shiftKey ? 10 : 1));
+    this.applyValue(start + (event.key === "ArrowUp" ? 1 : -1) * step * (event.shiftKey ? 10 : 1));
   }
 
   commit() {
@@ -45,10 +45,10 @@ class NumberField {
     const value = this.input.valueAsNumber;
     if (!Number.isFinite(value)) return this.show(this.value);
     const shown = Number(numberText(this.value, this.precision));
-    if (value !== shown) this.tell(value);
+    if (value !== shown) this.applyValue(value);
   }
 
-  tell(value) {
+  applyValue(value) {
     this.value = clamp(Number(value.toPrecision(12)), ...this.limits);
     this.typed = false;
     this.show(this.value);
@@ -75,7 +75,7 @@ class Steps {
 
 class NumberControl extends Control {
   build() {
-    this.number = new NumberField(null, (value) => this.say(value), this.field);
+    this.number = new NumberField(null, (value) => this.send(value), this.field);
     this.element.append(this.name, this.number.input);
   }
 
@@ -98,7 +98,7 @@ class SliderControl extends Control {
   }
 
   change(value) {
-    this.say(value);
+    this.send(value);
     this.show(value);
   }
 
@@ -184,7 +184,7 @@ class TwoThumbs {
 
 class RangeControl extends Control {
   build() {
-    this.thumbs = new TwoThumbs((value) => this.say(value));
+    this.thumbs = new TwoThumbs((value) => this.send(value));
     this.element.append(this.name, this.thumbs.numbers, this.thumbs.element);
   }
 

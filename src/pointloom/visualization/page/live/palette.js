@@ -3,11 +3,11 @@ class Palette {
   constructor(dialog, commands) {
     Object.assign(this, { dialog, commands });
     this.input = make("input", {
-      type: "text", role: "combobox", placeholder: "What to do …", "aria-label": "What to do", "aria-expanded": "true",
+      type: "text", role: "combobox", placeholder: "Search commands …", "aria-label": "Search commands", "aria-expanded": "true",
       "aria-controls": "palette-list", "aria-autocomplete": "list", autocomplete: "off", spellcheck: "false",
     });
     this.list = make("ul", { id: "palette-list", role: "listbox", "aria-label": "Commands" });
-    this.nothing = make("p", { class: "dim", role: "status" }, "Nothing is called that.");
+    this.nothing = make("p", { class: "dim", role: "status" }, "No matching command.");
     dialog.append(make("div", { class: "palette-field" }, icon("search"), this.input), this.list, this.nothing);
     this.input.addEventListener("input", () => this.filter());
     this.input.addEventListener("keydown", (event) => this.onKey(event));
@@ -29,19 +29,19 @@ class Palette {
 
   refresh() {
     if (!this.dialog.open) return;
-    const chosen = this.found[this.active]?.command.label;
+    const chosen = this.matches[this.active]?.command.label;
     this.filter();
-    this.activate(Math.max(0, this.found.findIndex(({ command }) => command.label === chosen)));
+    this.activate(Math.max(0, this.matches.findIndex(({ command }) => command.label === chosen)));
   }
 
   filter() {
     const words = this.input.value.toLowerCase().split(/\s+/).filter(Boolean);
     const all = this.commands.list({ withPanel: true });
-    this.found = all.map((command) => ({ command, rank: rankOf(command, words) })).filter(({ rank }) => rank > 0);
-    if (words.length > 0) this.found.sort((a, b) => b.rank - a.rank);
-    this.list.replaceChildren(...this.found.map(({ command }, index) => this.makeRow(command, index)));
-    this.list.hidden = this.found.length === 0;
-    this.nothing.hidden = this.found.length > 0;
+    this.matches = all.map((command) => ({ command, rank: rankOf(command, words) })).filter(({ rank }) => rank > 0);
+    if (words.length > 0) this.matches.sort((a, b) => b.rank - a.rank);
+    this.list.replaceChildren(...this.matches.map(({ command }, index) => this.makeRow(command, index)));
+    this.list.hidden = this.matches.length === 0;
+    this.nothing.hidden = this.matches.length > 0;
     this.activate(0);
   }
 
@@ -63,7 +63,7 @@ class Palette {
 
   onKey(event) {
     if (!this.dialog.open) return; // the focus is still here for a moment
-    const count = this.found.length;
+    const count = this.matches.length;
     const moves = { ArrowDown: 1, ArrowUp: -1, PageDown: 8, PageUp: -8 };
     if (event.key in moves && count > 0) {
       const by = moves[event.key];
@@ -75,7 +75,7 @@ class Palette {
   }
 
   choose(index) {
-    const command = this.found[Number(index)]?.command;
+    const command = this.matches[Number(index)]?.command;
     if (index === undefined || !command) return;
     this.dialog.close();
     command.run();
@@ -98,10 +98,10 @@ function rankOf({ label, group }, words) {
 
 /** H or ?: mouse and touch gestures, and all commands with their keys. */
 const GESTURES = [
-  ["drag", "turn"],
+  ["drag", "rotate"],
   ["right drag, Shift + drag, two fingers", "move"],
   ["wheel, two fingers apart", "nearer, farther"],
-  ["double click", "turn about this place"],
+  ["double click", "rotate about this point"],
 ];
 
 class Help {

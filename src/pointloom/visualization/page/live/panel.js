@@ -15,7 +15,7 @@ class Panel {
     this.controls = new Map();
     this.folders = new Map(); // by path: opened or closed by the user
     this.pending = new Map();
-    this.held = null; // control being dragged
+    this.dragged = null; // control being dragged
     this.late = new Map(); // values set by the program meanwhile
     this.listenToTracks();
     this.flush = onceAPicture(() => this.sayPending());
@@ -23,14 +23,14 @@ class Panel {
 
   listenToTracks() {
     document.addEventListener("pointerdown", ({ target }) => {
-      if (target.type === "range") this.held = Number(target.closest("[data-control]")?.dataset.control);
+      if (target.type === "range") this.dragged = Number(target.closest("[data-control]")?.dataset.control);
     });
     for (const kind of ["pointerup", "pointercancel"]) document.addEventListener(kind, () => this.letGo());
   }
 
   /** Shows values of the program that were set during a drag, unless the page sent a newer one. */
   letGo() {
-    this.held = null;
+    this.dragged = null;
     for (const [id, value] of this.late) this.controls.get(id)?.set({ value });
     this.late.clear();
   }
@@ -43,18 +43,18 @@ class Panel {
     this.controls.set(op.id, control);
     control.props = { parent: op.parent, order: op.order };
     control.set(readArrays(op, arrays));
-    this.place(control);
+    this.insert(control);
   }
 
   set(op, arrays) {
     const control = this.controls.get(op.id);
     if (!control) return;
-    if ("value" in op && (this.held === op.id || this.pending.has(op.id))) {
-      if (this.held === op.id) this.late.set(op.id, op.value); // not while being dragged
+    if ("value" in op && (this.dragged === op.id || this.pending.has(op.id))) {
+      if (this.dragged === op.id) this.late.set(op.id, op.value); // not while being dragged
       op = { ...op, value: undefined };
     }
     control.set(readArrays(op, arrays));
-    if ("order" in op || "parent" in op) this.place(control);
+    if ("order" in op || "parent" in op) this.insert(control);
   }
 
   rows(op) {
@@ -68,7 +68,7 @@ class Panel {
     this.controls.delete(id);
     this.pending.delete(id);
     control.remove();
-    this.tellEmpty();
+    this.reportEmpty();
   }
 
   clear() {
@@ -76,7 +76,7 @@ class Panel {
   }
 
   /** Inserts a control by its order; without one, after the existing ones. */
-  place(control) {
+  insert(control) {
     const host = this.hostOf(control);
     const rank = ({ props, id }) => [props.order ?? Infinity, id];
     const [order, id] = rank(control);
@@ -87,7 +87,7 @@ class Panel {
       return otherOrder > order || (otherOrder === order && otherId > id);
     });
     host.insertBefore(control.element, next ?? null);
-    this.tellEmpty();
+    this.reportEmpty();
     if (host === this.bar) this.onBarChanged();
     if (host === this.keys) this.onKeysChanged();
   }
@@ -98,7 +98,7 @@ class Panel {
     return this.controls.get(control.props.parent)?.body ?? this.root;
   }
 
-  tellEmpty() {
+  reportEmpty() {
     const isEmpty = this.root.children.length === 0;
     if (isEmpty === this.isEmpty) return;
     this.isEmpty = isEmpty;
@@ -106,7 +106,7 @@ class Panel {
   }
 
   /** Sends the last value of each control once per frame. */
-  sayValue(id, value) {
+  sendValue(id, value) {
     this.pending.set(id, value);
     this.late.delete(id);
     this.flush();
@@ -158,12 +158,12 @@ class Panel {
 
   /** Actions for the palette: `{ label, group, run }`. */
   actions() {
-    const found = [];
+    const entries = [];
     for (const control of this.controls.values()) {
       if (!this.isReachable(control)) continue;
-      for (const [label, run] of control.actions()) if (label) found.push({ label, group: this.groupOf(control), run });
+      for (const [label, run] of control.actions()) if (label) entries.push({ label, group: this.groupOf(control), run });
     }
-    return found;
+    return entries;
   }
 
   isReachable(control) {

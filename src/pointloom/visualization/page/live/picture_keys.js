@@ -50,7 +50,7 @@ class LegendControl extends Control {
     this.element = make("figure", { class: "legend" });
     this.element.dataset.control = this.id;
     this.caption = make("figcaption");
-    this.list = make("ul", { tabindex: 0, "aria-label": "What the colors mean" });
+    this.list = make("ul", { tabindex: 0, "aria-label": "Legend" });
     this.element.append(this.caption, this.list);
   }
 

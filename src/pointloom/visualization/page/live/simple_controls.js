@@ -24,7 +24,7 @@ class ButtonControl extends Control {
 class CheckboxControl extends Control {
   build() {
     this.box = make("input", { type: "checkbox", id: this.field });
-    this.box.addEventListener("change", () => this.say(this.box.checked));
+    this.box.addEventListener("change", () => this.send(this.box.checked));
     this.element.append(this.box, this.name);
   }
 
@@ -44,16 +44,16 @@ class TextControl extends Control {
     this.input = make("input", { type: "text", id: this.field, autocomplete: "off", spellcheck: "false" });
     this.input.addEventListener("input", () => {
       clearTimeout(this.timer);
-      this.timer = setTimeout(() => this.tell(), TYPING);
+      this.timer = setTimeout(() => this.commit(), TYPING);
     });
-    this.input.addEventListener("change", () => this.tell());
+    this.input.addEventListener("change", () => this.commit());
     this.element.append(this.name, this.input);
   }
 
-  tell() {
+  commit() {
     clearTimeout(this.timer);
     this.timer = null;
-    if (this.input.value !== this.props.value) this.say(this.input.value);
+    if (this.input.value !== this.props.value) this.send(this.input.value);
   }
 
   /** Keeps unfinished input. */
@@ -65,7 +65,7 @@ class TextControl extends Control {
 class DropdownControl extends Control {
   build() {
     this.select = make("select", { id: this.field });
-    this.select.addEventListener("change", () => this.say(this.select.value));
+    this.select.addEventListener("change", () => this.send(this.select.value));
     this.element.append(this.name, this.select);
   }
 
@@ -80,7 +80,7 @@ class RgbControl extends Control {
     this.input = make("input", { type: "color", id: this.field });
     this.output = make("span", { class: "dim" });
     this.input.addEventListener("input", () => {
-      this.say([1, 3, 5].map((start) => parseInt(this.input.value.slice(start, start + 2), 16)));
+      this.send([1, 3, 5].map((start) => parseInt(this.input.value.slice(start, start + 2), 16)));
       this.output.textContent = this.input.value;
     });
     this.element.append(this.name, make("span", { class: "pair" }, this.output, this.input));
@@ -147,7 +147,7 @@ class UploadControl extends Control {
     if (file.size > MAX_FILE) return this.panel.notify("This file is too large", `${file.name}: at most 1 MB can be read here.`);
     try {
       const sent = this.panel.sayFile(this.id, file.name, await file.text());
-      if (!sent) this.panel.notify("This file was not sent", `${file.name} is too large, or the program is not there.`);
+      if (!sent) this.panel.notify("This file was not sent", `${file.name} is too large, or the program is not connected.`);
     } catch {
       this.panel.notify("This file cannot be read", file.name);
     }

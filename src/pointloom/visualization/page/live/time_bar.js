@@ -5,16 +5,16 @@ class TimelineControl extends Control {
   build() {
     this.element = make("div", { class: "time", role: "group", "aria-label": "Time" });
     this.element.dataset.control = this.id;
-    this.back = iconButton("back", "One back (left arrow)", () => this.step(-1));
+    this.back = iconButton("back", "One step back (left arrow)", () => this.step(-1));
     this.play = iconButton("play", "Play (space)", () => this.toggle());
-    this.forth = iconButton("forth", "One on (right arrow)", () => this.step(1));
+    this.forth = iconButton("forth", "One step forward (right arrow)", () => this.step(1));
     this.track = make("input", { type: "range", id: this.field, min: 0, step: 1, "aria-label": "Time" });
-    this.place = make("output", { for: this.field });
+    this.readout = make("output", { for: this.field });
     this.speed = make("select", { "aria-label": "Speed" });
     for (const [value, text] of [[0.25, "¼×"], [0.5, "½×"], [1, "1×"], [2, "2×"], [4, "4×"]]) this.speed.append(make("option", { value }, text));
     this.speed.value = "1";
     this.loop = make("input", { type: "checkbox", checked: true });
-    this.element.append(this.back, this.play, this.forth, this.track, this.place, this.speed, make("label", { class: "loop" }, this.loop, "loop"));
+    this.element.append(this.back, this.play, this.forth, this.track, this.readout, this.speed, make("label", { class: "loop" }, this.loop, "loop"));
     this.track.addEventListener("input", () => {
       this.pause();
       this.go(Number(this.track.value));
@@ -42,14 +42,14 @@ class TimelineControl extends Control {
     const number = this.steps.numberOf(value);
     this.track.value = number;
     this.track.style.setProperty("--share", number / this.steps.count);
-    const whole = this.digits === 0 && this.steps.step === 1;
-    this.place.textContent = whole ? `${numberText(value)} / ${numberText(high)}` : numberText(value, this.digits);
-    this.track.setAttribute("aria-valuetext", this.place.textContent);
+    const isInteger = this.digits === 0 && this.steps.step === 1;
+    this.readout.textContent = isInteger ? `${numberText(value)} / ${numberText(high)}` : numberText(value, this.digits);
+    this.track.setAttribute("aria-valuetext", this.readout.textContent);
   }
 
   go(number) {
     const value = this.steps.valueOf(clamp(number, 0, this.steps.count));
-    this.say(value);
+    this.send(value);
     this.show(value);
   }
 

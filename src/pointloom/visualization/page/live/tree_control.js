@@ -14,7 +14,7 @@ class TreeControl extends Control {
     this.none = make("button", { type: "button" }, "None");
     this.count = make("span", { class: "dim count", role: "status" });
     this.list = make("div", { class: "tree-rows", role: "group" });
-    this.box = make("div", { class: "tree-box", role: "tree", tabindex: 0, "aria-label": "What is shown", "aria-multiselectable": "true" }, this.list);
+    this.box = make("div", { class: "tree-box", role: "tree", tabindex: 0, "aria-label": "Displayed geometries", "aria-multiselectable": "true" }, this.list);
     this.head = make("div", { class: "tree-head" }, this.filter, this.all, this.none);
     this.element.append(this.name, this.head, this.box, this.count);
     this.draw = onceAPicture(() => this.render());
@@ -62,18 +62,18 @@ class TreeControl extends Control {
   }
 
   setAll(visible) {
-    this.rows.seen();
-    this.tell(this.rows.keysToSet(this.rows.root, visible), visible);
+    this.rows.visibleRows();
+    this.sendVisibility(this.rows.keysToSet(this.rows.root, visible), visible);
   }
 
   toggle({ row, group }) {
-    if (row) return this.tell([row.key], !row.visible);
+    if (row) return this.sendVisibility([row.key], !row.visible);
     const visible = group.shown < group.total;
-    this.tell(this.rows.keysToSet(group, visible), visible);
+    this.sendVisibility(this.rows.keysToSet(group, visible), visible);
   }
 
   /** A message is limited to 64 KiB: thousands of keys are sent in several. */
-  tell(keys, visible) {
+  sendVisibility(keys, visible) {
     if (keys.length === 0) return;
     this.rows.set(keys, visible);
     this.render(); // at once: screen readers read the new state with the press
@@ -94,7 +94,7 @@ class TreeControl extends Control {
     const element = event.target.closest("[data-index]");
     if (!element || this.props.disabled) return;
     this.active = Number(element.dataset.index);
-    const entry = this.rows.seen()[this.active];
+    const entry = this.rows.visibleRows()[this.active];
     if (!entry) return;
     if (entry.group && !event.target.closest(".tick")) this.rows.toggle(entry.group);
     else this.toggle(entry);
@@ -102,7 +102,7 @@ class TreeControl extends Control {
   }
 
   onKey(event) {
-    const seen = this.rows.seen();
+    const seen = this.rows.visibleRows();
     const page = Math.max(1, Math.floor(this.box.clientHeight / this.rowHeight) - 1);
     const moves = { ArrowDown: 1, ArrowUp: -1, PageDown: page, PageUp: -page, Home: -seen.length, End: seen.length };
     const entry = seen[this.active];
@@ -124,7 +124,7 @@ class TreeControl extends Control {
 
   activate(index) {
     if (index < 0 && this.active === 0) return;
-    this.active = clamp(index, 0, this.rows.seen().length - 1);
+    this.active = clamp(index, 0, this.rows.visibleRows().length - 1);
     const top = this.active * this.rowHeight;
     const { scrollTop, clientHeight } = this.box;
     if (top < scrollTop) this.box.scrollTop = top;
@@ -133,7 +133,7 @@ class TreeControl extends Control {
 
   /** Elements of the rows in view; existing ones are reused. */
   render() {
-    const seen = this.rows.seen();
+    const seen = this.rows.visibleRows();
     const height = this.rowHeight;
     this.box.style.setProperty("--row", `${height}px`);
     this.box.style.height = `${Math.min(Math.max(seen.length, 1), MAX_ROWS) * height}px`;
@@ -153,7 +153,7 @@ class TreeControl extends Control {
   tellCount() {
     const { total, shown } = this.rows.root;
     const of = this.rows.filter === "" ? "" : ` · ${countText(total)} of ${countText(this.rows.rows.size)} names`;
-    this.count.textContent = this.rows.rows.size === 0 ? "" : total === 0 ? "No name holds that" : `${countText(shown)} of ${countText(total)} shown${of}`;
+    this.count.textContent = this.rows.rows.size === 0 ? "" : total === 0 ? "No matching name" : `${countText(shown)} of ${countText(total)} shown${of}`;
     this.head.hidden = this.rows.rows.size < 2;
     this.count.hidden = this.rows.rows.size < 2;
     this.box.hidden = this.rows.rows.size === 0;
@@ -165,7 +165,7 @@ class TreeControl extends Control {
     return make("div", { class: "tree-row", role: "treeitem" }, fold, tick, make("i"), make("span", { class: "label" }), make("span", { class: "dim" }));
   }
 
-  fill(element, { depth, name, row, group, place, of }, index, isFocused) {
+  fill(element, { depth, name, row, group, position, of }, index, isFocused) {
     const [fold, tick, swatch, label, count] = element.children;
     const state = row ? row.visible : group.shown === group.total ? true : group.shown === 0 ? false : "mixed";
     element.id = `${this.field}-row-${index}`;
@@ -175,7 +175,7 @@ class TreeControl extends Control {
     element.title = row ? row.label : `${group.path.slice(1)}/`;
     element.classList.toggle("active", isFocused && index === this.active);
     element.classList.toggle("away", state === false);
-    const attributes = { "aria-level": depth + 1, "aria-posinset": place, "aria-setsize": of, "aria-checked": state, "aria-label": name };
+    const attributes = { "aria-level": depth + 1, "aria-posinset": position, "aria-setsize": of, "aria-checked": state, "aria-label": name };
     for (const [attribute, value] of Object.entries(attributes)) element.setAttribute(attribute, value);
     if (group) element.setAttribute("aria-expanded", this.rows.isOpen(group));
     else element.removeAttribute("aria-expanded");

@@ -54,33 +54,33 @@ class TreeRows {
   }
 
   /** Displayed rows from top to bottom: `{ depth, name, row }` or `{ depth, name, group }`. */
-  seen() {
+  visibleRows() {
     if (this.list) return this.list;
     const root = grow(this.matching());
     tally(root);
     this.root = root;
     this.list = [];
-    const walk = (group, depth) => {
+    const visit = (group, depth) => {
       for (const inner of group.groups.values()) inner.isOnly = group.groups.size + group.leaves.length === 1;
       const all = [...group.groups.values()].map((inner) => ({ name: inner.name, inner })).concat(group.leaves);
       all.sort((a, b) => byName(a.name, b.name));
       all.forEach(({ name, inner, row }, index) => {
-        this.list.push({ depth, name, row, group: inner, place: index + 1, of: all.length });
-        if (inner && this.isOpen(inner)) walk(inner, depth + 1);
+        this.list.push({ depth, name, row, group: inner, position: index + 1, of: all.length });
+        if (inner && this.isOpen(inner)) visit(inner, depth + 1);
       });
     };
-    walk(root, 0);
+    visit(root, 0);
     return this.list;
   }
 
   /** Keys of a group that differ from the wanted state. */
   keysToSet(group, visible) {
     const keys = [];
-    const walk = ({ groups, leaves }) => {
+    const visit = ({ groups, leaves }) => {
       for (const { row } of leaves) if (row.visible !== visible) keys.push(row.key);
-      for (const inner of groups.values()) walk(inner);
+      for (const inner of groups.values()) visit(inner);
     };
-    walk(group);
+    visit(group);
     return keys;
   }
 

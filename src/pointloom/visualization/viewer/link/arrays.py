@@ -13,7 +13,7 @@ from ....core.checks import check_finite, check_number, check_shape
 SNORM = 32767
 
 
-def kept(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
+def immutable_rows(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
     """Rows (n, *tail) of one of `dtypes` (others become the first): a read-only array itself, else a copy."""
     given = np.asarray(values)
     first, *others = map(np.dtype, dtypes)
@@ -28,13 +28,13 @@ def kept(values: Any, dtypes: Iterable[Any], *tail: int) -> NDArray[Any]:
     return array
 
 
-def normals_kept(values: Any) -> NDArray[np.int16]:
+def packed_normals(values: Any) -> NDArray[np.int16]:
     """Unit normals (n, 3) as int16; int16 is returned as is."""
     given = np.asarray(values)
     if given.dtype != np.int16:
         given = np.rint(np.nan_to_num(np.clip(given, -1, 1)) * SNORM).astype(np.int16)
         given.flags.writeable = False
-    return kept(given, [np.int16], 3)
+    return immutable_rows(given, [np.int16], 3)
 
 
 def placing(R: Any, t: Any, scale: float) -> list[float]:

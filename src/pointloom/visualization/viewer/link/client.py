@@ -102,7 +102,7 @@ class PageClient:
         data = np.frombuffer(bytes(content), np.uint8)[:, None]
         self._channel.send({"op": "download", "name": str(name), "mime": str(mime), "data": data})
 
-    def ask_for_sign(self) -> None:
+    def request_signal(self) -> None:
         """Request a signal from the page after it has drawn everything sent before. The last request counts."""
         self._channel.send({"op": "sign", "n": next(self._signs)})
 
@@ -110,57 +110,57 @@ class PageClient:
         self._on_sign.append(callback)
         return callback
 
-    def take(self, said: dict[str, Any]) -> None:
+    def take(self, message: dict[str, Any]) -> None:
         """Handle a checked message; never blocks or runs a callback."""
-        handler = getattr(self, f"_take_{said['say']}", None)
+        handler = getattr(self, f"_take_{message['say']}", None)
         if handler is None:
             return
         try:
-            handler(said)
+            handler(message)
         except ValueError as error:
             log.debug("page %d: %s", self.client_id, error)
 
-    def _take_camera(self, said: dict[str, Any]) -> None:
-        state = camera_of(said)
+    def _take_camera(self, message: dict[str, Any]) -> None:
+        state = camera_of(message)
         if state is None:
             return
         self.camera.state = state
         for callback in self.camera.update_callbacks():
             self.worker.run(callback, self.camera, about="camera")
 
-    def _take_sign(self, said: dict[str, Any]) -> None:
+    def _take_sign(self, message: dict[str, Any]) -> None:
         for callback in tuple(self._on_sign):
             self.worker.run(callback, self, about="sign")
 
-    def _take_sync(self, said: dict[str, Any]) -> None:
-        self.worker.run(self._channel.send, {"op": "sync", "n": int(said["n"])})
+    def _take_sync(self, message: dict[str, Any]) -> None:
+        self.worker.run(self._channel.send, {"op": "sync", "n": int(message["n"])})
 
-    def _take_value(self, said: dict[str, Any]) -> None:
-        handle = self._find(said["id"])
-        if handle is None or not hasattr(handle, "said") or handle.disabled:
+    def _take_value(self, message: dict[str, Any]) -> None:
+        handle = self._find(message["id"])
+        if handle is None or not hasattr(handle, "apply_value") or handle.disabled:
             return
-        for callback, event in handle.said(self._channel, self.client_id, said["value"]):
+        for callback, event in handle.apply_value(self._channel, self.client_id, message["value"]):
             self.worker.run(callback, event, about=None if handle.kind == "tree" else handle.id)
 
-    def _take_press(self, said: dict[str, Any]) -> None:
-        handle = self._find(said["id"])
+    def _take_press(self, message: dict[str, Any]) -> None:
+        handle = self._find(message["id"])
         if hasattr(handle, "pressed"):
             self._call(handle.pressed(self.client_id))
 
-    def _take_command(self, said: dict[str, Any]) -> None:
-        command = self._find(said["id"])
+    def _take_command(self, message: dict[str, Any]) -> None:
+        command = self._find(message["id"])
         if hasattr(command, "triggered"):
             self._call(command.triggered(self.client_id))
 
-    def _take_click(self, said: dict[str, Any]) -> None:
-        event = ClickEvent(self.client_id, float(said["x"]), float(said["y"]), self.camera.state)
+    def _take_click(self, message: dict[str, Any]) -> None:
+        event = ClickEvent(self.client_id, float(message["x"]), float(message["y"]), self.camera.state)
         for scene in (self.scene, self._shared_scene):
             self._call([(callback, event) for callback in scene.click_callbacks()])
 
-    def _take_file(self, said: dict[str, Any]) -> None:
-        handle = self._find(said["id"])
+    def _take_file(self, message: dict[str, Any]) -> None:
+        handle = self._find(message["id"])
         if hasattr(handle, "brought"):
-            self._call(handle.brought(self.client_id, said["name"], said["text"]))
+            self._call(handle.brought(self.client_id, message["name"], message["text"]))
 
     def _find(self, number: int) -> Any:
         return self.gui.find(int(number)) or self._shared_gui.find(int(number))

@@ -93,7 +93,7 @@ class Handle:
         """Callbacks for a press, each with its event."""
         return []
 
-    def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
+    def apply_value(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
         """Apply a value from a page. Raises ValueError if invalid. Returns the callbacks."""
         raise ValueError(f"a {self.kind} has no value that a page sets")
 
@@ -149,7 +149,7 @@ class Input(Shown):
         self._callbacks.append(callback)
         return callback
 
-    def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
+    def apply_value(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], PanelEvent]]:
         """Apply a value from a page and send it to the other pages."""
         with self.channel.delivery.lock:
             low, high = self._limits()
@@ -223,7 +223,7 @@ class Tree(Handle):
             if self._rows.pop(key, None) is not None and not self._removed:
                 self._send({}, {key: None})
 
-    def said(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], Any]]:
+    def apply_value(self, page: Channel, client_id: int, value: Any) -> list[tuple[Callable[..., Any], Any]]:
         """Apply `[[key, ...], visible]` from a page. Unknown keys are ignored."""
         if not isinstance(value, list) or len(value) != 2 or not isinstance(value[1], bool):
             raise ValueError(f"expected [[key, ...], visible], got {value!r:.80}")
@@ -237,9 +237,9 @@ class Tree(Handle):
             if changed:
                 rows = {key: self._rows[key] for key in changed}
                 self.channel.send_but_to(page, {"op": "rows", "id": self.id, "put": rows, "drop": {}})
-        return [(self._tell, PanelEvent(client_id, (changed, visible)))] if changed else []
+        return [(self._notify, PanelEvent(client_id, (changed, visible)))] if changed else []
 
-    def _tell(self, event: PanelEvent) -> None:
+    def _notify(self, event: PanelEvent) -> None:
         if self._on_change is not None:
             self._on_change(event.client_id, *event.value)
 

@@ -19,8 +19,8 @@ CREATE = {"node": "node", "control": "control"}
 CHANGE = {"set": "node", "setcontrol": "control"}
 DROP = {"drop": "node", "dropcontrol": "control", "dropcommand": "command"}
 # Singletons: the newest counts. Kept ones are sent to new pages.
-KEPT = {"background", "clicks", "bounds", "progress", "hint", "title", "unit"}
-NEWEST = KEPT | {"sign", "end"}
+PERSISTENT = {"background", "clicks", "bounds", "progress", "hint", "title", "unit"}
+NEWEST = PERSISTENT | {"sign", "end"}
 MESSAGE_BYTES = 8 << 20  # target size of a message of several batches
 MAX_NOTICES = 64  # waiting notices per page
 # [s] Limit for overlapping batches of several threads, which would otherwise delay pages forever.
@@ -92,8 +92,8 @@ class Outbox:
         key = key_of(op)
         if key[0] in NEWEST:
             self._forget(key)
-        if (found := self._waiting.get(key)) is not None:
-            waiting, first, before = found
+        if (entry := self._waiting.get(key)) is not None:
+            waiting, first, before = entry
             merge(waiting, op)
             after = bytes_of(waiting) if before else 0
             self.own_bytes += after - before
@@ -138,9 +138,9 @@ class Outbox:
         return waiting is None or waiting[0]["op"] not in (*CREATE, "command")
 
     def _forget(self, key: Key) -> None:
-        found = self._waiting.pop(key, None)
-        if found is not None:
-            self.own_bytes -= found[2]
+        entry = self._waiting.pop(key, None)
+        if entry is not None:
+            self.own_bytes -= entry[2]
 
 
 class Shown:
@@ -149,9 +149,9 @@ class Shown:
     def __init__(self) -> None:
         self._ops: dict[Key, Op] = {}
 
-    def holds(self, op: Op) -> bool:
+    def contains(self, op: Op) -> bool:
         """True if a singleton operation is equal to the last one."""
-        return op["op"] in KEPT and self._ops.get(key_of(op)) == op
+        return op["op"] in PERSISTENT and self._ops.get(key_of(op)) == op
 
     def put(self, op: Op, gone: Iterable[int]) -> None:
         """Record a shared operation; transient ones are ignored."""
@@ -164,7 +164,7 @@ class Shown:
         key = key_of(op)
         if key in self._ops:
             merge(self._ops[key], op)
-        elif name in CREATE or name in KEPT or name in ("rows", "command", "camera"):
+        elif name in CREATE or name in PERSISTENT or name in ("rows", "command", "camera"):
             self._ops[key] = copied(op)
 
     def batches(self) -> list[list[Op]]:
@@ -219,7 +219,7 @@ class Delivery:
     def send(self, channel: Channel, op: Op, gone: Iterable[int] = ()) -> None:
         """Queue an operation; `gone` are all objects that a drop operation removes."""
         with self.lock:
-            if self.closed or (channel.is_shared and self._shown.holds(op)):
+            if self.closed or (channel.is_shared and self._shown.contains(op)):
                 return
             if self._open == 0:
                 self._batch += 1
@@ -252,8 +252,8 @@ class Delivery:
     def take(self, outbox: Outbox) -> tuple[list[Op], bool]:
         """Operations to send to a page now, and whether more wait for open batches."""
         with self.lock:
-            is_whole = self._open == 0 or time.monotonic() - self._opened > LONGEST_BATCH
-            ops = outbox.take(math.inf if is_whole else self._batch)
+            is_complete = self._open == 0 or time.monotonic() - self._opened > LONGEST_BATCH
+            ops = outbox.take(math.inf if is_complete else self._batch)
             return ops, bool(outbox)
 
     def leave(self, channel: Channel) -> None:

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from ....core.checks import check_number
-from .arrays import color, kept
+from .arrays import color, immutable_rows
 from .controls import Button, Check, Command, Folder, Handle, Input, Shown, Tree, Upload, next_order
 from .delivery import Channel
 
@@ -225,7 +225,7 @@ def _entries(entries: Any) -> tuple[tuple[str, tuple[int, ...], str], ...]:
 
 
 def _ramp(colors: Any) -> Any:
-    return None if colors is None else kept(colors, [np.uint8], 3)
+    return None if colors is None else immutable_rows(colors, [np.uint8], 3)
 
 
 _SCALE: dict[str, Check] = {"min": _number, "max": _number, "step": _number, "value": _number}

@@ -43,7 +43,7 @@ PING_SECONDS = 20.0
 WATCH_SECONDS = 1.0  # interval of checks
 HELLO_SECONDS = 60.0  # limit for the first message
 CLOSE_SECONDS = 3.0  # limit for the closing handshake
-FAREWELL_SECONDS = 0.5  # for waiting data at shutdown, which includes the shutdown notice
+FLUSH_SECONDS = 0.5  # for waiting data at shutdown, which includes the shutdown notice
 # A page sends at most one camera per frame. More messages at once are delayed,
 # so that reading them does not block the program's threads.
 MAX_AT_ONCE = 256
@@ -72,7 +72,7 @@ class Visitor(Protocol):
 
     def has_more(self) -> bool: ...
 
-    def take(self, said: dict[str, Any]) -> None: ...
+    def take(self, message: dict[str, Any]) -> None: ...
 
     def leave(self) -> None: ...
 
@@ -87,13 +87,13 @@ class Hub:
 
     Attributes:
         client_count: Number of connected pages.
-        last_asked: Time of the last valid request for the page (`time.monotonic`).
+        last_request: Time of the last valid request for the page (`time.monotonic`).
     """
 
     def __init__(self, bound: socket.socket, guard: RequestGuard, page: ServedPage, token: str, welcome: Welcome):
         self._bound, self._guard, self._page, self._token, self._welcome = bound, guard, page, token, welcome
         self._refused = refused_page()
-        self.client_count, self.last_asked = 0, time.monotonic()
+        self.client_count, self.last_request = 0, time.monotonic()
         self.lines: dict[ServerConnection, Visitor | None] = {}
         self._loop = asyncio.new_event_loop()
         self._stopping = asyncio.Event()
@@ -155,15 +155,15 @@ class Hub:
         )
         ready.set()
         await self._stopping.wait()
-        await self._say_farewell()
+        await self._flush_pages()
         server.close()
         await asyncio.wait([asyncio.ensure_future(server.wait_closed())], timeout=0.25)
         for line in tuple(self.lines):  # pages that do not read the shutdown notice
             line.transport.abort()
         await asyncio.wait([asyncio.ensure_future(server.wait_closed())], timeout=2.0)
 
-    async def _say_farewell(self) -> None:
-        end = time.monotonic() + FAREWELL_SECONDS
+    async def _flush_pages(self) -> None:
+        end = time.monotonic() + FLUSH_SECONDS
         while time.monotonic() < end and not all(self._has_all(line) for line in tuple(self.lines)):
             await asyncio.sleep(0.01)
 
@@ -186,10 +186,10 @@ class Hub:
             body = self._refused
             return _response(http.HTTPStatus.FORBIDDEN, body.text, host=headers["host"][0], sources=body.sources)
         if not websocket:
-            self.last_asked = time.monotonic()
+            self.last_request = time.monotonic()
             return self._page_answer(headers)
         if _choose(one.strip() for one in ",".join(headers.get("sec-websocket-protocol", [])).split(",")) is None:
-            return _response(http.HTTPStatus.UPGRADE_REQUIRED, b"this page is of another version: load it again\n")
+            return _response(http.HTTPStatus.UPGRADE_REQUIRED, b"this page belongs to another version: reload it\n")
         if self.client_count >= MAX_CLIENTS:
             return _response(http.HTTPStatus.SERVICE_UNAVAILABLE, f"{MAX_CLIENTS} pages are open: close one\n".encode())
         return None
@@ -222,7 +222,7 @@ class Hub:
         if self.client_count >= MAX_CLIENTS:  # several requests at once may each have passed the check before
             return await connection.close(1013, "too many pages are open")
         if connection.subprotocol != PROTOCOL:
-            return await connection.close(OTHER_VERSION, "this page is of another version: load it again")
+            return await connection.close(OTHER_VERSION, "this page belongs to another version: reload it")
         self.client_count += 1
         self.lines[connection] = None
         tasks: list[asyncio.Task[None]] = []
@@ -240,7 +240,7 @@ class Hub:
                 for task in done:
                     task.result()
         except Exception:
-            log.exception("a page of the viewer was dropped")
+            log.exception("a page of the viewer was disconnected")
         finally:
             self.client_count -= 1
             self.lines.pop(connection, None)
@@ -254,23 +254,23 @@ class Hub:
     async def _hello(connection: ServerConnection) -> dict[str, Any] | None:
         """First message of a page. None if it was closed because of another version."""
         try:
-            said = read(await connection.recv())
+            message = read(await connection.recv())
         except ValueError as error:
             log.debug("a page: %s", error)
-            said = None
-        if said is None or said["say"] != "hello":
-            await connection.close(1007, "a page says hello first")
-        elif said["version"] != VERSION:
-            await connection.close(OTHER_VERSION, "this page is of another version: load it again")
+            message = None
+        if message is None or message["say"] != "hello":
+            await connection.close(1007, "expected hello as the first message")
+        elif message["version"] != VERSION:
+            await connection.close(OTHER_VERSION, "this page belongs to another version: reload it")
         else:
-            return said
+            return message
         return None
 
 
 def _choose(offered: Iterable[str]) -> Subprotocol | None:
     """The subprotocol, or another version of it: its page is opened to give a reason, which a refusal would hide."""
-    ours = [one for one in offered if re.fullmatch(r"pointloom\.[0-9]{1,4}", one)]
-    return Subprotocol(PROTOCOL if PROTOCOL in ours else ours[0]) if ours else None
+    supported = [one for one in offered if re.fullmatch(r"pointloom\.[0-9]{1,4}", one)]
+    return Subprotocol(PROTOCOL if PROTOCOL in supported else supported[0]) if supported else None
 
 
 def _wake(loop: asyncio.AbstractEventLoop, woken: asyncio.Event) -> None:
@@ -299,16 +299,16 @@ async def _consume(connection: ServerConnection, visitor: Visitor) -> None:
             await asyncio.sleep(max(begun + BURST_SECONDS - time.monotonic(), 0))  # throttles the sender through TCP
             begun, count = time.monotonic(), 0
         try:
-            said = read(raw)
+            message = read(raw)
         except ValueError as error:
             log.debug("a page: %s", error)
             return await connection.close(1007, "not a message of this page")
-        if said is None:
+        if message is None:
             continue
         try:
-            visitor.take(said)
+            visitor.take(message)
         except Exception:  # an error of one page must not affect others
-            log.debug("a page said %s", said["say"], exc_info=True)
+            log.debug("message %s of a page failed", message["say"], exc_info=True)
 
 
 def _unsent_bytes(connection: ServerConnection) -> int:
@@ -328,7 +328,7 @@ async def _watch(connection: ServerConnection, visitor: Visitor) -> None:
         if unsent != seen or (unsent == 0 and pong is None):
             seen, since = unsent, now
         if now - since > STALL_SECONDS or visitor.own_bytes > MAX_OWN_BYTES:
-            log.debug("a page that does not read was dropped")
+            log.debug("a page that does not read was disconnected")
             connection.transport.abort()
             return
         if pong is None and now - pinged > PING_SECONDS and unsent == 0:

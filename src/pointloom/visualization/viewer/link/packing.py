@@ -75,7 +75,7 @@ def _write(op: Op, arrays: list[NDArray[Any]]) -> str:
 def _plain(value: Any) -> Any:
     if isinstance(value, np.generic):
         return value.item()
-    raise TypeError(f"{type(value).__name__} does not go into JSON")
+    raise TypeError(f"{type(value).__name__} cannot be written as JSON")
 
 
 def _width(values: NDArray[Any]) -> int:

@@ -26,9 +26,9 @@ REFUSED = """<!doctype html>
 <html lang="en"><meta charset="utf-8"><meta name="viewport" content="width=device-width">
 <title>pointloom</title>
 <style>{style}</style>
-<h1>This address lacks its key</h1>
-<p>Open the whole address that the program printed, with <code>?token=</code> and what follows.</p>
-<p>A program that was started again printed a new one; the old one is of no use then.</p>
+<h1>This address lacks its token</h1>
+<p>Open the complete address that the program printed, including <code>?token=</code> and the text after it.</p>
+<p>If the program was restarted, it printed a new address, and the old one is no longer valid.</p>
 </html>
 """
 _STYLE = (

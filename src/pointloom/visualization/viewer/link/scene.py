@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from ....core.checks import check_positive, check_share
 from ....io.pictures.image_files import encode_png
-from .arrays import color, kept, normals_kept, placing
+from .arrays import color, immutable_rows, packed_normals, placing
 from .camera import CameraState
 from .delivery import Channel
 
@@ -39,7 +39,7 @@ class Node:
         self._R, self._t, self._scale, self._visible = R, t, scale, visible
         self._removed = False
 
-    def place(self, R: Any, t: Any, scale: float | None = None) -> None:
+    def set_transform(self, R: Any, t: Any, scale: float | None = None) -> None:
         """Set rotation (3, 3), translation (3,) and scale in the parent's frame; None: identity, zero, unchanged."""
         self._scale = self._scale if scale is None else scale
         self._send({"pose": placing(R, t, self._scale)})
@@ -90,8 +90,8 @@ class Scene:
         self._channel, self._shared = channel, shared
         self._on_click: list[Callable[[ClickEvent], Any]] = []
 
-    def add_group(self, **placed: Unpack[Placement]) -> Node:
-        return self._add("group", {}, **placed)
+    def add_group(self, **placement: Unpack[Placement]) -> Node:
+        return self._add("group", {}, **placement)
 
     def add_points(
         self,
@@ -104,7 +104,7 @@ class Scene:
         metric: bool = False,
         relief: bool = True,
         opacity: float = 1.0,
-        **placed: Unpack[Placement],
+        **placement: Unpack[Placement],
     ) -> Node:
         """Add points: float32 or float16 positions, uint8 colors or one `plain` color, normals (float or int16 *
         32767).
@@ -113,7 +113,7 @@ class Scene:
         """
         properties = {"positions": positions, "colors": colors, "plain": plain, "normals": normals, "size": size}
         properties |= {"metric": metric, "relief": relief, "opacity": opacity}
-        return self._add("points", properties, **placed)
+        return self._add("points", properties, **placement)
 
     def add_surface(
         self,
@@ -129,7 +129,7 @@ class Scene:
         cull: bool = False,
         wireframe: bool = False,
         opacity: float = 1.0,
-        **placed: Unpack[Placement],
+        **placement: Unpack[Placement],
     ) -> Node:
         """Add triangles with vertex indices (m, 3). Colors and normals as in `add_points`; `cull` hides back faces.
 
@@ -137,14 +137,14 @@ class Scene:
         """
         properties = {"positions": positions, "indices": indices, "normals": normals, "colors": colors, "plain": plain}
         properties |= {"uvs": uvs, "texture": texture, "lit": lit, "cull": cull, "wireframe": wireframe}
-        return self._add("triangles", {**properties, "opacity": opacity}, **placed)
+        return self._add("triangles", {**properties, "opacity": opacity}, **placement)
 
     def add_lines(
-        self, ends: Any, colors: Any = None, *, plain: Any = None, width: float = 1.0, **placed: Unpack[Placement]
+        self, ends: Any, colors: Any = None, *, plain: Any = None, width: float = 1.0, **placement: Unpack[Placement]
     ) -> Node:
         """Add segments with ends (m, 2, 3), uint8 colors of ends (m, 2, 3) or segments (m, 3), and width [px]."""
         properties = {"ends": ends, "colors": colors, "plain": plain, "width": width}
-        return self._add("lines", properties, **placed)
+        return self._add("lines", properties, **placement)
 
     def add_label(
         self, text: str, position: Any, *, anchor: str = "center", parent: Node | None = None, visible: bool = True
@@ -195,7 +195,7 @@ def checked(kind: str, properties: dict[str, Any]) -> dict[str, Any]:
     checks = _CHECKS[kind]
     for name, value in properties.items():
         if name not in checks:
-            raise TypeError(f"{name}: {kind} have no such property; there are {', '.join(checks) or 'none'}")
+            raise TypeError(f"{name}: unknown property of {kind}; expected {', '.join(checks) or 'none'}")
         field = "positions" if name == "ends" else name
         try:
             sent[field] = None if value is None and name in _OPTIONAL else checks[name](value)
@@ -205,35 +205,39 @@ def checked(kind: str, properties: dict[str, Any]) -> dict[str, Any]:
 
 
 def _positions(values: Any) -> NDArray[Any]:
-    return kept(values, [np.float32, np.float16], 3)
+    return immutable_rows(values, [np.float32, np.float16], 3)
 
 
 def _singles(values: Any) -> NDArray[Any]:
-    return kept(values, [np.float32], 3)
+    return immutable_rows(values, [np.float32], 3)
 
 
 def _ends(values: Any) -> NDArray[Any]:
-    return kept(values, [np.float32], 2, 3).reshape(-1, 3)
+    return immutable_rows(values, [np.float32], 2, 3).reshape(-1, 3)
 
 
 def _colors(values: Any) -> NDArray[np.uint8]:
-    return kept(values, [np.uint8], 3)
+    return immutable_rows(values, [np.uint8], 3)
 
 
 def _end_colors(values: Any) -> NDArray[np.uint8]:
     given = np.asarray(values)
     if given.ndim == 3:
-        return kept(given, [np.uint8], 2, 3).reshape(-1, 3)
+        return immutable_rows(given, [np.uint8], 2, 3).reshape(-1, 3)
     return np.repeat(_colors(given), 2, axis=0)
 
 
 def _indices(values: Any) -> NDArray[Any]:
     given = np.asarray(values)
-    return kept(given, [np.uint32], 3) if given.dtype != np.int32 else kept(given.view(np.uint32), [np.uint32], 3)
+    return (
+        immutable_rows(given, [np.uint32], 3)
+        if given.dtype != np.int32
+        else immutable_rows(given.view(np.uint32), [np.uint32], 3)
+    )
 
 
 def _uvs(values: Any) -> NDArray[Any]:
-    return kept(values, [np.float32], 2)
+    return immutable_rows(values, [np.float32], 2)
 
 
 def _texture(values: Any) -> NDArray[np.uint8]:
@@ -269,11 +273,11 @@ _OPTIONAL = {"colors", "plain", "normals", "uvs", "texture"}
 _CHECKS: dict[str, dict[str, Callable[[Any], Any]]] = {
     "group": {},
     "points": {
-        **{"positions": _positions, "colors": _colors, "plain": _plain, "normals": normals_kept, "size": _size},
+        **{"positions": _positions, "colors": _colors, "plain": _plain, "normals": packed_normals, "size": _size},
         **{"metric": bool, "relief": bool, "opacity": _opacity},
     },
     "triangles": {
-        **{"positions": _singles, "indices": _indices, "normals": normals_kept, "colors": _colors, "plain": _plain},
+        **{"positions": _singles, "indices": _indices, "normals": packed_normals, "colors": _colors, "plain": _plain},
         **{"uvs": _uvs, "texture": _texture, "lit": bool, "cull": bool, "wireframe": bool, "opacity": _opacity},
     },
     "lines": {"ends": _ends, "colors": _end_colors, "plain": _plain, "width": _width},

@@ -110,9 +110,9 @@ class PageServer:
         return self._hub.client_count
 
     @property
-    def last_asked(self) -> float:
+    def last_request(self) -> float:
         """Time of the last valid request for the page (`time.monotonic`)."""
-        return self._hub.last_asked
+        return self._hub.last_request
 
     def on_client_connect(self, callback: Callable[[PageClient], Any]) -> Callable[[PageClient], Any]:
         """Add a callback for current and new pages, called in the page's thread."""

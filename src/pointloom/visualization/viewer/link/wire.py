@@ -13,7 +13,7 @@ from .camera import FARTHEST, MAX_PIXELS, MIN_ANGLE, CameraState, nearest_rotati
 
 MAX_BYTES = 1 << 20  # of a message with a file
 MAX_SMALL_BYTES = 64 << 10  # of other messages
-MAX_WHOLE = 2**53  # exact integers in a browser
+MAX_INTEGER = 2**53  # exact integers in a browser
 MAX_DEPTH = 8  # nested lists
 
 Check = Callable[[Any], bool]
@@ -25,7 +25,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
     Returns None for unknown messages and fields out of range. Raises ValueError if it is not a message.
     """
     if not isinstance(raw, str):
-        raise ValueError("not a message: text is expected")
+        raise ValueError("not a message: expected text")
     if len(raw) > MAX_SMALL_BYTES and '"file"' not in raw[:64]:
         raise ValueError(f"not a message: of {len(raw)} characters")
     try:
@@ -33,7 +33,7 @@ def read(raw: str | bytes) -> dict[str, Any] | None:
     except (ValueError, RecursionError) as error:
         raise ValueError(f"not a message: {error}") from None
     if not isinstance(fields, dict) or not isinstance(fields.get("say"), str):
-        raise ValueError("not a message: an object that says something is expected")
+        raise ValueError("not a message: expected an object with the key say")
     checks = MESSAGES.get(fields["say"])
     if checks is None or (len(raw) > MAX_SMALL_BYTES and fields["say"] != "file"):
         return None
@@ -65,13 +65,13 @@ def is_finite(value: float) -> bool:
         return False
 
 
-def is_whole(value: Any) -> bool:
+def is_integer(value: Any) -> bool:
     """True for integers that a browser can represent."""
-    return is_number(value) and abs(value) <= MAX_WHOLE and value == int(value)
+    return is_number(value) and abs(value) <= MAX_INTEGER and value == int(value)
 
 
-def is_text(value: Any, most: int = MAX_SMALL_BYTES) -> bool:
-    if not isinstance(value, str) or len(value) > most:
+def is_text(value: Any, max_length: int = MAX_SMALL_BYTES) -> bool:
+    if not isinstance(value, str) or len(value) > max_length:
         return False
     try:
         value.encode()
@@ -88,7 +88,7 @@ def _is_switch(value: Any) -> bool:
     return isinstance(value, bool)
 
 
-def _is_place(value: Any) -> bool:
+def _is_position(value: Any) -> bool:
     return _numbers(value, 3, FARTHEST)
 
 
@@ -96,13 +96,13 @@ def _is_matrix(value: Any) -> bool:
     return _numbers(value, 9, 2.0)
 
 
-def _numbers(value: Any, count: int, most: float) -> bool:
-    return isinstance(value, list) and len(value) == count and all(is_number(one) and abs(one) < most for one in value)
+def _numbers(value: Any, count: int, limit: float) -> bool:
+    return isinstance(value, list) and len(value) == count and all(is_number(one) and abs(one) < limit for one in value)
 
 
 def _is_size(value: Any) -> bool:
     return (
-        isinstance(value, list) and len(value) == 2 and all(is_whole(one) and 1 <= one <= MAX_PIXELS for one in value)
+        isinstance(value, list) and len(value) == 2 and all(is_integer(one) and 1 <= one <= MAX_PIXELS for one in value)
     )
 
 
@@ -115,11 +115,11 @@ def _is_share(value: Any) -> bool:
 
 
 def _is_id(value: Any) -> bool:
-    return is_whole(value) and value >= 1
+    return is_integer(value) and value >= 1
 
 
 def _is_version(value: Any) -> bool:
-    return is_whole(value) and value >= 1
+    return is_integer(value) and value >= 1
 
 
 def _is_name(value: Any) -> bool:
@@ -144,7 +144,7 @@ def _is_value(value: Any) -> bool:
 MESSAGES: dict[str, dict[str, Check]] = {
     "hello": {"size": _is_size, "version": _is_version},
     "camera": {
-        **{"position": _is_place, "rotation": _is_matrix, "fov": _is_angle, "pivot": _is_place, "size": _is_size},
+        **{"position": _is_position, "rotation": _is_matrix, "fov": _is_angle, "pivot": _is_position, "size": _is_size},
         "orthographic": _is_switch,
     },
     "sign": {"n": _is_id},

@@ -54,18 +54,18 @@ class Clip:
 
     def heights(self, points: Any) -> list[NDArray[np.float64]]:
         """Signed distances of points (n, 3) to each active plane [m], positive inside: float64 (n,) each."""
-        places = check_rows("points", points, 3, dtype=np.float64)
-        found = [places[:, i] - self.low[i] for i in range(3) if np.isfinite(self.low[i])]
-        found += [self.high[i] - places[:, i] for i in range(3) if np.isfinite(self.high[i])]
-        return found if self.normal is None else [*found, places @ self.normal - self.offset]
+        positions = check_rows("points", points, 3, dtype=np.float64)
+        distances = [positions[:, i] - self.low[i] for i in range(3) if np.isfinite(self.low[i])]
+        distances += [self.high[i] - positions[:, i] for i in range(3) if np.isfinite(self.high[i])]
+        return distances if self.normal is None else [*distances, positions @ self.normal - self.offset]
 
     def keep(self, points: Any) -> NDArray[np.bool_]:
         """True for world points (n, 3) inside. False for NaN."""
-        places = check_rows("points", points, 3, dtype=np.float64)
-        kept = np.isfinite(places[:, 0]) & np.isfinite(places[:, 1]) & np.isfinite(places[:, 2])
-        for height in self.heights(places):
-            kept &= height >= 0
-        return kept
+        positions = check_rows("points", points, 3, dtype=np.float64)
+        is_inside = np.isfinite(positions[:, 0]) & np.isfinite(positions[:, 1]) & np.isfinite(positions[:, 2])
+        for height in self.heights(positions):
+            is_inside &= height >= 0
+        return is_inside
 
     def keeper(self, pose: Any = None) -> Keep:
         """`keep` for points in the coordinates of a geometry at a pose, 4x4 or None."""

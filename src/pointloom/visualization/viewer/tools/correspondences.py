@@ -28,7 +28,7 @@ from ....registration.rigid import fit_pose
 MIN_PAIRS = 3
 THIN = 0.02  # minimum spread of the pairs across their line, over that along it, to define the rotation about it
 MAX_POINTS = 200_000  # per cloud; larger ones are sampled for an interactive response
-REACH = 3.0  # correspondence distance over the RMS of the pairs or the point spacing
+DISTANCE_FACTOR = 3.0  # correspondence distance over the RMS of the pairs or the point spacing
 
 Matrix = NDArray[np.float64]
 
@@ -60,8 +60,8 @@ def fit_pairs(source: Any, target: Any) -> PairFit:
     for name, points in (("source", moving), ("target", fixed)):
         spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
         if not spread[1] > THIN * spread[0]:
-            what = "lie in one place" if not spread[0] > 0 else "lie on one line"
-            raise ValueError(f"pairs: the {name}'s points {what}; pick a pair beside it")
+            what = "are identical" if not spread[0] > 0 else "are collinear"
+            raise ValueError(f"pairs: the points of the {name} {what}; pick another pair away from them")
     T = fit_pose(moving, fixed)
     residuals = np.linalg.norm(moving @ T[:3, :3].T + T[:3, 3] - fixed, axis=1)
     return PairFit(T, float(np.sqrt(np.mean(residuals**2))), residuals)
@@ -110,13 +110,13 @@ def register_from_pairs(
     """
     check_clouds(source, target)
     fit = fit_pairs(source_points, target_points)
-    tell = on_pose or _ignore
-    tell(fit.transformation)
+    report_pose = on_pose or _ignore
+    report_pose(fit.transformation)
     thin_source, thin_target = _thinned("source", source), _thinned("target", target)
     if max_correspondence_distance is None:
-        distance = REACH * max(fit.rms, _spacing(thin_source), _spacing(thin_target))
+        distance = DISTANCE_FACTOR * max(fit.rms, _spacing(thin_source), _spacing(thin_target))
         if not distance > 1e-9 * float(np.ptp(check_rows("source_points", source_points, 3), axis=0).max()):
-            raise ValueError("source, target: all points lie in one place, so no distance follows from them")
+            raise ValueError("source, target: all points are identical, so no correspondence distance can be estimated")
     else:
         distance = check_positive("max_correspondence_distance", max_correspondence_distance)
     before = evaluate_registration(thin_source, thin_target, distance, fit.transformation)
@@ -124,7 +124,9 @@ def register_from_pairs(
     if not refine:
         return unrefined
     if before.fitness == 0:
-        return dataclasses.replace(unrefined, warnings=("no points of the clouds meet there; look at the pairs again",))
+        return dataclasses.replace(
+            unrefined, warnings=("the clouds have no correspondences at this pose; check the pairs",)
+        )
     thin_target, method = _method(thin_target)
     result = registration_icp(
         thin_source,
@@ -132,12 +134,14 @@ def register_from_pairs(
         distance,
         fit.transformation,
         method,
-        callback_after_iteration=lambda state: tell(np.asarray(state["transformation"])),
+        callback_after_iteration=lambda state: report_pose(np.asarray(state["transformation"])),
     )
     if result.fitness < 0.9 * before.fitness:
-        tell(fit.transformation)
-        return dataclasses.replace(unrefined, warnings=("ICP led away from the pairs, so their pose stays",))
-    tell(result.transformation)
+        report_pose(fit.transformation)
+        return dataclasses.replace(
+            unrefined, warnings=("ICP diverged from the pairs, so the pose of the pairs is used",)
+        )
+    report_pose(result.transformation)
     is_open = bool(len(result.degenerate_directions))
     warnings = ("the clouds do not determine all motions",) if is_open else ()
     pose = result.transformation.copy()
@@ -169,7 +173,12 @@ def _method(target: PointCloud) -> tuple[PointCloud, TransformationEstimation]:
 
 
 def save_pairs(
-    path: Any, names: tuple[str, str], indices: Any, source_points: Any, target_points: Any, found: PairRegistration
+    path: Any,
+    names: tuple[str, str],
+    indices: Any,
+    source_points: Any,
+    target_points: Any,
+    registration: PairRegistration,
 ) -> None:
     """Write pairs and their registration as JSON, atomically. Raises FileError."""
     content = {
@@ -178,14 +187,14 @@ def save_pairs(
         "correspondences": check_rows("indices", indices, 2).tolist(),
         "source_points": check_rows("source_points", source_points, 3, dtype=np.float64).tolist(),
         "target_points": check_rows("target_points", target_points, 3, dtype=np.float64).tolist(),
-        "residuals": found.fit.residuals.tolist(),
-        "rms": found.fit.rms,
-        "T_target_source_of_pairs": found.fit.transformation.tolist(),
-        "T_target_source": found.transformation.tolist(),
-        "refined": found.refined,
-        "fitness": found.fitness,
-        "inlier_rmse": found.inlier_rmse,
-        "max_correspondence_distance": found.distance,
+        "residuals": registration.fit.residuals.tolist(),
+        "rms": registration.fit.rms,
+        "T_target_source_of_pairs": registration.fit.transformation.tolist(),
+        "T_target_source": registration.transformation.tolist(),
+        "refined": registration.refined,
+        "fitness": registration.fitness,
+        "inlier_rmse": registration.inlier_rmse,
+        "max_correspondence_distance": registration.distance,
     }
     with atomic_write(path) as file:
         file.write(json.dumps(content, indent=1).encode() + b"\n")

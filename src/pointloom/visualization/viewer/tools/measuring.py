@@ -47,8 +47,8 @@ def path_length(points: Any) -> float:
         >>> path_length([[0, 0, 0], [1, 0, 0], [1, 2, 0]])
         3.0
     """
-    places = check_finite("points", check_rows("points", points, 3, dtype=np.float64))
-    return float(np.linalg.norm(np.diff(places, axis=0), axis=1).sum())
+    positions = check_finite("points", check_rows("points", points, 3, dtype=np.float64))
+    return float(np.linalg.norm(np.diff(positions, axis=0), axis=1).sum())
 
 
 def angle_at(a: Any, b: Any, c: Any) -> float:

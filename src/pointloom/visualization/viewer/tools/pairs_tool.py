@@ -31,24 +31,26 @@ class PairsTool(Tool):
 
     label = "Register by pairs"
     key = "J"
-    hint = "Click a point of the source, then the same place in the target; after three pairs Enter registers."
+    hint = "Click a point of the source, then the same point in the target; after three pairs Enter registers."
 
     def __init__(self, stage: Any):
         super().__init__(stage)
         self._picks: list[Pick] = []  # source, target, source, ...
-        self._found: PairRegistration | None = None
+        self._registration: PairRegistration | None = None
         self._was: tuple[str, Matrix | None] | None = None
         self._shown = 0.0
 
     def start(self) -> None:
         names, gui, run = self.stage.clouds(), self.stage.client.gui, self.stage.run
         if len(names) < 2:
-            raise ValueError(f"two clouds are needed to register one onto the other; the scene shows {len(names)}")
+            raise ValueError(f"registration requires two clouds; the scene shows {len(names)}")
         self._source = gui.add_dropdown("source", names, names[0])
         self._target = gui.add_dropdown("target", names, names[1])
         self._alone = gui.add_checkbox("show one at a time", False)
         self._refine = gui.add_checkbox("refine by ICP", True)
-        self._distance = gui.add_number("distance, 0: chosen", 0.0, min=0.0, hint="in the clouds' unit, else in meters")
+        self._distance = gui.add_number(
+            "distance, 0: automatic", 0.0, min=0.0, hint="in the clouds' unit, else in meters"
+        )
         buttons = (
             ("Register (Enter)", self.finish),
             ("Back to the old pose", self.undo_pose),
@@ -68,11 +70,11 @@ class PairsTool(Tool):
         if self._source.value == self._target.value:
             raise ValueError("source and target are the same cloud: choose two")
         check_room(self._picks)
-        found = self.stage.pick(view, x, y, [name])
-        if found is None:
-            self.stage.say(f"No point of {name} there. {self._next()}")
+        pick = self.stage.pick(view, x, y, [name])
+        if pick is None:
+            self.stage.set_status(f"No point of {name} there. {self._next()}")
             return
-        self._picks.append(found)
+        self._picks.append(pick)
         self._show(view)
 
     def undo(self) -> None:
@@ -87,28 +89,30 @@ class PairsTool(Tool):
         if count < MIN_PAIRS:
             raise ValueError(f"at least three pairs are needed, there are {count}: pick {MIN_PAIRS - count} more")
         (source, moving), (target, fixed) = stage.cloud(self._source.value), stage.cloud(self._target.value)
-        places = self._places(moving, fixed)
+        positions = self._pair_positions(moving, fixed)
         base = stage.pose_of(target)
         before = source.pose
         unit = stage.unit((self._source.value, self._target.value))
-        stage.say("Registering…")
-        found = register_from_pairs(
+        stage.set_status("Registering…")
+        registration = register_from_pairs(
             moving,
             fixed,
-            *places,
+            *positions,
             refine=self._refine.value,
             max_correspondence_distance=self._distance.value or None,
             on_pose=lambda T: self._move(source, base, T),
         )
         self._shown = 0.0
-        self._move(source, base, found.transformation)
+        self._move(source, base, registration.transformation)
         if self._was is None or self._was[0] != source.name:
             self._was = source.name, before
-        self._found = found
+        self._registration = registration
         self._show(stage.view())
-        stage.show(_rows(found, unit))
-        said = [f"{source.name} lies on {target.name} now."]
-        stage.say(" ".join(said + [f"{warning[0].upper()}{warning[1:]}." for warning in found.warnings]))
+        stage.show(_rows(registration, unit))
+        messages = [f"{source.name} is registered to {target.name}."]
+        stage.set_status(
+            " ".join(messages + [f"{warning[0].upper()}{warning[1:]}." for warning in registration.warnings])
+        )
 
     def refresh(self) -> None:
         names = tuple(self.stage.clouds())
@@ -120,22 +124,22 @@ class PairsTool(Tool):
     def undo_pose(self) -> None:
         """Restore the pose before the first registration."""
         if self._was is not None:
-            (name, pose), self._was, self._found = self._was, None, None
+            (name, pose), self._was, self._registration = self._was, None, None
             if name in self.stage.viewer.shown:
                 self.stage.viewer.set_pose(name, np.eye(4) if pose is None else pose)
             self._show(self.stage.view())
 
     def save(self) -> None:
         """Download the pairs as JSON and the pose as 4 rows of numbers."""
-        if self._found is None:
+        if self._registration is None:
             raise ValueError("register first: there is no pose to save yet")
-        names, found = (self._source.value, self._target.value), self._found
-        places = self._places(*(self.stage.cloud(name)[1] for name in names))
+        names, registration = (self._source.value, self._target.value), self._registration
+        positions = self._pair_positions(*(self.stage.cloud(name)[1] for name in names))
         from .correspondences import save_pairs
 
-        self.stage.download("pairs.json", lambda path: save_pairs(path, names, self._rows(), *places, found))
-        self.stage.download("pairs.txt", lambda path: write_pose(path, found.transformation))
-        self.stage.say("The pairs are downloaded as pairs.json, the pose as pairs.txt.")
+        self.stage.download("pairs.json", lambda path: save_pairs(path, names, self._rows(), *positions, registration))
+        self.stage.download("pairs.txt", lambda path: write_pose(path, registration.transformation))
+        self.stage.set_status("The pairs are downloaded as pairs.json, the pose as pairs.txt.")
 
     def _due(self) -> str:
         return self._target.value if len(self._picks) % 2 else self._source.value
@@ -146,9 +150,9 @@ class PairsTool(Tool):
 
     def _rows(self) -> NDArray[np.int64]:
         count = 2 * (len(self._picks) // 2)
-        return np.array([found.index for found in self._picks[:count]], np.int64).reshape(-1, 2)
+        return np.array([pick.index for pick in self._picks[:count]], np.int64).reshape(-1, 2)
 
-    def _places(self, source: Any, target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    def _pair_positions(self, source: Any, target: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
         rows = self._rows()
         return source.select_by_index(rows[:, 0]).points, target.select_by_index(rows[:, 1]).points
 
@@ -163,21 +167,21 @@ class PairsTool(Tool):
         self.stage.viewer.set_pose(source.name, world if own is None else world @ invert_pose(own))
 
     def _restart(self) -> None:
-        self._picks, self._found = [], None
+        self._picks, self._registration = [], None
         self._show(self.stage.view())
 
     def _show(self, view: View) -> None:
         stage = self.stage
         stage.clear()
-        for number, found in enumerate(self._picks):
-            assert found.index is not None
-            item, cloud = stage.cloud(found.name)
+        for number, pick in enumerate(self._picks):
+            assert pick.index is not None
+            item, cloud = stage.cloud(pick.name)
             color = TARGET_COLOR if number % 2 else SOURCE_COLOR
-            place = world_point(Target(found.name, cloud, pose=stage.pose_of(item)), found.index)
-            stage.mark(view, place, f"{'t' if number % 2 else 's'}{number // 2 + 1}", color)
+            position = world_point(Target(pick.name, cloud, pose=stage.pose_of(item)), pick.index)
+            stage.mark(view, position, f"{'t' if number % 2 else 's'}{number // 2 + 1}", color)
         stage.show([])
         self._show_due()
-        stage.say(self._next())
+        stage.set_status(self._next())
 
     def _show_due(self) -> None:
         self._show_only(self._due() if self._alone.value else None)
@@ -193,15 +197,13 @@ class PairsTool(Tool):
                     stream.set_visible(item.visible and name in (None, choice.value))
 
 
-def _rows(found: PairRegistration, unit: LengthUnit | None) -> list[tuple[str, str]]:
+def _rows(registration: PairRegistration, unit: LengthUnit | None) -> list[tuple[str, str]]:
+    residuals = registration.fit.residuals
     return [
-        ("rms of the pairs", length_text(found.fit.rms, unit)),
-        (
-            "worst pair",
-            f"{int(found.fit.residuals.argmax()) + 1}, off by {length_text(float(found.fit.residuals.max()), unit)}",
-        ),
-        ("fitness", f"{100 * found.fitness:.1f} %"),
-        ("inlier rmse", length_text(found.inlier_rmse, unit)),
-        ("within", length_text(found.distance, unit)),
-        ("refined by ICP", "yes" if found.refined else "no"),
+        ("rms of the pairs", length_text(registration.fit.rms, unit)),
+        ("worst pair", f"{int(residuals.argmax()) + 1}, off by {length_text(float(residuals.max()), unit)}"),
+        ("fitness", f"{100 * registration.fitness:.1f} %"),
+        ("inlier rmse", length_text(registration.inlier_rmse, unit)),
+        ("within", length_text(registration.distance, unit)),
+        ("refined by ICP", "yes" if registration.refined else "no"),
     ]

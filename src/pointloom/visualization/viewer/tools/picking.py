@@ -22,7 +22,7 @@ from ...render.view import View, check_view
 
 RADIUS = 6.0  # [px] tolerance of a click
 Matrix = NDArray[np.float64]
-Reach = tuple[Any, Matrix, Any, tuple[float, float], float]  # input of the passes over a cloud's points
+PointQuery = tuple[Any, Matrix, Any, tuple[float, float], float]  # input of the passes over a cloud's points
 Rows = list[tuple[str, str]]  # labels and values of a point
 
 
@@ -81,8 +81,8 @@ def pick_point(
         [0, 1, 2]
     """
     check_cloud("cloud", cloud)
-    found = pick([Target("cloud", cloud, pose=pose, hidden=hidden)], view, x, y, radius=radius)
-    return None if found is None else found.index
+    hit = pick([Target("cloud", cloud, pose=pose, hidden=hidden)], view, x, y, radius=radius)
+    return None if hit is None else hit.index
 
 
 def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: float = RADIUS) -> Pick | None:
@@ -96,7 +96,7 @@ def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: f
         T_world = np.eye(4) if target.pose is None else check_transformation("pose", target.pose)
         if target.cloud is not None and len(target.cloud):
             T = T_camera_points(view, target.cloud, T_world)
-            depth = picking.find_foremost(*_reach(target, T, view, click, radius), hidden=target.hidden)
+            depth = picking.find_foremost(*_point_query(target, T, view, click, radius), hidden=target.hidden)
             if depth is not None:
                 clouds.append((target, T, depth))
         elif target.scene is not None:
@@ -110,13 +110,13 @@ def pick(targets: Iterable[Target], view: View, x: float, y: float, *, radius: f
         if best is None or behind * behind < best[0]:
             best = behind * behind, met
     for target, T, _ in clouds:
-        found = picking.find_meant(*_reach(target, T, view, click, radius), foremost, hidden=target.hidden)
-        if found is not None and (best is None or found[0] < best[0]):
-            best = found[0], Pick(target.name, found[1], world_point(target, found[1]))
+        hit = picking.find_meant(*_point_query(target, T, view, click, radius), foremost, hidden=target.hidden)
+        if hit is not None and (best is None or hit[0] < best[0]):
+            best = hit[0], Pick(target.name, hit[1], world_point(target, hit[1]))
     return None if best is None else best[1]
 
 
-def _reach(target: Target, T: Matrix, view: View, click: tuple[float, float], radius: float) -> Reach:
+def _point_query(target: Target, T: Matrix, view: View, click: tuple[float, float], radius: float) -> PointQuery:
     assert target.cloud is not None
     return target.cloud._device_array("points"), T, view.intrinsic, click, radius
 
@@ -171,10 +171,10 @@ def describe_point(cloud: PointCloud, index: int, point: NDArray[np.float64] | N
 
 
 def describe_row(row: PointCloud, index: int, point: NDArray[np.float64] | None = None) -> Rows:
-    place = row.points[0]
+    position = row.points[0]
     # resolution of float32 relative to the origin, or after a pose
-    resolution = float(np.spacing(np.abs(place - row.origin).max().astype(np.float32)))
-    shown = place if point is None else point
+    resolution = float(np.spacing(np.abs(position - row.origin).max().astype(np.float32)))
+    shown = position if point is None else point
     rows = [("index", f"{index:,}")]
     rows += [(axis, coordinate_text(value, resolution)) for axis, value in zip("xyz", shown, strict=True)]
     if row.has_colors:

@@ -37,10 +37,10 @@ def check_polygon(polygon: Any) -> NDArray[np.float64]:
     """Corners of a polygon [px], float64 (m, 2). ValueError for fewer than 3, non-finite or collinear corners."""
     corners = check_finite("polygon", check_rows("polygon", polygon, 2, dtype=np.float64))
     if len(corners) < MIN_CORNERS:
-        raise ValueError(f"polygon: expected at least three corners, got {len(corners)}; click on more places")
+        raise ValueError(f"polygon: expected at least three corners, got {len(corners)}; click on more points")
     spread = np.linalg.svd(corners - corners.mean(axis=0), compute_uv=False)
     if not spread[1] > 1e-9 * max(spread[0], 1e-300):
-        raise ValueError("polygon: its corners lie on one line; click on a place beside it")
+        raise ValueError("polygon: expected corners that are not collinear; click on a point beside the line")
     return corners
 
 
@@ -66,15 +66,15 @@ def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View
     number = AXES.index(name if axis is None else axis)
     forward = np.zeros(3)
     forward[number] = sign if axis in (None, name) else -1.0  # along another axis: downwards, as in maps
-    upward = _upward(view, number)
-    right = np.cross(forward, upward)
+    up_axis = _up_axis(view, number)
+    right = np.cross(forward, up_axis)
     T = np.eye(4)
-    T[:3, :3] = np.column_stack([right, -upward, forward])
+    T[:3, :3] = np.column_stack([right, -up_axis, forward])
     width, height = view.intrinsic.width, view.intrinsic.height
     extent = np.abs(corners[1] - corners[0])
-    reach = max(extent @ np.abs(right) / width, extent @ np.abs(upward) / height)
+    scale = max(extent @ np.abs(right) / width, extent @ np.abs(up_axis) / height)
     depth = float(extent @ np.abs(forward))
-    pixel = MARGIN * (float(reach) or depth / height or 1.0 / height)  # [m]. A line along the axis has no width
+    pixel = MARGIN * (float(scale) or depth / height or 1.0 / height)  # [m]. A line along the axis has no width
     distance = FAR * max(depth, pixel * height)
     focal = distance / pixel
     T[:3, 3] = corners.mean(axis=0) - distance * forward
@@ -82,16 +82,16 @@ def view_along(view: View, low: Any, high: Any, axis: str | None = None) -> View
     return View(intrinsic, T)
 
 
-def _upward(view: View, axis: int) -> NDArray[np.float64]:
+def _up_axis(view: View, axis: int) -> NDArray[np.float64]:
     """The coordinate direction across an axis that is closest to up in a view."""
     up = -view.T_world_camera[:3, 1].copy()
     up[axis] = 0.0
     if not np.linalg.norm(up) > 0.1:  # parallel to the axis: use the forward direction
         up = view.T_world_camera[:3, 2].copy()
         up[axis] = 0.0
-    chosen, upward = int(np.abs(up).argmax()), np.zeros(3)
-    upward[chosen] = 1.0 if up[chosen] >= 0 else -1.0
-    return upward
+    chosen, up_axis = int(np.abs(up).argmax()), np.zeros(3)
+    up_axis[chosen] = 1.0 if up[chosen] >= 0 else -1.0
+    return up_axis
 
 
 def seen_inside(cloud: PointCloud, view: View, polygon: Any, *, pose: Any = None) -> NDArray[np.int32]:
@@ -129,13 +129,15 @@ def polygon_to_volume(view: View, polygon: Any, points: Any, *, pose: Any = None
     check_view(view)
     corners = check_polygon(polygon)
     if not looks_along_axis(view):
-        raise ValueError("view: turned away from the axes; look along x, y or z, or crop what is seen in a free view")
+        raise ValueError(
+            "view: expected a view along an axis; look along x, y or z, or crop the visible points in a free view"
+        )
     cloud = points if isinstance(points, PointCloud) else PointCloud(points)
     axis, _ = nearest_axis(view)
     number = AXES.index(axis)
     low, high = _ends(cloud, pose, number)
     if low > high:
-        raise ValueError("points: none of them is finite, so there is nothing to crop")
+        raise ValueError("points: expected at least one finite point, got none")
     inside = seen_inside(cloud, view, corners, pose=pose)
     first, last = _ends(cloud.select_by_index(inside), pose, number) if len(inside) else (low, high)
     volume_corners = [_meet(view, corner, number, (first + last) / 2) for corner in corners]
@@ -154,9 +156,9 @@ def _ends(cloud: PointCloud, pose: Any, axis: int) -> tuple[float, float]:
 def _meet(view: View, corner: NDArray[np.float64], axis: int, level: float) -> NDArray[np.float64]:
     """Intersection of a corner's ray with the plane across an axis at a level, with 0 as coordinate along the axis."""
     eye, ray = ray_through(view, *corner)
-    place = eye + (level - eye[axis]) / ray[axis] * ray
-    place[axis] = 0.0
-    return place
+    point = eye + (level - eye[axis]) / ray[axis] * ray
+    point[axis] = 0.0
+    return point
 
 
 def indices_in_volume(cloud: PointCloud, volume: SelectionPolygonVolume, *, pose: Any = None) -> NDArray[np.int32]:

@@ -74,7 +74,7 @@ class PolygonTool(Tool):
             self._corners.append(np.array([x, y]))
         elif not looks_along_axis(view):
             self._align()
-            self.stage.say("The view was turned away from the axes; it is straight again. Click on.")
+            self.stage.set_status("The view was rotated away from the axis and has been reset. Continue clicking.")
             return
         else:
             if self._drawn_in is not None and nearest_axis(self._drawn_in) != nearest_axis(view):
@@ -92,34 +92,34 @@ class PolygonTool(Tool):
         """Crop: show the points inside, hide the complete cloud, download the file."""
         stage = self.stage
         if len(self._corners) < 3:
-            raise ValueError(f"a polygon has at least three corners, this one has {len(self._corners)}: click on more")
+            raise ValueError(f"polygon: expected at least three corners, got {len(self._corners)}; click on more")
         item, cloud = stage.cloud(self._cloud.value)
         view = self._drawn_in
         assert view is not None
         pose, polygon = stage.pose_of(item), self._on_screen(view)
         volume, name = None, FILES[self._mode.value]
         if self._mode.value == FREE:
-            kept = seen_inside(cloud, view, polygon, pose=pose)
+            inside = seen_inside(cloud, view, polygon, pose=pose)
         else:
             volume = polygon_to_volume(view, polygon, cloud, pose=pose)
-            kept = indices_in_volume(cloud, volume, pose=pose)
-        seen = self._seen_of(item.name, kept)
+            inside = indices_in_volume(cloud, volume, pose=pose)
+        seen = self._seen_of(item.name, inside)
         if not len(seen):
-            raise ValueError("no point lies inside the polygon; Backspace takes corners back")
+            raise ValueError("the polygon contains no points; Backspace takes corners back")
         cropped = item.select(seen)
-        told = f"{len(seen):,} of {len(cloud):,} points, downloaded as {name}."
+        message = f"{len(seen):,} of {len(cloud):,} points, downloaded as {name}."
         if volume is None:
             stage.download(name, lambda path: write_point_cloud(path, cropped))
         else:
             stage.download(name, volume.to_json)
-            told = f"{len(seen):,} of {len(cloud):,} points; the polygon is downloaded as {name}."
-            told += _difference(cloud, view, polygon, kept, pose)
-        if len(seen) < len(kept):
-            told += f" {len(kept) - len(seen):,} more inside are hidden by clip planes, and left out."
+            message = f"{len(seen):,} of {len(cloud):,} points; the polygon is downloaded as {name}."
+            message += _difference(cloud, view, polygon, inside, pose)
+        if len(seen) < len(inside):
+            message += f" {len(inside) - len(seen):,} more inside are hidden by clip planes, and left out."
         self._swap(item, cropped)
         self._corners, self._drawn_in = [], None
         stage.clear()
-        stage.say(told)
+        stage.set_status(message)
 
     def refresh(self) -> None:
         if tuple(self.stage.clouds()) != tuple(self._cloud.options):
@@ -128,17 +128,17 @@ class PolygonTool(Tool):
     def undo_crop(self) -> None:
         if self._undo is None:
             return
-        (whole, part), self._undo, self._undo_button.disabled = self._undo, None, True
+        (complete, part), self._undo, self._undo_button.disabled = self._undo, None, True
         viewer = self.stage.viewer
         with viewer.lock:
-            if part not in viewer.shown and whole not in viewer.shown:
-                raise ValueError(f"{whole} is no longer in the scene")
+            if part not in viewer.shown and complete not in viewer.shown:
+                raise ValueError(f"{complete} is no longer in the scene")
             if part in viewer.shown:
                 viewer.remove(part)
-            if whole in viewer.shown:
-                viewer.set_visible(whole, True)
-        self._list_clouds(whole)
-        self.stage.say("All points are shown again.")
+            if complete in viewer.shown:
+                viewer.set_visible(complete, True)
+        self._list_clouds(complete)
+        self.stage.set_status("All points are shown again.")
 
     def _seen_of(self, name: str, rows: NDArray[np.int32]) -> NDArray[np.int32]:
         """Points of a selection that clip planes do not hide."""
@@ -175,7 +175,7 @@ class PolygonTool(Tool):
         self.stage.look_from(view_along(self.stage.view(), low, high, axis))
         self._corners, self._drawn_in = [], None
         self.stage.clear()
-        self.stage.say(self.hint)
+        self.stage.set_status(self.hint)
 
     def _look_back(self) -> None:
         if self._before is not None:
@@ -188,7 +188,9 @@ class PolygonTool(Tool):
         self._corners, self._drawn_in = [], None
         self.stage.clear()
         self._look_back()
-        self.stage.say(f"{self.hint} What is seen inside is kept, as a cloud: no cropped.json can hold it.")
+        self.stage.set_status(
+            f"{self.hint} The visible points inside are kept as a cloud; cropped.json cannot describe this crop."
+        )
 
     def _size(self) -> float:
         low, high = self.stage.viewer.bounds
@@ -214,10 +216,12 @@ class PolygonTool(Tool):
         stage.lines(corners, closed=len(corners) > 2)
         for corner in corners:
             stage.mark(drawn, corner)
-        stage.say(f"{len(corners)} corners. {self.hint}")
+        stage.set_status(f"{len(corners)} corners. {self.hint}")
 
 
-def _difference(cloud: PointCloud, view: View, polygon: Any, kept: Any, pose: Any) -> str:
+def _difference(cloud: PointCloud, view: View, polygon: Any, inside: Any, pose: Any) -> str:
     """Text on the effect of perspective; usually empty."""
-    other = len(np.setxor1d(seen_inside(cloud, view, polygon, pose=pose), kept))
-    return f" {other:,} points at its edge lie on the other side of the line as it was drawn." if other else ""
+    other = len(np.setxor1d(seen_inside(cloud, view, polygon, pose=pose), inside))
+    return (
+        f" {other:,} points at its edge are on the other side of the drawn line, due to perspective." if other else ""
+    )

@@ -45,17 +45,17 @@ _scenes: weakref.WeakKeyDictionary[Any, list[tuple[Any, RaycastingScene]]] = wea
 
 def surfaces_of(item: Item) -> list[tuple[Any, RaycastingScene]]:
     """Raycasting scenes of an item with their parts, built on first use."""
-    found = _scenes.get(item)
-    if found is None:
-        found = []
+    surfaces = _scenes.get(item)
+    if surfaces is None:
+        surfaces = []
         for part in item.parts:
             if isinstance(part, Triangles) and part.indices.size:
                 scene = RaycastingScene(part.positions.device)
                 corners = download(part.positions).reshape(-1, 3) + part.origin
                 scene.add_triangles(corners, download(part.indices).reshape(-1, 3))
-                found.append((part, scene))
-        _scenes[item] = found
-    return found
+                surfaces.append((part, scene))
+        _scenes[item] = surfaces
+    return surfaces
 
 
 class Stage:
@@ -69,7 +69,7 @@ class Stage:
         self._nodes: list[Node] = []
         self._hidden: dict[str, tuple[Any, Any, Any, Any]] = {}
 
-    def say(self, text: str) -> None:
+    def set_status(self, text: str) -> None:
         self.status.value = text
 
     def show(self, rows: Rows) -> None:
@@ -98,16 +98,16 @@ class Stage:
     def item(self, name: str) -> Item:
         """An item by name. Raises ValueError if it was removed."""
         with self.viewer.lock:
-            found = self.viewer.shown.get(name)
-        if found is None:
+            item = self.viewer.shown.get(name)
+        if item is None:
             raise ValueError(f"{name} is no longer in the scene")
-        return found
+        return item
 
     def cloud(self, name: str) -> tuple[Item, PointCloud]:
         """A cloud and its item. Raises ValueError if it was removed or replaced by another type."""
         item = self.item(name)
         if item.cloud is None:
-            raise ValueError(f"{name} is no cloud any more")
+            raise ValueError(f"{name} is no longer a cloud")
         return item, item.cloud
 
     def unit(self, names: Iterable[str]) -> LengthUnit | None:
@@ -118,7 +118,9 @@ class Stage:
         known = [g.unit for g in geometries if isinstance(g, InUnit) and g.unit is not None]
         for other in known[1:]:
             if not is_same(known[0], other):
-                raise ValueError(f"one is in {known[0]}, the other in {other}, so nothing between them is a length")
+                raise ValueError(
+                    f"one is in {known[0]}, the other in {other}: expected equal units to measure a length"
+                )
         return known[0] if known else None
 
     def pose_of(self, item: Item) -> Matrix | None:
@@ -127,21 +129,23 @@ class Stage:
 
     def targets(self, names: Iterable[str] | None = None) -> list[Target]:
         """Objects to pick: all visible ones, or the named clouds; clipped points are hidden."""
-        found: list[Target] = []
+        targets: list[Target] = []
         chosen = None if names is None else set(names)
         for item in self.items():
             if item.cloud is not None and (chosen is None or item.name in chosen):
                 pose = self.pose_of(item)
-                found.append(Target(item.name, item.cloud, pose=pose, hidden=self._clipped(item, pose)))
+                targets.append(Target(item.name, item.cloud, pose=pose, hidden=self._clipped(item, pose)))
             elif item.cloud is None and chosen is None:
-                found += [Target(item.name, scene=scene, pose=item.pose_of(part)) for part, scene in surfaces_of(item)]
-        return found
+                targets += [
+                    Target(item.name, scene=scene, pose=item.pose_of(part)) for part, scene in surfaces_of(item)
+                ]
+        return targets
 
     def pick(self, view: View, x: float, y: float, names: Iterable[str] | None = None) -> Pick | None:
-        found = pick(self.targets(names), view, x, y)
-        if found is not None and found.index is None and not self.clip.keep(found.point[None])[0]:
+        hit = pick(self.targets(names), view, x, y)
+        if hit is not None and hit.index is None and not self.clip.keep(hit.point[None])[0]:
             return None  # the surface is clipped here
-        return found
+        return hit
 
     def _clipped(self, item: Item, pose: Matrix | None) -> Any:
         if not self.clip.cuts:
@@ -160,24 +164,24 @@ class Stage:
             for node in nodes:
                 node.remove()
 
-    def mark(self, view: View, place: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
+    def mark(self, view: View, position: NDArray[np.float64], text: str = "", color: Color = MARK) -> None:
         """Draw a dot and a text at a world position, shifted toward the camera so that no points cover it."""
-        toward = view.T_world_camera[:3, 3] - place
+        toward = view.T_world_camera[:3, 3] - position
         depth = max(float(-toward @ view.T_world_camera[:3, 2]), 0.0)
         nearer = min(MARK_SIZE * depth / view.intrinsic.fy, 0.5 * depth)
-        at = self.viewer.frame.to_page(place + nearer * toward / (float(np.linalg.norm(toward)) or 1.0))
+        at = self.viewer.frame.to_page(position + nearer * toward / (float(np.linalg.norm(toward)) or 1.0))
         with self.client.atomic():
             dot = self.client.scene.add_points(np.zeros((1, 3)), plain=color, size=MARK_SIZE, relief=False, t=at)
             self._nodes.append(dot)
             if text:
                 self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-left"))
 
-    def label(self, place: NDArray[np.float64], text: str) -> None:
-        at = self.viewer.frame.to_page(place)
+    def label(self, position: NDArray[np.float64], text: str) -> None:
+        at = self.viewer.frame.to_page(position)
         self._nodes.append(self.client.scene.add_label(text, at, anchor="bottom-center"))
 
-    def lines(self, places: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
-        ends = np.vstack([places, places[:1]]) if closed else places
+    def lines(self, points: NDArray[np.float64], color: Color = MARK, *, closed: bool = False) -> None:
+        ends = np.vstack([points, points[:1]]) if closed else points
         if len(ends) < 2:
             return
         middle = ends.mean(axis=0)
@@ -211,7 +215,7 @@ class Stage:
 def check_room(clicks: list[Any]) -> None:
     """Raise ValueError if the tool has the maximum number of clicks."""
     if len(clicks) >= MAX_CLICKS:
-        raise ValueError(f"{MAX_CLICKS} clicks are as many as are kept: finish, or take some back")
+        raise ValueError(f"expected at most {MAX_CLICKS} clicks: finish, or take some back")
 
 
 def style_of(item: Item) -> dict[str, Any]:

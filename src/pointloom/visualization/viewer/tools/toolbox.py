@@ -19,7 +19,7 @@ from ....meshing.mesh.mesh import TriangleMesh
 from ...render.parts import Triangles
 from ...render.view import View
 from ..surfaces import surface_arrays
-from ..timed_calls import asked_by_page
+from ..timed_calls import requested_by_page
 from .clip_planes import Clip, clip_mesh
 from .measuring import length_text, measurements
 from .pairs_tool import PairsTool
@@ -43,21 +43,21 @@ class PointTool(Tool):
     hint = "Click on a point or a surface. Escape ends."
 
     def click(self, view: View, x: float, y: float) -> None:
-        stage, found = self.stage, self.stage.pick(view, x, y)
+        stage, pick = self.stage, self.stage.pick(view, x, y)
         stage.clear()
-        if found is None:
+        if pick is None:
             stage.show([])
-            stage.say(NOTHING)
+            stage.set_status(NOTHING)
             return
-        rows = [("in", found.name)]
-        if found.index is None:
-            rows += [("triangle", f"{found.triangle:,}")]
-            rows += [(axis, coordinate_text(value, 1e-6)) for axis, value in zip("xyz", found.point, strict=True)]
+        rows = [("in", pick.name)]
+        if pick.index is None:
+            rows += [("triangle", f"{pick.triangle:,}")]
+            rows += [(axis, coordinate_text(value, 1e-6)) for axis, value in zip("xyz", pick.point, strict=True)]
         else:
-            rows += describe_row(stage.cloud(found.name)[0].select([found.index]), found.index, found.point)
-        stage.mark(view, found.point, "" if found.index is None else f"{found.index}")
+            rows += describe_row(stage.cloud(pick.name)[0].select([pick.index]), pick.index, pick.point)
+        stage.mark(view, pick.point, "" if pick.index is None else f"{pick.index}")
         stage.show(rows)
-        stage.say(self.hint)
+        stage.set_status(self.hint)
 
     def undo(self) -> None:
         self.stage.clear()
@@ -76,12 +76,12 @@ class MeasureTool(Tool):
         self._picks: list[Pick] = []
 
     def click(self, view: View, x: float, y: float) -> None:
-        found = self.stage.pick(view, x, y)
-        if found is None:
-            self.stage.say(NOTHING)
+        pick = self.stage.pick(view, x, y)
+        if pick is None:
+            self.stage.set_status(NOTHING)
             return
         check_room(self._picks)
-        self._show([*self._picks, found], view)
+        self._show([*self._picks, pick], view)
 
     def undo(self) -> None:
         if self._picks:
@@ -93,17 +93,17 @@ class MeasureTool(Tool):
 
     def _show(self, picks: list[Pick], view: View) -> None:
         self._picks = picks
-        stage, places = self.stage, np.array([found.point for found in picks]).reshape(-1, 3)
+        stage, positions = self.stage, np.array([pick.point for pick in picks]).reshape(-1, 3)
         stage.clear()
-        for place in places:
-            stage.mark(view, place)
-        stage.lines(places)
+        for position in positions:
+            stage.mark(view, position)
+        stage.lines(positions)
         stage.show([])
-        stage.say(self.hint)
-        unit = stage.unit(found.name for found in picks)
-        for a, b in itertools.pairwise(places if unit is None or unit.meters is not None else []):
+        stage.set_status(self.hint)
+        unit = stage.unit(pick.name for pick in picks)
+        for a, b in itertools.pairwise(positions if unit is None or unit.meters is not None else []):
             stage.label((a + b) / 2, length_text(float(np.linalg.norm(b - a)), unit))
-        stage.show(measurements(places, unit))
+        stage.show(measurements(positions, unit))
 
 
 MAX_WAITING = 64  # waiting jobs per page
@@ -139,14 +139,14 @@ class Toolbox:
             self.stage.rows = gui.add_table((), visible=False)
         self._commands: list[Any] = []
         for kind, button in self._buttons.items():
-            toggle = self._asks(lambda kind=kind: self.toggle(kind))
+            toggle = self._queued(lambda kind=kind: self.toggle(kind))
             button.on_click(toggle)
             self._commands.append(gui.add_command(kind.label, kind.key, group="Tools"))
             self._commands[-1].on_trigger(toggle)
         self.clip = ClipControls(self.stage, folder)
         for key, label, action in KEYS:
             command = gui.add_command(label, key, group="Tools")
-            command.on_trigger(self._asks(lambda action=action: self._key(action)))
+            command.on_trigger(self._queued(lambda action=action: self._key(action)))
 
     def run(self, job: Callable[[], None]) -> bool:
         """Queue a job. False if too many are waiting."""
@@ -175,7 +175,7 @@ class Toolbox:
         self._top.visible = True
         self._client.scene.on_click(self._on_click)  # before the hint that asks for a click
         try:
-            self.stage.say(kind.hint)
+            self.stage.set_status(kind.hint)
             with self._controls:
                 tool.start()
         except BaseException:
@@ -222,7 +222,7 @@ class Toolbox:
         self.clip.close()
         self.tool = None
 
-    def _asks(self, job: Callable[[], None]) -> Callable[[Any], Any]:
+    def _queued(self, job: Callable[[], None]) -> Callable[[Any], Any]:
         """A panel callback that queues a job."""
         return lambda _: self.run(job)
 
@@ -251,27 +251,27 @@ class Toolbox:
     def _do(self, job: Callable[[], None]) -> None:
         try:
             if not self._closed:
-                with asked_by_page(), np.errstate(all="ignore"):  # the camera may be anywhere
+                with requested_by_page(), np.errstate(all="ignore"):  # the camera may be anywhere
                     job()
         except (PointloomError, ValueError, TypeError, LookupError, OSError, MemoryError) as error:
-            self._tell(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
+            self._show_message(str(error.args[0]) if isinstance(error, KeyError) and error.args else str(error))
         except Exception:  # the page has gone, or an internal error: continue
             log.debug("a tool", exc_info=True)
-            self._tell("That went wrong; the log of pointloom.viewer says why.")
+            self._show_message("This failed with an internal error; see the log of pointloom.viewer.")
         finally:
             with self._lock:
                 self._waiting -= 1
 
-    def _tell(self, text: str) -> None:
+    def _show_message(self, text: str) -> None:
         if not self._closed:
-            self.stage.say(text)
+            self.stage.set_status(text)
             self._top.visible = True  # also for a tool that could not start
 
 
 STEPS = 200  # of a slider
 NO_PLANE = "none"
 NORMALS = {"along x": (1.0, 0.0, 0.0), "along y": (0.0, 1.0, 0.0), "along z": (0.0, 0.0, 1.0)}
-AS_SEEN = "as one looks"
+AS_SEEN = "along the view"
 
 
 class ClipControls:
@@ -292,16 +292,16 @@ class ClipControls:
             for axis in range(3):
                 ends = float(low[axis]), float(high[axis])
                 slider = gui.add_range("xyz"[axis], *ends, (ends[1] - ends[0]) / STEPS, ends)
-                slider.on_update(lambda _: self._ask())
+                slider.on_update(lambda _: self._schedule_update())
                 self._ranges.append(slider)
             self._plane = gui.add_dropdown("plane", (NO_PLANE, *NORMALS, AS_SEEN))
-            self._place = gui.add_slider("place", 0.0, 1.0, 1 / STEPS, 0.5)
+            self._offset = gui.add_slider("position", 0.0, 1.0, 1 / STEPS, 0.5)
             self._flip = gui.add_checkbox("other side", False)
             gui.add_button("Whole scene").on_click(lambda _: run(self.reset))
         self._normal = (0.0, 0.0, 1.0)
         self._plane.on_update(lambda _: run(self._choose_plane))
-        for control in (self._on, self._place, self._flip):
-            control.on_update(lambda _: self._ask())
+        for control in (self._on, self._offset, self._flip):
+            control.on_update(lambda _: self._schedule_update())
 
     def reset(self) -> None:
         """Set the box to the scene's bounds, without a plane."""
@@ -333,7 +333,7 @@ class ClipControls:
         normal = np.array(self._normal) * (-1 if self._flip.value else 1)
         corners = np.array([[a, b, c] for a in (low[0], high[0]) for b in (low[1], high[1]) for c in (low[2], high[2])])
         heights = corners @ normal
-        share = 1 - self._place.value if self._flip.value else self._place.value
+        share = 1 - self._offset.value if self._flip.value else self._offset.value
         offset = float(heights.min() + share * np.ptp(heights))
         return Clip(*box, normal=normal, offset=offset)
 
@@ -352,16 +352,16 @@ class ClipControls:
             known = self._applied.get(name)
             if item is None or item.points is None or (known is None and not clip.cuts):
                 continue
-            told = stream, clip, item.pose, item.cloud
-            if not _same(known, told):
+            state = stream, clip, item.pose, item.cloud
+            if not _same(known, state):
                 stream.set_keep(clip.keeper(self._stage.pose_of(item)) if clip.cuts else None)
-                self._applied[name] = told
+                self._applied[name] = state
         if not clip.cuts:
             self._applied.clear()
         self._cut_surfaces(items, clip)
         with self._stage.viewer.lock:
             session.count_anew()
-            session.tell()
+            session.show_counts()
 
     def sync(self) -> None:
         if self._stage.clip.cuts:
@@ -373,7 +373,7 @@ class ClipControls:
         pad = 0.5 * max(float((high - low).max()), 1e-6)
         return np.where(flat, low - pad, low), np.where(flat, high + pad, high)
 
-    def _ask(self) -> None:
+    def _schedule_update(self) -> None:
         """Queue one update for several changes."""
         if not self._pending:
             self._pending = True
@@ -400,13 +400,13 @@ class ClipControls:
             return
         for name, item in items.items():
             shared = stage.viewer._surface_nodes(name) if item.has_surface else []
-            told = clip, item.pose, item.visible, stage.viewer.wireframe, *(node for _, node in shared)
-            if not shared or _same(self._cut.get(name, (None, []))[0], told):
+            state = clip, item.pose, item.visible, stage.viewer.wireframe, *(node for _, node in shared)
+            if not shared or _same(self._cut.get(name, (None, []))[0], state):
                 continue
             with stage.client.atomic():
                 self._drop_cut(name)
                 cut = [self._send_cut(item, part, node, clip) for part, node in shared]
-            self._cut[name] = told, [node for node in cut if node is not None]
+            self._cut[name] = state, [node for node in cut if node is not None]
 
     def _drop_cut(self, name: str) -> None:
         for node in self._cut.pop(name, (None, []))[1]:
@@ -435,11 +435,11 @@ def clip_part(part: Triangles, clip: Clip, pose: Any) -> Triangles:
     faces = download(part.indices).reshape(-1, 3)
     device = part.positions.device
     if part.texture is not None and part.uvs is not None and part.uvs.size:
-        kept = clip.keeper(pose)(positions.astype(np.float64) + part.origin)[faces].all(axis=1)
-        uvs = download(part.uvs).reshape(-1, 3, 2)[kept]
+        is_inside = clip.keeper(pose)(positions.astype(np.float64) + part.origin)[faces].all(axis=1)
+        uvs = download(part.uvs).reshape(-1, 3, 2)[is_inside]
         return dataclasses.replace(
             part,
-            indices=upload(faces[kept].ravel(), int32, device),
+            indices=upload(faces[is_inside].ravel(), int32, device),
             uvs=upload(uvs.reshape(-1, 2), part.uvs.dtype, device),
         )
     mesh = TriangleMesh(positions.astype(np.float64) + part.origin, faces)
