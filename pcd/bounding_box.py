@@ -55,12 +55,12 @@ class BoundingBox(KnownNames):
         if is_on_gpu(points):
             mask = self.mask_points(*take_points("points", points, None))
             return hand_out(positions_of(mask), library, dtype=np.int64)
-        rows = np.flatnonzero(self._holds(check_rows("points", points, 3, dtype=np.float64)))
+        rows = np.flatnonzero(self._contains(check_rows("points", points, 3, dtype=np.float64)))
         return hand_out_host(rows, library, resolve_device("cpu"))
 
     def mask_points(self, points: wp.array, origin: NDArray[np.float64]) -> wp.array:
         """Uint8 device mask of the vec3 points (relative to an origin) inside."""
         raise NotImplementedError
 
-    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    def _contains(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         raise NotImplementedError

@@ -129,9 +129,11 @@ class Bounds(Selection, Movable):
         return cloud
 
     def _enlarged(self, factor: float) -> Self:
-        reach = np.abs(np.array(self._device_bounds()) - self._origin).max() * factor
-        if not reach <= FLOAT32_MAX:
-            raise ValueError(f"unit: takes points {reach:.3g} from their origin, farther than float32 holds")
+        max_coordinate = np.abs(np.array(self._device_bounds()) - self._origin).max() * factor
+        if not max_coordinate <= FLOAT32_MAX:
+            raise ValueError(
+                f"unit: moves points to {max_coordinate:.3g} from their origin, beyond float32. Use a larger unit"
+            )
         return self._under(factor * np.eye(3), np.zeros(3), self._origin * factor)
 
     def _under(self, A: NDArray[np.float64], shift: NDArray[np.float64], origin: NDArray[np.float64]) -> Self:
@@ -170,9 +172,9 @@ class Bounds(Selection, Movable):
         """
         extremes, indices, positions = hull_of_cloud(self._arrays["points"], bool(joggle_inputs))
         if extremes.dimension < 2:
-            place = "are equal" if extremes.dimension == 0 else "lie on one line"
+            degeneracy = "are equal" if extremes.dimension == 0 else "are collinear"
             raise ValueError(
-                f"points: all {len(self):,} {place}, which has no convex hull; get_oriented_bounding_box() bounds them"
+                f"points: all {len(self):,} {degeneracy}, so they have no convex hull. Use get_oriented_bounding_box()"
             )
         vertices = positions[extremes.rows] + self._origin
         hull = ConvexHull(vertices, extremes.triangles, extremes.volume, extremes.area)
@@ -213,13 +215,13 @@ class Bounds(Selection, Movable):
         along = download(HilbertOrder(gather_rows(points, candidates)).order)  # sync
         rows, mirrored = download(candidates).astype(np.int64)[along], download(flipped)[along]  # sync
         extremes = find_extremes(np.concatenate([mirrored, np.zeros((1, 3))]))
-        seen = extremes.rows[extremes.rows < len(rows)]  # the camera, the last row, is not a point of the cloud
-        triangles = extremes.triangles[(extremes.triangles < len(seen)).all(axis=1)]
-        ascending = np.argsort(rows[seen])
-        indices = rows[seen][ascending]
-        places = np.empty(len(seen), np.int32)
-        places[ascending] = np.arange(len(seen), dtype=np.int32)
-        triangles = places[triangles]
+        visible = extremes.rows[extremes.rows < len(rows)]  # the camera, the last row, is not a point of the cloud
+        triangles = extremes.triangles[(extremes.triangles < len(visible)).all(axis=1)]
+        ascending = np.argsort(rows[visible])
+        indices = rows[visible][ascending]
+        new_indices = np.empty(len(visible), np.int32)
+        new_indices[ascending] = np.arange(len(visible), dtype=np.int32)
+        triangles = new_indices[triangles]
         vertices = download(gather_rows(points, upload(indices, int32, self.device))) + self._origin
         surface = VisibleSurface(vertices, np.ascontiguousarray(triangles[:, ::-1]))
         return surface, hand_out_host(indices, self._library, self.device)

@@ -182,7 +182,7 @@ class AxisAlignedBoundingBox(BoundingBox):
         """Uint8 device mask of the vec3 points (relative to an origin) inside."""
         return mask_aligned_box(points, origin, self._min_bound, self._max_bound)
 
-    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    def _contains(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         return np.logical_and.reduce((points >= self._min_bound) & (points <= self._max_bound), axis=1)
 
 
@@ -332,15 +332,15 @@ class OrientedBoundingBox(BoundingBox):
         factor = check_positive("scale", scale)
         about = self.center if center is None else check_finite("center", check_shape("center", center, (3,)))
         if factor * max(np.abs(self._center - about).max(), self._extent.max()) > LARGEST_NUMBER:
-            raise ValueError(f"scale: {factor:g} takes the box beyond {LARGEST_NUMBER:g} m; take a smaller one")
+            raise ValueError(f"scale: expected a factor that keeps the box within {LARGEST_NUMBER:g} m, got {factor:g}")
         return self._like(factor * (self._center - about) + about, self._R, factor * self._extent)
 
     @returns_new
     def rotate(self, R: ArrayLike, center: ArrayLike | None = None) -> OrientedBoundingBox:
         """Rotate about a point, default the center."""
-        turn = check_shape("R", R, (3, 3))
+        rotation = check_shape("R", R, (3, 3))
         about = self._center if center is None else check_finite("center", check_shape("center", center, (3,)))
-        return self._like(matmul(turn, self._center - about) + about, matmul(turn, self._R), self._extent)
+        return self._like(matmul(rotation, self._center - about) + about, matmul(rotation, self._R), self._extent)
 
     def _like(self, *parts: NDArray[np.float64]) -> OrientedBoundingBox:
         box = OrientedBoundingBox(*parts)
@@ -351,7 +351,7 @@ class OrientedBoundingBox(BoundingBox):
         """Uint8 device mask of the vec3 points (relative to an origin) inside."""
         return mask_oriented_box(points, origin - self._center, self._R.T, self._extent / 2)
 
-    def _holds(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
+    def _contains(self, points: NDArray[np.float64]) -> NDArray[np.bool_]:
         with np.errstate(invalid="ignore", over="ignore"):  # infinite or huge points are outside
             return np.logical_and.reduce(np.abs(matmul(points - self._center, self._R)) <= self._extent / 2, axis=1)
 

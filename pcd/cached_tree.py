@@ -16,30 +16,30 @@ SMALLEST_EXTENT = 1e-13  # [m] a millionth is 1e-19, whose square is the smalles
 LARGEST_EXTENT = 1e19  # [m] the squared diagonal of such a box is finite
 
 
-class KeptTree:
-    """An array of points and its search tree, shared by all clouds over the same points. If the array was `lent` to
+class CachedTree:
+    """An array of points and its search tree, shared by all clouds over the same points. If the array `is_shared` with
     other code, the tree is rebuilt when the points changed."""
 
-    def __init__(self, points: wp.array, *, lent: bool = False):
-        self.points, self._lent = points, lent
+    def __init__(self, points: wp.array, *, is_shared: bool = False):
+        self.points, self._is_shared = points, is_shared
         self._tree: PointTree | None = None
         self._mark: int | None = None
 
     def adopt(self, tree: PointTree) -> None:
-        if self._tree is None and not self._lent and tree.source is self.points:
+        if self._tree is None and not self._is_shared and tree.source is self.points:
             self._tree = tree
 
-    def lend(self) -> wp.array:
+    def share(self) -> wp.array:
         """The points, for code that may write to them."""
-        if not self._lent:
-            self._lent = True
+        if not self._is_shared:
+            self._is_shared = True
             self._mark = fingerprint(self.points) if self._tree is not None else None
         return self.points
 
     @property
     def known(self) -> PointTree | None:
         """The cached tree if the points are unchanged, else None."""
-        if self._tree is not None and self._lent and fingerprint(self.points) != self._mark:
+        if self._tree is not None and self._is_shared and fingerprint(self.points) != self._mark:
             self._tree = None
         return self._tree
 
@@ -50,7 +50,7 @@ class KeptTree:
             tree = PointTree(self.points)
             check_extent("points", tree.low, tree.high, self.points)
             self._tree = tree
-            self._mark = fingerprint(self.points) if self._lent else None
+            self._mark = fingerprint(self.points) if self._is_shared else None
         return tree
 
 
@@ -60,8 +60,9 @@ def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:
     extent = float((np.asarray(high, np.float64) - low).max(initial=0.0))
     if 0 < extent < SMALLEST_EXTENT:
         raise ValueError(
-            f"{name}: they span {extent:.3g} m, and distances within less than {SMALLEST_EXTENT:g} m have squares "
-            f"below float32; take a smaller unit of length, such as cloud.scale({1 / extent:.0e}, cloud.get_center())"
+            f"{name}: expected an extent of at least {SMALLEST_EXTENT:g} m, got {extent:.3g} m: squared distances "
+            f"underflow float32. Use a smaller unit of length, such as cloud.scale({1 / extent:.0e}, "
+            "cloud.get_center())"
         )
     if extent > LARGEST_EXTENT:
         rows = download(points).astype(np.float64)
@@ -69,7 +70,7 @@ def check_extent(name: str, low: Any, high: Any, points: wp.array) -> None:
         near = np.abs(rows - np.median(rows, axis=0)).max(axis=1) <= LARGEST_EXTENT / 2
         if near.sum() <= len(rows) / 2:
             raise ValueError(
-                f"{name}: most lie more than {LARGEST_EXTENT / 2:g} m from their middle, and distances as large have "
-                f"squares beyond float32; take a larger unit of length, such as cloud.scale({1 / extent:.0e}, "
+                f"{name}: expected most points within {LARGEST_EXTENT / 2:g} m of their center, got larger distances: "
+                f"their squares overflow float32. Use a larger unit of length, such as cloud.scale({1 / extent:.0e}, "
                 "cloud.get_center())"
             )

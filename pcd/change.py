@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_direction, check_finite, check_numeric, check_positive, check_rows
 from ..core.devices import check_same_device
 from ..core.units import common_unit
@@ -50,11 +50,11 @@ class M3C2Result:
             return (np.abs(self.distances) > self.level_of_detection) & (self.counts.min(axis=1) >= MIN_POINTS)
 
     def __repr__(self) -> str:
-        found, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
-        return f"M3C2Result({len(self.distances)} core points, {found} with a distance, {changed} significant)"
+        valid_count, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
+        return f"M3C2Result({len(self.distances)} core points, {valid_count} with a distance, {changed} significant)"
 
 
-@told_arguments
+@explain_argument_errors
 def m3c2(
     first: PointCloud,
     second: PointCloud,
@@ -111,28 +111,33 @@ def m3c2(
     check_same_device("second", first.device, second.device)
     check_same_device("core_points", first.device, cores.device)
     common_unit("first, second, core_points", (first.unit, second.unit, cores.unit))
-    radius, reach = check_positive("cylinder_radius", cylinder_radius), check_positive("max_distance", max_distance)
+    radius, half_length = (
+        check_positive("cylinder_radius", cylinder_radius),
+        check_positive("max_distance", max_distance),
+    )
     error = check_positive("registration_error", registration_error, allow_zero=True)
     upwards = check_direction("orientation", orientation)
     radii = check_radii(normal_radii, directions)
-    places, tree = cores._points_about(first.origin), first.search_tree()
+    core_positions, tree = cores._points_about(first.origin), first.search_tree()
     if directions is not None:
         given, which = upload(_check_directions(directions, len(cores)), vec3, first.device), None
     else:
-        given, which = find_flattest(tree, places, radii, upwards)
-    changes = measure_changes(tree, _tree_about(second, first), places, given, Cylinder(radius, reach), error)
-    return _told(changes, given, which, radii)
+        given, which = find_flattest(tree, core_positions, radii, upwards)
+    changes = measure_changes(
+        tree, _tree_about(second, first), core_positions, given, Cylinder(radius, half_length), error
+    )
+    return _to_result(changes, given, which, radii)
 
 
-def _told(changes: Changes, directions: Vectors, which: Integers | None, radii: NDArray[np.float64]) -> M3C2Result:
-    told = [changes.distances, changes.limits, changes.first_spreads, changes.second_spreads]
-    told += [changes.first_counts, changes.second_counts, directions]
-    found = read_together(told if which is None else [*told, which])  # sync
-    distances, limits, *spreads = found[:4]
+def _to_result(changes: Changes, directions: Vectors, which: Integers | None, radii: NDArray[np.float64]) -> M3C2Result:
+    arrays = [changes.distances, changes.limits, changes.first_spreads, changes.second_spreads]
+    arrays += [changes.first_counts, changes.second_counts, directions]
+    values = read_together(arrays if which is None else [*arrays, which])  # sync
+    distances, limits, *spreads = values[:4]
     scales = np.full(len(distances), np.nan)
     if which is not None:
-        scales[found[7] >= 0] = radii[found[7][found[7] >= 0]]
-    counts, rows = np.column_stack(found[4:6]), found[6].reshape(-1, 3)
+        scales[values[7] >= 0] = radii[values[7][values[7] >= 0]]
+    counts, rows = np.column_stack(values[4:6]), values[6].reshape(-1, 3)
     return M3C2Result(distances, limits, rows, scales, np.column_stack(spreads), counts)
 
 
@@ -147,10 +152,10 @@ def check_radii(radii: Any, directions: Any) -> NDArray[np.float64]:
     if directions is not None:
         return np.empty(0)
     if radii is None:
-        raise ValueError("normal_radii: expected the radii that normals are fitted to, or directions to measure along")
+        raise ValueError("normal_radii: expected the radii for normal estimation, got None. Pass them or normals")
     values = np.atleast_1d(check_finite("normal_radii", check_numeric("normal_radii", radii))).astype(np.float64)
     if values.ndim != 1 or not len(values) or (values <= 0).any():
-        raise ValueError(f"normal_radii: expected one length above 0 or several, got {radii!r}")
+        raise ValueError(f"normal_radii: expected one or more lengths > 0, got {radii!r}")
     return np.sort(values)
 
 

@@ -7,14 +7,14 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import library_of
 from ..core.checks import check_finite, check_shape, is_on_gpu, shown
 from ..core.devices import resolve_device
 from ..core.units import LengthUnit, check_unit
 from ..kernels.memory import move
 from .bounds import Bounds
-from .cached_tree import KeptTree
+from .cached_tree import CachedTree
 from .conversion import Conversion
 from .normals import Normals
 from .segmentation import Segmentation
@@ -51,7 +51,7 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         (27, (27, 3), ['intensity'])
     """
 
-    @told_arguments
+    @explain_argument_errors
     def __init__(
         self,
         points: ArrayLike = (),
@@ -64,15 +64,15 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
         **attributes: ArrayLike,
     ):
         if isinstance(points, PointCloud):
-            raise TypeError("points: expected an array, got a PointCloud; cloud.copy() is another one of its arrays")
+            raise TypeError("points: expected an array, got a PointCloud. Use cloud.copy() to copy a cloud")
         if isinstance(points, str | os.PathLike):
             raise TypeError(
-                f"points: expected real numbers, got {shown(points)}; loom.read_point_cloud(path) reads a file"
+                f"points: expected real numbers, got {shown(points)}. Read a file with loom.read_point_cloud(path)"
             )
         where = resolve_device(device)
         start = None if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         self._arrays, self._library, self.grid, self._unit = {}, library_of(points), None, check_unit("unit", unit)
-        self._place(points, start, None if is_on_gpu(points) else where)
+        self._set_points(points, start, None if is_on_gpu(points) else where)
         if normals is not None:
             self._set("normals", normals)
         if colors is not None:
@@ -81,4 +81,4 @@ class PointCloud(Normals, Bounds, Segmentation, Conversion):
             self._set(name, values)
         if device is not None and where != self.device:  # arrays were on a GPU
             self._arrays = {name: move(values, where) for name, values in self._arrays.items()}
-            self._kept = KeptTree(self._arrays["points"])
+            self._cached_tree = CachedTree(self._arrays["points"])

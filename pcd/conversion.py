@@ -12,7 +12,7 @@ from ..cameras.camera import PinholeCameraIntrinsic, check_pixels
 from ..cameras.depth_doubts import warn_of_scale
 from ..cameras.depth_range import OPEN3D_DEPTH_MAX
 from ..cameras.images import RGBDImage, check_intrinsic, upload_depth
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import check_library, hand_out, library_of
 from ..core.checks import check_count, check_finite, check_positive, check_rigid, check_shape
 from ..core.coordinates import origin_of_sensor, split_origin
@@ -25,11 +25,11 @@ from ..kernels.images.depth_projection import project_points, read_colors, read_
 from ..kernels.lang import vec2, vec3, vec3i
 from ..kernels.linear_algebra import inv, matmul
 from ..kernels.memory import clone, download, upload
-from .cached_tree import KeptTree
+from .cached_tree import CachedTree
 from .point_arrays import VECTORS
 from .selection import Selection
 
-NOBODY_MEASURES = 1000.0  # [m] beyond the range of depth cameras
+IMPLAUSIBLE_DEPTH = 1000.0  # [m] beyond the range of depth cameras
 OTHER_UNIT = 30.0  # times the maximum depth: a larger scene suggests another unit
 _COVARIANCES = "covariances"  # (n, 9) here, (n, 3, 3) in Open3D
 
@@ -42,7 +42,7 @@ class Conversion(Selection):
     """
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def create_from_depth_image(
         cls,
         depth: ArrayLike,
@@ -77,7 +77,7 @@ class Conversion(Selection):
         where = device_for(depth, device)
         metric, scale, height, width = upload_depth(depth, depth_scale, depth_trunc, where, limit="depth_trunc")
         camera = check_intrinsic(intrinsic, width, height)
-        times = 1.0 if depth_trunc >= NOBODY_MEASURES else OTHER_UNIT
+        times = 1.0 if depth_trunc >= IMPLAUSIBLE_DEPTH else OTHER_UNIT
         warn_of_scale(depth, scale, depth_trunc, times=times)
         cloud = cls._from_device_depth(metric, None, camera, extrinsic, stride, project_valid_depth_only, with_normals)
         cloud._library = library_of(depth)
@@ -86,7 +86,7 @@ class Conversion(Selection):
     create_from_depth_image = create_from_depth_image
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def create_from_rgbd_image(
         cls,
         image: RGBDImage,
@@ -251,9 +251,9 @@ class Conversion(Selection):
         for name, array in arrays.items():
             check_same_device(name, arrays["points"].device, array.device)
             if array.shape[0] != arrays["points"].size:
-                raise ValueError(f"{name}: expected {arrays['points'].size} rows, one a point, got {array.shape[0]}")
+                raise ValueError(f"{name}: expected {arrays['points'].size} rows, one per point, got {array.shape[0]}")
         cloud = cls._from_device_arrays(arrays, start, library_of(points))
-        cloud._kept = KeptTree(arrays["points"], lent=True)
+        cloud._cached_tree = CachedTree(arrays["points"], is_shared=True)
         return cloud
 
     @classmethod
@@ -366,5 +366,5 @@ def _import_open3d() -> Any:
     try:
         import open3d
     except ImportError as error:
-        raise ImportError("this needs the package open3d: pip install open3d") from error
+        raise ImportError("the package open3d is required: pip install open3d") from error
     return open3d

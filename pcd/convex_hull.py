@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import NDArray
 
-from ..core.attribute_hints import ToldNames
+from ..core.attribute_hints import HintedNames
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, positions_of
 from ..kernels.extent.hull_filter import farthest_rows, gather_positions, mask_outer, scale_points
@@ -27,7 +27,7 @@ ROUNDING = 5e-7  # of the largest coordinate: float32 moves points by 1e-7, plan
 
 
 @dataclass(frozen=True, eq=False)
-class ConvexHull(ToldNames):
+class ConvexHull(HintedNames):
     """Convex hull: a closed surface, counterclockwise from outside; `loom.TriangleMesh(hull.vertices, hull.triangles)`.
 
     Attributes:
@@ -88,11 +88,11 @@ def find_extremes(positions: NDArray[np.float64], joggle: bool = False, rounding
             return flat
         hull = _run_qhull(positions, "QJ")  # for bodies that Qhull rejects for rounding
         if hull is None:
-            raise ValueError("points: Qhull finds no hull, not even of joggled points; scale them to about 1")
+            raise ValueError("points: Qhull finds no hull, even of joggled points. Scale the coordinates to about 1")
     used = np.zeros(len(positions), bool)
     used[hull.simplices] = True
-    places = np.cumsum(used, dtype=np.int32) - np.int32(1)
-    triangles = places[orient(hull.simplices, positions, hull.equations)]
+    new_indices = np.cumsum(used, dtype=np.int32) - np.int32(1)
+    triangles = new_indices[orient(hull.simplices, positions, hull.equations)]
     normals = np.ascontiguousarray(hull.equations[:, :3])
     return Extremes(np.flatnonzero(used), triangles, 3, normals, float(hull.volume), float(hull.area))
 
@@ -120,12 +120,12 @@ def _find_flat_extremes(positions: NDArray[np.float64], tolerance: float) -> Ext
     across = arms - np.outer(matmul(arms, along), along)
     widths = np.linalg.norm(across, axis=1)
     if widths.max() <= tolerance:
-        places = matmul(arms, along)
-        return Extremes(np.array(sorted({int(places.argmin()), int(places.argmax())})), none, 1)
-    aside = across[widths.argmax()] / widths.max()
-    if len(positions) > 3 and np.abs(matmul(arms, np.cross(along, aside))).max() > tolerance:
+        coordinates = matmul(arms, along)
+        return Extremes(np.array(sorted({int(coordinates.argmin()), int(coordinates.argmax())})), none, 1)
+    perpendicular = across[widths.argmax()] / widths.max()
+    if len(positions) > 3 and np.abs(matmul(arms, np.cross(along, perpendicular))).max() > tolerance:
         return None
-    hull = _run_qhull(np.column_stack([matmul(arms, along), matmul(arms, aside)]), "Qt")
+    hull = _run_qhull(np.column_stack([matmul(arms, along), matmul(arms, perpendicular)]), "Qt")
     assert hull is not None  # not collinear
     rows = np.sort(hull.vertices).astype(np.int64)
     ring = np.searchsorted(rows, hull.vertices).astype(np.int32)
@@ -139,9 +139,9 @@ def orient(
     """Orient Qhull's triangles counterclockwise seen from their normals' side."""
     a, b, c = (positions[triangles[:, k]] for k in range(3))
     backward = np.einsum("ij,ij->i", np.cross(b - a, c - a), planes[:, :3]) < 0
-    turned = triangles.copy()
-    turned[backward, 1:] = triangles[backward, 2:0:-1]
-    return turned
+    oriented = triangles.copy()
+    oriented[backward, 1:] = triangles[backward, 2:0:-1]
+    return oriented
 
 
 def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDArray[np.int64], NDArray[np.float64]]:
@@ -156,8 +156,8 @@ def hull_of_cloud(points: wp.array, joggle: bool = False) -> tuple[Extremes, NDA
         scaled = scale_points(points, (low + high) / 2, 1 / half)
         rows = outer_rows(scaled)
     near = download(gather_rows(points, upload(rows, int32, points.device))).astype(np.float64)
-    kept = np.isfinite(near).all(axis=1)
-    rows, near = rows[kept], near[kept]
+    is_finite = np.isfinite(near).all(axis=1)
+    rows, near = rows[is_finite], near[is_finite]
     return find_extremes(near, joggle, ROUNDING * float(np.abs(near).max())), rows, near
 
 
@@ -175,7 +175,7 @@ def outer_rows(points: wp.array) -> NDArray[np.int64]:
             break
         center = corners[hull.vertices].mean(axis=0)
         facets = corners[orient(hull.simplices, corners, hull.equations)]
-        left = positions_of(mask_outer(points, center, facets, hull.equations, width))  # sync
-        rows = left if rows is None else gather_rows(rows, left)
-        points = gather_positions(points, left)
+        outer = positions_of(mask_outer(points, center, facets, hull.equations, width))  # sync
+        rows = outer if rows is None else gather_rows(rows, outer)
+        points = gather_positions(points, outer)
     return np.arange(points.size) if rows is None else download(rows).astype(np.int64)

@@ -15,10 +15,10 @@ from ..kernels.sampling.detail_levels import DEPTH, LEVELS
 
 # Deeper points merged into their parent: this many, or a quarter of its own. An unmerged cell beside it is then at most
 # a quarter thinner, which is not visible; smaller nodes cost more to address than to send.
-LEAST = 2048
+MIN_POINTS = 2048
 SHARE = 4
 
-MOST = 49_152  # points of a node: half a megabyte, under a second on a slow connection
+MAX_POINTS = 49_152  # points of a node: half a megabyte, under a second on a slow connection
 
 _KEY_BITS = 3 * DEPTH
 
@@ -44,17 +44,17 @@ class _Rows:
 
     def __init__(self, levels: NDArray[np.uint8]):
         self.ends = np.cumsum(np.bincount(levels, minlength=LEVELS)).tolist()
-        self.places = np.empty(len(levels), np.int32)
+        self.indices = np.empty(len(levels), np.int32)
         for level in range(LEVELS):
-            self.places[self.begin(level) : self.ends[level]] = np.flatnonzero(levels == level)
+            self.indices[self.begin(level) : self.ends[level]] = np.flatnonzero(levels == level)
 
     def begin(self, level: int) -> int:
         return self.ends[level - 1] if level else 0
 
-    def count_before(self, level: int, places: NDArray[np.int64]) -> NDArray[np.int64]:
+    def count_before(self, level: int, indices: NDArray[np.int64]) -> NDArray[np.int64]:
         """Number of rows of a level or above, before given rows."""
-        part = self.places[self.begin(level) : self.ends[level]]
-        return np.searchsorted(part, places.astype(np.int32)) + self.begin(level)
+        part = self.indices[self.begin(level) : self.ends[level]]
+        return np.searchsorted(part, indices.astype(np.int32)) + self.begin(level)
 
 
 @dataclasses.dataclass
@@ -74,13 +74,13 @@ def make_nodes(
     order: NDArray[np.int32],
     levels: NDArray[np.uint8],
     *,
-    most: int,
-    least: int = LEAST,
+    max_points: int,
+    min_points: int = MIN_POINTS,
     depth: int = 0,
 ) -> NodeTable:
-    """Build nodes from ascending Morton keys. 8 B per point. Nodes of more than `most` points are split. Up to `least`
-    deeper points are merged into their parent. `depth` is the number of halvings to the common cell. Points of coarser
-    levels are omitted."""
+    """Build nodes from ascending Morton keys. 8 B per point. Nodes of more than `max_points` are split. Up to
+    `min_points` deeper points are merged into their parent. `depth` is the number of halvings to the common cell.
+    Points of coarser levels are omitted."""
     rows = _Rows(levels)
     nodes: list[_Node] = []
     codes = keys[:1] >> (_KEY_BITS - 3 * depth)
@@ -88,13 +88,13 @@ def make_nodes(
     for level in range(depth, LEVELS if len(keys) else 0):
         bounds = [(rows.count_before(j, begins), rows.count_before(j, ends)) for j in range(LEVELS)]
         counts = np.stack([last - first for first, last in bounds])
-        own, deeper = counts[level], counts[level + 1 :].sum(axis=0)
-        closed = deeper <= np.maximum(least, own // SHARE)
-        for k in np.flatnonzero((own > 0) | closed).tolist():
+        level_counts, deeper = counts[level], counts[level + 1 :].sum(axis=0)
+        closed = deeper <= np.maximum(min_points, level_counts // SHARE)
+        for k in np.flatnonzero((level_counts > 0) | closed).tolist():
             span = bounds[level:] if closed[k] else bounds[level : level + 1]
             runs = [(int(first[k]), int(last[k])) for first, last in span if last[k] > first[k]]
             if runs:
-                nodes += _parts(_Node(level, int(codes[k]), level, runs), keys, rows, most)
+                nodes += _parts(_Node(level, int(codes[k]), level, runs), keys, rows, max_points)
         codes = (codes[~closed, None] * 8 + np.arange(8)).ravel()
         begins, ends = _runs_of(keys, codes, level + 1)
         codes, begins, ends = codes[ends > begins], begins[ends > begins], ends[ends > begins]
@@ -108,22 +108,22 @@ def _runs_of(keys: NDArray[np.int64], codes: Any, depth: int) -> tuple[NDArray[n
     return np.searchsorted(keys, lows), np.searchsorted(keys, lows | ((1 << shift) - 1), side="right")
 
 
-def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows, most: int) -> list[_Node]:
+def _parts(node: _Node, keys: NDArray[np.int64], rows: _Rows, max_points: int) -> list[_Node]:
     """Split a node that is too large, by octants, or by count if its points coincide."""
-    if node.count <= most:
+    if node.count <= max_points:
         return [node]
     if node.depth == DEPTH:
-        cuts = [(at, min(at + most, end)) for begin, end in node.runs for at in range(begin, end, most)]
+        cuts = [(at, min(at + max_points, end)) for begin, end in node.runs for at in range(begin, end, max_points)]
         return [dataclasses.replace(node, runs=[cut]) for cut in cuts]
     codes = node.code * 8 + np.arange(8)
     begins, ends = _runs_of(keys, codes, node.depth + 1)
     edges = np.append(begins, ends[-1:])
-    cuts = [first + np.searchsorted(rows.places[first:last], edges.astype(np.int32)) for first, last in node.runs]
+    cuts = [first + np.searchsorted(rows.indices[first:last], edges.astype(np.int32)) for first, last in node.runs]
     parts = []
     for k, code in enumerate(codes.tolist()):
         runs = [(int(cut[k]), int(cut[k + 1])) for cut in cuts if cut[k + 1] > cut[k]]
         if runs:
-            parts += _parts(_Node(node.level, code, node.depth + 1, runs), keys, rows, most)
+            parts += _parts(_Node(node.level, code, node.depth + 1, runs), keys, rows, max_points)
     return parts
 
 
@@ -134,7 +134,7 @@ def _table(nodes: list[_Node], order: NDArray[np.int32], rows: _Rows) -> NodeTab
     at = 0
     for node in nodes:
         for begin, end in node.runs:
-            by_node[at : at + end - begin] = order[rows.places[begin:end]]
+            by_node[at : at + end - begin] = order[rows.indices[begin:end]]
             at += end - begin
     codes = np.array([node.code for node in nodes], np.int64)
     levels, depths = (np.array([getattr(node, name) for node in nodes], np.uint8) for name in ("level", "depth"))

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import hand_out
 from ..core.checks import check_indices, check_search, is_on_gpu
 from ..core.gpu_arrays import take_indices
@@ -22,7 +22,7 @@ from .length_checks import warn_of_short
 from .point_arrays import check_cloud
 
 
-@told_arguments
+@explain_argument_errors
 def compute_fpfh_feature(
     cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 100, indices: ArrayLike | None = None
 ) -> NDArray[np.float32]:
@@ -55,7 +55,7 @@ def compute_fpfh_feature(
         ((500, 33), [200.0])
     """
     check_cloud("cloud", cloud)
-    reach, count = check_search(radius, max_nn)
+    search_radius, count = check_search(radius, max_nn)
     if not cloud.has_normals:
         raise ValueError("cloud: FPFH needs normals, and it has none; call cloud = cloud.estimate_normals()")
     rows = None if indices is None else _device_indices(indices, cloud)
@@ -64,10 +64,10 @@ def compute_fpfh_feature(
     tree = cloud.search_tree() if masked is None else PointTree(masked)
     check_extent("cloud", tree.low, tree.high, tree.source)
     warn_of_short("radius", tree, radius, cloud.unit, "the features are zeros")
-    return hand_out(compute_features(tree, normals, reach, count, rows), cloud.array_library)
+    return hand_out(compute_features(tree, normals, search_radius, count, rows), cloud.array_library)
 
 
-@told_arguments
+@explain_argument_errors
 def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
     """Compute shape features from the eigenvalues of each neighborhood's covariance.
 
@@ -102,12 +102,12 @@ def compute_eigen_features(cloud: PointCloud, *, radius: float | None = None, ma
         (1.0, 1.0)
     """
     check_cloud("cloud", cloud)
-    reach, count = check_search(radius, max_nn)
-    shapes = measure_shapes(cloud.search_tree(), reach, count)
+    search_radius, count = check_search(radius, max_nn)
+    shapes = measure_shapes(cloud.search_tree(), search_radius, count)
     return _with_attributes(cloud, shapes)
 
 
-@told_arguments
+@explain_argument_errors
 def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn: int | None = 30) -> PointCloud:
     """Compute the surface variation of each neighborhood: 0 on a plane, more on edges, at most 1/3.
 
@@ -133,14 +133,14 @@ def estimate_curvature(cloud: PointCloud, *, radius: float | None = None, max_nn
         (True, True)
     """
     check_cloud("cloud", cloud)
-    reach, count = check_search(radius, max_nn)
-    return _with_attributes(cloud, {"curvature": measure_curvature(cloud.search_tree(), reach, count)})
+    search_radius, count = check_search(radius, max_nn)
+    return _with_attributes(cloud, {"curvature": measure_curvature(cloud.search_tree(), search_radius, count)})
 
 
 def _device_indices(indices: ArrayLike, cloud: PointCloud) -> Any:
     if is_on_gpu(indices):
         return take_indices("indices", indices, cloud.device, len(cloud), of=f"cloud of {len(cloud)} points")
-    what = {"of": f"cloud of {len(cloud)} points", "hint": "; np.flatnonzero turns a mask into them"}
+    what = {"of": f"cloud of {len(cloud)} points", "hint": "; convert a mask with np.flatnonzero"}
     return upload(check_indices("indices", indices, len(cloud), **what), int32, cloud.device)
 
 

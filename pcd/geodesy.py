@@ -27,7 +27,7 @@ _SQUARED = FLATTENING * (2 - FLATTENING)  # eccentricity squared
 _SCALE, _EASTING, _SOUTHERN_NORTHING = 0.9996, 5.0e5, 1.0e7  # UTM [m]
 _THIRD = FLATTENING / (2 - FLATTENING)
 _RECTIFYING = RADIUS / (1 + _THIRD) * (1 + _THIRD**2 / 4 + _THIRD**4 / 64 + _THIRD**6 / 256)
-_TURNS = 8  # each iteration gains three or more digits
+_ITERATIONS = 8  # each iteration gains three or more digits
 
 
 @dataclass(frozen=True)
@@ -53,10 +53,10 @@ class WorldFrame:
     altitude: float = 0.0
 
     def __post_init__(self):
-        for name, most in (("latitude", 90.0), ("longitude", 180.0), ("altitude", HIGHEST)):
+        for name, limit in (("latitude", 90.0), ("longitude", 180.0), ("altitude", HIGHEST)):
             value = check_number(name, getattr(self, name))
-            if abs(value) > most:
-                raise ValueError(f"{name}: expected {-most:g}..{most:g}, got {value:g}")
+            if abs(value) > limit:
+                raise ValueError(f"{name}: expected {-limit:g}..{limit:g}, got {value:g}")
             object.__setattr__(self, name, value)
 
     @property
@@ -65,7 +65,7 @@ class WorldFrame:
         return utm_zone(self.latitude, self.longitude)
 
     @cached_property
-    def _turn(self) -> Array:
+    def _rotation(self) -> Array:
         """East, north and up as rows."""
         a, b = math.radians(self.latitude), math.radians(self.longitude)
         sa, ca, sb, cb = math.sin(a), math.cos(a), math.sin(b), math.cos(b)
@@ -84,7 +84,7 @@ class WorldFrame:
         Raises:
             ValueError: If the shape is wrong or a position is out of range.
         """
-        return matmul(geocentric(places) - self._middle, self._turn.T)
+        return matmul(geocentric(places) - self._middle, self._rotation.T)
 
     def to_geodetic(self, points: ArrayLike) -> Array:
         """Convert to latitude, longitude [degrees] and altitude [m].
@@ -96,7 +96,7 @@ class WorldFrame:
             ValueError: If the shape is wrong or a point is not finite.
         """
         meters = check_finite("points", check_rows("points", points, 3).astype(np.float64))
-        return geodetic(matmul(meters, self._turn) + self._middle)
+        return geodetic(matmul(meters, self._rotation) + self._middle)
 
     def to_utm(self, points: ArrayLike, epsg: int | None = None) -> Array:
         """Convert to easting, northing and altitude [m].
@@ -112,8 +112,8 @@ class WorldFrame:
 
     def __str__(self) -> str:
         ns, ew = "NS"[self.latitude < 0], "EW"[self.longitude < 0]
-        place = f"{abs(self.latitude):.7f} {ns} {abs(self.longitude):.7f} {ew}"
-        return f"meters east, north and up of {place} at {self.altitude:.2f} m; EPSG:{self.epsg}"
+        position = f"{abs(self.latitude):.7f} {ns} {abs(self.longitude):.7f} {ew}"
+        return f"meters east, north and up of {position} at {self.altitude:.2f} m; EPSG:{self.epsg}"
 
 
 def geocentric(places: ArrayLike) -> Array:
@@ -136,7 +136,7 @@ def geodetic(points: Array) -> Array:
     reduced = np.arctan2(z * RADIUS, level * minor)  # initial reduced latitude
     second = _SQUARED / (1 - _SQUARED)
     latitude = reduced
-    for _ in range(_TURNS):
+    for _ in range(_ITERATIONS):
         latitude = np.arctan2(
             z + second * minor * np.sin(reduced) ** 3, level - _SQUARED * RADIUS * np.cos(reduced) ** 3
         )
@@ -152,39 +152,42 @@ def utm_zone(latitude: float, longitude: float) -> int:
     return (NORTHERN if latitude >= 0 else SOUTHERN) + zone
 
 
-def utm(places: Array, epsg: int) -> Array:
+def utm(coordinates: Array, epsg: int) -> Array:
     """Easting, northing and altitude [m] of latitude, longitude [degrees] and altitude [m], (n, 3)."""
     meridian, south = _zone_of(epsg)
     e = math.sqrt(_SQUARED)
-    turned = np.radians((places[:, 1] - meridian + 180) % 360 - 180)
-    tau = np.tan(np.radians(places[:, 0]))
+    longitudes = np.radians((coordinates[:, 1] - meridian + 180) % 360 - 180)
+    tau = np.tan(np.radians(coordinates[:, 0]))
     sigma = np.sinh(e * np.arctanh(e * tau / np.hypot(1, tau)))
     conformal = tau * np.hypot(1, sigma) - sigma * np.hypot(1, tau)
-    xi, eta = np.arctan2(conformal, np.cos(turned)), np.arcsinh(np.sin(turned) / np.hypot(conformal, np.cos(turned)))
+    xi, eta = (
+        np.arctan2(conformal, np.cos(longitudes)),
+        np.arcsinh(np.sin(longitudes) / np.hypot(conformal, np.cos(longitudes))),
+    )
     dx, dy = _bent(xi, eta)
     factor = _SCALE * _RECTIFYING
-    return np.stack([_EASTING + factor * (eta + dy), south + factor * (xi + dx), places[:, 2]], axis=1)
+    return np.stack([_EASTING + factor * (eta + dy), south + factor * (xi + dx), coordinates[:, 2]], axis=1)
 
 
 def from_utm(points: Array, epsg: int) -> Array:
     """Latitude, longitude [degrees] and altitude [m] of easting, northing and altitude [m], (n, 3)."""
     meridian, south = _zone_of(epsg)
     if (np.abs(points[:, 0] - _EASTING) > 1e6).any() or (points[:, 1] < -1e4).any() or (points[:, 1] > 1.001e7).any():
-        raise ValueError(f"points: easting and northing of EPSG:{epsg} expected [m], got {points[0, :2].tolist()}")
+        raise ValueError(f"points: expected easting and northing of EPSG:{epsg} [m], got {points[0, :2].tolist()}")
     factor, e = _SCALE * _RECTIFYING, math.sqrt(_SQUARED)
     eta0, xi0 = (points[:, 0] - _EASTING) / factor, (points[:, 1] - south) / factor
     xi, eta = xi0, eta0
-    for _ in range(_TURNS):
+    for _ in range(_ITERATIONS):
         dx, dy = _bent(xi, eta)
         xi, eta = xi0 - dx, eta0 - dy
     conformal = np.sin(xi) / np.hypot(np.sinh(eta), np.cos(xi))
     longitude = meridian + np.degrees(np.arctan2(np.sinh(eta), np.cos(xi)))
     tau = conformal / (1 - _SQUARED)
-    for _ in range(_TURNS):  # Newton, Karney's equations 19 to 21
+    for _ in range(_ITERATIONS):  # Newton, Karney's equations 19 to 21
         sigma = np.sinh(e * np.arctanh(e * tau / np.hypot(1, tau)))
-        found = tau * np.hypot(1, sigma) - sigma * np.hypot(1, tau)
-        step = (1 + (1 - _SQUARED) * tau**2) / ((1 - _SQUARED) * np.hypot(1, tau) * np.hypot(1, found))
-        tau = tau + (conformal - found) * step
+        conformal_of_tau = tau * np.hypot(1, sigma) - sigma * np.hypot(1, tau)
+        step = (1 + (1 - _SQUARED) * tau**2) / ((1 - _SQUARED) * np.hypot(1, tau) * np.hypot(1, conformal_of_tau))
+        tau = tau + (conformal - conformal_of_tau) * step
     return np.stack([np.degrees(np.arctan(tau)), (longitude + 180) % 360 - 180, points[:, 2]], axis=1)
 
 

@@ -46,12 +46,12 @@ def utm_epsg(cloud: PointCloud) -> int:
         32610
     """
     check_cloud("cloud", cloud)
-    turned = relative_degrees(add_origin(cloud._device_array("points"), cloud.origin), 0.0)
-    _, _, count = _box_of(turned)
+    degrees = relative_degrees(add_origin(cloud._device_array("points"), cloud.origin), 0.0)
+    _, _, count = _box_of(degrees)
     if not count:
-        raise ValueError("cloud: no finite point tells its zone; give epsg")
-    longitudes, latitudes, runs = split_degrees(turned)
-    starts = upload(np.unique([0, count, turned.size]), int32, cloud.device)
+        raise ValueError("cloud: expected a finite point to determine the UTM zone, got none. Pass epsg")
+    longitudes, latitudes, runs = split_degrees(degrees)
+    starts = upload(np.unique([0, count, degrees.size]), int32, cloud.device)
     longitude, latitude = (float(order_statistics(v, runs, starts)[1][0]) for v in (longitudes, latitudes))
     zone = min(int((longitude + 180) // 6) + 1, 60)
     return (_NORTHERN if latitude >= 0 else _SOUTHERN) + zone
@@ -80,7 +80,9 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     """
     check_cloud("cloud", cloud)
     if cloud.has_normals:
-        raise ValueError('cloud: its normals belong to degrees; project cloud.without("normals"), then estimate them')
+        raise ValueError(
+            'cloud: normals in degrees cannot be projected. Project cloud.without("normals"), then estimate them'
+        )
     code = utm_epsg(cloud) if epsg is None else check_count("epsg", epsg)
     zone = code % 100
     if code - zone not in (_NORTHERN, _SOUTHERN) or not 1 <= zone <= 60:
@@ -90,7 +92,7 @@ def project_to_utm(cloud: PointCloud, *, epsg: int | None = None) -> PointCloud:
     widest = max(-float(low[0]), float(high[0])) if count else 0.0
     if widest > _WIDEST:
         raise ValueError(
-            f"cloud: a point lies {widest:.4g} degrees from the middle of zone {zone}, at most {_WIDEST:g}"
+            f"cloud: expected points within {_WIDEST:g} degrees of the middle of zone {zone}, got one at {widest:.4g}"
         )
     start = (_EASTING, _SOUTHERN_NORTHING if code > _SOUTHERN else 0.0)
     projection = mercator(6.0 * zone - 183.0, _RADIUS, _FLATTENING, scale=_SCALE, start=start)
@@ -121,10 +123,10 @@ def krueger_series(n: float) -> tuple[float, ...]:
     )
 
 
-def _box_of(turned: wp.array) -> tuple[NDArray[np.float32], NDArray[np.float32], int]:
+def _box_of(degrees: wp.array) -> tuple[NDArray[np.float32], NDArray[np.float32], int]:
     """Box and number of the finite points as longitudes and latitudes."""
-    low, high, count = bound_points(turned)  # sync
+    low, high, count = bound_points(degrees)  # sync
     if count and (low[1] < _LATITUDES[0] or high[1] > _LATITUDES[1] or high[2] > _FARTHEST):
-        found = f"longitudes to {high[2]:g} and latitudes {low[1]:g}..{high[1]:g}"
-        raise ValueError(f"cloud: expected longitudes to 360 and latitudes -80..84 in x and y [degrees], got {found}")
+        given = f"longitudes to {high[2]:g} and latitudes {low[1]:g}..{high[1]:g}"
+        raise ValueError(f"cloud: expected longitudes to 360 and latitudes -80..84 in x and y [degrees], got {given}")
     return low, high, count

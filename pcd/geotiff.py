@@ -32,26 +32,26 @@ def geotiff(
     shape: tuple[int, int],
     corner: tuple[float, float],
     cell: float,
-    told: Any,
+    metadata: Any,
     *,
     overwrite: bool,
     for_maps: bool = False,
     is_picture: bool = False,
 ) -> Iterator[Any]:
     """GeoTIFF opened for writing blocks, renamed when complete. FileError as `Raster.write`. Two float32 bands (values,
-    1 where filled), or RGBA uint8 if `is_picture`. `told` has `kind`, `crs` and `nodata`. With `for_maps` it is
+    1 where filled), or RGBA uint8 if `is_picture`. `metadata` has `kind`, `crs` and `nodata`. With `for_maps` it is
     rewritten as a Cloud Optimized GeoTIFF."""
     path, rasterio = check_geotiff(path, overwrite=overwrite)
     part, first = (path.with_name(f".{path.name}.{uuid.uuid4().hex}.part") for _ in range(2))
     profile = {
-        "driver": "GTiff", "height": shape[0], "width": shape[1], "crs": told.crs,
+        "driver": "GTiff", "height": shape[0], "width": shape[1], "crs": metadata.crs,
         "transform": rasterio.Affine(cell, 0.0, corner[0], 0.0, -cell, corner[1] + shape[0] * cell),
         "tiled": True, "blockxsize": BLOCK, "blockysize": BLOCK, "compress": "deflate", "BIGTIFF": "IF_SAFER",
-        **(_PICTURE if is_picture else {"nodata": told.nodata} | _VALUES),
+        **(_PICTURE if is_picture else {"nodata": metadata.nodata} | _VALUES),
     }  # fmt: skip
     try:
         with rasterio.open(first if for_maps else part, "w", **profile) as file:
-            for band, name in enumerate(() if is_picture else (told.kind, "filled"), start=1):
+            for band, name in enumerate(() if is_picture else (metadata.kind, "filled"), start=1):
                 file.set_band_description(band, name)
             yield file
         if for_maps:
@@ -65,7 +65,7 @@ def geotiff(
     except FileExistsError as error:
         raise FileError(path, "exists already", remedy="Give another name, or overwrite=True") from error
     except rasterio.errors.CRSError as error:
-        raise FileError(path, f"crs: {str(told.crs)[:80]!r} is not known: {error}") from error
+        raise FileError(path, f"crs: {str(metadata.crs)[:80]!r} is unknown: {error}") from error
     except (rasterio.errors.RasterioError, OSError) as error:
         reason = getattr(error, "strerror", None) or error.__cause__ or error
         raise FileError(path, f"cannot be written: {reason}") from error
@@ -76,10 +76,10 @@ def geotiff(
 
 def check_geotiff(path: FilePath, *, overwrite: bool) -> tuple[Path, Any]:
     """Validate a path. Returns it and rasterio, FileError if not writable or rasterio is missing."""
-    place = check_writable(path, overwrite=overwrite)
-    if place.suffix.lower() not in ENDINGS:
-        raise FileError(place, "is no name of a GeoTIFF", remedy="End it in .tif")
-    return place, _rasterio(place)
+    checked = check_writable(path, overwrite=overwrite)
+    if checked.suffix.lower() not in ENDINGS:
+        raise FileError(checked, "is not a GeoTIFF file name", remedy="Use a name that ends in .tif")
+    return checked, _rasterio(checked)
 
 
 def _check_blocks(rasterio: Any, part: Path) -> None:

@@ -114,20 +114,20 @@ def _near_ground(points: Points, box: tuple[Any, Any], corner: Any, cell: float,
 def _check_cells(cell: float, counts: NDArray[np.float64]) -> None:
     if not counts.prod() <= MAX_CELLS:
         raise ValueError(
-            f"cell_size: {cell} m makes a grid of {counts[0]:,.0f} x {counts[1]:,.0f} cells, more than 2^28; "
-            "take larger cells, or crop stray points away"
+            f"cell_size: {cell} m gives a grid of {counts[0]:,.0f} x {counts[1]:,.0f} cells, more than 2^28; "
+            "use a larger cell_size, or crop outliers"
         )
 
 
 def check_window(window: float, cell: float) -> None:
     if window > MAX_RADIUS * cell:
         raise ValueError(
-            f"max_window: {window:g} m are more than {MAX_RADIUS} cells of {cell} m; take larger cells or a smaller "
-            "window"
+            f"max_window: expected at most {MAX_RADIUS} cells of {cell} m, got {window:g} m. Use larger cells or a "
+            "smaller window"
         )
 
 
 def _warn_of_defaults(cloud: PointCloud, has_default: bool) -> None:
     if has_default and not is_same(cloud.unit, METRE):
-        remedy = 'give all four lengths in its unit, or cloud.to_unit("metre")'
-        warn_of_units(f"cloud: is in {cloud.unit}, and the default lengths are meters: {remedy}")
+        remedy = 'Pass all four lengths in its unit, or convert with cloud.to_unit("metre")'
+        warn_of_units(f"cloud: expected meters, the unit of the default lengths, got {cloud.unit}. {remedy}")

@@ -31,8 +31,8 @@ def harmonics_at(directions: NDArray[np.float64], degree: int) -> NDArray[np.flo
     legendre = _legendre(z, degree)
     for band in range(degree + 1):
         for order in range(-band, band + 1):
-            turn = cosines[order] if order >= 0 else sines[-order]
-            columns.append(legendre[band, abs(order)] * turn)
+            azimuthal = cosines[order] if order >= 0 else sines[-order]
+            columns.append(legendre[band, abs(order)] * azimuthal)
     return sizes_of(degree) * np.stack(columns, axis=1)
 
 
@@ -47,18 +47,18 @@ def sizes_of(degree: int) -> NDArray[np.float64]:
     return np.array(sizes)
 
 
-def turns_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
+def rotation_of_harmonics(R: NDArray[np.float64], degree: int) -> NDArray[np.float64]:
     """Rotation matrix of the coefficients beyond the first: float64 (K - 1, K - 1), least squares per band."""
     size = (degree + 1) ** 2 - 1
-    turns = np.zeros((size, size))
+    rotation = np.zeros((size, size))
     directions = _spread(4 * (size + 1))
     before, after = harmonics_at(matmul(directions, R), degree), harmonics_at(directions, degree)
     for band in range(1, degree + 1):
         columns = slice(band**2, (band + 1) ** 2)
         rows = slice(band**2 - 1, (band + 1) ** 2 - 1)
         part = after[:, columns]
-        turns[rows, rows] = solve(matmul(part.T, part), matmul(part.T, before[:, columns]))
-    return turns
+        rotation[rows, rows] = solve(matmul(part.T, part), matmul(part.T, before[:, columns]))
+    return rotation
 
 
 def signs_of_flip(flips: tuple[int, int, int], degree: int) -> NDArray[np.float64]:
@@ -82,18 +82,18 @@ def _azimuths(
 
 def _legendre(z: NDArray[np.float64], degree: int) -> dict[tuple[int, int], NDArray[np.float64]]:
     """Associated Legendre functions of z over (1 - z^2)^(m/2), without the phase, by (l, m)."""
-    found = {}
+    values = {}
     for m in range(degree + 1):
-        found[m, m] = np.full_like(z, math.prod(range(1, 2 * m, 2)))
+        values[m, m] = np.full_like(z, math.prod(range(1, 2 * m, 2)))
         for band in range(m + 1, degree + 1):
-            below = found.get((band - 2, m), np.zeros_like(z))
-            found[band, m] = ((2 * band - 1) * z * found[band - 1, m] - (band + m - 1) * below) / (band - m)
-    return found
+            below = values.get((band - 2, m), np.zeros_like(z))
+            values[band, m] = ((2 * band - 1) * z * values[band - 1, m] - (band + m - 1) * below) / (band - m)
+    return values
 
 
 def _spread(count: int) -> NDArray[np.float64]:
     """Unit vectors on a spiral: (count, 3)."""
-    place = np.arange(count) + 0.5
-    z = 1 - 2 * place / count
-    angle, radius = place * math.pi * (1 + math.sqrt(5)), np.sqrt(1 - z * z)
+    index = np.arange(count) + 0.5
+    z = 1 - 2 * index / count
+    angle, radius = index * math.pi * (1 + math.sqrt(5)), np.sqrt(1 - z * z)
     return np.stack([radius * np.cos(angle), radius * np.sin(angle), z], axis=1)

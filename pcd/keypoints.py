@@ -7,7 +7,7 @@ from typing import Literal, overload
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_positive
 from ..kernels.features.iss import find_iss_keypoints
 from .cloud import PointCloud
@@ -40,7 +40,7 @@ def compute_iss_keypoints(
 ) -> tuple[PointCloud, NDArray[np.int32]]: ...
 
 
-@told_arguments
+@explain_argument_errors
 def compute_iss_keypoints(
     cloud: PointCloud,
     salient_radius: float = 0.0,

@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from ..core.units import LengthUnit, asked_by_user, symbol_of, warn_of_units
+from ..core.units import LengthUnit, called_by_user, symbol_of, warn_of_units
 from ..kernels.arrays.sort import positions
 from ..kernels.reconstruction.ball_surface import count_around
 from ..kernels.search.point_tree import PointTree
@@ -21,7 +21,7 @@ FAR = 1000.0  # ratio of distance to extent of unrelated data
 def check_order(count_name: str, count: Any, length_name: str, length: Any) -> None:
     if isinstance(count, float) and isinstance(length, int) and not isinstance(length, bool):
         given = f"{count_name}={length}, {length_name}={count}"
-        raise TypeError(f"{count_name}: expected a whole number, got {count!r}; swapped? write {given}")
+        raise TypeError(f"{count_name}: expected an integer, got {count!r}; swapped? write {given}")
 
 
 def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: LengthUnit | None, so: str) -> None:
@@ -32,25 +32,25 @@ def warn_of_short(name: str, tree: PointTree, radius: float | None, unit: Length
     usual = extent / float(np.sqrt(tree.count))  # spacing of a surface
     if radius > SHORT * usual:
         return
-    found = count_around(tree, positions(tree.count, tree.device), radius)
-    if found < ALONE:
+    neighbor_count = count_around(tree, positions(tree.count, tree.device), radius)
+    if neighbor_count < ALONE:
         m = symbol_of(unit)
-        others = f"{found - 1:.2g} other points on average"
+        others = f"{neighbor_count - 1:.2g} other points on average"
         warn_of_units(
-            f"{name}: {radius:g} {m} finds {others}, so that {so}; the cloud's {tree.count:,} points "
-            f"span {extent:.3g} {m}: take the {name} in its unit, some {2 * usual:.2g} {m}"
+            f"{name}: {radius:g} {m} contains {others}, so {so}. The cloud's {tree.count:,} points "
+            f"span {extent:.3g} {m}. Give the {name} in the cloud's unit, about {2 * usual:.2g} {m}"
         )
 
 
 def warn_of_long(name: str, length: float, low: Any, high: Any, count: int, unit: LengthUnit | None, so: str) -> None:
     """Warn if a length exceeds the extent of the points."""
     extent = float(np.max(np.asarray(high, np.float64) - low)) if count >= MANY else 0.0
-    if not (0 < extent < length and asked_by_user()):
+    if not (0 < extent < length and called_by_user()):
         return
     m, usual = symbol_of(unit), extent / float(np.sqrt(count))
     warn_of_units(
-        f"{name}: {length:g} {m} is more than the {extent:.3g} {m} that the cloud's {count:,} points span, so that "
-        f"{so}; take the {name} in its unit: its points would be some {usual:.2g} {m} apart, if spread evenly"
+        f"{name}: {length:g} {m} exceeds the extent of the cloud's {count:,} points, {extent:.3g} {m}, so "
+        f"{so}. Give the {name} in the cloud's unit: evenly spread points are about {usual:.2g} {m} apart"
     )
 
 
@@ -60,9 +60,9 @@ def warn_of_far(
     """Warn if a box is so far from a large cloud that position or unit differ."""
     gap = float(np.max(np.maximum(np.asarray(low) - cloud_high, np.asarray(cloud_low) - high)))
     span = float(max(np.max(np.asarray(high) - low), np.max(np.asarray(cloud_high) - cloud_low)))
-    if count >= MANY and gap > FAR * span > 0 and asked_by_user():
+    if count >= MANY and gap > FAR * span > 0 and called_by_user():
         m = symbol_of(unit)
         warn_of_units(
-            f"{name}: lies {gap:.3g} {m} from the cloud, which spans {span:.3g} {m} or less; the cloud begins at "
-            f"{[round(float(x), 3) for x in cloud_low]}: take the box in its coordinates"
+            f"{name}: is {gap:.3g} {m} from the cloud, which spans at most {span:.3g} {m}. The cloud begins at "
+            f"{[round(float(x), 3) for x in cloud_low]}. Give the box in the cloud's coordinates"
         )

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..cameras.camera import PinholeCameraIntrinsic
-from ..core.callable_bool import YesOrNo
+from ..core.callable_bool import CallableBool
 from ..core.checks import check_count, check_positive, check_rigid, check_rows, check_shape, check_transformation
 from ..core.dropped_results import returns_new
 from ..core.html_tables import array_type, html_table
@@ -160,31 +160,31 @@ class LineSet(Movable):
         return f"LineSet({len(self.points)} points, {len(self.lines)} lines)"
 
     def _repr_html_(self) -> str:
-        held = {"points": self.points, "lines": self.lines, "colors": self.colors}
-        return html_table(repr(self), ((n, array_type(np.asarray(v))) for n, v in held.items() if v is not None))
+        arrays = {"points": self.points, "lines": self.lines, "colors": self.colors}
+        return html_table(repr(self), ((n, array_type(np.asarray(v))) for n, v in arrays.items() if v is not None))
 
     def __len__(self) -> int:
         return len(self.lines)
 
     @property
-    def has_points(self) -> YesOrNo:
+    def has_points(self) -> CallableBool:
         """True if there are points. Also callable."""
-        return YesOrNo(len(self.points))
+        return CallableBool(len(self.points))
 
     @property
-    def has_lines(self) -> YesOrNo:
+    def has_lines(self) -> CallableBool:
         """True if there are lines. Also callable."""
-        return YesOrNo(len(self.lines))
+        return CallableBool(len(self.lines))
 
     @property
-    def has_colors(self) -> YesOrNo:
+    def has_colors(self) -> CallableBool:
         """True if each line has a color. Also callable."""
-        return YesOrNo(self.colors is not None)
+        return CallableBool(self.colors is not None)
 
     @property
-    def is_empty(self) -> YesOrNo:
+    def is_empty(self) -> CallableBool:
         """True if there are no points. Also callable."""
-        return YesOrNo(len(self.points) == 0)
+        return CallableBool(len(self.points) == 0)
 
     @returns_new
     def clear(self) -> LineSet:

@@ -58,14 +58,14 @@ def compute_metrics(source: PointCloud, target: PointCloud, fscore_radius: Seque
     finite = [cloud.search_tree().count for _, cloud in clouds]
     for (name, _), count in zip(clouds, finite, strict=True):
         if not count:
-            raise ValueError(f"{name}: has no finite point, so it has no distance from the other cloud")
+            raise ValueError(f"{name}: expected at least one finite point, got none")
     sides = []
     for one, other, points in ((source, target, finite[0]), (target, source, finite[1])):
         count, total, farthest, within = summarize_distances(measure_to(one, other), radii)
         if count < points:
-            raise ValueError("source, target: points lie 1.8e19 m apart or farther; crop the stray ones away")
+            raise ValueError("source, target: expected points less than 1.8e19 m apart. Crop outliers")
         sides.append((total / count, farthest, 100 * within / count))
-    (there, far, precision), (back, away, recall) = sides
+    (forward, far, precision), (backward, away, recall) = sides
     both = precision + recall
     fscore = np.divide(2 * precision * recall, both, out=np.zeros_like(both), where=both > 0)
-    return CloudMetrics(there + back, max(far, away), fscore)
+    return CloudMetrics(forward + backward, max(far, away), fscore)

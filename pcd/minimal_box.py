@@ -84,8 +84,8 @@ def _enclose(positions: NDArray[np.float64], origin: NDArray[np.float64], R: NDA
     """Box with axes R around positions, enlarged by a few roundings unless flat along a coordinate. The frame may come
     from a hull without points lost in float32 rounding. The box contains them."""
     middle = (positions.min(axis=0) + positions.max(axis=0)) / 2
-    turned = matmul(positions - middle, R)
-    low, high = turned.min(axis=0), turned.max(axis=0)
+    rotated = matmul(positions - middle, R)
+    low, high = rotated.min(axis=0), rotated.max(axis=0)
     center = origin + (middle + matmul(R, (low + high) / 2))
     offsets = np.abs(matmul(positions + (origin - center), R)).max(axis=0)  # as in a crop to the box
     extent = np.maximum(high - low, 2 * offsets)

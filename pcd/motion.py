@@ -7,13 +7,13 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.attribute_hints import ToldNames
+from ..core.attribute_hints import HintedNames
 from ..core.checks import LARGEST_NUMBER, check_finite, check_positive, check_rigid, check_shape
 from ..core.dropped_results import returns_new
 from ..kernels.linear_algebra import matmul
 
 
-class Movable(ToldNames):
+class Movable(HintedNames):
     """Object with affine motions, by default about its center."""
 
     def get_center(self) -> NDArray[np.float64]:

@@ -60,11 +60,11 @@ class Normals(Selection):
         Warns:
             UnitWarning: If hardly any point has a neighbor in the radius, which suggests another unit.
         """
-        reach, count = check_search(radius, max_nn)
+        search_radius, count = check_search(radius, max_nn)
         points = self._arrays["points"]
         tree = self.search_tree()
         warn_of_short("radius", tree, radius, self.unit, "normals are (0, 0, 1)")
-        normals = estimate_normals(tree, points, count, reach)
+        normals = estimate_normals(tree, points, count, search_radius)
         if self.has_normals:
             align_normals(normals, self._arrays["normals"])
         return self._with_arrays(self._arrays | {"normals": normals}, grid=self.grid)
@@ -109,9 +109,9 @@ class Normals(Selection):
             >>> cloud.covariances[0].tolist()
             [[1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 0.0]]
         """
-        reach, count = check_search(radius, max_nn)
+        search_radius, count = check_search(radius, max_nn)
         points = self._arrays["points"]
-        covariances = estimate_covariances(self.search_tree(), points, count, reach)
+        covariances = estimate_covariances(self.search_tree(), points, count, search_radius)
         return self._with_arrays(self._arrays | {"covariances": covariances}, grid=self.grid)
 
     @returns_new
@@ -261,9 +261,9 @@ class Normals(Selection):
             >>> bool(smooth.points[:, 2].std() < 0.25 * plane[:, 2].std())
             True
         """
-        reach, count = check_search(radius, max_nn)
+        search_radius, count = check_search(radius, max_nn)
         normals = self._arrays.get("normals")
-        moved, fitted = project_to_planes(self.search_tree(), count, reach, normals)
+        moved, fitted = project_to_planes(self.search_tree(), count, search_radius, normals)
         return self._moved(moved, {} if normals is None else {"normals": fitted})
 
     @returns_new
@@ -287,12 +287,12 @@ class Normals(Selection):
         Raises:
             ValueError: If both limits are None, or a number is out of range.
         """
-        reach, count = check_search(radius, max_nn)
+        search_radius, count = check_search(radius, max_nn)
         spatial, across = check_positive("sigma_s", sigma_s), check_positive("sigma_r", sigma_r)
         tree, normals = self.search_tree(), self._arrays.get("normals")
         if normals is None:
             normals = estimate_normals(tree, tree.source, NORMAL_NEIGHBORS, math.inf)
-        return self._moved(average_by_sides(tree, normals, count, reach, spatial, across))
+        return self._moved(average_by_sides(tree, normals, count, search_radius, spatial, across))
 
     @returns_new
     def smooth_laplacian(
@@ -355,5 +355,5 @@ class Normals(Selection):
 
 
 def _check_passes(iterations: Any) -> int:
-    reason = "by then hardly anything is left but the mean of all points; take fewer"
+    reason = "more iterations leave little but the mean of all points"
     return check_count("iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)

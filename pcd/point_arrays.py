@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ..core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ..core.attribute_hints import KnownNames
-from ..core.callable_bool import YesOrNo
+from ..core.callable_bool import CallableBool
 from ..core.checks import check_colors, check_name, check_numeric, check_rows, is_on_gpu
 from ..core.coordinates import quiet, split_origin, warn_if_coarse
 from ..core.devices import resolve_device
@@ -24,7 +24,7 @@ from ..kernels.lang import vec3
 from ..kernels.language.device_lock import lock_for
 from ..kernels.memory import download, move, upload
 from ..kernels.search.point_tree import PointTree
-from .cached_tree import KeptTree
+from .cached_tree import CachedTree
 from .units import InUnit
 
 VECTORS = ("points", "normals", "colors")
@@ -71,8 +71,8 @@ class PointArrays(InUnit, KnownNames):
     """
 
     _arrays: dict[str, wp.array]
-    _how_to_add = "An attribute of the points is added by cloud[{name!r}] = values"
-    _kept: KeptTree  # points and their search tree
+    _how_to_add = "Add an attribute of the points with cloud[{name!r}] = values"
+    _cached_tree: CachedTree  # points and their search tree
     _origin: NDArray[np.float64]
     _library: str = NUMPY  # library of returned arrays, see array_libraries.py
     grid: tuple[int, int] | None
@@ -81,29 +81,29 @@ class PointArrays(InUnit, KnownNames):
         return self._arrays["points"].size
 
     @property
-    def has_points(self) -> YesOrNo:
+    def has_points(self) -> CallableBool:
         """True if there are points. Also callable."""
-        return YesOrNo(len(self))
+        return CallableBool(len(self))
 
     @property
-    def has_normals(self) -> YesOrNo:
+    def has_normals(self) -> CallableBool:
         """True if there are normals. Also callable."""
-        return YesOrNo("normals" in self._arrays)
+        return CallableBool("normals" in self._arrays)
 
     @property
-    def has_colors(self) -> YesOrNo:
+    def has_colors(self) -> CallableBool:
         """True if there are colors. Also callable."""
-        return YesOrNo("colors" in self._arrays)
+        return CallableBool("colors" in self._arrays)
 
     @property
-    def has_covariances(self) -> YesOrNo:
+    def has_covariances(self) -> CallableBool:
         """True if there are covariances. Also callable."""
-        return YesOrNo("covariances" in self._arrays)
+        return CallableBool("covariances" in self._arrays)
 
     @property
-    def is_empty(self) -> YesOrNo:
+    def is_empty(self) -> CallableBool:
         """True if there are no points. Also callable."""
-        return YesOrNo(len(self) == 0)
+        return CallableBool(len(self) == 0)
 
     def __repr__(self) -> str:
         names = escaped(", ".join(n for n in self._arrays if n != "points"))
@@ -130,7 +130,7 @@ class PointArrays(InUnit, KnownNames):
 
     @points.setter
     def points(self, values: ArrayLike) -> None:
-        self._place(values, None, self.device, rows=len(self))
+        self._set_points(values, None, self.device, rows=len(self))
 
     @property
     def normals(self) -> NDArray[np.float32]:
@@ -191,7 +191,9 @@ class PointArrays(InUnit, KnownNames):
             array([[1., 2., 3.]])
         """
         if copy is False:
-            raise ValueError("a cloud keeps float32 about an origin, so its points are copied; see array('points')")
+            raise ValueError(
+                "a cloud stores float32 relative to an origin, so its points are copied; see array('points')"
+            )
         points = self.points if dtype is None else self.points.astype(dtype)
         return points.copy() if copy and not points.flags.writeable else points
 
@@ -205,7 +207,7 @@ class PointArrays(InUnit, KnownNames):
         return name in self._arrays
 
     def __iter__(self) -> Iterator[Any]:
-        raise TypeError("a PointCloud is no sequence; iterate over cloud.points")
+        raise TypeError("a PointCloud is not a sequence; iterate over cloud.points")
 
     def array(self, name: str) -> wp.array:
         """Get a device array without a copy: `points` (relative to `origin`), `normals`, `colors`, or another name.
@@ -213,7 +215,7 @@ class PointArrays(InUnit, KnownNames):
         Supports DLPack and `__cuda_array_interface__`. Writes affect all clouds that share the array. The next
         operation detects changed points and rebuilds the search tree.
         """
-        return self._kept.lend() if check_name("name", name) == "points" else self._device_array(name)
+        return self._cached_tree.share() if check_name("name", name) == "points" else self._device_array(name)
 
     @returns_new
     def to(self, device: Any, *, arrays: str | None = None) -> Self:
@@ -257,7 +259,7 @@ class PointArrays(InUnit, KnownNames):
         """
         if self._origin.any():
             raise BufferError(
-                f"the points count from the origin {self._origin.tolist()}; share cloud.array('points') and add "
+                f"the points are relative to the origin {self._origin.tolist()}. Share cloud.array('points') and add "
                 "cloud.origin to it, in float64"
             )
         with lock_for(self.device):
@@ -277,7 +279,7 @@ class PointArrays(InUnit, KnownNames):
             PointCloud(1 points, no attributes, cpu)
         """
         if "points" in names:
-            raise ValueError("points: a cloud without points is PointCloud()")
+            raise ValueError("points: cannot be removed. Create an empty cloud with PointCloud()")
         for name in names:
             self._required_array(name, f"the cloud has {', '.join(self._arrays)}")
         return self._with_arrays({n: a for n, a in self._arrays.items() if n not in names}, grid=self.grid)
@@ -311,7 +313,7 @@ class PointArrays(InUnit, KnownNames):
         cloud = cls.__new__(cls)
         cloud._library = library
         cloud._arrays, cloud._origin, cloud.grid = arrays, origin, None
-        cloud._kept = KeptTree(arrays["points"])
+        cloud._cached_tree = CachedTree(arrays["points"])
         return cloud
 
     def _with_arrays(self, arrays: dict[str, wp.array], *, grid: tuple[int, int] | None = None) -> Self:
@@ -319,7 +321,7 @@ class PointArrays(InUnit, KnownNames):
         cloud = self._from_device_arrays(arrays, self._origin, self._library)
         cloud.grid, cloud._unit = grid, self._unit
         if arrays["points"] is self._arrays["points"]:
-            cloud._kept = self._kept
+            cloud._cached_tree = self._cached_tree
         return cloud
 
     def _device_array(self, name: str) -> wp.array:
@@ -334,15 +336,15 @@ class PointArrays(InUnit, KnownNames):
 
     def search_tree(self) -> PointTree:
         """Search tree of the points, built at the first call and cached: 20 B per point."""
-        return self._kept.tree()
+        return self._cached_tree.tree()
 
     def _adopt_search_tree(self, tree: PointTree) -> None:
         """Cache an existing tree of the points' own array, if there is none yet."""
-        self._kept.adopt(tree)
+        self._cached_tree.adopt(tree)
 
     @property
     def _known_search_tree(self) -> PointTree | None:
-        return self._kept.known
+        return self._cached_tree.known
 
     def _points_about(self, origin: NDArray[np.float64]) -> wp.array:
         """Points relative to another origin, a device array of vec3."""
@@ -352,10 +354,12 @@ class PointArrays(InUnit, KnownNames):
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """Convert a result to the cloud's array library. NumPy arrays own their memory."""
-        found = hand_out(array, self._library, dtype=dtype)
-        return found.copy() if self._library == NUMPY and not found.flags.owndata else found
+        result = hand_out(array, self._library, dtype=dtype)
+        return result.copy() if self._library == NUMPY and not result.flags.owndata else result
 
-    def _place(self, values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None) -> None:
+    def _set_points(
+        self, values: Any, origin: NDArray[np.float64] | None, device: Any, *, rows: int | None = None
+    ) -> None:
         """Set the points on their GPU, or on a device."""
         is_copied = library_of(values) == NUMPY
         if is_on_gpu(values):
@@ -369,11 +373,11 @@ class PointArrays(InUnit, KnownNames):
             points: Any = upload(local, vec3, device, copied=is_copied)
             is_shared = not is_copied and points.device.is_cpu and np.may_share_memory(local, positions)
         self._arrays["points"] = points
-        self._kept = KeptTree(points, lent=is_shared)
+        self._cached_tree = CachedTree(points, is_shared=is_shared)
 
     def _set(self, name: str, values: ArrayLike) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
-            raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays: other[{name!r}]")
+            raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays: other[{name!r}]")
         if is_on_gpu(values):
             self._arrays[name] = self._taken(name, values)
             return
@@ -410,12 +414,12 @@ def check_cloud(name: str, cloud: Any) -> None:
 def _remedy_of(value: Any) -> str:
     """Hint how to create a cloud from a value of another type."""
     if isinstance(value, tuple) and value and isinstance(value[0], PointArrays):
-        return "it is the first of the pair: cloud, rows = ..."
+        return "unpack the pair: cloud, rows = ..."
     if isinstance(value, str | os.PathLike):
-        return "loom.read_point_cloud(path) reads one, loom.PointCloud(array) makes one of an array"
+        return "read a file with loom.read_point_cloud(path), or use loom.PointCloud(array) for an array"
     if hasattr(value, "sample_points_uniformly"):
-        return "mesh.sample_points_uniformly(100_000) makes one of a mesh"
-    return "loom.PointCloud(array) makes one of an array, loom.PointCloud.from_open3d(cloud) one of Open3D's"
+        return "sample a mesh with mesh.sample_points_uniformly(100_000)"
+    return "use loom.PointCloud(array), or loom.PointCloud.from_open3d(cloud) for an Open3D cloud"
 
 
 def read_only(array: NDArray[Any]) -> NDArray[Any]:

@@ -31,10 +31,10 @@ def distance_of_nearest(
     too few or too many points, or no probe."""
     if not len(probes) or count > _MAX_NEIGHBORS:
         return None
-    found = search.knn_search(probes, count)
-    if (found.counts < count).any():
+    neighbors = search.knn_search(probes, count)
+    if (neighbors.counts < count).any():
         return None
-    return float(np.sqrt(np.quantile(found.sqdists[:, -1].astype(np.float64), share)))
+    return float(np.sqrt(np.quantile(neighbors.sqdists[:, -1].astype(np.float64), share)))
 
 
 def rounded_up(length: float) -> float:

@@ -100,9 +100,9 @@ class SelectionPolygonVolume:
                 raise FileError(path, f"expected {expected!r}, got {str(content[key])[:40]!r}", where=f"key {key}")
         corners = content["bounding_polygon"]
         if not isinstance(corners, list) or len(corners) < MIN_CORNERS:
-            found = f"{len(corners)}" if isinstance(corners, list) else f"a {type(corners).__name__}"
+            given = f"{len(corners)}" if isinstance(corners, list) else f"a {type(corners).__name__}"
             raise FileError(
-                path, f"expected a list of at least three corners, got {found}", where="key bounding_polygon"
+                path, f"expected a list of at least three corners, got {given}", where="key bounding_polygon"
             )
         for row, corner in enumerate(corners):
             if not isinstance(corner, list) or len(corner) != 3:

@@ -22,7 +22,7 @@ from ..kernels.terrain.triangle_heights import VALUES, keep_listed, lay_rows, tr
 from .cloud import PointCloud
 
 GROUND, NOISE = (2,), (7, 18)  # LAS classes
-REACH = 20  # default, in cells
+DEFAULT_RADIUS = 20  # default, in cells
 MAX_CELLS = 2**28
 BYTES = 32  # per cell
 SLACK = 1e-9  # of a cell: tolerance for bounds at cell borders
@@ -33,7 +33,7 @@ def check_classes(classes: Any) -> tuple[int, ...] | None:
         return None
     given = np.atleast_1d(check_numeric("classes", classes))
     if given.ndim != 1 or not given.size or given.dtype.kind not in "iu" or given.min() < 0 or given.max() >= VALUES:
-        raise ValueError(f"classes: expected classes of LAS, 0 to 255, such as (2, 8), got {shown(classes)}")
+        raise ValueError(f"classes: expected LAS classes from 0 to 255, such as (2, 8), got {shown(classes)}")
     return tuple(sorted({int(value) for value in given}))
 
 
@@ -46,14 +46,14 @@ def check_box(bounds: Any) -> NDArray[np.float64]:
 
 def check_lengths(cloud: PointCloud) -> None:
     if cloud.unit is not None and is_same(cloud.unit, DEGREE):
-        raise ValueError("cloud: is in degrees, which are no lengths; project_to_utm(cloud) makes meters of them")
+        raise ValueError("cloud: expected a unit of length, got degrees. Convert it with project_to_utm(cloud)")
 
 
 def window_of(points: Points, corner: Any, side: float, box: Any, origin: Any) -> FixedCells:
     if box is None:
         low, high, finite = bound_points(points)
         if not finite:
-            raise ValueError("cloud: has no finite points; give the bounds of a raster without any")
+            raise ValueError("cloud: expected finite points, got none. Pass bounds to create a raster without values")
         first, shape = cells_over(low, high, corner, side)
     else:
         first, shape = cells_within(box.reshape(2, 2) - origin[:2] - corner, side)
@@ -79,19 +79,19 @@ def cells_within(ends: NDArray[np.float64], side: float) -> tuple[NDArray[np.flo
 def _check_room(side: float, shape: NDArray[np.float64], device: Any) -> None:
     with np.errstate(over="ignore"):
         cells = float(shape.prod())
-    told = f"cell: {side:g} makes {shape[0]:,.0f} x {shape[1]:,.0f} cells"
+    message = f"cell: {side:g} gives {shape[0]:,.0f} x {shape[1]:,.0f} cells"
     if not cells <= MAX_CELLS:
-        raise ValueError(f"{told}, {cells * BYTES / 1e9:,.0f} GB, and 2^28 is the most; take larger cells, or tiles")
+        raise ValueError(f"{message}, {cells * BYTES / 1e9:,.0f} GB, more than 2^28 cells. Use larger cells or tiles")
     free = free_bytes(device)
     if free is not None and cells * BYTES > free:
-        told += f", which take {cells * BYTES / 1e9:.2f} GB, and {device} has {free / 1e9:.2f} GB free"
-        raise MemoryError(f"{told}; take larger cells, or tiles")
+        message += f", which need {cells * BYTES / 1e9:.2f} GB, but {device} has {free / 1e9:.2f} GB free"
+        raise MemoryError(f"{message}. Use larger cells or tiles")
 
 
-def _rings(reach: float, side: float, held: Any, asked: Any) -> int:
+def _rings(radius: float, side: float, occupied: Any, queried: Any) -> int:
     """Number of rings of cells that may contain points within reach."""
-    span = np.maximum(held[0] + held[1], asked[0] + asked[1]) - np.minimum(held[0], asked[0])
-    return int(min(math.ceil(min(reach / side, 2.0**30)), span.max()))
+    span = np.maximum(occupied[0] + occupied[1], queried[0] + queried[1]) - np.minimum(occupied[0], queried[0])
+    return int(min(math.ceil(min(radius / side, 2.0**30)), span.max()))
 
 
 def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_ground: bool = False) -> Points:
@@ -102,8 +102,8 @@ def chosen_points(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_grou
         return points
     if is_ground and not rows.size:
         raise NoGroundError(
-            f"cloud: has no points of class {' or '.join(map(str, classes or GROUND))}; "
-            'classify_ground(cloud) tells the ground, for cloud["classification"]'
+            f"cloud: expected points of class {' or '.join(map(str, classes or GROUND))}, got none. "
+            'Classify the ground with classify_ground(cloud) and set cloud["classification"]'
         )
     return gather_rows(points, rows)
 
@@ -116,7 +116,7 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
     has_classes = "classification" in cloud
     if is_needed and not has_classes:
         raise ValueError(
-            'cloud: has no classification; set cloud["classification"] to 2 where classify_ground(cloud) is true'
+            'cloud: has no classification; set cloud["classification"] to 2 where classify_ground(cloud) is True'
         )
     table = np.zeros(VALUES, np.uint8)
     table[list(range(VALUES) if classes is None else classes)] = 1
@@ -134,39 +134,41 @@ def _rows(cloud: PointCloud, classes: tuple[int, ...] | None, *, is_first: bool,
     return positions_of(mask)
 
 
-def ground_heights(ground: Points, window: FixedCells, method: str, reach: float | None, count: int) -> Doubles:
+def ground_heights(ground: Points, window: FixedCells, method: str, radius: float | None, count: int) -> Doubles:
     """Ground height at each cell center, about the points' origin."""
     if method == "tin":
-        return triangle_heights(ground, _triangles(ground), window, math.inf if reach is None else reach)
-    far = REACH * window.cell if reach is None else reach
+        return triangle_heights(ground, _triangles(ground), window, math.inf if radius is None else radius)
+    far = DEFAULT_RADIUS * window.cell if radius is None else radius
     low, high, finite = bound_points(ground)
     nothing = full(window.size, NAN, float64, ground.device)
     if not finite:
         return nothing
     first, shape = cells_over(low, high, np.array([window.x0, window.y0]), window.cell)
     rim = math.ceil(min(far / window.cell, 2.0**30))
-    own, size = np.array([window.column0, window.row0]), np.array([window.columns, window.rows])
-    rings = _rings(far, window.cell, (first, shape), (own, size))
-    begin = np.maximum(first, own - rim)
-    shape = np.minimum(first + shape, own + size + rim) - begin
+    corner, size = np.array([window.column0, window.row0]), np.array([window.columns, window.rows])
+    rings = _rings(far, window.cell, (first, shape), (corner, size))
+    begin = np.maximum(first, corner - rim)
+    shape = np.minimum(first + shape, corner + size + rim) - begin
     if (shape <= 0).any():
         return nothing
     _check_room(window.cell, shape, ground.device)
-    held = FixedCells(np.array([window.x0, window.y0]), window.cell, begin, shape)
-    return interpolate_centers(CellGroups(ground, held), window, count, far, rings)
+    occupied = FixedCells(np.array([window.x0, window.y0]), window.cell, begin, shape)
+    return interpolate_centers(CellGroups(ground, occupied), window, count, far, rings)
 
 
 def _triangles(ground: Points) -> Any:
     from scipy.spatial import Delaunay, QhullError  # slow import
 
-    places = download(ground).reshape(-1, 3).astype(np.float64)
-    rows = np.flatnonzero(np.isfinite(places).all(axis=1))  # also finite heights
+    xyz = download(ground).reshape(-1, 3).astype(np.float64)
+    rows = np.flatnonzero(np.isfinite(xyz).all(axis=1))  # also finite heights
     try:
-        found = rows[Delaunay(places[rows, :2]).simplices]
+        triangles = rows[Delaunay(xyz[rows, :2]).simplices]
     except (QhullError, ValueError) as error:
-        reason = f"the {len(rows):,} finite ground points span no triangle: fewer than 3, or all on one line"
-        raise ValueError(f"cloud: {reason}; take method='idw'") from error
-    return upload(found.astype(np.int32), vec3i, ground.device)
+        reason = (
+            f"expected ground points that form a triangle, got {len(rows):,} finite ones, fewer than 3 or collinear"
+        )
+        raise ValueError(f"cloud: {reason}. Use method='idw'") from error
+    return upload(triangles.astype(np.int32), vec3i, ground.device)
 
 
 def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tuple[int, ...] | None) -> Doubles:
@@ -176,9 +178,9 @@ def measured_cells(cloud: PointCloud, window: FixedCells, kind: str, classes: tu
     chosen = points if rows is None else gather_rows(points, rows)
     groups = CellGroups(chosen, window)
     if kind == "intensity":
-        column = cloud._required_array("intensity", "a raster of it needs it")
+        column = cloud._required_array("intensity", "it is required for kind='intensity'")
         if column.ndim != 1:
-            raise ValueError("intensity: expected one number a point")
+            raise ValueError("intensity: expected one number per point")
         values = cast(column if rows is None else gather_rows(column, rows), float64)
         return groups.measure(values, MEAN)
     measure = {"density": COUNT, "lowest": LOWEST}.get(kind, HIGHEST)
@@ -198,7 +200,9 @@ def raster_values(kind: str, surface: Any, ground: Any, window: FixedCells, base
     return np.asarray(download(laid)).reshape(window.rows, window.columns)
 
 
-def heights_above_ground(points: Points, ground: Points, corner: Any, side: float, reach: float, count: int) -> Doubles:
+def heights_above_ground(
+    points: Points, ground: Points, corner: Any, side: float, radius: float, count: int
+) -> Doubles:
     """Heights of points above ground. NaN far from ground points."""
     low, high, finite = bound_points(ground)
     if not finite:
@@ -208,5 +212,5 @@ def heights_above_ground(points: Points, ground: Points, corner: Any, side: floa
     check_cell_numbers(first, shape)
     groups = CellGroups(ground, FixedCells(corner, side, first, shape))
     low, high, _ = bound_points(points)
-    own, size = cells_over(low, high, corner, side)
-    return heights_above(points, groups, count, reach, _rings(reach, side, (first, shape), (own, size)))
+    first_cell, size = cells_over(low, high, corner, side)
+    return heights_above(points, groups, count, radius, _rings(radius, side, (first, shape), (first_cell, size)))

@@ -10,8 +10,8 @@ import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.array_libraries import NUMPY, Form, form_of, view_as
-from ..core.attribute_hints import ToldNames
-from ..core.batch_splitting import in_halves
+from ..core.attribute_hints import HintedNames
+from ..core.batch_splitting import in_batches
 from ..core.checks import check_count, check_numeric, check_positive, check_rows, is_on_gpu
 from ..core.coordinates import split_origin
 from ..core.devices import check_same_device
@@ -52,7 +52,7 @@ def _only(part: Any) -> Any:
     return part if isinstance(part, wp.array) and part.ndim == 1 else part[0]  # Warp has no scalars
 
 
-class NearestNeighborSearch(ToldNames):
+class NearestNeighborSearch(HintedNames):
     """Exact neighbor search over a snapshot of a cloud, with one tree for every radius and count.
 
     Uses float32 coordinates about the cloud's origin. Points and queries that are not finite have no neighbors. Bitwise
@@ -120,36 +120,36 @@ class NearestNeighborSearch(ToldNames):
             ValueError: If the radius is not positive, the shape is wrong, or there are 2^31 neighbors or more.
             DeviceError: If the cloud is on another device.
         """
-        reach = check_positive("radius", radius)
-        asked = self._queries(queries)
+        search_radius = check_positive("radius", radius)
+        batch = self._queries(queries)
 
         def search(points: Any) -> tuple[Any, ...]:
-            indices, sqdists, offsets = search_within(self._tree, points, reach)
+            indices, sqdists, offsets = search_within(self._tree, points, search_radius)
             return indices, sqdists, run_lengths(offsets)
 
-        indices, sqdists, counts = self._answers(asked, search)
-        return Neighbors(indices, sqdists, _only(counts) if asked.is_single else counts)
+        indices, sqdists, counts = self._search_all(batch, search)
+        return Neighbors(indices, sqdists, _only(counts) if batch.is_single else counts)
 
     def _nearest(self, queries: PointCloud | ArrayLike, k: int, radius: float) -> Neighbors:
-        asked = self._queries(queries)
-        found = Neighbors(*self._answers(asked, lambda points: search_nearest(self._tree, points, k, radius)))
-        return Neighbors(*map(_only, found)) if asked.is_single else found
+        batch = self._queries(queries)
+        neighbors = Neighbors(*self._search_all(batch, lambda points: search_nearest(self._tree, points, k, radius)))
+        return Neighbors(*map(_only, neighbors)) if batch.is_single else neighbors
 
-    def _answers(self, asked: _Queries, search: Callable[[Any], tuple[Any, ...]]) -> tuple[Any, ...]:
+    def _search_all(self, batch: _Queries, search: Callable[[Any], tuple[Any, ...]]) -> tuple[Any, ...]:
         """Search results in the form of the queries. Split for NumPy if a GPU runs out of memory."""
 
         def part(begin: int, end: int) -> tuple[Any, ...]:
-            points = asked.points if end - begin == asked.points.size else asked.points[begin:end]
-            return tuple(map(asked.form.hand_out, search(points)))
+            points = batch.points if end - begin == batch.points.size else batch.points[begin:end]
+            return tuple(map(batch.form.hand_out, search(points)))
 
-        if asked.form.library != NUMPY or asked.points.device.is_cpu:
-            return part(0, asked.points.size)
-        return in_halves(asked.points.size, part)
+        if batch.form.library != NUMPY or batch.points.device.is_cpu:
+            return part(0, batch.points.size)
+        return in_batches(batch.points.size, part)
 
     def _check_neighbors(self, name: str, count: Any) -> int:
-        most = len(self.cloud) + FEW
-        reason = f"the cloud has {len(self.cloud):,} points, and each of the neighbors takes 8 B a query"
-        return check_count(name, count, maximum=most, because=reason)
+        max_count = len(self.cloud) + FEW
+        reason = f"the cloud has {len(self.cloud):,} points, and each neighbor takes 8 B per query"
+        return check_count(name, count, maximum=max_count, because=reason)
 
     def _queries(self, queries: PointArrays | ArrayLike) -> _Queries:
         device, origin = self.cloud.device, self.cloud.origin

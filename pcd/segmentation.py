@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_positive, check_seed, check_share, shown
 from ..core.observers import report
-from ..core.verbosity import told_time
+from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.select import gather_rows, invert_mask, positions_of
 from ..kernels.extent.masks import mask_finite, usable_rows
@@ -41,7 +41,7 @@ MAX_SIZE = 2**31 - 2  # more points than a cloud can have
 ANY: dict[str, Any] = {"maximum": 2**63 - 1, "because": "counts have 64 bits"}
 EDGE_SHARE = 0.01  # of the cloud's longest edge: Open3D's default
 POINT_SHARE = 0.001  # of the points: Open3D's default
-FEWEST = 10
+MIN_POINTS = 10
 MAX_SAMPLES = 10_000_000
 WRAP = 2**30  # sample numbers stay below 2^31
 NORMALS = "call cloud = cloud.estimate_normals()"
@@ -50,7 +50,7 @@ NORMALS = "call cloud = cloud.estimate_normals()"
 class Segmentation(Selection):
     """Methods of PointCloud that find clusters, planes, shapes and regions."""
 
-    @told_arguments
+    @explain_argument_errors
     def cluster_dbscan(self, eps: float, min_points: int, print_progress: bool = False) -> NDArray[np.int32]:
         """Cluster points by density (DBSCAN), with the labels of Open3D's legacy implementation.
 
@@ -77,14 +77,14 @@ class Segmentation(Selection):
             [0, 0, 1, 1, -1]
         """
         check_order("min_points", min_points, "eps", eps)
-        reach, least = check_positive("eps", eps), check_count("min_points", min_points, **ANY)
-        with told_time(f"clusters of {len(self):,} points", print_progress):
-            labels, found = self._cluster(reach, least)
+        search_radius, min_count = check_positive("eps", eps), check_count("min_points", min_points, **ANY)
+        with printed_duration(f"clusters of {len(self):,} points", print_progress):
+            labels, cluster_count = self._cluster(search_radius, min_count)
         tree, unit = self.search_tree(), self.unit
-        if not found and least > 1:
-            warn_of_short("eps", tree, reach, unit, "all points are noise")
-        elif found == 1:
-            warn_of_long("eps", reach, tree.low, tree.high, tree.count, unit, "all of them are one cluster")
+        if not cluster_count and min_count > 1:
+            warn_of_short("eps", tree, search_radius, unit, "all points are noise")
+        elif cluster_count == 1:
+            warn_of_long("eps", search_radius, tree.low, tree.high, tree.count, unit, "all points form one cluster")
         report("clusters", cloud=self, labels=labels)
         return self._handed_out(labels)
 
@@ -115,15 +115,15 @@ class Segmentation(Selection):
             [-1, 0, 0, 0]
         """
         step = check_positive("tolerance", tolerance)
-        least = check_count("min_cluster_size", min_cluster_size, **ANY)
-        most = MAX_SIZE
+        min_size = check_count("min_cluster_size", min_cluster_size, **ANY)
+        max_size = MAX_SIZE
         if max_cluster_size is not None:
-            most = check_count("max_cluster_size", max_cluster_size, **ANY)
-            if most < least:
-                raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {least}, got {most}")
+            max_size = check_count("max_cluster_size", max_cluster_size, **ANY)
+            if max_size < min_size:
+                raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {min_size}, got {max_size}")
         labels, cluster_count = self._cluster(step, 1)
         if cluster_count:
-            rank_by_size(labels, cluster_count, min(least, MAX_SIZE), min(most, MAX_SIZE))
+            rank_by_size(labels, cluster_count, min(min_size, MAX_SIZE), min(max_size, MAX_SIZE))
         report("clusters", cloud=self, labels=labels)
         return self._handed_out(labels)
 
@@ -178,22 +178,22 @@ class Segmentation(Selection):
         if share > 1:
             raise ValueError(f"outlier_ratio: expected a number in 0..1, got {outlier_ratio!r}")
         shortest = check_positive("min_plane_edge_length", min_plane_edge_length, allow_zero=True)
-        fewest = check_count("min_num_points", min_num_points, minimum=0)
-        fewest = max(fewest, 3) if fewest else max(FEWEST, int(POINT_SHARE * len(self)))
+        min_count = check_count("min_num_points", min_num_points, minimum=0)
+        min_count = max(min_count, 3) if min_count else max(MIN_POINTS, int(POINT_SHARE * len(self)))
         neighbor_count = check_count("max_nn", max_nn, minimum=2)
-        reach = math.inf if radius is None else check_positive("radius", radius)
+        search_radius = math.inf if radius is None else check_positive("radius", radius)
         points = self._arrays["points"]
         normals = self._required_array("normals", "call cloud = cloud.estimate_normals()")
         rows = usable_rows(points, normals)
-        if rows.size < fewest:
+        if rows.size < min_count:
             return []
         octree = Octree(points, rows)
         labels = full(len(self), -1, int32, self.device)
-        limits = Limits(math.cos(spread), math.cos(flatness), share, fewest, ROUNDING * octree.extent)
+        limits = Limits(math.cos(spread), math.cos(flatness), share, min_count, ROUNDING * octree.extent)
         planes = find_seeds(points, normals, labels, limits, octree)
         if not len(planes[0]):
             return []
-        neighbors = self._neighbor_graph(min(neighbor_count, rows.size), reach)
+        neighbors = self._neighbor_graph(min(neighbor_count, rows.size), search_radius)
         patches = Patches(points, normals, labels, planes, neighbors)
         patches.converge()
         boxes = patches.boxes(shortest or EDGE_SHARE * octree.extent)
@@ -203,13 +203,13 @@ class Segmentation(Selection):
         """Nearest neighbors of each point, int32 device array (n, max_nn), -1 if fewer."""
         if len(self) * max_nn >= 2**31:
             raise ValueError(
-                f"max_nn: {max_nn} neighbors for each of {len(self)} points are 2^31 or more; take fewer or thin the "
-                "cloud with voxel_down_sample"
+                f"max_nn: {max_nn} neighbors for each of {len(self)} points are 2^31 or more. Use fewer or downsample "
+                "the cloud with voxel_down_sample"
             )
         points = self._arrays["points"]
         return search_nearest(self.search_tree(), points, max_nn, radius)[0]
 
-    @told_arguments
+    @explain_argument_errors
     def segment_plane(
         self,
         distance_threshold: float = 0.01,
@@ -253,17 +253,19 @@ class Segmentation(Selection):
         low, high, finite = bound_points(points)  # sync
         rows = positions_of(mask_finite(points, True, True), finite)
         if rows.size < settings[1]:
-            raise ValueError(f"ransac_n: {settings[1]} points a sample, but the cloud has {rows.size} finite points")
+            raise ValueError(
+                f"ransac_n: expected at most the {rows.size} finite points of the cloud, got {settings[1]}"
+            )
         search = PlaneSearch(points, rows, (low, high))
         plane = search.find(*settings)
         if plane is None:
             raise ValueError(
-                f"the points span no plane: those of all {settings[2]} samples lie on lines; "
-                "raise num_iterations unless the whole cloud does"
+                f"no plane found: the points of all {settings[2]} samples are collinear. "
+                "Raise num_iterations unless the whole cloud is collinear"
             )
         inliers = gather_rows(rows, search.inliers(plane, settings[0])[1])
         if inliers.size == rows.size:
-            so = "all of them are taken for one plane"
+            so = "all points are assigned to one plane"
             warn_of_long("distance_threshold", settings[0], low, high, finite, self.unit, so)
         model = self._world_plane(search.refit(plane, inliers), search.center)
         report("plane", cloud=self, inliers=inliers, model=model)
@@ -303,26 +305,26 @@ class Segmentation(Selection):
             ([[0.0, 0.0, 1.0, 0.0], [1.0, 0.0, 0.0, 0.0]], [500, 300])
         """
         settings = _check_search(distance_threshold, ransac_n, num_iterations, probability, seed)
-        fewest = check_count("min_points", min_points)
-        most = len(self) if max_planes is None else check_count("max_planes", max_planes)
+        min_count = check_count("min_points", min_points)
+        max_count = len(self) if max_planes is None else check_count("max_planes", max_planes)
         points = self._arrays["points"]
         low, high, finite = bound_points(points)  # sync
         rows = positions_of(mask_finite(points, True, True), finite)
         box: tuple[NDArray[Any], NDArray[Any]] | None = (low, high)
         labels = full(len(self), -1, int32, self.device)
         models: list[NDArray[np.float64]] = []
-        while len(models) < most and rows.size >= max(fewest, settings[1]):
+        while len(models) < max_count and rows.size >= max(min_count, settings[1]):
             search, box = PlaneSearch(points, rows, box), None
             plane = search.find(*settings, first=len(models) * settings[2] % WRAP)
             if plane is None:
                 break
             mask, inliers = search.inliers(plane, settings[0])
-            if inliers.size < fewest:
+            if inliers.size < min_count:
                 break
-            found = gather_rows(rows, inliers)
-            models.append(self._world_plane(search.refit(plane, found), search.center))
-            label_rows(found, len(models) - 1, labels)
-            report("plane", cloud=self, inliers=found, model=models[-1], number=len(models) - 1)
+            plane_rows = gather_rows(rows, inliers)
+            models.append(self._world_plane(search.refit(plane, plane_rows), search.center))
+            label_rows(plane_rows, len(models) - 1, labels)
+            report("plane", cloud=self, inliers=plane_rows, model=models[-1], number=len(models) - 1)
             rows = gather_rows(rows, positions_of(invert_mask(mask), rows.size - inliers.size))
         return self._handed_out(labels), np.array(models).reshape(-1, 4)
 
@@ -334,7 +336,7 @@ class Segmentation(Selection):
         normal = normal + 0.0  # avoids negative zero
         return np.append(normal, plane[3] - matmul(normal, center + self._origin))
 
-    @told_arguments
+    @explain_argument_errors
     def segment_sphere(
         self,
         distance_threshold: float = 0.01,
@@ -381,7 +383,7 @@ class Segmentation(Selection):
         limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
         return self._segment_shape(SPHERE, limits, num_iterations, probability, seed)
 
-    @told_arguments
+    @explain_argument_errors
     def segment_cylinder(
         self,
         distance_threshold: float = 0.01,
@@ -408,7 +410,7 @@ class Segmentation(Selection):
         limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
         return self._segment_shape(CYLINDER, limits, num_iterations, probability, seed)
 
-    @told_arguments
+    @explain_argument_errors
     def segment_cone(
         self,
         distance_threshold: float = 0.01,
@@ -433,7 +435,7 @@ class Segmentation(Selection):
         limits = limits_of(distance_threshold, normal_threshold_deg, 0.0, None)
         return self._segment_shape(CONE, limits, num_iterations, probability, seed)
 
-    @told_arguments
+    @explain_argument_errors
     def segment_torus(
         self,
         distance_threshold: float = 0.01,
@@ -464,7 +466,7 @@ class Segmentation(Selection):
     def _segment_shape(
         self, kind: int, limits: ShapeLimits, num_iterations: Any, probability: Any, seed: Any
     ) -> tuple[Shape, NDArray[np.int32]]:
-        most, chance, start = check_samples(num_iterations, probability, seed)
+        max_samples, chance, start = check_samples(num_iterations, probability, seed)
         name = KINDS[kind]
         search, limits = search_of(self, limits)
         unknowns, rows = len(UNKNOWNS[name]), search.rows
@@ -472,17 +474,17 @@ class Segmentation(Selection):
             have = f"the cloud has {rows.size} finite points with normals"
             raise ValueError(f"a {name} has {unknowns} unknowns, but {have}")
         if search.size <= 0.0:
-            raise ValueError(f"points: all {rows.size:,} are equal, which is no {name}")
-        found = search.find(kind, limits, most, chance, start)
-        if found is None or not found.rows.size:
+            raise ValueError(f"points: all {rows.size:,} are equal and define no {name}")
+        detected = search.find(kind, limits, max_samples, chance, start)
+        if detected is None or not detected.rows.size:
             raise ValueError(
-                f"no {name} found: none of {most:,} samples spans one within the limits; raise distance_threshold or "
-                "normal_threshold_deg, or the normals may be inexact: estimate_normals with a larger max_nn"
+                f"no {name} found: none of {max_samples:,} samples fits within the limits. Raise distance_threshold or "
+                "normal_threshold_deg. If the normals are inexact, estimate them with a larger max_nn"
             )
-        shape = shape_of(search, found, limits, self._origin)
-        return shape, self._handed_out(ascending(found.rows, len(self)))
+        shape = shape_of(search, detected, limits, self._origin)
+        return shape, self._handed_out(ascending(detected.rows, len(self)))
 
-    @told_arguments
+    @explain_argument_errors
     def region_growing(
         self,
         smoothness_threshold_deg: float = 3.0,
@@ -523,21 +525,23 @@ class Segmentation(Selection):
         """
         angle = check_positive("smoothness_threshold_deg", smoothness_threshold_deg)
         if angle > 90:
-            said = shown(smoothness_threshold_deg)
-            raise ValueError(f"smoothness_threshold_deg: expected degrees in 0..90, 0 excluded, got {said}")
+            given = shown(smoothness_threshold_deg)
+            raise ValueError(f"smoothness_threshold_deg: expected degrees in 0..90, 0 excluded, got {given}")
         limit = check_positive("curvature_threshold", curvature_threshold)
-        least = check_count("min_cluster_size", min_cluster_size, **ANY)
-        most = MAX_SIZE
+        min_size = check_count("min_cluster_size", min_cluster_size, **ANY)
+        max_size = MAX_SIZE
         if max_cluster_size is not None:
-            most = check_count("max_cluster_size", max_cluster_size, **ANY)
-            if most < least:
-                raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {least}, got {most}")
+            max_size = check_count("max_cluster_size", max_cluster_size, **ANY)
+            if max_size < min_size:
+                raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {min_size}, got {max_size}")
         count = check_count("max_nn", max_nn, minimum=2)
         normals = self._required_array("normals", NORMALS)
         nearest = self._neighbor_graph(min(count, max(len(self), 1)), math.inf)
         curvature = measure_curvature(self.search_tree(), math.inf, count)
         cosine = math.cos(math.radians(angle))
-        labels, _ = grow_regions(normals, curvature, nearest, cosine, limit, min(least, MAX_SIZE), min(most, MAX_SIZE))
+        labels, _ = grow_regions(
+            normals, curvature, nearest, cosine, limit, min(min_size, MAX_SIZE), min(max_size, MAX_SIZE)
+        )
         report("clusters", cloud=self, labels=labels)
         return self._handed_out(labels)
 
@@ -559,7 +563,9 @@ def _check_search(
     return (
         check_positive("distance_threshold", distance_threshold),
         check_count("ransac_n", ransac_n, minimum=3),
-        check_count("num_iterations", num_iterations, maximum=MAX_SAMPLES, because="a plane not found by then is none"),
+        check_count(
+            "num_iterations", num_iterations, maximum=MAX_SAMPLES, because="more iterations find no further plane"
+        ),
         chance,
         check_seed(seed),
     )
@@ -567,15 +573,15 @@ def _check_search(
 
 def limits_of(distance: Any, degrees: Any, smallest: Any, largest: Any) -> ShapeLimits:
     """Validate the limits of a shape search. A maximum radius of 0 means none."""
-    reach = check_positive("distance_threshold", distance)
+    max_distance = check_positive("distance_threshold", distance)
     angle = check_positive("normal_threshold_deg", degrees)
     if angle > 90:
         raise ValueError(f"normal_threshold_deg: expected degrees in 0..90, 0 excluded, got {shown(degrees)}")
-    least = check_positive("min_radius", smallest, allow_zero=True)
-    most = 0.0 if largest is None else check_positive("max_radius", largest)
-    if largest is not None and most < least:
-        raise ValueError(f"max_radius: expected at least min_radius = {least:g} m, got {shown(largest)}")
-    return ShapeLimits(reach, max(0.0, math.cos(math.radians(angle))), least, most)
+    min_radius = check_positive("min_radius", smallest, allow_zero=True)
+    max_radius = 0.0 if largest is None else check_positive("max_radius", largest)
+    if largest is not None and max_radius < min_radius:
+        raise ValueError(f"max_radius: expected at least min_radius = {min_radius:g} m, got {shown(largest)}")
+    return ShapeLimits(max_distance, max(0.0, math.cos(math.radians(angle))), min_radius, max_radius)
 
 
 def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, ShapeLimits]:
@@ -587,7 +593,7 @@ def search_of(cloud: Segmentation, limits: ShapeLimits) -> tuple[ShapeSearch, Sh
 
 
 def check_samples(num_iterations: Any, probability: Any, seed: Any) -> tuple[int, float, int]:
-    most = check_count(
-        "num_iterations", num_iterations, maximum=MAX_SAMPLES, because="a shape not found by then is none"
+    max_samples = check_count(
+        "num_iterations", num_iterations, maximum=MAX_SAMPLES, because="more iterations find no further shape"
     )
-    return most, check_share("probability", probability), check_seed(seed)
+    return max_samples, check_share("probability", probability), check_seed(seed)

@@ -28,7 +28,7 @@ from ..core.devices import check_same_device
 from ..core.dropped_results import returns_new
 from ..core.gpu_arrays import take_indices, take_mask, take_numbers
 from ..core.units import common_unit
-from ..core.verbosity import told_time
+from ..core.verbosity import printed_duration
 from ..kernels.arrays.bounds import bound_points
 from ..kernels.arrays.concatenation import concatenate_points, concatenate_rows
 from ..kernels.arrays.run_sums import average_vec3, first_rows, sum_columns
@@ -112,7 +112,7 @@ class Selection(PointArrays):
         parts = [cloud for cloud in given if len(cloud)] or given[:1]
         total = sum(map(len, parts))
         if total > MAX_POINTS:
-            raise ValueError(f"clouds: {total:,} points are more than 2^31 - 1; keep them in several clouds")
+            raise ValueError(f"clouds: expected at most 2^31 - 1 points, got {total:,}. Keep them in several clouds")
         unit = common_unit("clouds", (part.unit for part in parts))
         largest = max(parts, key=len)
         shifts = [part.origin - largest.origin for part in parts]
@@ -123,9 +123,9 @@ class Selection(PointArrays):
             rows = [part.array(name) for part in parts]
             _check_alike(name, rows)
             arrays[name] = concatenate_rows(rows)
-        whole = cls._from_device_arrays(arrays, largest.origin, parts[0].array_library)
-        whole.unit = unit
-        return whole
+        merged = cls._from_device_arrays(arrays, largest.origin, parts[0].array_library)
+        merged.unit = unit
+        return merged
 
     @returns_new
     def paint_uniform_color(self, color: ArrayLike) -> Self:
@@ -170,7 +170,7 @@ class Selection(PointArrays):
             try:
                 rows = np.arange(*key.indices(len(self)), dtype=np.int32)
             except TypeError as error:
-                raise TypeError(f"cloud[...]: expected a slice of whole numbers, got {shown(key)}") from error
+                raise TypeError(f"cloud[...]: expected a slice of integers, got {shown(key)}") from error
             return self._select_rows(upload(rows, int32, self.device))
         if isinstance(key, tuple) or key is None or key is Ellipsis:
             raise TypeError(f"cloud[...]: expected {KEYS}, got {shown(key)}; cloud.points[...] selects coordinates")
@@ -231,12 +231,12 @@ class Selection(PointArrays):
         elif isinstance(bounding_box, SelectionPolygonVolume):
             mask = mask_volume(bounding_box, points, self._origin)
         else:
-            remedy = "loom.AxisAlignedBoundingBox(min_bound, max_bound) is one"
+            remedy = "create one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
-        kept = self._select_mask(mask, invert)
-        if len(self) and not len(kept) and not invert and not isinstance(bounding_box, SelectionPolygonVolume):
-            self._doubt_box(bounding_box)
-        return kept
+        cropped = self._select_mask(mask, invert)
+        if len(self) and not len(cropped) and not invert and not isinstance(bounding_box, SelectionPolygonVolume):
+            self._warn_of_box(bounding_box)
+        return cropped
 
     @returns_new
     def remove_non_finite_points(self, remove_nan: bool = True, remove_infinite: bool = True) -> Self:
@@ -261,12 +261,12 @@ class Selection(PointArrays):
         """`select_by_index` for an int32 device array, unchecked."""
         return self._with_arrays({name: gather_rows(values, rows) for name, values in self._arrays.items()})
 
-    def _doubt_box(self, box: AxisAlignedBoundingBox | OrientedBoundingBox) -> None:
+    def _warn_of_box(self, box: AxisAlignedBoundingBox | OrientedBoundingBox) -> None:
         """Warn if an empty box seems to use other coordinates than the cloud."""
         low, high, finite = bound_points(self._arrays["points"])
         if finite:
-            own = low + self._origin, high + self._origin
-            warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *own, finite, self.unit)
+            cloud_bounds = low + self._origin, high + self._origin
+            warn_of_far("bounding_box", box.get_min_bound(), box.get_max_bound(), *cloud_bounds, finite, self.unit)
 
     def _select_mask(self, mask: wp.array, invert: bool = False) -> Self:
         return self._select_rows(positions_of(invert_mask(mask) if invert else mask))
@@ -301,7 +301,7 @@ class Selection(PointArrays):
         check_order("nb_neighbors", nb_neighbors, "std_ratio", std_ratio)
         k = check_count("nb_neighbors", nb_neighbors)
         ratio = check_positive("std_ratio", std_ratio)
-        with told_time(f"statistical outliers of {len(self):,} points", print_progress):
+        with printed_duration(f"statistical outliers of {len(self):,} points", print_progress):
             distances = average_distances(self.search_tree(), k)
             count, mean, deviation = mean_and_deviation(distances)
             limit = (mean + ratio * deviation) * ROUNDING if count else 0.0
@@ -333,12 +333,12 @@ class Selection(PointArrays):
         """
         check_order("nb_points", nb_points, "radius", radius)
         needed = check_count("nb_points", nb_points) + 1
-        reach = check_positive("radius", radius)
-        with told_time(f"radius outliers of {len(self):,} points", print_progress):
-            kept = self._keep(mask_crowded(self.search_tree(), reach, needed))
-        if not len(kept[0]):
-            warn_of_short("radius", self.search_tree(), reach, self.unit, "no point is left")
-        return kept
+        search_radius = check_positive("radius", radius)
+        with printed_duration(f"radius outliers of {len(self):,} points", print_progress):
+            selected = self._keep(mask_crowded(self.search_tree(), search_radius, needed))
+        if not len(selected[0]):
+            warn_of_short("radius", self.search_tree(), search_radius, self.unit, "no point remains")
+        return selected
 
     def _keep(self, mask: wp.array) -> tuple[Self, NDArray[np.int32]]:
         rows = positions_of(mask)
@@ -376,8 +376,8 @@ class Selection(PointArrays):
         groups, _ = self._voxels(size, None)
         if groups.count <= WITHIN_ONE:
             low, high, finite = bound_points(self._arrays["points"])
-            left = "one point is left" if groups.count == 1 else f"{groups.count} points are left"
-            warn_of_long("voxel_size", size, low, high, finite, self.unit, left)
+            outcome = "one point remains" if groups.count == 1 else f"{groups.count} points remain"
+            warn_of_long("voxel_size", size, low, high, finite, self.unit, outcome)
         if reduction == "nearest":
             return self._select_rows(nearest_to_means(self._arrays["points"], groups))
         return self._means(groups)
@@ -408,7 +408,7 @@ class Selection(PointArrays):
         if max_bound is not None:
             high = check_finite("max_bound", check_shape("max_bound", max_bound, (3,)))
             if low is not None and (high - low).max() > size * OPEN3D_CELLS:
-                raise ValueError(f"voxel_size: {size} makes more than 2^31 voxels between the bounds; take larger ones")
+                raise ValueError(f"voxel_size: {size} gives more than 2^31 voxels between the bounds. Use larger ones")
         groups, corner = self._voxels(size, low)
         cloud: Any = self._means(groups)
         if approximate_class:
@@ -486,8 +486,8 @@ class Selection(PointArrays):
         """
         ratio = check_positive("sampling_ratio", sampling_ratio, allow_zero=True)
         if ratio > 1:
-            remedy = f"; {sampling_ratio:g} % are {sampling_ratio / 100:g}" if 1 < sampling_ratio <= 100 else ""
-            raise ValueError(f"sampling_ratio: expected a share 0..1, got {sampling_ratio!r}{remedy}")
+            remedy = f"; {sampling_ratio:g} % is {sampling_ratio / 100:g}" if 1 < sampling_ratio <= 100 else ""
+            raise ValueError(f"sampling_ratio: expected a fraction in 0..1, got {sampling_ratio!r}{remedy}")
         return self._select_rows(draw_rows(len(self), int(ratio * len(self)), check_seed(seed), self.device))
 
     @returns_new
@@ -537,13 +537,13 @@ class Selection(PointArrays):
         if count == 0:
             return np.zeros(0, np.int32)
         if start >= len(self):
-            raise IndexError(f"start_index: {start_index!r} reaches beyond a cloud of {len(self)} points")
+            raise IndexError(f"start_index: {start_index!r} is out of range for a cloud of {len(self)} points")
         points = self._arrays["points"]
         first = download(gather_rows(points, upload(np.array([start]), int32, self.device)))[0]  # sync
         if not np.isfinite(first).all():
             raise ValueError(
                 f"start_index: expected a finite point, got {first.tolist()} at {start_index!r}; "
-                "remove_non_finite_points() leaves those out"
+                "call remove_non_finite_points() first"
             )
         return choose_farthest(self.search_tree(), count, start)
 
@@ -562,7 +562,7 @@ class Selection(PointArrays):
                 corner = min_bound - self._origin
                 first = np.floor((low - corner) / size)
                 if not (np.abs(first) < CELL_LIMIT).all():
-                    raise ValueError(f"{names[0]}: {size} puts more than 2^53 voxels between {names[1]} and the cloud")
+                    raise ValueError(f"{names[0]}: {size} gives more than 2^53 voxels between {names[1]} and the cloud")
             cells = np.floor((high - corner) / size) + 1 - first
         return VoxelGroups(points, corner, size, cells, first.astype(np.int64), names[0]), corner
 
@@ -590,10 +590,10 @@ class Selection(PointArrays):
     def _set_classes(self, cloud: Self, groups: Any) -> None:
         """Set the most common colors and classes of the voxels in a cloud of means."""
         for name, values in self._arrays.items():
-            whole = (
+            is_integer = (
                 values.dtype != vec3 and values.ndim == 1 and np.dtype(wp.dtype_to_numpy(values.dtype)).kind in "iub"
             )
-            if name == "colors" or whole:
+            if name == "colors" or is_integer:
                 cloud._arrays[name] = gather_rows(values, commonest_rows(values, groups))
 
 
@@ -601,8 +601,10 @@ def _check_alike(name: str, rows: Sequence[Any]) -> None:
     first = rows[0]
     for values in rows:
         if values.dtype != first.dtype:
-            found = f"{first.dtype.__name__} and {values.dtype.__name__}"
-            raise TypeError(f"{name}: expected one type in all clouds, got {found}; convert one")
+            given = f"{first.dtype.__name__} and {values.dtype.__name__}"
+            raise TypeError(f"{name}: expected one type in all clouds, got {given}; convert one")
         if values.shape[1:] != first.shape[1:]:
-            found = f"{[*first.shape[1:]]} and {[*values.shape[1:]]}"
-            raise ValueError(f"{name}: expected as many columns in all clouds, got shapes [n, ...] with {found}")
+            given = f"{[*first.shape[1:]]} and {[*values.shape[1:]]}"
+            raise ValueError(
+                f"{name}: expected the same number of columns in all clouds, got shapes [n, ...] with {given}"
+            )

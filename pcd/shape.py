@@ -118,19 +118,19 @@ class Shape(Assessed):
     def to_dict(self) -> dict[str, Any]:
         """All fields in JSON's types. Numbers that are not finite are None."""
         numbers = {name: getattr(self, name) for name in ("radius", "minor_radius", "half_angle", "rms", "coverage")}
-        told = {name: float(value) if np.isfinite(value) else None for name, value in numbers.items()}
+        values = {name: float(value) if np.isfinite(value) else None for name, value in numbers.items()}
         sigma = {name: value if np.isfinite(value) else None for name, value in self.sigma.items()}
         arrays = {name: getattr(self, name).tolist() for name in ("center", "axis", "extent")}
-        return {"kind": self.kind, **arrays, **told, "support": self.support, "sigma": sigma, **quality(self)}
+        return {"kind": self.kind, **arrays, **values, "support": self.support, "sigma": sigma, **quality(self)}
 
     def __str__(self) -> str:
         sizes = {"radius": "m", "minor_radius": "m", "half_angle": "rad"}
         sigma = self.sigma
-        said = [
+        parts = [
             f"{name} {getattr(self, name):.6g} ± {sigma[name]:.2g} {sizes[name]}" for name in sizes if name in sigma
         ]
-        said += [f"{self.support:,} points", f"rms {self.rms:.3g} m", f"{100 * self.coverage:.0f} % covered"]
-        return f"{self.kind}: " + ", ".join(said) + "".join(f"; {warning}" for warning in self.warnings)
+        parts += [f"{self.support:,} points", f"rms {self.rms:.3g} m", f"{100 * self.coverage:.0f} % covered"]
+        return f"{self.kind}: " + ", ".join(parts) + "".join(f"; {warning}" for warning in self.warnings)
 
     def __repr__(self) -> str:
         return f"Shape({self})"

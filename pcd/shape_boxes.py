@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_positive, shown
 from ..core.quaternions import nearest_rotations
 from ..core.reports import Assessed, quality
@@ -73,14 +73,14 @@ class BoxShape(Assessed):
 
     def __str__(self) -> str:
         size = " x ".join(f"{length:.4g}" for length in self.size)
-        said = [f"{size} m", f"{int((self.faces >= 0).sum())} faces seen", f"{self.support:,} points"]
-        return f"box: {', '.join(said)}, rms {self.rms:.3g} m" + "".join(f"; {warning}" for warning in self.warnings)
+        parts = [f"{size} m", f"{int((self.faces >= 0).sum())} faces seen", f"{self.support:,} points"]
+        return f"box: {', '.join(parts)}, rms {self.rms:.3g} m" + "".join(f"; {warning}" for warning in self.warnings)
 
     def __repr__(self) -> str:
         return f"BoxShape({self})"
 
 
-@told_arguments
+@explain_argument_errors
 def find_boxes(
     cloud: PointCloud, found: DetectedShapes, distance_threshold: float = 0.01, angle_threshold_deg: float = 3.0
 ) -> list[BoxShape]:
@@ -115,9 +115,9 @@ def find_boxes(
     """
     check_cloud("cloud", cloud)
     if not isinstance(found, DetectedShapes):
-        raise TypeError(f"found: expected what detect_shapes returns, got {type(found).__name__}")
+        raise TypeError(f"found: expected the DetectedShapes from detect_shapes, got {type(found).__name__}")
     if len(found.labels) != len(cloud):
-        raise ValueError(f"found: it is of a cloud of {len(found.labels):,} points, and this has {len(cloud):,}")
+        raise ValueError(f"found: expected shapes of a cloud of {len(cloud):,} points, got {len(found.labels):,}")
     gap = check_positive("distance_threshold", distance_threshold)
     angle = check_positive("angle_threshold_deg", angle_threshold_deg)
     if angle > MAX_DEGREES:
@@ -139,15 +139,15 @@ def find_boxes(
 class _Sides:
     """Side of each plane that the points of each other plane are on."""
 
-    def __init__(self, cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], gap: float) -> None:
+    def __init__(self, cloud: PointCloud, detected: DetectedShapes, planes: dict[int, Shape], gap: float) -> None:
         self._number = {k: n for n, k in enumerate(planes)}
         self.gap = gap
-        numbers = np.full(len(found.shapes) + 1, -1, np.int32)  # the last is that of label -1
+        numbers = np.full(len(detected.shapes) + 1, -1, np.int32)  # the last is that of label -1
         numbers[list(planes)] = np.arange(len(planes))
-        places = np.array([plane.center - cloud.origin for plane in planes.values()])
+        centers = np.array([plane.center - cloud.origin for plane in planes.values()])
         normals = np.array([plane.axis for plane in planes.values()])
         points = cloud._device_array("points")
-        self._low, self._high = heights_across(points, numbers[found.labels], places, normals, gap / STEPS)
+        self._low, self._high = heights_across(points, numbers[detected.labels], centers, normals, gap / STEPS)
 
     def side(self, plane: int, other: int) -> int:
         """1 or -1 if all points of `other` are on one side of `plane`, else 0."""
@@ -184,8 +184,8 @@ def _fits(k: int, number: int, group: dict[int, int], sides: _Sides) -> bool:
         return False
     faces = [*group, k]
     for face in faces:
-        seen = {sides.side(face, other) for other in faces if other != face}
-        if len(seen) != 1 or 0 in seen:
+        used_sides = {sides.side(face, other) for other in faces if other != face}
+        if len(used_sides) != 1 or 0 in used_sides:
             return False
     same = [other for other in group if group[other] == number]
     return not same or (len(same) == 1 and not sides.touch(k, same[0]))
@@ -205,49 +205,50 @@ def _axes_of(planes: dict[int, Shape], group: dict[int, int]) -> NDArray[np.floa
     return nearest_rotations(sums[None])[0]
 
 
-def _box_of(cloud: PointCloud, found: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
+def _box_of(cloud: PointCloud, detected: DetectedShapes, planes: dict[int, Shape], group: dict[int, int]) -> BoxShape:
     """Box of a group of faces. Open ends come from the extent of the points."""
     axes, points = _axes_of(planes, group), cloud._device_array("points")
-    labels, every = upload(found.labels, int32, points.device), positions(len(cloud), points.device)
-    place = planes[next(iter(group))].center
-    reach = {
-        k: np.array(bounds_in_frame(points, rows_labeled(labels, every, k), place - cloud.origin, axes)) for k in group
+    labels, every = upload(detected.labels, int32, points.device), positions(len(cloud), points.device)
+    reference = planes[next(iter(group))].center
+    extents = {
+        k: np.array(bounds_in_frame(points, rows_labeled(labels, every, k), reference - cloud.origin, axes))
+        for k in group
     }
-    ends, faces, said = np.zeros((3, 2)), np.full((3, 2), -1, np.int32), []
+    ends, faces, messages = np.zeros((3, 2)), np.full((3, 2), -1, np.int32), []
     for number in range(3):
-        across = [reach[k][:, number] for k in group if group[k] != number]
-        seen = [min(bound[0] for bound in across), max(bound[1] for bound in across)]
+        across = [extents[k][:, number] for k in group if group[k] != number]
+        bounds = [min(bound[0] for bound in across), max(bound[1] for bound in across)]
         for k in (k for k in group if group[k] == number):
-            height = float(matmul(planes[k].center - place, axes[number]))
-            side = int(abs(height - seen[1]) < abs(height - seen[0]))
-            seen[side], faces[number, side] = height, k
-        ends[number] = seen
+            height = float(matmul(planes[k].center - reference, axes[number]))
+            side = int(abs(height - bounds[1]) < abs(height - bounds[0]))
+            bounds[side], faces[number, side] = height, k
+        ends[number] = bounds
         if (faces[number] < 0).all():
-            length = f"{seen[1] - seen[0]:.4g} m"
-            said.append(f"size open: no face across axis {number} was seen, {length} is how far the points reach")
+            length = f"{bounds[1] - bounds[0]:.4g} m"
+            messages.append(f"size open: no face across axis {number} is visible, {length} is the extent of the points")
     size, total = ends[:, 1] - ends[:, 0], sum(planes[k].support for k in group)
     tilts = [float(norm(np.cross(planes[k].axis, axes[number]))) for k, number in group.items()]
-    said += [f"face {k}: {warning}" for k in group for warning in planes[k].warnings]
-    said += _apart(group, reach)
+    messages += [f"face {k}: {warning}" for k in group for warning in planes[k].warnings]
+    messages += _apart(group, extents)
     return BoxShape(
-        center=place + matmul(ends.mean(axis=1), axes),
+        center=reference + matmul(ends.mean(axis=1), axes),
         axes=axes,
         size=size,
         faces=faces,
         support=total,
         rms=float(np.sqrt(sum(planes[k].support * planes[k].rms ** 2 for k in group) / total)),
         tilt=math.asin(min(1.0, max(tilts))),
-        warnings=tuple(said),
+        warnings=tuple(messages),
     )
 
 
-def _apart(group: dict[int, int], reach: dict[int, NDArray[np.float64]]) -> list[str]:
+def _apart(group: dict[int, int], extents: dict[int, NDArray[np.float64]]) -> list[str]:
     """Faces that share an edge's line, but no part of it."""
-    said = []
+    messages = []
     for k in group:
         for other in (other for other in group if other > k and group[other] != group[k]):
             (along,) = {0, 1, 2} - {group[k], group[other]}
-            (a0, a1), (b0, b1) = reach[k][:, along], reach[other][:, along]
+            (a0, a1), (b0, b1) = extents[k][:, along], extents[other][:, along]
             if min(a1, b1) - max(a0, b0) < SHARED * min(a1 - a0, b1 - b0):
-                said.append(f"faces {k} and {other} lie apart along their edge")
-    return said
+                messages.append(f"faces {k} and {other} are separated along their edge")
+    return messages

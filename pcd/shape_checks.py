@@ -37,67 +37,73 @@ COVERED = 0.15  # of a round surface: slightly bent surfaces share a smaller par
 
 # A half rotation about u changes the unknowns: shifts along v and the axis change sign, and so does the tilt
 # toward u, while that toward v keeps its sign, since v is rotated too.
-TURNED = {PLANE: [-1, -1, 1], CYLINDER: [1, -1, -1, 1, 1], TORUS: [1, -1, -1, -1, 1, 1, 1]}
+SIGN_FLIPS = {PLANE: [-1, -1, 1], CYLINDER: [1, -1, -1, 1, 1], TORUS: [1, -1, -1, -1, 1, 1, 1]}
 
 
 def shape_of(
     search: ShapeSearch,
-    found: DetectedShape,
+    candidate: DetectedShape,
     limits: ShapeLimits,
     origin: NDArray[np.float64],
     every: ShapeSearch | None = None,
 ) -> Shape:
     """Shape found among other points, with failed checks; `every` searches all points. Three syncs."""
     every = every or search
-    extremes, box, cells = search.spread_unread(found)
+    extremes, box, cells = search.spread_unread(candidate)
     wider = np.cos(min(WIDER * np.arccos(min(limits.cosine, 1.0)), np.pi / 2))
-    band = count_band(every, found, box, limits.distance, max(float(wider), 0.0))
-    return _looked_over(search, found, limits, origin, every, (extremes, cells, band))
+    band = count_band(every, candidate, box, limits.distance, max(float(wider), 0.0))
+    return _checked_shape(search, candidate, limits, origin, every, (extremes, cells, band))
 
 
-def fitted_shape(search: ShapeSearch, found: DetectedShape, limits: ShapeLimits, origin: NDArray[np.float64]) -> Shape:
+def fitted_shape(
+    search: ShapeSearch, candidate: DetectedShape, limits: ShapeLimits, origin: NDArray[np.float64]
+) -> Shape:
     """Shape fitted to all points, with failed checks. Three syncs."""
-    extremes, _, cells = search.spread_unread(found)
-    return _looked_over(search, found, limits, origin, search, (extremes, cells))
+    extremes, _, cells = search.spread_unread(candidate)
+    return _checked_shape(search, candidate, limits, origin, search, (extremes, cells))
 
 
-def _looked_over(
+def _checked_shape(
     search: ShapeSearch,
-    found: DetectedShape,
+    candidate: DetectedShape,
     limits: ShapeLimits,
     origin: NDArray[np.float64],
     every: ShapeSearch,
-    asked: Sequence[AnyArray],
+    statistics: Sequence[AnyArray],
 ) -> Shape:
-    """Shape with the checks of its points, nearby points and other kinds; `asked` are their device statistics."""
-    starts = RivalStarts(search, found, limits)
-    given = [*asked, search.fitter.add_moments(found.rows)]
-    told = read_together([*given, *starts.unread])  # sync
-    told, drawn = told[: len(given)], told[len(given) :]
-    shape = _shape_in_world(search, found, origin, *spread_of(found.kind, told[0], told[1]))
-    if found.fit.reason:
-        return replace(shape, warnings=(_undetermined(shape, found.fit),))
-    said = _from_fit(search, found, shape, flat_fit(told[-1], found.rows.size))
-    if len(asked) > 2:
-        said += _beside(Band(*(int(count) for count in told[2])))
-    return replace(shape, warnings=(*said, *_against(found, starts.find(drawn, every))))
+    """Shape with the checks of its points, nearby points and other kinds; `statistics` are on the device."""
+    starts = RivalStarts(search, candidate, limits)
+    given = [*statistics, search.fitter.add_moments(candidate.rows)]
+    values = read_together([*given, *starts.unread])  # sync
+    values, drawn = values[: len(given)], values[len(given) :]
+    shape = _shape_in_world(search, candidate, origin, *spread_of(candidate.kind, values[0], values[1]))
+    if candidate.fit.reason:
+        return replace(shape, warnings=(_undetermined(shape, candidate.fit),))
+    messages = _fit_warnings(search, candidate, shape, flat_fit(values[-1], candidate.rows.size))
+    if len(statistics) > 2:
+        messages += _strip_warnings(Band(*(int(count) for count in values[2])))
+    return replace(shape, warnings=(*messages, *_rival_warnings(candidate, starts.find(drawn, every))))
 
 
 def _undetermined(shape: Shape, fit: ShapeFit) -> str:
-    return f"{fit.reason}: the {shape.kind} is one of many that fit"
+    return f"{fit.reason}: the {shape.kind} is not unique"
 
 
 def _shape_in_world(
-    search: ShapeSearch, found: DetectedShape, origin: NDArray[np.float64], bounds: NDArray[np.float64], coverage: float
+    search: ShapeSearch,
+    candidate: DetectedShape,
+    origin: NDArray[np.float64],
+    bounds: NDArray[np.float64],
+    coverage: float,
 ) -> Shape:
     """Shape in world coordinates without checks. Bounds of its points are in its own frame."""
-    kind, fit = found.kind, found.fit
-    place, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
+    kind, fit = candidate.kind, candidate.fit
+    position, frame, axis, covariance = fit.shape[:3], fit.frame, fit.shape[3:6], fit.covariance
     if kind == SPHERE:
         axis = np.array([0.0, 0.0, 1.0])
     elif kind != CONE and axis[np.argmax(np.abs(axis))] < 0:
         axis, frame = -axis, frame * [[1], [-1], [-1]]
-        covariance = covariance * np.outer(TURNED[kind], TURNED[kind])
+        covariance = covariance * np.outer(SIGN_FLIPS[kind], SIGN_FLIPS[kind])
         bounds = np.array([[bounds[0, 0], -bounds[1, 1], -bounds[1, 2]], [bounds[1, 0], -bounds[0, 1], -bounds[0, 2]]])
     if kind == SPHERE:
         bounds = np.array([[-1.0] * 3, [1.0] * 3]) * fit.shape[6]
@@ -105,13 +111,13 @@ def _shape_in_world(
     radius = float(fit.shape[6]) if kind in (SPHERE, CYLINDER, TORUS) else nan
     return Shape(
         kind=KINDS[kind],
-        center=place + search.center + origin,
+        center=position + search.center + origin,
         axis=axis + 0.0,
         radius=radius,
         minor_radius=float(fit.shape[7]) if kind == TORUS else nan,
         half_angle=math.atan2(fit.shape[7], fit.shape[6]) if kind == CONE else nan,
         extent=bounds,
-        support=int(found.rows.size),
+        support=int(candidate.rows.size),
         rms=fit.rms,
         coverage=coverage,
         covariance=covariance,
@@ -120,40 +126,44 @@ def _shape_in_world(
     )
 
 
-def _from_fit(search: ShapeSearch, found: DetectedShape, shape: Shape, plane: FlatFit) -> list[str]:
-    said, kind, sigma = [], found.kind, shape.sigma
-    if kind != PLANE and is_flat(search, found, plane):
-        said.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
+def _fit_warnings(search: ShapeSearch, candidate: DetectedShape, shape: Shape, plane: FlatFit) -> list[str]:
+    messages, kind, sigma = [], candidate.kind, shape.sigma
+    if kind != PLANE and is_flat(search, candidate, plane):
+        messages.append(f"flat: a plane fits the points as well (rms {plane.rms:.3g} m)")
     for name in ("radius", "minor_radius"):
         if name in sigma and sigma[name] > UNKNOWN * getattr(shape, name):
             part = f"points cover {100 * shape.coverage:.0f} % of it"
-            said.append(f"{name} open: {getattr(shape, name):.4g} ± {sigma[name]:.2g} m, as the {part}")
-    if kind == CONE and is_open(found, shape.extent[1, 2] - shape.extent[0, 2]):
-        said.append(f"half_angle open: {shape.half_angle:.3g} ± {sigma['half_angle']:.2g} rad; a cylinder fits as well")
+            messages.append(f"{name} open: {getattr(shape, name):.4g} ± {sigma[name]:.2g} m, as the {part}")
+    if kind == CONE and is_open(candidate, shape.extent[1, 2] - shape.extent[0, 2]):
+        messages.append(
+            f"half_angle open: {shape.half_angle:.3g} ± {sigma['half_angle']:.2g} rad; a cylinder fits as well"
+        )
     if is_small_part(kind, shape):
         sizes = [name for name in ("radius", "minor_radius", "half_angle") if name in sigma]
         known = ", ".join(f"{name} {getattr(shape, name):.4g} ± {sigma[name]:.2g}" for name in sizes)
-        said.append(f"small part: points cover {100 * shape.coverage:.0f} % of it ({known} if it is a {shape.kind})")
-    return said
+        messages.append(
+            f"small part: points cover {100 * shape.coverage:.0f} % of it ({known} if it is a {shape.kind})"
+        )
+    return messages
 
 
-def _beside(band: Band) -> list[str]:
+def _strip_warnings(band: Band) -> list[str]:
     if band.on < BESIDE * band.beside:
-        return [f"chance: {band.on:,} points lie on the surface, and {band.beside:,} beside it"]
+        return [f"chance: {band.on:,} points are on the surface, and {band.beside:,} beside it"]
     if band.beside_facing > RUNS_ON * band.on_facing:
-        said = f"{band.beside_facing:,} points beside the surface face as it does, {band.on_facing:,} lie on it"
-        return [f"runs on: {said}: it may touch another along a strip, or distance_threshold is below the noise"]
+        counts = f"{band.beside_facing:,} points beside the surface have its normals, {band.on_facing:,} are on it"
+        return [f"runs on: {counts}: it may touch another along a strip, or distance_threshold is below the noise"]
     return []
 
 
-def _against(found: DetectedShape, rivals: Sequence[Rival]) -> list[str]:
+def _rival_warnings(candidate: DetectedShape, rivals: Sequence[Rival]) -> list[str]:
     """Check for a kind that fits better, or as well and is simpler."""
     better = min(rivals, key=lambda rival: rival.ratio, default=None)
     if better is not None and better.ratio < BETTER:
         fits = f"fits better (rms {better.fit.rms:.3g} m), with {better.support:,} points in all"
         return [f"other kind: a {KINDS[better.kind]} {fits}"]
     for rival in rivals:
-        if rival.kind in RULED_OUT[found.kind] and rival.ratio < AS_WELL:
+        if rival.kind in RULED_OUT[candidate.kind] and rival.ratio < AS_WELL:
             return [f"other kind: a {KINDS[rival.kind]} fits as well (rms {rival.fit.rms:.3g} m) and is simpler"]
     return []
 
@@ -166,15 +176,17 @@ def is_small_part(kind: int, shape: Shape) -> bool:
     return bool(shape.coverage < COVERED * -np.expm1(-shape.support / cells))
 
 
-def is_flat(search: ShapeSearch, found: DetectedShape, plane: FlatFit) -> bool:
-    return plane.rms <= AS_FLAT * found.fit.rms + ROUNDING * search.size
+def is_flat(search: ShapeSearch, candidate: DetectedShape, plane: FlatFit) -> bool:
+    return plane.rms <= AS_FLAT * candidate.fit.rms + ROUNDING * search.size
 
 
-def is_open(found: DetectedShape, length: float) -> bool:
+def is_open(candidate: DetectedShape, length: float) -> bool:
     """True if a cone may be a cylinder: half angle within its error, or taper below the noise."""
-    angle = math.atan2(found.fit.shape[7], found.fit.shape[6])
-    return bool(CERTAIN * np.sqrt(found.fit.covariance[-1, -1]) > angle or math.tan(angle) * length < found.fit.rms)
+    angle = math.atan2(candidate.fit.shape[7], candidate.fit.shape[6])
+    return bool(
+        CERTAIN * np.sqrt(candidate.fit.covariance[-1, -1]) > angle or math.tan(angle) * length < candidate.fit.rms
+    )
 
 
-def plane_of(search: ShapeSearch, found: DetectedShape) -> FlatFit:
-    return search.fitter.fit_plane(found.rows)
+def plane_of(search: ShapeSearch, candidate: DetectedShape) -> FlatFit:
+    return search.fitter.fit_plane(candidate.rows)

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_count, check_positive, check_progress, shown
 from ..core.progress import ReportProgress
 from ..kernels.arrays.bounds import bound_points
@@ -28,7 +28,7 @@ from .segmentation import check_samples, limits_of, search_of
 from .shape import KINDS, Shape
 from .shape_checks import is_flat, is_open, plane_of, shape_of
 
-LEAST, MIN_SHARE = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
+MIN_POINTS, MIN_SHARE = 100, 0.01  # default minimum points of a shape: absolute, and fraction of the cloud
 STEPS = 5.0  # maximum gap in a component, in median neighbor distances
 FIRST_BATCH, MAX_BATCH = 512, 8192  # samples per kind between evaluations
 POOL = 64  # candidates kept between rounds
@@ -52,15 +52,15 @@ class DetectedShapes:
     distances: NDArray[np.float32]
 
     def __str__(self) -> str:
-        found = [f"{k}: {shape}" for k, shape in enumerate(self.shapes)]
-        return "\n".join([*found, f"{int((self.labels < 0).sum()):,} points of {len(self.labels):,} are of none"])
+        lines = [f"{k}: {shape}" for k, shape in enumerate(self.shapes)]
+        return "\n".join([*lines, f"{int((self.labels < 0).sum()):,} of {len(self.labels):,} points are in no shape"])
 
     def to_dict(self) -> dict[str, Any]:
         """Shapes and number of unassigned points in JSON's types."""
         return {"shapes": [shape.to_dict() for shape in self.shapes], "unlabeled": int((self.labels < 0).sum())}
 
 
-@told_arguments
+@explain_argument_errors
 def detect_shapes(
     cloud: PointCloud,
     distance_threshold: float = 0.01,
@@ -108,35 +108,35 @@ def detect_shapes(
         >>> table = np.random.default_rng(0).random((3000, 3)) * [2, 2, 0]
         >>> ball = loom.TriangleMesh.create_sphere(0.3, 40).vertices + [1, 1, 0.8]
         >>> cloud = loom.PointCloud(np.vstack([table, ball])).estimate_normals()
-        >>> found = loom.detect_shapes(cloud, 0.01, kinds=("plane", "sphere"))
-        >>> [shape.kind for shape in found.shapes]
+        >>> result = loom.detect_shapes(cloud, 0.01, kinds=("plane", "sphere"))
+        >>> [shape.kind for shape in result.shapes]
         ['sphere', 'plane']
     """
     check_cloud("cloud", cloud)
-    wanted = _check_kinds(kinds)
+    kind_numbers = _check_kinds(kinds)
     limits = limits_of(distance_threshold, normal_threshold_deg, min_radius, max_radius)
-    most, chance, start = check_samples(num_iterations, probability, seed)
-    fewest = max(LEAST, int(MIN_SHARE * len(cloud)))
+    max_samples, chance, start = check_samples(num_iterations, probability, seed)
+    min_points = max(MIN_POINTS, int(MIN_SHARE * len(cloud)))
     if min_support is not None:
-        fewest = check_count("min_support", min_support, minimum=10)
-    reach = None if cluster_epsilon is None else check_positive("cluster_epsilon", cluster_epsilon)
+        min_points = check_count("min_support", min_support, minimum=10)
+    epsilon = None if cluster_epsilon is None else check_positive("cluster_epsilon", cluster_epsilon)
     largest = len(cloud) if max_shapes is None else check_count("max_shapes", max_shapes)
-    tell = check_progress(progress)
+    report_progress = check_progress(progress)
     labels = full(len(cloud), -1, int32, cloud.device)
     distances = full(len(cloud), math.nan, float32, cloud.device)
     shapes: list[Shape] = []
     search, limits = search_of(cloud, limits)
-    if search.rows.size >= fewest and search.size > 0:
-        if reach is None:
+    if search.rows.size >= min_points and search.size > 0:
+        if epsilon is None:
             apart = nearest_distances(cloud.search_tree(), cloud._device_array("points"), others=True, missing=0.0)
-            reach = STEPS * float(median_above_zero(apart) or limits.distance)
-        rounds = _Rounds(search, limits, wanted, fewest, reach, most, chance, start, labels)
-        tell("shapes", 0, len(cloud))
-        while len(shapes) < largest and (found := rounds.next_shape()) is not None:
-            write_distances(rounds.search, found, distances)
-            shapes.append(shape_of(rounds.search, found, rounds.limits, cloud.origin, search))
-            rounds.remove(found, len(shapes) - 1)
-            tell("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
+            epsilon = STEPS * float(median_above_zero(apart) or limits.distance)
+        rounds = _Rounds(search, limits, kind_numbers, min_points, epsilon, max_samples, chance, start, labels)
+        report_progress("shapes", 0, len(cloud))
+        while len(shapes) < largest and (candidate := rounds.next_shape()) is not None:
+            write_distances(rounds.search, candidate, distances)
+            shapes.append(shape_of(rounds.search, candidate, rounds.limits, cloud.origin, search))
+            rounds.remove(candidate, len(shapes) - 1)
+            report_progress("shapes", len(cloud) - rounds.search.rows.size, len(cloud))
     return DetectedShapes(cloud._handed_out(labels), shapes, cloud._handed_out(distances))
 
 
@@ -148,41 +148,41 @@ class _Rounds:
         search: ShapeSearch,
         limits: ShapeLimits,
         kinds: list[int],
-        fewest: int,
-        reach: float,
-        most: int,
+        min_points: int,
+        epsilon: float,
+        max_samples: int,
         probability: float,
         seed: int,
         labels: Any,
     ) -> None:
         self.search, self.limits, self.labels = search, limits, labels
-        self._kinds, self._fewest, self._reach, self._seed = kinds, fewest, reach, seed
-        self._most, self._probability, self._batch = most, probability, FIRST_BATCH
+        self._kinds, self._min_points, self._epsilon, self._seed = kinds, min_points, epsilon, seed
+        self._max_samples, self._probability, self._batch = max_samples, probability, FIRST_BATCH
         self._drawn = dict.fromkeys(kinds, 0)  # samples per kind
         self._tried = dict.fromkeys(kinds, 0)  # samples since the last check for missed shapes
-        self._has_found = False  # a shape was detected since then, which most kept candidates may have been
+        self._has_detected = False  # a shape was detected since then, which most kept candidates may have been
         self._shapes, self._of, self._counts = np.zeros((0, NUMBERS)), np.zeros(0, np.int64), np.zeros(0, np.int64)
 
     def next_shape(self) -> DetectedShape | None:
         """Next shape. None if no shape with enough points remains, at the required probability."""
-        while self.search.rows.size >= self._fewest:
+        while self.search.rows.size >= self._min_points:
             while len(self._counts) and (self._is_safe(self._counts[0], self._of[0]) or not self._open()):
-                found = self._best()
-                if found is not None:
-                    return found
+                candidate = self._best()
+                if candidate is not None:
+                    return candidate
             if not self._open():
-                if not self._has_found:
+                if not self._has_detected:
                     return None
-                self._tried, self._has_found = dict.fromkeys(self._kinds, 0), False
+                self._tried, self._has_detected = dict.fromkeys(self._kinds, 0), False
                 continue
             self._draw()
         return None
 
-    def remove(self, found: DetectedShape, number: int) -> None:
-        self._has_found = True
-        label_rows(found.rows, number, self.labels)
+    def remove(self, candidate: DetectedShape, number: int) -> None:
+        self._has_detected = True
+        label_rows(candidate.rows, number, self.labels)
         rows = rows_labeled(self.labels, self.search.rows, -1)
-        if rows.size < self._fewest:
+        if rows.size < self._min_points:
             self.search.rows = rows
             return
         self.search = ShapeSearch(self.search.points, self.search.normals, rows, self.search)
@@ -191,7 +191,9 @@ class _Rounds:
     def _open(self) -> list[int]:
         """Kinds that may still have undetected shapes and samples left."""
         return [
-            kind for kind in self._kinds if self._drawn[kind] < self._most and not self._is_safe(self._fewest, kind)
+            kind
+            for kind in self._kinds
+            if self._drawn[kind] < self._max_samples and not self._is_safe(self._min_points, kind)
         ]
 
     def _is_safe(self, count: int, kind: int) -> bool:
@@ -200,7 +202,9 @@ class _Rounds:
         return 1 - (1 - hit) ** self._tried[kind] >= self._probability
 
     def _draw(self) -> None:
-        samples = [(kind, min(self._batch, self._most - self._drawn[kind]), self._drawn[kind]) for kind in self._open()]
+        samples = [
+            (kind, min(self._batch, self._max_samples - self._drawn[kind]), self._drawn[kind]) for kind in self._open()
+        ]
         drawn = self.search.draw_each(samples, self._seed, self.limits)
         for (kind, size, _), (shapes, counts) in zip(samples, drawn, strict=True):
             self._drawn[kind] += size
@@ -216,41 +220,41 @@ class _Rounds:
         """Keep the candidates with the most points, simple kinds before others with similar support."""
         worth = counts * np.array([WORTH[int(kind)] for kind in of])
         order = np.argsort(-worth, kind="stable")
-        order = order[counts[order] >= self._fewest][:POOL]
+        order = order[counts[order] >= self._min_points][:POOL]
         self._shapes, self._of, self._counts = shapes[order], of[order], counts[order]
 
     def _best(self) -> DetectedShape | None:
         """Best of the first candidates, fitted to its largest component; invalid ones are dropped."""
         first = slice(min(TRIED, len(self._counts)))
         refined = self.search.each_refined(self._of[first].tolist(), self._shapes[first], self.limits)
-        settled = [None if found is None else self._settled(found) for found in refined]
-        tried = [found for found in settled if found is not None]
-        poor = np.zeros(len(self._counts), bool)
-        poor[first] = [found is None for found in settled]
-        kept = ~poor
-        self._shapes, self._of, self._counts = self._shapes[kept], self._of[kept], self._counts[kept]
-        return max(tried, key=lambda found: found.rows.size * WORTH[found.kind], default=None)
+        refitted = [None if candidate is None else self._refitted(candidate) for candidate in refined]
+        tried = [candidate for candidate in refitted if candidate is not None]
+        is_bad = np.zeros(len(self._counts), bool)
+        is_bad[first] = [candidate is None for candidate in refitted]
+        is_good = ~is_bad
+        self._shapes, self._of, self._counts = self._shapes[is_good], self._of[is_good], self._counts[is_good]
+        return max(tried, key=lambda candidate: candidate.rows.size * WORTH[candidate.kind], default=None)
 
-    def _settled(self, refined: DetectedShape) -> DetectedShape | None:
+    def _refitted(self, refined: DetectedShape) -> DetectedShape | None:
         """Candidate fitted to its largest component. None if it is too small or of another kind."""
         search, kind = self.search, refined.kind
-        found = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._reach))
-        if found is not None and kind != PLANE and is_flat(search, found, plane := plane_of(search, found)):
-            found = self._fitted(PLANE, plane.shape, found.rows) if PLANE in self._kinds else None
-        if found is not None and found.kind == CONE:
-            low, high = bound_points(search.in_frame(found.fit.shape, found.rows))[:2]  # sync
-            found = None if is_open(found, float(high[2] - low[2])) else found
-        return found
+        candidate = self._fitted(kind, refined.fit.shape, largest_part(search.points, refined.rows, self._epsilon))
+        if candidate is not None and kind != PLANE and is_flat(search, candidate, plane := plane_of(search, candidate)):
+            candidate = self._fitted(PLANE, plane.shape, candidate.rows) if PLANE in self._kinds else None
+        if candidate is not None and candidate.kind == CONE:
+            low, high = bound_points(search.in_frame(candidate.fit.shape, candidate.rows))[:2]  # sync
+            candidate = None if is_open(candidate, float(high[2] - low[2])) else candidate
+        return candidate
 
     def _fitted(self, kind: int, shape: NDArray[np.float64], rows: Any) -> DetectedShape | None:
         """Shape fitted to points, with the largest component of its inliers. None if too small."""
-        if rows.size < self._fewest:
+        if rows.size < self._min_points:
             return None
         fit = self.search.fitter.fit(kind, shape, rows)
         if not self.limits.allow(kind, fit.shape):
             return None
-        part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._reach)
-        return DetectedShape(kind, fit, part) if part.size >= self._fewest and not fit.reason else None
+        part = largest_part(self.search.points, self.search.on(kind, fit.shape, self.limits), self._epsilon)
+        return DetectedShape(kind, fit, part) if part.size >= self._min_points and not fit.reason else None
 
 
 def _check_kinds(kinds: Any) -> list[int]:

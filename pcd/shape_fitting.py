@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.checks import check_finite, check_numeric, check_seed, shown
 from ..kernels.lang import float64
 from ..kernels.memory import download, upload
@@ -27,7 +27,7 @@ DRAWN, STARTS = 512, 4  # samples per level, and fits of them
 SPREAD = 3.0  # root mean squares that contain nearly all points
 
 
-@told_arguments
+@explain_argument_errors
 def fit_shape(
     cloud: PointCloud, kind: str, *, start: Shape | None = None, weights: ArrayLike | None = None, seed: int = 0
 ) -> Shape:
@@ -77,17 +77,17 @@ def fit_shape(
         have = f"the cloud has {rows.size} finite points" + (" with a weight" if given is not None else "")
         raise ValueError(f"cloud: a {kind} has {len(UNKNOWNS[kind])} unknowns, but {have}")
     if search.size <= 0.0:
-        raise ValueError(f"cloud: all {rows.size:,} points are equal, which is no {kind}")
+        raise ValueError(f"cloud: all {rows.size:,} points are equal and define no {kind}")
     fit = _best_start(search, number, first) if start is None else _fit(search, number, _numbers(start, search, cloud))
     if fit is None:
         raise ValueError(
-            f"cloud: no {kind} found to start from: the points span none, or normals are too noisy; give `start`"
+            f"cloud: no {kind} found to start from: the points span none, or the normals are too noisy. Pass start"
         )
     if start is None:
         fit = _fit(search, number, fit.shape)
     fit = _fit(search, number, fit.shape)
-    reach = max(SPREAD * fit.rms, ROUNDING * search.size)
-    limits = ShapeLimits(reach, 0.0, 0.0, FREE_SIZE * search.size)
+    max_distance = max(SPREAD * fit.rms, ROUNDING * search.size)
+    limits = ShapeLimits(max_distance, 0.0, 0.0, FREE_SIZE * search.size)
     return fitted_shape(search, DetectedShape(number, fit, rows), limits, cloud.origin)
 
 
@@ -143,8 +143,8 @@ def _check_weights(weights: Any, count: int) -> NDArray[np.float64] | None:
         return None
     given = check_finite("weights", np.asarray(check_numeric("weights", weights), np.float64))
     if given.shape != (count,):
-        raise ValueError(f"weights: expected shape [{count}], one a point, got {list(given.shape)}")
+        raise ValueError(f"weights: expected shape [{count}], one per point, got {list(given.shape)}")
     if (given < 0).any():
         row = int(np.argmax(given < 0))
-        raise ValueError(f"weights: expected 0 or more, got {given[row]:g} at {row}")
+        raise ValueError(f"weights: expected numbers >= 0, got {given[row]:g} at {row}")
     return given

@@ -41,7 +41,7 @@ class SplatPicture:
     normals: NDArray[np.float32]
 
 
-def columns_of(splats: Pictured) -> SplatColumns:
+def columns_of(splats: RasterizationMixin) -> SplatColumns:
     column = splats.cloud._device_array
     rest = column("f_rest") if splats.degree else None
     return SplatColumns(
@@ -67,7 +67,7 @@ def list_splats(
 
 
 def surface_before(
-    splats: Pictured, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float = NEAR
+    splats: RasterizationMixin, intrinsic: PinholeCameraIntrinsic, T: NDArray[np.float64], near: float = NEAR
 ) -> SplatSurface:
     """Surface seen by a camera at T_camera_world, on the device, unchecked."""
     view = View(intrinsic, T[:3, :3], matmul(T[:3, :3], splats.cloud.origin) + T[:3, 3])
@@ -75,7 +75,7 @@ def surface_before(
     return find_surface(lists, projected, view)
 
 
-class Pictured:
+class RasterizationMixin:
     """Methods of GaussianSplats that render."""
 
     @property
@@ -124,10 +124,10 @@ class Pictured:
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
         T = check_rigid("extrinsic", extrinsic)
         ground = np.asarray(check_color("background", background), np.float32)
-        found = surface_before(self, intrinsic, T, check_positive("near", near))
+        surface = surface_before(self, intrinsic, T, check_positive("near", near))
         size = intrinsic.height, intrinsic.width
-        left = download(found.left).reshape(size)
-        color = download(found.colors).reshape(*size, 3) + left[:, :, None] * ground
-        depth, median = download(found.depths).reshape(size), download(found.medians).reshape(size)
-        normals = download(found.normals).reshape(*size, 3)
+        left = download(surface.left).reshape(size)
+        color = download(surface.colors).reshape(*size, 3) + left[:, :, None] * ground
+        depth, median = download(surface.depths).reshape(size), download(surface.medians).reshape(size)
+        normals = download(surface.normals).reshape(*size, 3)
         return SplatPicture(color, 1 - left, depth.copy(), median.copy(), normals.copy())

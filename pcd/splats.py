@@ -26,19 +26,19 @@ from ..kernels.linear_algebra import cube_root, det, matmul
 from ..kernels.splats.motion import mask_splats, rotate_harmonics, rotate_quaternions
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .cloud import PointCloud
-from .harmonics import FIRST, MAX_DEGREE, degree_of, turns_of_harmonics
+from .harmonics import FIRST, MAX_DEGREE, degree_of, rotation_of_harmonics
 from .motion import Movable
 from .point_arrays import check_cloud, read_only
 from .polygon_volume import SelectionPolygonVolume
-from .splat_pictures import Pictured
+from .splat_pictures import RasterizationMixin
 
 #: The attributes of the cloud that keeps splats, by the names of PLY files: `f_rest` where the degree is above 0.
 NAMES = ("f_dc", "f_rest", "opacity", "scale", "rot")
 
-_TURN_TOLERANCE = 1e-5  # relative deviation of a transformation from a similarity
+_SIMILARITY_TOLERANCE = 1e-5  # relative deviation of a transformation from a similarity
 
 
-class GaussianSplats(Movable, Pictured):
+class GaussianSplats(Movable, RasterizationMixin):
     """Splats of 3D Gaussian Splatting (Kerbl et al., SIGGRAPH 2023).
 
     Stored as in files (logarithms of scales, logits of opacities, unnormalized quaternions), so reading and writing is
@@ -82,17 +82,17 @@ class GaussianSplats(Movable, Pictured):
             raise ValueError(str(error).replace("points:", "centers:", 1)) from None
         count = len(cloud)
         sizes = check_rows("scales", scales, 3, rows=count, dtype=np.float64)
-        turns = check_rows("rotations", rotations, 4, rows=count, dtype=np.float64)
+        quaternions = check_rows("rotations", rotations, 4, rows=count, dtype=np.float64)
         shares = check_shape("opacities", opacities, (count,))
         colors = _coefficients(harmonics, count)
         _check_all("scales", (sizes > 0).all(axis=1) & np.isfinite(sizes).all(axis=1), "three finite numbers above 0")
-        lengths = np.square(turns).sum(axis=1)
+        lengths = np.square(quaternions).sum(axis=1)
         _check_all("rotations", np.isfinite(lengths) & (lengths > 0), "a finite quaternion of a length above 0")
         _check_all("opacities", (shares >= 0) & (shares <= 1), "a number from 0 to 1")
         _check_all("harmonics", np.isfinite(colors).all(axis=(1, 2)), "finite coefficients")
         cloud["opacity"] = logits_of(shares)
         cloud["scale"] = np.log(sizes).astype(np.float32)
-        cloud["rot"] = turns.astype(np.float32)
+        cloud["rot"] = quaternions.astype(np.float32)
         cloud["f_dc"] = colors[:, 0].astype(np.float32)
         if colors.shape[1] > 1:
             rest = colors[:, 1:].transpose(0, 2, 1).reshape(count, -1)
@@ -112,7 +112,7 @@ class GaussianSplats(Movable, Pictured):
         """
         check_cloud("cloud", cloud)
         for name, width in (("f_dc", 3), ("opacity", 0), ("scale", 3), ("rot", 4)):
-            shape = cloud._required_array(name, f"splats need {', '.join(NAMES)}").shape
+            shape = cloud._required_array(name, f"splats require {', '.join(NAMES)}").shape
             if shape[1:] != ((width,) if width else ()):
                 raise ValueError(f"cloud: expected {name} of shape {['n', width] if width else ['n']}, got {shape}")
         splats = object.__new__(cls)
@@ -232,8 +232,10 @@ class GaussianSplats(Movable, Pictured):
             1
         """
         share = check_share("min_opacity", min_opacity)
-        least = check_positive("min_scale", min_scale, allow_zero=True)
-        most = math.log(check_positive("max_scale", max_scale)) if max_scale is not None else float(np.finfo("f4").max)
+        smallest = check_positive("min_scale", min_scale, allow_zero=True)
+        log_largest = (
+            math.log(check_positive("max_scale", max_scale)) if max_scale is not None else float(np.finfo("f4").max)
+        )
         points, opacity = self._cloud._device_array("points"), self._cloud._device_array("opacity")
         scale, rot = self._cloud._device_array("scale"), self._cloud._device_array("rot")
         mask = mask_splats(
@@ -242,8 +244,8 @@ class GaussianSplats(Movable, Pictured):
             scale,
             rot,
             float(logits_of(np.array(share))),
-            math.log(least) if least else -math.inf,
-            most,
+            math.log(smallest) if smallest else -math.inf,
+            log_largest,
         )
         return self._over(self._cloud._select_rows(positions_of(mask)))
 
@@ -306,7 +308,9 @@ class GaussianSplats(Movable, Pictured):
         if not np.array_equal(R, np.eye(3)):
             arrays["rot"] = rotate_quaternions(arrays["rot"], q)
             if self.degree:
-                arrays["f_rest"] = rotate_harmonics(arrays["f_rest"], turns_of_harmonics(R, self.degree), self.degree)
+                arrays["f_rest"] = rotate_harmonics(
+                    arrays["f_rest"], rotation_of_harmonics(R, self.degree), self.degree
+                )
         cloud = moved._with_arrays(arrays)
         if factor != 1:
             cloud["scale"] = (cloud["scale"].astype(np.float64) + math.log(factor)).astype(np.float32)
@@ -323,8 +327,8 @@ class GaussianSplats(Movable, Pictured):
         cloud = self._cloud.copy()
         rest = np.zeros((len(self), 3, (degree + 1) ** 2 - 1), np.float32)
         if self.degree:
-            own = self._cloud["f_rest"].reshape(len(self), 3, -1)
-            rest[:, :, : own.shape[2]] = own
+            coefficients = self._cloud["f_rest"].reshape(len(self), 3, -1)
+            rest[:, :, : coefficients.shape[2]] = coefficients
         cloud["f_rest"] = rest.reshape(len(self), -1)
         return GaussianSplats.from_cloud(cloud)
 
@@ -346,8 +350,8 @@ def shares_of(logits: NDArray[Any]) -> NDArray[np.float64]:
 
 
 def unit_quaternions(rot: NDArray[Any]) -> NDArray[np.float64]:
-    turns = rot.astype(np.float64)
-    return turns / np.linalg.norm(turns, axis=1, keepdims=True)
+    quaternions = rot.astype(np.float64)
+    return quaternions / np.linalg.norm(quaternions, axis=1, keepdims=True)
 
 
 def _coefficients(harmonics: ArrayLike, count: int) -> NDArray[np.float64]:
@@ -359,14 +363,14 @@ def _coefficients(harmonics: ArrayLike, count: int) -> NDArray[np.float64]:
     return values
 
 
-def _check_all(name: str, sound: Any, what: str) -> None:
-    if not sound.all():
-        raise ValueError(f"{name}: expected {what} in each row; row {int(np.argmin(sound))} has not")
+def _check_all(name: str, is_valid: Any, what: str) -> None:
+    if not is_valid.all():
+        raise ValueError(f"{name}: expected {what} in each row, but row {int(np.argmin(is_valid))} differs")
 
 
 def similarity_of(name: str, T: NDArray[np.float64]) -> tuple[NDArray[np.float64], float]:
     A = T[:3, :3]
     factor = cube_root(float(det(A)))
-    if not factor > 0 or np.abs(matmul(A, A.T) / factor**2 - np.eye(3)).max() > _TURN_TOLERANCE:
+    if not factor > 0 or np.abs(matmul(A, A.T) / factor**2 - np.eye(3)).max() > _SIMILARITY_TOLERANCE:
         raise ValueError(f"{name}: expected a rotation with one scale and a translation, got {T.tolist()}")
     return (A / factor if np.array_equal(A, factor * np.eye(3)) else nearest_rotations(A[None])[0]), factor

@@ -98,19 +98,21 @@ class Raster:
             >>> int(np.isnan(raster.values).sum()), int(raster.fill_gaps(5.0).filled.sum())
             (32, 32)
         """
-        reach, count = check_positive("max_distance", max_distance), check_count("neighbors", neighbors)
+        search_radius, count = check_positive("max_distance", max_distance), check_count("neighbors", neighbors)
         if max(self.values.shape) > MAX_EDGE:
-            raise ValueError(f"values: {self.values.shape} cells are more than 2^24 along a side; fill parts of it")
+            raise ValueError(
+                f"values: expected at most 2^24 cells along a side, got {self.values.shape}. Fill parts of it"
+            )
         upright = self.values[::-1].T  # by column from the lowest row, as cells are numbered
         columns, rows = upright.shape
         known = np.isfinite(upright)
         x, y = np.nonzero(known)
         if not len(x) or known.all():
             return self
-        places = np.column_stack([x + 0.5, y + 0.5, upright[known]])
+        known_points = np.column_stack([x + 0.5, y + 0.5, upright[known]])
         cells = FixedCells(np.zeros(2), 1.0, np.zeros(2), np.array([columns, rows]))
-        groups = CellGroups(upload(places, vec3, resolve_device(device or "cpu")), cells)
-        within = reach / self.cell
+        groups = CellGroups(upload(known_points, vec3, resolve_device(device or "cpu")), cells)
+        within = search_radius / self.cell
         rings = min(math.ceil(within), max(columns, rows))
         heights = download(interpolate_centers(groups, cells, count, within, rings)).reshape(columns, rows)
         made = np.where(known, upright, heights.astype(np.float32)).T[::-1]
@@ -197,7 +199,7 @@ def rasterize(
     for name, value, known in (("kind", kind, KINDS), ("method", method, METHODS)):
         if value not in known:
             raise ValueError(f"{name}: expected {' or '.join(map(repr, known))}, got {shown(value)}")
-    wanted = check_classes(classes)
+    class_numbers = check_classes(classes)
     far = None if reach is None else check_positive("reach", reach)
     count = check_count("neighbors", neighbors)
     start = check_finite("corner", check_shape("corner", corner, (2,)))
@@ -207,10 +209,10 @@ def rasterize(
     window = window_of(points, start - cloud.origin[:2], side, box, cloud.origin)
     surface = ground = None
     if kind in ("dtm", "chm"):
-        chosen = chosen_points(cloud, GROUND if wanted is None else wanted, is_ground=True)
+        chosen = chosen_points(cloud, GROUND if class_numbers is None else class_numbers, is_ground=True)
         ground = ground_heights(chosen, window, method, far, count)
     if kind != "dtm":
-        surface = measured_cells(cloud, window, kind, None if kind == "chm" else wanted)
+        surface = measured_cells(cloud, window, kind, None if kind == "chm" else class_numbers)
     values = raster_values(kind, surface, ground, window, float(cloud.origin[2]))
     low = start + np.array([window.column0, window.row0]) * side
     return Raster(values, low, side, np.zeros(values.shape, bool), kind, crs)
@@ -253,10 +255,10 @@ def height_above_ground(
     far, side = check_positive("reach", reach), check_positive("cell", cell)
     count = check_count("neighbors", neighbors)
     start = check_finite("corner", check_shape("corner", corner, (2,)))
-    wanted = check_classes(classes)
+    class_numbers = check_classes(classes)
     check_lengths(cloud)
     points = cloud._device_array("points")
-    ground = chosen_points(cloud, GROUND if wanted is None else wanted, is_ground=True)
+    ground = chosen_points(cloud, GROUND if class_numbers is None else class_numbers, is_ground=True)
     return cloud._handed_out(
         cast(heights_above_ground(points, ground, start - cloud.origin[:2], side, far, count), float32)
     )

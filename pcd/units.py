@@ -59,15 +59,17 @@ class InUnit:
             >>> cloud.points.round(4).tolist(), cloud.unit.name
             ([[0.0, 0.0, 304.8006]], 'metre')
         """
-        wanted = check_unit("unit", unit)
-        if wanted is None:
+        new_unit = check_unit("unit", unit)
+        if new_unit is None:
             raise TypeError("unit: expected the name of a unit, got None")
         if self._unit is None:
-            raise ValueError("unit: the own unit is not known; assign it first, as in cloud.unit = 'foot'")
-        if self._unit.meters is None or wanted.meters is None:
-            raise ValueError(f"unit: {self._unit} to {wanted}: degrees are no lengths; project_to_utm makes meters")
-        result = self._enlarged(self._unit.meters / wanted.meters)
-        result._unit = wanted
+            raise ValueError("unit: the unit of the cloud is unknown. Assign it first, as in cloud.unit = 'foot'")
+        if self._unit.meters is None or new_unit.meters is None:
+            raise ValueError(
+                f"unit: cannot convert {self._unit} to {new_unit}, as degrees are not lengths. Use project_to_utm"
+            )
+        result = self._enlarged(self._unit.meters / new_unit.meters)
+        result._unit = new_unit
         return result
 
     def _enlarged(self, factor: float) -> Self:

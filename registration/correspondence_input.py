@@ -33,12 +33,12 @@ def check_pairs(corres: Any, source: PointCloud, target: PointCloud) -> Pairs:
     """Correspondences as int32 [m, 2]; negative indices are rejected."""
     pairs = check_rows("corres", corres, 2)
     if pairs.dtype.kind not in "iu" and pairs.size:
-        raise TypeError(f"corres: expected whole numbers (source index, target index), got {pairs.dtype}")
+        raise TypeError(f"corres: expected integers (source index, target index), got {pairs.dtype}")
     for column, (name, cloud) in enumerate((("source", source), ("target", target))):
         rows = pairs[:, column]
         if rows.size and (rows.min() < 0 or rows.max() >= len(cloud)):
             raise IndexError(
-                f"corres: {name} indices {rows.min()}..{rows.max()} reach beyond a cloud of {len(cloud)} points"
+                f"corres: {name} indices {rows.min()}..{rows.max()} are out of range for a cloud of {len(cloud)} points"
             )
     return np.ascontiguousarray(pairs, dtype=np.int32)
 

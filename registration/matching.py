@@ -72,8 +72,8 @@ def correspondences_from_features(
 def features_on_device(source_features: Any, target_features: Any, device: Any = None) -> list[wp.array]:
     sides = [_check_features("source_features", source_features), _check_features("target_features", target_features)]
     _check_lengths(*(tuple(side.shape) for side in sides))
-    place = _common_device(sides, device)
-    return [move(side, place) if isinstance(side, wp.array) else _upload(side, place) for side in sides]
+    common = _common_device(sides, device)
+    return [move(side, common) if isinstance(side, wp.array) else _upload(side, common) for side in sides]
 
 
 def _upload(features: np.ndarray, device: Any) -> wp.array:
@@ -91,7 +91,7 @@ def _check_features(name: str, features: Any) -> Any:
         with np.errstate(over="ignore"):
             values = values.astype(np.float32, copy=False)  # beyond float32: infinite, hence without a pair
     if len(values.shape) != 2 or values.shape[1] == 0:
-        raise ValueError(f"{name}: expected shape [n, d], a row a point, got {list(values.shape)}")
+        raise ValueError(f"{name}: expected shape [n, d], one row per point, got {list(values.shape)}")
     return values
 
 
@@ -106,7 +106,7 @@ def _check_lengths(source: tuple[int, ...], target: tuple[int, ...]) -> None:
 
 
 def _common_device(sides: list[Any], device: Any) -> Any:
-    found = [side.device for side in sides if isinstance(side, wp.array)]
-    if len(found) == 2:
-        check_same_device("source_features, target_features", *found)
-    return resolve_device(device if device is not None else found[0] if found else None)
+    devices = [side.device for side in sides if isinstance(side, wp.array)]
+    if len(devices) == 2:
+        check_same_device("source_features, target_features", *devices)
+    return resolve_device(device if device is not None else devices[0] if devices else None)

@@ -49,13 +49,13 @@ class RegistrationResult(Assessed):
         degenerate_directions: NDArray[np.float64] | None = None,
         score: float | Callable[[], float] | None = None,
         free: tuple[str, ...] | None = None,
-        held_count: int = 0,
+        prior_count: int = 0,
         motion: NDArray[np.float64] | None = None,
     ):
         self.transformation, self.fitness, self.inlier_rmse = transformation, fitness, inlier_rmse
         self.iterations, self.converged, self._warnings, self._score = iterations, converged, warnings, score
         self.degenerate_directions = np.empty((0, 6)) if degenerate_directions is None else degenerate_directions
-        self.free, self.prior_directions = free, self.degenerate_directions[:held_count]
+        self.free, self.prior_directions = free, self.degenerate_directions[:prior_count]
         self._motion = motion  # parameters since the initial pose, to continue from here
         self._correspondences = correspondences
 
@@ -89,7 +89,10 @@ class RegistrationResult(Assessed):
         score = self.score
         if score is None or score > MIN_SCORE:
             return ()
-        return (f"the score is {score:.2f}, not above {MIN_SCORE}: the surfaces hardly overlap, or a motion is open",)
+        return (
+            f"the score is {score:.2f}, not above {MIN_SCORE}: the surfaces hardly overlap, "
+            "or a motion is undetermined",
+        )
 
     @warnings.setter
     def warnings(self, value: tuple[str, ...]) -> None:
@@ -121,9 +124,9 @@ class RegistrationResult(Assessed):
         return {**{name: value for name, value in vars(self).items() if name != "correspondence_set"}, **known}
 
     def __repr__(self) -> str:
-        believed = f", score {self._score:.2f}" if isinstance(self._score, float) else ""
+        score = f", score {self._score:.2f}" if isinstance(self._score, float) else ""
         state = "; ".join(self._warnings) or ("converged" if self.converged else "not converged")
         return (
             f"RegistrationResult(fitness {self.fitness:.4f}, inlier_rmse {self.inlier_rmse:.6g}, "
-            f"{self.iterations} iterations, {state}{believed})"
+            f"{self.iterations} iterations, {state}{score})"
         )

@@ -13,7 +13,7 @@ from ..core.checks import check_number, check_numeric, check_positive
 from ..kernels.icp import robust_weights
 from ..kernels.linear_algebra import elementwise
 
-LEAST = robust_weights.MIN_RESIDUAL
+MIN_RESIDUAL = robust_weights.MIN_RESIDUAL
 
 
 @dataclasses.dataclass(frozen=True)
@@ -59,7 +59,7 @@ class L1Loss(RobustKernel):
     kind = robust_weights.L1
 
     def _weight(self, r: NDArray[np.float64]) -> NDArray[np.float64]:
-        return 1 / np.maximum(r, LEAST)
+        return 1 / np.maximum(r, MIN_RESIDUAL)
 
 
 @dataclasses.dataclass(frozen=True)

@@ -31,14 +31,16 @@ def rises_clearly(rises: Matrix) -> NDArray[np.bool_]:
 
 def moved(pose: Matrix, motion: Matrix, about: Matrix | None = None) -> Matrix:
     """A pose rotated about a point (default: the sensor), then translated: (rotation [rad], translation [m])."""
-    turn, place = rotation_of(motion[:3]), pose[:3, 3]
-    middle = place if about is None else about
-    return make_pose(nearest_rotation(matmul(turn, pose[:3, :3])), matmul(turn, place - middle) + middle + motion[3:])
+    rotation, position = rotation_of(motion[:3]), pose[:3, 3]
+    middle = position if about is None else about
+    return make_pose(
+        nearest_rotation(matmul(rotation, pose[:3, :3])), matmul(rotation, position - middle) + middle + motion[3:]
+    )
 
 
 def spanned(rows: Matrix) -> tuple[tuple[float, float, float], ...]:
     """Significant directions of the column span of a matrix [3, k], the largest component positive."""
     squares, vectors = eigh(matmul(rows, rows.T))
-    kept = vectors.T[::-1][squares[::-1] > 0.5]
-    signs = [math.copysign(1.0, row[np.abs(row).argmax()]) for row in kept]
-    return tuple(tuple(float(v) for v in row * sign) for row, sign in zip(kept, signs, strict=True))  # type: ignore[misc]
+    directions = vectors.T[::-1][squares[::-1] > 0.5]
+    signs = [math.copysign(1.0, row[np.abs(row).argmax()]) for row in directions]
+    return tuple(tuple(float(v) for v in row * sign) for row, sign in zip(directions, signs, strict=True))  # type: ignore[misc]

@@ -56,8 +56,8 @@ def _size_of(name: str, cloud: PointCloud) -> float:
     check_cloud(name, cloud)
     probes = probe_points(cloud)
     if not len(probes):
-        held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
-        raise ValueError(f"{name}: holds {held}, so there is nothing to register")
-    reach = float(np.quantile(np.linalg.norm(probes - np.median(probes, axis=0), axis=1), WITHIN))
+        contents = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
+        raise ValueError(f"{name}: expected finite points, got {contents}")
+    extent = float(np.quantile(np.linalg.norm(probes - np.median(probes, axis=0), axis=1), WITHIN))
     spacing = distance_of_nearest(NearestNeighborSearch(cloud), probes, 2) or 0.0
-    return max(reach / VOXELS_TO_MIDDLE, spacing)
+    return max(extent / VOXELS_TO_MIDDLE, spacing)

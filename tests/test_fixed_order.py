@@ -28,7 +28,7 @@ KEPT = {
     ("kernels/linear_algebra.py", "_with_signs"): "only the signs are used",
     ("kernels/reconstruction/octree_levels.py", "*"): "whole numbers",
     ("meshing/scene/pinhole_rays.py", "*"): DECIDES,
-    ("registration/icp/constraint.py", "_check_reach"): DECIDES,
+    ("registration/icp/constraint.py", "_check_prior"): DECIDES,
     ("registration/pose_graphs/pose_graph.py", "*"): DECIDES,
     ("registration/pose_graphs/pose_graph_system.py", ""): "SuperLU orders the unknowns, by whole numbers",
     ("registration/pose_graphs/pose_graph_system.py", "linearize"): SPARSE,

@@ -6,7 +6,7 @@ import os
 from collections.abc import Mapping
 from typing import Any
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_of
 from ...core.checks import check_rows, check_shape, is_on_gpu, shown
 from ...core.coordinates import split_origin, warn_if_coarse
@@ -53,7 +53,7 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         [0.0, 0.0, 1.0]
     """
 
-    @told_arguments
+    @explain_argument_errors
     def __init__(
         self,
         vertices: Any = (),

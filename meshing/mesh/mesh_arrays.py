@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, DTypeLike, NDArray
 
 from ...core.array_libraries import NUMPY, check_library, hand_out, library_of
 from ...core.attribute_hints import KnownNames
-from ...core.callable_bool import YesOrNo
+from ...core.callable_bool import CallableBool
 from ...core.checks import (
     check_color,
     check_colors,
@@ -32,7 +32,7 @@ from ...core.dropped_results import returns_new
 from ...core.gpu_arrays import take_colors, take_vectors
 from ...core.html_tables import array_type, html_table
 from ...core.pickled_arrays import device_like, pickled, unpickled, unpickling
-from ...core.up_axis import Direction, check_up, up_under
+from ...core.up_axis import Direction, check_up, transform_up_vector
 from ...io.table import MeshTable
 from ...kernels.algebra.transform import transform_directions, transform_points
 from ...kernels.arrays.bounds import bound_points
@@ -75,39 +75,39 @@ class MeshArrays(InUnit, KnownNames, Movable):
         return html_table(repr(self), ((name, array_type(values)) for name, values in arrays))
 
     @property
-    def has_vertices(self) -> YesOrNo:
+    def has_vertices(self) -> CallableBool:
         """True if there are vertices. Also callable."""
-        return YesOrNo(self._arrays["vertices"].size)
+        return CallableBool(self._arrays["vertices"].size)
 
     @property
-    def has_triangles(self) -> YesOrNo:
+    def has_triangles(self) -> CallableBool:
         """True if there are triangles. Also callable."""
-        return YesOrNo(len(self))
+        return CallableBool(len(self))
 
     @property
-    def has_vertex_normals(self) -> YesOrNo:
+    def has_vertex_normals(self) -> CallableBool:
         """True if there are vertex normals. Also callable."""
-        return YesOrNo("vertex_normals" in self._arrays)
+        return CallableBool("vertex_normals" in self._arrays)
 
     @property
-    def has_vertex_colors(self) -> YesOrNo:
+    def has_vertex_colors(self) -> CallableBool:
         """True if there are vertex colors. Also callable."""
-        return YesOrNo("vertex_colors" in self._arrays)
+        return CallableBool("vertex_colors" in self._arrays)
 
     @property
-    def has_triangle_uvs(self) -> YesOrNo:
+    def has_triangle_uvs(self) -> CallableBool:
         """True if there are texture coordinates. Also callable."""
-        return YesOrNo("triangle_uvs" in self._arrays)
+        return CallableBool("triangle_uvs" in self._arrays)
 
     @property
-    def has_textures(self) -> YesOrNo:
+    def has_textures(self) -> CallableBool:
         """True if there are texture images. Also callable."""
-        return YesOrNo(len(self._textures))
+        return CallableBool(len(self._textures))
 
     @property
-    def is_empty(self) -> YesOrNo:
+    def is_empty(self) -> CallableBool:
         """True if there are no vertices. Also callable."""
-        return YesOrNo(self._arrays["vertices"].size == 0)
+        return CallableBool(self._arrays["vertices"].size == 0)
 
     @property
     def up(self) -> Direction | None:
@@ -570,7 +570,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             if "triangle_uvs" in self._arrays:
                 arrays["triangle_uvs"] = mesh_edits.flip_corners(self._arrays["triangle_uvs"])
         mesh = self._with_arrays(origin=origin, **arrays)
-        mesh._unit, mesh._up = unit_under(self._unit, A), up_under(self._up, A)
+        mesh._unit, mesh._up = unit_under(self._unit, A), transform_up_vector(self._up, A)
         return mesh
 
     def _enlarged(self, factor: float) -> Self:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import view_as
 from ...core.checks import check_count, check_finite, check_numeric, check_positive, check_rows, check_seed, check_shape
 from ...core.devices import check_same_device
@@ -272,7 +272,7 @@ class MeshMeasures(MeshSelection):
         """Vertices as a cloud that shares memory."""
         return PointCloud._from_device_arrays({"points": self._arrays["vertices"]}, self._origin, self._library)
 
-    @told_arguments
+    @explain_argument_errors
     def sample_points_uniformly(
         self, number_of_points: int = 100, use_triangle_normal: bool = False, seed: int = 0
     ) -> PointCloud:
@@ -301,7 +301,7 @@ class MeshMeasures(MeshSelection):
         count, seed = check_count("number_of_points", number_of_points), check_seed(seed)
         return self._draw(self._surface("sample_points_uniformly"), count, use_triangle_normal, seed)
 
-    @told_arguments
+    @explain_argument_errors
     def sample_points_poisson_disk(
         self,
         number_of_points: int,

@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
     check_count,
     check_finite,
@@ -89,7 +89,7 @@ class MeshReconstruction(MeshMeasures):
     """Methods of TriangleMesh that reconstruct surfaces from points and volumes."""
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def create_from_point_cloud_poisson(
         cls,
         cloud: PointCloud,
@@ -183,7 +183,7 @@ class MeshReconstruction(MeshMeasures):
     create_from_point_cloud_poisson = create_from_point_cloud_poisson
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def create_from_point_cloud_ball_pivoting(cls, cloud: PointCloud, radii: Any = None) -> Self:
         """Reconstruct a mesh by ball pivoting: triangles on which an empty ball can rest.
 

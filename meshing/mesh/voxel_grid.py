@@ -8,14 +8,14 @@ from typing import Any, Self
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_finite, check_rows, check_shape
 from ...core.devices import resolve_device
 from ...kernels.memory import check_room
 from ...pcd.point_arrays import read_only
 
 
-class VoxelGrid(ToldNames):
+class VoxelGrid(HintedNames):
     """Occupied voxels of a regular grid, as of `TriangleMesh.voxelize`; `len(grid)` counts them.
 
     Attributes:

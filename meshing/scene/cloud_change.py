@@ -7,7 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_positive
 from ...core.devices import check_same_device
 from ...core.units import common_unit
@@ -56,7 +56,7 @@ class CloudToMeshResult:
         return f"CloudToMeshResult({len(self.distances)} points, {found} with a distance, {changed} significant)"
 
 
-@told_arguments
+@explain_argument_errors
 def cloud_to_mesh(
     cloud: PointCloud,
     mesh: TriangleMesh,

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from ...core.array_libraries import Form, form_of
 from ...core.checks import check_count, check_numeric
 from ...core.coordinates import quiet
-from ...core.gpu_arrays import take_places
+from ...core.gpu_arrays import take_positions
 from ...kernels.algebra.transform import transform_points
 from ...kernels.arrays.origins import add_origin
 from ...kernels.lang import float64, vec3
@@ -203,7 +203,7 @@ class SceneDistances(SceneGeometries):
         check_count("nthreads", nthreads, minimum=0)
         form = form_of(query_points)
         if not form.on_host:
-            return *take_places("query_points", query_points, self._origin, self._device), form
+            return *take_positions("query_points", query_points, self._origin, self._device), form
         given = check_numeric("query_points", query_points)
         if given.ndim == 0 or given.shape[-1] != 3:
             raise ValueError(f"query_points: expected shape [..., 3], got {list(given.shape)}")

@@ -9,9 +9,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import view_as
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_finite, check_numeric, check_positive, check_rows, check_shape, is_on_gpu
 from ...core.devices import resolve_device
 from ...core.errors import values_of_file
@@ -43,7 +43,7 @@ from .occupancy import OccupancyGrid
 from .voxel_boxes import check_voxel_size
 
 
-class DistanceField(FieldQueries, FieldViews, ToldNames):
+class DistanceField(FieldQueries, FieldViews, HintedNames):
     """Exact Euclidean distances to the nearest occupied voxel, in blocks of 8^3 voxels; immutable.
 
     Created by `from_point_cloud`, `from_array`, `from_voxel_grid`, `from_occupancy_grid` or `from_voxels`. Distances
@@ -83,7 +83,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         )
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def from_point_cloud(
         cls, cloud: PointCloud, voxel_size: float, max_distance: float, *, origin: ArrayLike | None = None
     ) -> DistanceField:
@@ -124,7 +124,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
             raise ValueError(f"{error}{_extent(cloud)}") from None
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def from_array(
         cls,
         occupied: ArrayLike,
@@ -169,7 +169,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         return cls._of(find_set_cells(mask, shape), source)
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def from_voxel_grid(cls, grid: VoxelGrid, max_distance: float, *, device: Any = None) -> DistanceField:
         """Compute the field around the voxels of a VoxelGrid, for example from `TriangleMesh.voxelize`.
 
@@ -194,7 +194,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         return cls.from_voxels(grid.coordinates, grid.voxel_size, max_distance, origin=grid.origin, device=device)
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def from_voxels(
         cls,
         coordinates: ArrayLike,
@@ -234,7 +234,7 @@ class DistanceField(FieldQueries, FieldViews, ToldNames):
         return cls._from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def from_occupancy_grid(cls, grid: OccupancyGrid, max_distance: float) -> DistanceField:
         """Compute the field around the occupied voxels of an OccupancyGrid, on its device.
 

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import Form, form_of, view_as
 from ...core.checks import RIGID_TOLERANCE, check_finite, check_numeric, check_rigid, check_rows, is_on_gpu
 from ...core.devices import check_same_device
@@ -60,7 +60,7 @@ class FieldQueries:
     max_distance: float | None
     _grid: DistanceGrid
 
-    @told_arguments
+    @explain_argument_errors
     def distances(self, points: Any, *, interpolate: bool = False) -> NDArray[np.float32]:
         """Distances at points.
 
@@ -80,7 +80,7 @@ class FieldQueries:
         places, form = self._places("points", points)
         return form.hand_out(queries.find_distances_at(places, self._grid, interpolate=bool(interpolate)).distances)
 
-    @told_arguments
+    @explain_argument_errors
     def is_known(self, points: Any) -> NDArray[np.bool_]:
         """True where the distance is known, not only at least `max_distance`; bool (n,).
 
@@ -91,7 +91,7 @@ class FieldQueries:
         known = queries.find_distances_at(places, self._grid, interpolate=False).known
         return form.hand_out(known, dtype=np.bool_)
 
-    @told_arguments
+    @explain_argument_errors
     def gradients(self, points: Any) -> NDArray[np.float32]:
         """Gradients of the interpolated distances by central differences over one voxel.
 
@@ -110,7 +110,7 @@ class FieldQueries:
         places, form = self._places("points", points)
         return form.hand_out(queries.find_gradients(places, self._grid))
 
-    @told_arguments
+    @explain_argument_errors
     def nearest_obstacles(self, points: Any) -> NearestObstacles:
         """Occupied voxels nearest to the voxels of points, ties to the first along x, then y, then z.
 
@@ -130,7 +130,7 @@ class FieldQueries:
         rows, positions, distances = queries.find_obstacles(places, self._grid)
         return NearestObstacles(form.hand_out(rows), form.hand_out(positions), form.hand_out(distances))
 
-    @told_arguments
+    @explain_argument_errors
     def collides(self, centers: Any, radii: ArrayLike) -> NDArray[np.bool_]:
         """Test whether spheres may touch occupied voxels.
 
@@ -152,7 +152,7 @@ class FieldQueries:
         hits = queries.find_hits(places, upload(sizes, float64, self.device), self._grid)
         return form.hand_out(hits, dtype=np.bool_)
 
-    @told_arguments
+    @explain_argument_errors
     def collides_bodies(self, spheres: ArrayLike, poses: ArrayLike) -> BodyCollisions:
         """Test whether a body of spheres may touch occupied voxels at many poses.
 

@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
-from ...core.attribute_hints import ToldNames
+from ...core.argument_errors import explain_argument_errors
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_number, check_positive
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import resolve_device
@@ -30,7 +30,7 @@ from .voxel_boxes import check_voxel_size, places_of
 FARTHEST = 3.0e38  # [m] default of max_range
 
 
-class OccupancyGrid(OccupancyQuestions, ToldNames):
+class OccupancyGrid(OccupancyQuestions, HintedNames):
     """Occupancy of voxels as log odds from range scans, in blocks allocated along rays.
 
     Per scan, a voxel with an end point gets a hit, and one that rays pass without an end point a miss. Log odds are
@@ -62,7 +62,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
     voxel_size: float
     _fixed = ("device", "voxel_size")
 
-    @told_arguments
+    @explain_argument_errors
     def __init__(
         self,
         voxel_size: float,
@@ -110,7 +110,7 @@ class OccupancyGrid(OccupancyQuestions, ToldNames):
         """Device memory of voxels, keys and hash table [B]."""
         return self._blocks.memory_bytes
 
-    @told_arguments
+    @explain_argument_errors
     def insert_scan(
         self, points: PointCloud | ArrayLike, origin: ArrayLike | None = None, *, max_range: float | None = None
     ) -> int:

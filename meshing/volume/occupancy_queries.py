@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_finite, check_positive, check_rows
 from ...core.devices import check_same_device
 from ...core.dropped_results import returns_new
@@ -58,7 +58,7 @@ class OccupancyQuestions:
         low, high = self._voxel_bounds()
         return self.origin + np.array([low, high]) * self.voxel_size
 
-    @told_arguments
+    @explain_argument_errors
     def states(self, points: PointCloud | ArrayLike) -> NDArray[np.int8]:
         """State of the voxels of points [m], shape (n, 3): 1 occupied, 0 free, -1 unknown; int8 (n,).
 
@@ -70,7 +70,7 @@ class OccupancyQuestions:
         found[value > KNOWN_BELOW] = -1
         return found.astype(np.int8)
 
-    @told_arguments
+    @explain_argument_errors
     def occupied(self, points: PointCloud | ArrayLike) -> NDArray[np.bool_]:
         """True where the voxels of points [m], shape (n, 3), are occupied.
 
@@ -79,7 +79,7 @@ class OccupancyQuestions:
         """
         return self.states(points) == 1
 
-    @told_arguments
+    @explain_argument_errors
     def probabilities(self, points: PointCloud | ArrayLike) -> NDArray[np.float64]:
         """Occupancy probabilities of the voxels of points [m], shape (n, 3). NaN if unknown.
 
@@ -88,7 +88,7 @@ class OccupancyQuestions:
         """
         return _probability(self._odds_of(points))
 
-    @told_arguments
+    @explain_argument_errors
     def log_odds(self, points: PointCloud | ArrayLike) -> NDArray[np.float32]:
         """Log odds of the voxels of points [m], shape (n, 3). NaN if unknown.
 
@@ -98,7 +98,7 @@ class OccupancyQuestions:
         value = self._odds_of(points)
         return np.where(value > KNOWN_BELOW, np.float32(np.nan), value)
 
-    @told_arguments
+    @explain_argument_errors
     def cast_rays(self, origins: ArrayLike, directions: ArrayLike, max_range: float) -> RayHits:
         """Find the first voxel on each ray that is not known to be free.
 
@@ -156,7 +156,7 @@ class OccupancyQuestions:
         place = self.origin + low * self.voxel_size
         return VoxelGrid(place, self.voxel_size, (int(x), int(y), int(z)), voxels - low)
 
-    @told_arguments
+    @explain_argument_errors
     def to_array(self, bounds: ArrayLike | None = None) -> NDArray[np.float32]:
         """Probabilities as a dense array, float32 (x, y, z). NaN if unknown.
 

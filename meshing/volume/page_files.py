@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from ...core.atomic import atomic_write
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
-from ...core.work_folder import held
+from ...core.work_folder import locked
 from ...io.points.archives import Arrays, Expected, read_archive, rows_of, write_archive
 from ...kernels.arrays.block_keys import BIAS
 from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS, block_box, box_keys
@@ -63,7 +63,7 @@ class PageFolder:
         elif not (self.path / LIST).is_file():
             raise FileError(path, f"holds no paged volume: there is no {LIST}")
         stack = contextlib.ExitStack()
-        stack.enter_context(held(self.path))
+        stack.enter_context(locked(self.path))
         self._release = weakref.finalize(self, stack.close)
         self._last = max((int(file.stem) for file in self._files()), default=0)
 

@@ -13,8 +13,8 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
-from ...core.argument_errors import told_arguments
-from ...core.attribute_hints import ToldNames
+from ...core.argument_errors import explain_argument_errors
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count, check_positive, check_rigid
 from ...core.devices import resolve_device
 from ...core.errors import FilePath, values_of_file
@@ -33,7 +33,7 @@ from .tsdf import TSDFVolume
 from .tsdf_views import RayCast, check_view
 
 
-class PagedTSDFVolume(ToldNames):
+class PagedTSDFVolume(HintedNames):
     """A TSDFVolume larger than memory: cubes of blocks that frames do not touch are stored on disk.
 
     Results are bitwise identical to a TSDFVolume's. Up to `max_blocks` are on the device. Before a frame is integrated,
@@ -67,7 +67,7 @@ class PagedTSDFVolume(ToldNames):
         True
     """
 
-    @told_arguments
+    @explain_argument_errors
     def __init__(
         self,
         folder: FilePath,

@@ -14,9 +14,9 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_doubts import warn_of_scale
 from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage, check_intrinsic, upload_color, upload_raw_depth
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import NUMPY, library_of
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_positive, check_rigid
 from ...core.coordinates import origin_of_sensor
 from ...core.devices import check_same_device, resolve_device
@@ -51,7 +51,7 @@ class _Frames:
     colored: bool = False  # True if the frames had color
 
 
-class TSDFVolume(ScanIntegration, ToldNames):
+class TSDFVolume(ScanIntegration, HintedNames):
     """Surface fusion from posed depth frames or LiDAR scans: truncated signed distances in hashed blocks.
 
     Blocks of 8^3 voxels are allocated on demand. A voxel stores the running mean of min(1, (d - z) / truncation), its
@@ -82,7 +82,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
     has_color: bool
     _fixed = ("device", "has_color")
 
-    @told_arguments
+    @explain_argument_errors
     def __init__(self, *, voxel_size: float, truncation: float | None = None, color: bool = True, device: Any = None):
         edge = check_voxel_size(voxel_size)
         limit = 4 * edge
@@ -130,7 +130,7 @@ class TSDFVolume(ScanIntegration, ToldNames):
         """Device memory of voxels, keys and hash table [B]."""
         return self._blocks.memory_bytes
 
-    @told_arguments
+    @explain_argument_errors
     def integrate(
         self,
         depth: ArrayLike | RGBDImage,

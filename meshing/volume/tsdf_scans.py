@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import library_of
 from ...core.checks import check_positive, check_rows
 from ...core.coordinates import origin_of_sensor
@@ -41,7 +41,7 @@ class ScanIntegration:
     _kept: Any
     _check_color: Any
 
-    @told_arguments
+    @explain_argument_errors
     def integrate_points(
         self,
         points: PointCloud | ArrayLike,

@@ -8,7 +8,7 @@ from typing import Any, Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
     check_count,
     check_positive,
@@ -78,9 +78,9 @@ class DriftResult(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         apart = self.deviation / self.spacing if self.spacing > 0 else 0.0
         return failed(
-            f"only {format_share(self.matched)} of the target is no outlier" if self.matched < MIN_SHARE else None,
-            f"targets lie {apart:.1f} of their spacings from sources" if apart > MAX_SPREAD else None,
-            None if self.converged else f"not settled after {self.iterations} steps",
+            f"only {format_share(self.matched)} of the target are inliers" if self.matched < MIN_SHARE else None,
+            f"targets are {apart:.1f} of their spacings from the sources" if apart > MAX_SPREAD else None,
+            None if self.converged else f"not converged after {self.iterations} steps",
         )
 
     def transform(self, points: PointCloud | ArrayLike) -> Any:
@@ -93,14 +93,14 @@ class DriftResult(Report, Assessed):
     def fields(self) -> Fields:
         fields = [
             ("kind", self.kind),
-            ("deviation", f"{self.deviation:.4g}, beside {self.spacing:.4g} between targets"),
+            ("deviation", f"{self.deviation:.4g}, with {self.spacing:.4g} between targets"),
             ("matched", f"{format_share(self.matched)} of the target"),
-            ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
+            ("steps", f"{self.iterations}{'' if self.converged else ', not converged'}"),
         ]
         return with_warnings(fields, self)
 
 
-@told_arguments
+@explain_argument_errors
 def coherent_point_drift(
     source: PointCloud,
     target: PointCloud,
@@ -160,31 +160,37 @@ def coherent_point_drift(
         (True, True)
     """
     check_clouds(source, target)
-    tell = check_progress(progress)
+    report_progress = check_progress(progress)
     if not isinstance(kind, str) or kind not in KINDS:
         raise ValueError(f"kind: expected one of {', '.join(KINDS)}, got {shown(kind)}")
-    share, turns = check_share("outliers", outliers), check_count("max_iterations", max_iterations, maximum=100_000)
+    share, iteration_limit = (
+        check_share("outliers", outliers),
+        check_count("max_iterations", max_iterations, maximum=100_000),
+    )
     if share >= 1:
-        raise ValueError("outliers: expected a share below 1, got 1; then no target would belong to any source")
+        raise ValueError("outliers: expected a fraction below 1, got 1, which leaves no inliers")
     begin = np.eye(4) if init is None else check_transformation("init", init)
-    reach, stiff = check_positive("width", width, maximum=1e3), check_positive("stiffness", stiffness, maximum=1e9)
+    field_width, stiff = (
+        check_positive("width", width, maximum=1e3),
+        check_positive("stiffness", stiffness, maximum=1e9),
+    )
     still = check_positive("tolerance", tolerance)
     for name, cloud in (("source", source), ("target", target)):
         if cloud.search_tree().count < MIN_POINTS:
             count = cloud.search_tree().count
             raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {count}")
-    job = _Drifting(source, target, begin, share)
+    job = _DriftRegistration(source, target, begin, share)
     if kind == "deformable":
-        job.begin_field(reach, stiff)
-    settled = False
-    while not settled and job.taken < turns:
-        tell("drift", job.taken, turns)
-        settled = job.step(kind, bool(with_scaling)) <= still
-    tell("drift", turns, turns)
-    return job.conclude(kind, settled)
+        job.begin_field(field_width, stiff)
+    converged = False
+    while not converged and job.taken < iteration_limit:
+        report_progress("drift", job.taken, iteration_limit)
+        converged = job.step(kind, bool(with_scaling)) <= still
+    report_progress("drift", iteration_limit, iteration_limit)
+    return job.conclude(kind, converged)
 
 
-class _Drifting:
+class _DriftRegistration:
     """State in coordinates about the source's center, in units of its radius."""
 
     def __init__(self, source: PointCloud, target: PointCloud, begin: Array, outliers: float):
@@ -196,35 +202,37 @@ class _Drifting:
         total = np.asarray(download(reduce(sum_positions, count, [first])), np.float64).ravel() / count  # sync
         radius = float(np.sqrt(max(total[3] - matmul(total[:3], total[:3]), 0.0)))
         if radius <= 0:
-            raise ValueError("source: all of its points are at one place")
+            raise ValueError("source: expected different points, got equal ones")
         self.center, self.unit = start.origin + total[:3], 1 / radius
-        self.places = self._placed(start)
-        self.drift = Drift(self._placed(others), count)
-        self.moved, self.A, self.t = self.places, np.eye(3), np.zeros(3)
+        self.positions = self._normalized(start)
+        self.drift = Drift(self._normalized(others), count)
+        self.moved, self.A, self.t = self.positions, np.eye(3), np.zeros(3)
         self.size, self.number = count, self.drift.targets.size
-        sums = [reduce(sum_positions, places.size, [places]) for places in (self.places, self.drift.targets)]
-        ours, theirs = (np.asarray(part, np.float64).ravel() for part in read_together(sums))  # sync
-        cross = matmul(ours[:3], theirs[:3])
-        squares = self.number * ours[3] + self.size * theirs[3] - 2 * cross
+        sums = [
+            reduce(sum_positions, positions.size, [positions]) for positions in (self.positions, self.drift.targets)
+        ]
+        source_sums, target_sums = (np.asarray(part, np.float64).ravel() for part in read_together(sums))  # sync
+        cross = matmul(source_sums[:3], target_sums[:3])
+        squares = self.number * source_sums[3] + self.size * target_sums[3] - 2 * cross
         self.variance = max(squares / (3 * self.size * self.number), FLOOR)
         self.odds, self.taken, self.matched = outliers / (1 - outliers), 0, 1.0
         self.field: CoherentField | None = None
         self.values = np.zeros((0, 3))
 
-    def _placed(self, cloud: PointCloud) -> Any:
+    def _normalized(self, cloud: PointCloud) -> Any:
         return transform_to_positions(
             cloud._device_array("points"), self.unit * np.eye(3), self.unit * (cloud.origin - self.center)
         )
 
     def begin_field(self, width: float, stiffness: float) -> None:
         try:
-            self.field = CoherentField(self.places, width, LEFT, MAX_ROWS)
+            self.field = CoherentField(self.positions, width, LEFT, MAX_ROWS)
         except ValueError as error:
             raise ValueError(
-                f"width: a field of Gaussians of {width:g} of the source's radius needs {error}; give a larger one"
+                f"width: Gaussians of {width:g} of the source's radius require {error}. Use a larger width"
             ) from None
         self.stiffness = stiffness
-        self.moved = clone(self.places)  # the field writes here
+        self.moved = clone(self.positions)  # the field writes here
 
     def step(self, kind: Kind, with_scaling: bool) -> float:
         """One EM step. Returns the relative change of the variance."""
@@ -238,14 +246,14 @@ class _Drifting:
         self.variance, self.taken = max(self.variance, FLOOR), self.taken + 1
         return abs(before - self.variance) / before
 
-    def _sums(self, places: Any) -> tuple[Array, Array]:
+    def _sums(self, positions: Any) -> tuple[Array, Array]:
         targets = reduce(sum_targets, self.number, [self.drift.targets, self.drift.shares])
-        sources = reduce(sum_pulls, self.size, [places, self.drift.sums])
+        sources = reduce(sum_pulls, self.size, [positions, self.drift.sums])
         first, second = read_together([targets, sources])  # sync
         return np.asarray(first, np.float64).ravel(), np.asarray(second, np.float64).ravel()
 
     def _map(self, with_scaling: bool | None) -> None:
-        (total, squares), moments = self._sums(self.places)
+        (total, squares), moments = self._sums(self.positions)
         if total <= 0:
             return
         mean_y, mean_x = moments[1:4] / total, moments[4:7] / total
@@ -265,8 +273,8 @@ class _Drifting:
             + (matmul(self.A, spread) * self.A).sum()
         )
         self.variance, self.matched = float(rest) / 3, float(total) / self.number
-        self.moved = empty(self.size, vec3d, self.places.device)
-        launch(map_positions_kernel, self.size, [self.places, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
+        self.moved = empty(self.size, vec3d, self.positions.device)
+        launch(map_positions_kernel, self.size, [self.positions, mat33d(*self.A.ravel()), vec3d(*self.t), self.moved])
 
     def _bend(self) -> None:
         assert self.field is not None
@@ -278,7 +286,7 @@ class _Drifting:
         self.variance = float(squares - 2 * cross + spread) / (3 * float(total))
         self.matched = float(total) / self.number
 
-    def conclude(self, kind: Kind, settled: bool) -> DriftResult:
+    def conclude(self, kind: Kind, converged: bool) -> DriftResult:
         T, field = self.begin, None
         if self.field is None:
             T = matmul(make_pose(self.A, self.t / self.unit + self.center - matmul(self.A, self.center)), self.begin)
@@ -295,7 +303,7 @@ class _Drifting:
             float(np.nanmedian(target.compute_nearest_neighbor_distance())),
             self.matched,
             self.taken,
-            settled,
+            converged,
             field,
         )
 

@@ -93,11 +93,11 @@ class ControlGrid:
         """
         points = self._points_of("cloud", cloud, first=True)
         low, high = (np.asarray(bound) for bound in cloud._device_bounds())
-        reach = max(np.abs(low - self._origin).max(), np.abs(high - self._origin).max()) if len(cloud) else 0.0
-        if reach >= (FARTHEST - 2) * self.grid_size:
+        max_offset = max(np.abs(low - self._origin).max(), np.abs(high - self._origin).max()) if len(cloud) else 0.0
+        if max_offset >= (FARTHEST - 2) * self.grid_size:
             raise ValueError(
                 f"cloud: expected points within {(FARTHEST - 2) * self.grid_size:g} m of the grid's origin "
-                f"{self._origin.tolist()}, got one {reach:g} m away; take a larger grid_size, or remove stray points"
+                f"{self._origin.tolist()}, got one {max_offset:g} m away. Take a larger grid_size or remove outliers"
             )
         self._lattice = make_lattice(self.grid_size, points, self._lattice)
 
@@ -118,8 +118,8 @@ class ControlGrid:
         Raises:
             TypeError, ValueError: Not numbers, not finite, or a wrong shape.
         """
-        found = check_rows("positions", positions, 3, rows=len(self), dtype=np.float64)
-        write(self._lattice.shifts, check_finite("positions", found) - self.get_init_positions())
+        new_positions = check_rows("positions", positions, 3, rows=len(self), dtype=np.float64)
+        write(self._lattice.shifts, check_finite("positions", new_positions) - self.get_init_positions())
 
     def deform(self, cloud: PointCloud) -> PointCloud:
         """Deform a cloud in the frame of the fragments, with its normals. Covariances are dropped.
@@ -197,7 +197,7 @@ class ControlGrid:
 
     def _positions(self, shifts: NDArray[np.float64]) -> NDArray[np.float64]:
         lattice = self._lattice
-        places = empty(len(self), vec3d, self.device)
+        anchors = empty(len(self), vec3d, self.device)
         given = upload(shifts, vec3d, self.device)
-        launch(anchor_positions_kernel, len(self), [lattice.anchor_keys, lattice.cell_size, given, places])
-        return np.asarray(download(places), np.float64).reshape(-1, 3) + self._origin
+        launch(anchor_positions_kernel, len(self), [lattice.anchor_keys, lattice.cell_size, given, anchors])
+        return np.asarray(download(anchors), np.float64).reshape(-1, 3) + self._origin

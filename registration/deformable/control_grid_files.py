@@ -42,12 +42,12 @@ def write_control_grid(path: str | os.PathLike[str], grid: ControlGrid, *, overw
 def read_control_grid(path: str | os.PathLike[str], *, device: Any = None) -> ControlGrid:
     members = _read_members(path)
     if members.get("format", np.empty(0)).tobytes() != FORMAT:
-        raise FileError(path, "is no control grid")
+        raise FileError(path, "is not a control grid")
     cells, shifts, sizes, origin = (members[name] for name in ("cells", "shifts", "sizes", "origin"))
-    sound = cells.ndim == 1 and cells.dtype == np.int64 and (np.diff(cells) > 0).all() and shifts.dtype == np.float64
+    is_valid = cells.ndim == 1 and cells.dtype == np.int64 and (np.diff(cells) > 0).all() and shifts.dtype == np.float64
     numbers = sizes.dtype == origin.dtype == np.float64 and all(np.isfinite(a).all() for a in (sizes, origin, shifts))
-    if not sound or not numbers or sizes.shape != (1,) or origin.shape != (3,):
-        raise FileError(path, "holds arrays that are not those of a control grid")
+    if not is_valid or not numbers or sizes.shape != (1,) or origin.shape != (3,):
+        raise FileError(path, "contains arrays that do not belong to a control grid")
     where = resolve_device(device)
     with values_of_file(path):
         grid = ControlGrid(float(sizes[0]), device=where)

@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import KDTree
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
     LARGEST_NUMBER,
     check_count,
@@ -73,7 +73,7 @@ DOUBTED_STRAIN = 0.12  # strain above which rotated starts are tried
 BETTER = 0.75  # strain ratio of a better start
 
 
-@told_arguments
+@explain_argument_errors
 def register_nonrigid(
     source: PointCloud,
     target: PointCloud,
@@ -105,7 +105,7 @@ def register_nonrigid(
         stiffness: Weights of the regularization of a node, from stiff to soft, in the same unit.
         max_iterations: Maximum steps per stiffness.
         tolerance: Converged if nodes move by less than this fraction of their spacing.
-        progress: Called with ("bend" or "bend, turned round", stages done, stages in all).
+        progress: Called with ("bend" or "bend, rotated", stages done, stages in all).
 
     Returns:
         The result. Check `reliable` and `is_rigid`.
@@ -133,11 +133,11 @@ def register_nonrigid(
         (True, False, True)
     """
     check_clouds(source, target)
-    tell = check_progress(progress)
+    report_progress = check_progress(progress)
     steps = [check_positive("stiffness", value, maximum=1e6) for value in check_list("stiffness", stiffness, "numbers")]
     if not steps:
         raise ValueError("stiffness: expected at least one number")
-    turns = check_count("max_iterations", max_iterations, minimum=1, maximum=1000)
+    iteration_limit = check_count("max_iterations", max_iterations, minimum=1, maximum=1000)
     share = check_positive("tolerance", tolerance)
     weight = check_positive("landmark_weight", landmark_weight, maximum=1e6)
     for name, cloud in (("source", source), ("target", target)):
@@ -145,43 +145,43 @@ def register_nonrigid(
             raise ValueError(f"{name}: expected at least {MIN_POINTS} finite points, got {cloud.search_tree().count}")
     low, high = (np.asarray(bound) for bound in source._device_bounds())
     spacing = _check_spacing(node_spacing, float(norm(high - low)))
-    reach = 2 * spacing
+    max_distance = 2 * spacing
     if max_correspondence_distance is not None:
         name = "max_correspondence_distance"
-        reach = check_positive(name, max_correspondence_distance, maximum=LARGEST_NUMBER)
+        max_distance = check_positive(name, max_correspondence_distance, maximum=LARGEST_NUMBER)
     pins = _check_landmarks(landmarks, low, high, spacing)
     start = None if init is None else check_poses("init", init, TransformationEstimationPointToPlane())
 
     def bend(begin: Array | None, phase: str) -> NonRigidResult:
-        job = _Bending(source, target, spacing, reach, begin, pins, weight)
-        return job.run(steps, turns, share * spacing, partial(tell, phase))
+        job = _NonRigidRegistration(source, target, spacing, max_distance, begin, pins, weight)
+        return job.run(steps, iteration_limit, share * spacing, partial(report_progress, phase))
 
-    found = bend(start, "bend")
-    if found.strain <= DOUBTED_STRAIN or len(pins[0]) >= 3:
-        return found
-    return _turned_round(source, found, bend, is_given=init is not None)
+    result = bend(start, "bend")
+    if result.strain <= DOUBTED_STRAIN or len(pins[0]) >= 3:
+        return result
+    return _retry_rotated(source, result, bend, is_given=init is not None)
 
 
-def _turned_round(source: PointCloud, found: NonRigidResult, bend: Any, *, is_given: bool) -> NonRigidResult:
+def _retry_rotated(source: PointCloud, result: NonRigidResult, bend: Any, *, is_given: bool) -> NonRigidResult:
     """The result with least strain among this one and three half turns about the principal axes."""
     points = source.remove_non_finite_points().points
-    center, best, begin = points.mean(axis=0), found, None
+    center, best, begin = points.mean(axis=0), result, None
     for axis in eigh(matmul((points - center).T, points - center) / max(len(points) - 1, 1))[1].T:
-        turn = map_about(2 * np.outer(axis, axis) - np.eye(3), center)
+        half_rotation = map_about(2 * np.outer(axis, axis) - np.eye(3), center)
         try:
-            other = bend(matmul(found.rigid_pose, turn), "bend, turned round")
+            other = bend(matmul(result.rigid_pose, half_rotation), "bend, rotated")
         except ValueError:  # no point near the target from this start
             continue
         if other.strain < BETTER * best.strain and other.matched >= 0.98 * best.matched:
-            best, begin = other, matmul(found.rigid_pose, turn)
+            best, begin = other, matmul(result.rigid_pose, half_rotation)
     if begin is None or not is_given:
         return best
-    return replace(found, better_start=begin)
+    return replace(result, better_start=begin)
 
 
 def _check_spacing(value: float | None, diagonal: float) -> float:
     if diagonal <= 0:
-        raise ValueError("source: all of its points are at one place")
+        raise ValueError("source: expected different points, got equal ones")
     if value is None:
         return diagonal / NODES_ACROSS
     spacing = check_positive("node_spacing", value)
@@ -197,60 +197,67 @@ def _check_landmarks(landmarks: Any, low: Array, high: Array, spacing: float) ->
     if landmarks is None:
         return np.zeros((0, 3)), np.zeros((0, 3))
     if not isinstance(landmarks, tuple | list) or len(landmarks) != 2:
-        raise ValueError("landmarks: expected two arrays, places on the source and where they belong")
-    here = check_finite("landmarks[0]", check_rows("landmarks[0]", landmarks[0], 3, dtype=np.float64))
-    there = check_rows("landmarks[1]", landmarks[1], 3, rows=len(here), dtype=np.float64)
-    off = np.maximum(np.maximum(low - here, here - high), 0).max(axis=1, initial=0)
-    if len(here) and off.max() > 2 * spacing:
+        raise ValueError("landmarks: expected two arrays, points on the source and their target positions")
+    source_points = check_finite("landmarks[0]", check_rows("landmarks[0]", landmarks[0], 3, dtype=np.float64))
+    target_points = check_rows("landmarks[1]", landmarks[1], 3, rows=len(source_points), dtype=np.float64)
+    off = np.maximum(np.maximum(low - source_points, source_points - high), 0).max(axis=1, initial=0)
+    if len(source_points) and off.max() > 2 * spacing:
         k = int(off.argmax())
         raise ValueError(
-            f"landmarks[0]: place {k} lies {off[k]:g} m outside of the source's box; "
-            "give places on the source first, in its world coordinates"
+            f"landmarks[0]: point {k} is {off[k]:g} m outside the source's bounding box. "
+            "Pass the points on the source first, in its world coordinates"
         )
-    check_finite("landmarks[1]", there)
-    _refuse_contradictions(here, there, spacing)
-    return here, there
+    check_finite("landmarks[1]", target_points)
+    _refuse_contradictions(source_points, target_points, spacing)
+    return source_points, target_points
 
 
-def _refuse_contradictions(here: Array, there: Array, spacing: float) -> None:
+def _refuse_contradictions(source_points: Array, target_points: Array, spacing: float) -> None:
     """Reject landmarks less than a node spacing apart whose targets are farther apart: they share nodes."""
-    if len(here) < 2:
+    if len(source_points) < 2:
         return
-    a, b = KDTree(here).query_pairs(spacing, output_type="ndarray").reshape(-1, 2).T
-    before, after = (np.linalg.norm(places[a] - places[b], axis=1) for places in (here, there))
+    a, b = KDTree(source_points).query_pairs(spacing, output_type="ndarray").reshape(-1, 2).T
+    before, after = (np.linalg.norm(points[a] - points[b], axis=1) for points in (source_points, target_points))
     if (after - before > spacing).any():
         k = int((after - before).argmax())
         raise ValueError(
-            f"landmarks: places {min(a[k], b[k])} and {max(a[k], b[k])} are {before[k]:g} m apart and belong "
-            f"{after[k]:g} m apart, which no bend of nodes {spacing:g} m apart does; leave one of them out, or give a "
+            f"landmarks: points {min(a[k], b[k])} and {max(a[k], b[k])} are {before[k]:g} m apart and their "
+            f"targets {after[k]:g} m, which nodes {spacing:g} m apart cannot represent. Leave one out, or pass a "
             "smaller node_spacing"
         )
 
 
-class _Bending:
+class _NonRigidRegistration:
     def __init__(
-        self, source: PointCloud, target: PointCloud, spacing: float, reach: float, init: Any, pins: Any, weight: float
+        self,
+        source: PointCloud,
+        target: PointCloud,
+        spacing: float,
+        max_distance: float,
+        init: Any,
+        pins: Any,
+        weight: float,
     ):
         self.sided = bool(source.has_normals and target.has_normals)
         self.source, self.target = (
             cloud if cloud.has_normals else cloud.estimate_normals(max_nn=NORMAL_NEIGHBORS)
             for cloud in (source, target)
         )
-        self.spacing, self.reach, self.pins = spacing, reach, pins
+        self.spacing, self.max_distance, self.pins = spacing, max_distance, pins
         low, high = source._device_bounds()
         # with sparse nodes, the match is judged at the scale of the body
         self.grain = min(spacing, float(norm(np.asarray(high) - np.asarray(low))) / NODES_ACROSS)
         if init is None and len(pins[0]) >= 3:
             init = fit_pose(*pins)
         method = TransformationEstimationPointToPlane()
-        found = registration_icp(self.source, self.target, reach, init, method, overlap=None)
-        if found.fitness == 0 and not len(pins[0]):
+        icp = registration_icp(self.source, self.target, max_distance, init, method, overlap=None)
+        if icp.fitness == 0 and not len(pins[0]):
             raise ValueError(
-                f"source, target: no point of the source lies within {reach:g} m of the target; give an "
-                "init that brings them near (register_globally finds one), landmarks, or a larger "
+                f"source, target: no point of the source is within {max_distance:g} m of the target. Pass an "
+                "init that aligns them roughly (as from register_globally), landmarks, or a larger "
                 "max_correspondence_distance"
             )
-        self.pose, tree = found.transformation, self.target.search_tree()
+        self.pose, tree = icp.transformation, self.target.search_tree()
         self.tree, self.count = tree, len(source)
         normals = self.target._device_array("normals")
         self.surface = Surface(tree.source, normals, find_borders(tree, normals))
@@ -259,7 +266,7 @@ class _Bending:
         self.partners, self.distances = empty(self.count, int32, device), empty(self.count, float64, device)
 
     def _make_graph(self, weight: float) -> None:
-        source, device, (here, there) = self.source, self.tree.device, self.pins
+        source, device, (source_points, target_points) = self.source, self.tree.device, self.pins
         thin = source.remove_non_finite_points()
         chosen = thin.farthest_point_down_sample(len(thin.voxel_down_sample(self.spacing)))
         nodes = chosen._points_about(source.origin)
@@ -271,49 +278,49 @@ class _Bending:
         self.influence = Influence(points, self.graph)
         around = neighbors_of(self.graph, self.influence)
         self.around, everything = around, self.influence
-        if len(here):
-            pinned = upload((here - source.origin).astype(np.float32), vec3, device)
+        if len(source_points):
+            pinned = upload((source_points - source.origin).astype(np.float32), vec3, device)
             everything = Influence(concatenate_rows([points, pinned]), self.graph)
         self.steps = BendingSteps(self.graph, everything, around)
-        if len(here):
-            places = upload(there - self.target.origin, vec3d, device)
-            launch(pin_rows_kernel, len(here), [self.count, places, weight, self.steps.rows])
+        if len(source_points):
+            pin_positions = upload(target_points - self.target.origin, vec3d, device)
+            launch(pin_rows_kernel, len(source_points), [self.count, pin_positions, weight, self.steps.rows])
         each = self.graph.count / max(source.search_tree().count, 1)
         self.rule = PairRule(MIN_COSINE, self.sided, each, POINT_WEIGHT * each)
 
-    def _pair(self, reach: float) -> Any:
+    def _pair(self, max_distance: float) -> Any:
         moved = bend_points(self.graph, self.influence)
         normals = bend_normals(self.graph, self.influence, self.source._device_array("normals"))
-        nearest = find_nearest(self.tree, moved, radius=reach)
-        found = [self.rule, self.steps.rows, self.partners, self.distances]
-        launch(pair_points_kernel, self.count, [moved, normals, nearest, self.surface, *found])
+        nearest = find_nearest(self.tree, moved, radius=max_distance)
+        outputs = [self.rule, self.steps.rows, self.partners, self.distances]
+        launch(pair_points_kernel, self.count, [moved, normals, nearest, self.surface, *outputs])
         return moved
 
     def run(
-        self, stiffness: Sequence[float], turns: int, still: float, tell: Callable[[int, int], None]
+        self, stiffness: Sequence[float], max_iterations: int, still: float, report_progress: Callable[[int, int], None]
     ) -> NonRigidResult:
-        moved = self._pair(self.reach)
+        moved = self._pair(self.max_distance)
         unbent = self._measure(moved)
-        taken, settled = 0, True
+        iterations, converged = 0, True
         for stage, value in enumerate(stiffness):
-            tell(stage, len(stiffness))
+            report_progress(stage, len(stiffness))
             shift = np.inf
-            for _ in range(turns):
+            for _ in range(max_iterations):
                 shift = self.steps.take(value)
-                taken += 1
+                iterations += 1
                 self._pair(self._limit(stage, len(stiffness)))
                 if shift < still:
                     break
-            settled = settled and shift < still
-        tell(len(stiffness), len(stiffness))
-        return self._conclude(unbent, taken, settled)
+            converged = converged and shift < still
+        report_progress(len(stiffness), len(stiffness))
+        return self._conclude(unbent, iterations, converged)
 
     def _limit(self, stage: int, stages: int) -> float:
         """Maximum pair distance. The softer half of all stages also rejects outliers."""
         if 2 * stage < stages:
-            return self.reach
+            return self.max_distance
         medians = quantiles_of(self.distances, [0.5])  # sync
-        return min(self.reach, max(TRIM * medians[0], 0.25 * self.spacing)) if medians else self.reach
+        return min(self.max_distance, max(TRIM * medians[0], 0.25 * self.spacing)) if medians else self.max_distance
 
     def _measure(self, moved: Any) -> tuple[Array, float, float]:
         residuals = empty(self.count, float64, self.tree.device)
@@ -325,12 +332,12 @@ class _Bending:
         rmse = float(np.sqrt((values[paired] ** 2).mean())) if paired.any() else float("nan")
         return values, float(near.sum()) / max(self.source.search_tree().count, 1), rmse
 
-    def _conclude(self, unbent: tuple[Array, float, float], taken: int, settled: bool) -> NonRigidResult:
+    def _conclude(self, unbent: tuple[Array, float, float], iterations: int, converged: bool) -> NonRigidResult:
         residuals, matched, rmse = self._measure(self._pair(self._limit(1, 1)))
         deformation = Deformation(self.graph, self.source.origin, self.target.origin)
         warped = deformation.transform(self.source)
-        reached = find_nearest(PointTree(warped._points_about(self.target.origin)), self.tree.source)
-        covered = _share_within(reached, 0.5 * self.grain, self.tree.count)
+        nearest = find_nearest(PointTree(warped._points_about(self.target.origin)), self.tree.source)
+        covered = _share_within(nearest, 0.5 * self.grain, self.tree.count)
         strains = quantiles_of(measure_strain(self.graph, self.around), [0.9])
         volumes = deformation.volumes(self.source)
         finite = volumes[np.isfinite(volumes)]
@@ -347,8 +354,8 @@ class _Bending:
             unbent[1],
             float((finite <= 0).mean()) if finite.size else 0.0,
             strains[0] if strains else 0.0,
-            taken,
-            settled,
+            iterations,
+            converged,
             self.spacing,
             self.tree.source.size,
         )
@@ -416,19 +423,19 @@ class NonRigidResult(Report, Assessed):
     def warnings(self) -> tuple[str, ...]:
         """Failed quality checks, each with its remedy. Empty if the result is reliable."""
         share, fold = max(self.matched, self.covered), self.folded > MAX_FOLDED
-        turned = self.better_start is not None
+        has_better_start = self.better_start is not None
         return failed(
-            f"only {format_share(share)} of either cloud lies on the other" if share < MIN_SHARE else None,
-            f"the bend folds over at {format_share(self.folded)} of the points" if fold else None,
-            f"the body would be stretched by {self.strain:.0%}" if self.strain > MAX_STRAIN else None,
-            "from a start half a turn away (better_start) it fits with less strain" if turned else None,
+            f"only {format_share(share)} of either cloud matches the other" if share < MIN_SHARE else None,
+            f"the deformation folds at {format_share(self.folded)} of the points" if fold else None,
+            f"the deformation stretches the source by {self.strain:.0%}" if self.strain > MAX_STRAIN else None,
+            "a start rotated by 180 degrees (better_start) fits with less strain" if has_better_start else None,
         )
 
     def to_dict(self) -> dict[str, Any]:
         """The values as JSON types."""
         names = ("matched", "covered", "rmse", "rigid_rmse", "rigid_matched", "folded", "strain", "iterations")
-        found = {name: getattr(self, name) for name in names}
-        return {"nodes": len(self.deformation), **found, "converged": self.converged, **quality(self)}
+        values = {name: getattr(self, name) for name in names}
+        return {"nodes": len(self.deformation), **values, "converged": self.converged, **quality(self)}
 
     def fields(self) -> Fields:
         """The rows of the printed summary."""
@@ -439,7 +446,7 @@ class NonRigidResult(Report, Assessed):
             ("rmse", f"{self.rmse:.4g}"),
             ("unbent", unbent),
             ("strain", f"{self.strain:.1%}, folded at {format_share(self.folded)}"),
-            ("steps", f"{self.iterations}{'' if self.converged else ', not settled'}"),
+            ("steps", f"{self.iterations}{'' if self.converged else ', not converged'}"),
         ]
         return with_warnings(fields, self)
 
@@ -460,17 +467,17 @@ class NonRigidResult(Report, Assessed):
         rows = check_numeric("values", values)
         if rows.ndim not in (1, 2) or len(rows) != self.target_count:
             raise ValueError(
-                f"values: expected {self.target_count} rows, one a point of the target, got {list(rows.shape)}"
+                f"values: expected {self.target_count} rows, one per point of the target, got {list(rows.shape)}"
             )
         blank = check_number("missing", missing, allow_nan=True, allow_infinite=True)
         with np.errstate(invalid="ignore", over="ignore"):
             filled = np.asarray(blank).astype(rows.dtype)
         if rows.dtype.kind != "f" and filled != blank:
-            raise ValueError(f"missing: {missing} is no {rows.dtype}; give a whole number")
-        taken = np.full((len(self.correspondences), *rows.shape[1:]), filled, rows.dtype)
+            raise ValueError(f"missing: expected an integer for {rows.dtype}, got {missing}")
+        transferred = np.full((len(self.correspondences), *rows.shape[1:]), filled, rows.dtype)
         has = self.correspondences >= 0
-        taken[has] = rows[self.correspondences[has]]
-        return taken
+        transferred[has] = rows[self.correspondences[has]]
+        return transferred
 
 
 class Deformation:

@@ -72,7 +72,7 @@ class SLACOptimizerParams:
     grid_size: float = GRID_SIZE
 
     def __post_init__(self):
-        reason = "what has not settled by then does not"
+        reason = "more iterations do not converge"
         steps = check_count("max_iterations", self.max_iterations, minimum=0, maximum=MAX_ITERATIONS, because=reason)
         object.__setattr__(self, "max_iterations", steps)
         for name in ("voxel_size", "distance_threshold", "regularizer_weight", "grid_size"):
@@ -156,7 +156,7 @@ class _Alignment:
         self.params = SLACOptimizerParams() if params is None else params
         if not isinstance(self.params, SLACOptimizerParams):
             raise TypeError(f"params: expected a SLACOptimizerParams, got {type(params).__name__}")
-        self.tell = check_progress(progress)
+        self.report_progress = check_progress(progress)
         if not isinstance(graph, PoseGraph):
             raise TypeError(f"fragment_pose_graph: expected a PoseGraph, got {type(graph).__name__}")
         self.graph, given = check_pose_graph(graph), check_list("fragments", fragments, "point clouds")
@@ -188,30 +188,30 @@ class _Alignment:
         follows = np.abs(graph.source - graph.target) == 1
         used = follows | (self.shares >= params.fitness_threshold)
         ends = np.stack([graph.source[used], graph.target[used]], axis=1)
-        parts, held = _parts(ends, len(self.poses))
+        parts, is_fixed = _parts(ends, len(self.poses))
         first = self.poses.copy()
         pairs = Pairs(ends, self.fragments, params.distance_threshold, MIN_COSINE, sided=self.sided)
         tie = params.regularizer_weight * len(self.poses)
-        system = StepSystem(self.fragments.lattice, held, ends, tie)
-        errors, turns = [], []
+        system = StepSystem(self.fragments.lattice, is_fixed, ends, tie)
+        errors, solver_iterations = [], []
         for step in range(params.max_iterations):
-            self.tell("slac", step, params.max_iterations)
+            self.report_progress("slac", step, params.max_iterations)
             task = self._task(pairs, system)
             errors.append(task.errors())
-            turns.append(self._step(task))
-        self.tell("slac", params.max_iterations, params.max_iterations)
+            solver_iterations.append(self._step(task))
+        self.report_progress("slac", params.max_iterations, params.max_iterations)
         last = self._task(pairs, system)
         errors.append(last.errors())
-        if any(turns):
-            self._settle(first, parts, held)
-        return self._concluded(used, held, last.rows, errors, turns)
+        if any(solver_iterations):
+            self._restore_gauge(first, parts, is_fixed)
+        return self._concluded(used, is_fixed, last.rows, errors, solver_iterations)
 
     def _task(self, pairs: Pairs, system: StepSystem) -> FragmentStep:
         rows = pairs.match(self.poses)
         if not rows.count and len(pairs.ends):
             raise ValueError(
-                f"fragments: no point lies within {self.params.distance_threshold:g} m (distance_threshold) of one of "
-                "another fragment under the poses of fragment_pose_graph; check that they are T_world_fragment"
+                f"fragments: no point is within {self.params.distance_threshold:g} m (distance_threshold) of a point "
+                "of another fragment under the poses of fragment_pose_graph. Check that they are T_world_fragment"
             )
         return FragmentStep(rows, self.fragments.lattice, system)
 
@@ -219,16 +219,16 @@ class _Alignment:
         if not task.rows.count:
             return 0
         count, lattice = len(self.poses), self.fragments.lattice
-        solution, turns = task.solve()
+        solution, solver_iterations = task.solve()
         motions = np.array(download(solution[: 2 * count]), np.float64).reshape(count, 6)  # sync
         R = rotations_of(motions[:, :3])
         self.poses[:, :3, 3] = matmul(R, self.poses[:, :3, 3, None])[:, :, 0] + motions[:, 3:]
         self.poses[:, :3, :3] = nearest_rotations(matmul(R, self.poses[:, :3, :3]))
         launch(shift_anchors_kernel, lattice.anchor_count, [2 * count, solution, lattice.shifts])
         self.fragments.bend()
-        return turns
+        return solver_iterations
 
-    def _settle(self, first: Array, parts: NDArray[np.int32], held: NDArray[np.bool_]) -> None:
+    def _restore_gauge(self, first: Array, parts: NDArray[np.int32], is_fixed: NDArray[np.bool_]) -> None:
         """Move common rigid motion from the grid to the poses, and restore the first pose of each part."""
         lattice = self.fragments.lattice
         if self.bends and lattice.anchor_count:
@@ -237,22 +237,22 @@ class _Alignment:
             given = [lattice.anchor_keys, lattice.cell_size, back, lattice.shifts]
             launch(move_anchors_kernel, lattice.anchor_count, given)
             self.poses = matmul(self.poses, motion)
-        for node in np.flatnonzero(held):
+        for node in np.flatnonzero(is_fixed):
             part = parts == parts[node]
             self.poses[part] = matmul(first[node], invert_pose(self.poses[node]), self.poses[part])
 
     def _concluded(
         self,
         used: NDArray[np.bool_],
-        held: NDArray[np.bool_],
+        is_fixed: NDArray[np.bool_],
         rows: FragmentRows,
         errors: list[tuple[float, int, float]],
-        turns: list[int],
+        solver_iterations: list[int],
     ) -> PoseGraph:
         """The graph at the new poses. Fixed ones stay bitwise unchanged."""
         poses = self.poses.copy()
         poses[:, :3, 3] += self.middle - matmul(poses[:, :3, :3], self.origin)
-        poses[held] = self.graph.poses[held]
+        poses[is_fixed] = self.graph.poses[is_fixed]
         counts = np.zeros(len(used), np.int64)
         counts[used] = np.diff(rows.starts)
         edges = self.graph
@@ -264,7 +264,7 @@ class _Alignment:
         solved = PoseGraph([PoseGraphNode(T) for T in poses], [dataclasses.replace(edge) for edge in self.edges])
         rmse = np.sqrt(squares / np.maximum(number, 1))
         counts_of = number.astype(np.int64)
-        solved.report = RefinementReport(overlaps, rmse, counts_of, stretch, np.array(turns, np.int64))
+        solved.report = RefinementReport(overlaps, rmse, counts_of, stretch, np.array(solver_iterations, np.int64))
         return solved
 
 
@@ -298,12 +298,12 @@ def _agreement(clouds: Sequence[PointCloud], graph: GraphArrays, distance: float
         counted.append(count_agreeing(points, target._device_array("points"), nearest, *ends, distance))
     if not counted:
         return np.zeros(0)
-    found, agreeing = download(concatenate_rows(counted)).T  # sync
-    return agreeing / np.maximum(found, 1)
+    matches, agreeing = download(concatenate_rows(counted)).T  # sync
+    return agreeing / np.maximum(matches, 1)
 
 
 def _parts(ends: NDArray[np.int64], count: int) -> tuple[NDArray[np.int32], NDArray[np.bool_]]:
     parts = connected_parts(ends[:, 0], ends[:, 1], count)
-    held = np.zeros(count, bool)
-    held[np.unique(parts, return_index=True)[1]] = True
-    return parts, held
+    is_fixed = np.zeros(count, bool)
+    is_fixed[np.unique(parts, return_index=True)[1]] = True
+    return parts, is_fixed

@@ -140,8 +140,8 @@ class CorrespondenceCheckerBasedOnNormal(CorrespondenceChecker):
         if not source.has_normals or not target.has_normals:
             return True
         scale = float(norm(T[:3, 0]))
-        turned = matmul(source.normals[pairs[:, 0]].astype(np.float64), T[:3, :3].T) / scale
-        cosines = (turned * target.normals[pairs[:, 1]]).sum(axis=1)
+        rotated = matmul(source.normals[pairs[:, 0]].astype(np.float64), T[:3, :3].T) / scale
+        cosines = (rotated * target.normals[pairs[:, 1]]).sum(axis=1)
         return not (cosines < math.cos(self.normal_angle_threshold)).any()
 
     def _tighten(self, checks: Checks) -> None:
@@ -181,10 +181,10 @@ class CorrespondenceCheckerBasedOnSourceRotation(CorrespondenceChecker):
 
     def _passes(self, source: PointCloud, target: PointCloud, pairs: NDArray[Any], T: NDArray[np.float64]) -> bool:
         R = T[:3, :3] / norm(T[:3, 0])
-        turn = np.array(
+        angles = np.array(
             [math.atan2(R[2, 1], R[2, 2]), math.asin(np.clip(R[2, 0], -1, 1)), math.atan2(R[1, 0], R[0, 0])]
         )
-        return bool((np.abs(turn) <= self.rotation_threshold).all())
+        return bool((np.abs(angles) <= self.rotation_threshold).all())
 
     def _tighten(self, checks: Checks) -> None:
         rotation = np.minimum(checks.rotation, self.rotation_threshold)

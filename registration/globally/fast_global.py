@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.observers import report
 from ...kernels.arrays.bounds import bound_each
@@ -27,7 +27,7 @@ from ..rigid import to_world
 from .ransac import no_pose
 from .rating import rate_registration
 
-FEWEST = 10  # minimum correspondences, as in Open3D
+MIN_CORRESPONDENCES = 10  # minimum correspondences, as in Open3D
 RATED_WITHIN = 3.0  # half a voxel is given here, rating uses one and a half
 TRIALS = 100  # tested triples per correspondence
 EVERY = 2  # steps per scale division (the paper: four Gauss-Newton steps)
@@ -85,13 +85,13 @@ class FastGlobalRegistrationOption:
             "iteration_number",
             iteration_number,
             maximum=MAX_STEPS,
-            because="64 do for most clouds, and each costs the same",
+            because="64 suffice for most clouds, and the cost is proportional",
         )
         self.tuple_scale = check_positive("tuple_scale", tuple_scale)
         if self.tuple_scale > 1:
             raise ValueError(f"tuple_scale: expected a number in 0..1, got {tuple_scale!r}")
         self.maximum_tuple_count = check_count(
-            "maximum_tuple_count", maximum_tuple_count, maximum=MAX_TUPLES, because="each makes three correspondences"
+            "maximum_tuple_count", maximum_tuple_count, maximum=MAX_TUPLES, because="each gives three correspondences"
         )
         self.tuple_test = bool(tuple_test)
 
@@ -99,7 +99,7 @@ class FastGlobalRegistrationOption:
         return f"FastGlobalRegistrationOption({', '.join(f'{name}={value}' for name, value in vars(self).items())})"
 
 
-@told_arguments
+@explain_argument_errors
 def registration_fgr_based_on_feature_matching(
     source: PointCloud,
     target: PointCloud,
@@ -207,18 +207,20 @@ def _register(
     boxes = [box[:2] for box in bound_each(points)]  # sync
     middles = middle_of(*boxes[0]), middle_of(*boxes[1])
     pairs = PairCoordinates(*points, given, *middles)
-    if pairs.count < FEWEST:
-        return no_pose(f"{FEWEST} correspondences of finite points needed, {pairs.count} given", source)
+    if pairs.count < MIN_CORRESPONDENCES:
+        return no_pose(f"{MIN_CORRESPONDENCES} correspondences of finite points needed, {pairs.count} given", source)
     if option.tuple_test:
-        most = option.maximum_tuple_count
-        pairs = pairs.select(similar_tuples(pairs, seed, TRIALS * pairs.count, option.tuple_scale, most))
-        if pairs.count < FEWEST:
-            return no_pose(f"{FEWEST} correspondences needed, {pairs.count} left by the test of triples", source)
+        max_tuples = option.maximum_tuple_count
+        pairs = pairs.select(similar_tuples(pairs, seed, TRIALS * pairs.count, option.tuple_scale, max_tuples))
+        if pairs.count < MIN_CORRESPONDENCES:
+            return no_pose(
+                f"{MIN_CORRESPONDENCES} correspondences needed, {pairs.count} left after the tuple test", source
+            )
     radius = max(half_diagonal(*box) for box in boxes)
     pose = upload(np.eye(4)[None], mat44d, source.device)
     mu = 1.0 if option.use_absolute_scale else radius * radius
-    least = option.maximum_correspondence_distance**2 if option.decrease_mu else np.inf
-    before = pairs.anneal(pose, mu, least, option.division_factor, EVERY, option.iteration_number)
+    min_mu = option.maximum_correspondence_distance**2 if option.decrease_mu else np.inf
+    before = pairs.anneal(pose, mu, min_mu, option.division_factor, EVERY, option.iteration_number)
     local, previous = download(concatenate_rows([pose, before])).astype(np.float64)  # sync
     T = to_world(local, *world_middles(source, target, middles))
     result = evaluate_registration(source, target, option.maximum_correspondence_distance, T)
@@ -227,7 +229,7 @@ def _register(
     result.converged = bool(change[:3, :3].max() < STILL and change[:3, 3].max() < STILL * radius)
     moving = f"the pose still changed after {option.iteration_number} iterations"
     result.warnings = () if result.converged else (moving,)
-    reach = RATED_WITHIN * option.maximum_correspondence_distance
-    result.score = partial(rate_registration, source.copy(), target.copy(), T, reach)
+    max_distance = RATED_WITHIN * option.maximum_correspondence_distance
+    result.score = partial(rate_registration, source.copy(), target.copy(), T, max_distance)
     report("registration", source=source, target=target, result=result)
     return result

@@ -9,7 +9,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import LARGEST_NUMBER, check_positive, check_seed, is_on_gpu
 from ...core.observers import report
 from ...kernels.arrays.bounds import bound_each
@@ -45,7 +45,7 @@ from .rating import (
 FEATURE_RADIUS = 5.5  # [voxels] radius of feature neighborhoods
 NOISE = 1.5  # [voxels] noise bound: a voxel's diagonal is 1.7
 MIN_POINTS = 10  # minimum surface points
-CONTENDERS = 8  # maximum number of refined poses
+MAX_CANDIDATES = 8  # maximum number of refined poses
 RIVAL = 0.3  # minimum relative support of a rival
 ALIKE = 0.85  # relative share above which evidence is equal
 APART = 2.0  # match distances between distinct poses
@@ -70,7 +70,7 @@ class Description(NamedTuple):
         return PointCloud._from_device_arrays(arrays, self.cloud.origin)
 
 
-@told_arguments
+@explain_argument_errors
 def register_globally(
     source: PointCloud,
     target: PointCloud,
@@ -146,19 +146,21 @@ def register_described(
     source, target, size = left.cloud, right.cloud, left.voxel_size
     for name, surface in (("source", left.surface), ("target", right.surface)):
         if len(surface) < MIN_POINTS:
-            return _unknown(f"{name}: {len(surface)} voxels of {size:g} show a surface, {MIN_POINTS} needed", source)
+            return _unknown(
+                f"{name}: expected at least {MIN_POINTS} voxels of {size:g} with a surface, got {len(surface)}", source
+            )
     pairs = pair_features(left.features, right.features, mutual=True, mutual_consistency_ratio=0.0)
-    found = find_poses(left.surface.points, right.surface.points, pairs, NOISE * size, seed)
-    if not len(found.poses):
+    consensus = find_poses(left.surface.points, right.surface.points, pairs, NOISE * size, seed)
+    if not len(consensus.poses):
         return _unknown(f"no three of {pairs.shape[0]} correspondences agree", source)
-    poses, support = found.poses, found.support
+    poses, support = consensus.poses, consensus.support
     if free is not None:
-        poses, kept = level_poses(poses, moved_samples(left.surface, np.eye(4)[None])[0].mean(axis=0))
-        support = support[kept]
+        poses, level_rows = level_poses(poses, moved_samples(left.surface, np.eye(4)[None])[0].mean(axis=0))
+        support = support[level_rows]
         if not len(poses):
             tilt = np.degrees(MAX_TILT)
-            return _unknown(f"all {len(found.poses)} poses that were found tilt by {tilt:.0f} degrees or more", source)
-    rivals = poses[support >= RIVAL * support[0]][:CONTENDERS]
+            return _unknown(f"all {len(consensus.poses)} candidate poses tilt by {tilt:.0f} degrees or more", source)
+    rivals = poses[support >= RIVAL * support[0]][:MAX_CANDIDATES]
     result, evidence, equals = _choose(left.witness, right.witness, rivals, NOISE * size, refine, free)
     score = evidence.score
     T = to_world(result.transformation, source.origin, target.origin)
@@ -177,7 +179,7 @@ def register_described(
     if score <= 0.5:
         chosen.warnings = (evidence.problem,)
     elif equals > 1:
-        chosen.warnings = (f"{equals} poses fit alike",)
+        chosen.warnings = (f"{equals} poses fit equally well",)
     report("registration", source=source, target=target, result=chosen)
     return chosen
 
@@ -193,36 +195,38 @@ def _choose(
     """The refined pose with most evidence, its evidence, and the number of equally good poses."""
     first = refine_poses(source.surface, target.surface, poses, distance, FIRST_STEPS if refine else 0, free)
     poses = np.array([result.transformation for result in first])
-    wholes = compare_under(source.surface, target.surface, poses, distance)
-    order = _apart(source.surface, poses, np.argsort([-found.odds for found in wholes], kind="stable"), distance)
-    likely = [k for k in order if wholes[k].score > 0.5]
+    evidences = compare_under(source.surface, target.surface, poses, distance)
+    order = _distinct_poses(
+        source.surface, poses, np.argsort([-rated.odds for rated in evidences], kind="stable"), distance
+    )
+    likely = [k for k in order if evidences[k].score > 0.5]
     beside = compare_under(source.surface, target.surface, poses[likely], distance, beside_planes=True)
     rests = dict(zip(likely, beside, strict=True))
-    found = {k: complete(wholes[k], source, target, poses[k], distance, rests.get(k)) for k in order}
-    best = max((k for k in order if found[k].score > 0.5), key=lambda k: found[k].rest, default=order[0])
+    rated = {k: complete(evidences[k], source, target, poses[k], distance, rests.get(k)) for k in order}
+    best = max((k for k in order if rated[k].score > 0.5), key=lambda k: rated[k].rest, default=order[0])
     result = first[best]
     if refine:
         result = refine_poses(source.surface, target.surface, poses[best : best + 1], distance, STEPS, free)[0]
         result.iterations += first[best].iterations
     evidence = rate_surfaces(source, target, result.transformation, distance)
-    equals = [k for k in order if k != best and _is_equal(found[k], found[best])]
+    equals = [k for k in order if k != best and _is_equal(rated[k], rated[best])]
     return result, evidence, 1 + len(equals)
 
 
-def _apart(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
+def _distinct_poses(source: Surface, poses: NDArray[np.float64], order: NDArray[np.intp], distance: float) -> list[int]:
     """Indices, in order, of poses that move the source differently from all earlier ones."""
-    moved, kept = moved_samples(source, poses), [int(order[0])]
+    moved, selected = moved_samples(source, poses), [int(order[0])]
     for k in order[1:].tolist():
-        if ((moved[kept] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (APART * distance) ** 2:
-            kept.append(k)
-    return kept
+        if ((moved[selected] - moved[k]) ** 2).sum(axis=2).mean(axis=1).min() > (APART * distance) ** 2:
+            selected.append(k)
+    return selected
 
 
-def _is_equal(found: Evidence, best: Evidence) -> bool:
+def _is_equal(evidence: Evidence, best: Evidence) -> bool:
     """True if a pose has about as much evidence as the best, in total and without planes."""
     if best.score <= 0.5:
-        return 0 < ALIKE * best.share <= found.share
-    return found.score > 0.5 and ALIKE * best.share <= found.share and ALIKE * best.rest <= found.rest
+        return 0 < ALIKE * best.share <= evidence.share
+    return evidence.score > 0.5 and ALIKE * best.share <= evidence.share and ALIKE * best.rest <= evidence.rest
 
 
 def _unknown(warning: str, source: PointCloud) -> RegistrationResult:
@@ -232,7 +236,7 @@ def _unknown(warning: str, source: PointCloud) -> RegistrationResult:
 
 
 MAX_PAIRS = 2**14  # all pairs are compared: 33 MB of bits
-FEWEST = 3  # minimum correspondences for a pose
+MIN_CORRESPONDENCES = 3  # minimum correspondences for a pose
 CHANCE = 3.0  # correspondences that agree with any pose by chance
 SURE, STEEP = 2.2, 4.0  # support ratio with score 0.5, and its steepness
 
@@ -351,15 +355,15 @@ def registration_robust_based_on_feature_matching(
 
 
 def _register(source: PointCloud, target: PointCloud, pairs: wp.array, bound: float, seed: int) -> RegistrationResult:
-    found = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
-    if not len(found.poses):
-        result = no_pose(f"no {FEWEST} of {pairs.shape[0]} correspondences agree", source)
+    consensus = find_poses(source._device_array("points"), target._device_array("points"), pairs, bound, seed)
+    if not len(consensus.poses):
+        result = no_pose(f"no {MIN_CORRESPONDENCES} of {pairs.shape[0]} correspondences agree", source)
         result.score = 0.0
         return result
-    T = make_pose(found.poses[0][:3, :3], found.poses[0][:3, 3])
+    T = make_pose(consensus.poses[0][:3, :3], consensus.poses[0][:3, 3])
     T[:3, 3] += target.origin - matmul(T[:3, :3], source.origin)
     result = evaluate_registration(source, target, bound, T)
-    result.score = rate_support(found.support)
+    result.score = rate_support(consensus.support)
     _conclude(result)
     return result
 

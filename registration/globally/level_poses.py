@@ -24,8 +24,8 @@ def check_level(free: Any) -> tuple[str, ...] | None:
         return None
     if set(names) != set(LEVEL):
         raise ValueError(
-            f"free: a search is of all six motions or of {', '.join(LEVEL)}, got {', '.join(names)}; "
-            "registration_icp(init=, free=) takes any"
+            f"free: expected all six motions or {', '.join(LEVEL)}, got {', '.join(names)}. "
+            "registration_icp(init=, free=) accepts any"
         )
     return LEVEL
 
@@ -35,10 +35,10 @@ def level_poses(
 ) -> tuple[NDArray[np.float64], NDArray[np.intp]]:
     """The nearest level poses [k, 4, 4] that keep the image of `middle`, and their indices, without tilted ones."""
     R = poses[:, :3, :3]
-    kept = np.flatnonzero(np.arccos(np.clip(R[:, 2, 2], -1, 1)) <= MAX_TILT)
+    selected = np.flatnonzero(np.arccos(np.clip(R[:, 2, 2], -1, 1)) <= MAX_TILT)
     level = []
-    for T in poses[kept]:
+    for T in poses[selected]:
         yaw = math.atan2(T[1, 0] - T[0, 1], T[0, 0] + T[1, 1])  # maximizes the trace of R^T Rz
-        turn = about_up(yaw)
-        level.append(make_pose(turn, matmul(T[:3, :3], middle) + T[:3, 3] - matmul(turn, middle)))
-    return np.array(level).reshape(-1, 4, 4), kept
+        rotation = about_up(yaw)
+        level.append(make_pose(rotation, matmul(T[:3, :3], middle) + T[:3, 3] - matmul(rotation, middle)))
+    return np.array(level).reshape(-1, 4, 4), selected

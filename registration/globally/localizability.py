@@ -20,7 +20,7 @@ from .rating import COSINE, ENOUGH, NEAR, VOXELS, surface_of
 
 Matrix = NDArray[np.float64]
 FINER = 0.8  # source voxel relative to the target's, to avoid aligned grids
-REACH_VOXELS = 2.0  # search radius of planes
+RADIUS_VOXELS = 2.0  # search radius of planes
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,15 +63,15 @@ class Localizability(AssessedRecord):
         if not len(self.open_motions):
             return ()
         if len(self.open_motions) == 6:
-            return ("the clouds share no surface that would hold the pose",)
-        ways = [f"slide along {_told(way)}" for way in self.translations]
-        ways += [f"turn about {_told(axis)}" for axis in self.turns]
-        return (f"the source may {' and '.join(ways)}: the clouds lie on each other as well there",)
+            return ("the clouds share no surface that determines the pose",)
+        ways = [f"slide along {_format_direction(way)}" for way in self.translations]
+        ways += [f"rotate about {_format_direction(axis)}" for axis in self.turns]
+        return (f"the source may {' and '.join(ways)}: the clouds match equally well there",)
 
     def prior(self, transformation: ArrayLike, sigma: float) -> Prior:
         """Prior for `registration_icp(..., pivot=localizability.middle)` that holds only the undetermined motions."""
         if not len(self.open_motions):
-            raise ValueError("prior: no motion is open; registration_icp needs none")
+            raise ValueError("prior: all motions are determined, so registration_icp needs none")
         check_positive("sigma", sigma)
         rows = self.open_motions * ([self.lever] * 3 + [1.0] * 3) / sigma
         return Prior(transformation, information=matmul(rows.T, rows))
@@ -120,7 +120,7 @@ def localizability(
         >>> found.kinds[0], found.kinds[-1]
         ('none', 'full')
         >>> found.warnings
-        ('the source may slide along x: the clouds lie on each other as well there',)
+        ('the source may slide along x: the clouds match equally well there',)
     """
     check_clouds(source, target)
     distance = check_positive("max_correspondence_distance", max_correspondence_distance)
@@ -132,27 +132,27 @@ def localizability(
     except ValueError as error:
         raise ValueError(f"max_correspondence_distance: {distance} m is too small for these clouds: {error}") from error
     pose = to_local(T, source.origin, target.origin)
-    hold = (
+    constraints = (
         find_pose_constraint(left, right, pose, distance, NEAR * distance, COSINE) if len(left) and len(right) else None
     )
-    if hold is None or hold.matches < ENOUGH:
+    if constraints is None or constraints.matches < ENOUGH:
         return Localizability(T, target.origin.copy(), distance, np.eye(6), np.zeros(6), ("none",) * 6)
-    (matrix,) = symmetric_matrices(hold.triangle[None])
-    shares, vectors = eigh(matrix / hold.matches)
-    scale = np.array([hold.lever] * 3 + [1.0] * 3)
+    (matrix,) = symmetric_matrices(constraints.triangle[None])
+    shares, vectors = eigh(matrix / constraints.matches)
+    scale = np.array([constraints.lever] * 3 + [1.0] * 3)
     suspects = vectors.T[shares < SUSPECT_SHARE]
     kinds = ["full"] * 6
     if len(suspects):
         steps = [sign * STEP_VOXELS * size * motion / scale for motion in suspects for sign in (-1, 1)]
-        poses = np.array([pose, *(moved(pose, step, about=hold.middle) for step in steps)])
-        rises = compare_pair(left, right, JUDGING_POINTS, poses, REACH_VOXELS * size, COSINE, size)
-        is_held: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
-        kinds[: len(suspects)] = ["partial" if held else "none" for held in is_held.tolist()]
-    middle = hold.middle + target.origin
-    return Localizability(T, middle, hold.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
+        poses = np.array([pose, *(moved(pose, step, about=constraints.middle) for step in steps)])
+        rises = compare_pair(left, right, JUDGING_POINTS, poses, RADIUS_VOXELS * size, COSINE, size)
+        is_constrained: NDArray[np.bool_] = np.logical_and(*rises_clearly(rises[1:]).reshape(-1, 2).T)
+        kinds[: len(suspects)] = ["partial" if constrained else "none" for constrained in is_constrained.tolist()]
+    middle = constraints.middle + target.origin
+    return Localizability(T, middle, constraints.lever, vectors.T.copy(), np.maximum(shares, 0.0), tuple(kinds))
 
 
-def _told(direction: tuple[float, float, float]) -> str:
+def _format_direction(direction: tuple[float, float, float]) -> str:
     largest = int(np.abs(direction).argmax())
     if abs(direction[largest]) > 0.998:
         return "xyz"[largest]

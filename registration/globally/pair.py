@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import LARGEST_NUMBER, check_positive, check_progress, shown
 from ...core.progress import ReportProgress
 from ...core.reports import Assessed, Fields, Report, quality
@@ -27,7 +27,7 @@ from ..icp.estimation import (
     TransformationEstimationPointToPoint,
     TransformationEstimationSymmetric,
 )
-from ..icp.icp import ICPConvergenceCriteria, check_held, check_poses
+from ..icp.icp import ICPConvergenceCriteria, check_constrainable, check_poses
 from ..icp.multi_scale import NORMAL_RADIUS, multi_scale_icp
 from ..result import MIN_SCORE, RegistrationResult
 from ..rigid import pose_error
@@ -161,7 +161,7 @@ class PairRegistration(Report, Assessed):
         open_motions = len(result.degenerate_directions) - by_prior
         return [
             ("points", "{:,} onto {:,}".format(*self.points)),
-            ("thinned", "{:,} onto {:,}, one a voxel of ".format(*self.thinned) + voxels),
+            ("thinned", "{:,} onto {:,}, one per voxel of ".format(*self.thinned) + voxels),
             ("start", self.init),
             ("method", method),
             ("result", f"{fit}; {result.iterations} iterations, {_state_of(result)}"),
@@ -173,7 +173,7 @@ class PairRegistration(Report, Assessed):
         ]
 
 
-@told_arguments
+@explain_argument_errors
 def register_pair(
     source: PointCloud,
     target: PointCloud,
@@ -217,28 +217,33 @@ def register_pair(
         >>> bool(np.abs(found.transformation[:3, 3] - [-0.02, 0.03, -0.01]).max() < 0.01), found.reliable
         (True, True)
     """
-    estimation, tell = _check_method(method), check_progress(progress)
+    estimation, report_progress = _check_method(method), check_progress(progress)
     check_clouds(source, target)
     start = None if init is None else check_poses("init", init, estimation)
     level, clouds = _check_freedom(estimation, free, prior, start is None), {"source": source, "target": target}
-    reach = _check_length("max_correspondence_distance", max_correspondence_distance)
+    max_distance = _check_length("max_correspondence_distance", max_correspondence_distance)
     given = _check_length("voxel_size", voxel_size)
-    tell("voxels", 0, 0)
+    report_progress("voxels", 0, 0)
     _check_colors(clouds, method, estimation.needs_colors)
     size = choose_for(clouds) if given is None else given
     thinned = _count_voxels(clouds, size)
-    believed, problem, scales = 1.0, "", COARSE_TO_FINE if reach is None else AT_ONCE
+    search_score, problem, scales = 1.0, "", COARSE_TO_FINE if max_distance is None else AT_ONCE
     if start is None:
-        tell("search", 0, 0)
-        found = register_globally(source, target, voxel_size=size, free=level)
-        start, believed, problem, scales = found.transformation, found.score or 0.0, "; ".join(found.warnings), AT_ONCE
-    tell("refine", 0, 0)
-    limits = [reach or DISTANCE * scale * size for scale in scales]
+        report_progress("search", 0, 0)
+        initial = register_globally(source, target, voxel_size=size, free=level)
+        start, search_score, problem, scales = (
+            initial.transformation,
+            initial.score or 0.0,
+            "; ".join(initial.warnings),
+            AT_ONCE,
+        )
+    report_progress("refine", 0, 0)
+    limits = [max_distance or DISTANCE * scale * size for scale in scales]
     coarse_to_fine = [scale * size for scale in scales], [ICPConvergenceCriteria()] * len(scales), limits, start
-    held: dict[str, Any] = {"estimate_normals": True, "free": free, "prior": prior}
-    result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **held)
-    tell("rate", 0, 0)
-    score = min(believed, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
+    options: dict[str, Any] = {"estimate_normals": True, "free": free, "prior": prior}
+    result = multi_scale_icp(source, target, *coarse_to_fine, estimation, **options)
+    report_progress("rate", 0, 0)
+    score = min(search_score, rate_registration(source, target, result.transformation, RATED_WITHIN * size))
     estimated = tuple(role for role in estimation.needs_normals if not clouds[role].has_normals)
     return PairRegistration(
         result,
@@ -271,7 +276,7 @@ def _check_method(method: Any) -> TransformationEstimation:
 def _check_freedom(
     estimation: TransformationEstimation, free: Any, prior: Prior | None, searched: bool
 ) -> tuple[str, ...] | None:
-    check_held(estimation, make_constraint(free, None, None, prior, None))
+    check_constrainable(estimation, make_constraint(free, None, None, prior, None))
     return check_level(free) if searched else None
 
 
@@ -290,7 +295,7 @@ def _count_voxels(clouds: dict[str, PointCloud], size: float) -> tuple[int, int]
             plural = "" if count == 1 else "s"
             edge = f"{size:g} {symbol_of(cloud.unit)}"
             reason = f"has points in {count} voxel{plural} of {edge}, and {MIN_VOXELS} are needed"
-            raise UnfitCloudError(role, "voxels", reason, "Take a smaller voxel_size, or a cloud with more points")
+            raise UnfitCloudError(role, "voxels", reason, "Use a smaller voxel_size, or a cloud with more points")
     return counts["source"], counts["target"]
 
 

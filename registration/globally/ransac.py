@@ -10,7 +10,7 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.observers import report
 from ...kernels.lang import int32, vec3
@@ -26,7 +26,7 @@ from ..rigid import to_world
 from .checkers import CorrespondenceChecker, checks_of
 from .rating import rate_registration
 
-FEWEST = 3  # minimum correspondences for a pose
+MIN_SAMPLE = 3  # minimum correspondences for a pose
 MUTUAL_SHARE = 0.1  # minimum fraction of mutual pairs; below it all pairs are used, as in Open3D
 
 
@@ -49,7 +49,7 @@ class RANSACConvergenceCriteria:
     def __init__(self, max_iteration: int = 100000, confidence: float = 0.999):
         self.max_iteration = check_count("max_iteration", max_iteration)
         if self.max_iteration >= 2**31:
-            raise ValueError(f"max_iteration: expected a whole number below 2^31, got {max_iteration!r}")
+            raise ValueError(f"max_iteration: expected an integer below 2^31, got {max_iteration!r}")
         self.confidence = check_positive("confidence", confidence, allow_zero=True)
         if self.confidence > 1:
             raise ValueError(f"confidence: expected a number in 0..1, got {confidence!r}")
@@ -58,7 +58,7 @@ class RANSACConvergenceCriteria:
         return f"RANSACConvergenceCriteria(max_iteration={self.max_iteration}, confidence={self.confidence})"
 
 
-@told_arguments
+@explain_argument_errors
 def registration_ransac_based_on_feature_matching(
     source: PointCloud,
     target: PointCloud,
@@ -67,7 +67,7 @@ def registration_ransac_based_on_feature_matching(
     mutual_filter: bool,
     max_correspondence_distance: float,
     estimation_method: TransformationEstimationPointToPoint | None = None,
-    ransac_n: int = FEWEST,
+    ransac_n: int = MIN_SAMPLE,
     checkers: Sequence[CorrespondenceChecker] = (),
     criteria: RANSACConvergenceCriteria | None = None,
     *,
@@ -127,7 +127,7 @@ def registration_ransac_based_on_correspondence(
     corres: ArrayLike,
     max_correspondence_distance: float,
     estimation_method: TransformationEstimationPointToPoint | None = None,
-    ransac_n: int = FEWEST,
+    ransac_n: int = MIN_SAMPLE,
     checkers: Sequence[CorrespondenceChecker] = (),
     criteria: RANSACConvergenceCriteria | None = None,
     *,
@@ -179,18 +179,18 @@ def registration_ransac_based_on_correspondence(
 def _check_settings(
     distance: Any, method: Any, ransac_n: Any, checkers: Any, criteria: Any, seed: Any
 ) -> tuple[float, bool, int, Sequence[CorrespondenceChecker], RANSACConvergenceCriteria, int]:
-    reach = check_positive("max_correspondence_distance", distance)
+    max_distance = check_positive("max_correspondence_distance", distance)
     method = TransformationEstimationPointToPoint() if method is None else method
     if not isinstance(method, TransformationEstimationPointToPoint):
         raise TypeError(
-            "estimation_method: a pose is fitted to pairs of points: expected TransformationEstimationPointToPoint, "
-            f"got {type(method).__name__}; refine the result by registration_icp with it"
+            "estimation_method: expected TransformationEstimationPointToPoint, which fits a pose to pairs of points, "
+            f"got {type(method).__name__}. Use that in registration_icp to refine the result"
         )
     criteria = RANSACConvergenceCriteria() if criteria is None else criteria
     if not isinstance(criteria, RANSACConvergenceCriteria):
         raise TypeError(f"criteria: expected RANSACConvergenceCriteria, got {type(criteria).__name__}")
-    sample_size = check_count("ransac_n", ransac_n, minimum=FEWEST)
-    return reach, bool(method.with_scaling), sample_size, checkers, criteria, check_seed(seed)
+    sample_size = check_count("ransac_n", ransac_n, minimum=MIN_SAMPLE)
+    return max_distance, bool(method.with_scaling), sample_size, checkers, criteria, check_seed(seed)
 
 
 def _register(
@@ -214,17 +214,15 @@ def _register(
     if np.isfinite(checks.cosine) and source.has_normals and target.has_normals:
         normals = source._device_array("normals"), target._device_array("normals")
     limits = (criteria.max_iteration, criteria.confidence)
-    found = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
-    if found.pose is None or found.count <= 0:
-        warning = (
-            "no hypothesis passed the checks" if found.pose is None else "no hypothesis brought the clouds together"
-        )
-        return no_pose(warning, source, iterations=found.drawn)
-    T = to_world(found.pose, *world_middles(source, target, fitness.middles))
+    best = search.find(distance, sample_size, checks, normals, *limits, with_scaling, seed)
+    if best.pose is None or best.count <= 0:
+        warning = "no hypothesis passed the checks" if best.pose is None else "no hypothesis aligned the clouds"
+        return no_pose(warning, source, iterations=best.drawn)
+    T = to_world(best.pose, *world_middles(source, target, fitness.middles))
     result = evaluate_registration(source, target, distance, T)
-    result.iterations, result.converged = found.drawn, found.confident
-    unsure = f"the confidence {criteria.confidence:g} was not reached within {found.drawn:,} iterations"
-    result.warnings = () if found.confident else (unsure,)
+    result.iterations, result.converged = best.drawn, best.confident
+    unsure = f"the confidence {criteria.confidence:g} was not reached within {best.drawn:,} iterations"
+    result.warnings = () if best.confident else (unsure,)
     if with_scaling:
         result.check_scale()
     result.score = partial(rate_registration, source.copy(), target.copy(), T, distance)

@@ -86,8 +86,8 @@ class Evidence(NamedTuple):
 
     @property
     def score_with_planes(self) -> float:
-        doubt = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
-        return float(doubt / (1 + math.exp(-self.odds))) if self.matches else 0.0
+        certainty = min(1.0, self.firmness / FIRM) ** 2 * min(1.0, self.matches / ENOUGH)
+        return float(certainty / (1 + math.exp(-self.odds))) if self.matches else 0.0
 
     @property
     def score(self) -> float:
@@ -97,19 +97,19 @@ class Evidence(NamedTuple):
     @property
     def score_of_number(self) -> float:
         """Limit 0..1 for few matches, where a search finds an equal pose by chance."""
-        least = CHANCE / np.sqrt(max(self.matches, 1.0))
-        return float(1 / (1 + (least / max(self.share, 1e-9)) ** STEEP))
+        chance_share = CHANCE / np.sqrt(max(self.matches, 1.0))
+        return float(1 / (1 + (chance_share / max(self.share, 1e-9)) ** STEEP))
 
     @property
     def score_beside_planes(self) -> float:
         """Score of the matches outside the three main planes, 0..1."""
         square = min(max((self.aligned - SOME_ALIGNED) / (ALL_ALIGNED - SOME_ALIGNED), 0.0), 1.0)
-        least = self._least_rest
-        least += square * max(MIN_ALIGNED - least, 0.0)
-        return 1 / (1 + (least / max(self.rest, 1e-9)) ** STEEP)
+        min_rest = self._min_rest
+        min_rest += square * max(MIN_ALIGNED - min_rest, 0.0)
+        return 1 / (1 + (min_rest / max(self.rest, 1e-9)) ** STEEP)
 
     @property
-    def _least_rest(self) -> float:
+    def _min_rest(self) -> float:
         return MIN_REST * max(self.share, 1e-9)
 
     @property
@@ -120,16 +120,16 @@ class Evidence(NamedTuple):
     @property
     def problem(self) -> str:
         if self.score_with_planes <= 0.5 and self.firmness < FIRM and self.share > FITS and self.matches >= ENOUGH:
-            return "the surfaces fit, but the pose may turn or slide freely, as that of a ball, a tube or a plane may"
+            return "the surfaces match, but the pose can rotate or slide, as on a sphere, cylinder or plane"
         if self.score_with_planes <= 0.5:
-            return "the clouds hardly lie on each other under the best pose found"
+            return "the clouds hardly match under the best pose found"
         if self.score_of_number <= 0.5:
-            return "so few voxels match that another pose may fit as well: take a smaller voxel_size"
-        if self.rest < self._least_rest:
-            return "the clouds lie on each other on three planes, as any corners do, and hardly beside them"
+            return "so few voxels match that another pose may fit equally well: use a smaller voxel_size"
+        if self.rest < self._min_rest:
+            return "the clouds match on three planes, as any corners do, and hardly elsewhere"
         if self.score_beside_planes <= 0.5:
-            return "the clouds lie on each other on planes square to each other, as rooms do, and hardly beside them"
-        return "one cloud stands where the other saw through, wherever that was seen from"
+            return "the clouds match on perpendicular planes, as any rooms do, and hardly elsewhere"
+        return "one cloud occupies space that the other sensor saw through, from any viewpoint"
 
 
 NO_EVIDENCE = Evidence(0.0, 0.0, 0.0)
@@ -215,12 +215,12 @@ def surface_of(cloud: PointCloud, voxel_size: float) -> Surface:
 
 def rate_surfaces(source: Witness, target: Witness, pose: NDArray[np.float64], distance: float) -> Evidence:
     """All evidence for a pose; expensive parts only while the evidence supports it."""
-    found = compare_surfaces(source.surface, target.surface, pose, distance)
-    return complete(found, source, target, pose, distance)
+    evidence = compare_surfaces(source.surface, target.surface, pose, distance)
+    return complete(evidence, source, target, pose, distance)
 
 
 def complete(
-    found: Evidence,
+    evidence: Evidence,
     source: Witness,
     target: Witness,
     pose: NDArray[np.float64],
@@ -228,17 +228,17 @@ def complete(
     beside: Evidence | None = None,
 ) -> Evidence:
     """Add the rest and the view to the evidence if it supports the pose so far."""
-    if found.score <= 0.5:
-        return found
+    if evidence.score <= 0.5:
+        return evidence
     if beside is None:
         beside = compare_surfaces(source.surface, target.surface, pose, distance, beside_planes=True)
-    enough = max(beside.matches / ENOUGH_BESIDE, beside.matches / (PART_BESIDE * found.matches))
+    enough = max(beside.matches / ENOUGH_BESIDE, beside.matches / (PART_BESIDE * evidence.matches))
     square = min(max((beside.aligned - FEW_ALIGNED) / (MANY_ALIGNED - FEW_ALIGNED), 0.0), 1.0)
     chance = (1.0 - min(1.0, enough)) * square
-    found = found._replace(rest=beside.share * (1.0 - chance), aligned=beside.aligned)
-    if found.score <= 0.5 or found.aligned < SOME_ALIGNED:
-        return found
-    return found._replace(blocked=count_blocked(source, target, pose) / found.matches)
+    evidence = evidence._replace(rest=beside.share * (1.0 - chance), aligned=beside.aligned)
+    if evidence.score <= 0.5 or evidence.aligned < SOME_ALIGNED:
+        return evidence
+    return evidence._replace(blocked=count_blocked(source, target, pose) / evidence.matches)
 
 
 def count_blocked(source: Witness, target: Witness, pose: NDArray[np.float64]) -> float:
@@ -275,14 +275,14 @@ def compare_under(
 def _evidence_of(both: tuple[NDArray[np.float64], NDArray[np.float64]]) -> Evidence:
     if not all(sums[MATCHED_AT] for sums in both):
         return NO_EVIDENCE
-    found = []
+    sides = []
     for sums in both:
         near, matched = symmetric_matrices(sums[:42].reshape(2, 21))
         ridge = RIDGE * np.trace(near) / 6 * np.eye(6)
         share = float(np.trace(solve(near + ridge, matched))) / 6
         firmness = max(float(eigvalsh(matched / sums[MATCHED_AT])[0]), 0.0)
-        found.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
-    share, firmness, matches, square = np.min(found, axis=0).tolist()
+        sides.append((share, firmness, float(sums[MATCHED_AT]), float(-sums[ALIGNED_AT] / sums[MATCHED_AT])))
+    share, firmness, matches, square = np.min(sides, axis=0).tolist()
     return Evidence(share, firmness, matches, aligned=-square)
 
 

@@ -65,9 +65,11 @@ class Prior:
         sigmas = {"sigma_rotation": self.sigma_rotation, "sigma_translation": self.sigma_translation}
         given = [name for name, value in sigmas.items() if value is not None]
         if self.information is not None and given:
-            raise ValueError(f"information, {given[0]}: both say how well the pose is known; leave one out")
+            raise ValueError(f"information, {given[0]}: expected one of them, got both")
         if self.information is None and not given:
-            raise ValueError("information: a prior says how well its pose is known: give it, or sigma_translation=")
+            raise ValueError(
+                "information: expected the uncertainty of the prior, got None. Pass it, or sigma_translation="
+            )
         if self.information is None:
             parts = [_weights_of(name, value) for name, value in sigmas.items()]
             information = np.diag(np.concatenate(parts))
@@ -84,9 +86,7 @@ def check_information(name: str, matrix: Any) -> Matrix:
         raise ValueError(f"{name}: expected a symmetric matrix, got entries that differ by {np.abs(M - M.T).max():.3g}")
     values = eigvalsh((M + M.T) / 2)
     if values[0] < -INDEFINITE * max(values[-1], -values[0]):
-        raise ValueError(
-            f"{name}: expected no negative eigenvalue, got {values[0]:.3g}; a covariance is inverted first"
-        )
+        raise ValueError(f"{name}: expected no negative eigenvalue, got {values[0]:.3g}; invert a covariance first")
     return (M + M.T) / 2
 
 
@@ -121,8 +121,8 @@ class Constraint:
     anchors: Matrix | None = None
     states: Matrix | None = None
 
-    def about(self, place: NDArray[np.float64]) -> Constraint:
-        return dataclasses.replace(self, pivots=place[None]) if self.pivots is None else self
+    def about(self, pivot: NDArray[np.float64]) -> Constraint:
+        return dataclasses.replace(self, pivots=pivot[None]) if self.pivots is None else self
 
     def begun(self, anchor: Matrix, state: Matrix | None) -> Constraint:
         """The constraint with one job's fixed motions at an earlier pose, continued from a state."""
@@ -135,12 +135,12 @@ def make_constraint(free: Any, frame: Any, pivot: Any, prior: Any, noise: Any, c
     names = MOTIONS if free is None else check_free(free)
     priors = _check_priors(prior, count)
     if not priors and noise is not None:
-        raise ValueError("noise: it weighs the pairs against a prior, and there is none; give prior=, or leave it out")
+        raise ValueError("noise: requires prior=, which weights the pairs. Pass prior=, or leave noise out")
     bound = len(names) < len(MOTIONS) or bool(priors)
     if frame is not None and free is None:
-        raise ValueError("frame: it has the axes of the free motions, and all are free; give free=, or leave it out")
+        raise ValueError("frame: requires free=, and all motions are free. Pass free=, or leave frame out")
     if pivot is not None and free is None and not priors:
-        raise ValueError("pivot: it is for free= and prior=, and there is neither; leave it out")
+        raise ValueError("pivot: requires free= or prior=, got neither. Leave pivot out")
     axes = np.eye(3) if frame is None else _check_frame(frame)
     pivots = None if pivot is None else _check_pivots(pivot, count)
     level = 0.0 if noise is None else check_positive("noise", noise)
@@ -151,7 +151,7 @@ def check_free(free: Any) -> tuple[str, ...]:
     names = check_list("free", free, f"motions among {', '.join(MOTIONS)}")
     if not names:
         raise ValueError(
-            f"free: expected at least one of {', '.join(MOTIONS)}; to judge a pose, evaluate_registration()"
+            f"free: expected at least one of {', '.join(MOTIONS)}; to rate a pose, use evaluate_registration()"
         )
     for name in names:
         if not isinstance(name, str):
@@ -160,7 +160,7 @@ def check_free(free: Any) -> tuple[str, ...]:
             hint = nearest_name(name.lower(), MOTIONS)
             raise ValueError(f"free: expected names among {', '.join(MOTIONS)}, got {shown(name)}{hint}")
         if names.count(name) > 1:
-            raise ValueError(f"free: {name!r} stands there twice")
+            raise ValueError(f"free: {name!r} is duplicated")
     return tuple(name for name in MOTIONS if name in names)
 
 
@@ -170,7 +170,7 @@ def _check_frame(frame: Any) -> Matrix:
     if error > ORTHONORMAL:
         raise ValueError(f"frame: expected orthonormal columns, the axes, got F^T F - I up to {error:.3g}")
     if det(F) < 0:
-        raise ValueError("frame: expected right-handed axes, got left-handed ones; turn one of the columns around")
+        raise ValueError("frame: expected right-handed axes, got left-handed ones; negate one of the columns")
     return F if error == 0 else nearest_rotation(F)
 
 
@@ -185,7 +185,7 @@ def _check_pivots(pivot: Any, count: int) -> Matrix:
 def _check_priors(prior: Any, count: int) -> tuple[Prior, ...]:
     if prior is None:
         return ()
-    priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one a job")
+    priors = [prior] if isinstance(prior, Prior) else check_list("prior", prior, "Prior, one per job")
     for one in priors:
         if not isinstance(one, Prior):
             raise TypeError(f"prior: expected Prior(transformation, sigma_translation=...), got {shown(one)}")
@@ -208,23 +208,23 @@ def make_freedom(
         pivots = pivots - np.array([target for _, target in origins]).reshape(-1, 3)
     elif priors:
         pivots = download(loop.progress.pivots).copy()  # sync
-    turned, shifted = np.tile(np.eye(3), (count, 1, 1)), np.zeros((count, 3))
+    rotations, shifted = np.tile(np.eye(3), (count, 1, 1)), np.zeros((count, 3))
     information = np.zeros((count, 36))
     for job in range(count if priors else 0):
         assert pivots is not None
         prior = priors[job % len(priors)]
-        turned[job], shifted[job] = _from_prior(
+        rotations[job], shifted[job] = _from_prior(
             poses[job], to_local(np.array(prior.transformation), *origins[job]), pivots[job]
         )
         if not free.all():
-            _check_reach(prior, turned[job], shifted[job], constraint, free)
+            _check_prior(prior, rotations[job], shifted[job], constraint, free)
         information[job] = np.asarray(prior.information).reshape(36)
     still = STILL_TURNING if free[:3].all() else STILL
     values: dict[str, tuple[np.ndarray, Any]] = {
         "firsts": (poses, mat44d),
         "pivots": (np.zeros((count, 3)) if pivots is None else pivots, vec3d),
         "states": (np.tile(still, (count, 1)) if constraint.states is None else constraint.states, motion_state),
-        "prior_rotations": (turned, mat33d),
+        "prior_rotations": (rotations, mat33d),
         "shifted": (shifted, vec3d),
         "information": (information, square),
         "prior_counts": (np.zeros(count), int32),
@@ -247,13 +247,13 @@ def _from_prior(T: Matrix, T_prior: Matrix, pivot: NDArray[np.float64]) -> tuple
     """R R_p^T, the displacement of the pivot's image from the prior, and the pivot."""
     scale = cube_root(float(det(T[:3, :3])))
     R = T[:3, :3] / scale
-    place = matmul(R.T, pivot - T[:3, 3]) / scale
-    turned = nearest_rotation(matmul(R, T_prior[:3, :3].T))
-    return turned, pivot - (matmul(T_prior[:3, :3], place) + T_prior[:3, 3])
+    point = matmul(R.T, pivot - T[:3, 3]) / scale
+    rotation = nearest_rotation(matmul(R, T_prior[:3, :3].T))
+    return rotation, pivot - (matmul(T_prior[:3, :3], point) + T_prior[:3, 3])
 
 
-def _check_reach(
-    prior: Prior, turned: Matrix, shifted: NDArray[np.float64], constraint: Constraint, free: NDArray[np.bool_]
+def _check_prior(
+    prior: Prior, rotation: Matrix, shifted: NDArray[np.float64], constraint: Constraint, free: NDArray[np.bool_]
 ) -> None:
     """Raise `ValueError` if the prior is unreachable under the free degrees of freedom."""
     values, vectors = eigh(np.asarray(prior.information))
@@ -262,7 +262,7 @@ def _check_reach(
 
     def away(x: NDArray[np.float64]) -> NDArray[np.float64]:
         D = matmul(constraint.frame, euler_rotation(x[:3]), constraint.frame.T)
-        return np.concatenate([rotation_vector(matmul(D, turned)), shifted + matmul(constraint.frame, x[3:])])
+        return np.concatenate([rotation_vector(matmul(D, rotation)), shifted + matmul(constraint.frame, x[3:])])
 
     steps = 1e-6 * np.eye(6)[free]
     for _ in range(ROUNDS):
@@ -273,8 +273,8 @@ def _check_reach(
     if sigmas > MAX_SIGMAS:
         fixed = ", ".join(name for name in MOTIONS if name not in constraint.free)
         raise ValueError(
-            f"prior: {norm(xi[:3]):.3g} rad and {norm(xi[3:]):.3g} m from all poses that init and "
-            f"free reach, {sigmas:.3g} standard deviations; begin at the prior (init), free {fixed}, or trust it less"
+            f"prior: {norm(xi[:3]):.3g} rad and {norm(xi[3:]):.3g} m from all poses reachable from init with "
+            f"free, {sigmas:.3g} standard deviations. Start at the prior (init), free {fixed}, or lower its weight"
         )
 
 

@@ -226,15 +226,15 @@ class TransformationEstimationForColoredICP(TransformationEstimation):
         check_share("lambda_geometric", self.lambda_geometric)
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        found = [colored_source(c, n) for c, n in zip(clouds, names, strict=True)]
-        return {"intensities": [values.reshape((values.size, 1)) for values in found]}
+        intensities = [colored_source(c, n) for c, n in zip(clouds, names, strict=True)]
+        return {"intensities": [values.reshape((values.size, 1)) for values in intensities]}
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        found = [colored_target(c, distance, name=n) for c, n in zip(clouds, names, strict=True)]
+        surfaces = [colored_target(c, distance, name=n) for c, n in zip(clouds, names, strict=True)]
         return {
-            "normals": [surface.normals for surface in found],
-            "intensities": [surface.intensities.reshape((surface.intensities.size, 1)) for surface in found],
-            "gradients": [surface.gradients for surface in found],
+            "normals": [surface.normals for surface in surfaces],
+            "intensities": [surface.intensities.reshape((surface.intensities.size, 1)) for surface in surfaces],
+            "gradients": [surface.gradients for surface in surfaces],
         }
 
     def arguments(self, loop: RegistrationLoop, source: PointColumns, target: PointColumns) -> list[Any]:
@@ -287,10 +287,10 @@ class TransformationEstimationForDopplerICP(TransformationEstimation):
             check_rigid("transform_vehicle_to_sensor", self.transform_vehicle_to_sensor)
 
     def _source_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:
-        found = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
+        measurements = [doppler_measurements(c, n) for c, n in zip(clouds, names, strict=True)]
         return {
-            "dopplers": [f.dopplers.reshape((f.dopplers.size, 1)) for f in found],
-            "directions": [f.directions for f in found],
+            "dopplers": [measured.dopplers.reshape((measured.dopplers.size, 1)) for measured in measurements],
+            "directions": [measured.directions for measured in measurements],
         }
 
     def _target_columns(self, clouds: Sequence[PointCloud], names: Sequence[str], distance: float) -> Columns:

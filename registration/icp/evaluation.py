@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_positive, check_transformation
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_clouds
@@ -14,7 +14,7 @@ from .estimation import TransformationEstimationPointToPoint
 from .iterative import IterativeRegistration
 
 
-@told_arguments
+@explain_argument_errors
 def evaluate_registration(
     source: PointCloud, target: PointCloud, max_correspondence_distance: float, transformation: ArrayLike | None = None
 ) -> RegistrationResult:

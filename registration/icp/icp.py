@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import (
     check_angle,
     check_callback,
@@ -23,7 +23,7 @@ from ...core.checks import (
     shown,
 )
 from ...core.observers import report, watched
-from ...core.units import asked_by_user, common_unit, warn_of_units
+from ...core.units import called_by_user, common_unit, warn_of_units
 from ...kernels.linear_algebra import matmul, norm
 from ...pcd.cloud import PointCloud
 from ..correspondence_input import check_cloud, check_clouds
@@ -56,11 +56,11 @@ class ICPConvergenceCriteria:
         check_positive("relative_fitness", self.relative_fitness, allow_zero=True)
         if self.relative_rmse is not None:
             check_positive("relative_rmse", self.relative_rmse, allow_zero=True)
-        reason = "what has not converged by then goes round in circles"
+        reason = "more iterations oscillate"
         check_count("max_iteration", self.max_iteration, minimum=0, maximum=MAX_STEPS, because=reason)
 
 
-@told_arguments
+@explain_argument_errors
 def registration_icp(
     source: PointCloud,
     target: PointCloud,
@@ -168,8 +168,8 @@ def run_icp(
     watch = None if callback is None and not watched() else watch
     problem.run(rules.max_iteration, rules.relative_fitness, rules.relative_rmse, watch)
     result = problem.results()[0]
-    if result.fitness < DOUBTFUL:
-        doubt(result, source, target, poses[0], max_correspondence_distance)
+    if result.fitness < LOW_FITNESS:
+        warn_of_low_fitness(result, source, target, poses[0], max_correspondence_distance)
     report("registration", source=source, target=target, result=result)
     return result
 
@@ -242,7 +242,7 @@ def check_poses(name: str, pose: ArrayLike | None, method: TransformationEstimat
         return np.eye(4)
     if isinstance(pose, TransformationEstimation | ICPConvergenceCriteria):
         raise TypeError(
-            f"{name}: expected a pose, got {type(pose).__name__}; give it by name: estimation_method=, criteria="
+            f"{name}: expected a pose, got {type(pose).__name__}; pass it by keyword: estimation_method=, criteria="
         )
     scale = 1.0
     T = np.array(check_transformation(name, pose))
@@ -266,11 +266,11 @@ def check_rules(method: Any, criteria: Any) -> tuple[TransformationEstimation, I
     return method, criteria
 
 
-def check_held(method: TransformationEstimation, constraint: Constraint | None) -> None:
+def check_constrainable(method: TransformationEstimation, constraint: Constraint | None) -> None:
     if constraint is not None and not method.constrainable:
         raise ValueError(
-            f"free, prior: {type(method).__name__} moves in all ways; "
-            "such as TransformationEstimationPointToPlane() can be held"
+            f"free, prior: {type(method).__name__} cannot be constrained. "
+            "Use TransformationEstimationPointToPlane() or another one that can"
         )
 
 
@@ -300,14 +300,14 @@ def _make_problem(
     overlap = None if overlap is None else check_positive("overlap", overlap)
     degeneracy = check_positive("degeneracy", degeneracy, allow_zero=True)
     if overlap is not None and overlap > 1:
-        raise ValueError(f"overlap: expected a share above 0 and up to 1, got {overlap!r}")
+        raise ValueError(f"overlap: expected a fraction above 0 and up to 1, got {overlap!r}")
     if max_normal_angle is not None:
         max_normal_angle = check_angle("max_normal_angle", max_normal_angle)
         if method._target_voxel_size is not None:
             raise ValueError("max_normal_angle: the voxels of a voxelized target have no normals; leave it out")
     if degeneracy >= 1:
-        raise ValueError(f"degeneracy: expected a share from 0 to below 1, got {degeneracy!r}")
-    check_held(method, constraint)
+        raise ValueError(f"degeneracy: expected a fraction from 0 to below 1, got {degeneracy!r}")
+    check_constrainable(method, constraint)
     options: dict[str, Any] = {"overlap": overlap, "max_normal_angle": max_normal_angle, "degeneracy": degeneracy}
     return IterativeRegistration(
         sources, targets, poses, distance, method, constraint=constraint, weights=weights, **options
@@ -340,35 +340,39 @@ def _jobs_of(
     return *spread, np.repeat(poses, count, axis=0) if len(poses) == 1 else poses  # type: ignore[return-value]
 
 
-DOUBTFUL = 0.05  # fitness below which the positions are checked
+LOW_FITNESS = 0.05  # fitness below which the positions are checked
 APART = 5.0  # distance in lengths of the longer cloud: too far for ICP
 SURELY_OTHER_UNIT = 500.0  # size ratio even if some points match: millimeters and meters
 OTHER_UNIT = 20.0  # size ratio: not two scans of one scene
 
 
-def doubt(result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> None:
+def warn_of_low_fitness(
+    result: Any, source: PointCloud, target: PointCloud, pose: NDArray[np.float64], max_distance: float
+) -> None:
     """Warn if two clouds have hardly any correspondence: most often different units, or a large distance."""
-    hint, ratio, apart = _where(source, target, pose, reach)
+    hint, ratio, apart = _describe_positions(source, target, pose, max_distance)
     if result.fitness == 0:
         result.warnings = (f"no correspondences: {hint}",)
-        remedy = "; init takes a pose to begin from, register_globally finds one" if apart > APART else ""
-        if (remedy or ratio > OTHER_UNIT) and asked_by_user():
+        remedy = "; pass an initial pose as init, such as from register_globally" if apart > APART else ""
+        if (remedy or ratio > OTHER_UNIT) and called_by_user():
             warn_of_units(f"no correspondences: {hint}{remedy}")
-    elif ratio > SURELY_OTHER_UNIT and asked_by_user():
+    elif ratio > SURELY_OTHER_UNIT and called_by_user():
         warn_of_units(f"source, target: fitness {result.fitness:.3g}: {hint}")
 
 
-def _where(source: PointCloud, target: PointCloud, pose: NDArray[np.float64], reach: float) -> tuple[str, float, float]:
+def _describe_positions(
+    source: PointCloud, target: PointCloud, pose: NDArray[np.float64], max_distance: float
+) -> tuple[str, float, float]:
     """The positions of two clouds in words, their size ratio, and their distance in lengths."""
-    said, middles, longest = [], [], []
+    sizes, middles, longest = [], [], []
     for name, cloud, T in (("source", source, pose), ("target", target, np.eye(4))):
         if not len(cloud):
             return f"the {name} has no points", 1.0, 0.0
         box = cloud.get_axis_aligned_bounding_box()
         middles.append(matmul(T[:3, :3], box.get_center()) + T[:3, 3])
         longest.append(box.get_max_extent())
-        said.append(f"the {name} spans {' x '.join(f'{length:.3g}' for length in box.get_extent())} m")
+        sizes.append(f"the {name} spans {' x '.join(f'{length:.3g}' for length in box.get_extent())} m")
     away = float(norm(middles[0] - middles[1]))
     unit = "; in another unit?" if max(longest) > OTHER_UNIT * min(longest) else ""
-    hint = f"{', '.join(said)}, their middles {away:.3g} m apart, within {reach:g} m{unit}"
+    hint = f"{', '.join(sizes)}, their centers {away:.3g} m apart, within {max_distance:g} m{unit}"
     return hint, max(longest) / min(longest) if min(longest) else 1.0, away / max(longest) if max(longest) else 0.0

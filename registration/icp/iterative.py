@@ -68,13 +68,13 @@ class IterativeRegistration:
         source_columns, target_columns = self._columns(max_normal_angle is not None)
         points, self._target_points = self._usable_points(source_columns, target_columns)
         known = self._sources[0]._known_search_tree if len(self._sources) == 1 else None
-        is_whole = points[0] is self._sources[0]._device_array("points")
-        self.source_clouds = ManyClouds(points, known if is_whole else None)
-        source = _place(self.source_clouds, source_columns)
+        is_complete = points[0] is self._sources[0]._device_array("points")
+        self.source_clouds = ManyClouds(points, known if is_complete else None)
+        source = _point_columns(self.source_clouds, source_columns)
         forest, gaussians, target = None, None, PointColumns()
         if estimation._target_voxel_size is None:
             forest = self._grow_forest()
-            target = _place(forest.clouds, target_columns)
+            target = _point_columns(forest.clouds, target_columns)
         else:
             gaussians = self._make_gaussians(target_columns["covariances"], estimation._target_voxel_size)
         jobs = Jobs(self.source_clouds, forest, self.source_of, self.target_of)
@@ -88,12 +88,12 @@ class IterativeRegistration:
         self._plain_arguments = None if geometry is None else geometry.arguments(self.loop, source, target)
         self._rejection = None
         if overlap is None or overlap < 1 or max_normal_angle is not None:
-            wanted = None if overlap is None or overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
+            pair_limit = None if overlap is None or overlap >= 1 else np.ceil(overlap * jobs.counts).astype(np.int32)
             normals = None
             if max_normal_angle is not None:
                 normals = (source.normals, target.normals, float(np.cos(max_normal_angle)))
             sizes = self.loop.progress.sizes if overlap is None else None
-            self._rejection = PairRejection(self.loop.matches, wanted, normals, sizes=sizes)
+            self._rejection = PairRejection(self.loop.matches, pair_limit, normals, sizes=sizes)
 
     def _take_clouds(self, sources: Sequence[PointCloud], targets: Sequence[PointCloud]) -> None:
         self._sources, self.source_of = _distinct(sources)
@@ -129,8 +129,8 @@ class IterativeRegistration:
 
     def _grow_forest(self) -> PointForest:
         first, points = self._targets[0], self._target_points
-        is_kept = len(points) == 1 and points[0] is first._device_array("points")
-        tree = first.search_tree() if is_kept else None
+        is_cached = len(points) == 1 and points[0] is first._device_array("points")
+        tree = first.search_tree() if is_cached else None
         forest = PointForest(points, tree)
         if tree is None:
             clouds = forest.clouds
@@ -155,10 +155,10 @@ class IterativeRegistration:
             self.loop.matches.weigh(self.source_clouds.gather(columns))
 
     def _make_freedom(self, constraint: Constraint, local: NDArray[np.float64]) -> Freedom:
-        held = local if constraint.anchors is None else self._local_poses(constraint.anchors)
+        anchors = local if constraint.anchors is None else self._local_poses(constraint.anchors)
         jobs = zip(self.source_of, self.target_of, strict=True)
         origins = [(self._source_origins[s], self._target_origins[t]) for s, t in jobs]
-        return make_freedom(constraint, self.loop, held, origins, self.estimation.residual_count)
+        return make_freedom(constraint, self.loop, anchors, origins, self.estimation.residual_count)
 
     def run(
         self,
@@ -189,19 +189,19 @@ class IterativeRegistration:
     def judged(self) -> tuple[dict[str, Any], bool]:
         """Steps, world pose, fitness and rmse of the first job, and whether any job continues."""
         states = self.loop.states.download()  # sync
-        told = {
+        state = {
             # a running job has taken one more step
             "iteration_index": int(states["iterations"][0]) - int(states["live"][0]),
             "transformation": self._world(0, states["earlier"][0]),
             "fitness": float(states["fitness"][0]),
             "inlier_rmse": float(states["rmse"][0]),
         }
-        return told, bool(states["running"][0])
+        return state, bool(states["running"][0])
 
     def results(self) -> list[RegistrationResult]:
         states = self.loop.states.download()  # sync
         outcomes, free_counts = states["outcomes"], states["free_counts"]
-        told = self._told_of_freedom()
+        constraint_results = self._constraint_results()
         results = [
             RegistrationResult(
                 self._world(job, states["poses"][job]),
@@ -212,7 +212,7 @@ class IterativeRegistration:
                 converged=bool(outcomes[job] == CONVERGED),
                 warnings=_warnings_of(int(outcomes[job]), int(states["iterations"][job])),
                 degenerate_directions=states["free"][job].reshape(6, 6)[: free_counts[job]].copy(),
-                **told[job],
+                **constraint_results[job],
             )
             for job in range(self.loop.jobs.count)
         ]
@@ -220,14 +220,14 @@ class IterativeRegistration:
             result.check_scale()
         return results
 
-    def _told_of_freedom(self) -> list[dict[str, Any]]:
+    def _constraint_results(self) -> list[dict[str, Any]]:
         """Constraint results of each job: free motions, prior directions, and parameters."""
         if self.constraint is None or self.freedom is None:
             return [{}] * self.loop.jobs.count
-        found = self.freedom.storage.download("states", "prior_counts")  # sync
-        pairs = zip(found["states"], found["prior_counts"], strict=True)
+        values = self.freedom.storage.download("states", "prior_counts")  # sync
+        pairs = zip(values["states"], values["prior_counts"], strict=True)
         free = self.constraint.free
-        return [{"free": free, "held_count": int(count), "motion": state.copy()} for state, count in pairs]
+        return [{"free": free, "prior_count": int(count), "motion": state.copy()} for state, count in pairs]
 
     def information(self) -> NDArray[np.float64]:
         """Information matrices of the pairs in world coordinates, [jobs, 6, 6]."""
@@ -247,18 +247,18 @@ class IterativeRegistration:
         count, first, base = int(jobs.counts[job]), int(jobs.firsts[job]), int(self.source_clouds.bases[s])
         if not count:  # Warp rejects an empty slice at the end
             return self._sources[s]._handed_out(empty((0, 2), int32, self._sources[s].device))
-        found = self.loop.matches.pairs[first : first + count]
+        partners = self.loop.matches.pairs[first : first + count]
         rows = self.source_clouds.order[base : base + count]
         library = self._sources[s].array_library
         if library != NUMPY:
-            places = empty(0, int32, found.device) if jobs.targets is None else jobs.targets.clouds.order
-            return hand_out(list_partners(len(self._sources[s]), rows, found, places), library)
-        found, rows = download(found), download(rows)
-        paired = found >= 0
-        places = found[paired]
+            target_rows = empty(0, int32, partners.device) if jobs.targets is None else jobs.targets.clouds.order
+            return hand_out(list_partners(len(self._sources[s]), rows, partners, target_rows), library)
+        partners, rows = download(partners), download(rows)
+        paired = partners >= 0
+        target_rows = partners[paired]
         if jobs.targets is not None:
-            places = download(jobs.targets.clouds.order)[places]
-        pairs = np.stack([rows[paired], places], axis=1).astype(np.int32)
+            target_rows = download(jobs.targets.clouds.order)[target_rows]
+        pairs = np.stack([rows[paired], target_rows], axis=1).astype(np.int32)
         return pairs[np.argsort(pairs[:, 0], kind="stable")]
 
     def _add_normals(self, columns: Columns, clouds: Sequence[PointCloud], names: Sequence[str]) -> None:
@@ -275,15 +275,15 @@ class IterativeRegistration:
 
 
 def _distinct(clouds: Sequence[PointCloud]) -> tuple[list[PointCloud], NDArray[np.int64]]:
-    places: dict[int, int] = {}
-    found: list[PointCloud] = []
+    indices: dict[int, int] = {}
+    distinct: list[PointCloud] = []
     numbers = np.empty(len(clouds), np.int64)
     for i, cloud in enumerate(clouds):
-        place = places.setdefault(id(cloud), len(found))
-        if place == len(found):
-            found.append(cloud)
-        numbers[i] = place
-    return found, numbers
+        index = indices.setdefault(id(cloud), len(distinct))
+        if index == len(distinct):
+            distinct.append(cloud)
+        numbers[i] = index
+    return distinct, numbers
 
 
 def _warnings_of(outcome: int, iterations: int) -> tuple[str, ...]:
@@ -295,5 +295,5 @@ def _names(role: str, numbers: NDArray[np.int64]) -> list[str]:
     return [role] if len(firsts) == 1 else [f"{role}s[{i}]" for i in firsts]
 
 
-def _place(clouds: ManyClouds, columns: Columns) -> PointColumns:
+def _point_columns(clouds: ManyClouds, columns: Columns) -> PointColumns:
     return PointColumns(**{name: clouds.gather(arrays) for name, arrays in columns.items()})

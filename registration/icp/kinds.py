@@ -7,7 +7,7 @@ from typing import Any
 
 from numpy.typing import ArrayLike
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...pcd.cloud import PointCloud
 from ..result import RegistrationResult
 from .constraint import Prior
@@ -19,7 +19,7 @@ from .estimation import (
 from .icp import ICPConvergenceCriteria, registration_icp
 
 
-@told_arguments
+@explain_argument_errors
 def registration_colored_icp(
     source: PointCloud,
     target: PointCloud,
@@ -38,12 +38,12 @@ def registration_colored_icp(
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForColoredICP: both clouds need colors, the target normals."""
     method = TransformationEstimationForColoredICP() if estimation_method is None else estimation_method
-    held: Any = {"free": free, "frame": frame, "pivot": pivot, "prior": prior, "weights": weights, "noise": noise}
+    options: Any = {"free": free, "frame": frame, "pivot": pivot, "prior": prior, "weights": weights, "noise": noise}
     pair = source, target, max_correspondence_distance, init
-    return registration_icp(*pair, method, criteria, overlap=overlap, **held)
+    return registration_icp(*pair, method, criteria, overlap=overlap, **options)
 
 
-@told_arguments
+@explain_argument_errors
 def registration_generalized_icp(
     source: PointCloud,
     target: PointCloud,
@@ -62,12 +62,12 @@ def registration_generalized_icp(
 ) -> RegistrationResult:
     """`registration_icp` with TransformationEstimationForGeneralizedICP."""
     method = TransformationEstimationForGeneralizedICP() if estimation_method is None else estimation_method
-    held: Any = {"free": free, "frame": frame, "pivot": pivot, "prior": prior, "weights": weights, "noise": noise}
+    options: Any = {"free": free, "frame": frame, "pivot": pivot, "prior": prior, "weights": weights, "noise": noise}
     pair = source, target, max_correspondence_distance, init
-    return registration_icp(*pair, method, criteria, overlap=overlap, **held)
+    return registration_icp(*pair, method, criteria, overlap=overlap, **options)
 
 
-@told_arguments
+@explain_argument_errors
 def registration_symmetric_icp(
     source: PointCloud,
     target: PointCloud,

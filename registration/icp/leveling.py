@@ -51,5 +51,5 @@ def leveled(
     if sine > OPPOSITE:
         T[:3, :3] = matmul(rotation_of(axis * (math.atan2(sine, cosine) / sine)), T[:3, :3])
     elif cosine < 0:
-        raise ValueError("up_in_source: upside down under init, so every way to turn it is as short; is it gravity?")
+        raise ValueError("up_in_source: points down under init, so the shortest rotation is ambiguous; is it gravity?")
     return T

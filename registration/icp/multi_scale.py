@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_callback, check_list, check_number, check_positive
 from ...core.observers import standing_for
 from ...kernels.linear_algebra import matmul
@@ -27,12 +27,12 @@ from .preparation import point_weights
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 3.0, 30  # [voxels] radius, and maximum neighbors of normals
 NEAR = 2.0  # [voxels] distance of overlapping points
 LITTLE = 0.5  # overlap below which border points bias the pose
-KEPT = 0.9  # minimum ratio of overlap after the restart: otherwise it matches only a part
+MIN_OVERLAP_RATIO = 0.9  # minimum ratio of overlap after the restart: otherwise it matches only a part
 WEIGHTS = "weights of multi_scale_icp"  # the attribute that downsampling averages
 _ROLES = ("source", "target")
 
 
-@told_arguments
+@explain_argument_errors
 def multi_scale_icp(
     source: PointCloud,
     target: PointCloud,
@@ -133,12 +133,12 @@ def _register(
     if met >= LITTLE:
         return result
     trimmed = run(overlap=None, weights=weights)
-    if evaluate_registration(source, target, near, trimmed.transformation).fitness < KEPT * met:
+    if evaluate_registration(source, target, near, trimmed.transformation).fitness < MIN_OVERLAP_RATIO * met:
         return result
     trimmed.iterations += result.iterations
-    whole = evaluate_registration(source, target, distance, trimmed.transformation)
-    trimmed.fitness, trimmed.inlier_rmse = whole.fitness, whole.inlier_rmse
-    trimmed._correspondences = whole._correspondences
+    evaluation = evaluate_registration(source, target, distance, trimmed.transformation)
+    trimmed.fitness, trimmed.inlier_rmse = evaluation.fitness, evaluation.inlier_rmse
+    trimmed._correspondences = evaluation._correspondences
     return trimmed
 
 

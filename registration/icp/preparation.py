@@ -44,7 +44,7 @@ def in_sensor_frame(cloud: PointCloud, name: str) -> PointCloud:
     if not cloud.origin.any():
         return cloud
     if np.abs(cloud.origin).max() > ORIGIN_LIMIT:
-        raise ValueError(f"{name}: expected a scan in the frame of its sensor, within 10 km of zero")
+        raise ValueError(f"{name}: expected a scan in the frame of its sensor, within 10 km of the origin")
     arrays = {n: cloud._device_array(n) for n in cloud._device_arrays} | {"points": cloud._points_about(np.zeros(3))}
     return type(cloud)._from_device_arrays(arrays, np.zeros(3), cloud.array_library)
 
@@ -99,8 +99,8 @@ def colored_target(cloud: PointCloud, max_correspondence_distance: float, *, nam
     normals = require_normals(cloud, name, "colored ICP")
     colors = require_colors(cloud, name, "colored ICP")
     radius = GRADIENT_RADIUS * max_correspondence_distance
-    found = estimate_color_gradients(cloud.search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
-    return ColoredSurface(normals, *found)
+    gradients = estimate_color_gradients(cloud.search_tree(), normals, colors, radius, GRADIENT_NEIGHBORS)
+    return ColoredSurface(normals, *gradients)
 
 
 def generalized_covariances(cloud: PointCloud, epsilon: float, name: str = "cloud"):
@@ -145,7 +145,7 @@ def _directions(cloud: PointCloud, name: str) -> wp.array:
 def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names: Sequence[str]) -> list[wp.array]:
     if not isinstance(weights, str) and len(clouds) > 1:
         raise ValueError(
-            f"weights: one array for {len(clouds)} clouds; assign cloud['weights'] each, and give its name"
+            f"weights: expected one array per cloud, got one for {len(clouds)}. Set cloud['weights'] and pass its name"
         )
     columns = []
     for cloud, name in zip(clouds, names, strict=True):
@@ -161,10 +161,8 @@ def point_weights(clouds: Sequence[PointCloud], weights: ArrayLike | str, names:
         values = values.astype(np.float32).reshape(-1, 1)
         if not (np.isfinite(values) & (values >= 0)).all():
             worst = int(np.argmin(np.isfinite(values) & (values >= 0)))
-            raise ValueError(
-                f"{label}: expected finite weights of 0 and more, got {values[worst, 0]:g} of point {worst}"
-            )
+            raise ValueError(f"{label}: expected finite weights >= 0, got {values[worst, 0]:g} at point {worst}")
         if len(values) and not values.any():
-            raise ValueError(f"{label}: all weights are zero, so no point counts")
+            raise ValueError(f"{label}: expected a weight above 0, got zeros only")
         columns.append(upload(values, float32, cloud.device))
     return columns

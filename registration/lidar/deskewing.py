@@ -95,7 +95,7 @@ def point_times(cloud: PointCloud, timestamps: ArrayLike | None) -> wp.array | N
 
 def warn_of_coarse_times(distinct: int, count: int) -> None:
     warn_of_units(
-        f"timestamps: {count:,} points have {distinct} different times, so that the scan is not straightened. Seconds "
+        f"timestamps: {count:,} points have {distinct} different times, so the scan is not deskewed. Seconds "
         "since 1970 or of the week need float64. Leave the times out if all points were measured at once.",
         UserWarning,
     )

@@ -35,8 +35,8 @@ from .scan_matching import (
     AdaptiveThreshold,
     ScanMatch,
     match_scan,
+    rotated_guesses,
     start_guesses,
-    wide_guesses,
 )
 
 Matrix = NDArray[np.float64]
@@ -46,7 +46,7 @@ MAP_VOXELS = 0.5  # alpha of section III-B: map downsampling
 SCAN_VOXELS = 1.5  # beta of section III-B: scan downsampling
 START_VOXELS = 3.0  # for the second scan, to select among many starts
 MIN_POINTS = 32  # minimum to estimate the fraction of the interval
-START_TURNS = 2  # repeated registrations of the second scan, each with a better deskewing motion
+START_ITERATIONS = 2  # repeated registrations of the second scan, each with a better deskewing motion
 DOUBTED_DISAGREEMENT = 0.2  # above which a scan is searched for farther away
 PRUNE_SHARE = 0.1  # of max_range: travel between two prunings of the map
 
@@ -129,23 +129,23 @@ class LidarOdometry:
         self.interval = None if interval is None else check_positive("interval", interval)
         self._part: float | None = None  # fraction of the interval that a scan spans, from the first scan with times
         initial = check_positive("initial_threshold", initial_threshold)
-        least = check_positive("min_motion", min_motion)
+        smallest_motion = check_positive("min_motion", min_motion)
         self.device = None if device is None else resolve_device(device)
         self._steps: list[OdometryStep] = []
-        self._known = Known(AdaptiveThreshold(initial, least, self.max_range, initial * initial))
-        self._next: Next | None = None
+        self._known = OdometryState(AdaptiveThreshold(initial, smallest_motion, self.max_range, initial * initial))
+        self._next: MapUpdate | None = None
         self._aligner = MapAligner(PLANE_VOXELS)
 
     @property
     def steps(self) -> list[OdometryStep]:
         """How each pose was estimated, one step per scan."""
-        self._settle()
+        self._finish_interrupted()
         return self._steps
 
     @property
     def threshold(self) -> AdaptiveThreshold:
         """The adaptive threshold from past prediction errors."""
-        self._settle()
+        self._finish_interrupted()
         return self._known.threshold
 
     def __repr__(self) -> str:
@@ -163,7 +163,7 @@ class LidarOdometry:
     @property
     def map(self) -> PointCloud:
         """The map points around the sensor, in world coordinates."""
-        self._settle()
+        self._finish_interrupted()
         if self._known.map is None:
             return PointCloud(device=self.device)
         points, origin = self._known.map.points(self._last_pose()[:3, 3])
@@ -197,32 +197,32 @@ class LidarOdometry:
         """
         check_cloud("scan", scan)
         check_same_device("scan", scan.device, self.device or scan.device)
-        common_unit("scan, LidarOdometry, which counts in meters", (scan.unit, METRE))
+        common_unit("scan, LidarOdometry (in meters)", (scan.unit, METRE))
         motion = None if prior is None else check_rigid("prior", prior)
-        self._settle()
-        known = self._known
+        self._finish_interrupted()
+        state = self._known
         times = point_times(scan, timestamps) if self.deskew or timestamps is not None else None
         points = scan._device_array("points")
         if self.deskew and times is not None and self._part is None and len(scan) > MIN_POINTS:
             self._part = part_of_interval(points, times, scan.origin, self.interval)
         raw = RawScan(points, scan.origin, times if self.deskew else None, self._part or 1.0)
-        voxel_map = self._empty_map(scan.device) if known.map is None else known.map
-        motion, has_prior = (known.motion, False) if motion is None else (motion, True)
+        voxel_map = self._empty_map(scan.device) if state.map is None else state.map
+        motion, has_prior = (state.motion, False) if motion is None else (motion, True)
         predicted = matmul(self._last_pose(), motion)
-        thinned = self._thin(raw, motion)
-        step = self._match(voxel_map, thinned, predicted, has_prior=has_prior, is_start=not known.has_motion)
+        downsampled = self._downsample(raw, motion)
+        step = self._match(voxel_map, downsampled, predicted, has_prior=has_prior, is_start=not state.has_motion)
         if raw.times is not None and step.is_sound and step.iterations:
-            if known.first is not None:
-                step, thinned, voxel_map = self._straighten_start(known.first, raw, step, voxel_map)
-            elif known.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > known.threshold.min_motion:
-                step, thinned = self._straighten_again(raw, step, voxel_map)
-        self._next = self._place(step, thinned, voxel_map, predicted, raw)
+            if state.first is not None:
+                step, downsampled, voxel_map = self._deskew_start(state.first, raw, step, voxel_map)
+            elif state.threshold.error_of(matmul(invert_pose(predicted), step.pose)) > state.threshold.min_motion:
+                step, downsampled = self._deskew_again(raw, step, voxel_map)
+        self._next = self._next_state(step, downsampled, voxel_map, predicted, raw)
         self._next.join(self.max_range)
         self._adopt(self._next)
         report("scan", odometry=self, scan=scan, step=self._steps[-1])
         return self._steps[-1].pose.copy()
 
-    def _settle(self) -> None:
+    def _finish_interrupted(self) -> None:
         """Complete an interrupted scan if the map has changed, else discard it."""
         if self._next is not None:
             if self._next.has_begun():
@@ -231,7 +231,7 @@ class LidarOdometry:
             self._next = None
         self._prune()
 
-    def _adopt(self, step: Next) -> None:
+    def _adopt(self, step: MapUpdate) -> None:
         if len(self._steps) == step.step.index:
             self._steps.append(step.step)
         assert step.known.map is not None
@@ -244,105 +244,119 @@ class LidarOdometry:
     def _last_pose(self) -> Matrix:
         return self._steps[-1].pose if self._steps else np.eye(4)
 
-    def _thin(self, raw: RawScan, motion: Matrix) -> Thinned:
+    def _downsample(self, raw: RawScan, motion: Matrix) -> DownsampledScan:
         sizes = [share * self.voxel_size for share in (MAP_VOXELS, SCAN_VOXELS, START_VOXELS)]
-        return Thinned(*thin_successively(raw.straightened(motion), sizes, self.min_range, self.max_range))
+        return DownsampledScan(*thin_successively(raw.deskewed(motion), sizes, self.min_range, self.max_range))
 
     def _match(
-        self, voxel_map: VoxelMap, scan: Thinned, predicted: Matrix, *, has_prior: bool = False, is_start: bool = False
+        self,
+        voxel_map: VoxelMap,
+        scan: DownsampledScan,
+        predicted: Matrix,
+        *,
+        has_prior: bool = False,
+        is_start: bool = False,
     ) -> OdometryStep:
         threshold = self._known.threshold
         index, sigma = len(self._steps), threshold.value(self.poses)
-        if scan.kept.size == 0:
+        if scan.dense.size == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, False, True, NO_POINTS)
         if voxel_map.count == 0:
             return OdometryStep(index, predicted, sigma, 0, 0.0, 0.0, 0, True, False, FIRST_SCAN)
         further = start_guesses(predicted, threshold.initial) if is_start and not has_prior else []
-        reach = 0.0 if has_prior or not self._known.is_young(index) else START_RINGS[-1] * threshold.initial
+        search_range = 0.0 if has_prior or not self._known.is_starting(index) else START_RINGS[-1] * threshold.initial
         few = scan.few if further else None
-        match = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, further, few, scan.kept, reach)
+        match = match_scan(
+            self._aligner, scan.sparse, voxel_map, predicted, sigma, further, few, scan.dense, search_range
+        )
         step = self._step_of(match, predicted, sigma, has_prior)
         if step.disagreement > DOUBTED_DISAGREEMENT or step.is_predicted:
-            guesses = wide_guesses(predicted, self._last_pose())
-            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few, scan.kept)
-            turned = self._step_of(again, predicted, sigma, has_prior)
-            if turned.is_sound and (turned.disagreement < step.disagreement or not step.is_sound):
-                return turned
+            guesses = rotated_guesses(predicted, self._last_pose())
+            again = match_scan(self._aligner, scan.sparse, voxel_map, predicted, sigma, guesses, scan.few, scan.dense)
+            rotated = self._step_of(again, predicted, sigma, has_prior)
+            if rotated.is_sound and (rotated.disagreement < step.disagreement or not step.is_sound):
+                return rotated
         return step
 
     def _step_of(self, match: ScanMatch, predicted: Matrix, sigma: float, has_prior: bool) -> OdometryStep:
-        status = ("converged" if match.converged else "max_iteration") if match.is_found else "no overlap"
+        status = ("converged" if match.converged else "max_iteration") if match.is_matched else "no overlap"
         rmse = float(np.sqrt(match.sqsum / max(match.inliers, 1)))
         return OdometryStep(
-            len(self._steps), match.pose if match.is_found else predicted, sigma, match.inliers, match.fitness, rmse,
-            match.turns, match.converged, not match.is_found, status, rmse / self.voxel_size, match.disagreement,
+            len(self._steps), match.pose if match.is_matched else predicted, sigma, match.inliers, match.fitness, rmse,
+            match.iterations, match.converged, not match.is_matched, status, rmse / self.voxel_size, match.disagreement,
             () if match.open is None else match.open.translations(),
-            () if match.open is None else match.open.turns(),
+            () if match.open is None else match.open.rotations(),
             match.ways_to_rivals(), has_prior,
         )  # fmt: skip
 
-    def _place(self, step: OdometryStep, scan: Thinned, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan) -> Next:
+    def _next_state(
+        self, step: OdometryStep, scan: DownsampledScan, voxel_map: VoxelMap, predicted: Matrix, raw: RawScan
+    ) -> MapUpdate:
         """Decide whether a scan is added to the map: it must agree with the map or with the previous scan."""
-        known, last_pose, kept = self._known, self._last_pose(), scan.kept
-        parts = ((kept, step.pose),)
-        aside = None
+        state, last_pose, dense = self._known, self._last_pose(), scan.dense
+        parts = ((dense, step.pose),)
+        pending = None
         if step.iterations and not step.is_sound:
-            beside = None if known.aside is None else self._match_aside(known.aside, voxel_map, scan, predicted)
-            if beside is not None and known.aside is not None:
-                step, parts = beside, ((known.aside.points, known.aside.pose), (kept, beside.pose))
+            beside = None if state.pending is None else self._match_pending(state.pending, voxel_map, scan, predicted)
+            if beside is not None and state.pending is not None:
+                step, parts = beside, ((state.pending.points, state.pending.pose), (dense, beside.pose))
             else:
-                step, parts, aside = replace(step, pose=predicted), (), Aside(kept, predicted)
+                step, parts, pending = replace(step, pose=predicted), (), PendingScan(dense, predicted)
         if step.status == NO_POINTS:
-            parts, aside = (), known.aside
-        threshold, first = known.threshold, known.first
+            parts, pending = (), state.pending
+        threshold, first = state.threshold, state.first
         if step.iterations and step.is_sound:
             threshold = threshold.updated(matmul(invert_pose(predicted), step.pose))
         if step.status != NO_POINTS:  # without points so far, the next scan is the first
-            first = raw.kept() if step.status == FIRST_SCAN else None
-        after = replace(known.after(step, last_pose, aside), threshold=threshold, map=voxel_map, first=first)
-        return Next(step, after, voxel_map.additions, parts)
+            first = raw.copy() if step.status == FIRST_SCAN else None
+        after = replace(state.after(step, last_pose, pending), threshold=threshold, map=voxel_map, first=first)
+        return MapUpdate(step, after, voxel_map.additions, parts)
 
-    def _match_aside(self, aside: Aside, like: VoxelMap, scan: Thinned, predicted: Matrix) -> OdometryStep | None:
+    def _match_pending(
+        self, pending: PendingScan, like: VoxelMap, scan: DownsampledScan, predicted: Matrix
+    ) -> OdometryStep | None:
         """The step of a scan that fits the previous one, which does not fit the map. None if it does not."""
-        alone = aside.map_like(like, self.max_range)
+        alone = pending.map_like(like, self.max_range)
         step = self._match(alone, scan, predicted, is_start=not self._known.has_motion)
         return replace(step, has_joined=True) if step.is_sound else None
 
-    def _straighten_again(self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap) -> tuple[OdometryStep, Thinned]:
-        thinned = self._thin(raw, matmul(invert_pose(self._last_pose()), step.pose))
-        again = self._match(voxel_map, thinned, step.pose)
-        return (again if again.is_sound else step), thinned
+    def _deskew_again(
+        self, raw: RawScan, step: OdometryStep, voxel_map: VoxelMap
+    ) -> tuple[OdometryStep, DownsampledScan]:
+        downsampled = self._downsample(raw, matmul(invert_pose(self._last_pose()), step.pose))
+        again = self._match(voxel_map, downsampled, step.pose)
+        return (again if again.is_sound else step), downsampled
 
-    def _straighten_start(
+    def _deskew_start(
         self, first: RawScan, second: RawScan, step: OdometryStep, voxel_map: VoxelMap
-    ) -> tuple[OdometryStep, Thinned, VoxelMap]:
+    ) -> tuple[OdometryStep, DownsampledScan, VoxelMap]:
         """Register the second scan again with both first scans deskewed, so that the map is not skewed."""
         start = self._last_pose()
-        thinned = self._thin(second, matmul(invert_pose(start), step.pose))
-        for _ in range(START_TURNS):
+        downsampled = self._downsample(second, matmul(invert_pose(start), step.pose))
+        for _ in range(START_ITERATIONS):
             motion = matmul(invert_pose(start), step.pose)
-            straight = self._empty_map(voxel_map.device)
-            straight.add(self._thin(first, motion).kept, start, self.max_range)
-            again = self._match(straight, self._thin(second, motion), step.pose)
+            deskewed = self._empty_map(voxel_map.device)
+            deskewed.add(self._downsample(first, motion).dense, start, self.max_range)
+            again = self._match(deskewed, self._downsample(second, motion), step.pose)
             if not again.is_sound:
                 break
-            step, voxel_map = again, straight
-            thinned = self._thin(second, matmul(invert_pose(start), step.pose))
-        return step, thinned, voxel_map
+            step, voxel_map = again, deskewed
+            downsampled = self._downsample(second, matmul(invert_pose(start), step.pose))
+        return step, downsampled, voxel_map
 
     def _prune(self) -> None:
         """Remove points out of range, not after every scan: no scan reaches them."""
-        known, place = self._known, self._last_pose()[:3, 3]
-        if known.map is not None and norm(place - known.pruned_at) > PRUNE_SHARE * self.max_range:
-            near = known.map.without_far(place, self.max_range + 2 * self.voxel_size)
-            self._known = replace(known, map=near, pruned_at=place.copy())
+        state, position = self._known, self._last_pose()[:3, 3]
+        if state.map is not None and norm(position - state.pruned_at) > PRUNE_SHARE * self.max_range:
+            near = state.map.without_far(position, self.max_range + 2 * self.voxel_size)
+            self._known = replace(state, map=near, pruned_at=position.copy())
 
 
-YOUNG = 3  # scans after the first: later, wrongly matched scans match the map
+START_SCANS = 3  # scans after the first: later, wrongly matched scans match the map
 
 
 @dataclass(frozen=True, eq=False)
-class Aside:
+class PendingScan:
     """The last scan if it does not fit the map: `points` downsampled for the map, and the predicted `pose`."""
 
     points: wp.array
@@ -355,7 +369,7 @@ class Aside:
 
 
 @dataclass(frozen=True, eq=False)
-class Known:
+class OdometryState:
     """State between scans; `sound` is the number and pose of the last scan that fits the map."""
 
     threshold: AdaptiveThreshold
@@ -367,11 +381,11 @@ class Known:
     has_way: bool = False
     began: int = 0
     sound: tuple[int, Matrix] | None = None
-    aside: Aside | None = None
+    pending: PendingScan | None = None
 
-    def after(self, step: OdometryStep, last_pose: Matrix, aside: Aside | None) -> Known:
+    def after(self, step: OdometryStep, last_pose: Matrix, pending: PendingScan | None) -> OdometryState:
         if not step.is_sound:
-            return replace(self, motion=matmul(invert_pose(last_pose), step.pose), aside=aside)
+            return replace(self, motion=matmul(invert_pose(last_pose), step.pose), pending=pending)
         motion = matmul(invert_pose(last_pose), step.pose)
         if self.sound is not None and step.index - self.sound[0] > 1 and not step.has_joined:
             gap = step.index - self.sound[0]
@@ -381,20 +395,20 @@ class Known:
         began = step.index if self.sound is None else self.began
         return replace(
             self, motion=motion, has_motion=has_motion, has_way=has_way, began=began, sound=(step.index, step.pose),
-            aside=None,
+            pending=None,
         )  # fmt: skip
 
-    def is_young(self, index: int) -> bool:
+    def is_starting(self, index: int) -> bool:
         """True if the run has just begun and no reliable motion is known."""
-        return not self.has_way and index - self.began <= YOUNG
+        return not self.has_way and index - self.began <= START_SCANS
 
 
 @dataclass(frozen=True, eq=False)
-class Next:
+class MapUpdate:
     """A scan being added to the map: `known` is the state afterward, `parts` are the points and poses to add."""
 
     step: OdometryStep
-    known: Known
+    known: OdometryState
     additions: int
     parts: tuple[tuple[wp.array, Matrix], ...]
 
@@ -410,7 +424,7 @@ class Next:
 SAMPLE = 4096  # points for the estimate of a sweep
 BINS = 32  # time bins of a scan
 MIN_SWEEP = np.radians(20)  # minimum sweep of a spinning sensor
-WHOLE_TURN = np.radians(345)
+FULL_SWEEP = np.radians(345)
 
 
 @dataclass(frozen=True, eq=False)
@@ -422,12 +436,12 @@ class RawScan:
     times: wp.array | None
     part: float = 1.0
 
-    def kept(self) -> RawScan:
+    def copy(self) -> RawScan:
         """A copy of the scan: a sensor driver may reuse its buffer."""
         times = None if self.times is None else clone(self.times)
         return RawScan(clone(self.points), self.origin, times, self.part)
 
-    def straightened(self, motion: Matrix) -> wp.array:
+    def deskewed(self, motion: Matrix) -> wp.array:
         """The points about the sensor at the end of the scan, deskewed by the motion between scans (eqs. 2 to 4)."""
         if self.times is not None and not np.array_equal(motion, np.eye(4)):
             span = bound_times(self.points, self.times)
@@ -443,28 +457,28 @@ def part_of_interval(points: wp.array, times: wp.array, origin: NDArray[np.float
     step = points.size // SAMPLE | 1
     p, t = (download(contiguous(values[::step])) for values in (points, times))  # sync
     p = p.astype(np.float64) + origin
-    seen = np.isfinite(p).all(axis=1) & np.isfinite(t) & p.any(axis=1)
-    p, t = p[seen], t[seen]
+    is_valid = np.isfinite(p).all(axis=1) & np.isfinite(t) & p.any(axis=1)
+    p, t = p[is_valid], t[is_valid]
     length = np.sqrt(p[:, 0] * p[:, 0] + p[:, 1] * p[:, 1])
     span = float(np.ptp(t)) if len(t) else 0.0
     if len(t) > MIN_TIMES and len(np.unique(t)) < MIN_TIMES:
         warn_of_coarse_times(len(np.unique(t)), len(t))
     if not span > 0:
         return 1.0
-    places = np.minimum(((t - t.min()) / span * BINS).astype(np.int64), BINS - 1)
-    x, y = (np.bincount(places, column / np.where(length > 0, length, 1), BINS) for column in p.T[:2])
+    bins = np.minimum(((t - t.min()) / span * BINS).astype(np.int64), BINS - 1)
+    x, y = (np.bincount(bins, column / np.where(length > 0, length, 1), BINS) for column in p.T[:2])
     known = (x != 0) | (y != 0)
-    turns = np.diff(elementwise(math.atan2, y[known], x[known]))
-    turns = (turns + np.pi) % (2 * np.pi) - np.pi
-    sweep = abs(float(turns.sum())) * BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
-    is_steady = known.all() and ((turns > 0).all() or (turns < 0).all())
-    return sweep / (2 * np.pi) if is_steady and MIN_SWEEP < sweep < WHOLE_TURN else 1.0
+    angles = np.diff(elementwise(math.atan2, y[known], x[known]))
+    angles = (angles + np.pi) % (2 * np.pi) - np.pi
+    sweep = abs(float(angles.sum())) * BINS / max(int(known.sum()) - 1, 1)  # between the outer bin centers
+    is_steady = known.all() and ((angles > 0).all() or (angles < 0).all())
+    return sweep / (2 * np.pi) if is_steady and MIN_SWEEP < sweep < FULL_SWEEP else 1.0
 
 
 @dataclass(frozen=True, eq=False)
-class Thinned:
+class DownsampledScan:
     """A scan about the sensor, downsampled for the map, for registration, and for trying many starts."""
 
-    kept: wp.array
+    dense: wp.array
     sparse: wp.array
     few: wp.array

@@ -74,10 +74,10 @@ def run_odometry(
         >>> loom.registration.run_odometry([wall, wall], timestamps=[0.0, 0.1]).poses.shape
         (2, 4, 4)
     """
-    poses, tell = [], check_callback("progress", progress)
+    poses, report_step = [], check_callback("progress", progress)
     for step in iterate_odometry(scans, device=device, columns=columns, **options):
         poses.append(step.pose)
-        if tell is not None:
-            tell(step)
+        if report_step is not None:
+            report_step(step)
     times = None if timestamps is None else check_shape("timestamps", timestamps, (len(poses),))
     return Trajectory(np.array(poses).reshape(-1, 4, 4), times)

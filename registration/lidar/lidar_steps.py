@@ -34,7 +34,7 @@ MAX_UNSETTLED = 0.2
 MAX_UNDETERMINED, MAX_UNDETERMINED_ON_END = 0.1, 10
 # Stationary: moved less than this in three scans [m, rad]. Fitness is then 0.99 to 1.00. 0.97 to 0.99 with passing
 # trucks. 0.88 to 0.98 among trucks that drive along. Half of such scans, at least five, trigger the check.
-REST, RESTING_FITNESS, MAX_CONTRADICTED, MIN_RESTING = (0.1, 0.02), 0.97, 0.5, 5
+STATIONARY, STATIONARY_FITNESS, MAX_CONTRADICTED, MIN_STATIONARY = (0.1, 0.02), 0.97, 0.5, 5
 ALONG_AXIS = 0.99  # minimum component of a direction named by its axis
 
 
@@ -85,10 +85,10 @@ class OdometryStep(AssessedRecord):
         """Failed quality checks. Empty if the pose is reliable."""
         return failed(
             f"the pose is a prediction: {self.status}" if self.is_predicted else None,
-            "the scan does not lie on the map" if self.has_strayed else None,
+            "the scan does not match the map" if self.has_strayed else None,
             f"ICP did not converge within {self.iterations} iterations" if self.is_unsettled else None,
             "the scan does not determine all motions" if self.is_undetermined else None,
-            "other poses fit as well" if self.rivals else None,
+            "other poses fit equally well" if self.rivals else None,
         )
 
     @property
@@ -150,7 +150,7 @@ class OdometrySummary(Report, Assessed):
 
     @property
     def is_contradicted(self) -> bool:
-        return len(self.contradicted) >= MIN_RESTING and len(self.contradicted) > MAX_CONTRADICTED * self.resting
+        return len(self.contradicted) >= MIN_STATIONARY and len(self.contradicted) > MAX_CONTRADICTED * self.resting
 
     @property
     def is_undetermined(self) -> bool:
@@ -172,27 +172,27 @@ class OdometrySummary(Report, Assessed):
         reasons, count = [], self.scan_count
         if torn := self.predicted:
             reasons.append(
-                f"{len(torn)} of {count} scans do not overlap those before them, or have no points in range, so the "
-                f"path may be torn at {_scans(torn)}"
+                f"{len(torn)} of {count} scans do not overlap earlier scans, or have no points in range, so the "
+                f"path may be broken at {_scans(torn)}"
             )
         if strayed := self.strayed:
-            lost = f"so the path is likely lost from scan {strayed[0]} on; give scans that lie closer together, or"
-            left_out = "which were left out: the path goes on behind them from where constant velocity led"
+            lost = f"so the path is probably lost from scan {strayed[0]} on. Use scans that are closer together, or"
+            left_out = "which were excluded: the path continues after them from the pose of constant velocity"
             then = f"{lost} another max_range" if strayed[-1] == count - 1 else left_out
-            beside = f"{len(strayed)} of {count} scans lie beside the map of those before them ({_scans(strayed)})"
+            beside = f"{len(strayed)} of {count} scans do not match the map of earlier scans ({_scans(strayed)})"
             reasons.append(f"{beside}, {then}")
         if self.ambiguous:
             length = math.hypot(*self.rival)
             way = _direction(np.array(self.rival) / length)
             reasons.append(
-                f"{len(self.ambiguous)} of the first scans lie as well {length:.2f} m away along {way} "
-                f"({_scans(self.ambiguous)}), so each motion may be off by that; begin at rest with a smaller "
-                "initial_threshold, or give priors"
+                f"{len(self.ambiguous)} of the first scans fit equally well {length:.2f} m away along {way} "
+                f"({_scans(self.ambiguous)}), so each motion may be off by that. Start at rest with a smaller "
+                "initial_threshold, or pass priors"
             )
         if self.is_contradicted:
             reasons.append(
-                f"the scanner seems to stand still while {len(self.contradicted)} scans show much that was not there "
-                f"before ({_scans(self.contradicted)}): what moves with it may be taken for what stands"
+                f"the scanner appears stationary while {len(self.contradicted)} scans show many surfaces that were not "
+                f"there before ({_scans(self.contradicted)}): objects that move with it may be mistaken for the scene"
             )
         if self.is_undetermined:
             reasons.append(
@@ -201,7 +201,7 @@ class OdometrySummary(Report, Assessed):
             )
         if not strayed and len(self.unsettled) > MAX_UNSETTLED * (count - 1):
             reasons.append(
-                f"{len(self.unsettled)} of {count} scans did not come to rest on the map ({_scans(self.unsettled)})"
+                f"{len(self.unsettled)} of {count} scans did not converge on the map ({_scans(self.unsettled)})"
             )
         return tuple(reasons)
 
@@ -230,7 +230,7 @@ class OdometrySummary(Report, Assessed):
         if not math.isnan(self.mean_fitness):
             fit = f"fitness {format_share(self.mean_fitness)} and {self.mean_iterations:.1f} iterations on average"
             fields.append(("fit", fit))
-        rows = ("predicted", self.predicted), ("beside map", self.strayed), ("not at rest", self.unsettled)
+        rows = ("predicted", self.predicted), ("beside map", self.strayed), ("not converged", self.unsettled)
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
         rows = ("fit elsewhere", self.ambiguous), ("contradicted", self.contradicted if self.is_contradicted else ())
         fields += [(label, f"{len(numbers):,}: {_scans(numbers)}") for label, numbers in rows if numbers]
@@ -261,7 +261,7 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
     lengths = np.linalg.norm(np.diff(path, axis=0, prepend=path[:1]), axis=1)
     free = [step for step in steps if step.is_undetermined and not step.has_prior]
     split = [step for step in steps if step.rivals]
-    resting = _resting(steps)
+    resting = _stationary(steps)
     return OdometrySummary(
         len(steps),
         float(lengths[1:].sum()),
@@ -276,31 +276,31 @@ def summarize_steps(steps: Sequence[OdometryStep]) -> OdometrySummary:
         float(sum(lengths[i] for i, step in enumerate(steps) if step.is_undetermined and not step.has_prior)),
         tuple(step.index for step in split),
         min(split[0].rivals, key=lambda way: math.hypot(*way)) if split else (),
-        tuple(step.index for step in resting if step.fitness < RESTING_FITNESS),
+        tuple(step.index for step in resting if step.fitness < STATIONARY_FITNESS),
         len(resting),
     )
 
 
-def _resting(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
+def _stationary(steps: Sequence[OdometryStep]) -> list[OdometryStep]:
     """Matched scans whose pose equals that of three scans before."""
-    found = []
+    stationary = []
     for before, step in zip(steps, steps[3:], strict=False):
         way = norm(step.pose[:3, 3] - before.pose[:3, 3])
-        turn = norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
-        if step.is_sound and step.iterations and way < REST[0] and turn < REST[1]:
-            found.append(step)
-    return found
+        angle = norm(step.pose[:3, :3] - before.pose[:3, :3]) / math.sqrt(2)
+        if step.is_sound and step.iterations and way < STATIONARY[0] and angle < STATIONARY[1]:
+            stationary.append(step)
+    return stationary
 
 
 def _open_motions(steps: Sequence[OdometryStep]) -> str:
     """The undetermined directions shared by half of the scans, or the most common one, in words."""
     ways: list[tuple[float, str]] = []
-    for word, found in (
+    for word, directions in (
         ("along", [row for step in steps for row in step.undetermined]),
         ("about", [row for step in steps for row in step.undetermined_turns]),
     ):
-        if found:
-            rows = np.array(found)
+        if directions:
+            rows = np.array(directions)
             values, vectors = eigh(matmul(rows.T, rows) / len(steps))
             ways += [(float(values[i]), f"{word} {_direction(vectors[:, i])}") for i in (2, 1, 0)]
     return ", ".join(way for share, way in ways if share > 0.5) or max(ways, default=(0.0, ""))[1]

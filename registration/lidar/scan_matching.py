@@ -28,7 +28,7 @@ Matrix = NDArray[np.float64]
 
 SIGMAS = 3.0  # eq. 8: correspondences within three standard deviations
 MOVED = 5.0  # times min_motion from the start, below which the initial threshold is used
-MAX_TURNS = 50  # three are usual; oscillating pairs do not converge with more
+MAX_ITERATIONS = 50  # three are usual; oscillating pairs do not converge with more
 TOLERANCE = 1e-4  # [rad, m] step that ends the iterations
 ROUGH = 1e-2  # likewise if other iterations follow
 LOST_SHARE = 0.1  # minimum fraction of points with a correspondence
@@ -39,23 +39,23 @@ START_RINGS = (0.375, 0.75, 1.5)  # times the initial threshold: radii of the gu
 START_DIRECTIONS = 8
 RIVAL_VOXELS = 1.5  # voxels: closer poses are the same
 # [deg] about x, y, z: within a voxel of each other at 7 voxels' distance; handheld scanners rotate this fast
-WIDE_TURNS = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
+WIDE_ANGLES = ((2, (8.0, 16.0, 24.0, 32.0, 40.0)), (1, (8.0, 16.0)), (0, (8.0, 16.0)))
 
 
 @dataclass(frozen=True, eq=False)
 class ScanMatch:
-    """Pose of a scan in a map (`told`: information of the planes, [6, 6]; `open`: undetermined motions, or None)."""
+    """Pose of a scan in a map (`information`: of the planes, [6, 6]; `open`: undetermined motions, or None)."""
 
     pose: Matrix
-    is_found: bool
+    is_matched: bool
     converged: bool
-    turns: int
+    iterations: int
     inliers: int
     fitness: float
     sqsum: float
     cost: float
     disagreement: float
-    told: Matrix
+    information: Matrix
     open: OpenDirections | None = None
     rivals: tuple[Matrix, ...] = ()
 
@@ -73,14 +73,14 @@ def match_scan(
     further: Sequence[Matrix] = (),
     few: wp.array | None = None,
     dense: wp.array | None = None,
-    reach: float = 0.0,
+    search_range: float = 0.0,
 ) -> ScanMatch:
     """Align a scan with the map.
 
     Robust point-to-point ICP (eqs. 9 to 12) has a wide basin but favors no motion, since scan rings move with the
     sensor. Point-to-plane iterations follow from its result, the guess, and the `further` guesses. The least cost wins.
     `sigma` [m] is the standard deviation of the guess, `few` and `dense` are sparser and denser points of the scan, and
-    `reach` [m] limits the search along poorly determined directions.
+    `search_range` [m] limits the search along poorly determined directions.
     """
     size, count = voxel_map.voxel_size, points.size
     limit, coarse, fine = JUDGED_VOXELS * size, COARSE_KERNEL * size**2, FINE_KERNEL * size**2
@@ -93,24 +93,28 @@ def match_scan(
         _leg(guess, count, limit, fine, TOLERANCE, start=CHEAPEST),
     ]
     aligner.load(points, few, voxel_map)
-    found, told = aligner.run(legs)  # sync
-    far = _match_of(found[0], legs[0], count, np.zeros((6, 6)))
-    if not far.is_found:
+    results, information = aligner.run(legs)  # sync
+    far = _match_of(results[0], legs[0], count, np.zeros((6, 6)))
+    if not far.is_matched:
         return far
-    last = _match_of(found[-1], legs[-1], count, told)
-    turns = sum(reached.iterations for reached in found)
-    if not last.is_found:
-        return replace(far, turns=turns)
+    last = _match_of(results[-1], legs[-1], count, information)
+    iterations = sum(reached.iterations for reached in results)
+    if not last.is_matched:
+        return replace(far, iterations=iterations)
     dense, rivals = points if dense is None else dense, ()
-    for way in weak_ways(last.told, count) if reach > 0 else ():
-        last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, reach)
-        turns, rivals = turns + last.turns, rivals + others
-    free = open_directions(dense, voxel_map, last.pose, last.told, count)
+    for way in weak_directions(last.information, count) if search_range > 0 else ():
+        last, others = _search_along(aligner, points, voxel_map, dense, last, guess, way, search_range)
+        iterations, rivals = iterations + last.iterations, rivals + others
+    free = open_directions(dense, voxel_map, last.pose, last.information, count)
     if free is None or free.is_blind:
-        return replace(last, turns=turns, open=None if further else free, rivals=rivals)
+        return replace(last, iterations=iterations, open=None if further else free, rivals=rivals)
     start = free.taken_from(last.pose, guess)
-    held = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_regularized=True), count, free.weight())
-    return replace(held if held.is_found else replace(last, pose=start), turns=turns + held.turns, open=free)
+    constrained = _align(aligner, _leg(start, count, limit, fine, TOLERANCE, is_regularized=True), count, free.weight())
+    return replace(
+        constrained if constrained.is_matched else replace(last, pose=start),
+        iterations=iterations + constrained.iterations,
+        open=free,
+    )
 
 
 def _search_along(
@@ -118,34 +122,36 @@ def _search_along(
     points: wp.array,
     voxel_map: VoxelMap,
     dense: wp.array,
-    found: ScanMatch,
+    first: ScanMatch,
     guess: Matrix,
     way: Matrix,
-    reach: float,
+    search_range: float,
 ) -> tuple[ScanMatch, tuple[Matrix, ...]]:
     """The best pose along a poorly determined direction (of equal ones, the nearest to the guess), and its rivals."""
     size, count = voxel_map.voxel_size, points.size
-    starts, worst = places_along(dense, voxel_map, found.pose, guess, way, reach)
+    starts, worst = poses_along(dense, voxel_map, first.pose, guess, way, search_range)
     leg = _leg(guess, count, JUDGED_VOXELS * size, FINE_KERNEL * size**2, ROUGH)
     legs = [replace(leg, pose=T) for T in starts]
     tried = (
-        [_match_of(*pair, count, found.told) for pair in zip(aligner.run(legs)[0], legs, strict=True)] if legs else []
+        [_match_of(*pair, count, first.information) for pair in zip(aligner.run(legs)[0], legs, strict=True)]
+        if legs
+        else []
     )
-    places = [found, *(match for match in tried if match.is_found)]
-    rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in places]), size)
-    best = places[int(np.argmin(rises[:, 0] / np.maximum(rises[:, 2], 1)))]
+    candidates = [first, *(match for match in tried if match.is_matched)]
+    rises = compare_poses(dense, JUDGING_POINTS, voxel_map, np.array([match.pose for match in candidates]), size)
+    best = candidates[int(np.argmin(rises[:, 0] / np.maximum(rises[:, 2], 1)))]
     rises = compare_poses(
-        dense, JUDGING_POINTS, voxel_map, np.array([best.pose, *(match.pose for match in places)]), size
+        dense, JUDGING_POINTS, voxel_map, np.array([best.pose, *(match.pose for match in candidates)]), size
     )
-    alike = [match for match, is_worse in zip(places, rises_clearly(rises[1:]), strict=True) if not is_worse]
+    alike = [match for match, is_worse in zip(candidates, rises_clearly(rises[1:]), strict=True) if not is_worse]
     chosen = min(alike, key=lambda match: _distance(match.pose, guess))
-    if chosen is not found:
+    if chosen is not first:
         chosen = _align(aligner, replace(leg, pose=chosen.pose, tolerance=TOLERANCE), count)
     others = [
         match.pose
-        for match, (total, _, seen, _) in zip(places, rises[1:], strict=True)
-        if total < RIVAL_RISE * worst * seen
-        and seen > RIVAL_SEEN * rises[0, 2]
+        for match, (total, _, visible, _) in zip(candidates, rises[1:], strict=True)
+        if total < RIVAL_RISE * worst * visible
+        and visible > RIVAL_SEEN * rises[0, 2]
         and _distance(match.pose, chosen.pose) > RIVAL_VOXELS * size
     ]
     return chosen, tuple(others)
@@ -165,20 +171,20 @@ def _leg(
     to_planes: bool = True,
     **more: Any,
 ) -> Leg:
-    return Leg(pose, max_distance, scale, tolerance, LOST_SHARE * count, MAX_TURNS, to_planes, **more)
+    return Leg(pose, max_distance, scale, tolerance, LOST_SHARE * count, MAX_ITERATIONS, to_planes, **more)
 
 
-def _align(aligner: MapAligner, leg: Leg, count: int, held: Matrix | None = None) -> ScanMatch:
-    (reached,), told = aligner.run([leg], held)
-    return _match_of(reached, leg, count, told)
+def _align(aligner: MapAligner, leg: Leg, count: int, constraint: Matrix | None = None) -> ScanMatch:
+    (reached,), information = aligner.run([leg], constraint)
+    return _match_of(reached, leg, count, information)
 
 
-def _match_of(reached: Reached, leg: Leg, count: int, told: Matrix) -> ScanMatch:
-    T, is_found = reached.pose, reached.state != LOST
+def _match_of(reached: Reached, leg: Leg, count: int, information: Matrix) -> ScanMatch:
+    T, is_matched = reached.pose, reached.state != LOST
     return ScanMatch(
-        make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_found else leg.pose, is_found,
+        make_pose(nearest_rotation(T[:3, :3]), T[:3, 3]) if is_matched else leg.pose, is_matched,
         reached.state == CONVERGED, reached.iterations, reached.paired, reached.paired / count, reached.sqsum,
-        reached.cost, reached.disagreement, told,
+        reached.cost, reached.disagreement, information,
     )  # fmt: skip
 
 
@@ -193,11 +199,11 @@ def start_guesses(pose: Matrix, threshold: float) -> list[Matrix]:
     return guesses
 
 
-def wide_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
+def rotated_guesses(predicted: Matrix, last: Matrix) -> list[Matrix]:
     guesses = []
     for pose in (predicted, last):
         guesses.append(pose)
-        for axis, angles in WIDE_TURNS:
+        for axis, angles in WIDE_ANGLES:
             for angle in angles:
                 for sign in (-1.0, 1.0):
                     twist = np.zeros(6)
@@ -237,14 +243,14 @@ class AdaptiveThreshold:
 
 SEARCHED_SHARE = 0.1  # below which rivals are searched after the start, where planes are rough
 MIN_PLANES = 0.05  # fraction of points with planes, below which only lines and single points determine the pose
-MAX_PLACES = 64  # along a line
+MAX_SAMPLES = 64  # along a line
 MAX_RIVALS = 4  # examined in detail
 # Fraction of the worst cost between them by which a rival may be worse: behind passed equal doors, the true pose had
 # 0.1 to 0.2, since moving scan rings fit better without motion.
 RIVAL_RISE = 0.25
 RIVAL_SEEN = 0.75  # minimum ratio of points with a plane, compared with the best pose: floors may be out of range
 MIN_SEEN = 0.5  # minimum ratio to the maximum over all poses: few points match well at the map border
-HELD_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
+FIXED_WEIGHT = 1.0e6  # weight of a fixed motion, relative to all pairs
 
 
 @dataclass(frozen=True, eq=False)
@@ -262,31 +268,31 @@ class OpenDirections:
     def weight(self) -> Matrix:
         """Addition to the normal equations, in units of their trace, that fixes these motions, [6, 6]."""
         rows = self.scale[:, None] * self.basis
-        return HELD_WEIGHT * matmul(rows, rows.T)
+        return FIXED_WEIGHT * matmul(rows, rows.T)
 
-    def taken_from(self, pose: Matrix, held: Matrix) -> Matrix:
+    def taken_from(self, pose: Matrix, fixed_pose: Matrix) -> Matrix:
         """Replace the components of a pose along these directions by those of another."""
-        turn = rotation_vector(matmul(held[:3, :3], pose[:3, :3].T))
-        way = np.concatenate([turn, held[:3, 3] - pose[:3, 3]]) * self.scale
+        rotation = rotation_vector(matmul(fixed_pose[:3, :3], pose[:3, :3].T))
+        way = np.concatenate([rotation, fixed_pose[:3, 3] - pose[:3, 3]]) * self.scale
         return moved(pose, matmul(self.basis, matmul(self.basis.T, way)) / self.scale)
 
     def translations(self) -> tuple[tuple[float, float, float], ...]:
         return spanned(self.basis[3:])
 
-    def turns(self) -> tuple[tuple[float, float, float], ...]:
+    def rotations(self) -> tuple[tuple[float, float, float], ...]:
         return spanned(self.basis[:3])
 
 
 def open_directions(
-    points: wp.array, voxel_map: VoxelMap, pose: Matrix, told: Matrix, count: int
+    points: wp.array, voxel_map: VoxelMap, pose: Matrix, information: Matrix, count: int
 ) -> OpenDirections | None:
-    """The motions that `count` points with plane information `told` [6, 6] do not determine, or None."""
-    planes, size = float(np.trace(told[3:, 3:])), voxel_map.voxel_size
+    """The motions that `count` points with `information` of planes [6, 6] do not determine, or None."""
+    planes, size = float(np.trace(information[3:, 3:])), voxel_map.voxel_size
     if planes < MIN_PLANES * count:
         return OpenDirections(1.0, np.eye(6), is_blind=True)
-    lever = max(math.sqrt(np.trace(told[:3, :3]) / planes), size)
+    lever = max(math.sqrt(np.trace(information[:3, :3]) / planes), size)
     scale = np.array([lever] * 3 + [1.0] * 3)
-    values, vectors = eigh(told / np.outer(scale, scale) / planes)
+    values, vectors = eigh(information / np.outer(scale, scale) / planes)
     suspects = vectors[:, values < SUSPECT_SHARE]
     if not suspects.shape[1]:
         return None
@@ -296,27 +302,29 @@ def open_directions(
     return OpenDirections(lever, suspects[:, is_open]) if is_open.any() else None
 
 
-def weak_ways(told: Matrix, count: int) -> Matrix:
+def weak_directions(information: Matrix, count: int) -> Matrix:
     """Translation directions [k, 3] that the planes determine poorly, with rotations eliminated."""
-    planes = float(np.trace(told[3:, 3:]))
+    planes = float(np.trace(information[3:, 3:]))
     if planes < MIN_PLANES * count:
         return np.empty((0, 3))
-    alone = told[3:, 3:] - matmul(told[3:, :3], pinvh(told[:3, :3], 3 * EPSILON), told[:3, 3:])
+    alone = information[3:, 3:] - matmul(
+        information[3:, :3], pinvh(information[:3, :3], 3 * EPSILON), information[:3, 3:]
+    )
     values, vectors = eigh(alone / planes)
     return vectors.T[values < SEARCHED_SHARE]
 
 
-def places_along(
-    points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, reach: float
+def poses_along(
+    points: wp.array, voxel_map: VoxelMap, pose: Matrix, guess: Matrix, way: Matrix, search_range: float
 ) -> tuple[list[Matrix], float]:
-    """Locally best poses within `reach` [m] of the guess along `way`, and the largest mean cost between them."""
-    step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * reach / MAX_PLACES)
+    """Locally best poses within `search_range` [m] of the guess along `way`, and the largest mean cost between them."""
+    step = max(STEP_VOXELS * voxel_map.voxel_size, 2 * search_range / MAX_SAMPLES)
     middle = float(matmul(way, guess[:3, 3] - pose[:3, 3]))
-    shifts = np.arange(math.floor((middle - reach) / step), math.ceil((middle + reach) / step) + 1) * step
+    shifts = np.arange(math.floor((middle - search_range) / step), math.ceil((middle + search_range) / step) + 1) * step
     poses = np.array([pose, *(moved(pose, np.concatenate([np.zeros(3), s * way])) for s in shifts)])
     total, _, pairs, _ = compare_poses(points, JUDGING_POINTS, voxel_map, poses, voxel_map.voxel_size)[1:].T
     costs = np.where(pairs >= MIN_SEEN * pairs.max(), total / np.maximum(pairs, 1), np.inf)
     beside = np.concatenate([[np.inf], costs, [np.inf]])
-    is_least = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
-    best = [i for i in np.argsort(costs, kind="stable") if is_least[i]]
+    is_minimum = (costs <= beside[:-2]) & (costs <= beside[2:]) & np.isfinite(costs) & (np.abs(shifts) > step)
+    best = [i for i in np.argsort(costs, kind="stable") if is_minimum[i]]
     return [poses[1 + i] for i in best[:MAX_RIVALS]], float(max(costs[np.isfinite(costs)], default=0.0))

@@ -28,7 +28,7 @@ Matrices = NDArray[np.float64]
 Clouds = Sequence[PointCloud] | Mapping[int, PointCloud]
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
 
-REACH = 1.5  # [voxels] of a correspondence
+MAX_DISTANCE = 1.5  # [voxels] of a correspondence
 CONSISTENT = 4.0  # [voxels] maximum closure error over three clouds
 OVERLAP = 0.3  # minimum overlap of the smaller cloud for a loop closure
 PRUNE = 0.25  # confidence at which a loop closure is removed
@@ -83,7 +83,7 @@ class FragmentGraph(NamedTuple):
     graph: PoseGraph
 
 
-def place_by_pairs(
+def poses_from_pairs(
     extents: Sequence[Extent],
     pairs: Sequence[FragmentPair],
     information: Sequence[Matrices],
@@ -97,22 +97,22 @@ def place_by_pairs(
     largest = int(np.bincount(groups).argmax())
     members = np.flatnonzero(groups == largest)
     poses = chain(np.tile(np.eye(4), (count, 1, 1)), members[:1].tolist(), pairs, tree)
-    found = FragmentGraph(poses, groups, members, tree, PoseGraph())
-    return with_pairs(found, pairs, information, size, free)
+    fragments = FragmentGraph(poses, groups, members, tree, PoseGraph())
+    return with_pairs(fragments, pairs, information, size, free)
 
 
 def with_pairs(
-    found: FragmentGraph,
+    fragments: FragmentGraph,
     pairs: Sequence[FragmentPair],
     information: Sequence[Matrices],
     size: float,
     free: Sequence[str] | None = None,
 ) -> FragmentGraph:
     """Optimize the graph again with more pairs besides its tree, which comes first in the list."""
-    poses = found.poses.copy()
-    graph = _optimize(poses, found.members, pairs, information, found.tree, size, free)
-    poses[found.members] = [node.pose for node in graph.nodes]
-    return found._replace(poses=poses, graph=graph)
+    poses = fragments.poses.copy()
+    graph = _optimize(poses, fragments.members, pairs, information, fragments.tree, size, free)
+    poses[fragments.members] = [node.pose for node in graph.nodes]
+    return fragments._replace(poses=poses, graph=graph)
 
 
 def refine_pairs(
@@ -122,9 +122,9 @@ def refine_pairs(
     refined, information = [], []
     for pair in pairs:
         start = np.asarray(pair.transformation, np.float64)[None]
-        held = make_constraint(free, None, None, None, None)
+        constraint = make_constraint(free, None, None, None, None)
         ends = [clouds[pair.source]], [clouds[pair.target]]
-        problem = IterativeRegistration(*ends, start, REACH * size, GENERALIZED, constraint=held)
+        problem = IterativeRegistration(*ends, start, MAX_DISTANCE * size, GENERALIZED, constraint=constraint)
         problem.run(FINE.max_iteration, FINE.relative_fitness, FINE.relative_rmse)
         (result,), (matrix,) = problem.results(), problem.information()
         refined.append(pair._replace(transformation=result.transformation, fitness=result.fitness))
@@ -171,34 +171,34 @@ def _optimize(
     ]
     graph = PoseGraph([PoseGraphNode(poses[m]) for m in members], edges)
     option = GlobalOptimizationOption(
-        max_correspondence_distance=REACH * size, edge_prune_threshold=PRUNE, reference_node=0
+        max_correspondence_distance=MAX_DISTANCE * size, edge_prune_threshold=PRUNE, reference_node=0
     )
     return global_optimization(graph, option=option, free=free)
 
 
-def candidates_to_close(
+def loop_candidates(
     boxes: Sequence[Box], poses: Matrices, members: NDArray[np.int64], pairs: Sequence[FragmentPair]
 ) -> list[FragmentPair]:
     known = {frozenset((p.source, p.target)) for p in pairs}
-    found = []
+    candidates = []
     for (i, a), (j, b) in itertools.combinations(enumerate(members.tolist()), 2):
         low, high = np.maximum(boxes[i][0], boxes[j][0]), np.minimum(boxes[i][1], boxes[j][1])
         if frozenset((a, b)) not in known and (low < high).all():
-            found.append(FragmentPair(b, a, matmul(invert_pose(poses[a]), poses[b]), 0.0, np.nan))
-    return found
+            candidates.append(FragmentPair(b, a, matmul(invert_pose(poses[a]), poses[b]), 0.0, np.nan))
+    return candidates
 
 
-def those_that_overlap(clouds: Clouds, candidates: Sequence[FragmentPair], size: float) -> list[FragmentPair]:
+def overlapping_pairs(clouds: Clouds, candidates: Sequence[FragmentPair], size: float) -> list[FragmentPair]:
     if not candidates:
         return []
     left, right = [clouds[p.source] for p in candidates], [clouds[p.target] for p in candidates]
     start = np.array([p.transformation for p in candidates])
-    problem = IterativeRegistration(left, right, start, REACH * size, GENERALIZED)
+    problem = IterativeRegistration(left, right, start, MAX_DISTANCE * size, GENERALIZED)
     problem.run(0, 0.0, 0.0)
     overlaps = [r.fitness for r in problem.results()]
     return [p for p, share in zip(candidates, overlaps, strict=True) if share >= OVERLAP]
 
 
-def box_under(cloud: PointCloud, pose: Matrices) -> Box:
+def transformed_box(cloud: PointCloud, pose: Matrices) -> Box:
     box = cloud.transform(pose).get_axis_aligned_bounding_box()
     return np.asarray(box.min_bound), np.asarray(box.max_bound)

@@ -35,11 +35,11 @@ from .fragment_graph import (
     Extent,
     FragmentGraph,
     FragmentPair,
-    box_under,
-    candidates_to_close,
-    place_by_pairs,
+    loop_candidates,
+    overlapping_pairs,
+    poses_from_pairs,
     refine_pairs,
-    those_that_overlap,
+    transformed_box,
     with_pairs,
 )
 from .pose_graph import PoseGraph
@@ -73,9 +73,9 @@ class FragmentsResult(Report):
 
     @property
     def trajectory(self) -> Trajectory:
-        placed = np.flatnonzero(self.placed)
-        ids = np.stack([placed, placed, np.full(len(placed), len(self.placed))], axis=1)
-        return Trajectory(self.poses[placed], ids=ids)
+        indices = np.flatnonzero(self.placed)
+        ids = np.stack([indices, indices, np.full(len(indices), len(self.placed))], axis=1)
+        return Trajectory(self.poses[indices], ids=ids)
 
     @property
     def loop_count(self) -> int:
@@ -94,9 +94,9 @@ class FragmentsResult(Report):
         return plain(
             {
                 "clouds": list(called),
-                "not_placed": [name for name, placed in zip(called, self.placed, strict=True) if not placed],
+                "not_placed": [name for name, is_placed in zip(called, self.placed, strict=True) if not is_placed],
                 "reference": called[self.reference],
-                "poses": [T if placed else None for T, placed in zip(self.poses, self.placed, strict=True)],
+                "poses": [T if is_placed else None for T, is_placed in zip(self.poses, self.placed, strict=True)],
                 "pairs": len(self.pairs),
                 "edges": len(self.pose_graph.edges),
                 "loops": self.loop_count,
@@ -108,7 +108,7 @@ class FragmentsResult(Report):
         )
 
     def fields(self) -> Fields:
-        edges = f"{len(self.pairs):,} that lie on each other, {len(self.pose_graph.edges):,} of them kept in the pose"
+        edges = f"{len(self.pairs):,} that overlap, {len(self.pose_graph.edges):,} of them kept in the pose"
         return [
             ("clouds", f"{self.placed.sum()} of {len(self.placed)} placed"),
             ("pairs", f"{edges} graph, {self.loop_count:,} to close loops"),
@@ -161,27 +161,27 @@ def register_fragments(
         check_cloud(f"clouds[{i}]", cloud)
         check_same_device(f"clouds[{i}]", clouds[0].device, cloud.device)
     common_unit("clouds", (cloud.unit for cloud in clouds))
-    tell, level = check_progress(progress), check_level(free)
-    believed = check_known(known, len(clouds), level)
-    given = {frozenset((pair.source, pair.target)) for pair in believed}
+    report_progress, level = check_progress(progress), check_level(free)
+    accepted = check_known(known, len(clouds), level)
+    given = {frozenset((pair.source, pair.target)) for pair in accepted}
     tried = [ends for ends in pairs_to_try(len(clouds), neighbors, pairs) if frozenset(ends) not in given]
     described = [describe(cloud, size) for cloud in clouds]
     for done, (i, j) in enumerate(tried):
-        tell("pairs", done, len(tried))
+        report_progress("pairs", done, len(tried))
         pair, _ = try_pair(j, i, described[j], described[i], chooser, level)
-        believed += [pair] if pair.score > MIN_SCORE else []
-    tell("pairs", len(tried), len(tried))
+        accepted += [pair] if pair.score > MIN_SCORE else []
+    report_progress("pairs", len(tried), len(tried))
     surfaces = [d.thinned for d in described]
-    believed, information = refine_pairs(surfaces, believed, size, level)
+    accepted, information = refine_pairs(surfaces, accepted, size, level)
     extents = [Extent.of(surface) for surface in surfaces]
-    found = place_by_pairs(extents, believed, information, size, level)
-    boxes = [box_under(surfaces[m], found.poses[m]) for m in found.members]
-    closing = those_that_overlap(surfaces, candidates_to_close(boxes, found.poses, found.members, believed), size)
+    fragments = poses_from_pairs(extents, accepted, information, size, level)
+    boxes = [transformed_box(surfaces[m], fragments.poses[m]) for m in fragments.members]
+    closing = overlapping_pairs(surfaces, loop_candidates(boxes, fragments.poses, fragments.members, accepted), size)
     if closing:
         more, more_information = refine_pairs(surfaces, closing, size, level)
-        believed, information = [*believed, *more], [*information, *more_information]
-        found = with_pairs(found, believed, information, size, level)
-    result = fragments_result(found, believed)
+        accepted, information = [*accepted, *more], [*information, *more_information]
+        fragments = with_pairs(fragments, accepted, information, size, level)
+    result = fragments_result(fragments, accepted)
     report("fragments", clouds=clouds, poses=result.poses, placed=result.placed)
     return result
 
@@ -190,16 +190,16 @@ def try_pair(
     source: int, target: int, left: Description, right: Description, seed: int, free: Sequence[str] | None = None
 ) -> tuple[FragmentPair, str]:
     """Register two clouds globally. Also the problem if the score is not above MIN_SCORE."""
-    found = register_described(left, right, seed=seed, free=free)
-    pair = FragmentPair(source, target, found.transformation, found.fitness, found.score or 0.0)
-    return pair, "; ".join(found.warnings)
+    result = register_described(left, right, seed=seed, free=free)
+    pair = FragmentPair(source, target, result.transformation, result.fitness, result.score or 0.0)
+    return pair, "; ".join(result.warnings)
 
 
-def fragments_result(found: FragmentGraph, pairs: list[FragmentPair]) -> FragmentsResult:
-    poses, placed = found.poses.copy(), np.zeros(len(found.poses), bool)
-    placed[found.members] = True
-    poses[~placed] = np.eye(4)
-    return FragmentsResult(poses, placed, int(found.members[0]), found.groups, found.graph, pairs)
+def fragments_result(fragments: FragmentGraph, pairs: list[FragmentPair]) -> FragmentsResult:
+    poses, is_placed = fragments.poses.copy(), np.zeros(len(fragments.poses), bool)
+    is_placed[fragments.members] = True
+    poses[~is_placed] = np.eye(4)
+    return FragmentsResult(poses, is_placed, int(fragments.members[0]), fragments.groups, fragments.graph, pairs)
 
 
 def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]]:
@@ -209,7 +209,7 @@ def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]
         return [(i, j) for i in range(count) for j in range(i + 1, min(i + span, count - 1) + 1)]
     if neighbors is not None:
         raise ValueError("neighbors, pairs: expected one of them, got both")
-    found = set()
+    selected = set()
     for k, ends in enumerate(check_list("pairs", pairs, "pairs of indices")):
         if not isinstance(ends, Sequence | np.ndarray) or isinstance(ends, str) or len(ends) != 2:
             raise ValueError(f"pairs[{k}]: expected two indices, got {shown(ends)}")
@@ -219,8 +219,8 @@ def pairs_to_try(count: int, neighbors: Any, pairs: Any) -> list[tuple[int, int]
         )
         if i == j:
             raise ValueError(f"pairs[{k}]: expected two clouds, got {i} twice")
-        found.add((min(i, j), max(i, j)))
-    return sorted(found)
+        selected.add((min(i, j), max(i, j)))
+    return sorted(selected)
 
 
 def check_known(known: Sequence[FragmentPair], count: int, free: Sequence[str] | None = None) -> list[FragmentPair]:
@@ -236,7 +236,7 @@ def check_known(known: Sequence[FragmentPair], count: int, free: Sequence[str] |
         tilt = float(np.hypot(T[0, 2], T[1, 2]))
         if free is not None and tilt > LEVEL_ENOUGH:
             raise ValueError(
-                f"known[{k}].transformation: tilts by {np.degrees(tilt):.3g} degrees, and free= has no tilt"
+                f"known[{k}].transformation: expected no tilt, as free= has none, got {np.degrees(tilt):.3g} degrees"
             )
         check_positive(f"known[{k}].score", pair.score)
     return pairs

@@ -197,18 +197,18 @@ def _stacked(items: str, name: str, values: Sequence[Any], shape: tuple[int, ...
     return stack.reshape(len(values), *shape)
 
 
-def _refuse(wrong: NDArray[np.bool_], items: str, expected: str, found: NDArray[Any]) -> None:
+def _refuse(wrong: NDArray[np.bool_], items: str, expected: str, values: NDArray[Any]) -> None:
     if wrong.any():
         i = int(np.flatnonzero(wrong)[0])
         attribute, _, rest = expected.partition(":")
-        value = f"{found[i]:g}" if found.ndim == 1 else found[i].tolist()
+        value = f"{values[i]:g}" if values.ndim == 1 else values[i].tolist()
         raise ValueError(f"{items}[{i}].{attribute}:{rest}, got {value}")
 
 
 def _check_ends(ends: NDArray[np.float64], count: int) -> None:
-    whole = ends == np.floor(ends)
+    is_integer = ends == np.floor(ends)
     for column, name in enumerate(("source_node_id", "target_node_id")):
-        inside = whole[:, column] & (ends[:, column] >= 0) & (ends[:, column] < count)
+        inside = is_integer[:, column] & (ends[:, column] >= 0) & (ends[:, column] < count)
         expected = f"{name}: expected the index of one of {count} nodes"
         _refuse(~inside, "edges", expected, ends[:, column])
     _refuse(ends[:, 0] == ends[:, 1], "edges", "target_node_id: expected another node than the source", ends[:, 1])

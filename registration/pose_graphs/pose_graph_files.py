@@ -49,9 +49,9 @@ def read_pose_graph(path: str | os.PathLike[str]) -> PoseGraph:
         if not isinstance(content[key], list):
             raise FileError(path, f"expected a list, got a {type(content[key]).__name__}", where=f"key {key}")
     for i, node in enumerate(content["nodes"]):
-        place = f"nodes[{i}]"
-        _check_frame(path, node, "PoseGraphNode", _NODE_KEYS, place)
-        graph.nodes.append(PoseGraphNode(read_json_matrix(path, node["pose"], 4, where=f"key {place}.pose")))
+        location = f"nodes[{i}]"
+        _check_frame(path, node, "PoseGraphNode", _NODE_KEYS, location)
+        graph.nodes.append(PoseGraphNode(read_json_matrix(path, node["pose"], 4, where=f"key {location}.pose")))
     graph.edges = [_read_edge(path, edge, f"edges[{i}]") for i, edge in enumerate(content["edges"])]
     try:
         check_pose_graph(graph)
@@ -75,7 +75,7 @@ def write_pose_graph(path: str | os.PathLike[str], pose_graph: PoseGraph, *, ove
     path = check_writable(path, overwrite=overwrite)
     if path.suffix.lower() != ".json":
         raise FileError(
-            path, f"expected a name that ends in .json, got {path.suffix!r}", remedy="Open3D reads no other"
+            path, f"expected a name that ends in .json, got {path.suffix!r}", remedy="Open3D reads only .json"
         )
     arrays = check_pose_graph(pose_graph)
     content = {
@@ -107,35 +107,35 @@ def _columns(matrix: Any) -> list[float]:
     return np.asarray(matrix, np.float64).T.ravel().tolist()
 
 
-def _check_frame(path: str | os.PathLike[str], content: Any, name: str, keys: frozenset[str], place: str) -> None:
-    where = f"{place}." if place else ""
+def _check_frame(path: str | os.PathLike[str], content: Any, name: str, keys: frozenset[str], location: str) -> None:
+    where = f"{location}." if location else ""
     if not isinstance(content, dict):
-        raise FileError(path, f"expected an object, got a {type(content).__name__}", where=f"key {place}")
+        raise FileError(path, f"expected an object, got a {type(content).__name__}", where=f"key {location}")
     check_keys(path, content, required=keys, where=where)
     for key, expected in (("class_name", name), *VERSION.items()):
         if content[key] != expected or isinstance(content[key], bool):
             raise FileError(path, f"expected {expected!r}, got {str(content[key])[:40]!r}", where=f"key {where}{key}")
 
 
-def _read_edge(path: str | os.PathLike[str], content: Any, place: str) -> PoseGraphEdge:
-    _check_frame(path, content, "PoseGraphEdge", _EDGE_KEYS, place)
+def _read_edge(path: str | os.PathLike[str], content: Any, location: str) -> PoseGraphEdge:
+    _check_frame(path, content, "PoseGraphEdge", _EDGE_KEYS, location)
     for key, kinds, expected in (
-        ("source_node_id", int, "a whole number"),
-        ("target_node_id", int, "a whole number"),
+        ("source_node_id", int, "an integer"),
+        ("target_node_id", int, "an integer"),
         ("confidence", (int, float), "a number"),
         ("uncertain", bool, "true or false"),
     ):
         value = content[key]
         if not isinstance(value, kinds) or (isinstance(value, bool) and kinds is not bool):
-            raise FileError(path, f"expected {expected}, got {str(value)[:40]!r}", where=f"key {place}.{key}")
+            raise FileError(path, f"expected {expected}, got {str(value)[:40]!r}", where=f"key {location}.{key}")
     for key in ("source_node_id", "target_node_id"):
         if not 0 <= content[key] <= LARGEST_ID:
-            raise FileError(path, f"expected the index of a node, got {content[key]}", where=f"key {place}.{key}")
+            raise FileError(path, f"expected the index of a node, got {content[key]}", where=f"key {location}.{key}")
     return PoseGraphEdge(
         content["source_node_id"],
         content["target_node_id"],
-        read_json_matrix(path, content["transformation"], 4, where=f"key {place}.transformation"),
-        read_json_matrix(path, content["information"], 6, where=f"key {place}.information"),
+        read_json_matrix(path, content["transformation"], 4, where=f"key {location}.transformation"),
+        read_json_matrix(path, content["information"], 6, where=f"key {location}.information"),
         content["uncertain"],
         content["confidence"],
     )

@@ -27,7 +27,7 @@ from ..icp.constraint import MOTIONS, check_free
 from ..rigid import nearest_rotation
 from .connected_parts import connected_parts
 from .pose_graph import GraphArrays, PoseGraph, PoseGraphNode, center_frames, check_pose_graph
-from .pose_graph_system import EdgeMeasurements, Misfit, NodePoses, NormalEquations
+from .pose_graph_system import EdgeErrors, EdgeMeasurements, NodePoses, NormalEquations
 from .reports import GlobalOptimizationReport
 
 Array = NDArray[np.float64]
@@ -96,7 +96,7 @@ class GlobalOptimizationConvergenceCriteria:
 
     def __post_init__(self):
         for name in ("max_iteration", "max_iteration_lm"):
-            reason = "what has not converged by then does not"
+            reason = "more iterations do not converge"
             steps = check_count(name, getattr(self, name), maximum=MAX_STEPS, because=reason)
             object.__setattr__(self, name, steps)
         for name in ("min_relative_increment", "min_relative_residual_increment", "min_right_term", "min_residual"):
@@ -202,18 +202,18 @@ def global_optimization(
         graph, centers = center_frames(graph)
     pivot = graph.poses[reference, :3, 3]
     poses = NodePoses(nearest_rotations(graph.poses[:, :3, :3]), graph.poses[:, :3, 3] - pivot)
-    kept, confidences, passes = np.arange(len(graph.source)), graph.confidences, []
+    remaining, confidences, passes = np.arange(len(graph.source)), graph.confidences, []
     for _ in range(2):
-        part = graph.edges_at(kept)
+        part = graph.edges_at(remaining)
         weight = _line_process_weight(part, option)
-        found = minimize(part, poses, reference, weight, criteria, damped=damped, motions=motions)
-        believed = ~part.uncertain | (found.confidences > option.edge_prune_threshold)
-        kept, confidences, poses = kept[believed], found.confidences[believed], found.poses
-        passes.append(found)
-    placed = _placed(graph.poses, poses, pivot, option.reference_node)
-    placed[:, :3, 3] -= matmul(placed[:, :3, :3], centers[:, :, None])[:, :, 0]
+        result = minimize(part, poses, reference, weight, criteria, damped=damped, motions=motions)
+        is_accepted = ~part.uncertain | (result.confidences > option.edge_prune_threshold)
+        remaining, confidences, poses = remaining[is_accepted], result.confidences[is_accepted], result.poses
+        passes.append(result)
+    world_poses = _world_poses(graph.poses, poses, pivot, option.reference_node)
+    world_poses[:, :3, 3] -= matmul(world_poses[:, :3, :3], centers[:, :, None])[:, :, 0]
     if option.reference_node >= 0:
-        placed[reference] = given[reference]
+        world_poses[reference] = given[reference]
     edges = [
         dataclasses.replace(
             pose_graph.edges[i],
@@ -221,9 +221,9 @@ def global_optimization(
             target_node_id=int(graph.target[i]),
             confidence=confidence,
         )
-        for i, confidence in zip(kept.tolist(), confidences.tolist(), strict=True)
+        for i, confidence in zip(remaining.tolist(), confidences.tolist(), strict=True)
     ]
-    return _with_report(PoseGraph([PoseGraphNode(T) for T in placed], edges), graph, passes, reference, kept)
+    return _with_report(PoseGraph([PoseGraphNode(T) for T in world_poses], edges), graph, passes, reference, remaining)
 
 
 def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bool_] | None:
@@ -233,11 +233,13 @@ def _check_motions(free: Any, option: GlobalOptimizationOption) -> NDArray[np.bo
     names = check_free(free)
     motions = np.array([name in names for name in MOTIONS])
     if motions[:3].sum() == 2:
-        turns = " and ".join(name for name in names if name in MOTIONS[:3])
-        raise ValueError(f"free: {turns} add up to turns about the third axis; free one turn, all three, or none")
+        rotations = " and ".join(name for name in names if name in MOTIONS[:3])
+        raise ValueError(
+            f"free: {rotations} combine to rotations about the third axis. Free one rotation, all three, or none"
+        )
     if motions[:3].any() and not motions[3:].all() and option.reference_node < 0:
         raise ValueError(
-            "free: turns without x, y and z leave no mean pose of all to keep; give option= with a reference_node"
+            "free: rotations without x, y and z do not preserve the mean pose. Pass option= with a reference_node"
         )
     return None if motions.all() else motions
 
@@ -250,10 +252,12 @@ def _check_optimizable(graph: GraphArrays, option: GlobalOptimizationOption) -> 
     wrong = np.flatnonzero(~graph.uncertain & (graph.confidences != 1))
     if len(wrong):
         raise ValueError(
-            f"edges[{wrong[0]}].confidence: expected 1 of a certain edge, got {graph.confidences[wrong[0]]}"
+            f"edges[{wrong[0]}].confidence: expected 1 for a certain edge, got {graph.confidences[wrong[0]]}"
         )
     if graph.uncertain.any() and not (graph.information[:, 5, 5] > 0).any():
-        raise ValueError("edges: uncertain ones need information[5, 5], the number of correspondences, and all have 0")
+        raise ValueError(
+            "edges: expected the number of correspondences in information[5, 5] of uncertain edges, got 0 in all"
+        )
     reference = max(option.reference_node, 0)
     if count:
         parts = parts_of(graph)
@@ -280,41 +284,43 @@ def _line_process_weight(graph: GraphArrays, option: GlobalOptimizationOption) -
     return option.preference_loop_closure * option.max_correspondence_distance**2 * mean
 
 
-def _placed(given: Array, poses: NodePoses, pivot: Array, reference: int) -> Array:
+def _world_poses(given: Array, poses: NodePoses, pivot: Array, reference: int) -> Array:
     """World poses [n, 4, 4] with the reference, or the mean of all, unchanged."""
     rotations, positions = poses.rotations, poses.positions
     if reference < 0:
-        rotations, positions = _mean_undone(given[:, :3, :3], given[:, :3, 3] - pivot, rotations, positions)
-    placed = np.tile(np.eye(4), (len(given), 1, 1))
-    placed[:, :3, :3], placed[:, :3, 3] = rotations, positions + pivot
-    return placed
+        rotations, positions = _without_mean_motion(given[:, :3, :3], given[:, :3, 3] - pivot, rotations, positions)
+    world_poses = np.tile(np.eye(4), (len(given), 1, 1))
+    world_poses[:, :3, :3], world_poses[:, :3, 3] = rotations, positions + pivot
+    return world_poses
 
 
-def _mean_undone(old_rotations: Array, old_positions: Array, rotations: Array, positions: Array) -> tuple[Array, Array]:
+def _without_mean_motion(
+    old_rotations: Array, old_positions: Array, rotations: Array, positions: Array
+) -> tuple[Array, Array]:
     """Move the new poses so that the (chordal) mean motion from the old ones is the identity."""
     middle = old_positions.mean(axis=0)
-    turns = matmul(rotations, nearest_rotations(old_rotations).transpose(0, 2, 1))
-    shifts = positions - middle - np.einsum("nij,nj->ni", turns, old_positions - middle)
-    R = nearest_rotation(turns.mean(axis=0)).T
+    changes = matmul(rotations, nearest_rotations(old_rotations).transpose(0, 2, 1))
+    shifts = positions - middle - np.einsum("nij,nj->ni", changes, old_positions - middle)
+    R = nearest_rotation(changes.mean(axis=0)).T
     return matmul(R, rotations), matmul(positions - middle - shifts.mean(axis=0), R.T) + middle
 
 
 def _with_report(
-    solved: PoseGraph, graph: GraphArrays, passes: list[Pass], reference: int, kept: NDArray[np.int64]
+    solved: PoseGraph, graph: GraphArrays, passes: list[Pass], reference: int, remaining: NDArray[np.int64]
 ) -> PoseGraph:
     unreached = np.empty(0, np.int64)
     if len(graph.poses):
-        parts = parts_of(graph.edges_at(kept))
+        parts = parts_of(graph.edges_at(remaining))
         unreached = np.flatnonzero(parts != parts[reference])
     last = passes[-1] if passes else None
     solved.report = GlobalOptimizationReport(
-        iterations=sum(found.iterations for found in passes),
+        iterations=sum(result.iterations for result in passes),
         initial_residual=passes[0].initial_residual if passes else 0.0,
         residual=last.residual if last else 0.0,
         line_process_weight=last.weight if last else 0.0,
         converged=last is None or last.criterion.startswith("min_"),
         criterion=last.criterion if last else "no nodes",
-        pruned_edges=np.setdiff1d(np.arange(len(graph.source)), kept),
+        pruned_edges=np.setdiff1d(np.arange(len(graph.source)), remaining),
         unreached_nodes=unreached,
     )
     return solved
@@ -388,7 +394,7 @@ class _Descent:
         self.edges = EdgeMeasurements(graph)
         self.system = NormalEquations(self.edges, anchored, motions)
         self.poses = poses
-        self.misfit, self.confidences, self.residual = self._evaluate(poses)
+        self.errors, self.confidences, self.residual = self._evaluate(poses)
         self.damping, self.growth, self.iterations = INITIAL_DAMPING if damped else MIN_DAMPING, GROWTH, 0
 
     def run(self) -> str:
@@ -403,46 +409,48 @@ class _Descent:
     def _step(self) -> str:
         """Take one step, with more damping until the residual falls. Returns the criterion that was met, or ""."""
         system, criteria = self.system, self.criteria
-        system.linearize(self.poses, self.misfit, self.confidences)
+        system.linearize(self.poses, self.errors, self.confidences)
         if np.abs(system.right).max() < criteria.min_right_term:
             return "min_right_term"
         for _ in range(criteria.max_iteration_lm if self.damped else 1):
             try:
                 solution = system.solve(self.damping)
             except RuntimeError:  # numerically singular
-                self._damp_more()
+                self._increase_damping()
                 continue
             if _length(solution) < criteria.min_relative_increment * (
                 _extent(self.poses) + criteria.min_relative_increment
             ):
                 return "min_relative_increment"
             poses = self.poses.moved(system.step_of(solution, len(self.poses.positions)))
-            misfit, confidences, residual = self._evaluate(poses)
+            errors, confidences, residual = self._evaluate(poses)
             gain = self.residual - residual
             if gain > 0:
-                self._ease(gain / float((solution * (self.damping * system.scale * solution + system.right)).sum()))
-                settled = gain < criteria.min_relative_residual_increment * self.residual
-                self.poses, self.misfit, self.confidences, self.residual = poses, misfit, confidences, residual
+                self._reduce_damping(
+                    gain / float((solution * (self.damping * system.scale * solution + system.right)).sum())
+                )
+                is_converged = gain < criteria.min_relative_residual_increment * self.residual
+                self.poses, self.errors, self.confidences, self.residual = poses, errors, confidences, residual
                 self.iterations += 1
-                return "min_relative_residual_increment" if settled else ""
+                return "min_relative_residual_increment" if is_converged else ""
             share = ROUNDING if self.damped else max(ROUNDING, criteria.min_relative_residual_increment)
             if -gain <= share * self.residual:
                 return "min_relative_residual_increment"
-            self._damp_more()
+            self._increase_damping()
         return "max_iteration_lm" if self.damped else "no descent"
 
-    def _evaluate(self, poses: NodePoses) -> tuple[Misfit, Array, float]:
+    def _evaluate(self, poses: NodePoses) -> tuple[EdgeErrors, Array, float]:
         """Residuals of the edges, their confidences, and the total residual: the sum of sqrt(l) r."""
-        misfit = self.edges.misfit(poses)
+        errors = self.edges.errors(poses)
         share = np.ones(len(self.uncertain))
-        share[self.uncertain] = self.weight / (self.weight + misfit.squares[self.uncertain])
-        return misfit, share * share, float((share * misfit.squares).sum())
+        share[self.uncertain] = self.weight / (self.weight + errors.squares[self.uncertain])
+        return errors, share * share, float((share * errors.squares).sum())
 
-    def _damp_more(self) -> None:
+    def _increase_damping(self) -> None:
         self.damping *= self.growth
         self.growth *= GROWTH
 
-    def _ease(self, ratio: float) -> None:
+    def _reduce_damping(self, ratio: float) -> None:
         """Reduce the damping by the gain ratio (Nielsen 1999, eq. 2.21)."""
         if self.damped:
             factor = 1 - (2 * ratio - 1) ** 3

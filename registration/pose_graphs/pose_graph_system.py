@@ -36,7 +36,7 @@ class NodePoses:
 
 
 @dataclass(frozen=True, eq=False)
-class Misfit:
+class EdgeErrors:
     """Edge `residuals` (rotation, translation) [m, 6], cosines of half the angle [m], and weighted squares [m]."""
 
     residuals: Array
@@ -51,31 +51,31 @@ class EdgeMeasurements:
         self.rotations = nearest_rotations(graph.transformations[:, :3, :3])
         self.translations = graph.transformations[:, :3, 3]
 
-    def misfit(self, poses: NodePoses) -> Misfit:
-        to_misfit, apart = self._frames(poses)
-        quaternions = rotations_to_quaternions(matmul(to_misfit, poses.rotations[self.source]))
-        translations = _apply(to_misfit, apart) - _apply(self.rotations.transpose(0, 2, 1), self.translations)
+    def errors(self, poses: NodePoses) -> EdgeErrors:
+        to_edge, apart = self._frames(poses)
+        quaternions = rotations_to_quaternions(matmul(to_edge, poses.rotations[self.source]))
+        translations = _apply(to_edge, apart) - _apply(self.rotations.transpose(0, 2, 1), self.translations)
         residuals = np.concatenate([2 * quaternions[:, :3], translations], axis=1)
         squares = (residuals * _apply(self.information, residuals)).sum(axis=1)
-        return Misfit(residuals, quaternions[:, 3], squares)
+        return EdgeErrors(residuals, quaternions[:, 3], squares)
 
-    def jacobians(self, poses: NodePoses, misfit: Misfit) -> tuple[Array, Array]:
+    def jacobians(self, poses: NodePoses, errors: EdgeErrors) -> tuple[Array, Array]:
         """Derivatives of the residuals by the steps of source and target node, [m, 6, 6] each."""
-        to_misfit, apart = self._frames(poses)
-        turning = misfit.scalars[:, None, None] * np.eye(3) - skews(misfit.residuals[:, :3]) / 2
+        to_edge, apart = self._frames(poses)
+        turning = errors.scalars[:, None, None] * np.eye(3) - skews(errors.residuals[:, :3]) / 2
         by_source = np.zeros((len(self.source), 6, 6))
         by_target = np.zeros_like(by_source)
-        by_source[:, :3, :3] = matmul(turning, to_misfit)
-        by_source[:, 3:, 3:] = to_misfit
+        by_source[:, :3, :3] = matmul(turning, to_edge)
+        by_source[:, 3:, 3:] = to_edge
         by_target[:, :3, :3] = -by_source[:, :3, :3]
-        by_target[:, 3:, :3] = matmul(to_misfit, skews(apart))
-        by_target[:, 3:, 3:] = -to_misfit
+        by_target[:, 3:, :3] = matmul(to_edge, skews(apart))
+        by_target[:, 3:, 3:] = -to_edge
         return by_source, by_target
 
     def _frames(self, poses: NodePoses) -> tuple[Array, Array]:
         """Rotations from the world to the residual frames, [m, 3, 3]. From target to source, [m, 3] [m]."""
-        to_misfit = matmul(poses.rotations[self.target], self.rotations).transpose(0, 2, 1)
-        return to_misfit, poses.positions[self.source] - poses.positions[self.target]
+        to_edge = matmul(poses.rotations[self.target], self.rotations).transpose(0, 2, 1)
+        return to_edge, poses.positions[self.source] - poses.positions[self.target]
 
 
 class NormalEquations:
@@ -85,12 +85,12 @@ class NormalEquations:
         self.edges = edges
         self.free = np.flatnonzero(~anchored)
         count = len(self.free)
-        places = np.full(len(anchored), -1)
-        places[self.free] = np.arange(count)
-        source, target = places[edges.source], places[edges.target]
-        places[self.free] = _fill_reducing_places(source, target, count)
-        self.free = self.free[np.argsort(places[self.free])]
-        source, target = places[edges.source], places[edges.target]
+        order = np.full(len(anchored), -1)
+        order[self.free] = np.arange(count)
+        source, target = order[edges.source], order[edges.target]
+        order[self.free] = _fill_reducing_order(source, target, count)
+        self.free = self.free[np.argsort(order[self.free])]
+        source, target = order[edges.source], order[edges.target]
         between = (source >= 0) & (target >= 0)
         low, high = np.minimum(source, target), np.maximum(source, target)
         self.pairs, pair_of = np.unique(low[between] * count + high[between], return_inverse=True)
@@ -113,9 +113,9 @@ class NormalEquations:
         self.factor = SparseFactor(ones.indptr, ones.indices)
         self.diagonal = np.flatnonzero(ones.indices == np.repeat(np.arange(6 * count), np.diff(ones.indptr)))
 
-    def linearize(self, poses: NodePoses, misfit: Misfit, weights: Array) -> None:
+    def linearize(self, poses: NodePoses, errors: EdgeErrors, weights: Array) -> None:
         """Linearize with edge weights; sets `right` (minus half the gradient) and `scale` (stiffness), [6 f]."""
-        by_source, by_target = self.edges.jacobians(poses, misfit)
+        by_source, by_target = self.edges.jacobians(poses, errors)
         information = weights[:, None, None] * self.edges.information
         weighted_source, weighted_target = matmul(information, by_source), matmul(information, by_target)
         source_across, target_across = by_source.transpose(0, 2, 1), by_target.transpose(0, 2, 1)
@@ -125,8 +125,8 @@ class NormalEquations:
             np.where(upper, source_across, target_across), np.where(upper, weighted_target, weighted_source)
         )
         pulls = np.concatenate(
-            [_apply(weighted_source.transpose(0, 2, 1), misfit.residuals),
-             _apply(weighted_target.transpose(0, 2, 1), misfit.residuals)]
+            [_apply(weighted_source.transpose(0, 2, 1), errors.residuals),
+             _apply(weighted_target.transpose(0, 2, 1), errors.residuals)]
         )  # fmt: skip
         nodes = (self.sum_nodes @ ends.reshape(-1, 36)).reshape(-1, 6, 6)
         pairs = (self.sum_pairs @ between.reshape(-1, 36)).reshape(-1, 6, 6)
@@ -134,9 +134,9 @@ class NormalEquations:
         self.matrix = self._matrix(np.concatenate([nodes, pairs, pairs.transpose(0, 2, 1)]))
         self.scale = _stiffness(nodes)
         if self.moving is not None:
-            self._hold(self.moving)
+            self._fix(self.moving)
 
-    def _hold(self, moving: NDArray[np.bool_]) -> None:
+    def _fix(self, moving: NDArray[np.bool_]) -> None:
         columns = np.repeat(np.arange(len(moving)), np.diff(self.matrix.indptr))
         self.matrix.data *= moving[columns] & moving[self.matrix.indices]
         self.matrix.data[self.diagonal[~moving]] = self.scale[~moving]
@@ -169,7 +169,7 @@ def _stiffness(nodes: Array) -> Array:
     return np.repeat(np.maximum(means, floor), 3, axis=1).ravel()
 
 
-def _fill_reducing_places(source: NDArray[np.int64], target: NDArray[np.int64], count: int) -> NDArray[np.int64]:
+def _fill_reducing_order(source: NDArray[np.int64], target: NDArray[np.int64], count: int) -> NDArray[np.int64]:
     """Node permutation for sparse factors (minimum degree, by SuperLU)."""
     between = (source >= 0) & (target >= 0)
     rows, columns = np.concatenate([[source, target], [target, source]], axis=1)[:, np.tile(between, 2)]

@@ -41,17 +41,17 @@ def spanning_tree(
 
 def chain(first: Array, roots: Iterable[int], pairs: Sequence[Pair], tree: Sequence[int]) -> Array:
     """Propagate poses [n, 4, 4] along the tree from the roots; unreached ones are unchanged."""
-    poses, reached, waiting = first.copy(), set(roots), list(tree)
+    poses, visited, waiting = first.copy(), set(roots), list(tree)
     while waiting:
         rest = []
         for k in waiting:
             pair = pairs[k]
-            if pair.target in reached:
+            if pair.target in visited:
                 poses[pair.source] = matmul(poses[pair.target], pair.transformation)
-                reached.add(pair.source)
-            elif pair.source in reached:
+                visited.add(pair.source)
+            elif pair.source in visited:
                 poses[pair.target] = matmul(poses[pair.source], invert_pose(pair.transformation))
-                reached.add(pair.target)
+                visited.add(pair.target)
             else:
                 rest.append(k)
         if len(rest) == len(waiting):

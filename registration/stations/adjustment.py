@@ -29,7 +29,7 @@ NOTHING = 1e-12  # relative to the largest eigenvalue: undetermined below
 NO_MOTION = 1e-12  # squared length of a zero vector of motions
 UNTESTABLE = 1e-6  # minimum redundancy of a tested row
 MAX_STEPS, MAX_HALVINGS = 60, 12
-SETTLED = 1e-7  # total step in standard deviations at convergence
+CONVERGED_STEP = 1e-7  # total step in standard deviations at convergence
 ROUNDING = 1e-12  # relative to the sum of squares
 
 
@@ -47,8 +47,8 @@ class Observed:
     def without(self, group: Group) -> Observed:
         names = {"pair": "pairs", "target": "targets", "control": "control"}
         field = names[group.kind]
-        kept = [one for one in getattr(self, field) if one is not group.observation]
-        return dataclasses.replace(self, **{field: kept})
+        remaining = [one for one in getattr(self, field) if one is not group.observation]
+        return dataclasses.replace(self, **{field: remaining})
 
 
 @dataclass(frozen=True, eq=False)
@@ -124,20 +124,20 @@ class _Network:
         )
         self.roots = [root_of(M[np.ix_(self.motions, self.motions)]) / observed.pair_factor for M in self.information]
 
-    def rows(self, poses: NodePoses, places: dict[str, Array]) -> _Rows:
+    def rows(self, poses: NodePoses, points: dict[str, Array]) -> _Rows:
         rows, observed = _Rows(), self.observed
         self._add_pairs(rows, poses)
         for one in observed.targets:
             if one.name in self.column:
                 # in the station's axes: a common rotation changes no residual
-                Rt, apart = poses.rotations[one.station].T, poses.positions[one.station] - places[one.name]
+                Rt, apart = poses.rotations[one.station].T, poses.positions[one.station] - points[one.name]
                 J = np.hstack([matmul(Rt, skew(apart)), Rt])[:, self.motions]
                 blocks = [(self.size * one.station, J), (self.column[one.name], -Rt)]
                 rows.add("target", one, np.asarray(one.position) + matmul(Rt, apart), np.eye(3) / one.sigma, blocks)
         for point in observed.control:
             if point.name in self.column:
                 root = np.diag(1 / np.asarray(point.sigma))
-                residual = places[point.name] - (np.asarray(point.position) - self.pivot)
+                residual = points[point.name] - (np.asarray(point.position) - self.pivot)
                 rows.add("control", point, residual, root, [(self.column[point.name], np.eye(3))])
         if observed.tilt_sigma and not self.level:
             upright = skew(np.array([0.0, 0.0, 1.0]))
@@ -146,30 +146,30 @@ class _Network:
                 rows.add("level", i, R[2, :2].copy(), np.eye(2) / observed.tilt_sigma, [(6 * i, J)])
         if observed.positions is not None:
             shift = np.hstack([np.zeros((3, 3)), np.eye(3)])[:, self.motions]
-            for i, place in enumerate(observed.positions[0]):
-                if np.isfinite(place).all():
-                    residual = poses.positions[i] - (place - self.pivot)
+            for i, position in enumerate(observed.positions[0]):
+                if np.isfinite(position).all():
+                    residual = poses.positions[i] - (position - self.pivot)
                     rows.add("position", i, residual, np.eye(3) / observed.positions[1], [(self.size * i, shift)])
         return rows
 
     def _add_pairs(self, rows: _Rows, poses: NodePoses) -> None:
         if not len(self.observed.pairs):
             return
-        misfit = self.edges.misfit(poses)
-        by_source, by_target = self.edges.jacobians(poses, misfit)
+        errors = self.edges.errors(poses)
+        by_source, by_target = self.edges.jacobians(poses, errors)
         chosen = np.ix_(self.motions, self.motions)
         for k, pair in enumerate(self.observed.pairs):
             blocks = [(self.size * pair.source, by_source[k][chosen]), (self.size * pair.target, by_target[k][chosen])]
-            rows.add("pair", pair, misfit.residuals[k][self.motions], self.roots[k], blocks)
+            rows.add("pair", pair, errors.residuals[k][self.motions], self.roots[k], blocks)
 
     def matrix(self, rows: _Rows) -> sp.csr_matrix:
         parts = [np.concatenate(part) for part in zip(*rows.entries, strict=True)] or [np.empty(0)] * 3
         return sp.csr_matrix((parts[2], (parts[0], parts[1])), shape=(rows.count, self.unknowns))
 
-    def moved(self, poses: NodePoses, places: dict[str, Array], step: Array) -> tuple[NodePoses, dict[str, Array]]:
+    def moved(self, poses: NodePoses, points: dict[str, Array], step: Array) -> tuple[NodePoses, dict[str, Array]]:
         steps = np.zeros((self.count, 6))
         steps[:, self.motions] = step[: self.size * self.count].reshape(self.count, self.size)
-        moved = {name: places[name] + step[first : first + 3] for name, first in self.column.items()}
+        moved = {name: points[name] + step[first : first + 3] for name, first in self.column.items()}
         return NodePoses(matmul(rotations_of(steps[:, :3]), poses.rotations), poses.positions + steps[:, 3:]), moved
 
 
@@ -177,28 +177,28 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
     """The least-squares poses from initial ones [n, 4, 4]; `reference` fixes the datum."""
     pivot = first[:, :3, 3].mean(axis=0)
     network, count = _Network(observed, len(first), level, pivot), len(first)
-    poses, places = NodePoses(first[:, :3, :3].copy(), first[:, :3, 3] - pivot), {}
+    poses, points = NodePoses(first[:, :3, :3].copy(), first[:, :3, 3] - pivot), {}
     for one in observed.targets:
-        if one.name in network.column and one.name not in places:
+        if one.name in network.column and one.name not in points:
             at = matmul(poses.rotations[one.station], np.asarray(one.position))
-            places[one.name] = at + poses.positions[one.station]
-    poses, places, converged = _descend(network, poses, places, reference)
-    rows = network.rows(poses, places)
+            points[one.name] = at + poses.positions[one.station]
+    poses, points, converged = _descend(network, poses, points, reference)
+    rows = network.rows(poses, points)
     A = network.matrix(rows)
     Q, datum, nullity, loose = _cofactors(A, network, reference)
     right = np.concatenate([*rows.right, np.empty(0)])
     groups = [_tested(group, A, Q, right) for group in rows.groups]
-    size, turned = network.size, poses.rotations
+    size, rotations = network.size, poses.rotations
     if level:
-        yaws = elementwise(math.atan2, turned[:, 1, 0], turned[:, 0, 0])
-        turned = rotations_of(np.stack([0 * yaws, 0 * yaws, yaws], axis=1))
-    found = np.tile(np.eye(4), (count, 1, 1))
-    found[:, :3, :3], found[:, :3, 3] = turned, poses.positions + pivot
+        yaws = elementwise(math.atan2, rotations[:, 1, 0], rotations[:, 0, 0])
+        rotations = rotations_of(np.stack([0 * yaws, 0 * yaws, yaws], axis=1))
+    adjusted_poses = np.tile(np.eye(4), (count, 1, 1))
+    adjusted_poses[:, :3, :3], adjusted_poses[:, :3, 3] = rotations, poses.positions + pivot
     blocks = [slice(size * i, size * (i + 1)) for i in range(count)]
     spots = {name: slice(column, column + 3) for name, column in network.column.items()}
     return Adjusted(
-        found,
-        {name: place + pivot for name, place in places.items()},
+        adjusted_poses,
+        {name: point + pivot for name, point in points.items()},
         np.array([Q[part, part] for part in blocks]),
         {name: Q[part, part] for name, part in spots.items()},
         groups,
@@ -213,33 +213,33 @@ def adjust(first: Array, observed: Observed, *, level: bool, reference: int = 0)
 def root_of(information: Array) -> Array:
     """W with W^T W = information, one row per informative direction."""
     values, vectors = eigh((information + information.T) / 2)
-    kept = values > NOTHING * max(values[-1], 0.0)
-    return np.sqrt(values[kept])[:, None] * vectors[:, kept].T
+    is_positive = values > NOTHING * max(values[-1], 0.0)
+    return np.sqrt(values[is_positive])[:, None] * vectors[:, is_positive].T
 
 
 def _descend(
-    network: _Network, poses: NodePoses, places: dict[str, Array], reference: int
+    network: _Network, poses: NodePoses, points: dict[str, Array], reference: int
 ) -> tuple[NodePoses, dict[str, Array], bool]:
     """Iterate until steps are a small fraction of the standard deviations."""
-    rows = network.rows(poses, places)
+    rows = network.rows(poses, points)
     for _ in range(MAX_STEPS):
         A, right = network.matrix(rows), np.concatenate([*rows.right, np.empty(0)])
-        held = _held(A, network, reference)
+        datum = _datum_constraints(A, network, reference)
         N = (A.T @ A).tocsc()
-        step = -_factor_of(N + held).solve(A.T @ right)
-        if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < SETTLED:
-            return poses, places, True
+        step = -_factor_of(N + datum).solve(A.T @ right)
+        if float(np.sqrt(max((step * (N @ step)).sum(), 0.0))) < CONVERGED_STEP:
+            return poses, points, True
         squares = float((right * right).sum())
         for _ in range(MAX_HALVINGS):
-            moved = network.moved(poses, places, step)
+            moved = network.moved(poses, points, step)
             rows = network.rows(*moved)
             if float(sum((part * part).sum() for part in rows.right)) <= squares * (1 + ROUNDING):
                 break
             step = step / 2
         else:
-            return poses, places, False
-        poses, places = moved
-    return poses, places, False
+            return poses, points, False
+        poses, points = moved
+    return poses, points, False
 
 
 def _null_space(A: sp.csr_matrix) -> tuple[Array, Array]:
@@ -276,7 +276,7 @@ def _factor_of(system: sp.spmatrix) -> SparseFactor:
     return factor
 
 
-def _held(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
+def _datum_constraints(A: sp.csr_matrix, network: _Network, reference: int) -> sp.csc_matrix:
     H, left, _, stiff = _conditions(A, network, reference)
     full = matmul(H.T, H) + matmul(left, left.T)
     return sp.csc_matrix(full * stiff[:, None] * stiff[None])
@@ -286,7 +286,7 @@ def _cofactors(A: sp.csr_matrix, network: _Network, reference: int) -> tuple[Arr
     """Cofactors of the unknowns, numbers of datum and of all conditions, mask of loose stations."""
     H, left, Z, stiff = _conditions(A, network, reference)
     N = (A.T @ A).tocsc()
-    Q = _factor_of(N + _held(A, network, reference)).solve(np.eye(network.unknowns))
+    Q = _factor_of(N + _datum_constraints(A, network, reference)).solve(np.eye(network.unknowns))
     Q = (Q + Q.T) / 2 * stiff[:, None] * stiff[None]
     if Z.shape[1]:  # the conditions are exact: their contribution is subtracted
         C = np.vstack([H, left.T])
@@ -304,8 +304,8 @@ def _tested(group: Group, A: sp.csr_matrix, Q: Array, right: Array) -> Group:
     dense = np.asarray(part[:, columns].todense())
     R = np.eye(len(dense)) - matmul(dense, Q[np.ix_(columns, columns)], dense.T)
     values, vectors = eigh((R + R.T) / 2)
-    seen = values > UNTESTABLE
-    along = matmul(vectors[:, seen].T, right[group.rows])
-    statistic = float((along * along / values[seen]).sum()) if seen.any() else np.nan
+    is_testable = values > UNTESTABLE
+    along = matmul(vectors[:, is_testable].T, right[group.rows])
+    statistic = float((along * along / values[is_testable]).sum()) if is_testable.any() else np.nan
     share = float(np.clip(np.trace(R) / max(len(R), 1), 0, 1))
-    return dataclasses.replace(group, statistic=statistic, freedom=int(seen.sum()), redundancy=share)
+    return dataclasses.replace(group, statistic=statistic, freedom=int(is_testable.sum()), redundancy=share)

@@ -34,8 +34,8 @@ def loops_of(pairs: Sequence[StationPair], count: int) -> list[Loop]:
             for i, j in itertools.pairwise(way):
                 T = matmul(near[i][j], T)
             E = matmul(invert_pose(pair.transformation), T)
-            turn = float(norm(rotation_vector(E[:3, :3])))
-            loops.append(Loop(tuple(way), turn, float(norm(E[:3, 3]))))
+            angle = float(norm(rotation_vector(E[:3, :3])))
+            loops.append(Loop(tuple(way), angle, float(norm(E[:3, 3]))))
         near[a][b], near[b][a] = pair.transformation, invert_pose(pair.transformation)
     return loops
 
@@ -43,9 +43,9 @@ def loops_of(pairs: Sequence[StationPair], count: int) -> list[Loop]:
 def _way(near: dict[int, dict[int, Array]], a: int, b: int) -> list[int]:
     before, front = {a: a}, [a]
     while front and b not in before:
-        reached = [(j, i) for i in front for j in near[i]]
+        neighbors = [(j, i) for i in front for j in near[i]]
         front = []
-        for j, i in reached:
+        for j, i in neighbors:
             if j not in before:
                 before[j] = i
                 front.append(j)

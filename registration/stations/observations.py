@@ -122,37 +122,35 @@ class StationPair(AssessedRecord):
 
 
 def check_targets(targets: Sequence[TargetObservation] | None, count: int) -> list[TargetObservation]:
-    found = [] if targets is None else check_list("targets", targets, "TargetObservation")
-    seen: set[tuple[int, str]] = set()
-    for k, one in enumerate(found):
+    checked = [] if targets is None else check_list("targets", targets, "TargetObservation")
+    observed: set[tuple[int, str]] = set()
+    for k, one in enumerate(checked):
         if not isinstance(one, TargetObservation):
             raise TypeError(f"targets[{k}]: expected TargetObservation(station, name, position), got {shown(one)}")
         if one.station >= count:
             raise ValueError(f"targets[{k}]: expected a station from 0 to {count - 1}, got {one.station}")
-        if (one.station, one.name) in seen:
-            raise ValueError(
-                f"targets[{k}]: station {one.station} has {one.name!r} twice; take the mean, or rename one"
-            )
-        seen.add((one.station, one.name))
-    return found
+        if (one.station, one.name) in observed:
+            raise ValueError(f"targets[{k}]: station {one.station} has {one.name!r} twice; average them, or rename one")
+        observed.add((one.station, one.name))
+    return checked
 
 
 def check_control(control: Sequence[ControlPoint] | None, targets: Sequence[TargetObservation]) -> list[ControlPoint]:
-    found = [] if control is None else check_list("control", control, "ControlPoint")
+    checked = [] if control is None else check_list("control", control, "ControlPoint")
     names: set[str] = set()
-    for k, one in enumerate(found):
+    for k, one in enumerate(checked):
         if not isinstance(one, ControlPoint):
             raise TypeError(f"control[{k}]: expected ControlPoint(name, position), got {shown(one)}")
         if one.name in names:
-            raise ValueError(f"control[{k}]: {one.name!r} stands there twice")
+            raise ValueError(f"control[{k}]: {one.name!r} is duplicated")
         names.add(one.name)
-    seen = {one.name for one in targets}
-    if found and not names & seen:
+    observed = {one.name for one in targets}
+    if checked and not names & observed:
         raise ValueError(
-            f"control: none of {_listed(names)} was seen by a station; targets= has {_listed(seen)}. "
-            "The same target has one name everywhere"
+            f"control: none of {_listed(names)} was observed by a station; targets= has {_listed(observed)}. "
+            "Use one name for the same target everywhere"
         )
-    return found
+    return checked
 
 
 def _listed(names: Iterable[str]) -> str:

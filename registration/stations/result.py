@@ -79,19 +79,23 @@ class StationsResult(Report, Assessed):
     @property
     def warnings(self) -> tuple[str, ...]:
         reasons = []
-        lost = [name for name, there in zip(self.names, self.placed, strict=True) if not there]
+        lost = [name for name, is_placed in zip(self.names, self.placed, strict=True) if not is_placed]
         if lost:
-            verb = "floats" if len(lost) == 1 else "float"
-            reasons.append(f"{_listed(lost)} {verb} free: no pair, target or control ties it to the rest")
+            verb = "is" if len(lost) == 1 else "are"
+            reasons.append(
+                f"{_listed(lost)} {verb} not connected: no pair, target or control links it to the other stations"
+            )
         if self.outliers:
-            told = [self._outlier_in_words(one) for one in self.outliers[:SHOWN]]
-            reasons.append(f"{len(self.outliers)} observations contradict the rest: {'; '.join(told)}")
+            descriptions = [self._outlier_in_words(one) for one in self.outliers[:SHOWN]]
+            reasons.append(f"{len(self.outliers)} observations contradict the rest: {'; '.join(descriptions)}")
         if self.redundancy and self.sigma0 > self.limits[1]:
-            reasons.append(f"sigma0 is {self.sigma0:.2f}, above {self.limits[1]:.2f}: observations are worse than said")
+            reasons.append(
+                f"sigma0 is {self.sigma0:.2f}, above {self.limits[1]:.2f}: observations are less accurate than given"
+            )
         if not self.converged:
-            reasons.append("the adjustment did not come to rest")
+            reasons.append("the adjustment did not converge")
         if not self.redundancy and len(self.names) > 1:
-            reasons.append("nothing is checked: there are no more observations than are needed")
+            reasons.append("the observations cannot be checked: the redundancy is 0")
         return tuple(reasons)
 
     def merge(self, stations: Sequence[PointCloud]) -> PointCloud:
@@ -101,19 +105,19 @@ class StationsResult(Report, Assessed):
         if len(clouds) != len(self.placed):
             raise ValueError(f"stations: expected {len(self.placed)}, as many as were registered, got {len(clouds)}")
         if not self.placed.any():
-            raise ValueError("stations: none was placed, so there is nothing to merge")
+            raise ValueError("stations: expected at least one placed station, got none")
         return PointCloud.concatenate([clouds[i].transform(self.poses[i]) for i in np.flatnonzero(self.placed)])
 
     def fields(self) -> Fields:
-        placed = self.placed & np.isfinite(self.sigmas[:, 0])
-        worst = float(self.sigmas[placed, :3].max(initial=0.0)) * MM
-        seen = sum(group.kind == "target" for group in self.groups)
-        held = sum(group.kind == "control" for group in self.groups)
+        is_adjusted = self.placed & np.isfinite(self.sigmas[:, 0])
+        worst = float(self.sigmas[is_adjusted, :3].max(initial=0.0)) * MM
+        target_count = sum(group.kind == "target" for group in self.groups)
+        control_count = sum(group.kind == "control" for group in self.groups)
         frame = "control" if self.reference is None else f"station {self.names[self.reference]}"
         freedom = "4 degrees of freedom each, level" if self.level else "6 degrees of freedom each"
         return [
             ("stations", f"{int(self.placed.sum())} of {len(self.names)} placed; {freedom}; frame of {frame}"),
-            ("observed", f"{len(self.pairs)} pairs, {seen} targets, {held} control points"),
+            ("observed", f"{len(self.pairs)} pairs, {target_count} targets, {control_count} control points"),
             ("sigma0", f"{self.sigma0:.2f} (99 %: {self.limits[0]:.2f} to {self.limits[1]:.2f}), "
                        f"redundancy {self.redundancy}"),
             ("positions", f"to {worst:.1f} mm (one standard deviation, the worst axis)"),
@@ -122,8 +126,8 @@ class StationsResult(Report, Assessed):
     def report(self) -> str:
         """The complete report: stations, pairs, targets, control, loops, and outliers ([m], [mm] and [arcsec])."""
         parts = [str(self), self._stations(), self._pairs(), self._points(), self._loops(), self._taken_out()]
-        verdict = "; ".join(self.warnings) or "all quality checks passed"
-        return "\n\n".join([part for part in parts if part] + [verdict]) + "\n"
+        conclusion = "; ".join(self.warnings) or "all quality checks passed"
+        return "\n\n".join([part for part in parts if part] + [conclusion]) + "\n"
 
     def to_dict(self) -> dict[str, Any]:
         names = self.names
@@ -140,7 +144,8 @@ class StationsResult(Report, Assessed):
                     for p in self.rejected
                 ],
                 "targets": {
-                    name: {"position": place, "sigma": self.target_sigmas[name]} for name, place in self.targets.items()
+                    name: {"position": position, "sigma": self.target_sigmas[name]}
+                    for name, position in self.targets.items()
                 },
                 "residuals": [
                     {"kind": g.kind, "name": self._name_of(g), "residual": g.residual, "statistic": g.statistic,
@@ -181,50 +186,50 @@ class StationsResult(Report, Assessed):
 
     def _outlier_in_words(self, one: Outlier) -> str:
         size = float(norm(one.group.residual[-3:])) * MM
-        told = f"{one.group.kind} {self._name_of(one.group)}, {size:.0f} mm off"
+        description = f"{one.group.kind} {self._name_of(one.group)}, {size:.0f} mm off"
         if one.exchanged:
-            return f"{told} (its name and {one.exchanged} look exchanged)"
+            return f"{description} (its name and {one.exchanged} look exchanged)"
         rivals = ", ".join(self._name_of(rival) for rival in one.rivals[:3])
-        return f"{told} (or {rivals})" if rivals else told
+        return f"{description} (or {rivals})" if rivals else description
 
     def _stations(self) -> str:
         rows = [["station", "x [m]", "y [m]", "z [m]", "yaw [deg]", "sx [mm]", "sy [mm]", "sz [mm]", 'syaw ["]']]
-        for name, T, sigma, there in zip(self.names, self.poses, self.sigmas, self.placed, strict=True):
+        for name, T, sigma, is_placed in zip(self.names, self.poses, self.sigmas, self.placed, strict=True):
             yaw = np.degrees(np.arctan2(T[1, 0], T[0, 0]))
-            place = [f"{v:.4f}" for v in T[:3, 3]] + [f"{yaw:.5f}"]
+            pose = [f"{v:.4f}" for v in T[:3, 3]] + [f"{yaw:.5f}"]
             spread = [f"{v * MM:.2f}" for v in sigma[:3]] + [f"{np.degrees(sigma[5]) * 3600:.1f}"]
-            rows.append([name, *(place + spread if there else ["not placed"] + [""] * 7)])
+            rows.append([name, *(pose + spread if is_placed else ["not placed"] + [""] * 7)])
         return "STATIONS\n" + _table(rows)
 
     def _pairs(self) -> str:
         groups = [g for g in self.groups if g.kind == "pair"]
         rows = [["pair", "overlap", "rms [mm]", "off [mm]", 'turn ["]', "test", "redundancy"]]
         for g in groups:
-            turn = float(norm(g.residual[:-3]))
+            angle = float(norm(g.residual[:-3]))
             rows.append(
                 [self._name_of(g), f"{g.observation.fitness:.0%}", f"{g.observation.rms * MM:.1f}",
-                 f"{norm(g.residual[-3:]) * MM:.2f}", f"{np.degrees(turn) * 3600:.1f}",
+                 f"{norm(g.residual[-3:]) * MM:.2f}", f"{np.degrees(angle) * 3600:.1f}",
                  _test(g), f"{g.redundancy:.2f}"]
             )  # fmt: skip
-        told = "PAIRS\n" + _table(rows) if groups else ""
+        table = "PAIRS\n" + _table(rows) if groups else ""
         others = [p for p in self.rejected if p.warnings != ("no overlap",)]
         lines = [f"  {self.names[p.source]} - {self.names[p.target]}: {'; '.join(p.warnings)}" for p in others]
-        return "\n".join([told, *(["  not used:", *lines] if lines else [])]).strip("\n")
+        return "\n".join([table, *(["  not used:", *lines] if lines else [])]).strip("\n")
 
     def _points(self) -> str:
         groups = [g for g in self.groups if g.kind in ("target", "control", "position", "level")]
         rows = [["residual of", "", "dx [mm]", "dy [mm]", "dz [mm]", "test", "redundancy"]]
         for g in groups:
             if g.kind == "level":
-                turns = [f'{np.degrees(v) * 3600:.1f}"' for v in g.residual]
-                rows.append([g.kind, self._name_of(g), *turns, "", _test(g), f"{g.redundancy:.2f}"])
+                angles = [f'{np.degrees(v) * 3600:.1f}"' for v in g.residual]
+                rows.append([g.kind, self._name_of(g), *angles, "", _test(g), f"{g.redundancy:.2f}"])
             else:
                 off = [f"{v * MM:.2f}" for v in g.residual]
                 rows.append([g.kind, self._name_of(g), *off, _test(g), f"{g.redundancy:.2f}"])
         return "TARGETS AND CONTROL\n" + _table(rows) if groups else ""
 
     def _loops(self) -> str:
-        rows = [["loop", "misses by [mm]", 'turns by ["]']]
+        rows = [["loop", "closure [mm]", 'closure ["]']]
         for loop in self.loops:
             way = " - ".join(self.names[i] for i in (*loop.stations, loop.stations[0]))
             rows.append([way, f"{loop.translation * MM:.2f}", f"{np.degrees(loop.rotation) * 3600:.1f}"])

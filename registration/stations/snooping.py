@@ -33,55 +33,55 @@ class Outlier:
 
 def snoop(first: Array, observed: Observed, *, level: bool, reference: int) -> tuple[Adjusted, Observed, list[Outlier]]:
     """Adjust without outliers; repeated with larger standard deviations if those of the pairs prove too small."""
-    found, left, outliers = _cleaned(first, observed, level, reference)
-    factor = _pair_factor(found)
+    adjusted, remaining, outliers = _cleaned(first, observed, level, reference)
+    factor = _pair_factor(adjusted)
     if factor > 1:
         wider = dataclasses.replace(observed, pair_factor=observed.pair_factor * factor)
-        found, left, outliers = _cleaned(first, wider, level, reference)
-    return found, left, [_with_exchange(one, outliers, found) for one in outliers]
+        adjusted, remaining, outliers = _cleaned(first, wider, level, reference)
+    return adjusted, remaining, [_with_exchange(one, outliers, adjusted) for one in outliers]
 
 
 def _cleaned(first: Array, observed: Observed, level: bool, reference: int) -> tuple[Adjusted, Observed, list[Outlier]]:
-    found, outliers = adjust(first, observed, level=level, reference=reference), []
-    loose, most = found.loose.sum(), len(found.groups) // 2
-    while len(outliers) < most:
-        suspects = _suspects(found)
+    adjusted, outliers = adjust(first, observed, level=level, reference=reference), []
+    loose, max_outliers = adjusted.loose.sum(), len(adjusted.groups) // 2
+    while len(outliers) < max_outliers:
+        suspects = _suspects(adjusted)
         tried = []
         for group in suspects[:RIVALS]:
-            again = adjust(found.poses, observed.without(group), level=level, reference=reference)
-            if again.loose.sum() == loose and again.datum == found.datum:
+            again = adjust(adjusted.poses, observed.without(group), level=level, reference=reference)
+            if again.loose.sum() == loose and again.datum == adjusted.datum:
                 tried.append((again.squares, len(tried), group, again))
         if not tried:
             break
         _, _, group, again = min(tried, key=lambda one: one[:2])
         ties = (g for g in suspects if g is not group and abs(g.statistic / group.statistic - 1) < TIED)
-        outliers.append(Outlier(group, _critical(group.freedom, len(found.groups)), tuple(ties)))
-        found, observed = again, observed.without(group)
-    return found, observed, outliers
+        outliers.append(Outlier(group, _critical(group.freedom, len(adjusted.groups)), tuple(ties)))
+        adjusted, observed = again, observed.without(group)
+    return adjusted, observed, outliers
 
 
 def _critical(freedom: int, count: int) -> float:
     return float(chdtri(freedom, FALSE_ALARM / max(count, 1)))
 
 
-def _suspects(found: Adjusted) -> list[Group]:
+def _suspects(adjusted: Adjusted) -> list[Group]:
     """Outlier groups by the decrease of the sum of squares without them."""
     beyond = {}
-    for k, group in enumerate(found.groups):
+    for k, group in enumerate(adjusted.groups):
         if group.kind in TESTED and group.freedom == group.rows.stop - group.rows.start > 0:
-            beyond[k] = group.statistic - _critical(group.freedom, len(found.groups))
-    return [found.groups[k] for k in sorted(beyond, key=lambda k: -beyond[k]) if beyond[k] > 0]
+            beyond[k] = group.statistic - _critical(group.freedom, len(adjusted.groups))
+    return [adjusted.groups[k] for k in sorted(beyond, key=lambda k: -beyond[k]) if beyond[k] > 0]
 
 
-def _pair_factor(found: Adjusted) -> float:
+def _pair_factor(adjusted: Adjusted) -> float:
     """Factor of the pairs' standard deviations by the median of their tests, at least 1."""
-    tested = [g for g in found.groups if g.kind == "pair" and g.freedom]
+    tested = [g for g in adjusted.groups if g.kind == "pair" and g.freedom]
     if len(tested) < MIN_PAIRS:
         return 1.0
     return max(1.0, float(np.sqrt(np.median([g.statistic / chdtri(g.freedom, MEDIAN) for g in tested]))))
 
 
-def _with_exchange(outlier: Outlier, outliers: list[Outlier], found: Adjusted) -> Outlier:
+def _with_exchange(outlier: Outlier, outliers: list[Outlier], adjusted: Adjusted) -> Outlier:
     """Detect a swap with another target of the same station."""
     one = outlier.group.observation
     if not isinstance(one, TargetObservation):
@@ -89,13 +89,13 @@ def _with_exchange(outlier: Outlier, outliers: list[Outlier], found: Adjusted) -
     for other in (rival.group.observation for rival in outliers):
         if other is one or not isinstance(other, TargetObservation) or other.station != one.station:
             continue
-        if one.name not in found.targets or other.name not in found.targets:
+        if one.name not in adjusted.targets or other.name not in adjusted.targets:
             continue
         apart = norm(np.asarray(one.position) - np.asarray(other.position))
-        T = found.poses[one.station]
+        T = adjusted.poses[one.station]
         crossed = [(one, other.name), (other, one.name)]
         misses = [
-            norm(matmul(T[:3, :3], np.asarray(p.position)) + T[:3, 3] - found.targets[name]) for p, name in crossed
+            norm(matmul(T[:3, :3], np.asarray(p.position)) + T[:3, 3] - adjusted.targets[name]) for p, name in crossed
         ]
         if max(misses) < EXCHANGED * apart:
             return dataclasses.replace(outlier, exchanged=other.name)

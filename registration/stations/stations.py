@@ -131,56 +131,56 @@ def register_stations(
         True
     """
     survey = _Survey(stations, names, poses, positions, level, level_sigma)
-    seen = check_targets(targets, survey.count)
-    known = check_control(control, seen)
+    observed_targets = check_targets(targets, survey.count)
+    known = check_control(control, observed_targets)
     size = survey.voxel_size(voxel_size)
     share, start = check_share("overlap", overlap), check_seed(seed)
     check_count("reference", reference, minimum=0, maximum=survey.count - 1, because=f"there are {survey.count}")
-    tell, away = check_progress(progress), check_positive("rough", rough)
+    report_progress, away = check_progress(progress), check_positive("rough", rough)
     gnss = None if position_sigma is None else check_sigma("position_sigma", position_sigma)
     if gnss is not None and survey.positions is None:
-        raise ValueError("position_sigma: it is of positions, and there are none; give positions=, or leave it out")
+        raise ValueError("position_sigma: requires positions=. Pass them, or leave position_sigma out")
     scans = []
     for done, cloud in enumerate(survey.clouds):
-        tell("prepare", done, survey.count)
+        report_progress("prepare", done, survey.count)
         scans.append(prepare(cloud.transform(survey.frames[done]), size))
     finder = PairFinder(scans, size, survey.level, share, start)
     first = None if survey.poses is None else survey.inner(survey.poses)
-    pairs = finder.find(finder.candidates(first, survey.positions, away), first, tell)
+    pairs = finder.find(finder.candidates(first, survey.positions, away), first, report_progress)
     observed = Observed(
         (),
-        [_in_frame(one, survey.frames[one.station]) for one in seen],
+        [_in_frame(one, survey.frames[one.station]) for one in observed_targets],
         known,
         survey.tilt_sigma,
         None if gnss is None else (survey.positions, gnss),  # type: ignore[arg-type]
         SHARED,
     )
-    return _in_turns(survey, finder, observed, pairs, reference, away, tell)
+    return _adjust_and_refine(survey, finder, observed, pairs, reference, away, report_progress)
 
 
-def _in_turns(
+def _adjust_and_refine(
     survey: _Survey,
     finder: PairFinder,
     observed: Observed,
     pairs: Sequence[StationPair],
     reference: int,
     rough: float,
-    tell: ReportProgress,
+    report_progress: ReportProgress,
 ) -> StationsResult:
     """Adjust, then register the pairs again from the adjusted poses and adjust once more."""
-    found = None
-    for turn in range(2):
-        if found is not None:
-            inner = matmul(found.poses, np.array([invert_pose(F) for F in survey.frames]))
-            pairs = finder.again(pairs, inner, found.placed)
-        tell("adjust", turn, 2)
-        pairs = [_placed_rightly(pair, survey.positions, rough) for pair in pairs]
+    result = None
+    for iteration in range(2):
+        if result is not None:
+            inner = matmul(result.poses, np.array([invert_pose(F) for F in survey.frames]))
+            pairs = finder.again(pairs, inner, result.placed)
+        report_progress("adjust", iteration, 2)
+        pairs = [_check_distance(pair, survey.positions, rough) for pair in pairs]
         used = dataclasses.replace(observed, pairs=[pair for pair in pairs if pair.reliable])
         rejected = [pair for pair in pairs if not pair.reliable]
-        found = adjust_stations(survey, used, rejected, reference, AGREES * finder.size)
-    assert found is not None
-    tell("adjust", 2, 2)
-    return found
+        result = adjust_stations(survey, used, rejected, reference, AGREES * finder.size)
+    assert result is not None
+    report_progress("adjust", 2, 2)
+    return result
 
 
 def adjust_stations(
@@ -191,46 +191,46 @@ def adjust_stations(
     first = np.tile(np.eye(4), (survey.count, 1, 1)) if survey.poses is None else survey.inner(survey.poses)
     if survey.poses is None and survey.positions is not None:
         first[:, :3, 3] = np.nan_to_num(survey.positions)
-    began = first
-    placed, fixed = onto_control(
+    initial = first
+    placed_poses, fixed = onto_control(
         chain_links(links, first), parts, observed.targets, observed.control, survey.given, survey.level
     )
-    first = _held_at(placed, began, parts, fixed, reference)
+    first = _fix_reference(placed_poses, initial, parts, fixed, reference)
     anchored = bool(observed.control) or observed.positions is not None
     main = _main_part(parts, fixed, reference, anchored)
-    held = reference if parts[reference] == main else int(np.flatnonzero(parts == main)[0])
-    found, left, outliers = snoop(first, observed, level=survey.level, reference=held)
-    there = ~found.loose & ((parts == main) | (fixed[parts] & anchored))
-    sigma0, limits = _sigma0(found)
-    scale = max(sigma0, 1.0) if found.redundancy >= ENOUGH else 1.0
-    sigmas, covariances = _sigmas(found, survey, scale)
-    sigmas[~there] = np.nan
-    poses = matmul(found.poses, survey.frames)
+    fixed_station = reference if parts[reference] == main else int(np.flatnonzero(parts == main)[0])
+    adjusted, remaining, outliers = snoop(first, observed, level=survey.level, reference=fixed_station)
+    is_determined = ~adjusted.loose & ((parts == main) | (fixed[parts] & anchored))
+    sigma0, limits = _sigma0(adjusted)
+    scale = max(sigma0, 1.0) if adjusted.redundancy >= ENOUGH else 1.0
+    sigmas, covariances = _sigmas(adjusted, survey, scale)
+    sigmas[~is_determined] = np.nan
+    poses = matmul(adjusted.poses, survey.frames)
     if survey.poses is None:
-        poses[~there] = np.eye(4)
+        poses[~is_determined] = np.eye(4)
     else:
-        poses[~there] = survey.poses[~there]
+        poses[~is_determined] = survey.poses[~is_determined]
     return StationsResult(
         survey.names,
         poses,
-        there,
+        is_determined,
         sigmas,
         covariances,
-        list(left.pairs),
+        list(remaining.pairs),
         rejected,
-        found.targets,
-        {name: np.sqrt(np.diag(C)) * scale for name, C in found.target_covariances.items()},
-        found.groups,
+        adjusted.targets,
+        {name: np.sqrt(np.diag(C)) * scale for name, C in adjusted.target_covariances.items()},
+        adjusted.groups,
         outliers,
-        loops_of(left.pairs, survey.count),
+        loops_of(remaining.pairs, survey.count),
         sigma0,
         limits,
-        found.redundancy,
+        adjusted.redundancy,
         scale != 1.0,
-        left.pair_factor,
-        held if found.datum else None,
+        remaining.pair_factor,
+        fixed_station if adjusted.datum else None,
         survey.level,
-        found.converged,
+        adjusted.converged,
         survey.unit,
     )
 
@@ -251,7 +251,7 @@ class _Survey:
             raise TypeError(f"level: expected True or False, got {level!r}")
         self.tilt_sigma = 0.0 if level_sigma is None else check_sigma("level_sigma", level_sigma)
         if self.tilt_sigma and not level:
-            raise ValueError("level_sigma: it says how level stations are, and level=False that they are not")
+            raise ValueError("level_sigma: requires level=True, got level=False. Leave level_sigma out")
         self.level = bool(level) and not self.tilt_sigma
         self.poses = None if poses is None else _check_poses(poses, self.count)
         self.positions = None if positions is None else _check_positions(positions, self.count)
@@ -261,21 +261,21 @@ class _Survey:
             self.positions = self.inner(self.poses)[:, :3, 3]
 
     def inner(self, poses: Array) -> Array:
-        found = matmul(poses, np.array([invert_pose(F) for F in self.frames]))
+        inner_poses = matmul(poses, np.array([invert_pose(F) for F in self.frames]))
         if self.level:
-            yaws = elementwise(math.atan2, found[:, 1, 0], found[:, 0, 0])
-            found[:, :3, :3] = 0.0
-            found[:, 0, 0] = found[:, 1, 1] = np.cos(yaws)
-            found[:, 1, 0], found[:, 0, 1] = np.sin(yaws), -np.sin(yaws)
-            found[:, 2, 2] = 1.0
-        return found
+            yaws = elementwise(math.atan2, inner_poses[:, 1, 0], inner_poses[:, 0, 0])
+            inner_poses[:, :3, :3] = 0.0
+            inner_poses[:, 0, 0] = inner_poses[:, 1, 1] = np.cos(yaws)
+            inner_poses[:, 1, 0], inner_poses[:, 0, 1] = np.sin(yaws), -np.sin(yaws)
+            inner_poses[:, 2, 2] = 1.0
+        return inner_poses
 
     def voxel_size(self, given: float | None) -> float:
         if given is not None:
             size = check_positive("voxel_size", given, maximum=LARGEST_NUMBER)
             extent = max(float((c.get_max_bound() - c.get_min_bound()).max()) for c in self.clouds)
             if extent / MAX_VOXELS > size:
-                raise ValueError(f"voxel_size: {size:g} makes more than {MAX_VOXELS:g} voxels of {extent:g} m in a row")
+                raise ValueError(f"voxel_size: {size:g} gives more than {MAX_VOXELS:g} voxels of {extent:g} m in a row")
             return size
         return choose_voxel_size(*self.clouds) / 2
 
@@ -295,20 +295,20 @@ class _Survey:
 def _check_names(names: Any, count: int) -> tuple[str, ...]:
     if names is None:
         return tuple(str(i) for i in range(count))
-    found = check_list("names", names, "text")
-    for name in found:
+    checked = check_list("names", names, "text")
+    for name in checked:
         if not isinstance(name, str):
             raise TypeError(f"names: expected text, got {name!r}")
-    if len(found) != count or len(set(found)) != count:
-        raise ValueError(f"names: expected {count} different ones, one a station, got {len(set(found))}")
-    return tuple(found)
+    if len(checked) != count or len(set(checked)) != count:
+        raise ValueError(f"names: expected {count} different ones, one per station, got {len(set(checked))}")
+    return tuple(checked)
 
 
 def _check_poses(poses: Any, count: int) -> Array:
     values = check_finite("poses", check_shape("poses", poses, (count, 4, 4)))
-    found = np.array([check_rigid(f"poses[{i}]", T) for i, T in enumerate(values)])
-    found[:, :3, :3] = [nearest_rotation(R) for R in found[:, :3, :3]]
-    return found
+    checked = np.array([check_rigid(f"poses[{i}]", T) for i, T in enumerate(values)])
+    checked[:, :3, :3] = [nearest_rotation(R) for R in checked[:, :3, :3]]
+    return checked
 
 
 def _check_positions(positions: Any, count: int) -> Array:
@@ -322,25 +322,27 @@ def _in_frame(one: TargetObservation, F: Array) -> TargetObservation:
     return dataclasses.replace(one, position=matmul(F[:3, :3], np.asarray(one.position)) + F[:3, 3])
 
 
-def _placed_rightly(pair: StationPair, positions: Array | None, rough: float) -> StationPair:
+def _check_distance(pair: StationPair, positions: Array | None, rough: float) -> StationPair:
     if positions is None or not pair.reliable:
         return pair
-    said = float(norm(positions[pair.source] - positions[pair.target]))
-    found = float(norm(pair.transformation[:3, 3]))
-    if not abs(found - said) > rough:
+    given = float(norm(positions[pair.source] - positions[pair.target]))
+    estimated = float(norm(pair.transformation[:3, 3]))
+    if not abs(estimated - given) > rough:
         return pair
-    warning = f"it puts the stations {found:.2f} m apart, their positions {said:.2f} m"
+    warning = f"it places the stations {estimated:.2f} m apart, their positions {given:.2f} m"
     return dataclasses.replace(pair, warnings=(warning,))
 
 
-def _held_at(poses: Array, began: Array, parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int) -> Array:
+def _fix_reference(
+    poses: Array, initial: Array, parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: int
+) -> Array:
     """Fix the reference's connected part at its initial pose, unless observations fix it."""
     part = parts[reference]
     if fixed[part]:
         return poses
     moved, members = poses.copy(), parts == part
-    moved[members] = matmul(began[reference], invert_pose(poses[reference]), poses[members])
-    moved[reference] = began[reference]
+    moved[members] = matmul(initial[reference], invert_pose(poses[reference]), poses[members])
+    moved[reference] = initial[reference]
     return moved
 
 
@@ -353,16 +355,16 @@ def _main_part(parts: NDArray[np.int32], fixed: NDArray[np.bool_], reference: in
     return int(np.argmax(sizes))
 
 
-def _sigma0(found: Adjusted) -> tuple[float, tuple[float, float]]:
-    r = found.redundancy
+def _sigma0(adjusted: Adjusted) -> tuple[float, tuple[float, float]]:
+    r = adjusted.redundancy
     if r <= 0:
         return 1.0, (0.0, np.inf)
     limits = (np.sqrt(chdtri(r, 1 - BAND / 2) / r), np.sqrt(chdtri(r, BAND / 2) / r))
-    return float(np.sqrt(found.squares / r)), (float(limits[0]), float(limits[1]))
+    return float(np.sqrt(adjusted.squares / r)), (float(limits[0]), float(limits[1]))
 
 
-def _sigmas(found: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Array]:
-    covariances = found.covariances * scale**2
+def _sigmas(adjusted: Adjusted, survey: _Survey, scale: float) -> tuple[Array, Array]:
+    covariances = adjusted.covariances * scale**2
     spread = np.sqrt(np.maximum(np.diagonal(covariances, axis1=1, axis2=2), 0.0))
     sigmas = np.zeros((survey.count, 6))
     sigmas[:, :3] = spread[:, -3:]
@@ -399,14 +401,14 @@ def links_of(
 
 
 def _links_by_targets(targets: Sequence[TargetObservation], level: bool) -> list[Link]:
-    seen: dict[int, dict[str, Array]] = {}
+    observed: dict[int, dict[str, Array]] = {}
     for one in targets:
-        seen.setdefault(one.station, {})[one.name] = np.asarray(one.position)
-    stations, links = sorted(seen), []
+        observed.setdefault(one.station, {})[one.name] = np.asarray(one.position)
+    stations, links = sorted(observed), []
     for k, b in enumerate(stations):
         for a in stations[k + 1 :]:
-            names = [name for name in seen[a] if name in seen[b]]
-            left, right = (np.array([seen[i][name] for name in names]).reshape(-1, 3) for i in (a, b))
+            names = [name for name in observed[a] if name in observed[b]]
+            left, right = (np.array([observed[i][name] for name in names]).reshape(-1, 3) for i in (a, b))
             if is_enough(left, level):
                 links.append(Link(a, b, fit(left, right, level), BY_TARGETS))
     return links
@@ -451,29 +453,29 @@ def onto_control(
     level: bool,
 ) -> tuple[Array, NDArray[np.bool_]]:
     """Move each part to its control points and positions. Also returns the mask of parts that these determine."""
-    places = {point.name: np.asarray(point.position) for point in control}
+    control_positions = {point.name: np.asarray(point.position) for point in control}
     moved, fixed = poses.copy(), np.zeros(int(parts.max(initial=-1)) + 1, bool)
     for part in range(len(fixed)):
-        seen = [one for one in targets if parts[one.station] == part and one.name in places]
-        here = [
-            matmul(poses[one.station][:3, :3], np.asarray(one.position)) + poses[one.station][:3, 3] for one in seen
+        observed = [one for one in targets if parts[one.station] == part and one.name in control_positions]
+        source_points = [
+            matmul(poses[one.station][:3, :3], np.asarray(one.position)) + poses[one.station][:3, 3] for one in observed
         ]
-        there = [places[one.name] for one in seen]
+        target_points = [control_positions[one.name] for one in observed]
         members = np.flatnonzero(parts == part)
         if positions is not None:
             known = [i for i in members if np.isfinite(positions[i]).all()]
-            here += [poses[i][:3, 3] for i in known]
-            there += [positions[i] for i in known]
-        if is_enough(np.array(there).reshape(-1, 3), level):
+            source_points += [poses[i][:3, 3] for i in known]
+            target_points += [positions[i] for i in known]
+        if is_enough(np.array(target_points).reshape(-1, 3), level):
             fixed[part] = True
-            moved[members] = matmul(fit(np.array(here), np.array(there), level), poses[members])
+            moved[members] = matmul(fit(np.array(source_points), np.array(target_points), level), poses[members])
     return moved, fixed
 
 
 FINER = 3.0  # finer voxels for normals, per voxel edge
 NORMAL_RADIUS, NORMAL_NEIGHBORS = 1.5, 60  # [voxels]
 COARSE_TO_FINE = (8.0, 4.0, 2.0)  # [voxels] ICP distances from an approximate pose
-REACH = 2.0  # [voxels] of a correspondence
+MAX_DISTANCE = 2.0  # [voxels] of a correspondence
 TUKEY = 4.685  # standard deviations: 95% efficiency for normal errors
 TO_DEVIATION = 1.4826  # MAD to standard deviation
 MIN_LIMIT = 0.01  # [voxels]
@@ -500,15 +502,15 @@ def prepare(cloud: PointCloud, size: float) -> Scan:
     fine = cloud.thin(size / FINER)
     fine = fine.estimate_normals(radius=NORMAL_RADIUS * size, max_nn=NORMAL_NEIGHBORS)
     thinned = fine.thin(size)
-    reach = np.sqrt((thinned.points**2).sum(axis=1))
-    return Scan(thinned, float(np.quantile(reach, 0.9)) if len(reach) else 0.0)
+    ranges = np.sqrt((thinned.points**2).sum(axis=1))
+    return Scan(thinned, float(np.quantile(ranges, 0.9)) if len(ranges) else 0.0)
 
 
 class PairFinder:
-    """Finds pairs of scans; `size`: voxel edge [m], `level`: rotations about z only, `least`: minimum overlap."""
+    """Finds pairs of scans; `size`: voxel edge [m], `level`: rotations about z only, `min_overlap`: minimum overlap."""
 
-    def __init__(self, scans: Sequence[Scan], size: float, level: bool, least: float, seed: Any):
-        self.scans, self.size, self.least, self.seed = scans, size, least, seed
+    def __init__(self, scans: Sequence[Scan], size: float, level: bool, min_overlap: float, seed: Any):
+        self.scans, self.size, self.min_overlap, self.seed = scans, size, min_overlap, seed
         self.free = LEVEL if level else None
         self.descriptions: dict[int, Description] = {}
         self.limit = MIN_LIMIT * size  # cutoff of the residuals
@@ -518,48 +520,50 @@ class PairFinder:
         pairs = [(j, i) for i, j in itertools.combinations(range(count), 2)]
         if positions is not None:
             apart = {(a, b): float(norm(positions[a] - positions[b])) for a, b in pairs}
-            reach = {(a, b): self.scans[a].radius + self.scans[b].radius + rough for a, b in pairs}
-            pairs = [pair for pair in pairs if not apart[pair] > reach[pair]]
+            max_distance = {(a, b): self.scans[a].radius + self.scans[b].radius + rough for a, b in pairs}
+            pairs = [pair for pair in pairs if not apart[pair] > max_distance[pair]]
         if poses is None and positions is None and count > ALL_PAIRS:
             raise ValueError(
-                f"positions: {count} stations of which nothing says where they are make too many pairs to search; "
-                f"give rough positions or poses, or at most {ALL_PAIRS}"
+                f"positions: {count} stations without known positions give too many pairs to search. "
+                f"Pass rough positions or poses, or at most {ALL_PAIRS} stations"
             )
         if poses is not None:
-            reach = max(NEAR * self.size, min(rough, REACH * COARSE_TO_FINE[0] * self.size))
-            pairs = [pair for pair in pairs if self._overlap(pair, poses, reach) >= self.least]
+            max_distance = max(NEAR * self.size, min(rough, MAX_DISTANCE * COARSE_TO_FINE[0] * self.size))
+            pairs = [pair for pair in pairs if self._overlap(pair, poses, max_distance) >= self.min_overlap]
         return pairs
 
-    def _overlap(self, pair: tuple[int, int], poses: Array, reach: float) -> float:
+    def _overlap(self, pair: tuple[int, int], poses: Array, max_distance: float) -> float:
         a, b = pair
         X = matmul(invert_pose(poses[b]), poses[a])
-        return evaluate_registration(self.scans[a].cloud, self.scans[b].cloud, reach, X).fitness
+        return evaluate_registration(self.scans[a].cloud, self.scans[b].cloud, max_distance, X).fitness
 
     def find(
-        self, pairs: Sequence[tuple[int, int]], poses: Array | None, tell: Callable[[str, int, int], None]
+        self, pairs: Sequence[tuple[int, int]], poses: Array | None, report_progress: Callable[[str, int, int], None]
     ) -> list[StationPair]:
-        starts, believed, kept = [], [], []
+        starts, search_scores, ends = [], [], []
         for done, (a, b) in enumerate(pairs):
-            tell("pairs", done, len(pairs))
+            report_progress("pairs", done, len(pairs))
             start, score = self._start(a, b, poses)
             if start is not None:
                 starts.append(start)
-                believed.append(score)
-                kept.append((a, b))
-        tell("pairs", len(pairs), len(pairs))
-        return self._refined(kept, starts, believed)
+                search_scores.append(score)
+                ends.append((a, b))
+        report_progress("pairs", len(pairs), len(pairs))
+        return self._refined(ends, starts, search_scores)
 
     def _start(self, a: int, b: int, poses: Array | None) -> tuple[Array | None, float]:
         source, target = self.scans[a].cloud, self.scans[b].cloud
         if poses is not None:
             sizes = [scale * self.size for scale in COARSE_TO_FINE]
             rules = [ICPConvergenceCriteria(max_iteration=50)] * len(sizes)
-            init, held = matmul(invert_pose(poses[b]), poses[a]), {"free": self.free, "estimate_normals": True}
-            found = multi_scale_icp(source, target, sizes, rules, [REACH * s for s in sizes], init, PLANE, **held)
-            if self._rate(a, b, found.transformation, RATED_WITHIN * sizes[-1]) > MIN_SCORE:
-                return found.transformation, 1.0
-        found = register_described(self._described(a), self._described(b), seed=self.seed, free=self.free)
-        return (found.transformation, float(found.score)) if found.score else (None, 0.0)
+            init, options = matmul(invert_pose(poses[b]), poses[a]), {"free": self.free, "estimate_normals": True}
+            result = multi_scale_icp(
+                source, target, sizes, rules, [MAX_DISTANCE * s for s in sizes], init, PLANE, **options
+            )
+            if self._rate(a, b, result.transformation, RATED_WITHIN * sizes[-1]) > MIN_SCORE:
+                return result.transformation, 1.0
+        result = register_described(self._described(a), self._described(b), seed=self.seed, free=self.free)
+        return (result.transformation, float(result.score)) if result.score else (None, 0.0)
 
     def _described(self, i: int) -> Description:
         if i not in self.descriptions:
@@ -573,7 +577,7 @@ class PairFinder:
         self,
         pairs: Sequence[tuple[int, int]],
         starts: Sequence[Array],
-        believed: Sequence[float],
+        search_scores: Sequence[float],
         limit: float | None = None,
     ) -> list[StationPair]:
         """Refine all pairs in the same launches, point to plane. A limit requires correct initial poses."""
@@ -583,24 +587,28 @@ class PairFinder:
         options: dict[str, Any] = {"free": self.free, "max_normal_angle": MAX_BENT}
         rules, poses, results = ICPConvergenceCriteria(max_iteration=60), np.array(starts), []
         if limit is None:
-            for reach in (2 * REACH, REACH):
-                results = registration_icp_batch(sources, targets, reach * self.size, poses, PLANE, rules, **options)
+            for voxels in (2 * MAX_DISTANCE, MAX_DISTANCE):
+                results = registration_icp_batch(sources, targets, voxels * self.size, poses, PLANE, rules, **options)
                 poses = np.array([result.transformation for result in results])
             self.limit = self._limit(pairs, results)
-        for wide in GRADED if limit is None else (1.0,):
-            method = TransformationEstimationPointToPlane(TukeyLoss(wide * self.limit))
-            results = registration_icp_batch(sources, targets, REACH * self.size, poses, method, rules, **options)
+        for factor in GRADED if limit is None else (1.0,):
+            method = TransformationEstimationPointToPlane(TukeyLoss(factor * self.limit))
+            results = registration_icp_batch(
+                sources, targets, MAX_DISTANCE * self.size, poses, method, rules, **options
+            )
             poses = np.array([result.transformation for result in results])
-        return [self._judged(*each, self.limit) for each in zip(pairs, results, believed, strict=True)]
+        return [self._judged(*each, self.limit) for each in zip(pairs, results, search_scores, strict=True)]
 
-    def again(self, pairs: Sequence[StationPair], poses: Array, placed: NDArray[np.bool_]) -> list[StationPair]:
+    def again(self, pairs: Sequence[StationPair], poses: Array, is_placed: NDArray[np.bool_]) -> list[StationPair]:
         """Register the pairs again from adjusted poses, to leave local minima."""
-        kept = [k for k, pair in enumerate(pairs) if placed[pair.source] and placed[pair.target] and pair.score > 0]
-        ends = [(pairs[k].source, pairs[k].target) for k in kept]
-        found = self._refined(
-            ends, [matmul(invert_pose(poses[b]), poses[a]) for a, b in ends], [1.0] * len(kept), self.limit
+        selected = [
+            k for k, pair in enumerate(pairs) if is_placed[pair.source] and is_placed[pair.target] and pair.score > 0
+        ]
+        ends = [(pairs[k].source, pairs[k].target) for k in selected]
+        refined = self._refined(
+            ends, [matmul(invert_pose(poses[b]), poses[a]) for a, b in ends], [1.0] * len(selected), self.limit
         )
-        renewed = dict(zip(kept, found, strict=True))
+        renewed = dict(zip(selected, refined, strict=True))
         return [renewed.get(k, pair) for k, pair in enumerate(pairs)]
 
     def _limit(self, pairs: Sequence[tuple[int, int]], results: Sequence[RegistrationResult]) -> float:
@@ -608,20 +616,22 @@ class PairFinder:
                  if len(each[1].correspondence_set)]  # fmt: skip
         return max(TUKEY * TO_DEVIATION * float(np.median(sizes)) if sizes else np.inf, MIN_LIMIT * self.size)
 
-    def _judged(self, pair: tuple[int, int], result: RegistrationResult, believed: float, limit: float) -> StationPair:
+    def _judged(
+        self, pair: tuple[int, int], result: RegistrationResult, search_score: float, limit: float
+    ) -> StationPair:
         a, b = pair
         X = result.transformation
         backwards = evaluate_registration(
-            self.scans[b].cloud, self.scans[a].cloud, REACH * self.size, invert_pose(X)
+            self.scans[b].cloud, self.scans[a].cloud, MAX_DISTANCE * self.size, invert_pose(X)
         ).fitness
         overlap = max(result.fitness, backwards)
-        if overlap < self.least:
+        if overlap < self.min_overlap:
             return StationPair(a, b, X, np.zeros((6, 6)), overlap, 0.0, 0.0, ("no overlap",))
         information, rms = self._information(pair, result, limit)
-        score = min(believed, self._rate(a, b, X, RATED_WITHIN * self.size))
-        warning = "" if score > MIN_SCORE else "the surfaces hardly lie on each other, or elsewhere as well"
+        score = min(search_score, self._rate(a, b, X, RATED_WITHIN * self.size))
+        warning = "" if score > MIN_SCORE else "the surfaces hardly match, or match elsewhere equally well"
         if not warning and not information.any():
-            warning = "too few places match to tell how well"
+            warning = "too few points match to estimate the accuracy"
         return StationPair(a, b, X, information, overlap, rms, score, failed(warning))
 
     def _information(self, pair: tuple[int, int], result: RegistrationResult, limit: float) -> tuple[Array, float]:
@@ -641,27 +651,27 @@ class PairFinder:
         """Jacobians of the point-to-plane distances, the distances, and the positions in the source."""
         a, b = pair
         source, target = self.scans[a].cloud, self.scans[b].cloud
-        found = result.correspondence_set
-        p, q = source.points[found[:, 0]], target.points[found[:, 1]]
+        matches = result.correspondence_set
+        p, q = source.points[matches[:, 0]], target.points[matches[:, 1]]
         R, t = result.transformation[:3, :3], result.transformation[:3, 3]
-        n = np.asarray(target.normals, np.float64)[found[:, 1]]
+        n = np.asarray(target.normals, np.float64)[matches[:, 1]]
         r = (n * (np.einsum("ij,nj->ni", R, p) + t - q)).sum(axis=1)
         n = np.einsum("ji,nj->ni", R, n)
         return np.concatenate([np.asarray(np.cross(p, n), np.float64), n], axis=1), r, p
 
 
-def _clustered(J: Array, pull: Array, stiffness: Array, places: Array, edge: float) -> Array:
+def _clustered(J: Array, pull: Array, stiffness: Array, points: Array, edge: float) -> Array:
     """Information from rows with errors that correlate within blocks of space (Tukey influence `pull`)."""
     size = J.shape[1]
-    keys = np.floor(places / edge).astype(np.int64)
+    keys = np.floor(points / edge).astype(np.int64)
     _, block = np.unique(keys, axis=0, return_inverse=True)
     block = block.reshape(-1)
     count = int(block.max(initial=-1)) + 1
     if count < MIN_BLOCKS:
         return np.zeros((size, size))
-    turns = size - 3
-    radius = max(float(np.sqrt((places * places).sum(axis=1).mean())), 1e-9)
-    unit = np.concatenate([np.full(turns, radius), np.ones(3)])
+    rotation_count = size - 3
+    radius = max(float(np.sqrt((points * points).sum(axis=1).mean())), 1e-9)
+    unit = np.concatenate([np.full(rotation_count, radius), np.ones(3)])
     J = J / unit
     N = np.einsum("ni,n,nj->ij", J, stiffness, J)
     pulls = np.stack([np.bincount(block, J[:, k] * pull, count) for k in range(size)], axis=1)

@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...cameras.picture_names import meant_pictures
+from ...cameras.picture_names import matching_pictures
 from ...cameras.pose_text import parse_floats, read_lines
 from ...cameras.trajectory import Trajectory, read_trajectory
 from ...core.attribute_hints import nearest_name
@@ -28,12 +28,12 @@ from ...io.models.sfm_model import SfmModel
 from ...kernels.linear_algebra import det, matmul, norm
 from ..rigid import fit_pose, scale_of
 
-FEWEST = 3  # minimum pairs
+MIN_PAIRS = 3  # minimum pairs
 TRIPLES = 2000  # with half outliers, one triple of eight is correct
 CHUNK = 256  # triples per block
 SIGMAS = 2.5  # outlier threshold in standard deviations
 TO_SIGMA = 1.4826  # MAD to standard deviation
-TURNS = 20  # refits to the inliers
+MAX_REFITS = 20  # refits to the inliers
 STRAIGHT = 1e-6  # relative lateral extent below which cameras are collinear
 ROUNDED = 1e-14  # float64 rounding relative to the coordinates
 EXACT = 1e-9  # relative to the extent: smaller errors are rounding
@@ -91,15 +91,15 @@ def scale_from_known(model: SfmModel, a: str | ArrayLike, b: str | ArrayLike, di
     """
     _check_model(model)
     wanted = check_positive("distance", distance, maximum=1e30)
-    places = [_place_of(model, name, value) for name, value in (("a", a), ("b", b))]
-    found = float(norm(places[1] - places[0]))
-    extent = max(float(np.abs(place).max()) for place in places)
-    if not found > EXACT * extent:
-        raise ValueError("a, b: the two places are the same in the model; expected two that lie apart")
-    return wanted / found
+    positions = [_position_of(model, name, value) for name, value in (("a", a), ("b", b))]
+    measured = float(norm(positions[1] - positions[0]))
+    extent = max(float(np.abs(position).max()) for position in positions)
+    if not measured > EXACT * extent:
+        raise ValueError("a, b: expected two different positions in the model, got equal ones")
+    return wanted / measured
 
 
-def _place_of(model: SfmModel, name: str, value: Any) -> NDArray[np.float64]:
+def _position_of(model: SfmModel, name: str, value: Any) -> NDArray[np.float64]:
     if isinstance(value, str):
         if value not in model.names:
             raise KeyError(f"{name}: no picture {shown(value)}{nearest_name(value, model.names)}")
@@ -145,15 +145,15 @@ def fit_to_positions(
     limit = None if max_error is None else check_positive("max_error", max_error, allow_zero=True, maximum=1e30)
     seed = check_seed(seed)
     names = tuple(name for name in model.names if name in positions)
-    if len(names) < FEWEST:
-        raise ValueError(f"positions: expected those of at least {FEWEST} pictures of the model, got {len(names)}")
+    if len(names) < MIN_PAIRS:
+        raise ValueError(f"positions: expected those of at least {MIN_PAIRS} pictures of the model, got {len(names)}")
     target = np.array([check_finite("positions", check_shape("positions", positions[n], (3,))) for n in names])
     source = model.centers[[model.index_of(name) for name in names]]
     _check_spread("model", source)
     _check_spread("positions", target)
     T, limit = _best_of_triples(source, target, limit, seed)
     T, inliers = _refine(source, target, T, limit)
-    if inliers.sum() < FEWEST:
+    if inliers.sum() < MIN_PAIRS:
         raise ValueError(
             f"max_error: only {inliers.sum()} of {len(names)} cameras agree to {limit:.4g}; give a larger one"
         )
@@ -169,11 +169,13 @@ def _check_model(model: Any) -> None:
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
 
 
-def _check_spread(name: str, places: NDArray[np.float64]) -> None:
-    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+def _check_spread(name: str, positions: NDArray[np.float64]) -> None:
+    spread = np.linalg.svd(positions - positions.mean(axis=0), compute_uv=False)
     if not spread[1] > STRAIGHT * spread[0]:
-        what = "at one place" if not spread[0] > 0 else "on a line"
-        raise ValueError(f"{name}: the cameras stand {what}, which leaves the rotation open; expected them spread out")
+        what = "at one position" if not spread[0] > 0 else "on a line"
+        raise ValueError(
+            f"{name}: expected cameras that are spread out, got all {what}, which leaves the rotation undetermined"
+        )
 
 
 def _best_of_triples(
@@ -197,9 +199,10 @@ def _best_of_triples(
         if tuple(scores[k]) < best:
             best, chosen = tuple(scores[k]), fits[k]
     if chosen is None:
-        raise ValueError("positions: no three of them lie apart in the model as well; expected cameras spread out")
+        raise ValueError("positions: expected cameras that are spread out, also in the model, got no such three")
     if limit is None:
-        slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # small sample correction of the median (Rousseeuw and Leroy 1987)
+        # small sample correction of the median (Rousseeuw and Leroy 1987)
+        slack = 1.0 + 5.0 / max(count - MIN_PAIRS, 1)
         limit = SIGMAS * TO_SIGMA * slack * math.sqrt(best[0])
     return chosen, max(limit, floor)
 
@@ -236,8 +239,8 @@ def _refine(
     source: NDArray[np.float64], target: NDArray[np.float64], T: NDArray[np.float64], limit: float
 ) -> tuple[NDArray[np.float64], NDArray[np.bool_]]:
     inliers = _distances(source, target, T) <= limit
-    for _ in range(TURNS):
-        if inliers.sum() < FEWEST:
+    for _ in range(MAX_REFITS):
+        if inliers.sum() < MIN_PAIRS:
             break
         T = fit_pose(source[inliers], target[inliers], with_scaling=True)
         agree = _distances(source, target, T) <= limit
@@ -251,9 +254,9 @@ def _distances(source: NDArray[np.float64], target: NDArray[np.float64], T: NDAr
     return np.linalg.norm(matmul(source, T[:3, :3].T) + T[:3, 3] - target, axis=1)
 
 
-def _uncertainty(places: NDArray[np.float64], rmse: float) -> float:
+def _uncertainty(positions: NDArray[np.float64], rmse: float) -> float:
     """Standard deviation of the least determined angle [degrees]."""
-    spread = np.linalg.svd(places - places.mean(axis=0), compute_uv=False)
+    spread = np.linalg.svd(positions - positions.mean(axis=0), compute_uv=False)
     return math.degrees(rmse / math.sqrt(3.0) / math.hypot(spread[1], spread[2]))
 
 
@@ -293,38 +296,40 @@ def read_positions(path: str | os.PathLike[str], names: Sequence[str]) -> dict[s
 
 
 def _named_positions(path: Path, lines: Any, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
-    found: dict[str, NDArray[np.float64]] = {}
+    positions: dict[str, NDArray[np.float64]] = {}
     for number, columns in lines:
         words = " ".join(columns).replace(",", " ").split()
         if len(words) < 4:
             reason = f"expected a name and three numbers, got {len(words)} columns"
             raise FileError(path, reason, where=f"line {number}", remedy="Lines are `name x y z`")
-        place = np.array(parse_floats(path, (number, words[-3:]), 3))
+        position = np.array(parse_floats(path, (number, words[-3:]), 3))
         given = " ".join(words[:-3])
-        meant = [names[k] for k in meant_pictures(given, names)]
+        meant = [names[k] for k in matching_pictures(given, names)]
         if len(meant) > 1:
             reason = f"{given!r} may be {' or '.join(meant[:3])}"
             raise FileError(path, reason, where=f"line {number}", remedy="Write the names in full")
         if not meant:
             continue  # an unregistered image
-        if meant[0] in found:
-            raise FileError(path, f"the picture {meant[0]!r} stands twice", where=f"line {number}")
-        found[meant[0]] = place
-    if not found:
+        if meant[0] in positions:
+            raise FileError(path, f"the picture {meant[0]!r} is duplicated", where=f"line {number}")
+        positions[meant[0]] = position
+    if not positions:
         remedy = f"Names are those of the pictures, such as {names[0]!r}" if names else ""
-        raise FileError(path, "names no picture of the model", remedy=remedy)
-    return found
+        raise FileError(path, "contains no name of a picture of the model", remedy=remedy)
+    return positions
 
 
 def _positions_of(path: Path, trajectory: Trajectory, names: tuple[str, ...]) -> dict[str, NDArray[np.float64]]:
     keys = trajectory.timestamps if trajectory.ids is None else trajectory.ids[:, 0].astype(np.float64)
-    numbers = [float(found[-1]) if (found := _NUMBER.findall(Path(name).stem)) else math.nan for name in names]
+    numbers = [float(digits[-1]) if (digits := _NUMBER.findall(Path(name).stem)) else math.nan for name in names]
     if keys is not None and len(set(numbers)) == len(names) and len(set(keys.tolist())) == len(keys):
         rows = {key: row for row, key in enumerate(keys.tolist())}
-        found = {n: trajectory.poses[rows[k], :3, 3] for n, k in zip(names, numbers, strict=True) if k in rows}
-        if len(found) >= FEWEST:
-            return found
+        positions = {n: trajectory.poses[rows[k], :3, 3] for n, k in zip(names, numbers, strict=True) if k in rows}
+        if len(positions) >= MIN_PAIRS:
+            return positions
     if len(trajectory) == len(names):
         return {name: T[:3, 3] for name, T in zip(names, trajectory.poses, strict=True)}
-    reason = f"{len(trajectory)} poses, whose ids or times are no numbers in the names of the {len(names)} pictures"
+    reason = (
+        f"{len(trajectory)} poses, whose ids or times are not the numbers in the names of the {len(names)} pictures"
+    )
     raise FileError(path, reason, remedy="Write lines of `name x y z` instead")

@@ -122,8 +122,8 @@ class TrajectoryError(Report, Assessed):
         scale = f", scale {self.scale:.6g}" if self.aligned_by == "sim3" else ""
         relative = "none: too few poses"
         if self.relative_translation.count:
-            turn = self.relative_rotation.rmse
-            relative = f"{self.relative_translation.in_metres}; {turn:.4g} degrees rmse, from pose to pose"
+            rotation = self.relative_rotation.rmse
+            relative = f"{self.relative_translation.in_metres}; {rotation:.4g} degrees rmse, from pose to pose"
         fields = [
             ("compared", f"{len(self.pairs):,} poses, aligned by {self.aligned_by}{scale}"),
             ("ATE", self.absolute_translation.in_metres),
@@ -194,7 +194,7 @@ def evaluate_trajectory(
     if not (align is None or isinstance(align, bool) or (isinstance(align, str) and align == "first")):
         raise ValueError(f"align: expected True, 'first' or None, got {shown(align)}")
     if with_scale and align is not True:
-        raise ValueError(f"with_scale: a scale is found by align=True, got align={align!r}")
+        raise ValueError(f"with_scale: expected align=True, got align={align!r}")
     step, limits = (
         check_count("delta", delta),
         [check_positive("lengths", length) for length in check_list("lengths", lengths, "lengths")],
@@ -234,8 +234,8 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
     if estimate.timestamps is None or truth.timestamps is None:
         if len(estimate) != len(truth):
             raise ValueError(
-                f"estimate, truth: {len(estimate)} and {len(truth)} poses, which belong together by index where not "
-                f"both have timestamps; expected as many of each{_by_number(estimate, truth)}"
+                f"estimate, truth: {len(estimate)} and {len(truth)} poses, which are matched by index unless "
+                f"both have timestamps; expected equally many{_by_number(estimate, truth)}"
             )
         pairs = np.tile(np.arange(len(estimate))[:, None], (1, 2))
     else:
@@ -250,7 +250,7 @@ def associate_poses(estimate: Trajectory, truth: Trajectory, max_time_difference
         pairs = pairs[np.abs(estimate.timestamps[pairs[:, 0]] - truth.timestamps[pairs[:, 1]]) <= limit]
         pairs = pairs[np.argsort(truth.timestamps[pairs[:, 1]], kind="stable")]
     if not len(pairs):
-        raise ValueError(f"estimate, truth: no two of their {len(estimate)} and {len(truth)} poses belong together")
+        raise ValueError(f"estimate, truth: no two of their {len(estimate)} and {len(truth)} poses match in time")
     return pairs.astype(np.int64)
 
 
@@ -258,7 +258,7 @@ def _by_number(estimate: Trajectory, truth: Trajectory) -> str:
     numbers = np.zeros(0, np.int64) if estimate.ids is None else estimate.ids[:, 0]
     if not len(numbers) or numbers.min() < 0 or numbers.max() >= len(truth):
         return ""
-    return "; of frames that were lost: truth = Trajectory(truth.poses[estimate.ids[:, 0]])"
+    return "; if frames were lost, use truth = Trajectory(truth.poses[estimate.ids[:, 0]])"
 
 
 def _nearest_times(wanted: NDArray[np.float64], times: NDArray[np.float64]) -> NDArray[np.int64]:
@@ -297,16 +297,16 @@ def _alignment(P: Matrix, Q: Matrix, align: bool | str | None, with_scale: bool)
         return T, scale_of(T)
     if larger > STRAIGHT**2 * extent:
         R = fit_pose(source, target)[:3, :3]
-        R = matmul(_turned_about(math.sqrt(2) * axes[:3, 5], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
+        R = matmul(_rotation_about(math.sqrt(2) * axes[:3, 5], Q[:, :3, :3], matmul(R, P[:, :3, :3])), R)
         scale = larger / float((s * s).sum()) if with_scale else 1.0
     else:
         R, scale = nearest_rotation(matmul(Q[:, :3, :3], _transposed(P[:, :3, :3])).sum(axis=0)), 1.0
     return make_pose(scale * R, target.mean(axis=0) - matmul(scale * R, source.mean(axis=0))), scale
 
 
-def _turned_about(axis: NDArray[np.float64], wanted: Matrix, turned: Matrix) -> Matrix:
+def _rotation_about(axis: NDArray[np.float64], wanted: Matrix, orientations: Matrix) -> Matrix:
     """The rotation about an axis that best aligns orientations (Frobenius norm)."""
-    M = matmul(wanted, _transposed(turned)).sum(axis=0)
+    M = matmul(wanted, _transposed(orientations)).sum(axis=0)
     sine = float(matmul(axis, [M[2, 1] - M[1, 2], M[0, 2] - M[2, 0], M[1, 0] - M[0, 1]]))
     cosine = float(np.trace(M) - matmul(axis, M, axis))
     return rotation_of(axis * math.atan2(sine, cosine))
@@ -322,19 +322,19 @@ def _segment_errors(P: Matrix, Q: Matrix, lengths: list[float]) -> tuple[tuple[S
     """Errors by length, and their means over all segments [%], [degrees/m]."""
     along = np.concatenate([[0.0], np.cumsum(np.linalg.norm(np.diff(Q[:, :3, 3], axis=0), axis=1))])
     starts = np.arange(0, len(Q), KITTI_STEP)
-    segments, shifts, turns = [], [], []
+    segments, shifts, rotations = [], [], []
     for length in lengths:
         ends = np.searchsorted(along, along[starts] + length, side="right")  # the first beyond it
-        whole = ends < len(Q)
-        if not whole.any():
+        is_complete = ends < len(Q)
+        if not is_complete.any():
             continue
-        errors = _relative_errors(P, Q, starts[whole], ends[whole])
+        errors = _relative_errors(P, Q, starts[is_complete], ends[is_complete])
         shifts.append(100 * np.linalg.norm(errors[:, :3, 3], axis=1) / length)
-        turns.append(_angles(errors[:, :3, :3]) / length)
-        segments.append(SegmentError(length, float(shifts[-1].mean()), float(turns[-1].mean()), len(errors)))
+        rotations.append(_angles(errors[:, :3, :3]) / length)
+        segments.append(SegmentError(length, float(shifts[-1].mean()), float(rotations[-1].mean()), len(errors)))
     if not segments:
         return (), math.nan, math.nan
-    return tuple(segments), float(np.concatenate(shifts).mean()), float(np.concatenate(turns).mean())
+    return tuple(segments), float(np.concatenate(shifts).mean()), float(np.concatenate(rotations).mean())
 
 
 def _angles(R: Matrix) -> NDArray[np.float64]:
@@ -412,17 +412,17 @@ def _solve(A: Matrix, B: Matrix) -> Matrix:
     a, b = (np.array([rotation_vector(T[:3, :3]) for T in motions]) for motions in (A, B))
     angle = max(float(norm(a)) / np.sqrt(len(a)), MIN_ROTATION)
     weight = (float(norm(A[:, :3, 3])) / np.sqrt(len(A)) / angle) ** 2  # [m^2] weight of a rotation vector
-    turns = matmul(a.T, b) * weight
-    turned = A[:, :3, :3] - np.eye(3)
-    normal = np.einsum("nki,nkj->ij", turned, turned)
+    correlation = matmul(a.T, b) * weight
+    deviations = A[:, :3, :3] - np.eye(3)
+    normal = np.einsum("nki,nkj->ij", deviations, deviations)
     values, vectors = eigh(normal)
     known = vectors[:, values > max(DETERMINED**2 * values[-1], 1e-12)]
     arm, R = np.zeros(3), np.eye(3)
     for _ in range(ITERATIONS):
-        shifted = A[:, :3, 3] + matmul(turned, arm)
-        R = nearest_rotation(turns + matmul(shifted.T, B[:, :3, 3]))
+        shifted = A[:, :3, 3] + matmul(deviations, arm)
+        R = nearest_rotation(correlation + matmul(shifted.T, B[:, :3, 3]))
         wanted = matmul(B[:, :3, 3], R.T) - A[:, :3, 3]
-        gradient = matmul(known.T, np.einsum("nki,nk->i", turned, wanted))
+        gradient = matmul(known.T, np.einsum("nki,nk->i", deviations, wanted))
         inner = matmul(matmul(known.T, normal), known)
         arm = matmul(known, solve(inner, gradient)) if known.shape[1] else arm
     return make_pose(R, arm)

@@ -19,14 +19,14 @@ from ...kernels.linear_algebra import eigh, matmul, norm
 
 Array = NDArray[np.float64]
 
-FEWEST = 3  # minimum cameras
+MIN_CAMERAS = 3  # minimum cameras
 MIN_SPREAD = 0.02  # minimum spread of the x axes: 8 degrees
 MAX_TILT = math.sin(math.radians(15.0))  # maximum median tilt of level cameras
 MAX_SIGMA = 4.0  # [degrees] maximum standard deviation
 MIN_SIGN = 0.2  # minimum mean cosine that separates up from down
 ATTITUDE_SIGMA = 1.0  # [degrees] gimbal accuracy
 MAX_APART = 10.0  # [degrees] maximum median difference between attitudes and the model
-TURNS = 10
+ITERATIONS = 10
 _CUT = 2.5 * 1.4826  # in median deviations, for outliers
 
 
@@ -49,13 +49,13 @@ class UpDirection(Assessed):
 
 def up_direction(model: SfmModel, attitudes: Mapping[str, Sequence[float]] | None = None) -> UpDirection:
     """Up direction by three or more consistent attitudes (yaw, pitch, roll [degrees]), else by level cameras."""
-    said = _by_attitudes(model, attitudes or {})
-    if said.direction is not None:
-        return said
-    held = _by_level_cameras(model.T_camera_world[:, :3, :3])
-    if held.direction is None:
-        return UpDirection(None, math.inf, "", (*said.warnings, *held.warnings))
-    return held
+    from_attitudes = _by_attitudes(model, attitudes or {})
+    if from_attitudes.direction is not None:
+        return from_attitudes
+    from_level = _by_level_cameras(model.T_camera_world[:, :3, :3])
+    if from_level.direction is None:
+        return UpDirection(None, math.inf, "", (*from_attitudes.warnings, *from_level.warnings))
+    return from_level
 
 
 def up_in_camera(pitch: float, roll: float) -> Array:
@@ -66,57 +66,60 @@ def up_in_camera(pitch: float, roll: float) -> Array:
 
 def _by_attitudes(model: SfmModel, attitudes: Mapping[str, Sequence[float]]) -> UpDirection:
     known = [(k, attitudes[name]) for k, name in enumerate(model.names) if name in attitudes]
-    if len(known) < FEWEST:
+    if len(known) < MIN_CAMERAS:
         return UpDirection(None, math.inf, "")
     ups = np.array([matmul(model.T_camera_world[k, :3, :3].T, up_in_camera(*angles[1:3])) for k, angles in known])
-    way, kept = _median_way(ups)
+    way, is_inlier = _median_way(ups)
     apart = np.degrees(np.arccos(np.clip(matmul(ups, way), -1, 1)))
     if float(np.median(apart)) > MAX_APART:
-        warning = f"the attitudes that pictures tell lie {np.median(apart):.0f} degrees (median) apart in the model"
+        warning = f"the attitudes of the pictures differ by {np.median(apart):.0f} degrees (median) in the model"
         return UpDirection(None, math.inf, "", (warning,))
-    error = math.sqrt(float((apart[kept] ** 2).mean()) / kept.sum())
-    return UpDirection(way, max(error, ATTITUDE_SIGMA / math.sqrt(kept.sum())), "attitudes")
+    error = math.sqrt(float((apart[is_inlier] ** 2).mean()) / is_inlier.sum())
+    return UpDirection(way, max(error, ATTITUDE_SIGMA / math.sqrt(is_inlier.sum())), "attitudes")
 
 
 def _median_way(ways: Array) -> tuple[Array, NDArray[np.bool_]]:
     cosines = matmul(ways, ways.T)
     way = ways[int(np.argmax(np.median(cosines, axis=1)))]  # more than half are near it
-    kept = np.ones(len(ways), bool)
-    for _ in range(TURNS):
+    is_inlier = np.ones(len(ways), bool)
+    for _ in range(ITERATIONS):
         gaps = np.linalg.norm(ways - way, axis=1)
-        kept = gaps <= max(_CUT * float(np.median(gaps)), math.radians(1.0))
-        mean = ways[kept].mean(axis=0)
+        is_inlier = gaps <= max(_CUT * float(np.median(gaps)), math.radians(1.0))
+        mean = ways[is_inlier].mean(axis=0)
         way = mean / norm(mean)
-    return way, kept
+    return way, is_inlier
 
 
 def _by_level_cameras(rotations: Array) -> UpDirection:
     count = len(rotations)
-    if count < FEWEST:
-        return _unknown(f"{count} cameras do not tell what is up")
+    if count < MIN_CAMERAS:
+        return _unknown(f"{count} cameras do not determine the up direction")
     x, down, ahead = rotations[:, 0], rotations[:, 1], rotations[:, 2]
-    kept = np.ones(count, bool)
+    is_inlier = np.ones(count, bool)
     way, values = np.zeros(3), np.zeros(3)
-    for _ in range(TURNS):
-        values, axes = eigh(matmul(x[kept].T, x[kept]) / kept.sum())
-        way, before = axes[:, 0], kept
+    for _ in range(ITERATIONS):
+        values, axes = eigh(matmul(x[is_inlier].T, x[is_inlier]) / is_inlier.sum())
+        way, before = axes[:, 0], is_inlier
         tilts = np.abs(matmul(x, way))
-        kept = tilts <= max(_CUT * float(np.median(tilts)), math.radians(2.0))
-        if kept.sum() < FEWEST or (kept == before).all():
+        is_inlier = tilts <= max(_CUT * float(np.median(tilts)), math.radians(2.0))
+        if is_inlier.sum() < MIN_CAMERAS or (is_inlier == before).all():
             break
-    if kept.sum() < max(FEWEST, count / 2) or float(np.median(np.abs(matmul(x, way)))) > MAX_TILT:
+    if is_inlier.sum() < max(MIN_CAMERAS, count / 2) or float(np.median(np.abs(matmul(x, way)))) > MAX_TILT:
         return _unknown("cameras were not held level")
     if not values[1] > MIN_SPREAD:
-        return _unknown("all pictures lie the same way, or turned by half: their sides do not tell what is up")
-    sigma = math.degrees(math.sqrt(max(float(values[0]), 0.0) / (float(values[1]) * kept.sum())))
-    sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * kept.sum()))  # limit of hand-held accuracy
+        return _unknown(
+            "all pictures have one orientation, or the opposite: their sides do not determine the up direction"
+        )
+    sigma = math.degrees(math.sqrt(max(float(values[0]), 0.0) / (float(values[1]) * is_inlier.sum())))
+    # limit of hand-held accuracy
+    sigma = max(sigma, math.degrees(0.01) / math.sqrt(float(values[1]) * is_inlier.sum()))
     if sigma > MAX_SIGMA:
-        return _unknown(f"cameras were held so that up is known to {sigma:.0f} degrees alone")
-    sign = -float(matmul(down[kept], way).mean())
+        return _unknown(f"the cameras determine the up direction only to {sigma:.0f} degrees")
+    sign = -float(matmul(down[is_inlier], way).mean())
     if abs(sign) < MIN_SIGN:  # cameras that look down or up: nearly all look down
-        sign = -float(matmul(ahead[kept], way).mean())
+        sign = -float(matmul(ahead[is_inlier], way).mean())
         if abs(sign) < MIN_SIGN:
-            return _unknown("pictures lie both ways up")
+            return _unknown("the pictures are both upright and upside down")
     return UpDirection(way * math.copysign(1.0, sign), sigma, "cameras")
 
 
@@ -124,7 +127,7 @@ def _unknown(warning: str) -> UpDirection:
     return UpDirection(None, math.inf, "", (warning,))
 
 
-def turn_upright(direction: Array) -> Array:
+def upright_rotation(direction: Array) -> Array:
     """The smallest rotation [3, 3] from a unit vector to z."""
     x, y, z = direction.tolist()
     if z < -1 + 1e-9:  # upside down: half a turn about x

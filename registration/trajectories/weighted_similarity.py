@@ -16,11 +16,11 @@ from numpy.typing import NDArray
 
 from ...kernels.linear_algebra import eigvalsh, inv, matmul, solve
 from ..rigid import nearest_rotation, rotation_of, scale_of, skew, skews
-from .up_direction import turn_upright
+from .up_direction import upright_rotation
 
 Array = NDArray[np.float64]
 
-TURNS = 50  # Gauss-Newton iterations; five are usual
+MAX_ITERATIONS = 50  # Gauss-Newton iterations; five are usual
 PAIRS = 4000  # tested camera pairs
 STILL = 1e-12  # step at convergence
 OPEN = 1e-14  # relative to the largest eigenvalue, undetermined below
@@ -50,12 +50,12 @@ class WeightedFit:
     covariance: Array
     middle: Array
 
-    def of(self, places: Array) -> Array:
-        return matmul(places, self.T[:3, :3].T) + self.T[:3, 3]
+    def of(self, points: Array) -> Array:
+        return matmul(points, self.T[:3, :3].T) + self.T[:3, 3]
 
-    def covariance_of(self, places: Array) -> Array:
+    def covariance_of(self, points: Array) -> Array:
         """Covariances of transformed (exact) model positions, [n, 3, 3]."""
-        J = _derivatives(matmul(places - self.middle, self.T[:3, :3].T))
+        J = _derivatives(matmul(points - self.middle, self.T[:3, :3].T))
         return matmul(J, self.covariance, J.transpose(0, 2, 1))
 
 
@@ -70,40 +70,40 @@ def fit_rows(rows: Rows, T: Array) -> WeightedFit:
     x, weights = rows.source - middle, 1 / rows.sigma
     shift = matmul(T[:3, :3], middle) + T[:3, 3]
     anchor = rows.target.mean(axis=0)
-    place, y = shift - anchor, rows.target - anchor
+    translation, y = shift - anchor, rows.target - anchor
     normal = np.eye(7)
-    for _ in range(TURNS):
-        J, r = _system(rows, scale, R, place, x, y, weights)
+    for _ in range(MAX_ITERATIONS):
+        J, r = _system(rows, scale, R, translation, x, y, weights)
         unit = np.linalg.norm(J, axis=0)
         unit[unit == 0] = 1.0
         normal = matmul(J.T, J)
         values = eigvalsh(normal / np.outer(unit, unit))
         if not values[0] > OPEN * values[-1]:
-            raise UndeterminedError("what is known leaves scale, rotation or position open")
+            raise UndeterminedError("the observations do not determine scale, rotation or position")
         step = -solve(normal / np.outer(unit, unit), matmul((J / unit).T, r)) / unit
         step[:4] *= min(1.0, 0.5 / float(np.abs(step[:4]).max() + 1e-300))
         scale *= math.exp(step[0])
         R = matmul(rotation_of(step[1:4]), R)
-        place = place + step[4:]
+        translation = translation + step[4:]
         if np.abs(step[:4]).max() < STILL and np.abs(step[4:]).max() < STILL * (1 + np.abs(y).max()):
             break
     R = nearest_rotation(R)  # accumulated rounding
-    found = np.eye(4)
-    found[:3, :3], found[:3, 3] = scale * R, place + anchor - matmul(scale * R, middle)
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = scale * R, translation + anchor - matmul(scale * R, middle)
     covariance = inv(normal).astype(np.float64)
     sigmas = np.sqrt(np.diag(covariance))
     degrees = np.degrees(sigmas[1:4])
-    return WeightedFit(found, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]), covariance, middle)
+    return WeightedFit(pose, scale, float(sigmas[0]), float(degrees[:2].max()), float(degrees[2]), covariance, middle)
 
 
 def _system(
-    rows: Rows, scale: float, R: Array, place: Array, x: Array, y: Array, weights: Array
+    rows: Rows, scale: float, R: Array, translation: Array, x: Array, y: Array, weights: Array
 ) -> tuple[Array, Array]:
     """Whitened Jacobian by log scale, left rotation and translation, [k, 7], and residuals."""
-    turned = matmul(scale * x, R.T)
-    J = _derivatives(turned)
+    rotated = matmul(scale * x, R.T)
+    J = _derivatives(rotated)
     blocks = [(J * weights[:, :, None]).reshape(-1, 7)]
-    gaps = [((turned + place - y) * weights).reshape(-1)]
+    gaps = [((rotated + translation - y) * weights).reshape(-1)]
     if rows.up is not None and math.isfinite(rows.up_sigma):
         up = matmul(R, rows.up)
         block = np.zeros((3, 7))
@@ -116,19 +116,19 @@ def _system(
     return np.concatenate(blocks), np.concatenate(gaps)
 
 
-def _derivatives(turned: Array) -> Array:
+def _derivatives(rotated: Array) -> Array:
     """Derivatives of positions by log scale, left rotation and translation, [n, 3, 7]."""
-    J = np.zeros((len(turned), 3, 7))
-    J[:, :, 0] = turned
-    J[:, :, 1:4] = -skews(turned)
+    J = np.zeros((len(rotated), 3, 7))
+    J[:, :, 0] = rotated
+    J[:, :, 1:4] = -skews(rotated)
     J[:, :, 4:] = np.eye(3)
     return J
 
 
 def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Array:
     """RANSAC similarity that keeps `up` [3] vertical, by the median horizontal distance. Target heights may be NaN."""
-    turn = turn_upright(up)
-    s = matmul(source, turn.T)
+    upright = upright_rotation(up)
+    s = matmul(source, upright.T)
     a, b = s[:, 0] + 1j * s[:, 1], target[:, 0] + 1j * target[:, 1]
     i, j = _pairs(len(a), seed).T
     with np.errstate(all="ignore"):
@@ -140,11 +140,11 @@ def fit_level(source: Array, target: Array, up: Array, *, seed: int = 0) -> Arra
     share[~(np.isfinite(share) & np.isfinite(size) & (size > 1e-12))] = np.inf
     best = int(np.argmin(share))
     if not math.isfinite(share[best]):
-        raise UndeterminedError("the places do not lie apart")
+        raise UndeterminedError("the positions are not spread out")
     scale, angle = float(size[best]), math.atan2(k[best].imag, k[best].real)
     c, n = math.cos(angle), math.sin(angle)
     T = np.eye(4)
-    T[:3, :3] = matmul(scale * np.array([[c, -n, 0], [n, c, 0], [0, 0, 1]]), turn)
+    T[:3, :3] = matmul(scale * np.array([[c, -n, 0], [n, c, 0], [0, 0, 1]]), upright)
     heights = target[:, 2] - scale * s[:, 2]
     height = float(np.nanmedian(heights)) if np.isfinite(heights).any() else 0.0
     T[:3, 3] = shift[best].real, shift[best].imag, height

@@ -90,12 +90,12 @@ def _no_name(package: str, name: str, known: Iterable[str]) -> str:
     if name.startswith("_"):
         return message
     from .core.attribute_hints import nearest_name
-    from .core.open3d_names import row_of, told
+    from .core.open3d_names import hint, row_of
 
     if package == OPEN3D or package.startswith(f"{OPEN3D}."):
-        other, row = _in_open3d(name), told(row_of(name))
+        other, row = _in_open3d(name), hint(row_of(name))
         return message + (f"; it is {other}" if other else row or _also(package, name) or nearest_name(name, known))
-    return message + (_also(package, name) or told(row_of(name)) or nearest_name(name, known))
+    return message + (_also(package, name) or hint(row_of(name)) or nearest_name(name, known))
 
 
 def _also(package: str, name: str) -> str:

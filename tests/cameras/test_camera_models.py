@@ -217,7 +217,7 @@ def test_a_lens_has_no_intrinsic_and_without_an_inverse_along_a_border_no_straig
     ("arguments", "message"),
     [
         (("OPENCV_FISH", 640, 480, [1] * 8), "did you mean 'OPENCV_FISHEYE'"),
-        (("EQUIRECTANGULAR", 640, 480, [640, 480]), "EQUIRECTANGULAR is not read"),
+        (("EQUIRECTANGULAR", 640, 480, [640, 480]), "EQUIRECTANGULAR is not supported"),
         (("PINHOLE", 640, 480, [500, 500, 320]), "takes fx, fy, cx, cy; got 3"),
         (("PINHOLE", 640, 480, [500, 500, 320, math.nan]), "finite"),
         (("PINHOLE", 640, 480, [500, -500, 320, 240]), "focal lengths above"),

@@ -140,7 +140,7 @@ def test_colmap_makes_the_same_picture(tmp_path):
 
 def test_what_is_no_lens_picture_or_size_is_refused():
     picture = ramp()
-    with pytest.raises(ValueError, match=r"^picture:.*72.*96.*96.*72"):
+    with pytest.raises(ValueError, match=r"^picture:.*96.*72.*72.*96"):
         loom.undistort_picture(np.zeros((WIDTH, HEIGHT), np.uint8), STRONG["OPENCV"])
     with pytest.raises(ValueError, match="picture:"):
         loom.undistort_picture(np.zeros((HEIGHT, WIDTH, 4), np.uint8), STRONG["OPENCV"])

@@ -88,8 +88,8 @@ def test_a_path_that_was_lost_is_unreliable_and_names_the_scans(real_file, tmp_p
         loom.write_point_cloud(folder / f"{number}.ply", loom.PointCloud(points.reshape(-1, 3)[::3]))
     report = unreliable("odometry", folder, "-o", tmp_path / "a.txt", "--device", "cpu")
     assert report["strayed"][0] == 3  # the first two are turned by 32 and 49 degrees, and found
-    assert "scans lie beside the map of those before them (scan 3" in str(report["warnings"])
-    assert "likely lost from scan 3 on" in str(report["warnings"])
+    assert "scans do not match the map of earlier scans (scan 3" in str(report["warnings"])
+    assert "probably lost from scan 3 on" in str(report["warnings"])
 
 
 def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
@@ -103,7 +103,7 @@ def test_scans_that_do_not_come_to_rest_are_named(drive, tmp_path, monkeypatch):
     monkeypatch.setattr(LidarOdometry, "_match", restless)
     report = unreliable("odometry", drive, "-o", tmp_path / "a.txt", *INDOORS)
     assert report["unsettled"] == [1, 2, 4]
-    assert report["warnings"] == ["3 of 5 scans did not come to rest on the map (scan 1-2, 4)"]
+    assert report["warnings"] == ["3 of 5 scans did not converge on the map (scan 1-2, 4)"]
     steps = iter([False, False, True, False, False])
     shown = run("odometry", drive, "-o", tmp_path / "b.txt", *INDOORS)
     assert shown.exit_code == 3  # a quarter of four

@@ -174,7 +174,7 @@ def test_an_earlier_run_is_kept_taken_up_or_replaced(walked, tmp_path, small_fra
     (tmp_path / "work" / "fragments").mkdir(parents=True)  # all that a run left that was interrupted at once
     answer(*words, "-o", tmp_path / "a.ply")
     said = refusal(*words, "-o", tmp_path / "b.ply")
-    assert "holds an earlier run. Give --resume to go on with it, --force to begin anew" in said
+    assert "contains an earlier run. Give --resume to continue it, --force to start over" in said
     report = answer(*words, "-o", tmp_path / "b.ply", "--resume")
     assert report["resumed"]["fragments"] == 2
     assert (tmp_path / "a.ply").read_bytes() == (tmp_path / "b.ply").read_bytes()
@@ -219,7 +219,7 @@ def test_reconstruct_refuses_what_cannot_be_done_before_the_work(walked, tmp_pat
     assert "ends in .png" in refusal("reconstruct", walked, "-o", mesh, "--picture", tmp_path / "a.jpg")
     assert "does not exist" in refusal("reconstruct", tmp_path / "none", "-o", mesh)
     fragments = ["reconstruct", walked, "-o", mesh, "--method", "fragments"]
-    assert "holds other files" in refusal(*fragments, "--work", walked)
+    assert "contains files that do not belong to a run" in refusal(*fragments, "--work", walked)
     assert "Make the folder first" in refusal(*fragments, "--work", tmp_path / "no" / "work")
     assert "none.json" in refusal(*fragments, "--config", tmp_path / "none.json")
     mesh.write_bytes(b"kept")

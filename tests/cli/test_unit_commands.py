@@ -62,10 +62,10 @@ def test_two_files_in_two_units_are_a_warning(feet, tmp_path):
     cloud = loom.read_point_cloud(feet)
     loom.write_point_cloud(other, cloud.to_unit("metre"))
     result = run("register", feet, other, "--init", "identity", "--voxel", 1, "--device", "cpu")
-    assert "warning: source, target: lengths in foot and in metre meet" in result.stderr
+    assert "warning: source, target: expected one unit of length, got foot and metre" in result.stderr
     result = run("register", feet, feet, "--init", "identity", "--voxel", 1, "--device", "cpu")
     assert "warning" not in result.stderr
-    assert "one a voxel of 1 ft" in result.stdout and " ft at the middle of the source" in result.stdout
+    assert "one per voxel of 1 ft" in result.stdout and " ft at the middle of the source" in result.stdout
 
 
 @pytest.mark.filterwarnings("always::pointloom.UnitWarning")

@@ -252,7 +252,7 @@ def test_a_cloud_speaks_dlpack_where_its_origin_is_zero(library, clouds, surface
         np.testing.assert_array_equal(points, surface)
         assert points.ctypes.data == ours.array("points").ptr
     far = loom.PointCloud(surface + np.float64([5e5, 5.4e6, 0]))
-    with pytest.raises(BufferError, match=r"the points count from the origin \[5000.*add cloud.origin"):
+    with pytest.raises(BufferError, match=r"the points are relative to the origin \[5000.*add cloud.origin"):
         np.from_dlpack(far)
 
 

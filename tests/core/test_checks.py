@@ -25,7 +25,7 @@ def test_a_count_is_a_whole_number_and_no_truth_value(value):
 def test_a_count_may_be_the_least_and_no_less():
     assert check_count("n", 1) == 1 and check_count("n", np.int64(7), minimum=7) == 7
     for value, minimum in ((0, 1), (6, 7), (-1, 0)):
-        with pytest.raises(ValueError, match=f"^n: expected a whole number >= {minimum}, got {value}"):
+        with pytest.raises(ValueError, match=f"^n: expected an integer >= {minimum}, got {value}"):
             check_count("n", value, minimum=minimum)
 
 

@@ -47,7 +47,7 @@ def test_the_warp_that_is_installed_is_of_a_known_generation():
 
 @pytest.mark.parametrize("name", ["cuda", "cuda:99"])
 def test_a_gpu_that_is_not_there_says_why(driver, name):
-    why = rf"no NVIDIA driver is loaded; Warp {wp.__version__} \(CUDA 13\) needs 580 or newer; see pointloom doctor"
+    why = rf"no NVIDIA driver is loaded; Warp {wp.__version__} \(CUDA 13\) needs 580 or newer; run pointloom doctor"
     with pytest.raises(DeviceError, match=f"got '{name}'; no CUDA GPU was found: {why}"):
         resolve_device(name)
     driver(PROPRIETARY)

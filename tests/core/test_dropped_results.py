@@ -73,10 +73,10 @@ def warned(line, *, in_a_function):
 def test_only_a_call_that_is_a_statement_warns(in_a_function):
     for line in lines(DROPPED):
         messages = warned(line, in_a_function=in_a_function)
-        assert any("the result is dropped" in message for message in messages), line
+        assert any("the result is discarded" in message for message in messages), line
     for line in lines(TAKEN):
         assert warned(line, in_a_function=in_a_function) == [], line
-    pair = "Box.cut: the result is dropped; it returns a new object and changes nothing: write box, _ = box.cut(...)"
+    pair = "Box.cut: the result is discarded; it returns a new object and changes nothing: write box, _ = box.cut(...)"
     assert warned("box.cut()", in_a_function=in_a_function) == [pair]
 
 

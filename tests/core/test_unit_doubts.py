@@ -30,13 +30,13 @@ def test_a_radius_that_finds_nobody_is_told(ball):
 @pytest.mark.parametrize(
     ("depth", "options", "told"),
     [
-        (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* taken for 1 units a metre"),
-        (np.full((48, 64), 1500.0, np.float32), {}, "taken for meters, lie beyond 3 m"),
+        (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* read as 1 units per meter"),
+        (np.full((48, 64), 1500.0, np.float32), {}, "read as meters, are beyond 3 m"),
         (np.full((48, 64), 1.5, np.float32), {"depth_scale": 1000.0}, "within 0.05 m: .* 1.5..1.5, divided by 1000"),
         (
             np.full((48, 64), 1500, np.uint16),
             {"depth_trunc": 1.0},
-            "beyond 1 m; TUM's .*=5000; .* a larger depth_trunc",
+            "beyond 1 m; for TUM images, .*=5000. .* a larger depth_trunc",
         ),
     ],
 )
@@ -76,7 +76,7 @@ def test_icp_without_correspondences_says_where_both_are(ball):
     assert repr(result).endswith("within 0.05 m; in another unit?)")
     with pytest.warns(loom.UnitWarning, match=r"no correspondences:.*100.*0\.05"):
         moved = loom.registration.registration_icp(ball.translate([100, 0, 0]), ball, 0.05)
-    assert "their middles 100 m apart, within 0.05 m)" in repr(moved)
+    assert "their centers 100 m apart, within 0.05 m)" in repr(moved)
     assert loom.registration.registration_icp(ball, ball, 0.05).warnings == ()
     empty = loom.PointCloud(device=ball.device)
     assert loom.registration.registration_icp(empty, ball, 0.05).warnings == (

@@ -9,12 +9,12 @@ import pytest
 import warp as wp
 
 import pointloom as loom
-from pointloom.core.batch_splitting import LEAST, in_halves
+from pointloom.core.batch_splitting import MIN_ROWS, in_batches
 from pointloom.core.devices import resolve_device
 from pointloom.kernels.lang import uint8
 from pointloom.kernels.memory import empty, zeros
 
-COUNT = 2 * LEAST + 300
+COUNT = 2 * MIN_ROWS + 300
 
 
 @pytest.fixture
@@ -101,21 +101,21 @@ def test_parts_are_as_few_as_fit_and_in_order():
 
     def work(begin, end):
         asked.append((begin, end))
-        if end - begin > 3 * LEAST:
+        if end - begin > 3 * MIN_ROWS:
             raise MemoryError("too many")
         return (np.arange(begin, end),)
 
-    (found,) = in_halves(10 * LEAST, work)
-    np.testing.assert_array_equal(found, np.arange(10 * LEAST))
-    assert sum(end - begin <= 3 * LEAST for begin, end in asked) == 4
+    (found,) = in_batches(10 * MIN_ROWS, work)
+    np.testing.assert_array_equal(found, np.arange(10 * MIN_ROWS))
+    assert sum(end - begin <= 3 * MIN_ROWS for begin, end in asked) == 4
 
 
 def test_rows_that_do_not_fit_however_few_are_an_error():
     def work(begin, end):
         raise MemoryError(f"no room for {end - begin}")
 
-    with pytest.raises(MemoryError, match=f"no room for {LEAST}"):
-        in_halves(4 * LEAST, work)
+    with pytest.raises(MemoryError, match=f"no room for {MIN_ROWS}"):
+        in_batches(4 * MIN_ROWS, work)
 
 
 @pytest.mark.parametrize("make", [empty, zeros])

@@ -163,7 +163,7 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
         ("m.obj", SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
         ("m.obj", SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
         ("m.obj", SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
-        ("m.obj", SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "reach beyond float32"),
+        ("m.obj", SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "beyond the float32 range"),
         ("m.obj", SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
         ("m.obj", "v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
         ("m.obj", SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),

@@ -110,10 +110,10 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
 @pytest.mark.parametrize(
     ("name", "text", "claim"),
     [
-        ("t.log", "# nothing\n", "holds no pose"),
+        ("t.log", "# nothing\n", "contains no pose"),
         ("t.log", log_text() + "1 1 2\n1 0 0 0\n", "line 7): ends within a pose"),
-        ("t.log", log_text(ids="0 0 1.5"), "line 1): expected three whole numbers"),
-        ("t.log", log_text(ids=f"0 0 {2**63}"), "line 1): expected three whole numbers"),
+        ("t.log", log_text(ids="0 0 1.5"), "line 1): expected three integers"),
+        ("t.log", log_text(ids=f"0 0 {2**63}"), "line 1): expected three integers"),
         ("t.log", log_text() + log_text(np.diag([2.0, 1, 1, 1])), "line 7): pose: expected a rigid motion"),
         ("t.log", log_text(np.diag([-1.0, 1, 1, 1])), "rigid"),
         ("t.log", log_text().replace("1.0", "nan"), "line 2): expected finite"),
@@ -135,9 +135,9 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
         ("t.tum", "1 0 0 0 0 0 0 1\n\u2028\n2 0 0 0 0 0 0 1\n", "line 2"),
         ("t.tum", "1 0 0 0 0 0 0\u00a01\n", "line 1"),
         ("t.tum", "1 0 0 0 0 0 0 1\x1c2 0 0 0 0 0 0 1\n", "line 1"),
-        ("t.log", log_text(ids="\uff10 0 1"), "expected three whole numbers before a pose"),
-        ("t.log", log_text(ids="0 1_0 1"), "expected three whole numbers before a pose"),
-        ("t.csv", "1", "unknown kind of trajectory '.csv'"),
+        ("t.log", log_text(ids="\uff10 0 1"), "expected three integers before a pose"),
+        ("t.log", log_text(ids="0 1_0 1"), "expected three integers before a pose"),
+        ("t.csv", "1", "unknown trajectory format '.csv'"),
         ("t.log", b"\xff", "not a text file"),
     ],
 )
@@ -193,8 +193,8 @@ def test_formats_and_names_must_agree(tmp_path, trajectory):
     [
         ({"poses": np.eye(4)}, r"poses: expected shape \[n, 4, 4\], got \[4, 4\]"),
         ({"poses": np.eye(4)[None], "timestamps": [1, 2]}, r"timestamps: expected shape \[1\]"),
-        ({"poses": np.eye(4)[None], "ids": [[0.5, 1, 2]]}, "ids: expected whole numbers"),
-        ({"poses": np.eye(4)[None], "ids": [[0], [1]]}, r"ids: expected whole numbers of shape \[1, k\]"),
+        ({"poses": np.eye(4)[None], "ids": [[0.5, 1, 2]]}, "ids: expected integers"),
+        ({"poses": np.eye(4)[None], "ids": [[0], [1]]}, r"ids: expected integers of shape \[1, k\]"),
     ],
 )
 def test_trajectories_of_wrong_shape_are_refused(arguments, claim):

@@ -101,7 +101,7 @@ def test_a_repair_that_cost_too_much_is_unreliable():
         (lambda mesh: loom.smooth_mesh(mesh, "simple", mu=-1), "mu: goes with method 'taubin', not with 'simple'"),
         (lambda mesh: loom.smooth_mesh(mesh, strength=1), "strength: goes with method 'sharpen'"),
         (lambda mesh: loom.smooth_mesh(mesh, "bilateral"), "method: expected one of taubin, laplacian, simple"),
-        (lambda mesh: loom.clean_mesh(mesh, min_triangles=0), "min_triangles: expected a whole number >= 1"),
+        (lambda mesh: loom.clean_mesh(mesh, min_triangles=0), "min_triangles: expected an integer >= 1"),
         (lambda mesh: loom.compare_meshes(mesh, mesh, limit=0), "limit: expected a number > 0"),
     ],
 )

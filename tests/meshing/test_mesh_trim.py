@@ -247,8 +247,8 @@ def test_huge_values_are_cut_where_they_should_be(device):
         ((["a"] * 25, 0), TypeError, "vertex_values: expected real numbers"),
         ((np.zeros(25), np.inf), ValueError, "level: expected a finite number"),
         ((np.zeros(25), None), TypeError, "level: "),
-        ((np.zeros(25), 0, -0.1), ValueError, "island_ratio: expected a share from 0 to 1"),
-        ((np.zeros(25), 0, 2), ValueError, "island_ratio: expected a share from 0 to 1"),
+        ((np.zeros(25), 0, -0.1), ValueError, "island_ratio: expected a fraction from 0 to 1"),
+        ((np.zeros(25), 0, 2), ValueError, "island_ratio: expected a fraction from 0 to 1"),
     ],
 )
 def test_arguments_that_make_no_sense_are_refused(arguments, error, message):

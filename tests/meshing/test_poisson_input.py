@@ -97,7 +97,7 @@ def test_what_is_no_cloud_is_refused():
     [
         ({"depth": 1}, ValueError, "depth: .*>= 2"),
         ({"depth": 21}, ValueError, "depth: .*up to 20"),
-        ({"depth": 5.0}, TypeError, "depth: expected a whole number"),
+        ({"depth": 5.0}, TypeError, "depth: expected an integer"),
         ({"width": -1}, ValueError, "width: "),
         ({"width": 1e-9}, ValueError, r"width: expected .* m or more, .*2\^20 cells along it, got 1e-09"),
         ({"scale": 0.99}, ValueError, "scale: expected 1 or more"),

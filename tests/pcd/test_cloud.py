@@ -80,7 +80,7 @@ def test_a_missing_array_is_an_error_that_says_what_to_do(device):
     ):
         with pytest.raises(ValueError, match=message):
             call()
-    with pytest.raises(TypeError, match="no sequence"):
+    with pytest.raises(TypeError, match="not a sequence"):
         iter(cloud)
 
 

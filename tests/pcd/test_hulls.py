@@ -145,9 +145,9 @@ def test_a_flat_hull_of_many_points_is_their_polygon(device, count, rng):
         ([[np.nan, 0, 0]] * 5, "expected at least one finite point, got none"),
         ([[1, 2, 3]], "are equal"),
         ([[1, 2, 3]] * 40, "are equal"),
-        ([[0, 0, 0], [1, 2, 3]], "lie on one line"),
-        (np.outer(np.arange(9.0), [1, 2, 3]), "lie on one line"),
-        (np.outer(np.linspace(-1, 1, 6000), [1, 0.3, 0.7]), "lie on one line"),
+        ([[0, 0, 0], [1, 2, 3]], "are collinear"),
+        (np.outer(np.arange(9.0), [1, 2, 3]), "are collinear"),
+        (np.outer(np.linspace(-1, 1, 6000), [1, 0.3, 0.7]), "are collinear"),
     ],
     ids=["none", "nan", "one", "equal", "two", "line", "long line"],
 )

@@ -117,7 +117,7 @@ def test_an_attribute_of_any_type_and_shape_is_shared_as_it_is(values):
 @pytest.mark.parametrize(
     ("points", "error", "reason"),
     [
-        (np.zeros((4, 3)), TypeError, "expected float32, which is what a cloud holds, got float64; convert it there"),
+        (np.zeros((4, 3)), TypeError, "expected float32, the type of a cloud's arrays, got float64; convert it there"),
         (np.zeros((4, 2), np.float32), ValueError, r"expected shape \[n, 3\], got \[4, 2\]"),
         (np.zeros((8, 3), np.float32)[::2], ValueError, "expected a contiguous array"),
         (np.broadcast_to(np.zeros(3, np.float32), (4, 3)), TypeError, "ndarray cannot be shared: .*readonly"),

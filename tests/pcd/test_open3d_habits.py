@@ -49,7 +49,7 @@ def test_the_attributes_are_those_of_the_cloud(cloud):
     ("line", "message"),
     [
         ("cloud.color = [1, 0, 0]", r"PointCloud has no attribute 'color'; did you mean 'colors'\? .*cloud\['color'\]"),
-        ("cloud.foo = 3", r"PointCloud has no attribute 'foo'; An attribute of the points is added by cloud\['foo'\]"),
+        ("cloud.foo = 3", r"PointCloud has no attribute 'foo'; Add an attribute of the points with cloud\['foo'\]"),
         ("cloud.normal", r"PointCloud has no attribute 'normal'; did you mean 'normals'\?"),
         ("cloud.create_from_depth_imag", r"did you mean 'create_from_depth_image'\?"),
         ("mesh.vertex_color = 1", r"TriangleMesh has no attribute 'vertex_color'; did you mean 'vertex_colors'\?"),

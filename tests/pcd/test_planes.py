@@ -170,7 +170,7 @@ def test_clouds_of_fewer_than_three_points_have_no_planes(device, count):
     cloud = loom.PointCloud(np.arange(3.0 * count).reshape(count, 3), device=device)
     labels, models = cloud.segment_planes(0.1, min_points=1)
     assert labels.tolist() == [-1] * count and models.shape == (0, 4)
-    with pytest.raises(ValueError, match=f"ransac_n: 3 points a sample, but the cloud has {count} finite points"):
+    with pytest.raises(ValueError, match=f"ransac_n: expected at most the {count} finite points of the cloud, got 3"):
         cloud.segment_plane(0.1)
 
 
@@ -179,7 +179,7 @@ def test_points_on_a_line_have_no_plane(device, points):
     """Open3D gives a plane of zeros, and all points as its inliers."""
     cloud = loom.PointCloud(points, device=device)
     for ransac_n in (3, 6):
-        with pytest.raises(ValueError, match="the points span no plane"):
+        with pytest.raises(ValueError, match="no plane found"):
             cloud.segment_plane(0.01, ransac_n)
         assert cloud.segment_planes(0.01, ransac_n, min_points=1)[1].shape == (0, 4)
 

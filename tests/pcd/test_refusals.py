@@ -44,7 +44,7 @@ NAMES = {
 VALUES = """
 loom.PointCloud(np.zeros((3, 100))) | points: expected shape [n, 3], got [3, 100]
 loom.PointCloud(np.zeros((3, 0))) | points: expected shape
-loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond float32
+loom.PointCloud([[1e300, 0, 0], [-1e300, 0, 0]]) | beyond the float32 range
 loom.PointCloud(origin=[0, 0]) | origin
 loom.PointCloud([[0, 0, 0]], normals=np.zeros((3, 3))) | normals: expected shape [1, 3] as the cloud has 1 points
 loom.PointCloud([[0, 0, 0]], normals=[[1e39, 0, 0]]) | normals: 1e+39 is beyond
@@ -109,7 +109,7 @@ random.detect_planar_patches(max_nn=1) | max_nn
 random.detect_planar_patches(radius=0.0) | radius
 random.segment_plane(distance_threshold=0.0) | distance_threshold
 random.segment_plane(ransac_n=2) | ransac_n
-random.segment_plane(ransac_n=11) | ransac_n: 11 points a sample, but the cloud has 10 finite points
+random.segment_plane(ransac_n=11) | ransac_n: expected at most the 10 finite points of the cloud, got 11
 random.segment_plane(num_iterations=0) | num_iterations
 random.segment_plane(probability=0.0) | probability
 random.segment_plane(probability=1.1) | probability
@@ -135,10 +135,10 @@ loom.estimate_curvature(cloud, radius=0.0) | radius
 loom.compute_iss_keypoints(cloud, salient_radius=-1.0) | salient_radius
 loom.compute_iss_keypoints(cloud, non_max_radius=inf) | non_max_radius
 loom.compute_iss_keypoints(cloud, min_neighbors=0) | min_neighbors
-loom.compute_metrics(cloud, loom.PointCloud()) | no finite point
-loom.compute_metrics(loom.PointCloud(), cloud) | no finite point
+loom.compute_metrics(cloud, loom.PointCloud()) | expected at least one finite point
+loom.compute_metrics(loom.PointCloud(), cloud) | expected at least one finite point
 loom.compute_metrics(cloud, cloud, fscore_radius=[0.0]) | fscore_radius
-search.knn_search(np.zeros((1, 3)), 0) | knn: expected a whole number >= 1
+search.knn_search(np.zeros((1, 3)), 0) | knn: expected an integer >= 1
 search.knn_search(np.zeros((1, 2)), 1) | queries: expected shape
 search.radius_search(np.zeros((1, 3)), 0) | radius
 search.hybrid_search(np.zeros((1, 3)), 1, 0) | max_nn
@@ -154,14 +154,14 @@ pair.voxel_down_sample(1.0, 'median') | reduction
 pair.voxel_down_sample_and_trace(0) | voxel_size
 pair.voxel_down_sample_and_trace(1, [0, 0, nan]) | min_bound
 pair.voxel_down_sample_and_trace(1, [0, 0, 0], [1, 2, inf]) | max_bound
-pair.voxel_down_sample_and_trace(1e-9, [0, 0, 0], [9, 9, 9]) | voxel_size: 1e-09 makes more than 2^31 voxels
-pair.voxel_down_sample_and_trace(1e-9, [1e9, 0, 0]) | voxel_size: 1e-09 puts more than 2^53 voxels between min_bound
+pair.voxel_down_sample_and_trace(1e-9, [0, 0, 0], [9, 9, 9]) | voxel_size: 1e-09 gives more than 2^31 voxels
+pair.voxel_down_sample_and_trace(1e-9, [1e9, 0, 0]) | voxel_size: 1e-09 gives more than 2^53 voxels between min_bound
 pair.voxel_down_sample_and_trace(1e-8, [0, 0, 0]) | voxel_size: 1e-08 makes a grid of
 far.thin(0) | spacing
 far.thin(1e-9) | spacing
 far.thin(1, (0, nan, 0)) | corner
 gap.uniform_down_sample(0) | every_k_points
-gap.random_down_sample(1.5) | sampling_ratio: expected a share 0..1, got 1.5
+gap.random_down_sample(1.5) | sampling_ratio: expected a fraction in 0..1, got 1.5
 gap.random_down_sample(-0.1) | sampling_ratio
 gap.random_down_sample(0.5, seed=-1) | seed
 gap.random_down_sample(0.5, seed=2**31) | seed
@@ -173,8 +173,8 @@ loom.classify_ground(pair, cell_size=0.0) | cell_size
 loom.classify_ground(pair, slope=-0.1) | slope
 loom.classify_ground(pair, max_window=inf) | max_window
 loom.classify_ground(pair, scaling=-1) | scaling
-loom.classify_ground(pair, cell_size=1e-4, max_window=0.1) | max_window: 0.1 m are more than 512 cells of 0.0001 m
-loom.classify_ground(pair, cell_size=1e-6) | cell_size: 1e-06 m makes a grid of
+loom.classify_ground(pair, cell_size=1e-4, max_window=0.1) | max_window: expected at most 512 cells of 0.0001 m
+loom.classify_ground(pair, cell_size=1e-6) | cell_size: 1e-06 m gives a grid of
 changed(normal_radii=None) | normal_radii: expected the radii
 changed(normal_radii=[]) | normal_radii
 changed(normal_radii=[1, -1]) | normal_radii
@@ -190,8 +190,8 @@ project(depth_scale=0) | depth_scale
 project(depth_max=nan) | depth_max
 depth_cloud(depth=np.zeros((3, 2), np.uint16)) | intrinsic: made for 3 x 2 pixels, but the image has 2 x 3
 depth_cloud(depth=np.zeros((2, 3, 1), np.uint16)) | depth: expected
-depth_cloud(depth=np.full((2, 3), -1)) | depth: integer depths must lie in 0..65535
-depth_cloud(depth=np.full((2, 3), 70000)) | depth: integer depths must lie in 0..65535
+depth_cloud(depth=np.full((2, 3), -1)) | depth: expected integers in 0..65535
+depth_cloud(depth=np.full((2, 3), 70000)) | depth: expected integers in 0..65535
 depth_cloud(extrinsic=np.diag([1.0, 1, -1, 1])) | extrinsic: expected a rigid motion
 depth_cloud(extrinsic=np.full((4, 4), nan)) | extrinsic: expected a rigid motion, got NaN
 depth_cloud(depth_scale=0) | depth_scale
@@ -200,7 +200,7 @@ depth_cloud(depth_trunc=nan) | depth_trunc
 depth_cloud(stride=0) | stride
 loom.RGBDImage(np.zeros((3, 3, 3), np.uint8), np.zeros((2, 3), np.uint16)) | color: 3 x 3 pixels, but the depth image
 loom.RGBDImage(np.zeros((2, 3, 4), np.uint8), np.zeros((2, 3), np.uint16)) | color: expected shape
-loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 70000)) | depth: integer depths
+loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.full((2, 3), 70000)) | depth: expected integers
 loom.RGBDImage.create_from_nyu_format(np.zeros((2, 3, 3), np.uint8), np.zeros((2, 3, 1), np.uint16)) | depth: expected
 loom.RGBDImage.create_from_sun_format(np.zeros((2, 3, 3), np.uint8), np.zeros((3, 3), np.uint16)) | color: 3 x 2 pixels
 loom.filter_depth_bilateral(np.ones((4, 4)), kernel_size=0) | kernel_size
@@ -232,14 +232,14 @@ loom.LineSet([[0, 0, 0], [1, 1, 1]], [[-1, 0]]) | got -1 to 0
 loom.LineSet([[0, 0, 0], [nan, 1, 1]], [[0, 1]]) | points: expected finite coordinates, got 1 points without
 loom.project_to_utm(loom.PointCloud([[493994.0, 4877429.0, 130.0]])) | expected longitudes to 360 and latitudes -80..84
 loom.project_to_utm(loom.PointCloud([[10.0, 85.0, 0.0]])) | latitudes -80..84
-loom.project_to_utm(loom.PointCloud([[nan, 0, 0]])) | no finite point tells its zone
-loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0], [55.0, 45, 0]]), epsg=32632) | 46 degrees from the middle
+loom.project_to_utm(loom.PointCloud([[nan, 0, 0]])) | expected a finite point to determine the UTM zone
+loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0], [55.0, 45, 0]]), epsg=32632) | got one at 46
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=4326) | expected 32601..32660 or 32701..32760, got 4326
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]]), epsg=32600) | got 32600
 loom.project_to_utm(loom.PointCloud([[10.0, 45.0, 0.0]], normals=[[0, 0, 1]])) | cloud.without("normals")
-splats(scales=[[1, 1, 1], [1, 0, 1]]) | scales: expected three finite numbers above 0 in each row; row 1
+splats(scales=[[1, 1, 1], [1, 0, 1]]) | scales: expected three finite numbers above 0 in each row, but row 1
 splats(rotations=[[1, 0, 0, 0], [0, 0, 0, 0]]) | rotations
-splats(opacities=[0.5, 1.5]) | opacities: expected a number from 0 to 1 in each row; row 1
+splats(opacities=[0.5, 1.5]) | opacities: expected a number from 0 to 1 in each row, but row 1
 splats(harmonics=np.zeros((2, 5, 3))) | harmonics: expected shape [2, K, 3]
 splats().transform(np.diag([1.0, 1, -1, 1])) | transformation: expected a rotation with one scale
 splats().transform(np.diag([1.0, 2, 1, 1])) | transformation: expected a rotation with one scale
@@ -249,7 +249,7 @@ splats().rasterize(camera, np.eye(4), background=(2, 0, 0)) | background
 loom.fit_shape(random, 'cube') | kind
 loom.fit_shape(random, 'sphere', start=loom.fit_shape(random, 'plane')) | start: expected a sphere, got a plane
 loom.fit_shape(random, 'plane', weights=[1.0]) | weights: expected shape [10]
-loom.fit_shape(random, 'plane', weights=[-1.0] * 10) | weights: expected 0 or more, got -1 at 0
+loom.fit_shape(random, 'plane', weights=[-1.0] * 10) | weights: expected numbers >= 0, got -1 at 0
 loom.fit_shape(random, 'plane', weights=[0.0] * 10) | 0 finite points with a weight
 loom.fit_shape(loom.PointCloud(np.eye(3)), 'sphere') | 4 unknowns
 loom.fit_shape(loom.PointCloud(np.ones((30, 3))), 'sphere') | all 30 points are equal
@@ -267,8 +267,8 @@ cloud.concatenate([cloud, 3]) | clouds: expected a PointCloud, got int
 cloud + 3 | a cloud and a int cannot be added
 1 + cloud | a cloud and a int cannot be added
 cloud.crop((0, 1)) | expected a bounding box, got tuple
-cloud.estimate_normals(max_nn=2.5) | max_nn: expected a whole number
-gap.farthest_point_down_sample(2.0) | num_samples: expected a whole number, got 2.0
+cloud.estimate_normals(max_nn=2.5) | max_nn: expected an integer
+gap.farthest_point_down_sample(2.0) | num_samples: expected an integer, got 2.0
 loom.classify_ground([[0, 0, 0]]) | cloud: expected a PointCloud, got list
 project(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic, got ndarray
 depth_cloud(intrinsic=np.eye(3)) | intrinsic: expected a PinholeCameraIntrinsic
@@ -280,11 +280,11 @@ loom.LineSet([[0, 0, 0], [1, 0, 0]], [[0, 1]]) + np.eye(3) | unsupported operand
 splats().rasterize(np.eye(3), np.eye(4)) | intrinsic: expected a PinholeCameraIntrinsic
 """
 INDICES = """
-gap.farthest_point_down_sample(2, 3) | start_index: 3 reaches beyond a cloud of 3 points
-cloud.select_by_index([3]) | indices: 3..3 reach beyond a cloud of 3 points
-cloud.select_by_index([0, -4], invert=True) | indices: -4..0 reach beyond a cloud of 3 points
+gap.farthest_point_down_sample(2, 3) | start_index: 3 is out of range for a cloud of 3 points
+cloud.select_by_index([3]) | indices: 3..3 are out of range for a cloud of 3 points
+cloud.select_by_index([0, -4], invert=True) | indices: -4..0 are out of range for a cloud of 3 points
 cloud.select_by_index(np.array([2**64 - 1], np.uint64)) | indices: 18446744073709551615
-loom.compute_fpfh_feature(cloud, indices=[3]) | reach beyond a cloud of 3 points
+loom.compute_fpfh_feature(cloud, indices=[3]) | are out of range for a cloud of 3 points
 """
 KINDS = {ValueError: VALUES, TypeError: TYPES, IndexError: INDICES}
 

@@ -90,4 +90,4 @@ def test_points_on_a_line_have_no_plane_and_many_spheres(device, rng):
     line = loom.PointCloud(np.outer(rng.random(40), [1, 2, 3]), device=device)
     with pytest.raises(ValueError, match=r"^cloud:"):
         loom.fit_shape(line, "plane")
-    assert "one of many that fit" in loom.fit_shape(line, "sphere").warnings[0]
+    assert "is not unique" in loom.fit_shape(line, "sphere").warnings[0]

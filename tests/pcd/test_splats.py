@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
-from pointloom.pcd.harmonics import degree_of, harmonics_at, signs_of_flip, turns_of_harmonics
+from pointloom.pcd.harmonics import degree_of, harmonics_at, rotation_of_harmonics, signs_of_flip
 
 UTM = np.array([500_000.0, 4_000_000.0, 100.0])
 
@@ -60,7 +60,7 @@ def test_a_translation_leaves_every_bit_of_the_rest():
 @pytest.mark.parametrize("degree", range(5))
 def test_harmonics_turn_exactly(degree, directions):
     R = Rotation.from_rotvec([1.0, 0.3, -0.7]).as_matrix()
-    turns = turns_of_harmonics(R, degree)
+    turns = rotation_of_harmonics(R, degree)
     np.testing.assert_allclose(turns @ turns.T, np.eye(len(turns)), atol=1e-13)
     before, after = harmonics_at(directions @ R, degree)[:, 1:], harmonics_at(directions, degree)[:, 1:]
     np.testing.assert_allclose(after @ turns, before, atol=1e-13)

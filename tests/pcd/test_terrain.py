@@ -256,13 +256,13 @@ POINTS = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
     ("cloud", "options", "message"),
     [
         (loom.PointCloud(POINTS), {}, "has no classification; set"),
-        (loom.PointCloud(POINTS, **GROUND), {"cell": 1e-4}, r"makes [\d,]+ x [\d,]+ cells, [\d,]+ GB, and 2\^28"),
-        (loom.PointCloud(POINTS, **GROUND, unit="degree"), {}, "is in degrees"),
-        (loom.PointCloud(np.full((5, 3), np.nan), **GROUND), {}, "no finite points"),
+        (loom.PointCloud(POINTS, **GROUND), {"cell": 1e-4}, r"gives [\d,]+ x [\d,]+ cells, [\d,]+ GB, more than 2\^28"),
+        (loom.PointCloud(POINTS, **GROUND, unit="degree"), {}, "got degrees"),
+        (loom.PointCloud(np.full((5, 3), np.nan), **GROUND), {}, "expected finite points, got none"),
         (loom.PointCloud(POINTS, **GROUND), {"bounds": (0, 0, 0, 1)}, r"bounds: expected \(x0, y0, x1, y1\)"),
         (loom.PointCloud(POINTS, **GROUND), {"kind": "dem"}, "kind: expected 'dtm' or"),
         (loom.PointCloud(POINTS, **GROUND), {"kind": "intensity"}, "the cloud has no intensity"),
-        (loom.PointCloud(POINTS, **GROUND), {"classes": (2, 256)}, "classes: expected classes of LAS"),
+        (loom.PointCloud(POINTS, **GROUND), {"classes": (2, 256)}, "classes: expected LAS classes"),
         (loom.PointCloud(POINTS, **GROUND), {"corner": (1e90, 0)}, r"corner: is more than 2\^48 cells away"),
     ],
 )

@@ -138,7 +138,7 @@ def of_kitchen(device, featured, distance, seed):
 def test_correspondences_that_are_all_wrong_end_with_a_reason(device, rng):
     case = made_up(rng, 40, outliers=1.0)
     case.target = rng.uniform(-1000, 1000, (40, 3))
-    assert_no_pose(fgr(case, device, tuple_scale=1.0), "10 correspondences needed, 0 left by the test of triples")
+    assert_no_pose(fgr(case, device, tuple_scale=1.0), "10 correspondences needed, 0 left after the tuple test")
 
 
 def test_another_seed_gives_other_triples(device, rng):

@@ -38,7 +38,7 @@ def test_a_cloud_that_is_not_level_is_told(points):
     """A source that hangs 40 degrees askew: no pose that features find is level, and none is made so."""
     result = reg.register_globally(*pair_of(points, as_pose([0.7, 0, 0])), voxel_size=0.06, free=LEVEL)
     assert not result.converged and result.score < 0.5
-    assert "poses that were found tilt by 15 degrees or more" in result.warnings[0]
+    assert "candidate poses tilt by 15 degrees or more" in result.warnings[0]
 
 
 def test_a_pair_that_is_kept_level_says_so(points):

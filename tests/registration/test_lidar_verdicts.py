@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.registration import LidarOdometry
-from pointloom.registration.lidar.scan_matching import OpenDirections, wide_guesses
+from pointloom.registration.lidar.scan_matching import OpenDirections, rotated_guesses
 from pointloom.registration.unobservable_motions import MIN_RISE, rises_clearly
 
 
@@ -72,7 +72,7 @@ def test_like_piers_that_a_scan_fits_at_each_period_are_told(device, rng):
     assert odometry.summary.ambiguous
     rivals = np.array([rival for step in odometry.steps for rival in step.rivals])
     assert np.abs(np.linalg.norm(rivals, axis=1) - 2.0).min() < 0.1
-    assert "of the first scans lie as well" in str(odometry.summary.warnings)
+    assert "of the first scans fit equally well" in str(odometry.summary.warnings)
 
 
 def test_one_scan_of_another_place_costs_nothing(device, fast_drive, rng):
@@ -106,7 +106,7 @@ def test_standing_still_while_much_moves_by_is_told():
         poses[:, 0, 3] = speed * np.arange(12)
         return [OdometryStep(k, poses[k], 1.0, 100, fitness, 0.1, 5, True, False, "converged") for k in range(12)]
 
-    assert "seems to stand still while 9 scans" in str(summarize_steps(steps(0.95)).warnings)
+    assert "appears stationary while 9 scans" in str(summarize_steps(steps(0.95)).warnings)
     assert summarize_steps(steps(0.98)).reliable
     assert summarize_steps(steps(0.95, 0.5)).reliable
 
@@ -124,7 +124,7 @@ def test_open_directions_take_a_poses_part_from_another(rng):
     pose[:3, 3], held[:3, 3] = [1, 2, 3], [5, 7, 9]
     free = OpenDirections(4.0, basis)
     np.testing.assert_allclose(free.taken_from(pose, held)[:3, 3], [5, 2, 3])
-    assert free.translations() == ((1.0, 0.0, 0.0),) and free.turns() == ()
+    assert free.translations() == ((1.0, 0.0, 0.0),) and free.rotations() == ()
     np.testing.assert_allclose(free.weight(), np.diag([0, 0, 0, 1e6, 0, 0]))
     basis = np.zeros((6, 1))
     basis[2] = 1.0
@@ -134,6 +134,6 @@ def test_open_directions_take_a_poses_part_from_another(rng):
 def test_wide_guesses_turn_about_the_sensors_own_place():
     pose = np.eye(4)
     pose[:3, 3] = 1, 2, 3
-    guesses = np.array(wide_guesses(pose, np.eye(4)))
+    guesses = np.array(rotated_guesses(pose, np.eye(4)))
     assert len(guesses) == 2 * 19
     np.testing.assert_allclose(guesses[:19, :3, 3], np.tile([1, 2, 3], (19, 1)))

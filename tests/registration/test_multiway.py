@@ -118,7 +118,7 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     from scipy.spatial import cKDTree
     from scipy.spatial.transform import Rotation
 
-    from pointloom.registration.pose_graphs.fragment_graph import REACH, FragmentPair, refine_pairs
+    from pointloom.registration.pose_graphs.fragment_graph import MAX_DISTANCE, FragmentPair, refine_pairs
 
     size, T = 0.06, np.eye(4)
     T[:3, :3], T[:3, 3] = Rotation.from_rotvec([1.2, -0.7, 2.0]).as_matrix(), [50, -20, 30]
@@ -129,7 +129,7 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     source, target = (c.points for c in clouds)
     moved = source @ pair.transformation[:3, :3].T + pair.transformation[:3, 3]
     distances, rows = cKDTree(target).query(moved)
-    found = target[rows[distances < REACH * size]]
+    found = target[rows[distances < MAX_DISTANCE * size]]
     x, y, z = ((found - pair.transformation[:3, 3]) @ pair.transformation[:3, :3]).T
     zero, one = np.zeros(len(x)), np.ones(len(x))
     G = np.array([[zero, z, -y, one, zero, zero], [-z, zero, x, zero, one, zero], [y, -x, zero, zero, zero, one]])

@@ -60,11 +60,11 @@ def test_motions_that_no_edge_determines_are_left_alone(method):
         (lambda g: setattr(g.nodes[1], "pose", np.full((4, 4), np.nan)), r"nodes\[1\]\.pose: .* NaN"),
         (lambda g: setattr(g.nodes[1], "pose", np.eye(3)), r"nodes\[1\]\.pose: expected shape \[4, 4\], got \[3, 3\]"),
         (lambda g: setattr(g.edges[4], "information", np.full((6, 6), np.inf)), r"edges\[4\]\.information: .* finite"),
-        (lambda g: setattr(g.edges[0], "confidence", 0.5), r"edges\[0\]\.confidence: expected 1 of a certain edge"),
+        (lambda g: setattr(g.edges[0], "confidence", 0.5), r"edges\[0\]\.confidence: expected 1 for a certain edge"),
         (lambda g: setattr(g.edges[8], "confidence", np.nan), r"edges\[8\]\.confidence: expected 0\.\.1, got nan"),
         (
             lambda g: [setattr(edge, "information", np.zeros((6, 6))) for edge in g.edges],
-            r"uncertain ones need information\[5, 5\]",
+            r"expected the number of correspondences in information\[5, 5\]",
         ),
     ],
 )

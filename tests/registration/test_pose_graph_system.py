@@ -46,7 +46,7 @@ def parts_of(graph) -> SimpleNamespace:
 def test_residuals_are_those_of_the_misfits_themselves(seed):
     graph = graph_of(seed)
     scene = parts_of(graph)
-    misfit = scene.edges.misfit(scene.poses)
+    misfit = scene.edges.errors(scene.poses)
     for k in range(len(graph.source)):
         X, Ts, Tt = graph.transformations[k], graph.poses[graph.source[k]], graph.poses[graph.target[k]]
         E = np.linalg.inv(X) @ np.linalg.inv(Tt) @ Ts
@@ -62,14 +62,14 @@ def test_residuals_are_those_of_the_misfits_themselves(seed):
 def test_jacobians_are_the_slopes_of_the_residuals(seed):
     graph = graph_of(seed)
     scene = parts_of(graph)
-    jacobians = scene.edges.jacobians(scene.poses, scene.edges.misfit(scene.poses))
+    jacobians = scene.edges.jacobians(scene.poses, scene.edges.errors(scene.poses))
     step = 1e-6
     for by_node, ends in zip(jacobians, (graph.source, graph.target), strict=True):
         for axis in range(6):
             for edge, node in enumerate(ends):
                 change = np.zeros((len(graph.poses), 6))
                 change[node, axis] = step
-                up, down = (scene.edges.misfit(scene.poses.moved(sign * change)).residuals[edge] for sign in (1, -1))
+                up, down = (scene.edges.errors(scene.poses.moved(sign * change)).residuals[edge] for sign in (1, -1))
                 np.testing.assert_allclose(by_node[edge, :, axis], (up - down) / (2 * step), rtol=0, atol=1e-8)
 
 
@@ -81,7 +81,7 @@ def test_the_sparse_system_is_the_dense_one(seed, anchors):
     count = len(graph.poses)
     anchored = np.isin(np.arange(count), anchors)
     system = NormalEquations(scene.edges, anchored)
-    misfit = scene.edges.misfit(scene.poses)
+    misfit = scene.edges.errors(scene.poses)
     weights = np.linspace(0.1, 1, len(graph.source))
     system.linearize(scene.poses, misfit, weights)
     J = np.zeros((len(graph.source), 6, 6 * count))
@@ -111,7 +111,7 @@ def test_damping_does_not_depend_on_how_the_world_is_turned():
         poses = NodePoses(R @ graph.poses[:, :3, :3], graph.poses[:, :3, 3] @ R.T)
         edges = EdgeMeasurements(graph)
         system = NormalEquations(edges, np.arange(5) == 0)
-        system.linearize(poses, edges.misfit(poses), np.ones(14))
+        system.linearize(poses, edges.errors(poses), np.ones(14))
         steps.append(system.step_of(system.solve(0.1), 5).reshape(-1, 2, 3) @ R)
     np.testing.assert_allclose(steps[1], steps[0], rtol=0, atol=1e-9 * np.abs(steps[0]).max())
 

@@ -235,7 +235,7 @@ def test_rating_is_no_better_than_what_lies_beside_the_planes():
 def test_what_is_as_square_as_the_walls_has_to_be_more():
     square, round_ = (Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share) for share in (0.9, 0.3))
     assert square.score < 0.5 < round_.score
-    assert "planes square to each other" in square.problem
+    assert "perpendicular planes" in square.problem
     assert Evidence(0.4, 0.03, 1000, rest=0.25, aligned=0.9).score > 0.75
     scores = [Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share).score for share in (0.5, 0.6, 0.7, 0.75, 1.0)]
     assert np.all(np.diff(scores) <= 0) and scores[0] == round_.score and scores[3] == scores[4]
@@ -281,9 +281,9 @@ def test_the_more_points_stand_in_the_way_the_lower_is_the_score():
     assert np.all(np.diff(scores) < 0) and scores[1] > 0.9 and scores[3] < 0.1
     assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).problem
     assert "three planes" in Evidence(0.8, 0.03, 1000, rest=0.1).problem
-    assert "hardly lie on each other" in Evidence(0.05, 0.03, 1000).problem
-    assert "hardly lie on each other" in Evidence(0.05, 0.0001, 1000).problem
-    assert "turn or slide freely" in Evidence(0.8, 0.0001, 1000).problem
+    assert "hardly match" in Evidence(0.05, 0.03, 1000).problem
+    assert "hardly match" in Evidence(0.05, 0.0001, 1000).problem
+    assert "can rotate or slide" in Evidence(0.8, 0.0001, 1000).problem
 
 
 def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():

@@ -189,4 +189,4 @@ def test_a_box_has_more_than_one_pose(device, rng):
         return loom.PointCloud(p + rng.normal(0, 0.003, p.shape), device=device)
 
     result = reg.register_globally(box(), box(), voxel_size=0.1)
-    assert result.score <= 0.5 and "poses fit alike" in result.warnings[0]
+    assert result.score <= 0.5 and "poses fit equally well" in result.warnings[0]

@@ -58,7 +58,7 @@ def test_a_drive_without_overlap_says_where_it_is_torn():
     assert (found.empty, found.has_seen) == ((1,), True)
     torn, open_ways = found.warnings
     assert torn == (
-        "1 of 3 scans do not overlap those before them, or have no points in range, so the path may be torn at scan 1"
+        "1 of 3 scans do not overlap earlier scans, or have no points in range, so the path may be broken at scan 1"
     )
     assert open_ways.startswith("1 of 3 scans do not determine the motion along")  # of a wall alone
     assert ("predicted", "1: scan 1") in found.fields()

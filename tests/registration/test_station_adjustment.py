@@ -11,7 +11,7 @@ from pointloom.registration.rigid import invert_pose, make_pose, rotation_of
 from pointloom.registration.stations.adjustment import Observed, adjust
 from pointloom.registration.stations.observations import ControlPoint, StationPair, TargetObservation
 from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
-from pointloom.registration.stations.stations import _clustered, _placed_rightly
+from pointloom.registration.stations.stations import _check_distance, _clustered
 
 PLACES = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]
@@ -137,8 +137,8 @@ def test_a_test_is_how_much_the_squares_fall_without_its_observation():
 def test_a_pair_that_puts_stations_elsewhere_than_their_positions_is_not_used():
     pair = StationPair(1, 0, make_pose(np.eye(3), [4.0, 0, 0]), np.eye(6))
     there = np.array([[0.0, 0, 0], [5.5, 0, 0]])
-    assert _placed_rightly(pair, there, 2.0).reliable
-    assert "4.00 m apart, their positions 5.50 m" in _placed_rightly(pair, there, 1.0).warnings[0]
+    assert _check_distance(pair, there, 2.0).reliable
+    assert "4.00 m apart, their positions 5.50 m" in _check_distance(pair, there, 1.0).warnings[0]
 
 
 def test_too_few_blocks_tell_nothing():

@@ -126,7 +126,7 @@ def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
         loom.tiling.finish_fusion(job, folder, overwrite=False)
     with pytest.raises(FileError, match=r"written as \.ply, or as a folder"):
         loom.tiling.finish_fusion(job, tmp_path / "mesh.obj")
-    with pytest.raises(FileError, match=r"holds other files"):
+    with pytest.raises(FileError, match=r"contains other files"):
         loom.tiling.finish_fusion(job, walk)
 
 

@@ -16,7 +16,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from ..core.atomic import atomic_write
-from ..core.attribute_hints import ToldNames
+from ..core.attribute_hints import HintedNames
 from ..core.checks import LARGEST_NUMBER as LARGEST_NUMBER
 from ..core.checks import check_count, check_number, check_positive, check_shape
 from ..core.dropped_results import returns_new
@@ -57,7 +57,7 @@ class PinholeCameraIntrinsicParameters(enum.Enum):
 
 
 @dataclasses.dataclass(frozen=True, init=False)
-class PinholeCameraIntrinsic(ToldNames):
+class PinholeCameraIntrinsic(HintedNames):
     """Size and projection of a pinhole camera.
 
     As in Open3D, also accepts one of `PinholeCameraIntrinsicParameters`, or the size and K:
@@ -175,7 +175,7 @@ class PinholeCameraIntrinsic(ToldNames):
             raise ValueError(f"factor: {factor} makes a side of more than 2^16 pixels; expected at most {largest:.4g}")
         width, height = round(self.width * factor), round(self.height * factor)
         if width < 1 or height < 1:
-            raise ValueError(f"factor: {factor} leaves no pixel of a {self.width} x {self.height} picture")
+            raise ValueError(f"factor: {factor} leaves no pixel of a {self.width} x {self.height} image")
         sx, sy = width / self.width, height / self.height
         cx, cy = (self.cx + 0.5) * sx - 0.5, (self.cy + 0.5) * sy - 0.5
         return PinholeCameraIntrinsic(width, height, self.fx * sx, self.fy * sy, cx, cy)
@@ -209,7 +209,7 @@ class PinholeCameraIntrinsic(ToldNames):
             raise ValueError(f"K: expected the last row (0, 0, 1), got {K[2].tolist()}")
         if K[0, 1] != 0 or K[1, 0] != 0:
             raise ValueError(f"K: expected no skew, got K[0, 1] = {K[0, 1]} and K[1, 0] = {K[1, 0]}")
-        return cls(width, height, *(float(K[place]) for place in ((0, 0), (1, 1), (0, 2), (1, 2))))
+        return cls(width, height, *(float(K[index]) for index in ((0, 0), (1, 1), (0, 2), (1, 2))))
 
 
 def read_pinhole_camera_intrinsic(path: str | os.PathLike[str]) -> PinholeCameraIntrinsic:
@@ -275,8 +275,8 @@ def intrinsic_to_json(intrinsic: PinholeCameraIntrinsic) -> dict[str, Any]:
 def read_json_matrix(path: str | os.PathLike[str], values: Any, side: int, *, where: str) -> NDArray[np.float64]:
     """The square matrix of a column-major JSON list."""
     if not isinstance(values, list) or len(values) != side * side:
-        found = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
-        raise FileError(path, f"expected a list of {side * side} numbers, got {found}", where=where)
+        given = f"{len(values)}" if isinstance(values, list) else f"a {type(values).__name__}"
+        raise FileError(path, f"expected a list of {side * side} numbers, got {given}", where=where)
     for value in values:
         if isinstance(value, bool) or not isinstance(value, int | float) or abs(value) > LARGEST_NUMBER:
             raise FileError(path, f"expected finite numbers, got {str(value)[:40]!r}", where=where)

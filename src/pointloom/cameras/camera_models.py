@@ -86,7 +86,7 @@ MODELS = {
 }
 MODEL_NUMBERS = {model.number: name for name, model in MODELS.items() if model.number is not None}
 _SIDES = "no camera or panorama is larger"
-UNREAD = {11: "RAD_TAN_THIN_PRISM_FISHEYE", 17: "EQUIRECTANGULAR"}  # COLMAP models of other families
+UNSUPPORTED = {11: "RAD_TAN_THIN_PRISM_FISHEYE", 17: "EQUIRECTANGULAR"}  # COLMAP models of other families
 
 
 @dataclasses.dataclass(frozen=True)
@@ -127,8 +127,8 @@ class CameraModel:
 
     def __post_init__(self):
         if check_name("model", self.model) not in MODELS:
-            if self.model in UNREAD.values():
-                raise ValueError(f"model: {self.model} is not read; undistort its pictures with COLMAP first")
+            if self.model in UNSUPPORTED.values():
+                raise ValueError(f"model: {self.model} is not supported. Undistort its images with COLMAP first")
             raise ValueError(f"model: unknown {shown(self.model)}{nearest_name(self.model, MODELS)}; {_known_models()}")
         for name in ("width", "height"):
             object.__setattr__(self, name, check_pixels(name, getattr(self, name)))
@@ -176,7 +176,9 @@ class CameraModel:
             ValueError: The lens has distortion. See `undistorted`.
         """
         if not self.is_pinhole:
-            raise ValueError(f"model: {self.model} bends rays; straighten pictures with loom.undistort_picture")
+            raise ValueError(
+                f"model: expected a camera without distortion, got {self.model}. Use loom.undistort_picture"
+            )
         (fx, fy), (cx, cy) = self._lens.focal, self._lens.center
         return PinholeCameraIntrinsic(self.width, self.height, fx, fy, cx, cy)
 
@@ -293,19 +295,19 @@ def _straight_size(camera: CameraModel, blank_share: float) -> tuple[int, int]:
     for axis, side, along in ((0, width, rows), (1, height, columns)):
         pixels = np.zeros((2, len(along), 2))
         pixels[:, :, 1 - axis], pixels[1, :, axis] = along, side - 1
-        seen = camera._lens.unproject(pixels.reshape(-1, 2))[:, axis].reshape(2, -1)
-        seen = seen * camera._lens.focal[axis] + center[axis]
-        if not np.isfinite(seen).any(axis=1).all():
+        border_pixels = camera._lens.unproject(pixels.reshape(-1, 2))[:, axis].reshape(2, -1)
+        border_pixels = border_pixels * camera._lens.focal[axis] + center[axis]
+        if not np.isfinite(border_pixels).any(axis=1).all():
             name = ("left or right", "upper or lower")[axis]
-            raise ValueError(
-                f"params: {camera.model} has no inverse along the {name} border; is the calibration right?"
-            )
+            raise ValueError(f"params: {camera.model} has no inverse at the {name} border. Check the calibration")
         before, after = center[axis], side - HALF - center[axis]
         with np.errstate(all="ignore"):
-            low, high = before / (before - np.nanmin(seen[0])), after / (np.nanmax(seen[1]) - before)
-            least = min(low, high)
-            most = max(before / (before - np.nanmax(seen[0])), after / (np.nanmin(seen[1]) - before))
-            scale = 1.0 / (least * blank_share + most * (1.0 - blank_share))
+            low, high = before / (before - np.nanmin(border_pixels[0])), after / (np.nanmax(border_pixels[1]) - before)
+            min_ratio = min(low, high)
+            max_ratio = max(
+                before / (before - np.nanmax(border_pixels[0])), after / (np.nanmin(border_pixels[1]) - before)
+            )
+            scale = 1.0 / (min_ratio * blank_share + max_ratio * (1.0 - blank_share))
         scale = min(max(scale, SMALLEST), LARGEST) if scale == scale else 1.0
         lengths.append(max(int(scale * side), 1))
     return lengths[0], lengths[1]
@@ -334,4 +336,4 @@ def _check_columns(name: str, values: Any, width: int) -> NDArray[np.float64]:
 
 
 def _known_models() -> str:
-    return f"known are {', '.join(MODELS)}"
+    return f"known models: {', '.join(MODELS)}"

@@ -171,7 +171,7 @@ def pyrdown_depth(
     """
     jump = check_positive("diff_threshold", diff_threshold)
     metric, height, width = _metric(depth, depth_scale, device)
-    _check_halves("depth", height, width)
+    _check_even("depth", height, width)
     halved = halve_depth(metric, width, height, jump)
     if isinstance(depth, RGBDImage):
         color = halve_color(depth.color_array, width, height)
@@ -205,7 +205,7 @@ def pyrdown_color(color: ArrayLike, *, device: Any = None) -> NDArray[np.uint8]:
     where, form = device_for(color, device), form_of(color)
     image = check_numeric("color", color) if form.on_host else take_numbers("color", color, where)
     height, width = image.shape[:2] if image.ndim >= 2 else (0, 0)
-    _check_halves("color", height, width)
+    _check_even("color", height, width)
     pixels = upload_color(image, height, width, where)
     return form.hand_out(halve_color(pixels, width, height), shape=(height // 2, width // 2, 3))
 
@@ -261,6 +261,6 @@ def _like(depth: Any, metric: wp.array, height: int, width: int) -> Any:
     return form_of(depth).hand_out(metric, shape=(height, width))
 
 
-def _check_halves(name: str, height: int, width: int) -> None:
+def _check_even(name: str, height: int, width: int) -> None:
     if min(height, width) < 2:
         raise ValueError(f"{name}: expected at least 2 x 2 pixels to halve, got {width} x {height}")

@@ -9,9 +9,9 @@ import numpy as np
 import warp as wp
 from numpy.typing import ArrayLike, NDArray
 
-from ..core.argument_errors import told_arguments
+from ..core.argument_errors import explain_argument_errors
 from ..core.array_libraries import NUMPY, check_library, library_of, view_as
-from ..core.attribute_hints import ToldNames
+from ..core.attribute_hints import HintedNames
 from ..core.checks import check_count, check_positive, is_on_gpu
 from ..core.gpu_arrays import INTEGERS, device_for, take_numbers
 from ..core.masked_arrays import unmasked
@@ -28,14 +28,14 @@ MAX_RAW = 65535  # maximum integer depth
 FLOATS = (wp.float16, float32, float64)
 BYTES = (int8, uint8)  # 8-bit types: images, no depth
 TOO_SHALLOW = (
-    "depth: expected 16-bit integers or float meters, got {}: 8 bits hold no depth but a picture of it; read the data "
-    "set's 16-bit files, or convert what is a distance to float meters"
+    "depth: expected 16-bit integers or float meters, got {}: 8-bit images only visualize depth. Read the data "
+    "set's 16-bit files, or convert distances to float meters"
 )
-TOO_DEEP = "depth: integer depths must lie in 0..65535; convert larger ones to float meters"
+TOO_DEEP = "depth: expected integers in 0..65535. Convert larger depths to float meters"
 RAW_TRUNC = 7.0  # [m] where Open3D truncates frames of long-range data sets
 
 
-class RGBDImage(ToldNames):
+class RGBDImage(HintedNames):
     """A depth image in meters with a color or gray image of the same size, on one device.
 
     Args:
@@ -68,7 +68,7 @@ class RGBDImage(ToldNames):
 
     _fixed = ("color_array", "depth_array", "height", "width", "device")
 
-    @told_arguments
+    @explain_argument_errors
     def __init__(
         self,
         color: ArrayLike,
@@ -88,7 +88,7 @@ class RGBDImage(ToldNames):
         self.device, self._library = where, library_of(depth)
 
     @classmethod
-    @told_arguments
+    @explain_argument_errors
     def create_from_color_and_depth(
         cls,
         color: ArrayLike,
@@ -348,7 +348,7 @@ def check_intrinsic(intrinsic: Any, width: int, height: int) -> PinholeCameraInt
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(
             f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}; "
-            "PinholeCameraIntrinsic.from_matrix(K, width, height) makes one of a matrix"
+            "create one with PinholeCameraIntrinsic.from_matrix(K, width, height)"
         )
     if (intrinsic.width, intrinsic.height) != (width, height):
         expected = f"{intrinsic.width} x {intrinsic.height}"

@@ -2,7 +2,7 @@
 
 A ray (x, y, 1) of radius r is first mapped by lens type: unchanged, atan r (fisheye), atan(2 r tan(w / 2)) / w (FOV),
 division or unified. Then p' = p N(r^2) / D(r^2) + tangential + prism terms, u = fx x' + skew y' + cx, v = fy y' + cy.
-NaN beyond `reach`. Brown 1966. Devernay and Faugeras 2001. Fitzgibbon 2001 (division). Khomutenko et al. 2016
+NaN beyond `max_radius`. Brown 1966. Devernay and Faugeras 2001. Fitzgibbon 2001 (division). Khomutenko et al. 2016
 (unified); terms as in COLMAP.
 """
 
@@ -20,10 +20,10 @@ PERSPECTIVE, EQUIDISTANT, FIELD_OF_VIEW, DIVISION, UNIFIED = range(5)
 
 Array = NDArray[np.float64]
 
-TURNS = 100  # Newton iterations: a few suffice; bisection of the rest takes about fifty
+MAX_ITERATIONS = 100  # Newton iterations: a few suffice; bisection of the rest takes about fifty
 ROUNDED = 4e-15  # relative residual of a solved equation, from rounding
 NEGLIGIBLE = 1e-15  # fraction of a polynomial's largest term over the image
-DIRECTIONS, STEPS = 64, 128  # directions and steps of the search for `reach` of an asymmetric lens
+DIRECTIONS, STEPS = 64, 128  # directions and steps of the search for `max_radius` of an asymmetric lens
 FARTHEST = 1e8  # maximum x / z of a ray
 THIN = 1e-4  # omega^2 below which a FOV lens is a series, as its formula is 0 / 0
 
@@ -67,22 +67,22 @@ class Lens:
         return self.kind == PERSPECTIVE and self.is_symmetric and not any((*self.radial, *self.rational))
 
     @cached_property
-    def reach(self) -> float:
+    def max_radius(self) -> float:
         """Maximum radius after the first step where the polynomial is monotonic; may be infinite."""
-        reach = _turning_radius(self)
-        return reach if self.is_symmetric or reach == 0 else _narrowed(self, reach)
+        radius = _turning_radius(self)
+        return radius if self.is_symmetric or radius == 0 else _narrowed(self, radius)
 
     def project(self, rays: Array) -> Array:
         """Pixels (n, 2) of rays (x, y, 1) given as (n, 2). NaN outside the lens."""
         with np.errstate(all="ignore"):
-            places = rays * _shortening(self, np.hypot(rays[:, 0], rays[:, 1]))[:, None]
-            radii = np.hypot(places[:, 0], places[:, 1])
-            bent = bend(self, places)
+            points = rays * _shortening(self, np.hypot(rays[:, 0], rays[:, 1]))[:, None]
+            radii = np.hypot(points[:, 0], points[:, 1])
+            bent = bend(self, points)
             pixels = bent * self.focal + self.center
             pixels[:, 0] += self.skew * bent[:, 1]
-            has_pixel = (radii <= self.reach) & np.isfinite(pixels).all(axis=1)
+            has_pixel = (radii <= self.max_radius) & np.isfinite(pixels).all(axis=1)
             if not self.is_symmetric:  # between the sampled directions it may fold earlier
-                has_pixel &= _orientation(self, places) > 0
+                has_pixel &= _orientation(self, points) > 0
             pixels[~has_pixel] = np.nan
         return pixels
 
@@ -92,8 +92,8 @@ class Lens:
             bent = np.empty(pixels.shape)
             bent[:, 1] = (pixels[:, 1] - self.center[1]) / self.focal[1]
             bent[:, 0] = (pixels[:, 0] - self.center[0] - self.skew * bent[:, 1]) / self.focal[0]
-            places = bent if self.is_plain else _straighten(self, bent)
-            rays = places * _lengthening(self, np.hypot(places[:, 0], places[:, 1]))[:, None]
+            points = bent if self.is_plain else _straighten(self, bent)
+            rays = points * _lengthening(self, np.hypot(points[:, 0], points[:, 1]))[:, None]
             rays[~np.isfinite(rays).all(axis=1)] = np.nan
         return rays
 
@@ -143,7 +143,7 @@ def _lengthening(lens: Lens, r: Array) -> Array:
 def _thin_lengthening(square: float, r: Array) -> Array:
     """Inverse of a FOV lens's series: r' (w^2 (r'^2 / 3 - 1 / 12) + 1) = r, by Newton's method."""
     far = r.copy()
-    for _ in range(TURNS):
+    for _ in range(MAX_ITERATIONS):
         value = far * (square * (far * far / 3.0 - 1.0 / 12.0) + 1.0) - r
         step = value / (square * (far * far - 1.0 / 12.0) + 1.0)
         far = far - step
@@ -152,9 +152,9 @@ def _thin_lengthening(square: float, r: Array) -> Array:
     return np.where(r > 0, far / r, 1.0 / (1.0 - square / 12.0))
 
 
-def bend(lens: Lens, places: Array) -> Array:
+def bend(lens: Lens, points: Array) -> Array:
     """The second step, positions (n, 2)."""
-    x, y = places.T
+    x, y = points.T
     t = x * x + y * y
     factor = _factor(lens, t)
     (p1, p2), (s1, s2) = lens.tangential, lens.prism
@@ -179,9 +179,9 @@ def _factor_slope(lens: Lens, t: Array, factor: Array) -> Array:
     return (above - factor * below) / (1.0 + t * (b[0] + t * (b[1] + t * b[2])))
 
 
-def _slopes(lens: Lens, places: Array) -> tuple[Array, Array, Array, Array]:
+def _slopes(lens: Lens, points: Array) -> tuple[Array, Array, Array, Array]:
     """Jacobian of `bend`: dx'/dx, dx'/dy, dy'/dx, dy'/dy."""
-    x, y = places.T
+    x, y = points.T
     t = x * x + y * y
     factor = _factor(lens, t)
     slope = 2.0 * _factor_slope(lens, t, factor)
@@ -208,76 +208,76 @@ def _turning_radius(lens: Lens) -> float:
             polynomial.polymul(polynomial.polyder(above), below), polynomial.polymul(above, polynomial.polyder(below))
         )
         turning = polynomial.polyadd(polynomial.polymul(above, below), polynomial.polymulx(2.0 * slope))
-    least = min(_least_root(turning), _least_root(below))
-    return math.sqrt(least * scale)
+    min_root = min(_smallest_root(turning), _smallest_root(below))
+    return math.sqrt(min_root * scale)
 
 
-def _least_root(coefficients: NDArray[np.floating]) -> float:
+def _smallest_root(coefficients: NDArray[np.floating]) -> float:
     """Smallest positive root of a polynomial (constant first); infinite if none, 0 for infinite coefficients."""
     if not np.isfinite(coefficients).all():
         return 0.0
-    kept = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE * np.abs(coefficients).max())
-    roots = polynomial.polyroots(coefficients[: kept[-1] + 1])
+    significant = np.flatnonzero(np.abs(coefficients) > NEGLIGIBLE * np.abs(coefficients).max())
+    roots = polynomial.polyroots(coefficients[: significant[-1] + 1])
     real = roots.real[(np.abs(roots.imag) <= 1e-9 * np.abs(roots)) & (roots.real > 0)]
     return float(real.min()) if len(real) else math.inf
 
 
-def _narrowed(lens: Lens, reach: float) -> float:
-    """Largest radius up to `reach` within which the Jacobian determinant is positive."""
+def _narrowed(lens: Lens, radius: float) -> float:
+    """Largest radius up to `radius` within which the Jacobian determinant is positive."""
     angles = np.arange(DIRECTIONS) * (2.0 * math.pi / DIRECTIONS)
     across = np.stack([np.cos(angles), np.sin(angles)], axis=1)
-    limit = min(reach, max(8.0 * lens.extent, 8.0))
+    limit = min(radius, max(8.0 * lens.extent, 8.0))
     radii = np.linspace(0.0, limit, STEPS + 1)
     grid = _orientation(lens, (across[:, None] * radii[None, :, None]).reshape(-1, 2)).reshape(DIRECTIONS, -1)
-    turned = ~(grid[:, :-1] > 0)  # the last is the fold of the radial part itself
-    if not turned.any():
-        return reach
-    first = np.where(turned.any(axis=1), np.argmax(turned, axis=1), STEPS)
+    is_folded = ~(grid[:, :-1] > 0)  # the last is the fold of the radial part itself
+    if not is_folded.any():
+        return radius
+    first = np.where(is_folded.any(axis=1), np.argmax(is_folded, axis=1), STEPS)
     nearest = first == first.min()
     low, high = radii[np.maximum(first[nearest] - 1, 0)], radii[first[nearest]]
     for _ in range(60):
         middle = (low + high) / 2.0
-        kept = _orientation(lens, across[nearest] * middle[:, None]) > 0
-        low, high = np.where(kept, middle, low), np.where(kept, high, middle)
+        is_positive = _orientation(lens, across[nearest] * middle[:, None]) > 0
+        low, high = np.where(is_positive, middle, low), np.where(is_positive, high, middle)
     return float(low.min())
 
 
-def _orientation(lens: Lens, places: Array) -> Array:
+def _orientation(lens: Lens, points: Array) -> Array:
     with np.errstate(all="ignore"):
-        a, b, c, d = _slopes(lens, places)
+        a, b, c, d = _slopes(lens, points)
         return a * d - b * c
 
 
 def _straighten(lens: Lens, bent: Array) -> Array:
     """Inverse of `bend` within reach. NaN without a solution."""
-    places = _straighten_radially(lens, bent)
+    points = _straighten_radially(lens, bent)
     if lens.is_symmetric:
-        return places
-    places = np.where(np.isfinite(places), places, bent)  # a tangential term may compensate the radial ones
-    for _ in range(TURNS):
-        error = bend(lens, places) - bent
-        a, b, c, d = _slopes(lens, places)
+        return points
+    points = np.where(np.isfinite(points), points, bent)  # a tangential term may compensate the radial ones
+    for _ in range(MAX_ITERATIONS):
+        error = bend(lens, points) - bent
+        a, b, c, d = _slopes(lens, points)
         step = np.stack([d * error[:, 0] - b * error[:, 1], a * error[:, 1] - c * error[:, 0]], axis=1)
         step /= (a * d - b * c)[:, None]
-        places = places - step
-        if not (np.abs(step) > ROUNDED * (1.0 + np.abs(places))).any():
+        points = points - step
+        if not (np.abs(step) > ROUNDED * (1.0 + np.abs(points))).any():
             break
     size = 1e-12 * (1.0 + np.hypot(bent[:, 0], bent[:, 1]))
-    is_solved = (np.abs(bend(lens, places) - bent).max(axis=1) <= size) & (_orientation(lens, places) > 0)
-    places[~(is_solved & (np.hypot(places[:, 0], places[:, 1]) <= lens.reach))] = np.nan
-    return places
+    is_solved = (np.abs(bend(lens, points) - bent).max(axis=1) <= size) & (_orientation(lens, points) > 0)
+    points[~(is_solved & (np.hypot(points[:, 0], points[:, 1]) <= lens.max_radius))] = np.nan
+    return points
 
 
 def _straighten_radially(lens: Lens, bent: Array) -> Array:
-    """The radial inverse: r N / D = r', monotonic up to `reach`, by safeguarded Newton."""
+    """The radial inverse: r N / D = r', monotonic up to `max_radius`, by safeguarded Newton."""
     wanted = np.hypot(bent[:, 0], bent[:, 1])
     low = np.zeros_like(wanted)
-    reach = _turning_radius(lens)
-    high = np.full_like(wanted, reach if reach < FARTHEST else FARTHEST)
+    max_radius = _turning_radius(lens)
+    high = np.full_like(wanted, max_radius if max_radius < FARTHEST else FARTHEST)
     r = np.minimum(wanted, high)
-    found = np.where(wanted == 0, 0.0, np.nan)
+    solution = np.where(wanted == 0, 0.0, np.nan)
     active = np.flatnonzero((wanted > 0) & (high * _factor(lens, high * high) >= wanted))
-    for _ in range(TURNS):
+    for _ in range(MAX_ITERATIONS):
         if not len(active):
             break
         at = r[active]
@@ -291,6 +291,6 @@ def _straighten_radially(lens: Lens, bent: Array) -> Array:
         middle = (low[active] + high[active]) / 2.0
         r[active] = np.where((step > low[active]) & (step < high[active]), step, middle)
         done = (np.abs(value) <= ROUNDED * wanted[active]) | (np.abs(r[active] - at) <= ROUNDED * at)
-        found[active[done]] = at[done]
+        solution[active[done]] = at[done]
         active = active[~done]
-    return bent * np.where(wanted > 0, found / wanted, 1.0)[:, None]
+    return bent * np.where(wanted > 0, solution / wanted, 1.0)[:, None]

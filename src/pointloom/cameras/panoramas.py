@@ -19,7 +19,7 @@ from .camera import PinholeCameraIntrinsic
 FACES = ("front", "right", "back", "left", "up", "down")
 SMALLEST, LARGEST = 8, 16384  # limits of a face's side [px]
 # The axes of each face's camera (x right, y down, z forward) as columns, in the front camera's frame.
-TURNS = np.array(
+ROTATIONS = np.array(
     [
         [[1, 0, 0], [0, 1, 0], [0, 0, 1]],
         [[0, 0, 1], [0, 1, 0], [-1, 0, 0]],
@@ -68,17 +68,19 @@ class Panorama:
         check_count("height", height, minimum=SMALLEST // 2)
         if abs(width - 2 * height) > 2:
             raise ValueError(
-                f"width: expected twice the height of {height}, as pictures of all directions have, got {width}"
+                f"width: expected twice the height of {height}, as equirectangular images have, got {width}"
             )
         if side is None:
             side = min(max(round(width / math.pi), SMALLEST), LARGEST)
         check_count("side", side, minimum=SMALLEST, maximum=LARGEST, because="no sphere has more pixels")
         self.width, self.height, self.side = int(width), int(height), int(side)
-        self.device, self.turns = resolve_device(device), TURNS.copy()
+        self.device, self.turns = resolve_device(device), ROTATIONS.copy()
         middle = (self.side - 1) / 2
         self.intrinsic = PinholeCameraIntrinsic(self.side, self.side, self.side / 2, self.side / 2, middle, middle)
-        turns = upload(TURNS, mat33d, self.device)
-        self._places = find_sphere_positions(self.side, self.side / 2, turns, self.width, self.height, self.device)
+        rotations = upload(ROTATIONS, mat33d, self.device)
+        self._source_pixels = find_sphere_positions(
+            self.side, self.side / 2, rotations, self.width, self.height, self.device
+        )
 
     def apply(self, picture: ArrayLike) -> NDArray[np.uint8]:
         """Compute the cube faces of a panorama.
@@ -99,11 +101,11 @@ class Panorama:
         if image.ndim not in (2, 3) or (image.ndim == 3 and image.shape[2] != 3):
             raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
         if image.shape[:2] != (self.height, self.width):
-            found = f"{image.shape[1]} x {image.shape[0]}"
-            raise ValueError(f"picture: expected {self.width} x {self.height} pixels, got {found}")
+            given = f"{image.shape[1]} x {image.shape[0]}"
+            raise ValueError(f"picture: expected {self.width} x {self.height} pixels, got {given}")
         channels = image.shape[2] if image.ndim == 3 else 1
         ring = np.concatenate([image[:, -1:], image, image[:, :1]], axis=1).reshape(-1, channels)
         pixels = upload(np.ascontiguousarray(ring), uint8, self.device)
-        faces = sample_image(pixels, self.width + 2, self.height, 1, self._places)
+        faces = sample_image(pixels, self.width + 2, self.height, 1, self._source_pixels)
         shape = (len(FACES), self.side, self.side, *((3,) if image.ndim == 3 else ()))
         return np.array(download(faces)).reshape(shape)  # sync

@@ -33,19 +33,19 @@ _WAYS: tuple[Callable[[str], str], ...] = (
 )
 
 
-def meant_pictures(said: str, names: Sequence[str]) -> list[int]:
+def matching_pictures(query: str, names: Sequence[str]) -> list[int]:
     """Indices of the images that match a name or number. Several if ambiguous.
 
     Example:
         >>> names = ["0000_IMG_9.jpg", "0001_porch.jpg", "left/0002_porch.png"]
-        >>> meant_pictures("IMG_9", names), meant_pictures("IMG_9.JPG", names), meant_pictures("porch", names)
+        >>> matching_pictures("IMG_9", names), matching_pictures("IMG_9.JPG", names), matching_pictures("porch", names)
         ([0], [0], [1, 2])
     """
     for way in _WAYS:
-        if found := [k for k, name in enumerate(names) if way(name) == said]:
-            return found
-    if found := [k for k, name in enumerate(names) if said and _own_stem(name) == Path(said).stem]:
-        return found
-    if re.fullmatch(r"\d+", said):
-        return [k for k, name in enumerate(names) if number_of(name) == int(said)]
+        if matches := [k for k, name in enumerate(names) if way(name) == query]:
+            return matches
+    if matches := [k for k, name in enumerate(names) if query and _own_stem(name) == Path(query).stem]:
+        return matches
+    if re.fullmatch(r"\d+", query):
+        return [k for k, name in enumerate(names) if number_of(name) == int(query)]
     return []

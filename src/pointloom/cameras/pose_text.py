@@ -24,7 +24,7 @@ _QUATERNION_TOLERANCE = 1e-2
 
 _OF_C = re.compile(r"[-+]?(nan\(\w*\)|1\.#\w+)", re.I)  # NaN and infinity as printed by C runtimes
 
-LOST = "inf and NaN mark a pose that tracking lost: skip_missing=True leaves it out"
+LOST = "inf and NaN mark a pose that was lost in tracking: pass skip_missing=True to skip it"
 
 Line = tuple[int, list[str]]
 
@@ -114,8 +114,8 @@ def log_poses(
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     """Poses and numbers of a .log file; lost poses are NaN, or an error without `gaps`."""
     if len(lines) % 5:
-        reason = f"ends within a pose: {len(lines)} lines, where each pose takes 5"
-        raise FileError(path, reason, where=f"line {lines[-1][0]}", remedy="The file may be cut off")
+        reason = f"ends within a pose: {len(lines)} lines, expected 5 per pose"
+        raise FileError(path, reason, where=f"line {lines[-1][0]}", remedy="The file may be truncated")
     poses, ids = [], []
     for start in range(0, len(lines), 5):
         ids.append(_parse_ids(path, lines[start]))
@@ -131,7 +131,7 @@ def _parse_ids(path: str | os.PathLike[str], line: Line) -> list[int]:
     except ValueError:
         ids = []
     if len(ids) != 3 or any(abs(i) >= 2**63 for i in ids):
-        reason = f"expected three whole numbers before a pose, got {' '.join(columns)[:60]!r}"
+        reason = f"expected three integers before a pose, got {' '.join(columns)[:60]!r}"
         raise FileError(path, reason, where=f"line {number}")
     return ids
 

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.atomic import atomic_write, check_writable
-from ..core.attribute_hints import ToldNames
+from ..core.attribute_hints import HintedNames
 from ..core.checks import check_name, check_numeric, check_rigid, check_shape
 from ..core.errors import FileError
 from ..core.json_files import check_keys, read_json_object
@@ -29,7 +29,7 @@ FORMATS = ("log", "tum", "kitti", "json")
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
-class Trajectory(ToldNames):
+class Trajectory(HintedNames):
     """The poses of a moving camera; `trajectory[i]` is pose i.
 
     Args:
@@ -62,7 +62,7 @@ class Trajectory(ToldNames):
             ids = check_numeric("ids", self.ids)
             if ids.ndim != 2 or len(ids) != len(poses) or ids.dtype.kind not in "iu":
                 shape = f"{list(ids.shape)} of {ids.dtype}"
-                raise ValueError(f"ids: expected whole numbers of shape [{len(poses)}, k], got {shape}")
+                raise ValueError(f"ids: expected integers of shape [{len(poses)}, k], got {shape}")
             object.__setattr__(self, "ids", ids.astype(np.int64, copy=False))
 
     def __len__(self) -> int:
@@ -109,17 +109,17 @@ def read_trajectory(path: str | os.PathLike[str], *, skip_missing: bool = False)
         Trajectory(3 poses, timestamps)
     """
     trajectory = _read_all(path, gaps=skip_missing)
-    kept = np.asarray(~np.isnan(trajectory.poses).any(axis=(1, 2)))
-    if kept.all():
+    is_tracked = np.asarray(~np.isnan(trajectory.poses).any(axis=(1, 2)))
+    if is_tracked.all():
         return trajectory
-    if not kept.any():
-        raise FileError(path, f"all {len(kept)} poses are lost: inf or NaN", remedy="Track the frames again")
+    if not is_tracked.any():
+        raise FileError(path, f"all {len(is_tracked)} poses are lost: inf or NaN", remedy="Track the frames again")
     ids = trajectory.ids
     if ids is None and trajectory.timestamps is None:
-        order = np.arange(len(kept))
+        order = np.arange(len(is_tracked))
         ids = np.stack([order, order, order + 1], axis=1)
-    times = None if trajectory.timestamps is None else trajectory.timestamps[kept]
-    return Trajectory(trajectory.poses[kept], times, None if ids is None else ids[kept])
+    times = None if trajectory.timestamps is None else trajectory.timestamps[is_tracked]
+    return Trajectory(trajectory.poses[is_tracked], times, None if ids is None else ids[is_tracked])
 
 
 def read_poses_and_gaps(path: str | os.PathLike[str]) -> Trajectory:
@@ -133,11 +133,11 @@ def _read_all(path: str | os.PathLike[str], *, gaps: bool) -> Trajectory:
         return _read_json(path)
     if suffix not in (".log", ".txt", ".tum", ".kitti"):
         raise FileError(
-            path, f"unknown kind of trajectory {suffix!r}", remedy="Known are .log, .json, .txt, .tum, .kitti"
+            path, f"unknown trajectory format {suffix!r}", remedy="Known extensions are .log, .json, .txt, .tum, .kitti"
         )
     lines = read_lines(path)
     if not lines:
-        raise FileError(path, "holds no pose")
+        raise FileError(path, "contains no pose")
     if suffix == ".log":
         poses, ids = log_poses(path, lines, gaps=gaps)
         return Trajectory(poses, ids=ids)
@@ -221,13 +221,13 @@ def _read_json(path: str | os.PathLike[str]) -> Trajectory:
         raise FileError(path, "expected a list of at least one camera", where="key parameters")
     poses = []
     for i, camera in enumerate(parameters):
-        place = f"parameters[{i}]"
+        location = f"parameters[{i}]"
         if not isinstance(camera, dict):
-            raise FileError(path, "expected an object", where=f"key {place}")
+            raise FileError(path, "expected an object", where=f"key {location}")
         optional = {"class_name", "intrinsic", *versions}
-        check_keys(path, camera, required={"extrinsic"}, optional=optional, where=f"{place}.")
-        T_camera_world = read_json_matrix(path, camera["extrinsic"], 4, where=f"key {place}.extrinsic")
-        poses.append(inv(check_pose(path, T_camera_world, f"key {place}.extrinsic")))
+        check_keys(path, camera, required={"extrinsic"}, optional=optional, where=f"{location}.")
+        T_camera_world = read_json_matrix(path, camera["extrinsic"], 4, where=f"key {location}.extrinsic")
+        poses.append(inv(check_pose(path, T_camera_world, f"key {location}.extrinsic")))
     return Trajectory(np.array(poses))
 
 
@@ -236,7 +236,7 @@ def _output_format(path: str | os.PathLike[str], format: str | None) -> str:
     implied = suffix[1:] if suffix[1:] in FORMATS else None
     if format is None and implied is None:
         remedy = f"Give format= one of {', '.join(FORMATS)}"
-        raise FileError(path, f"the extension {suffix!r} does not tell the format", remedy=remedy)
+        raise FileError(path, f"the extension {suffix!r} does not determine the format", remedy=remedy)
     if format is not None and check_name("format", format) not in FORMATS:
         raise ValueError(f"format: expected one of {FORMATS}, got {format!r}")
     allowed = {"log": {".log"}, "json": {".json"}, "tum": {".tum", ".txt"}, "kitti": {".kitti", ".txt"}}
@@ -255,7 +255,7 @@ def _format_log(trajectory: Trajectory) -> str:
         order = np.arange(len(trajectory))
         ids = np.stack([order, order, order + 1], axis=1)
     elif ids.shape[1] != 3:
-        raise ValueError(f"trajectory.ids: the .log format takes 3 numbers a pose, got {ids.shape[1]}")
+        raise ValueError(f"trajectory.ids: the .log format expects 3 numbers per pose, got {ids.shape[1]}")
     parts = []
     for numbers, T_world_camera in zip(ids.tolist(), trajectory.poses, strict=True):
         parts.append(" ".join(map(str, numbers)) + "\n")

@@ -71,8 +71,8 @@ class Undistortion:
         lens, (width, height) = camera._lens, (camera.width, camera.height)
         thin = lens.kind == FIELD_OF_VIEW and lens.shape[0] ** 2 < THIN
         wide = 2.0 * math.tan(lens.shape[0] / 2.0) if lens.kind == FIELD_OF_VIEW and not thin else 0.0
-        optics = LensOptics(lens, width, height, lens.reach, wide, int(thin))
-        self._places = find_lens_positions(optics, self.intrinsic, self.device)
+        optics = LensOptics(lens, width, height, lens.max_radius, wide, int(thin))
+        self._source_pixels = find_lens_positions(optics, self.intrinsic, self.device)
         steps = (lens.focal[0] / self.intrinsic.fx, lens.focal[1] / self.intrinsic.fy)
         self._side = min(max(1, math.floor(min(steps) + 1e-9)), MAX_SIDE)  # lens pixels per pinhole pixel
 
@@ -80,7 +80,7 @@ class Undistortion:
     def seen(self) -> NDArray[np.bool_]:
         """Mask of the pixels that the lens saw, shape (h, w)."""
         shape = (self.intrinsic.height, self.intrinsic.width)
-        return download(mask_visible(self._places)).reshape(shape).astype(bool)
+        return download(mask_visible(self._source_pixels)).reshape(shape).astype(bool)
 
     def apply(self, picture: ArrayLike) -> Any:
         """Undistort an image.
@@ -97,7 +97,7 @@ class Undistortion:
         """
         form = form_of(picture)
         pixels, channels = self._upload(picture, form.on_host)
-        straight = sample_image(pixels, self.camera.width, self.camera.height, self._side, self._places)
+        straight = sample_image(pixels, self.camera.width, self.camera.height, self._side, self._source_pixels)
         shape = (self.intrinsic.height, self.intrinsic.width, *([channels] if channels else []))
         return form.hand_out(straight, shape=shape)
 
@@ -110,8 +110,10 @@ class Undistortion:
         if image.ndim not in (2, 3) or (image.ndim == 3 and image.shape[2] != 3):
             raise ValueError(f"picture: expected shape [h, w] or [h, w, 3], got {list(image.shape)}")
         if tuple(image.shape[:2]) != (self.camera.height, self.camera.width):
-            found, wanted = f"{image.shape[1]} x {image.shape[0]}", f"{self.camera.width} x {self.camera.height}"
-            raise ValueError(f"picture: {found} pixels, but the camera has {wanted}; was it resized or turned?")
+            given, wanted = f"{image.shape[1]} x {image.shape[0]}", f"{self.camera.width} x {self.camera.height}"
+            raise ValueError(
+                f"picture: expected {wanted} pixels, as the camera has, got {given}; was it resized or rotated?"
+            )
         channels = image.shape[2] if image.ndim == 3 else 0
         flat = (self.camera.width * self.camera.height, channels or 1)
         if isinstance(image, np.ndarray):

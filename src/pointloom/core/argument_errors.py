@@ -8,7 +8,7 @@ from collections.abc import Callable, Mapping
 from typing import Any, ParamSpec, TypeVar
 
 from .attribute_hints import nearest_name
-from .open3d_names import ARGUMENTS, row_of, told
+from .open3d_names import ARGUMENTS, hint, row_of
 
 P = ParamSpec("P")
 R = TypeVar("R")
@@ -16,7 +16,7 @@ R = TypeVar("R")
 SHORT = 24  # maximum characters of a value in the suggested call
 
 
-def told_arguments(operation: Callable[P, R]) -> Callable[P, R]:
+def explain_argument_errors(operation: Callable[P, R]) -> Callable[P, R]:
     """Decorator for helpful argument errors. Free for valid calls."""
 
     @functools.wraps(operation)
@@ -40,49 +40,49 @@ def mismatch(
     operation: Callable[..., Any], args: tuple[Any, ...], kwargs: Mapping[str, Any], error: TypeError
 ) -> TypeError:
     parameters = list(inspect.signature(operation).parameters.values())
-    said, given = operation.__name__, list(args)
+    call_name, given = operation.__name__, list(args)
     if parameters and parameters[0].name in ("self", "cls") and given:
         kind = given[0] if isinstance(given[0], type) else type(given[0])
         parameters, given = parameters[1:], given[1:]
-        said = kind.__name__ if said == "__init__" else f"{kind.__name__}.{said}"
+        call_name = kind.__name__ if call_name == "__init__" else f"{kind.__name__}.{call_name}"
     keywords = [p.name for p in parameters if p.kind is not p.VAR_KEYWORD and p.kind is not p.VAR_POSITIONAL]
     unknown = [name for name in kwargs if name not in keywords]
     if unknown:
-        return TypeError(_unknown(said, unknown[0], kwargs[unknown[0]], keywords))
-    by_place = [p.name for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
-    if len(given) > len(by_place) and not any(p.kind is p.VAR_POSITIONAL for p in parameters):
-        return TypeError(_too_many(said, by_place, keywords, given))
+        return TypeError(_unknown(call_name, unknown[0], kwargs[unknown[0]], keywords))
+    positional = [p.name for p in parameters if p.kind in (p.POSITIONAL_ONLY, p.POSITIONAL_OR_KEYWORD)]
+    if len(given) > len(positional) and not any(p.kind is p.VAR_POSITIONAL for p in parameters):
+        return TypeError(_too_many(call_name, positional, keywords, given))
     missing = [p.name for p in parameters if p.default is p.empty and p.name in keywords and p.name not in kwargs]
-    missing = [name for name in missing if name not in by_place[: len(given)]]
+    missing = [name for name in missing if name not in positional[: len(given)]]
     if missing:
-        return TypeError(f"{said}() misses {', '.join(missing)}: it takes {', '.join(keywords)}")
-    return TypeError(str(error).replace(operation.__qualname__, said))
+        return TypeError(f"{call_name}() is missing {', '.join(missing)}: it takes {', '.join(keywords)}")
+    return TypeError(str(error).replace(operation.__qualname__, call_name))
 
 
-def _unknown(said: str, name: str, value: Any, keywords: list[str]) -> str:
-    message = f"{said}() has no argument {name!r}"
+def _unknown(call_name: str, name: str, value: Any, keywords: list[str]) -> str:
+    message = f"{call_name}() has no argument {name!r}"
     if "radius" in keywords and type(value).__name__.startswith("KDTreeSearchParam"):
-        return f"{message}; here: {said.rpartition('.')[2]}({_search(value)})"
-    row = told(row_of(name, (ARGUMENTS,)))
+        return f"{message}; here: {call_name.rpartition('.')[2]}({_search(value)})"
+    row = hint(row_of(name, (ARGUMENTS,)))
     return message + (row or nearest_name(name, keywords)) + f"; it takes {', '.join(keywords) or 'none'}"
 
 
 def _search(value: Any) -> str:
     radius = getattr(value, "radius", None)
-    most = getattr(value, "max_nn", getattr(value, "knn", None))
-    return ", ".join(([f"radius={radius:g}"] if radius is not None else []) + [f"max_nn={most}"])
+    max_nn = getattr(value, "max_nn", getattr(value, "knn", None))
+    return ", ".join(([f"radius={radius:g}"] if radius is not None else []) + [f"max_nn={max_nn}"])
 
 
-def _too_many(said: str, by_place: list[str], keywords: list[str], given: list[Any]) -> str:
-    only = [name for name in keywords if name not in by_place]
-    extra = given[len(by_place) :]
+def _too_many(call_name: str, positional: list[str], keywords: list[str], given: list[Any]) -> str:
+    only = [name for name in keywords if name not in positional]
+    extra = given[len(positional) :]
     if len(extra) > len(only):
-        return f"{said}() takes at most {len(keywords)} arguments ({', '.join(keywords)}), got {len(given)}"
-    first = [name if len(repr(value)) > SHORT else repr(value) for name, value in zip(by_place, given, strict=False)]
+        return f"{call_name}() takes at most {len(keywords)} arguments ({', '.join(keywords)}), got {len(given)}"
+    first = [name if len(repr(value)) > SHORT else repr(value) for name, value in zip(positional, given, strict=False)]
     rest = [f"{name}={_short(value)}" for name, value in zip(only, extra, strict=False)]
-    call = f"{said.rpartition('.')[2]}({', '.join(first + rest)})"
-    begins = f"after {', '.join(by_place)}" if by_place else "from the first one on"
-    return f"{said}() takes its arguments by name {begins}: write {call}; it takes {', '.join(keywords)}"
+    call = f"{call_name.rpartition('.')[2]}({', '.join(first + rest)})"
+    begins = f"after {', '.join(positional)}" if positional else "from the first one on"
+    return f"{call_name}() takes its arguments by name {begins}: write {call}; it takes {', '.join(keywords)}"
 
 
 def _short(value: Any) -> str:

@@ -93,8 +93,8 @@ class Form(NamedTuple):
         if self.library != NUMPY:
             return {name: self.hand_out(values, dtype=types.get(name), shape=shape) for name, values in arrays.items()}
         read = read_together([*arrays.values()])  # sync
-        found = zip(arrays.items(), read, strict=True)
-        return {name: _formed(values, array.ndim, types.get(name), shape) for (name, array), values in found}
+        pairs = zip(arrays.items(), read, strict=True)
+        return {name: _formed(values, array.ndim, types.get(name), shape) for (name, array), values in pairs}
 
     def hand_out_host(self, values: np.ndarray, device: Any) -> Any:
         return hand_out_host(values, self.library, resolve_device("cpu") if self.on_host else device)

@@ -79,9 +79,9 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
 def _raise_write_error(path: Path, error: BaseException, failed: BaseException | None) -> None:
     if failed is not None and not isinstance(failed, Exception) and isinstance(error, Exception):
         raise failed
-    told = error if isinstance(error, OSError) else failed
-    if isinstance(told, OSError) and told.strerror:
-        raise FileError(path, f"cannot be written: {told.strerror}") from error
+    cause = error if isinstance(error, OSError) else failed
+    if isinstance(cause, OSError) and cause.strerror:
+        raise FileError(path, f"cannot be written: {cause.strerror}") from error
 
 
 def part_name(path: Path, ending: str = "part") -> Path:
@@ -134,7 +134,7 @@ def check_folder(path: str | os.PathLike[str], marker: str, *, overwrite: bool =
         raise FileError(path, f"the folder {parent} does not exist", remedy="Make the folder first")
     if path.is_dir() and any(path.iterdir()):
         if not (path / marker).is_file():
-            raise FileError(path, f"holds other files: there is no {marker}", remedy="Give another folder")
+            raise FileError(path, f"contains other files: there is no {marker}", remedy="Give another folder")
         if not overwrite:
             raise FileError(path, "exists already", remedy=_REPLACE)
     if not os.access(parent, os.W_OK | os.X_OK):
@@ -190,20 +190,20 @@ def restore_folder(path: str | os.PathLike[str]) -> None:
     path = path_of(path).absolute()
     if os.path.lexists(path):
         return
-    for place in (*reversed(path.parents), path):
-        if not os.path.lexists(place) and (old := _old_folders(place)):
+    for missing in (*reversed(path.parents), path):
+        if not os.path.lexists(missing) and (old := _old_folders(missing)):
             with contextlib.suppress(OSError):  # another process was faster
-                old[-1].rename(place)
+                old[-1].rename(missing)
 
 
 def _old_folders(path: Path) -> list[Path]:
     pattern = re.compile(rf"\.{re.escape(path.name)}\.[0-9a-f]{{16}}\.old")
     try:
         with os.scandir(path.absolute().parent) as entries:
-            found = [(entry.stat().st_mtime_ns, entry.path) for entry in entries if pattern.fullmatch(entry.name)]
+            folders = [(entry.stat().st_mtime_ns, entry.path) for entry in entries if pattern.fullmatch(entry.name)]
     except OSError:
         return []
-    return [Path(name) for _, name in sorted(found)]
+    return [Path(name) for _, name in sorted(folders)]
 
 
 @contextlib.contextmanager

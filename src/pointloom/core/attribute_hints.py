@@ -7,18 +7,18 @@ import sys
 from collections.abc import Iterable
 from typing import TYPE_CHECKING, Any
 
-from .open3d_names import SHAPES, row_of, told
+from .open3d_names import SHAPES, hint, row_of
 
 
 def nearest_name(name: str, known: Iterable[str]) -> str:
     """`; did you mean 'colors'?` if a known public name is similar, else ""."""
     from difflib import get_close_matches  # imported only for errors
 
-    found = get_close_matches(name, [other for other in known if not other.startswith("_")], n=1, cutoff=0.6)
-    return f"; did you mean {found[0]!r}?" if found else ""
+    matches = get_close_matches(name, [other for other in known if not other.startswith("_")], n=1, cutoff=0.6)
+    return f"; did you mean {matches[0]!r}?" if matches else ""
 
 
-class ToldClass(type):
+class HintedClass(type):
     """Metaclass with helpful errors for unknown class attributes: `TriangleMesh.create_half_edge_mesh`."""
 
     if not TYPE_CHECKING:  # it detects misspelled names by itself
@@ -27,7 +27,7 @@ class ToldClass(type):
             raise AttributeError(_message(cls, name), name=name, obj=cls)
 
 
-class ToldNames(metaclass=ToldClass):
+class HintedNames(metaclass=HintedClass):
     """A class with helpful errors for unknown attributes: the equivalent of Open3D's name, or the nearest name.
 
     Attributes in `_fixed` cannot be reassigned, since others depend on them.
@@ -39,14 +39,16 @@ class ToldNames(metaclass=ToldClass):
 
         def __setattr__(self, name: str, value: Any) -> None:
             if name in self._fixed and name in vars(self):
-                raise AttributeError(f"{name}: is fixed once a {type(self).__name__} is made; make another one")
+                raise AttributeError(
+                    f"{name}: cannot be changed in an existing {type(self).__name__}; create another one"
+                )
             object.__setattr__(self, name, value)
 
         def __getattr__(self, name: str) -> Any:
             raise AttributeError(_message(type(self), name))
 
 
-class KnownNames(ToldNames):
+class KnownNames(HintedNames):
     """A class that rejects assignments to undeclared attributes, with the nearest name."""
 
     _how_to_add = ""  # other possible meanings of an unknown attribute
@@ -65,10 +67,10 @@ _declared: set[tuple[type, str]] = set()  # cached: a class does not lose a name
 def _declares(kind: type, name: str) -> bool:
     if (kind, name) in _declared:
         return True
-    found = any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
-    if found:
+    declared = any(name in vars(base) or name in _annotated(base) for base in kind.__mro__)
+    if declared:
         _declared.add((kind, name))
-    return found
+    return declared
 
 
 @functools.lru_cache(256)
@@ -82,23 +84,23 @@ def _annotated(kind: type) -> frozenset[str]:
 
 @functools.lru_cache(1024)
 def _message(kind: type, name: str, how_to_add: str = "") -> str:
-    said = f"{kind.__name__} has no attribute {name!r}"
+    message = f"{kind.__name__} has no attribute {name!r}"
     if name.startswith("_"):
-        return said
-    row = told(row_of(name, (*(base.__name__ for base in kind.__mro__), SHAPES)))
+        return message
+    row = hint(row_of(name, (*(base.__name__ for base in kind.__mro__), SHAPES)))
     fields = [field for base in kind.__mro__ for field in _annotated(base)]  # names without default are not in dir()
     near = "" if row else nearest_name(name, sorted({*dir(kind), *fields}))
     if how_to_add:
-        return said + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
-    return said + (row or near or _others(kind, name))
+        return message + (f"{row}; {how_to_add}" if row else f"{near} {how_to_add}" if near else f"; {how_to_add}")
+    return message + (row or near or _others(kind, name))
 
 
 def _others(kind: type, name: str) -> str:
     """`; TriangleMesh has it` if other loaded classes have the name."""
-    found, waiting = set(), [ToldNames]
+    names, waiting = set(), [HintedNames]
     while waiting:
         base = waiting.pop()
         waiting += base.__subclasses__()
         if not base.__subclasses__() and base is not kind and not base.__name__.startswith("_"):
-            found |= {base.__name__} if any(name in vars(parent) for parent in base.__mro__) else set()
-    return f"; {' and '.join(sorted(found))} {'have' if len(found) > 1 else 'has'} it" if found else ""
+            names |= {base.__name__} if any(name in vars(parent) for parent in base.__mro__) else set()
+    return f"; {' and '.join(sorted(names))} {'have' if len(names) > 1 else 'has'} it" if names else ""

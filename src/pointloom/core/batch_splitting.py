@@ -8,28 +8,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-LEAST = 4096  # rows: smaller batches are not worth their launches
+MIN_ROWS = 4096  # rows: smaller batches are not worth their launches
 
 
-def in_halves(count: int, work: Callable[[int, int], tuple[NDArray[Any], ...]]) -> tuple[NDArray[Any], ...]:
+def in_batches(count: int, work: Callable[[int, int], tuple[NDArray[Any], ...]]) -> tuple[NDArray[Any], ...]:
     """Results of independent rows 0 to `count`, computed at once or in as few parts as fit.
     `work(begin, end)` returns NumPy arrays with rows first. Raises `MemoryError` if `LEAST` rows do not fit."""
-    parts, left = [], [(0, count)]
-    while left:
-        begin, end = left.pop()
-        found = _attempt(work, begin, end)
-        if found is not None:
-            parts.append(found)
+    parts, pending = [], [(0, count)]
+    while pending:
+        begin, end = pending.pop()
+        result = _attempt(work, begin, end)
+        if result is not None:
+            parts.append(result)
             continue
         middle = (begin + end) // 2
-        left += [(middle, end), (begin, middle)]
-    return parts[0] if len(parts) == 1 else tuple(np.concatenate(answers) for answers in zip(*parts, strict=True))
+        pending += [(middle, end), (begin, middle)]
+    return parts[0] if len(parts) == 1 else tuple(np.concatenate(arrays) for arrays in zip(*parts, strict=True))
 
 
 def _attempt(work: Callable[[int, int], Any], begin: int, end: int) -> Any:
     try:
         return work(begin, end)
     except MemoryError:
-        if end - begin <= LEAST:
+        if end - begin <= MIN_ROWS:
             raise
         return None  # what the error references must be released first

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 
-class YesOrNo(int):
+class CallableBool(int):
     """1 or 0, printed as True or False; calling it returns the bool."""
 
-    def __new__(cls, value: object) -> YesOrNo:
+    def __new__(cls, value: object) -> CallableBool:
         return super().__new__(cls, bool(value))
 
     def __call__(self) -> bool:

@@ -26,7 +26,7 @@ DLPACK_GPUS = (2, 13)  # kDLCUDA, kDLCUDAManaged
 
 def shown(value: Any) -> str:
     if isinstance(value, int) and value.bit_length() > 128:
-        return f"a whole number of {value.bit_length()} bits"
+        return f"an integer of {value.bit_length()} bits"
     text = repr(value)
     return text if len(text) <= SHOWN else f"{text[: SHOWN - 3]}..."
 
@@ -49,8 +49,8 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
     array = check_numeric(name, values)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.ndim > 2 or len(array):
-            found = f"{list(array.shape)}{remedy_of_shape(array.shape, width)}"
-            raise ValueError(f"{name}: expected shape [n, {width}], got {found}")
+            given = f"{list(array.shape)}{remedy_of_shape(array.shape, width)}"
+            raise ValueError(f"{name}: expected shape [n, {width}], got {given}")
         array = array.reshape(0, width)
     if rows is not None and len(array) != rows:
         raise ValueError(
@@ -62,15 +62,15 @@ def check_rows(name: str, values: Any, width: int, *, rows: int | None = None, d
 def remedy_of_shape(shape: Sequence[int], width: int) -> str:
     """A hint how to reshape an array to rows of `width`, or ""."""
     if len(shape) == 2 and shape[0] == width:
-        return "; its transpose has it: array.T"
+        return "; pass its transpose: array.T"
     if len(shape) == 1 and shape[0] == width:
-        return "; one row is [row]"
+        return "; pass one row as [row]"
     if len(shape) == 1 and shape[0] % width == 0:
-        return f"; array.reshape(-1, {width}) makes rows of it"
+        return f"; array.reshape(-1, {width}) splits it into rows"
     if len(shape) == 2 and (shape[1], width) == (2, 3):
-        return "; np.pad(array, ((0, 0), (0, 1))) gives it z = 0"
+        return "; np.pad(array, ((0, 0), (0, 1))) adds z = 0"
     if len(shape) == 2 and shape[1] > width:
-        return f"; array[:, :{width}] are its first columns"
+        return f"; array[:, :{width}] selects its first columns"
     return ""
 
 
@@ -114,7 +114,7 @@ def check_color(name: str, color: Any) -> NDArray[np.float64]:
     """Red, green and blue in 0..1."""
     has_four = len(color) == 4 if isinstance(color, list | tuple) else getattr(color, "shape", None) == (4,)
     if isinstance(color, str) or has_four:
-        remedy = ", such as [1, 0, 0]" if isinstance(color, str) else ", without a fourth for how opaque it is"
+        remedy = ", such as [1, 0, 0]" if isinstance(color, str) else ", without alpha"
         kind = TypeError if isinstance(color, str) else ValueError
         raise kind(f"{name}: expected red, green and blue in 0..1{remedy}, got {shown(color)}")
     rgb = check_shape(name, color, (3,))
@@ -139,16 +139,16 @@ def check_numeric(name: str, values: Any) -> NDArray[Any]:
     Raises `ValueError` for masked integers and `TypeError` for GPU memory, which is never copied to the host silently.
     """
     if is_on_gpu(values):
-        found = type(values).__name__
-        raise TypeError(f"{name}: expected an array on the host, got a {found} on a GPU; download it first")
+        given = type(values).__name__
+        raise TypeError(f"{name}: expected an array on the host, got a {given} on a GPU; download it first")
     plain = unmasked(name, values)
     try:
         array = np.asarray(plain)
     except (ValueError, TypeError, RuntimeError) as error:  # RuntimeError: a tensor of torch that requires a gradient
         raise TypeError(f"{name}: expected numbers, got {type(values).__name__} ({error})") from error
     if array.dtype.kind not in "biuf":
-        found = type(values).__name__ if array.dtype == object else array.dtype
-        raise TypeError(f"{name}: expected real numbers, got {found}")
+        given = type(values).__name__ if array.dtype == object else array.dtype
+        raise TypeError(f"{name}: expected real numbers, got {given}")
     return array
 
 
@@ -183,7 +183,7 @@ def check_positive(
 def check_share(name: str, value: Any) -> float:
     share = check_number(name, value, allow_nan=True, allow_infinite=True)
     if not 0 <= share <= 1:
-        raise ValueError(f"{name}: expected a share from 0 to 1, got {shown(value)}")
+        raise ValueError(f"{name}: expected a fraction from 0 to 1, got {shown(value)}")
     return share
 
 
@@ -196,13 +196,13 @@ def check_count(
             raise TypeError
         number = operator.index(value)
     except TypeError as error:
-        whole = isinstance(value, float) and value.is_integer() and abs(value) <= maximum
-        remedy = f"; {int(value)} is one" if whole else ""
-        raise TypeError(f"{name}: expected a whole number, got {shown(value)}{remedy}") from error
+        is_integral = isinstance(value, float) and value.is_integer() and abs(value) <= maximum
+        remedy = f"; pass {int(value)}" if is_integral else ""
+        raise TypeError(f"{name}: expected an integer, got {shown(value)}{remedy}") from error
     if number < minimum:
-        raise ValueError(f"{name}: expected a whole number >= {minimum}, got {shown(value)}")
+        raise ValueError(f"{name}: expected an integer >= {minimum}, got {shown(value)}")
     if number > maximum:
-        raise ValueError(f"{name}: expected a whole number up to {maximum:,}, got {shown(value)}: {because}")
+        raise ValueError(f"{name}: expected an integer up to {maximum:,}, got {shown(value)}: {because}")
     return number
 
 
@@ -213,10 +213,10 @@ def check_indices(name: str, values: Any, count: int, *, of: str, hint: str = ""
     if not rows.size:
         return rows.astype(np.int64)
     if rows.dtype.kind not in "iu":
-        raise TypeError(f"{name}: expected whole numbers, got {rows.dtype}{hint}")
+        raise TypeError(f"{name}: expected integers, got {rows.dtype}{hint}")
     low, high = rows.min(), rows.max()
     if low < -count or high >= count:
-        raise IndexError(f"{name}: {low}..{high} reach beyond a {of}")
+        raise IndexError(f"{name}: {low}..{high} are out of range for a {of}")
     return rows if low >= 0 else np.where(rows < 0, rows.astype(np.int64) + count, rows)
 
 
@@ -269,8 +269,8 @@ def check_search(radius: Any, max_nn: Any) -> tuple[float, int | None]:
     """Limits of a neighbor search: radius [m] (infinite if None) and count (None: all). Raises if both are None."""
     if radius is None and max_nn is None:
         raise ValueError("radius, max_nn: give at least one of them")
-    reach = math.inf if radius is None else check_positive("radius", radius)
-    return reach, None if max_nn is None else check_count("max_nn", max_nn)
+    search_radius = math.inf if radius is None else check_positive("radius", radius)
+    return search_radius, None if max_nn is None else check_count("max_nn", max_nn)
 
 
 def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
@@ -278,7 +278,7 @@ def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
     angle = check_positive(name, value, allow_zero=allow_zero)
     if angle > 2 * math.pi:
         raise ValueError(
-            f"{name}: expected radians, up to 6.283, got {shown(value)}; of degrees np.radians({value:g}) makes them"
+            f"{name}: expected radians, up to 6.283, got {shown(value)}; convert degrees with np.radians({value:g})"
         )
     return angle
 
@@ -286,7 +286,7 @@ def check_angle(name: str, value: Any, *, allow_zero: bool = False) -> float:
 def check_seed(seed: Any) -> int:
     """An integer from 0 to 2^31 - 1, for counter-based random numbers."""
     if isinstance(seed, int) and seed > MAX_SEED:
-        raise ValueError(f"seed: expected a whole number below 2^31, got {shown(seed)}")
+        raise ValueError(f"seed: expected an integer below 2^31, got {shown(seed)}")
     return check_count("seed", seed, minimum=0, maximum=MAX_SEED)
 
 
@@ -314,11 +314,11 @@ def check_rigid(name: str, matrix: Any, *, tolerance: float = RIGID_TOLERANCE) -
 
 def check_transformation(name: str, matrix: Any) -> NDArray[np.float64]:
     if check_numeric(name, matrix).shape == (3, 3):
-        raise ValueError(f"{name}: expected shape [4, 4], got [3, 3]; a rotation alone is rotate(R)")
+        raise ValueError(f"{name}: expected shape [4, 4], got [3, 3]; use rotate(R) for a rotation")
     T = check_shape(name, matrix, (4, 4))
     if not np.isfinite(T).all() or np.abs(T[3] - (0, 0, 0, 1)).max() > 1e-9:
-        is_turned = np.abs(T[:, 3] - (0, 0, 0, 1)).max() <= 1e-9
-        remedy = "; its transpose is one: T.T" if is_turned else ""
+        is_transposed = np.abs(T[:, 3] - (0, 0, 0, 1)).max() <= 1e-9
+        remedy = "; pass its transpose: T.T" if is_transposed else ""
         raise ValueError(
             f"{name}: expected a finite affine 4x4 matrix with last row (0, 0, 0, 1), got {T.tolist()}{remedy}"
         )

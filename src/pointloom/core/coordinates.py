@@ -56,11 +56,13 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     is_near = points.min() >= -ORIGIN_LIMIT and points.max() <= ORIGIN_LIMIT
     if not is_near:
         low, high = finite_box(points)
-        reach = max(np.abs(low).max(), np.abs(high).max())
-        if reach > LARGEST_NUMBER:
-            found = f"{low.tolist()}..{high.tolist()}"
-            raise ValueError(f"points: {found} reach beyond float32 about their middle, and {LARGEST_NUMBER:g} m")
-        is_near = reach <= ORIGIN_LIMIT
+        max_coordinate = max(np.abs(low).max(), np.abs(high).max())
+        if max_coordinate > LARGEST_NUMBER:
+            given = f"{low.tolist()}..{high.tolist()}"
+            raise ValueError(
+                f"points: {given} are beyond the float32 range about their center, and beyond {LARGEST_NUMBER:g} m"
+            )
+        is_near = max_coordinate <= ORIGIN_LIMIT
     origin = np.zeros(3)
     if not is_near or is_far_from_zero(sample_points(points, SPREAD_SAMPLE)):
         origin = origin_of_sample(sample_points(points))
@@ -68,7 +70,7 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
             origin = np.round(low / 2 + high / 2)
         if max((high - origin).max(), (origin - low).max()) > FLOAT32_MAX:
-            raise ValueError(f"points: {low.tolist()}..{high.tolist()} reach beyond float32 about their middle")
+            raise ValueError(f"points: {low.tolist()}..{high.tolist()} are beyond the float32 range about their center")
     return origin if steps is None else _refine(origin, sample_points(points), steps)
 
 
@@ -111,10 +113,10 @@ def is_far_from_zero(sample: NDArray[np.float64]) -> bool:
     return bool(spread.any() and np.abs(middle).max() > FAR_FROM_ZERO * spread.max())
 
 
-def _rounded(place: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:
-    finest = np.spacing(np.abs(place).max())  # of float64
+def _rounded(position: NDArray[np.float64], spread: NDArray[np.float64]) -> NDArray[np.float64]:
+    finest = np.spacing(np.abs(position).max())  # of float64
     steps = np.array([2.0 ** min(0, math.floor(math.log2(max(16 * s, finest)))) if s > 0 else 1.0 for s in spread])
-    return np.round(place / steps) * steps
+    return np.round(position / steps) * steps
 
 
 def origin_of_sensor(position: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -134,8 +136,8 @@ def origin_under(
     middle, half = matmul(A, (low + high) / 2) + t, matmul(np.abs(A), (high - low) / 2)
     corners = np.stack([middle - half, middle + half])
     if not np.abs(corners).max() <= LARGEST_NUMBER or np.ptp(corners, axis=0).max() > 2 * FLOAT32_MAX:
-        reach = f"{corners[0].tolist()}..{corners[1].tolist()}"
-        raise ValueError(f"{name}: takes the points to {reach}, beyond what float32 holds about their middle")
+        bounds = f"{corners[0].tolist()}..{corners[1].tolist()}"
+        raise ValueError(f"{name}: moves the points to {bounds}, beyond the float32 range about their center")
     origin = choose_origin(corners)
     if not origin.any():
         return origin
@@ -171,7 +173,7 @@ def _refine(
     for axis, step in enumerate(steps):
         decimals = min(max(-math.ceil(math.log10(1000 * step)), -30), _MAX_DECIMALS)
         nearer = np.round(middle[axis], decimals)
-        before, after = (float(np.median(np.abs(sample[:, axis] - place))) for place in (origin[axis], nearer))
+        before, after = (float(np.median(np.abs(sample[:, axis] - value))) for value in (origin[axis], nearer))
         if np.spacing(np.float32(2 * before)) > step and after < before / 2:  # twice: half the points are farther out
             refined[axis] = nearer
     return refined

@@ -19,8 +19,8 @@ def installed_driver() -> str | None:
         text = PROC.read_text(errors="replace")
     except OSError:
         return None
-    found = re.search(r"Kernel Module\D*?(?:for \S+)?\s+(\d+(?:\.\d+)+)\s", text)
-    return found[1] if found else None
+    match = re.search(r"Kernel Module\D*?(?:for \S+)?\s+(\d+(?:\.\d+)+)\s", text)
+    return match[1] if match else None
 
 
 def needed_driver() -> int | None:

@@ -27,16 +27,16 @@ def resolve_device(device: Any = None) -> Any:
     try:
         if isinstance(device, str) and device == "cuda" and not wp.get_cuda_device_count():  # Warp prints errors
             raise ValueError("no CUDA device")
-        found = wp.get_device(device)
+        resolved = wp.get_device(device)
     except (ValueError, TypeError, RuntimeError) as error:
         known = ["cpu", *(f"cuda:{i}" for i in range(wp.get_cuda_device_count()))]
         reason = f"device: expected one of {', '.join(known)} or auto, got {shown(device)}"
         if str(device).startswith("cuda") and len(known) == 1:
-            reason += f"; no CUDA GPU was found: {why_no_gpu()}; see pointloom doctor"
+            reason += f"; no CUDA GPU was found: {why_no_gpu()}; run pointloom doctor"
         raise DeviceError(reason) from error
-    if found.is_cuda and why_no_cuda_here():
-        raise DeviceError(f"{found}: {why_no_cuda_here()}")
-    return found
+    if resolved.is_cuda and why_no_cuda_here():
+        raise DeviceError(f"{resolved}: {why_no_cuda_here()}")
+    return resolved
 
 
 def check_same_device(name: str, left: Any, right: Any) -> None:

@@ -43,14 +43,14 @@ class Pair(tuple[Any, ...]):
             if not self or name.startswith("_") or not hasattr(type(self[0]), name):
                 raise AttributeError(f"'tuple' object has no attribute {name!r}")
             kinds = ", ".join(type(part).__name__ for part in self)
-            taken = ", ".join([OWNERS.get(type(self[0]).__name__, "result"), *("_" * (len(self) - 1))])
-            raise AttributeError(f"a tuple of {kinds} has no attribute {name!r}; take it apart: {taken} = ...")
+            targets = ", ".join([OWNERS.get(type(self[0]).__name__, "result"), *("_" * (len(self) - 1))])
+            raise AttributeError(f"a tuple of {kinds} has no attribute {name!r}; unpack it: {targets} = ...")
 
 
 def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
     """Mark an operation that returns a new object where Open3D changes in place or returns another type.
     A statement such as `cloud.estimate_normals()` warns. The check reads one bytecode instruction of the caller. Other
-    dropped results do not warn. Mismatched arguments raise the error of `told_arguments`."""
+    dropped results do not warn. Mismatched arguments raise the error of `explain_argument_errors`."""
 
     @functools.wraps(operation)
     def call(*args: P.args, **kwargs: P.kwargs) -> R:
@@ -69,13 +69,16 @@ def returns_new(operation: Callable[P, R]) -> Callable[P, R]:
 
 def _message(operation: Callable[..., Any], args: tuple[Any, ...], result: Any) -> str:
     name = operation.__name__
-    said, taken, call = name, "result", name
+    call_name, target, call = name, "result", name
     if "." in operation.__qualname__:
         kind = type(args[0]).__name__
-        taken = OWNERS.get(kind, "box" if kind.endswith("Box") else "result")
-        said, call = f"{kind}.{name}", f"{taken if taken != 'result' else 'it'}.{name}"
-    taken += ", _" if isinstance(result, tuple) else ""
-    return f"{said}: the result is dropped; it returns a new object and changes nothing: write {taken} = {call}(...)"
+        target = OWNERS.get(kind, "box" if kind.endswith("Box") else "result")
+        call_name, call = f"{kind}.{name}", f"{target if target != 'result' else 'it'}.{name}"
+    target += ", _" if isinstance(result, tuple) else ""
+    return (
+        f"{call_name}: the result is discarded; it returns a new object and changes nothing: "
+        f"write {target} = {call}(...)"
+    )
 
 
 def _is_dropped(caller: FrameType, name: str) -> bool:

@@ -33,8 +33,8 @@ class FileError(PointloomError, ValueError):
         if not remedy and reason.startswith(_ABSENT):
             remedy = _near_paths(os.fspath(path))
         self.path, self.reason, self.where, self.remedy = os.fspath(path), *map(escaped, (reason, where, remedy))
-        place = f"{escaped(self.path)} ({self.where})" if where else escaped(self.path)
-        super().__init__(f"{place}: {self.reason}" + (f". {self.remedy}" if remedy else ""))
+        location = f"{escaped(self.path)} ({self.where})" if where else escaped(self.path)
+        super().__init__(f"{location}: {self.reason}" + (f". {self.remedy}" if remedy else ""))
 
     def __reduce__(self):
         return _rebuild_file_error, (type(self), self.path, self.reason, self.where, self.remedy)
@@ -71,7 +71,7 @@ def _near_paths(path: str) -> str:
     if os.path.lexists(absent):
         return ""
     if any(sign in path for sign in "*?"):
-        return "One file is read at a time: sorted(pathlib.Path(folder).glob(pattern)) lists them"
+        return "Read one file at a time: sorted(pathlib.Path(folder).glob(pattern)) lists them"
     while not absent.parent.exists():
         absent = absent.parent
     try:
@@ -79,15 +79,15 @@ def _near_paths(path: str) -> str:
             names = [entry.name for _, entry in zip(range(MAX_NAMES), entries, strict=False)]
     except OSError:
         return ""
-    folder = "" if absent == Path(path) else f"There is no folder {absent}"
-    own = absent.name.lower()
-    alike = [name for name in names if name.lower() == own or Path(name).stem.lower() == own]
-    near = get_close_matches(own, [name.lower() for name in names], n=3, cutoff=0.7)
-    found = dict.fromkeys([*sorted(alike), *(name for like in near for name in names if name.lower() == like)])
-    if not found:
+    folder = "" if absent == Path(path) else f"The folder {absent} does not exist"
+    lower_name = absent.name.lower()
+    alike = [name for name in names if name.lower() == lower_name or Path(name).stem.lower() == lower_name]
+    near = get_close_matches(lower_name, [name.lower() for name in names], n=3, cutoff=0.7)
+    candidates = dict.fromkeys([*sorted(alike), *(name for like in near for name in names if name.lower() == like)])
+    if not candidates:
         return folder
-    said = " or ".join(str(absent.with_name(name)) for name in list(found)[:3])
-    return f"{folder}; did you mean {said}?" if folder else f"Did you mean {said}?"
+    suggestions = " or ".join(str(absent.with_name(name)) for name in list(candidates)[:3])
+    return f"{folder}; did you mean {suggestions}?" if folder else f"Did you mean {suggestions}?"
 
 
 def _rebuild_file_error(kind: type[FileError], path: str, reason: str, where: str, remedy: str) -> FileError:

@@ -20,12 +20,12 @@ def escaped(text: object, *, lines: bool = False) -> str:
         >>> print(escaped("a\\x1b[31m"))
         a\\x1b[31m
     """
-    return (_IN_LINES if lines else _IN_LINE).sub(lambda found: _escape(found[0]), str(text))
+    return (_IN_LINES if lines else _IN_LINE).sub(lambda match: _escape(match[0]), str(text))
 
 
 def escaped_json(text: str) -> str:
     """Escape control characters in JSON text, where only strings contain them."""
-    return _IN_LINES.sub(lambda found: f"\\u{ord(found[0]):04x}", text)
+    return _IN_LINES.sub(lambda match: f"\\u{ord(match[0]):04x}", text)
 
 
 def _escape(character: str) -> str:

@@ -19,7 +19,7 @@ from ..kernels.memory import empty
 from .array_libraries import library_of
 from .errors import DeviceError
 
-_COPY = "PointCloud(...) copies what cannot be shared"
+_COPY = "use PointCloud(...) to copy it"
 
 
 class _PlainDevice:
@@ -43,7 +43,7 @@ def share_vectors(name: str, source: Any) -> wp.array:
         raise ValueError(f"{name}: expected shape [n, 3], got {list(array.shape)}")
     if array.dtype != wp.float32:
         remedy = f"convert it there, or {_COPY}"
-        raise TypeError(f"{name}: expected float32, which is what a cloud holds, got {array.dtype.__name__}; {remedy}")
+        raise TypeError(f"{name}: expected float32, the type of a cloud's arrays, got {array.dtype.__name__}; {remedy}")
     if not array.size:
         return empty(0, vec3, array.device)
     return _over(_contiguous(name, array), vec3, array.shape[:1])
@@ -64,7 +64,7 @@ def share(name: str, source: Any) -> wp.array:
         if hasattr(source, "__dlpack__"):
             with lock:  # our stream waits for the source's stream
                 array: wp.array = wp.from_dlpack(_PlainDevice(source))  # type: ignore[assignment]
-                _say_who_reads(source, array.device)
+                _record_stream(source, array.device)
             return array
         if hasattr(source, "__cuda_array_interface__"):
             return _share_cuda(name, source)
@@ -72,14 +72,14 @@ def share(name: str, source: Any) -> wp.array:
         if isinstance(error, DeviceError):
             raise
         raise TypeError(f"{name}: {type(source).__name__} cannot be shared: {error}; {_COPY}") from error
-    found = type(source).__name__
-    raise TypeError(f"{name}: expected an array with __dlpack__ or __cuda_array_interface__, got {found}; {_COPY}")
+    given = type(source).__name__
+    raise TypeError(f"{name}: expected an array with __dlpack__ or __cuda_array_interface__, got {given}; {_COPY}")
 
 
 def _share_cuda(name: str, source: Any) -> wp.array:
     """Share by the CUDA array interface, which does not name the device: the current one."""
     if not wp.get_cuda_device_count():
-        raise DeviceError(f"{name}: lies on a GPU, and there is no CUDA device here")
+        raise DeviceError(f"{name}: is on a GPU, and there is no CUDA device here")
     interface = source.__cuda_array_interface__
     if interface.get("mask") is not None:
         raise TypeError("it has a mask")
@@ -100,7 +100,7 @@ def _wait_for(device: Any, stream: int) -> None:
             wait_for(device.stream.cuda_stream, int(stream), device)
 
 
-def _say_who_reads(source: Any, device: Any) -> None:
+def _record_stream(source: Any, device: Any) -> None:
     """Record our stream with torch: else torch may reuse a dropped tensor's memory before our work ends."""
     if device.is_cuda and library_of(source) == "torch":
         torch = sys.modules["torch"]
@@ -115,5 +115,5 @@ def _over(array: wp.array, dtype: Any, shape: tuple[int, ...]) -> wp.array:
 
 def _contiguous(name: str, array: wp.array) -> wp.array:
     if not array.is_contiguous:
-        raise ValueError(f"{name}: expected a contiguous array, got strides {list(array.strides)}; make it so first")
+        raise ValueError(f"{name}: expected a contiguous array, got strides {list(array.strides)}; copy it first")
     return array

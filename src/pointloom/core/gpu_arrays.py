@@ -62,12 +62,12 @@ def take_rows(name: str, values: Any, width: int, device: Any = None, *, rows: i
     array = take_numbers(name, values, device)
     if array.ndim != 2 or array.shape[1] != width:
         if array.size or array.shape[0]:
-            found = f"{list(array.shape)}{remedy_of_shape(array.shape, width)}"
-            raise ValueError(f"{name}: expected shape [n, {width}], got {found}")
+            given = f"{list(array.shape)}{remedy_of_shape(array.shape, width)}"
+            raise ValueError(f"{name}: expected shape [n, {width}], got {given}")
         array = empty((0, width), array.dtype, array.device)
     if rows is not None and array.shape[0] != rows:
-        found = list(array.shape)
-        raise ValueError(f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {found}")
+        given = list(array.shape)
+        raise ValueError(f"{name}: expected shape [{rows}, {width}] as the cloud has {rows} points, got {given}")
     return array
 
 
@@ -87,8 +87,8 @@ def take_colors(name: str, values: Any, device: Any, *, rows: int | None = None)
     low, high, finite = bound_points(colors)  # sync
     if count and not (finite == count and low.min() >= -1e-3 and high.max() <= 1 + 1e-3):
         remedy = "; divide 8-bit colors by 255" if high.max() > 1 else ""
-        found = f"{low.min()}..{high.max()}" if finite == count else "NaN or infinite ones"
-        raise ValueError(f"{name}: expected 0..1, got {found}{remedy}")
+        given = f"{low.min()}..{high.max()}" if finite == count else "NaN or infinite ones"
+        raise ValueError(f"{name}: expected 0..1, got {given}{remedy}")
     return colors
 
 
@@ -104,14 +104,16 @@ def take_points(
     start, is_far = (origin, False) if origin is not None else _choose_origin(name, points)
     if is_float32 and not start.any():
         return points, start
-    wide = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
-    local, lost = subtract_origin(wide, start)
+    float64_points = points if points.dtype == vec3d else view_as(_as(array, float64), vec3d, (count,))
+    local, lost = subtract_origin(float64_points, start)
     if is_far and download(lost)[0]:  # sync
-        raise ValueError(f"{name}: they reach beyond float32 about their middle, {start.tolist()}")
+        raise ValueError(f"{name}: expected positions within the float32 range about their center {start.tolist()}")
     return local, start
 
 
-def take_places(name: str, values: Any, origin: NDArray[np.float64], device: Any) -> tuple[wp.array, tuple[int, ...]]:
+def take_positions(
+    name: str, values: Any, origin: NDArray[np.float64], device: Any
+) -> tuple[wp.array, tuple[int, ...]]:
     """Positions (..., 3) as vec3 (n,) relative to an origin, and their leading shape."""
     array = take_numbers(name, values, device)
     if not array.ndim or array.shape[-1] != 3:
@@ -146,12 +148,12 @@ def take_indices(name: str, values: Any, device: Any, count: int, *, of: str, hi
     if not array.size:
         return empty(0, int32, device)
     if array.dtype not in INTEGERS:
-        raise TypeError(f"{name}: expected whole numbers, got {array.dtype.__name__}{hint}")
+        raise TypeError(f"{name}: expected integers, got {array.dtype.__name__}{hint}")
     flat = view_as(array, array.dtype, (array.size,))
     numbers = _as(flat, int64)
     low, high = limits_of(numbers)
     if low < -count or high >= count:
-        raise IndexError(f"{name}: {low}..{high} reach beyond a {of}")
+        raise IndexError(f"{name}: {low}..{high} are out of range for a {of}")
     return flat if low >= 0 and flat.dtype == int32 else resolve_rows(numbers, count)
 
 
@@ -160,25 +162,25 @@ def take_corners(values: Any, device: Any, count: int) -> wp.array:
     if not is_on_gpu(values):
         rows = check_rows("triangles", values, 3)
         if rows.size and rows.dtype.kind not in "iu":
-            raise TypeError(f"triangles: expected whole numbers, got {rows.dtype}")
+            raise TypeError(f"triangles: expected integers, got {rows.dtype}")
         array = upload(rows.astype(np.int64), int64, device)
     else:
         array = take_rows("triangles", values, 3, device)
     if not array.size:
         return empty(0, vec3i, device)
     if array.dtype not in INTEGERS:
-        raise TypeError(f"triangles: expected whole numbers, got {array.dtype.__name__}")
+        raise TypeError(f"triangles: expected integers, got {array.dtype.__name__}")
     low, high = limits_of(_as(view_as(array, array.dtype, (array.size,)), int64))
     if low < 0 or high >= count:
-        raise ValueError(f"triangles: {low}..{high}, but there are vertices 0..{count - 1} only")
+        raise ValueError(f"triangles: expected vertices 0..{count - 1}, got {low}..{high}")
     return view_as(_as(array, int32), vec3i, (array.shape[0],))
 
 
 def take_mask(name: str, values: Any, device: Any, count: int) -> wp.array:
     array = take_numbers(name, values, device)
     if array.dtype != wp.bool or tuple(array.shape) != (count,):
-        found = f"{array.dtype.__name__} {list(array.shape)}"
-        raise ValueError(f"{name}: expected booleans of shape [{count}], got {found}")
+        given = f"{array.dtype.__name__} {list(array.shape)}"
+        raise ValueError(f"{name}: expected booleans of shape [{count}], got {given}")
     return view_as(array, uint8, (count,))
 
 
@@ -188,12 +190,12 @@ def take_pairs(values: Any, device: Any, counts: tuple[int, int]) -> wp.array:
     if not array.size:
         return empty((0, 2), int32, device)
     if array.dtype not in INTEGERS:
-        raise TypeError(f"corres: expected whole numbers (source index, target index), got {array.dtype.__name__}")
+        raise TypeError(f"corres: expected integers (source index, target index), got {array.dtype.__name__}")
     numbers = _as(view_as(array, array.dtype, (array.size,)), int64)
     for column, (name, count) in enumerate(zip(("source", "target"), counts, strict=True)):
         low, high = limits_of(numbers, column, 2)
         if low < 0 or high >= count:
-            raise IndexError(f"corres: {name} indices {low}..{high} reach beyond a cloud of {count} points")
+            raise IndexError(f"corres: {name} indices {low}..{high} are out of range for a cloud of {count} points")
     return _as(array, int32)
 
 

@@ -13,10 +13,10 @@ def signal_exception(error: BaseException, handled: BaseException | None = None)
     A handler may run inside code that reads or writes a file. Its exception must not be reported as a damaged file.
     `handled` was already being handled and is not searched."""
     handlers = _handler_codes()
-    seen: set[int] = set()
+    visited: set[int] = set()
     link: BaseException | None = error
-    while link is not None and link is not handled and id(link) not in seen:
-        seen.add(id(link))
+    while link is not None and link is not handled and id(link) not in visited:
+        visited.add(id(link))
         if isinstance(link, KeyboardInterrupt | SystemExit):
             return link
         trace = link.__traceback__

@@ -50,8 +50,8 @@ def check_keys(
     if missing:
         raise FileError(path, "missing", where=f"key {where}{missing[0]}", remedy=f"Expected {sorted(required)}")
     if unknown:
-        reason = "of unknown meaning"
-        raise FileError(path, reason, where=f"key {where}{unknown[0]}", remedy="Remove it if it has no bearing here")
+        reason = "is unknown"
+        raise FileError(path, reason, where=f"key {where}{unknown[0]}", remedy="Remove it if it is not needed")
 
 
 def _unique_pairs(pairs: list[tuple[str, Any]]) -> dict[str, Any]:

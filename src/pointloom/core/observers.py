@@ -71,7 +71,7 @@ def report(event: str, **data: Any) -> None:
     watchers = _watchers.get()
     if not watchers:
         return
-    told = data | (_standing.get() or {})
+    event_data = data | (_standing.get() or {})
     with unwatched():  # an observer may call algorithms itself
         for watcher in watchers:
-            watcher(event, told)
+            watcher(event, event_data)

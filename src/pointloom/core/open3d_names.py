@@ -30,7 +30,7 @@ def row_of(name: str, among: Iterable[str] = MODULES) -> str | None:
     return None
 
 
-def told(row: str | None) -> str:
+def hint(row: str | None) -> str:
     """A row as the end of an error message, or ""."""
     if row is None:
         return ""

@@ -25,7 +25,7 @@ def path_of(path: Any, name: str = "path") -> Path:
 def refuse_link(path: Path) -> Path:
     """The path of a job file. Raises `FileError` for a symbolic link, which would redirect writes and removals."""
     if path.is_symlink():
-        raise FileError(path, "is a symbolic link", remedy="Replace it by the file or folder it leads to")
+        raise FileError(path, "is a symbolic link", remedy="Replace it with its target")
     return path
 
 

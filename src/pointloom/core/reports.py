@@ -81,8 +81,8 @@ def quality(result: HasWarnings) -> dict[str, Any]:
 
 def as_json(result: Any) -> dict[str, Any]:
     """The attributes of a dataclass in JSON types, with `reliable` and `warnings` if it is `Assessed`."""
-    told = {name: plain(value) for name, value in values_of(result).items()}
-    return told | quality(result) if issubclass(type(result), Assessed) else told
+    values = {name: plain(value) for name, value in values_of(result).items()}
+    return values | quality(result) if issubclass(type(result), Assessed) else values
 
 
 def failed(*checks: str | None) -> tuple[str, ...]:

@@ -41,7 +41,7 @@ def check_tables(base: sqlite3.Connection, path: str | os.PathLike[str], names: 
             kinds = base.execute(f"PRAGMA main.table_list({name})").fetchall()
             is_plain &= [row[2] for row in kinds] == ["table"]
         if not is_plain:
-            reason = f"expected one table named {name}, found {'no such table' if not rows else 'a view or the like'}"
+            reason = f"expected one table named {name}, got {'no such table' if not rows else 'a view or similar'}"
             raise FileError(path, reason, remedy="Record or copy the file again")
         if any(row[6] for row in base.execute(f"PRAGMA main.table_xinfo({name})")):
             raise FileError(path, f"table {name} has computed columns", remedy="Record or copy the file again")

@@ -27,17 +27,17 @@ _MADE_FROM = "made_from"
 
 
 @dataclass(frozen=True, eq=False)
-class Made:
+class StageResult:
     """The result of a stage; equal digests mean equal files.
-    `told` is its report, `cost` has "seconds", "cpu_seconds" and "peak_bytes" of the run that made it, `kept` is True
-    for an earlier run, `outdated` names versions for which an earlier result was rejected."""
+    `report` is that of the stage, `cost` has "seconds", "cpu_seconds" and "peak_bytes" of the run that made it,
+    `is_reused` is True for an earlier run, `outdated` names versions for which an earlier result was rejected."""
 
     name: str
     folder: Path
     digest: str
-    told: dict[str, Any]
+    report: dict[str, Any]
     cost: dict[str, float]
-    kept: bool
+    is_reused: bool
     outdated: str = ""
 
 
@@ -56,7 +56,7 @@ class Stage:
     name: str
     make: Callable[..., Mapping[str, Any]]
     settings: Mapping[str, Any] = field(default_factory=dict)
-    after: tuple[Made, ...] = ()
+    after: tuple[StageResult, ...] = ()
     version: int = 1
     code: Mapping[str, str] = field(default_factory=dict)
     goes_on: bool = False
@@ -71,9 +71,9 @@ class Chain:
     """Runs stages in an existing folder; `resume` reuses valid results of earlier runs."""
 
     def __init__(self, root: Path, names: Sequence[str], *, resume: bool, progress: ReportProgress):
-        self.root, self.made = root, dict[str, Made]()
+        self.root, self.made = root, dict[str, StageResult]()
         self._resume, self._progress = resume, progress
-        with _told_as_file_errors(root):
+        with _os_errors_as_file_errors(root):
             (root / RECORDS).mkdir(exist_ok=True)
             for name in names:
                 _remove(root / f"{name}{PART}")
@@ -83,14 +83,20 @@ class Chain:
                     _remove(root / name)
                     _remove(root / f"{name}{GOING}")
 
-    def run(self, stage: Stage) -> Made:
+    def run(self, stage: Stage) -> StageResult:
         record = record_file(self.root, stage.name)
-        found = read_record(record, stage.name, self.root, stage.made_from) if self._resume else None
-        outdated = "" if found or not self._resume else self._outdated(stage, record)
-        result = found or self._make(stage)
+        record_content = read_record(record, stage.name, self.root, stage.made_from) if self._resume else None
+        outdated = "" if record_content or not self._resume else self._outdated(stage, record)
+        result = record_content or self._make(stage)
         digest = digest_of(read_json_object(record)["files"])
-        made = Made(
-            stage.name, self.root / stage.name, digest, result["told"], result["cost"], found is not None, outdated
+        made = StageResult(
+            stage.name,
+            self.root / stage.name,
+            digest,
+            result["told"],
+            result["cost"],
+            record_content is not None,
+            outdated,
         )
         self.made[stage.name] = made
         return made
@@ -125,11 +131,13 @@ class Chain:
         folder, part = self.root / stage.name, self.root / f"{stage.name}{PART}"
         record = record_file(self.root, stage.name)
         clock = Clock()
-        with _told_as_file_errors(part):
+        with _os_errors_as_file_errors(part):
             try:
                 part.mkdir()
                 with self._going(stage) as going:
-                    told = stage.make(part, lambda step, *of: self._tell(stage.name, step, *of), *going)
+                    stage_report = stage.make(
+                        part, lambda step, *of: self._report_progress(stage.name, step, *of), *going
+                    )
                 record.unlink(missing_ok=True)
                 _remove(folder)
                 part.rename(folder)
@@ -140,17 +148,17 @@ class Chain:
         clock.stop(stage.name)
         seconds, cpu = clock.seconds[stage.name], clock.cpu_seconds[stage.name]
         cost = {"seconds": round(seconds, 3), "cpu_seconds": round(cpu, 3), "peak_bytes": peak_bytes_of_all()}
-        result = {"told": json.loads(json_text(dict(told))), "cost": cost}
+        result = {"told": json.loads(json_text(dict(stage_report))), "cost": cost}
         result |= {"version": stage.version, "code": dict(stage.code)}
         write_record(record, stage.name, stage.made_from, self.root, files, result)
         return result
 
-    def _tell(self, name: str, step: str, done: int, total: int) -> None:
+    def _report_progress(self, name: str, step: str, done: int, total: int) -> None:
         self._progress(name if step in ("", name) else f"{name}: {step}", done, total)
 
 
 @contextlib.contextmanager
-def _told_as_file_errors(path: Path) -> Iterator[None]:
+def _os_errors_as_file_errors(path: Path) -> Iterator[None]:
     try:
         yield
     except OSError as error:

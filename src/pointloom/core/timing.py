@@ -35,7 +35,7 @@ class Clock:
     def __init__(self, progress: ReportProgress | None = None):
         self.seconds: dict[str, float] = {}
         self.cpu_seconds: dict[str, float] = {}
-        self._tell = progress or say_nothing
+        self._progress = progress or say_nothing
         self.restart()
 
     def restart(self) -> None:
@@ -51,7 +51,7 @@ class Clock:
     @contextmanager
     def stage(self, name: str) -> Iterator[None]:
         """Report a stage and measure the block. Nothing is added if it raises."""
-        self._tell(name, 0, 0)
+        self._progress(name, 0, 0)
         self.restart()
         yield
         self.stop(name)
@@ -61,17 +61,17 @@ def peak_bytes() -> int:
     """Peak memory of this process [B]."""
     import resource
 
-    return _most_held(resource.RUSAGE_SELF)
+    return _peak_of(resource.RUSAGE_SELF)
 
 
 def peak_bytes_of_all() -> int:
     """Peak memory of this process or a waited-for child [B]."""
     import resource
 
-    return max(peak_bytes(), _most_held(resource.RUSAGE_CHILDREN))
+    return max(peak_bytes(), _peak_of(resource.RUSAGE_CHILDREN))
 
 
-def _most_held(who: int) -> int:
+def _peak_of(who: int) -> int:
     import resource
 
     unit = 1 if sys.platform == "darwin" else 1024

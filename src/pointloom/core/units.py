@@ -140,11 +140,13 @@ def check_unit(name: str, value: Any) -> LengthUnit | None:
         return value
     if not isinstance(value, str):
         raise TypeError(f"{name}: expected the name of a unit, such as 'foot', got {type(value).__name__}")
-    found = unit_by_name(value)
-    if found is None:
+    known_unit = unit_by_name(value)
+    if known_unit is None:
         known = ", ".join(unit.name for unit in KNOWN)
-        raise ValueError(f"{name}: expected one of {known}, got {shown(value)}; others are LengthUnit(name, symbol, m)")
-    return found
+        raise ValueError(
+            f"{name}: expected one of {known}, got {shown(value)}; create others with LengthUnit(name, symbol, m)"
+        )
+    return known_unit
 
 
 def unit_by_length(name: str, meters: float) -> LengthUnit | None:
@@ -172,8 +174,8 @@ def text_of(unit: LengthUnit) -> str:
 
 def unit_of_text(text: str) -> LengthUnit | None:
     """Inverse of `text_of`. None for other text."""
-    name, is_told, length = text.strip().rpartition(" = ")
-    if not is_told:
+    name, separator, length = text.strip().rpartition(" = ")
+    if not separator:
         unit = unit_by_name(text)
         return unit if unit == text.strip() else None
     number, _, metre = length.partition(" ")
@@ -197,10 +199,10 @@ def common_unit(name: str, units: Iterable[LengthUnit | None]) -> LengthUnit | N
     other = next((unit for unit in known if not is_same(unit, known[0])), None)
     if other is None:
         return known[0] if known else None
-    remedy = 'to_unit("metre") converts a cloud; where a unit is told wrongly, set cloud.unit'
+    remedy = 'Convert a cloud with to_unit("metre"), or set cloud.unit if a unit is wrong'
     if None in (known[0].meters, other.meters):
-        remedy = "project_to_utm(cloud) makes meters of degrees; where a unit is told wrongly, set cloud.unit"
-    warn_of_units(f"{name}: lengths in {known[0]} and in {other} meet: {remedy}")
+        remedy = "Convert degrees with project_to_utm(cloud), or set cloud.unit if a unit is wrong"
+    warn_of_units(f"{name}: expected one unit of length, got {known[0]} and {other}. {remedy}")
     return None
 
 
@@ -220,11 +222,11 @@ def warn_of_units(message: str, category: type[Warning] = UnitWarning) -> None:
         warnings.warn(escaped(message), category, stacklevel=_user_level())
 
 
-def asked_by_user() -> bool:
+def called_by_user() -> bool:
     """True if the calling operation was called by user code or a command, not by another operation."""
     frame = sys._getframe(2)
-    own = frame.f_globals.get("__name__", "")
-    while frame.f_back is not None and frame.f_globals.get("__name__", "") in (own, *_AROUND_CALLS):
+    operation_module = frame.f_globals.get("__name__", "")
+    while frame.f_back is not None and frame.f_globals.get("__name__", "") in (operation_module, *_AROUND_CALLS):
         frame = frame.f_back
     name = frame.f_globals.get("__name__", "")
     return not name.startswith("pointloom.") or name.startswith(_FOR_USERS)

@@ -1,4 +1,4 @@
-"""The up axis: `check_up`, `up_under`."""
+"""The up axis: `check_up`, `transform_up_vector`."""
 
 from __future__ import annotations
 
@@ -26,18 +26,18 @@ def check_up(up: Any) -> Direction:
     return x, y, z
 
 
-def up_under(up: Direction | None, A: NDArray[Any]) -> Direction | None:
+def transform_up_vector(up: Direction | None, A: NDArray[Any]) -> Direction | None:
     """The up direction after a map with the 3x3 part A.
 
     Example:
-        >>> up_under((0.0, 1.0, 0.0), np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]))
+        >>> transform_up_vector((0.0, 1.0, 0.0), np.array([[1, 0, 0], [0, 0, -1], [0, 1, 0]]))
         (0.0, 0.0, 1.0)
     """
     if up is None:
         return None
-    turned = matmul(np.asarray(A, np.float64), np.array(up))
-    length = float(norm(turned))
+    rotated = matmul(np.asarray(A, np.float64), np.array(up))
+    length = float(norm(rotated))
     if not 0 < length < np.inf:
         return None
-    x, y, z = (turned / length + 0.0).tolist()  # no -0
+    x, y, z = (rotated / length + 0.0).tolist()  # no -0
     return x, y, z

@@ -19,7 +19,7 @@ from .escaped_text import escaped
 from .standard_streams import write_to_stderr
 
 LOGGER = logging.getLogger("pointloom")
-PATIENCE = 3.0  # [s] before a call reports progress, and between reports
+LOG_INTERVAL = 3.0  # [s] before a call reports progress, and between reports
 
 
 class VerbosityLevel(enum.Enum):
@@ -110,8 +110,8 @@ def get_verbosity_level() -> VerbosityLevel:
         <VerbosityLevel.Warning: 1>
     """
     level = LOGGER.getEffectiveLevel()
-    said = [name for name, value in LEVELS.items() if value >= level]
-    return said[-1] if said else VerbosityLevel.Error
+    names = [name for name, value in LEVELS.items() if value >= level]
+    return names[-1] if names else VerbosityLevel.Error
 
 
 class VerbosityContextManager:
@@ -146,7 +146,7 @@ class VerbosityContextManager:
 
 
 @contextlib.contextmanager
-def told_time(what: str, wanted: bool) -> Iterator[None]:
+def printed_duration(what: str, wanted: bool) -> Iterator[None]:
     """Print a step and its duration if requested, for steps without a count."""
     if not wanted:
         yield
@@ -158,17 +158,17 @@ def told_time(what: str, wanted: bool) -> Iterator[None]:
 
 
 class LoggedProgress:
-    """The default `ReportProgress`: logs slow calls at INFO, at most every `PATIENCE`, and each stage at DEBUG."""
+    """The default `ReportProgress`: logs slow calls at INFO, at most every `LOG_INTERVAL`, and each stage at DEBUG."""
 
     def __init__(self) -> None:
-        self._began = self._said = time.monotonic()
+        self._began = self._last_logged = time.monotonic()
         self._stage = ""
 
     def __call__(self, stage: str, done: int, total: int) -> None:
         now = time.monotonic()
         text = f"{stage} {done:,} of {total:,}" if total else f"{stage} {done:,}" if done else stage
-        if now - self._said >= PATIENCE:
-            self._said = now
+        if now - self._last_logged >= LOG_INTERVAL:
+            self._last_logged = now
             LOGGER.info("%s, after %s", text, f"{now - self._began:.0f} s")
         elif stage != self._stage:
             LOGGER.debug("%s", text)

@@ -13,8 +13,8 @@ from .escaped_text import escaped, escaped_json
 MAX_DECIMALS = 15  # decimals that `rounded` leaves. Python has no more near 1
 
 
-def few_of(names: Sequence[str], most: int) -> str:
-    return escaped(", ".join(names[:most])) + (", ..." if len(names) > most else "")
+def few_of(names: Sequence[str], max_names: int) -> str:
+    return escaped(", ".join(names[:max_names])) + (", ..." if len(names) > max_names else "")
 
 
 def format_share(share: float) -> str:

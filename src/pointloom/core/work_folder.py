@@ -26,15 +26,15 @@ def check_work_folder(folder: FilePath, *, marker: str, resume: bool, overwrite:
     if not folder.exists() or not any(path.is_file() for path in folder.rglob("*")):
         return folder  # it may contain empty folders of a run that was interrupted at the start
     if not (folder / marker).is_file():
-        raise FileError(folder, "holds other files than those of a run", remedy="Give another folder with --work")
+        raise FileError(folder, "contains files that do not belong to a run", remedy="Give another folder with --work")
     if not resume and not overwrite:
-        remedy = "Give --resume to go on with it, --force to begin anew, or another folder with --work"
-        raise FileError(folder, "holds an earlier run", remedy=remedy)
+        remedy = "Give --resume to continue it, --force to start over, or another folder with --work"
+        raise FileError(folder, "contains an earlier run", remedy=remedy)
     return folder
 
 
 @contextlib.contextmanager
-def held(folder: FilePath) -> Iterator[None]:
+def locked(folder: FilePath) -> Iterator[None]:
     """Lock a folder against other processes. The lock ends with the process. Raises `FileError` if it is locked."""
     if fcntl is None:
         yield
@@ -45,7 +45,7 @@ def held(folder: FilePath) -> Iterator[None]:
             fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except BlockingIOError as error:
             remedy = "Wait until it is done, or give another folder with --work"
-            raise FileError(folder, "another run works in it", remedy=remedy) from error
+            raise FileError(folder, "another run is using it", remedy=remedy) from error
         except OSError:  # a file system without locks
             pass
         yield

@@ -8,11 +8,11 @@ from typing import Any, ClassVar, Self
 import numpy as np
 from numpy.typing import ArrayLike, DTypeLike, NDArray
 
-from ..core.attribute_hints import ToldNames
+from ..core.attribute_hints import HintedNames
 from ..core.masked_arrays import unmasked
 
 
-class Vector(ToldNames):
+class Vector(HintedNames):
     """Rows of one type; `np.asarray(vector)` is its memory, and writing to it changes the vector.
 
     As in Open3D, an array taken before the length changed keeps the old rows.

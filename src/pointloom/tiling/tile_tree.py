@@ -176,7 +176,7 @@ class TileTree:
         keys, order, levels = self._levels_of(leaf, rows, numbers)
         if champion is not None:
             levels[levels < leaf.depth - NODE_BITS + 1] = champion
-        table = make_nodes(keys, order, levels, most=self.count, least=self._least, depth=leaf.depth)
+        table = make_nodes(keys, order, levels, max_points=self.count, min_points=self._least, depth=leaf.depth)
         above: Above = {}
         for level in range(leaf.depth):
             chosen = np.sort(order[levels == level])

@@ -101,7 +101,7 @@ def test_cells_that_are_too_many_are_refused_before_the_long_work(quick, film, t
     [
         (("--ortho", "o.tif"), "--cell"),
         (("--dem", "d.tif", "--cell", "0"), "--cell"),
-        (("--dem", "d.png", "--cell", "1"), r"d.png: is no name of a GeoTIFF"),
+        (("--dem", "d.png", "--cell", "1"), r"d.png: is not a GeoTIFF file name"),
         (("--ortho", "o.tif", "--dem", "o.tif", "--cell", "1"), "o.tif"),
     ],
 )

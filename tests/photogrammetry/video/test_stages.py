@@ -54,11 +54,11 @@ def test_a_finished_job_is_kept_as_it_is(tmp_path):
     again = Job(tmp_path)
     kept = again.run()
     assert again.ran == []
-    assert [m.kept for m in made.values()] == [False] * 3
-    assert [m.kept for m in kept.values()] == [True] * 3
-    assert [m.told for m in kept.values()] == [m.told for m in made.values()]
+    assert [m.is_reused for m in made.values()] == [False] * 3
+    assert [m.is_reused for m in kept.values()] == [True] * 3
+    assert [m.report for m in kept.values()] == [m.report for m in made.values()]
     assert [m.cost for m in kept.values()] == [m.cost for m in made.values()]
-    assert made["third"].told == {"length": 3, "share": None}
+    assert made["third"].report == {"length": 3, "share": None}
     assert set(made["third"].cost) == {"seconds", "cpu_seconds", "peak_bytes"}
     assert (tmp_path / "third" / "deep" / "text").read_text() == "abc"
     assert first.told == [(f"{name}: letter", 1, 2) for name in NAMES]
@@ -115,11 +115,11 @@ def test_what_another_version_made_is_made_again_and_told(tmp_path):
     def run(**code):
         return Job(tmp_path).chain.run(Stage("first", lambda folder, say: {}, code=code))
 
-    assert run(pointloom="1.0").outdated == "" and run(pointloom="1.0").kept
+    assert run(pointloom="1.0").outdated == "" and run(pointloom="1.0").is_reused
     newer = run(pointloom="1.1")
-    assert not newer.kept and newer.outdated == "pointloom 1.0, now 1.1"
+    assert not newer.is_reused and newer.outdated == "pointloom 1.0, now 1.1"
     other = Job(tmp_path).chain.run(Stage("first", lambda folder, say: {}, {"a": 1}, code={"pointloom": "1.1"}))
-    assert not other.kept and other.outdated == ""  # a setting was changed, and no version
+    assert not other.is_reused and other.outdated == ""  # a setting was changed, and no version
 
 
 def test_a_stage_that_goes_on_finds_what_it_left_of_the_same(tmp_path):
@@ -168,7 +168,7 @@ def test_an_interrupted_job_leaves_whole_stages_and_goes_on_to_the_same_bytes(tm
         assert run_lines(lambda root=root: Job(root).run(), files, stop) == stop
         for name in NAMES:  # a folder of a stage is there as a whole
             assert not (root / name).exists() or (root / name / "deep" / "text").is_file()
-        assert Job(root).run()["third"].told["length"] == 3
+        assert Job(root).run()["third"].report["length"] == 3
         assert files_in(root) == whole
 
 

@@ -7,7 +7,7 @@ import pytest
 from PIL import Image
 
 import pointloom as loom
-from pointloom.core.stages import Made
+from pointloom.core.stages import StageResult
 from pointloom.photogrammetry.mvs.depth_maps import DepthMap, DepthMaps
 from pointloom.photogrammetry.video import motion, surface
 from pointloom.photogrammetry.video.units import Units
@@ -23,7 +23,7 @@ def say_nothing(step, done, total):
 
 
 def made(folder):
-    return Made(folder.name, folder, "", {}, {}, False)
+    return StageResult(folder.name, folder, "", {}, {}, False)
 
 
 @pytest.fixture
@@ -48,7 +48,7 @@ def straighten(before, tmp_path, max_size):
     folder = tmp_path / "undistorted"
     folder.mkdir()
     told = surface.straighten(folder, say_nothing, frames=before[0], model=before[1], max_size=max_size, device="cpu")
-    return Made("undistorted", folder, "", told, {}, False)
+    return StageResult("undistorted", folder, "", told, {}, False)
 
 
 @pytest.mark.parametrize("max_size", [1000, 64, 40])
@@ -65,7 +65,7 @@ def test_straightened_pictures_show_the_sparse_points_where_a_pinhole_does(befor
         lens = camera.intrinsic
         pixels = local[:, :2] / local[:, 2:] * (lens.fx, lens.fy) + (lens.cx, lens.cy)
         np.testing.assert_allclose(pixels, model.pixels[mine], atol=1e-6)
-    size = result.told["sizes"][0]
+    size = result.report["sizes"][0]
     assert max(size) == max_size if max_size < WIDTH else max(size) >= WIDTH - 10
 
 

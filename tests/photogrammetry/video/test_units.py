@@ -115,9 +115,9 @@ def test_what_makes_no_sense_is_refused(given, error):
     [
         ("0 1 2 3\n7 1 2\n", "line 2.*a name and three numbers"),
         ("0 1 2 3\n7 1 2 nan\n", "line 2.*finite"),
-        ("0 1 2 3\n0 1 2 4\n7 1 1 1\n", "'frame_000000.png' stands twice"),
+        ("0 1 2 3\n0 1 2 4\n7 1 1 1\n", "'frame_000000.png' is duplicated"),
         ("0 1 2 3\n7 3 2 1\n", "the places of 2 pictures in the model; 3 or more"),
-        ("x 1 2 3\ny 2 2 3\nz 3 4 5\n", "names no picture of the model"),
+        ("x 1 2 3\ny 2 2 3\nz 3 4 5\n", "contains no name of a picture of the model"),
         ("0 1 2 3\n7 2 4 6\n12 3 6 9\n", "on a line"),
     ],
 )

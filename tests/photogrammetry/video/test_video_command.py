@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.core.work_folder import held
+from pointloom.core.work_folder import locked
 from pointloom.io.pictures.image_files import write_png
 from pointloom.photogrammetry.video import chain, motion
 
@@ -68,7 +68,7 @@ def test_a_folder_to_train_from_is_written_beside_the_mesh_and_in_its_unit(quick
     np.testing.assert_allclose(model.centers, 2.5 * loom.read_colmap_model(scene / "sparse" / "0").centers, atol=1e-12)
     (tmp_path / "other").mkdir()
     (tmp_path / "other" / "notes.txt").write_text("mine")
-    assert "other: holds other files" in refusal(
+    assert "other: contains other files" in refusal(
         "video", film, "-o", output, "--training", tmp_path / "other", "--force"
     )
 
@@ -216,7 +216,7 @@ def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, said
         (["-o", "room.ply", "--align", "nowhere.txt"], "nowhere.txt: cannot be read: No such file"),
         (["-o", "room.ply", "--intrinsic", "nowhere.json"], "nowhere.json"),
         (["-o", "room.ply", "--work", "old.ply"], "is not a folder"),
-        (["-o", "room.ply", "--work", "photos"], "holds other files than those of a run"),
+        (["-o", "room.ply", "--work", "photos"], "contains files that do not belong to a run"),
     ],
 )
 def test_what_cannot_be_written_is_said_before_the_work(quick, film, tmp_path, monkeypatch, words, said):
@@ -232,7 +232,9 @@ def test_what_cannot_be_written_is_said_before_the_work(quick, film, tmp_path, m
 def test_an_earlier_run_is_neither_mixed_in_nor_replaced_unasked(quick, film, output, tmp_path):
     work = ("--work", tmp_path / "work")
     answer("video", film, "-o", output, *work)
-    assert "holds an earlier run. Give --resume to go on" in refusal("video", film, "-o", tmp_path / "b.ply", *work)
+    assert "contains an earlier run. Give --resume to continue" in refusal(
+        "video", film, "-o", tmp_path / "b.ply", *work
+    )
     quick.ran.clear()
     answer("video", film, "-o", output, *work, "--force")
     assert quick.ran == STAGES
@@ -240,8 +242,8 @@ def test_an_earlier_run_is_neither_mixed_in_nor_replaced_unasked(quick, film, ou
 
 def test_two_runs_do_not_share_a_folder(quick, film, output, tmp_path):
     (tmp_path / "work").mkdir()
-    with held(tmp_path / "work"):
-        assert "another run works in it" in refusal("video", film, "-o", output, "--work", tmp_path / "work")
+    with locked(tmp_path / "work"):
+        assert "another run is using it" in refusal("video", film, "-o", output, "--work", tmp_path / "work")
     answer("video", film, "-o", output, "--work", tmp_path / "work")
 
 

@@ -87,7 +87,7 @@ def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
 def test_a_stage_is_made_from_what_its_signature_asks_for(tmp_path, name, after, recorded):
     given = chain.settings_of_stages("walk.mp4", "digest", loom.video.Settings(), "cpu")
     names = list(chain.STAGES)
-    made = {each: chain.Made(each, tmp_path / each, each, {}, {}, False) for each in names[: names.index(name)]}
+    made = {each: chain.StageResult(each, tmp_path / each, each, {}, {}, False) for each in names[: names.index(name)]}
     stage = chain.stage_of(name, chain.STAGES[name], made, given)
     assert [each.name for each in stage.after] == after
     assert set(stage.settings) == recorded

@@ -237,9 +237,9 @@ def test_a_file_that_is_no_grid_is_refused(tmp_path):
             read_control_grid(path)
     names = {"sizes": np.ones(1), "origin": np.zeros(3), "cells": np.arange(2), "shifts": np.zeros((3, 3))}
     for wrong, said in (
-        ({"format": np.zeros(3, np.uint8)}, "is no control grid"),
-        ({"cells": np.arange(2)[::-1]}, "not those of a control grid"),
-        ({"shifts": np.full((3, 3), np.nan)}, "not those of a control grid"),
+        ({"format": np.zeros(3, np.uint8)}, "is not a control grid"),
+        ({"cells": np.arange(2)[::-1]}, "do not belong to a control grid"),
+        ({"shifts": np.full((3, 3), np.nan)}, "do not belong to a control grid"),
         ({}, "for [0-9]+ anchors"),
     ):
         sound = {"format": np.frombuffer(b"pointloom control grid 1", np.uint8)} | names

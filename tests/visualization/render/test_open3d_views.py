@@ -174,7 +174,7 @@ def _changed(change):
         (_changed(lambda c, e: e.update(up=[0, 0, 2])), "along front"),
         (_changed(lambda c, e: e.update(lookat=None)), "lookat"),
         (_changed(lambda c, e: e.update(lookat=[0, 0, 1e300])), "lookat"),
-        (_changed(lambda c, e: e.update(fov=3)), "unknown meaning"),
+        (_changed(lambda c, e: e.update(fov=3)), "is unknown"),
         ('{"intrinsic": {"width": 4, "height": 4, "intrinsic_matrix": [1, 0, 0, 0, 1, 0, 1, 1, 1]}}', "extrinsic"),
     ],
 )

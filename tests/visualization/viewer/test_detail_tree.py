@@ -5,7 +5,7 @@ import pytest
 
 import pointloom as loom
 from pointloom.core.errors import FileError
-from pointloom.pcd.detail_nodes import LEAST, SHARE
+from pointloom.pcd.detail_nodes import MIN_POINTS, SHARE
 from pointloom.visualization.render.view import View, fit_view
 from pointloom.visualization.viewer import detail_tree
 from pointloom.visualization.viewer.detail_files import sample_file
@@ -63,7 +63,7 @@ def test_what_is_drawn_down_to_a_level_is_evenly_spaced(rng):
         spacing = tree.spacings[nodes].min()
         voxels = np.unique(np.floor((drawn - tree._corner - tree.origin) / spacing), axis=0)
         every = np.unique(np.floor((points - tree._corner - tree.origin) / spacing), axis=0)
-        assert len(drawn) - len(voxels) <= len(nodes) * LEAST + len(drawn) / SHARE
+        assert len(drawn) - len(voxels) <= len(nodes) * MIN_POINTS + len(drawn) / SHARE
         open_cells = tree.levels.max() > level
         assert len(voxels) >= (0.8 if open_cells else 1.0) * len(every)
 
@@ -101,7 +101,7 @@ def test_odd_clouds_have_trees(points):
     check_nodes(tree, points)
     if len(tree):
         assert tree.select(fit_view(points), 10**6)
-    assert (tree.counts <= detail_tree.MOST).all()
+    assert (tree.counts <= detail_tree.MAX_POINTS).all()
 
 
 def look_at(points, distance=None):

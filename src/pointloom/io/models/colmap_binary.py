@@ -13,7 +13,7 @@ from typing import IO, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera_models import MODEL_NUMBERS, MODELS, UNREAD, CameraModel
+from ...cameras.camera_models import MODEL_NUMBERS, MODELS, UNSUPPORTED, CameraModel
 from ...core.errors import FileError
 from ..source import open_source
 from .colmap_records import Picture, Points, Records, camera_of
@@ -88,7 +88,7 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
             raise FileError(path, f"the camera number {number} stands twice", where=where)
         name = MODEL_NUMBERS.get(model)
         if name is None:
-            raise unknown_model(path, where, str(model), UNREAD.get(model))
+            raise unknown_model(path, where, str(model), UNSUPPORTED.get(model))
         params = file.array(np.dtype("<f8"), len(MODELS[name].params.split(", ")), "a camera's parameters")
         cameras[number] = camera_of(path, where, name, width, height, params.tolist())
     file.close()

@@ -14,7 +14,7 @@ from typing import IO
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.camera_models import MODEL_NUMBERS, UNREAD, CameraModel
+from ...cameras.camera_models import MODEL_NUMBERS, UNSUPPORTED, CameraModel
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows
 from ..source import open_source
@@ -39,7 +39,7 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
         if number in cameras:
             raise FileError(path, f"the camera number {number} stands twice", where=where)
         if words[1] not in MODEL_NUMBERS.values():
-            raise unknown_model(path, where, repr(words[1]), words[1] if words[1] in UNREAD.values() else None)
+            raise unknown_model(path, where, repr(words[1]), words[1] if words[1] in UNSUPPORTED.values() else None)
         cameras[number] = camera_of(path, where, words[1], width, height, [_real(path, where, w) for w in words[4:]])
     return cameras
 

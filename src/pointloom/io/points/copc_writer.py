@@ -173,7 +173,7 @@ def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float,
     reach = float((stored.max(axis=0) - corner).max()) if len(points) else 0.0
     side = max(reach, float(header.scales.max()))
     levels = find_levels(upload(stored, vec3d, device), corner, side)
-    return corner, side, make_nodes(*levels, most=len(points), least=_LEAST)
+    return corner, side, make_nodes(*levels, max_points=len(points), min_points=_LEAST)
 
 
 def _pages(entries: NDArray[Any], begin: int) -> tuple[bytes, int]:

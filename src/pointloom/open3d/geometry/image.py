@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import DTypeLike, NDArray
 from scipy.ndimage import correlate1d
 
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 from .enums import ImageFilterType
 from .geometry import GeometryType
 
@@ -23,7 +23,7 @@ WEIGHTS = {
 GRAY = np.array([0.2990, 0.5870, 0.1140], np.float32)
 
 
-class Image(ToldNames):
+class Image(HintedNames):
     """An image, uint8, uint16 or float32, (h, w) or (h, w, c); `np.asarray(image)` is its memory."""
 
     Type = GeometryType

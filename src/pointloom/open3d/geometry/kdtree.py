@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial import KDTree
 
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count, check_positive
 from ..held import Held
 from ..vectors import DoubleVector, IntVector
@@ -17,7 +17,7 @@ from .search_param import KDTreeSearchParam, keywords_of
 Found = tuple[int, IntVector, DoubleVector]
 
 
-class KDTreeFlann(ToldNames):
+class KDTreeFlann(HintedNames):
     """Search in the points of a cloud, the vertices of a mesh, features, or the columns of a matrix.
 
     Searches return count, indices by distance, and squared distances. As in Open3D, the tree keeps the positions at

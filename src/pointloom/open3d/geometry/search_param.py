@@ -5,7 +5,7 @@ from __future__ import annotations
 import enum
 from typing import Any
 
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 
 
 class SearchType(enum.IntEnum):
@@ -16,7 +16,7 @@ class SearchType(enum.IntEnum):
     HybridSearch = 2
 
 
-class KDTreeSearchParam(ToldNames):
+class KDTreeSearchParam(HintedNames):
     """Base class: search by number, by radius, or by both."""
 
     Type = SearchType

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ...core.attribute_hints import ToldNames
+from ...core.attribute_hints import HintedNames
 from ...core.checks import check_direction, check_number, check_shape
 from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, MAX_ZOOM, MIN_ZOOM, ZOOM
 from ...visualization.render.view import View
@@ -27,7 +27,7 @@ def _nobody() -> View | None:
     return None
 
 
-class ViewControl(ToldNames):
+class ViewControl(HintedNames):
     """Camera of a window.
 
     Mouse motion in the page affects captures and `convert_to_pinhole_camera_parameters`; `rotate` and the other methods

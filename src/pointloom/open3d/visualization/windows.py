@@ -8,7 +8,7 @@ from typing import Any
 from numpy.typing import ArrayLike
 
 from ...core.errors import PointloomError
-from ...core.open3d_names import row_of, told
+from ...core.open3d_names import hint, row_of
 from ...visualization.viewer.draw import draw as draw_page
 from ..geometry import Geometry, Image
 from .o3d_visualizer import O3DVisualizer
@@ -106,7 +106,7 @@ def draw(
     """
     asked = [name for name, value in others.items() if value is not None and value is not False]
     if asked:
-        raise PointloomError(f"{asked[0]}: pages have no such thing{told(row_of(asked[0], ('draw',)))}")
+        raise PointloomError(f"{asked[0]}: pages have no such thing{hint(row_of(asked[0], ('draw',)))}")
     window = O3DVisualizer(title, width, height)
     try:
         window.point_size = window.point_size if point_size is None else point_size

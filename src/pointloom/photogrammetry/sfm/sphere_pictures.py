@@ -8,7 +8,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ...cameras.panoramas import FACES, TURNS, Panorama
+from ...cameras.panoramas import FACES, ROTATIONS, Panorama
 from ...core.errors import FileError
 from ...core.progress import ReportProgress
 from ...io.models.sfm_model import SfmModel
@@ -65,7 +65,9 @@ def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, lis
         sphere, face = _sphere_and_face(name)
         known = best[sphere]
         T = np.eye(4)
-        T[:3, :3] = TURNS[face].T @ TURNS[_sphere_and_face(model.names[known])[1]] @ model.T_camera_world[known, :3, :3]
+        T[:3, :3] = (
+            ROTATIONS[face].T @ ROTATIONS[_sphere_and_face(model.names[known])[1]] @ model.T_camera_world[known, :3, :3]
+        )
         T[:3, 3] = -T[:3, :3] @ model.centers[known]
         poses.append(T)
     if not added:

@@ -13,7 +13,7 @@ from functools import partial
 from importlib import metadata
 from typing import Any
 
-from ...core.stages import Chain, Made, Stage
+from ...core.stages import Chain, Stage, StageResult
 from . import known_motion, motion, surface
 from .settings import Settings
 
@@ -75,7 +75,7 @@ def settings_of_stages(source: Any, content: str, settings: Settings, device: An
 
 def run_to(
     last: str, chain: Chain, given: Mapping[str, Given], stages: Mapping[str, Callable[..., Mapping[str, Any]]] = STAGES
-) -> Made:
+) -> StageResult:
     """Run the stages up to `last` or reuse them. Returns the record of the last."""
     for name, make in stages.items():
         if name not in chain.made:
@@ -86,7 +86,7 @@ def run_to(
 
 
 def stage_of(
-    name: str, make: Callable[..., Mapping[str, Any]], made: Mapping[str, Made], given: Mapping[str, Given]
+    name: str, make: Callable[..., Mapping[str, Any]], made: Mapping[str, StageResult], given: Mapping[str, Given]
 ) -> Stage:
     _folder, _say, *wanted = inspect.signature(make).parameters
     goes_on = "going" in wanted

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import meant_pictures
+from ...cameras.picture_names import matching_pictures
 from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions
@@ -104,7 +104,7 @@ class PlacesFit:
 def places_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, PicturePlace]:
     found: dict[str, PicturePlace] = {}
     for place in places.places:
-        meant = meant_pictures(place.name, names)
+        meant = matching_pictures(place.name, names)
         if len(meant) == 1:
             found[names[meant[0]]] = place
     return found
@@ -113,7 +113,7 @@ def places_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, Pictur
 def attitudes_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
     found: dict[str, tuple[float, float, float]] = {}
     for name, angles in places.attitudes.items():
-        meant = meant_pictures(name, names)
+        meant = matching_pictures(name, names)
         if len(meant) == 1:
             found[names[meant[0]]] = angles
     return found

@@ -10,17 +10,17 @@ from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
-from ...cameras.picture_names import meant_pictures
+from ...cameras.picture_names import matching_pictures
 from ...core.atomic import atomic_write
 from ...core.attribute_hints import nearest_name
 from ...core.checks import check_progress
 from ...core.devices import resolve_device
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
-from ...core.stages import Chain, Made
+from ...core.stages import Chain, StageResult
 from ...core.timing import peak_bytes_of_all
 from ...core.wording import few_of, json_text
-from ...core.work_folder import check_work_folder, held
+from ...core.work_folder import check_work_folder, locked
 from ...io.pictures.image_files import read_picture_header
 from ...io.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
@@ -36,13 +36,13 @@ from .settings import Settings
 from .units import NONE, fit_as_given, fit_units
 
 
-def check_control(control: GroundControl | None, frames: Made, source: FilePath) -> None:
+def check_control(control: GroundControl | None, frames: StageResult, source: FilePath) -> None:
     if control is None:
         return
     place = Path(source)
     offered = sorted(path.name for path in place.iterdir()) if place.is_dir() else []
     names = picture_names(frames)
-    marked = {k for mark in control.marks for k in meant_pictures(mark.picture, names)}
+    marked = {k for mark in control.marks for k in matching_pictures(mark.picture, names)}
     headers = {names[k]: read_picture_header(frames.folder / PICTURES / names[k]) for k in sorted(marked)}
     sizes = {name: (header.width, header.height) for name, header in headers.items()}
     check_marks(control, names, sizes, offered)
@@ -52,8 +52,8 @@ def check_marks(
     control: GroundControl, names: Sequence[str], sizes: Mapping[str, tuple[int, int]], offered: Sequence[str] = ()
 ) -> None:
     for mark in control.marks:
-        meant = meant_pictures(mark.picture, names)
-        if not meant and meant_pictures(mark.picture, offered):
+        meant = matching_pictures(mark.picture, names)
+        if not meant and matching_pictures(mark.picture, offered):
             continue
         if len(meant) != 1:
             what = "is none of the pictures" if not meant else f"may mean {len(meant)} pictures"
@@ -213,8 +213,8 @@ def _run(
     )
 
 
-def _report_of(made: Made | None) -> StageReport | None:
-    return None if made is None else StageReport(made.kept, made.cost, made.told, made.outdated)
+def _report_of(made: StageResult | None) -> StageReport | None:
+    return None if made is None else StageReport(made.is_reused, made.cost, made.report, made.outdated)
 
 
 @contextlib.contextmanager
@@ -225,7 +225,7 @@ def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overw
             folder.mkdir(exist_ok=True)
         except OSError as error:
             raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
-        with held(folder):
+        with locked(folder):
             yield folder
         return
     beside = Path(outputs.mesh or "mesh").absolute()  # not the system's temporary folder, often small or in memory

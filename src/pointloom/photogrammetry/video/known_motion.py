@@ -12,7 +12,7 @@ from ...cameras.camera_models import MODELS, CameraModel
 from ...cameras.undistortion import Undistortion
 from ...core.errors import DatasetError, FilePath
 from ...core.progress import ReportProgress
-from ...core.stages import Made
+from ...core.stages import StageResult
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
 from ...io.pictures.photo_files import is_photo
@@ -128,13 +128,17 @@ def _write(
     return f"{path.stem}.png", camera
 
 
-def find_features(folder: Path, say: ReportProgress, *, frames: Made, max_features: int, seed: int) -> dict[str, Any]:
+def find_features(
+    folder: Path, say: ReportProgress, *, frames: StageResult, max_features: int, seed: int
+) -> dict[str, Any]:
     pictures, database = frames.folder / PICTURES, folder / DATABASE
     options = {"max_features": max_features, "masks": masks_of(frames.folder)}
     return features.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
 
 
-def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, device: Any) -> dict[str, Any]:
+def match(
+    folder: Path, say: ReportProgress, *, frames: StageResult, features: StageResult, device: Any
+) -> dict[str, Any]:
     model = read_colmap_model(frames.folder / CAMERAS)
     found, check = match_posed(features.folder / DATABASE, model, device=device, progress=say)
     write_matches(folder / MATCHES, found)
@@ -142,14 +146,14 @@ def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, de
 
 
 def triangulate(
-    folder: Path, say: ReportProgress, *, frames: Made, features: Made, matches: Made, seed: int
+    folder: Path, say: ReportProgress, *, frames: StageResult, features: StageResult, matches: StageResult, seed: int
 ) -> dict[str, Any]:
     model = read_colmap_model(frames.folder / CAMERAS)
-    check = PoseCheck.from_json(matches.told["poses"])
+    check = PoseCheck.from_json(matches.report["poses"])
     found = read_matches(matches.folder / MATCHES)
     where = features.folder / DATABASE, model, found, check, frames.folder / PICTURES
     whole, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
-    assessed = assess_model(whole, len(model) + frames.told["missing"], fix_intrinsic=True, poses=check)
+    assessed = assess_model(whole, len(model) + frames.report["missing"], fix_intrinsic=True, poses=check)
     write_colmap_model(folder / MODEL, whole)
     cameras = tuple(dict.fromkeys(whole.cameras))
     told = {"missing": [], "cameras": [described(camera) for camera in cameras]}

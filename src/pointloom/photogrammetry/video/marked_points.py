@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import meant_pictures
+from ...cameras.picture_names import matching_pictures
 from ...io.models.sfm_model import SfmModel
 from ...registration.rigid import skews
 from .ground_control import ControlMark
@@ -45,7 +45,7 @@ class MarkedPoint:
 
 
 def locate_marks(model: SfmModel, marks: Sequence[ControlMark]) -> dict[str, MarkedPoint]:
-    pictures = {mark.picture: meant_pictures(mark.picture, model.names) for mark in marks}
+    pictures = {mark.picture: matching_pictures(mark.picture, model.names) for mark in marks}
     by_name: dict[str, list[tuple[int, Array]]] = {mark.point: [] for mark in marks}
     for mark in marks:
         if len(meant := pictures[mark.picture]) == 1:

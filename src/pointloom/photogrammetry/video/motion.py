@@ -12,7 +12,7 @@ from ...cameras.camera_models import CameraModel
 from ...core.errors import FileError, FilePath
 from ...core.progress import ReportProgress
 from ...core.records import digest_of, digest_of_file
-from ...core.stages import Made
+from ...core.stages import StageResult
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
 from ...io.pictures.image_files import read_picture_header
@@ -44,11 +44,11 @@ def digest_of_source(source: FilePath) -> str:
         raise FileError(path, reason, remedy="Give a video, or a folder of pictures") from error
 
 
-def read_model(model: Made) -> SfmModel:
+def read_model(model: StageResult) -> SfmModel:
     return read_colmap_model(model.folder / MODEL)
 
 
-def picture_names(frames: Made) -> list[str]:
+def picture_names(frames: StageResult) -> list[str]:
     return sorted(path.name for path in (frames.folder / PICTURES).iterdir())
 
 
@@ -85,7 +85,7 @@ def find_features(
     folder: Path,
     say: ReportProgress,
     *,
-    frames: Made,
+    frames: StageResult,
     intrinsic: PinholeCameraIntrinsic | None,
     camera_model: str,
     max_features: int,
@@ -102,7 +102,9 @@ def find_features(
     return found.to_dict()
 
 
-def match(folder: Path, say: ReportProgress, *, frames: Made, features: Made, pairs: str, seed: int) -> dict[str, Any]:
+def match(
+    folder: Path, say: ReportProgress, *, frames: StageResult, features: StageResult, pairs: str, seed: int
+) -> dict[str, Any]:
     options = {"pairs": pairs, "seed": seed, "progress": say}
     return matches_module.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
@@ -111,8 +113,8 @@ def map_pictures(
     folder: Path,
     say: ReportProgress,
     *,
-    frames: Made,
-    matches: Made,
+    frames: StageResult,
+    matches: StageResult,
     fixed_camera: bool,
     mapper: str,
     panorama: bool,

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from ...core.reports import Assessed, Fields, in_columns, quality
-from ...core.stages import Made
+from ...core.stages import StageResult
 from ...core.wording import format_bounds, format_bytes, format_share
 from ...io.models.sfm_model import SfmModel
 from ...meshing.mesh.mesh import TriangleMesh
@@ -53,10 +53,10 @@ class VideoFigures:
     bounds: dict[str, Any] | None = None
 
     @classmethod
-    def of_stages(cls, made: Mapping[str, Made]) -> VideoFigures:
-        frames, model = made["frames"].told, made["model"].told
+    def of_stages(cls, made: Mapping[str, StageResult]) -> VideoFigures:
+        frames, model = made["frames"].report, made["model"].report
         quality = ModelQuality.from_json(model)
-        features = made["features"].told.get("notes", ()) if "features" in made else ()
+        features = made["features"].report.get("notes", ()) if "features" in made else ()
         taken = (
             frames["frames"],
             frames["kept"],
@@ -65,8 +65,8 @@ class VideoFigures:
         placed = quality, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
             return cls(*taken, *placed)
-        width, height = made["undistorted"].told["sizes"][0]
-        fused, mesh = made["fused"].told, made["mesh"].told
+        width, height = made["undistorted"].report["sizes"][0]
+        fused, mesh = made["fused"].report, made["mesh"].report
         depth = (width, height), fused["share"], fused["points"]
         return cls(*taken, *placed, *depth, mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"])
 

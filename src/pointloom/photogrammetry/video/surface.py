@@ -13,7 +13,7 @@ from ...cameras.pose_files import trajectory_of
 from ...cameras.trajectory import Trajectory, write_trajectory
 from ...cameras.undistortion import Undistortion
 from ...core.progress import ReportProgress
-from ...core.stages import Made
+from ...core.stages import StageResult
 from ...io.models.colmap import read_colmap_model, write_colmap_model
 from ...io.models.sfm_model import SfmModel
 from ...io.pictures.image_files import read_color, write_png
@@ -41,7 +41,7 @@ FLOATER = 0.005  # smaller parts are removed, relative to the largest area
 
 
 def straighten(
-    folder: Path, say: ReportProgress, *, frames: Made, model: Made, max_size: int, device: Any
+    folder: Path, say: ReportProgress, *, frames: StageResult, model: StageResult, max_size: int, device: Any
 ) -> dict[str, Any]:
     found, images = motion.read_model(model), folder / IMAGES
     images.mkdir()
@@ -64,7 +64,7 @@ def straighten(
 
 
 def estimate(
-    folder: Path, say: ReportProgress, going: Path, *, undistorted: Made, seed: int, device: Any
+    folder: Path, say: ReportProgress, going: Path, *, undistorted: StageResult, seed: int, device: Any
 ) -> dict[str, Any]:
     model, pictures, cameras = open_straightened(undistorted)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
@@ -73,7 +73,9 @@ def estimate(
     return {"pictures": len(maps), "share": mean_share(maps, masks)}
 
 
-def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: Made, device: Any) -> dict[str, Any]:
+def fuse_points(
+    folder: Path, say: ReportProgress, *, undistorted: StageResult, depth: StageResult, device: Any
+) -> dict[str, Any]:
     _, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
     maps = filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
@@ -85,7 +87,14 @@ def fuse_points(folder: Path, say: ReportProgress, *, undistorted: Made, depth: 
 
 
 def make_mesh(
-    folder: Path, say: ReportProgress, *, model: Made, undistorted: Made, fused: Made, units: Units, device: Any
+    folder: Path,
+    say: ReportProgress,
+    *,
+    model: StageResult,
+    undistorted: StageResult,
+    fused: StageResult,
+    units: Units,
+    device: Any,
 ) -> dict[str, Any]:
     straight, pictures, _ = open_straightened(undistorted)
     where = {"device": device, "progress": say}
@@ -110,7 +119,7 @@ def poses_of(model: SfmModel) -> Trajectory:
     return trajectory_of(model.T_world_camera[order], [kept[k] for k in order], [None] * len(kept))
 
 
-def open_straightened(undistorted: Made) -> tuple[SfmModel, list[Path], list[PosedCamera]]:
+def open_straightened(undistorted: StageResult) -> tuple[SfmModel, list[Path], list[PosedCamera]]:
     model = read_colmap_model(undistorted.folder / SPARSE)
     cameras = [
         PosedCamera(camera.intrinsic, pose) for camera, pose in zip(model.cameras, model.T_camera_world, strict=True)

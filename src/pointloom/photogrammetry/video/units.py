@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...cameras.picture_names import meant_pictures
+from ...cameras.picture_names import matching_pictures
 from ...cameras.pose_text import read_lines
 from ...core.checks import check_positive, shown
 from ...core.errors import FileError, FilePath
@@ -20,7 +20,7 @@ from ...core.wording import few_of
 from ...io.models.sfm_model import SfmModel
 from ...pcd.geodesy import WorldFrame
 from ...registration.trajectories.similarity import fit_to_positions, read_positions, scale_from_known
-from ...registration.trajectories.up_direction import UpDirection, turn_upright, up_direction
+from ...registration.trajectories.up_direction import UpDirection, up_direction, upright_rotation
 from ..sfm.image_positions import PicturePlaces
 from .control import fit_control
 from .control_files import ground_of
@@ -283,7 +283,7 @@ def _upright(fit: Fit, up: UpDirection) -> Fit:
     if up.direction is None:
         return replace(fit, up=up)
     turn = np.eye(4)
-    turn[:3, :3] = turn_upright(up.direction)
+    turn[:3, :3] = upright_rotation(up.direction)
     return replace(fit, T_world_model=turn @ fit.T_world_model, up=up)
 
 
@@ -307,7 +307,7 @@ def fit_as_given(fit: Fit) -> Fit:
 
 
 def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
-    found = meant_pictures(said, names)
+    found = matching_pictures(said, names)
     if len(found) != 1:
         what = "is no picture" if not found else f"is {len(found)} pictures"
         some = few_of(names, 3)

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from ...cameras.camera import PinholeCameraIntrinsic
 from ...cameras.depth_range import DEPTH_SCALE, OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage, upload_depth
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_finite, check_list, check_positive, check_rigid, check_shape
 from ...core.errors import DeviceError
 from ...core.gpu_arrays import device_for
@@ -46,7 +46,7 @@ WIDEST = 20.0  # image sides per focal length: 168 degrees
 Jacobian = RGBDOdometryJacobianFromColorTerm | RGBDOdometryJacobianFromHybridTerm
 
 
-@told_arguments
+@explain_argument_errors
 def compute_rgbd_odometry(
     source: RGBDImage,
     target: RGBDImage,

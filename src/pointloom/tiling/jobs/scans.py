@@ -34,11 +34,11 @@ from ...registration.pose_graphs.fragment_graph import (
     Extent,
     FragmentGraph,
     FragmentPair,
-    box_under,
-    candidates_to_close,
-    place_by_pairs,
+    loop_candidates,
+    overlapping_pairs,
+    poses_from_pairs,
     refine_pairs,
-    those_that_overlap,
+    transformed_box,
     with_pairs,
 )
 from ...registration.pose_graphs.multiway import check_known, pairs_to_try, try_pair
@@ -74,7 +74,7 @@ class RegistrationJob(Job):
             return self._graph(told)
         pair = pair_of(told)
         if stage == 4:
-            overlaps = those_that_overlap(self._surfaces(pair), [pair], self.size)
+            overlaps = overlapping_pairs(self._surfaces(pair), [pair], self.size)
             return self._refined(pair) if overlaps else _doubted(pair, "its surfaces hardly lie on each other")
         if told["is_known"]:
             return self._refined(pair)
@@ -183,8 +183,8 @@ class RegistrationJob(Job):
     def _graph(self, told: dict[str, Any]) -> dict[str, Any]:
         """Pairs that overlap according to the poses and were not found yet."""
         found, pairs, _ = _place_told(told, self.size, self.plan["free"])
-        boxes = [box_under(self._surface(k), found.poses[k]) for k in found.members.tolist()]
-        return {"candidates": [_told(pair) for pair in candidates_to_close(boxes, found.poses, found.members, pairs)]}
+        boxes = [transformed_box(self._surface(k), found.poses[k]) for k in found.members.tolist()]
+        return {"candidates": [_told(pair) for pair in loop_candidates(boxes, found.poses, found.members, pairs)]}
 
 
 def plan_registration(
@@ -284,7 +284,7 @@ def _place_told(
     extents = [Extent(np.array(row[:3]), row[3]) for row in told["extents"]]
     pairs = [pair_of(row["pair"]) for row in told["pairs"]]
     information = [np.array(row["information"]) for row in told["pairs"]]
-    return place_by_pairs(extents, pairs, information, size, free), pairs, information
+    return poses_from_pairs(extents, pairs, information, size, free), pairs, information
 
 
 def pair_of(told: dict[str, Any]) -> FragmentPair:

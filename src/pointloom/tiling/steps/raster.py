@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any, ClassVar
 
 from ...core.checks import check_count, check_finite, check_positive, check_shape, shown
-from ...pcd.raster_cells import REACH, check_classes
+from ...pcd.raster_cells import DEFAULT_RADIUS, check_classes
 from ...pcd.terrain import KINDS
 from ..exact_sums import ExactSums
 from .step import Part, Step
@@ -29,7 +29,7 @@ class Rasterize(Step):
             reason = "a triangle depends on points at any distance; take 'idw', or rasterize in memory"
             raise ValueError(f"steps: method: expected 'idw', got {shown(params['method'])}: {reason}")
         if params["reach"] is None:
-            params["reach"] = REACH * self.cell
+            params["reach"] = DEFAULT_RADIUS * self.cell
         around = check_positive("reach", params["reach"]) if self.kind in ("dtm", "chm") else 0.0
         check_count("neighbors", params["neighbors"])
         params["classes"] = None if params["classes"] is None else [*(check_classes(params["classes"]) or ())]

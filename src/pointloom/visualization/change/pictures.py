@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_numeric, check_positive
 from ...core.units import symbol_of
 from ...meshing.scene.cloud_change import CloudToMeshResult
@@ -29,7 +29,7 @@ ABOVE = {"front": [0.0, 0.0, 1.0], "up": [0.0, 1.0, 0.0], "zoom": 0.58, "field_o
 UNCHANGED, UNKNOWN = "not significant", "no distance"
 
 
-@told_arguments
+@explain_argument_errors
 def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> PointCloud:
     """Color the points of a cloud by signed distance: red positive, blue negative, gray not significant.
 
@@ -54,7 +54,7 @@ def paint(cloud: PointCloud, change: Any, *, limit: float | None = None) -> Poin
     return _painted(cloud, change, limit)[0]
 
 
-@told_arguments
+@explain_argument_errors
 def draw(
     cloud: PointCloud,
     change: Any,

@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_name, check_positive, shown
 from ...io.optional_imports import import_for
 from ...meshing.volume.distance_field_views import FieldSlice
@@ -166,7 +166,7 @@ def station_plan(result: StationsResult) -> Picture:
     return to_picture(figure)
 
 
-@told_arguments
+@explain_argument_errors
 def draw_slice(
     layer: FieldSlice,
     path: str | os.PathLike[str] | None = None,

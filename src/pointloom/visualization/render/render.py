@@ -11,11 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...cameras.camera import check_pixels
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.array_libraries import view_as
 from ...core.checks import check_color, shown
 from ...core.devices import resolve_device
-from ...core.units import asked_by_user, warn_of_units
+from ...core.units import called_by_user, warn_of_units
 from ...core.up_axis import UP, check_up
 from ...kernels.drawing.layers import join_mattes
 from ...kernels.drawing.placing import make_normal_lines
@@ -48,7 +48,7 @@ def render(
 def render(
     geometries: Any, camera: Any = None, *args: Any, depth: Literal[True], **options: Any
 ) -> tuple[Picture, NDArray[np.float32]]: ...
-@told_arguments
+@explain_argument_errors
 def render(
     geometries: Any,
     camera: Any = None,
@@ -185,7 +185,7 @@ def _before_dark(part: Part) -> Part:
 def _all_of(groups: list[list[Part]]) -> list[Part]:
     """The parts of all geometries. Warns if there are none."""
     parts = [part for group in groups for part in group]
-    if not any(part.positions.size for part in parts) and asked_by_user():
+    if not any(part.positions.size for part in parts) and called_by_user():
         has = "a geometry without points or faces" if groups else "an empty list"
         warn_of_units(f"geometries: expected points or faces, got {has}; the image is empty", UserWarning)
     return parts

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.up_axis import AXES, UP, up_under
+from ...core.up_axis import AXES, UP, transform_up_vector
 from ...meshing.mesh.mesh_arrays import MeshArrays
 from .parts import Triple
 
@@ -23,7 +23,7 @@ def up_of(geometries: Iterable[tuple[Any, Any]]) -> Triple:
 def up_of_geometry(geometry: Any, pose: Any = None) -> Triple | None:
     """Up axis of a geometry under its 4x4 pose. None if undefined."""
     up = geometry.up if isinstance(geometry, MeshArrays) else None
-    return up if pose is None else up_under(up, pose[:3, :3])
+    return up if pose is None else transform_up_vector(up, pose[:3, :3])
 
 
 def direction_under(up: Triple) -> Triple:

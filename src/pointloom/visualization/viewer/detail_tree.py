@@ -23,7 +23,7 @@ from ...kernels.lang import vec3
 from ...kernels.memory import download, upload
 from ...kernels.sampling.detail_levels import NODE_BITS, find_levels
 from ...pcd.cloud import PointCloud
-from ...pcd.detail_nodes import MOST, NodeTable, make_nodes
+from ...pcd.detail_nodes import MAX_POINTS, NodeTable, make_nodes
 from ...pcd.point_arrays import check_cloud
 from ..render.view import View, check_view
 from .detail_files import bytes_at, columns_of, no_attribute
@@ -94,7 +94,7 @@ class DetailTree(NodesInView):
         low, high, count = bound_points(positions)
         self._corner, self._side = _cube(low, high) if count else (np.zeros(3), 1.0)
         self.low, self.high = (ends.astype(np.float64) + self.origin if count else np.zeros(3) for ends in (low, high))
-        table = make_nodes(*find_levels(positions, self._corner, self._side), most=MOST)
+        table = make_nodes(*find_levels(positions, self._corner, self._side), max_points=MAX_POINTS)
         self._positions: Points = download(positions).reshape(-1, 3)
         self.count = len(table.order)
         self._locate_nodes(table)

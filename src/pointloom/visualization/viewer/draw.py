@@ -18,7 +18,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...core.argument_errors import told_arguments
+from ...core.argument_errors import explain_argument_errors
 from ...core.checks import check_count, check_positive
 from ...core.errors import PointloomError
 from ...core.standard_streams import write_to_stderr
@@ -35,7 +35,7 @@ from .viewer import MAX_POINTS, Viewer
 MAX_OPEN = 16  # viewers per kernel: fewer than the ports that are tried
 
 
-@told_arguments
+@explain_argument_errors
 def draw(
     geometries: Any,
     width: int = 1280,

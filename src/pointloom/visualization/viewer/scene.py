@@ -15,7 +15,7 @@ from ...core.attribute_hints import nearest_name
 from ...core.checks import check_finite, check_name, check_positive, check_shape
 from ...core.coordinates import finite_rows
 from ...core.errors import PointloomError
-from ...core.open3d_names import row_of, told
+from ...core.open3d_names import hint, row_of
 from ...core.up_axis import check_up
 from ...kernels.memory import download
 from ..render.geometries import Named, check_units
@@ -102,7 +102,7 @@ class Scene(Hooks):
     if not TYPE_CHECKING:
 
         def __getattr__(self, name: str) -> Any:  # called only for missing attributes
-            remedy = "" if name.startswith("_") else told(row_of(name, ("Visualizer",)))
+            remedy = "" if name.startswith("_") else hint(row_of(name, ("Visualizer",)))
             remedy = remedy or nearest_name(name, dir(type(self)))
             raise AttributeError(f"{type(self).__name__} has no attribute {name!r}{remedy}")
 
