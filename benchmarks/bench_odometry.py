@@ -21,7 +21,7 @@ from typing import Any
 
 import numpy as np
 from contest import OURS, Contestant, Operation, thread_count, timed, waiting
-from street import TURN, Drive, drive, pose_at
+from street import SCAN_PERIOD, Drive, drive, pose_at
 
 VOXEL_SIZE = 1.0  # [m] of the maps, KISS-ICP's default for a range of 100 m
 GICP_VOXEL_SIZE = 0.25  # [m] small_gicp's example for outdoor scans
@@ -114,7 +114,7 @@ def nanoseconds(times: Any) -> np.ndarray:
 
 def inertia(scan_count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
     """Times [s], accelerations with gravity [m/s^2, m x 3] and turning rates [rad/s, m x 3] in the sensor's frame."""
-    times, h = np.arange(0, scan_count * TURN + 1 / IMU_RATE, 1 / IMU_RATE), 1e-4
+    times, h = np.arange(0, scan_count * SCAN_PERIOD + 1 / IMU_RATE, 1 / IMU_RATE), 1e-4
     (before, left), (here, heading), (after, right) = (pose_at(SPEED * (times + s), 0.0) for s in (-h, 0, h))
     forces = (after - 2 * here + before) / h**2 + [0, 0, GRAVITY]
     c, s, nothing = np.cos(heading), np.sin(heading), np.zeros(len(times))
@@ -132,7 +132,7 @@ def prepare_rko_lio(scene: Drive, device: str) -> Any:
     )  # fmt: skip
     count = len(scene.scans)
     scans = [points.astype(np.float64) for points in scene.scans]
-    stamps, ends = [nanoseconds(times) for times in scene.times], nanoseconds(TURN * np.arange(count + 1))
+    stamps, ends = [nanoseconds(times) for times in scene.times], nanoseconds(SCAN_PERIOD * np.arange(count + 1))
     times, forces, rates = inertia(count)
     measured = nanoseconds(times)
     parts = np.split(np.arange(len(times)), np.searchsorted(measured, ends[1:], side="right"))
@@ -151,7 +151,7 @@ def prepare_rko_lio(scene: Drive, device: str) -> Any:
 
 def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
     """Both have gone the whole way; where theirs is off, as of rings that move along, it is so by some per cent."""
-    ends, _ = pose_at(np.array([0.0, SPEED * TURN * (len(ours) - 1)]), 0.0)
+    ends, _ = pose_at(np.array([0.0, SPEED * SCAN_PERIOD * (len(ours) - 1)]), 0.0)
     way = float(np.linalg.norm(ends[1] - ends[0]))
     gap = np.linalg.norm(ours[-1, :3, 3] - ours[0, :3, 3]) / way - 1
     assert abs(gap) < 0.01, f"ours has gone {1 + gap:.1%} of the way"

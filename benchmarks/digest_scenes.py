@@ -278,7 +278,7 @@ class Scenes:
     @cached_property
     def path(self) -> Any:
         """The drive's trajectory as odometry has it, with times."""
-        return reg().run_odometry(self.scans, voxel_size=1.0, timestamps=street.TURN * np.arange(6))
+        return reg().run_odometry(self.scans, voxel_size=1.0, timestamps=street.SCAN_PERIOD * np.arange(6))
 
     @cached_property
     def true_path(self) -> Any:

@@ -41,7 +41,7 @@ def furnish(seed: int) -> tuple[object, Array]:
         turn = (0, 180, -90, 90, rng.uniform(0, 360))[wall]
         at = ((along * x, deep), (along * x, y - deep), (deep, along * y), (x - deep, along * y))
         place = at[wall] if wall < 4 else rng.uniform(0.25, 0.75, 2) * size[:2]
-        room.place(float(place[0]), float(place[1]), turn=float(turn))
+        room.set_frame(float(place[0]), float(place[1]), angle=float(turn))
         piece(room, rng)
     return room, size
 

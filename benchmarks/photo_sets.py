@@ -205,11 +205,11 @@ def drone(seed: int = 0) -> PhotoSet:
     stage.add(ground, lambda p: np.where(np.abs(p[:, 1:2] - 9 * np.sin(p[:, :1] / 20)) < 2.5, path(p), meadow(p)))
     for px, py, turn in ((-22, 18, 20), (4, 24, -10), (24, 16, 40), (-16, -18, 5), (12, -16, 70), (30, -22, 15)):
         parts = PaintedParts()
-        parts.place(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px, turn=math.radians(turn))
+        parts.set_frame(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px, angle=math.radians(turn))
         parts.box((0, 0, 2), (11, 8, 6), (1, 1, 1))
         stage.add(loom.TriangleMesh(parts.vertices, parts.triangles), grain((0.78, 0.72, 0.62), 0.35, 1.0, 5))
         roof = PaintedParts()
-        roof.place(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px + 5, turn=math.radians(turn))
+        roof.set_frame(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px + 5, angle=math.radians(turn))
         roof.gable((0, 0, 0), (12, 9.4, 3.4), (1, 1, 1), (1, 1, 1))
         stage.add(loom.TriangleMesh(roof.vertices, roof.triangles), grain((0.6, 0.3, 0.22), 0.5, 1.2, 6))
     for _ in range(14):

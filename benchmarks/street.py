@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from pointloom.datasets.scenes.drive import TURN, in_world, pose_at, road, sensor_pose, turning_rays
+from pointloom.datasets.scenes.drive import SCAN_PERIOD, in_world, pose_at, road, rotating_rays, sensor_pose
 
 MAX_RANGE = 80.0  # [m]
 POLE_HEIGHT = 6.0  # [m]
@@ -110,15 +110,15 @@ def drive(
 ) -> Drive:
     """Scans of a drive along the road at a speed [m/s]; the scanner turns once in 0.1 s, from straight behind."""
     rng, rise = np.random.default_rng(seed), np.radians(np.linspace(-22, 4, beams))
-    street = make_street(speed * TURN * scan_count, seed)
+    street = make_street(speed * SCAN_PERIOD * scan_count, seed)
     scans, times, poses = [], [], []
     for k in range(scan_count):
-        rays, share = turning_rays(rise, azimuths, rng)
-        places, headings = pose_at((k + share - 1) * speed * TURN, sway)
+        rays, share = rotating_rays(rise, azimuths, rng)
+        places, headings = pose_at((k + share - 1) * speed * SCAN_PERIOD, sway)
         t = cast_rays(street, places, in_world(rays, headings))
         seen = np.isfinite(t)
         reach = t[seen] + rng.normal(0, noise, seen.sum())
         scans.append((rays[seen] * reach[:, None]).astype(np.float32))
-        times.append((k + share[seen]) * TURN)
-        poses.append(sensor_pose(k * speed * TURN, sway))
+        times.append((k + share[seen]) * SCAN_PERIOD)
+        poses.append(sensor_pose(k * speed * SCAN_PERIOD, sway))
     return Drive(scans, times, np.array(poses))

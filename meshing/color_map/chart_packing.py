@@ -23,7 +23,7 @@ class Packing:
 
     size: int
     scale: float
-    places: NDArray[np.int64]
+    positions: NDArray[np.int64]
     cells: Cells
 
 
@@ -37,9 +37,9 @@ def pack_charts(
     area = float(((extents + 2 * padding).prod(axis=1)).sum()) + blind * CELL * CELL * has_colors
     side = math.ceil(max(math.sqrt(area), (extents.max(initial=1) + 2 * padding), STEP) / STEP) * STEP
     while side < largest:
-        found = _pack(extents, blind, has_colors, padding, side, 1.0)
-        if found is not None:
-            return found
+        packing = _pack(extents, blind, has_colors, padding, side, 1.0)
+        if packing is not None:
+            return packing
         side += max(STEP, side // 20 // STEP * STEP)
     return _largest_scale(extents, blind, has_colors, padding, largest)
 
@@ -51,15 +51,15 @@ def _largest_scale(extents: NDArray[np.int64], blind: int, has_colors: bool, pad
         if best is not None and high - low < FINER * high:
             return best
         scale = (low + high) / 2
-        found = _pack(extents, blind, has_colors, padding, size, scale)
-        if found is None:
+        candidate = _pack(extents, blind, has_colors, padding, size, scale)
+        if candidate is None:
             high = scale
         else:
-            low, best = scale, found
+            low, best = scale, candidate
     if best is not None:
         return best
-    have = f"its {len(extents):,} charts, with {padding} texels about each"
-    raise ValueError(f"size: {size} x {size} texels are too few for the mesh: {have}; take more, or more smoothness")
+    have = f"{len(extents):,} charts with a padding of {padding} texels"
+    raise ValueError(f"size: {size} x {size} texels are too few for {have}. Increase size or smoothness")
 
 
 def _pack(
@@ -82,8 +82,8 @@ def _pack(
         x += width
     if y + height > floor:
         return None
-    places = np.array(corners, np.int64).reshape(-1, 2) + padding
-    return Packing(size, scale, places, cells)
+    positions = np.array(corners, np.int64).reshape(-1, 2) + padding
+    return Packing(size, scale, positions, cells)
 
 
 def _cells(blind: int, has_colors: bool, padding: int, size: int) -> tuple[Cells, int]:

@@ -128,8 +128,8 @@ def run_non_rigid_optimizer(
     images = _check_input(mesh, images_rgbd, camera_trajectory, intrinsic)
     pictures, sightings = _look(mesh, images, chosen, occlusion)
     warps = Warps(pictures.layout, chosen.number_of_vertical_anchors, mesh.device)
-    weight, turns = chosen.non_rigid_anchor_point_weight, chosen.maximum_iteration
-    search = WarpSearch(mesh.array("vertices"), sightings, pictures, warps, turns, weight)
+    weight, iterations = chosen.non_rigid_anchor_point_weight, chosen.maximum_iteration
+    search = WarpSearch(mesh.array("vertices"), sightings, pictures, warps, iterations, weight)
     while search.iterate():
         pass
     return _conclude(mesh, images, camera_trajectory, chosen, search)
@@ -148,9 +148,11 @@ def _check_input(mesh: Any, images: Any, trajectory: Any, intrinsic: Any) -> Pos
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     if not isinstance(trajectory, Trajectory):
         kind = type(trajectory).__name__
-        raise TypeError(f"camera_trajectory: expected a Trajectory, got {kind}; make one of poses, camera to world")
+        raise TypeError(
+            f"camera_trajectory: expected a Trajectory, got {kind}. Build one with Trajectory(poses), camera to world"
+        )
     if not len(mesh.array("vertices")):
-        raise ValueError("mesh: it has no vertices, so there is nothing to color")
+        raise ValueError("mesh: expected vertices to color, got none")
     checked = check_images(NAMES, images, intrinsic, trajectory.poses, mesh.device)
     inverse = [inv(pose) for pose in checked.T_camera_world]
     return PosedImages(checked.colors, checked.depths, checked.cameras, np.array(inverse))
@@ -165,16 +167,16 @@ def _look(
     if occlusion not in OCCLUSIONS:
         raise ValueError(f"occlusion: expected one of {', '.join(OCCLUSIONS)}, got {occlusion!r}")
     if occlusion == "rays" and not len(mesh):
-        raise ValueError("mesh: it has no triangles for rays to meet; give pictures with depth")
+        raise ValueError("mesh: expected triangles for ray casting, got none. Pass images with depth instead")
     if occlusion == "depth" and without:
-        raise ValueError(f"occlusion: images_rgbd[{without[0]}] has no depth; take occlusion='rays'")
+        raise ValueError(f"occlusion: images_rgbd[{without[0]}] has no depth. Use occlusion='rays'")
     pictures = images.pictures(mesh.origin, option.image_boundary_margin)
     depths = _depths_by_rays(mesh, pictures) if occlusion == "rays" else images.depths
     sightings = list_sightings(_masks(mesh, depths, pictures, option))
     if not sightings.count:
         raise NothingSeenError(
-            "images_rgbd: no picture shows a vertex of the mesh; check that the poses are camera to world, in the "
-            f"frame of the mesh, and that it lies within {option.maximum_allowable_depth:g} m (maximum_allowable_depth)"
+            "images_rgbd: no image shows a vertex of the mesh. Check that the poses are camera to world, in the "
+            f"frame of the mesh, and that it is within {option.maximum_allowable_depth:g} m (maximum_allowable_depth)"
         )
     return pictures, sightings
 
@@ -205,17 +207,17 @@ def _conclude(
     colors, seen = average_colors(search.vertices, search.sightings, search.pictures, search.warps)
     _fill_unseen(mesh, colors, seen, option.invisible_vertex_color_knn)
     state = search.state
-    found = read_together([search.best_sums, state.error, state.iterations, search.pictures.poses, seen])  # sync
-    sums, error, turns, poses, seen_there = found
+    downloaded = read_together([search.best_sums, state.error, state.iterations, search.pictures.poses, seen])  # sync
+    sums, error, iterations, poses, is_seen = downloaded
     count = max(float(sums[:, COUNT].sum()), 1.0)
     return ColorMapResult(
         mesh._with_arrays(vertex_colors=colors),
         Trajectory(_world_poses(mesh, images, given, poses), given.timestamps, given.ids),
-        seen_there.astype(bool),
+        is_seen.astype(bool),
         search.sightings.counts.copy(),
         float(np.sqrt(error[0])),
         float(np.sqrt(sums[:, SQUARES].sum() / count)),
-        int(turns[0]) - 1,  # the first iteration evaluates the given poses
+        int(iterations[0]) - 1,  # the first iteration evaluates the given poses
         search.pictures,
         search.warps,
     )
@@ -228,9 +230,9 @@ def _fill_unseen(mesh: TriangleMesh, colors: wp.array, seen: wp.array, neighbor_
     if not neighbor_count or not known.size or not rows.size:
         return
     vertices = mesh.array("vertices")
-    places = PointCloud._from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
+    known_points = PointCloud._from_device_arrays({"points": gather_rows(vertices, known)}, mesh.origin)
     nearest = min(neighbor_count, known.size)
-    neighbors, _, _ = search_nearest(places.search_tree(), gather_rows(vertices, rows), nearest)
+    neighbors, _, _ = search_nearest(known_points.search_tree(), gather_rows(vertices, rows), nearest)
     fill_colors(colors, rows, neighbors, known)
 
 

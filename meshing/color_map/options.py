@@ -6,7 +6,7 @@ import dataclasses
 
 from ...core.checks import check_count, check_positive
 
-MAX_REACH = 64  # [px] around a boundary: beyond it little of an image remains
+MAX_KERNEL_HALF_SIZE = 64  # [px] around a boundary: beyond it little of an image remains
 MAX_ANCHORS = 256  # rows: one every few pixels
 
 
@@ -44,7 +44,13 @@ class RigidOptimizerOption:
         for name in ("maximum_iteration", "image_boundary_margin", "invisible_vertex_color_knn"):
             check_count(name, getattr(self, name), minimum=0)
         name = "half_dilation_kernel_size_for_discontinuity_map"
-        check_count(name, getattr(self, name), minimum=0, maximum=MAX_REACH, because="little of a picture is left")
+        check_count(
+            name,
+            getattr(self, name),
+            minimum=0,
+            maximum=MAX_KERNEL_HALF_SIZE,
+            because="larger kernels mask most of the image",
+        )
         for name in ("depth_threshold_for_visibility_check", "depth_threshold_for_discontinuity_check"):
             check_positive(name, getattr(self, name), allow_infinite=True)
         check_positive("maximum_allowable_depth", self.maximum_allowable_depth, allow_infinite=True)
@@ -72,6 +78,6 @@ class NonRigidOptimizerOption(RigidOptimizerOption):
 
     def __post_init__(self):
         super().__post_init__()
-        most = {"maximum": MAX_ANCHORS, "because": "a picture has not so many rows of detail"}
-        check_count("number_of_vertical_anchors", self.number_of_vertical_anchors, minimum=2, **most)
+        limit = {"maximum": MAX_ANCHORS, "because": "images do not have more rows of detail"}
+        check_count("number_of_vertical_anchors", self.number_of_vertical_anchors, minimum=2, **limit)
         check_positive("non_rigid_anchor_point_weight", self.non_rigid_anchor_point_weight)

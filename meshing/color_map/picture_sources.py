@@ -21,42 +21,42 @@ from ..mesh.posed_images import Names, PosedImages, check_images
 NAMES = Names("pictures", "cameras", "extrinsics")
 
 
-def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, say: ReportProgress) -> PosedImages:
+def take_pictures(pictures: Any, cameras: Any, poses: Any, device: Any, report: ReportProgress) -> PosedImages:
     """Upload images with a pinhole camera and a pose each. Accepts the arguments of `texture_from_pictures`. Images of
     an SfmModel are undistorted if necessary."""
     if isinstance(cameras, SfmModel):
         if poses is not None:
-            raise ValueError("extrinsics: the model has the poses; leave it out")
-        return _take_model(pictures, cameras, device, say)
-    listed = check_list("pictures", pictures, "pictures")
+            raise ValueError("extrinsics: expected None, because the model contains the poses")
+        return _take_model(pictures, cameras, device, report)
+    listed = check_list("pictures", pictures, "images")
     if poses is None:
         known = [] if isinstance(cameras, PinholeCameraIntrinsic) else check_list("cameras", cameras, "cameras")
         if not known or not all(hasattr(c, "T_camera_world") and hasattr(c, "intrinsic") for c in known):
-            raise ValueError("extrinsics: expected a pose [4, 4] for each picture, world to camera, got None")
+            raise ValueError("extrinsics: expected a pose [4, 4] for each image, world to camera, got None")
         poses, cameras = [c.T_camera_world for c in known], [c.intrinsic for c in known]
     images = []
     for k, picture in enumerate(listed):
-        say("pictures", k, len(listed))
+        report("pictures", k, len(listed))
         images.append(read_color(picture) if isinstance(picture, str | os.PathLike) else picture)
-    say("pictures", len(listed), len(listed))
+    report("pictures", len(listed), len(listed))
     given = check_list("extrinsics", getattr(poses, "poses", poses), "poses")
     return check_images(NAMES, images, cameras, given, device)
 
 
-def _take_model(pictures: Any, model: SfmModel, device: Any, say: ReportProgress) -> PosedImages:
+def _take_model(pictures: Any, model: SfmModel, device: Any, report: ReportProgress) -> PosedImages:
     if not len(model):
-        raise ValueError("cameras: the model has no pictures")
+        raise ValueError("cameras: expected a model with images, got an empty one")
     listed = (
         _files_of(pictures, model)
         if isinstance(pictures, str | os.PathLike)
-        else list(check_list("pictures", pictures, "pictures"))
+        else list(check_list("pictures", pictures, "images"))
     )
     if len(listed) != len(model):
-        raise ValueError(f"pictures: {len(listed)} pictures, but the model has {len(model)}; give one a name of it")
+        raise ValueError(f"pictures: expected {len(model)}, one per name of the model, got {len(listed)}")
     lenses = {lens: Undistortion(lens, device=device) for lens in dict.fromkeys(model.cameras) if not _is_plain(lens)}
     images, cameras = [], []
     for k, (picture, lens) in enumerate(zip(listed, model.cameras, strict=True)):
-        say("pictures", k, len(listed))
+        report("pictures", k, len(listed))
         is_file = isinstance(picture, str | os.PathLike)
         image = read_color(picture) if is_file else np.asarray(unmasked(f"pictures[{k}]", picture))
         if lens in lenses:
@@ -68,7 +68,7 @@ def _take_model(pictures: Any, model: SfmModel, device: Any, say: ReportProgress
         else:
             cameras.append(lens.intrinsic)
         images.append(image)
-    say("pictures", len(listed), len(listed))
+    report("pictures", len(listed), len(listed))
     return check_images(NAMES, images, cameras, list(model.T_camera_world), device)
 
 
@@ -77,10 +77,10 @@ def _is_plain(lens: Any) -> bool:
 
 
 def _files_of(folder: str | os.PathLike[str], model: SfmModel) -> list[Path]:
-    place = Path(check_name("pictures", os.fspath(folder)))
-    files = [place / name for name in model.names]
+    root = Path(check_name("pictures", os.fspath(folder)))
+    files = [root / name for name in model.names]
     missing = [file for file in files if not file.is_file()]
     if missing:
-        reason = f"is not there, which is one of {len(missing)} of the model's {len(files)} pictures that are missing"
-        raise FileError(missing[0], reason, remedy="Give the folder that the model's names are of")
+        reason = f"does not exist. {len(missing)} of the {len(files)} images of the model are missing"
+        raise FileError(missing[0], reason, remedy="Pass the folder that contains the images of the model")
     return files

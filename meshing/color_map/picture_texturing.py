@@ -101,30 +101,30 @@ def texture_from_pictures(
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     if not len(mesh):
-        raise ValueError("mesh: it has no triangles, which a texture needs")
+        raise ValueError("mesh: expected triangles to texture, got none")
     if size is not None:
-        because = "the texture and what it is made from would not fit; take fewer texels"
+        because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         size = check_count("size", size, minimum=16, maximum=MAX_SIZE, because=because)
     price = check_positive("smoothness", smoothness, allow_zero=True, maximum=MAX_SMOOTHNESS)
     farthest = check_positive("depth_max", depth_max, allow_infinite=True)
-    background, say = check_color("plain", plain), check_progress(progress)
-    images = take_pictures(pictures, cameras, extrinsics, mesh.device, say)
-    choice = _choose(mesh, images, price, (outliers, exposures), farthest, say)
-    say("seams", 0, 0)
+    background, report = check_color("plain", plain), check_progress(progress)
+    images = take_pictures(pictures, cameras, extrinsics, mesh.device, report)
+    choice = _choose(mesh, images, price, (outliers, exposures), farthest, report)
+    report("seams", 0, 0)
     levels = SeamLevels(mesh.array("vertices"), choice.seams, choice.pictures, choice.exposures)
     before = levels.mean_step()
     if seam_leveling:
         levels.solve(level=bool(exposures))
-    say("texture", 0, 0)
+    report("texture", 0, 0)
     painted = _paint(mesh, choice, levels, size, background, local_leveling)
     views = download(choice.seams.views).copy()
     counts = {"chart_count": painted.charts, "pair_count": choice.pairs, "outlier_count": choice.outliers}
-    mean, most = painted.steps if painted.steps is not None else (None, None)
+    mean, step_95 = painted.steps if painted.steps is not None else (None, None)
     figures = {
         "energy": choice.energy,
         "step_before": before,
         "step": mean,
-        "step_95": most,
+        "step_95": step_95,
         "turns": levels.iterations,
     }
     how = {"size": painted.packing.size, "scale": painted.packing.scale, "drew_colors": painted.drew_colors}
@@ -149,7 +149,7 @@ def _choose(
     smoothness: float,
     wanted: tuple[bool, bool],
     farthest: float,
-    say: ReportProgress,
+    report: ReportProgress,
 ) -> _Choice:
     outliers, exposures = wanted
     vertices = mesh.array("vertices")
@@ -157,21 +157,21 @@ def _choose(
     triangles = rename_corners(mesh.array("triangles"), owners, positions(vertices.size, mesh.device))
     pictures = images.pictures(mesh.origin, 0)
     looks = FaceVisibility(vertices, triangles, pictures, plant_trees(vertices, triangles), farthest)
-    all_views = looks.views(lambda done: say("views", done, pictures.count))
+    all_views = looks.views(lambda done: report("views", done, pictures.count))
     if not all_views.count:
         raise NothingSeenError(
-            "pictures: none shows a triangle of the mesh; check that the poses are world to camera, in the frame of "
-            "the mesh, that its triangles face the cameras, and that it lies within depth_max"
+            "pictures: no image shows a triangle of the mesh. Check that the poses are world to camera, in the frame "
+            "of the mesh, that its triangles face the cameras, and that it is within depth_max"
         )
-    say("choice", 0, 0)
+    report("choice", 0, 0)
     views: FaceViews = keep_views(all_views, keep_likely(all_views)) if outliers else all_views
-    found = find_exposures(vertices, triangles, views, pictures) if exposures else plain_exposures(pictures)
+    gains = find_exposures(vertices, triangles, views, pictures) if exposures else plain_exposures(pictures)
     twins = find_twins(triangles, vertices.size)
     graph = LabelGraph(views.starts, views.views, cost_views(views), twins, round(smoothness * UNIT))
     labels = choose_labels(graph)
     energy = energy_of(graph, labels) / UNIT
     seams = Seams(triangles, twins, name_views(graph, labels), pictures.count, vertices.size)
-    return _Choice(pictures, found, seams, all_views.count, all_views.count - views.count, energy)
+    return _Choice(pictures, gains, seams, all_views.count, all_views.count - views.count, energy)
 
 
 @dataclass(frozen=True, eq=False)
@@ -195,16 +195,16 @@ def _paint(
     packing = pack_charts(charts.boxes(), blind, colors is not None, PADDING, size, LARGEST)
     side = packing.size
     check_room(mesh.device, side * side * TEXEL_BYTES, f"size: a texture of {side} x {side} texels")
-    where = (packing.places, packing.scale, packing.cells, side)
+    where = (packing.positions, packing.scale, packing.cells, side)
     uvs = compute_uvs(vertices, seams.triangles, seams.views, pictures, charts, *where)
     texels = ChartTexels(uvs, side)
     paint_texels(texels, vertices, seams, pictures, choice.exposures, levels.shifts, packing.scale, colors, plain)
-    places = SeamSamples(texels, seams)
+    seam_samples = SeamSamples(texels, seams)
     if blend:
         blend_strips(texels, vertices, seams, pictures, choice.exposures, levels.shifts)
-        join_seams(places, texels.colors)
+        join_seams(seam_samples, texels.colors)
     pixels = finish_texels(texels, PADDING)
-    steps = drawn_steps(places, pixels)
+    steps = drawn_steps(seam_samples, pixels)
     picture = download(pixels).reshape(side, side, 3)  # sync
     without = mesh._with_arrays(triangle_uvs=None, triangle_material_ids=None, vertex_colors=None)
     textured = without._with_arrays(triangle_uvs=uvs)

@@ -95,16 +95,16 @@ class PicturedMesh(Report, Assessed):
 
     def fields(self) -> Fields:
         blind = len(self.views) - self.seen_count
-        rest = f"; {blind:,} {'in the colors of vertices' if self.drew_colors else 'plain'}" if blind else ""
+        rest = f"; {blind:,} {'with vertex colors' if self.drew_colors else 'plain'}" if blind else ""
         fields = [
             ("triangles", f"{len(self.views):,} on {self.mesh.device}"),
-            ("pictures", f"{self.picture_count}, {self.used_count} of them used"),
+            ("pictures", f"{self.picture_count}, {self.used_count} used"),
             ("seen", f"{format_share(self.seen_share)} of the triangles{rest}"),
-            ("outliers", f"{self.outlier_count:,} of {self.pair_count:,} pairs of triangle and picture"),
+            ("outliers", f"{self.outlier_count:,} of {self.pair_count:,} pairs of triangle and image"),
             ("charts", f"{self.chart_count:,}"),
-            ("texture", f"{self.size} x {self.size}, {self.scale:.2f} texels a pixel"),
+            ("texture", f"{self.size} x {self.size}, {self.scale:.2f} texels per pixel"),
         ]
         if self.step_before is not None and self.step is not None and self.step_95 is not None:
-            before, after, most = self.step_before, self.step, self.step_95
-            fields.append(("seams", f"steps of {before:.2f} to {after:.2f} of 255 in the mean, 95 % below {most:.2f}"))
+            before, after, step_95 = self.step_before, self.step, self.step_95
+            fields.append(("seams", f"mean step {before:.2f} to {after:.2f} of 255, 95% below {step_95:.2f}"))
         return fields

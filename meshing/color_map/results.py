@@ -47,7 +47,7 @@ class ColorMapResult:
 
     def __repr__(self) -> str:
         residuals = f"residual {self.residual_before:.4g} to {self.residual:.4g}"
-        return f"ColorMapResult({self.mesh!r}, {len(self.view_counts)} pictures, {residuals})"
+        return f"ColorMapResult({self.mesh!r}, {len(self.view_counts)} images, {residuals})"
 
     def warp(self, index: int) -> NDArray[np.float64]:
         """Anchor positions of an image [px], float64 (rows, columns, 2). Empty without warps."""
@@ -63,5 +63,5 @@ class ColorMapResult:
 
     def _index(self, index: int) -> int:
         if not -len(self.view_counts) <= index < len(self.view_counts):
-            raise IndexError(f"index: expected a picture from 0 to {len(self.view_counts) - 1}, got {index}")
+            raise IndexError(f"index: expected an image index from 0 to {len(self.view_counts) - 1}, got {index}")
         return index % len(self.view_counts)

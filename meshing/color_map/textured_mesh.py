@@ -71,8 +71,8 @@ class TexturedMesh(Report, Assessed):
         before, after = self.colors.residual_before, self.colors.residual
         if self.method != "none" and before > AGREED and after > WON * before:
             reasons.append(
-                f"the pictures agree no better than before (residual {before:.4f} to {after:.4f}): the poses are too "
-                "far off, or the colors change with the light; compare with method='none'"
+                f"the images do not agree better than before (residual {before:.4f} to {after:.4f}): the pose errors "
+                "are too large, or the colors change with the lighting. Compare with method='none'"
             )
         return tuple(reasons)
 
@@ -100,13 +100,13 @@ class TexturedMesh(Report, Assessed):
 
     def fields(self) -> Fields:
         colors, blind = self.colors, self.blind_frames
-        seen = f"{format_share(self.seen_share)} of the vertices" + (f"; {blind} frames blind" if blind else "")
+        seen = f"{format_share(self.seen_share)} of the vertices" + (f"; {blind} frames see nothing" if blind else "")
         fields = [
             *task_fields(colors.mesh, self.frame_count, self.depth_max),
             ("seen", seen),
-            ("method", f"{self.method}, {colors.iterations} turns"),
+            ("method", f"{self.method}, {colors.iterations} iterations"),
             ("residual", f"{colors.residual_before:.4f} to {colors.residual:.4f} of full brightness"),
-            ("poses", f"turned {self.turned:.3f} deg, moved {self.moved * 1000:.1f} mm in the mean"),
+            ("poses", f"rotated {self.turned:.3f} deg, moved {self.moved * 1000:.1f} mm on average"),
         ]
         if self.texel_share is not None:
             fields.append(("texture", f"{self.size} x {self.size}, {format_share(self.texel_share)} seen"))
@@ -124,5 +124,5 @@ def mean_motion(before: Trajectory, after: Trajectory) -> tuple[float, float]:
     """Mean rotation [degrees] and translation [m] between poses."""
     T = matmul(inv(before.poses), after.poses)
     cosines = (np.trace(T[:, :3, :3], axis1=1, axis2=2) - 1) / 2
-    turned = float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean())
-    return turned, float(np.linalg.norm(T[:, :3, 3], axis=1).mean())
+    mean_angle = float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean())
+    return mean_angle, float(np.linalg.norm(T[:, :3, 3], axis=1).mean())

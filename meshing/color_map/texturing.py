@@ -25,8 +25,8 @@ from .results import ColorMapResult
 from .textured_mesh import TexturedMesh, mean_motion
 
 METHODS = ("rigid", "non-rigid", "none")
-TURNS = 100  # maximum iterations
-BENDING_TURNS = 30  # maximum iterations for image warps, which start from the rigid result
+RIGID_ITERATIONS = 100  # maximum iterations
+NON_RIGID_ITERATIONS = 30  # maximum iterations for image warps, which start from the rigid result
 GUTTER = 4  # texels between charts of an atlas: two mipmap levels
 JUMP = 0.4  # [m] Sobel response of a step of 5 cm: floors at grazing angles and noise are below
 BESIDE = 2  # ignored pixels beside such a step
@@ -73,61 +73,63 @@ def texture_mesh(
         ([0.0, 1.0, 0.0], 0.0)
     """
     _check(mesh, frames, method, size)
-    farthest, say = check_positive("depth_max", depth_max), check_progress(progress)
-    images, path = _read_frames(frames, poses, farthest, mesh.device, say)
-    say("colors", 0, 0)
+    farthest, report = check_positive("depth_max", depth_max), check_progress(progress)
+    images, path = _read_frames(frames, poses, farthest, mesh.device, report)
+    report("colors", 0, 0)
     colors = _color(mesh, images, path, frames.intrinsic, method, farthest)
-    turned, moved = mean_motion(path, colors.trajectory)
-    found = TexturedMesh(colors.mesh, colors, method, farthest, turned, moved)
+    rotated, moved = mean_motion(path, colors.trajectory)
+    result = TexturedMesh(colors.mesh, colors, method, farthest, rotated, moved)
     if size is None:
-        return found
-    say("texture", 0, 0)
+        return result
+    report("texture", 0, 0)
     textured, share = _paint_atlas(colors, frames.intrinsic, size)
-    return dataclasses.replace(found, mesh=textured, size=size, texel_share=share)
+    return dataclasses.replace(result, mesh=textured, size=size, texel_share=share)
 
 
 def _check(mesh: Any, frames: Any, method: Any, size: Any) -> None:
     if not isinstance(mesh, TriangleMesh):
         raise TypeError(f"mesh: expected a TriangleMesh, got {type(mesh).__name__}")
     if not isinstance(frames, RGBDSource):
-        raise TypeError(f"frames: expected such as loom.open_dataset() or frames_from() give, got {shown(frames)}")
+        raise TypeError(
+            f"frames: expected frames as returned by loom.open_dataset() or frames_from(), got {shown(frames)}"
+        )
     if check_name("method", method) not in METHODS:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     if size is not None:
-        because = "the texture and what it is made from would not fit; take fewer texels"
+        because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         check_count("size", size, maximum=MAX_TEXELS, because=because)
         if not len(mesh):
-            raise ValueError("mesh: it has no triangles, which a texture needs")
+            raise ValueError("mesh: expected triangles to texture, got none")
 
 
 def _read_frames(
-    frames: RGBDSource, poses: Any, depth_max: float, device: Any, say: ReportProgress
+    frames: RGBDSource, poses: Any, depth_max: float, device: Any, report: ReportProgress
 ) -> tuple[list[RGBDImage], Trajectory]:
     given = None if poses is None else check_list("poses", getattr(poses, "poses", poses), "poses")
     count = len(frames) if hasattr(frames, "__len__") else 0  # pyright: ignore[reportArgumentType]
     images, path = [], []
-    say("frames", 0, count)
+    report("frames", 0, count)
     for i, frame in enumerate(frames):
         if frame.color is None:
-            raise ValueError(f"frames: {frame.name} has no color, which is what a mesh would take from it")
+            raise ValueError(f"frames: {frame.name} has no color to texture the mesh with")
         path.append(_pose_of(frame, i, given))
         scale = {"depth_scale": depth_unit(frames, frame), "depth_trunc": depth_max}
         images.append(RGBDImage(frame.color, frame.depth, **scale, device=device))
-        say("frames", i + 1, count)
+        report("frames", i + 1, count)
     if not images:
-        raise ValueError("frames: expected one frame at least, got none")
+        raise ValueError("frames: expected at least one frame, got none")
     if given is not None and len(given) != len(images):
-        raise ValueError(f"poses: {len(given)} poses, but {len(images)} frames; give one a frame")
+        raise ValueError(f"poses: expected {len(images)}, one per frame, got {len(given)}")
     return images, Trajectory(np.array(path))
 
 
 def _pose_of(frame: Frame, index: int, given: list[Any] | None) -> Any:
     if given is not None:
         if index >= len(given):
-            raise ValueError(f"poses: {len(given)} poses, but more frames; give one a frame")
+            raise ValueError(f"poses: expected one per frame, got {len(given)} for more frames")
         return check_rigid(f"poses[{index}]", given[index])
     if frame.T_world_camera is None:
-        raise ValueError(f"frames: {frame.name} has no pose; give poses, as of loom.read_trajectory()")
+        raise ValueError(f"frames: {frame.name} has no pose. Pass poses, for example from loom.read_trajectory()")
     return frame.T_world_camera
 
 
@@ -144,15 +146,15 @@ def _color(
         "depth_threshold_for_discontinuity_check": JUMP,
         "half_dilation_kernel_size_for_discontinuity_map": BESIDE,
     }
-    turns = 0 if method == "none" else TURNS
-    option = RigidOptimizerOption(maximum_iteration=turns, **numbers)
+    iterations = 0 if method == "none" else RIGID_ITERATIONS
+    option = RigidOptimizerOption(maximum_iteration=iterations, **numbers)
     rigid = run_rigid_optimizer(mesh, images, path, option, intrinsic=camera)
     if method != "non-rigid":
         return rigid
-    option = NonRigidOptimizerOption(maximum_iteration=BENDING_TURNS, **numbers)
-    bent = run_non_rigid_optimizer(mesh, images, rigid.trajectory, option, intrinsic=camera)
-    turns = rigid.iterations + bent.iterations
-    return dataclasses.replace(bent, residual_before=rigid.residual_before, iterations=turns)
+    option = NonRigidOptimizerOption(maximum_iteration=NON_RIGID_ITERATIONS, **numbers)
+    non_rigid = run_non_rigid_optimizer(mesh, images, rigid.trajectory, option, intrinsic=camera)
+    iterations = rigid.iterations + non_rigid.iterations
+    return dataclasses.replace(non_rigid, residual_before=rigid.residual_before, iterations=iterations)
 
 
 def _paint_atlas(colors: ColorMapResult, camera: PinholeCameraIntrinsic, size: int) -> tuple[TriangleMesh, float]:

@@ -21,23 +21,23 @@ MAX_MERGED = 0.5  # fraction of the vertices: above, the merge distance probably
 
 # Changes by the repair, in words. The other fields of its report are final states.
 _DONE = {
-    "removed_non_finite_triangles": "triangles that are not finite removed",
+    "removed_non_finite_triangles": "non-finite triangles removed",
     "merged_vertices": "vertices merged",
     "removed_degenerate_triangles": "degenerate triangles removed",
-    "removed_duplicated_triangles": "repeated triangles or their other sides removed",
-    "removed_crowding_triangles": "triangles at crowded edges removed",
-    "split_vertices": "vertices added where surfaces only touch",
-    "flipped_triangles": "triangles turned",
+    "removed_duplicated_triangles": "duplicated or opposite triangles removed",
+    "removed_crowding_triangles": "triangles at non-manifold edges removed",
+    "split_vertices": "vertices added to separate touching surfaces",
+    "flipped_triangles": "triangles flipped",
     "filled_holes": "holes filled",
     "added_triangles": "triangles added",
     "removed_parts": "small parts removed",
 }
 _LEFT = {
-    "boundary_edges": "edges at a border",
+    "boundary_edges": "boundary edges",
     "holes_left": "holes not filled",
-    "non_manifold_vertices": "vertices where parts only touch",
-    "zero_area_triangles": "triangles without area",
-    "self_intersections": "pairs of triangles that cut through each other",
+    "non_manifold_vertices": "non-manifold vertices",
+    "zero_area_triangles": "zero-area triangles",
+    "self_intersections": "pairs of intersecting triangles",
 }
 
 
@@ -70,7 +70,7 @@ class CleanedMesh(ChangedMesh):
     @property
     def warnings(self) -> tuple[str, ...]:
         if not len(self.mesh):
-            return ("no triangle is left",)
+            return ("no triangles remain",)
         reasons, merge, fill, m = [], self.merge_distance, self.hole_size, symbol_of(self.mesh.unit)
         if merge is not None and self.repair.merged_vertices > MAX_MERGED * self.vertices_in:
             share = format_share(self.repair.merged_vertices / self.vertices_in)
@@ -79,20 +79,22 @@ class CleanedMesh(ChangedMesh):
         if fill is not None and self.repair.holes_left:
             reasons.append(f"{self.repair.holes_left:,} holes of up to {fill:g} {m} are left open")
         if not self.repair.is_orientable:
-            reasons.append("a part has one side only, as a Moebius strip: there is no inside")
+            reasons.append("a part is not orientable, like a Moebius strip, so it has no inside")
         return tuple(reasons)
 
     def _losses(self) -> list[str]:
         done, losses = self.repair, []
-        gone = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(1, self.triangles_in)
-        lost = done.lost_area / self.area_in if self.area_in > 0 else 0.0
+        removed_share = (done.removed_non_finite_triangles + done.removed_crowding_triangles) / max(
+            1, self.triangles_in
+        )
+        lost_share = done.lost_area / self.area_in if self.area_in > 0 else 0.0
         look = "compare it with the input (compare_meshes)"
-        if gone > MAX_GONE:
-            losses.append(f"{format_share(gone)} of the triangles are gone: {look}")
-        if lost > MAX_LOST:
-            losses.append(f"{format_share(lost)} of the area is gone: {look}")
+        if removed_share > MAX_GONE:
+            losses.append(f"{format_share(removed_share)} of the triangles were removed: {look}")
+        if lost_share > MAX_LOST:
+            losses.append(f"{format_share(lost_share)} of the area was lost: {look}")
         if self.was_watertight and not done.is_watertight:
-            losses.append(f"it was closed and is no more: {look}")
+            losses.append(f"the input was closed, the result is not: {look}")
         return losses
 
     def to_dict(self) -> dict[str, Any]:
@@ -103,12 +105,12 @@ class CleanedMesh(ChangedMesh):
         did = [f"{figures[name]:,} {words}" for name, words in _DONE.items() if figures[name]]
         still = [f"{figures[name]:,} {words}" for name, words in _LEFT.items() if figures[name]]
         if not self.repair.is_orientable:
-            still.append("a part with one side only")
+            still.append("a non-orientable part")
         return [
             *self.size_fields(),
             ("parts", f"{self.parts:,}"),
-            ("done", "; ".join(did) or "nothing to mend"),
-            ("left", "; ".join(still) or "nothing wrong"),
+            ("done", "; ".join(did) or "nothing to repair"),
+            ("left", "; ".join(still) or "no defects"),
             ("closed", "yes" if self.is_watertight else "no"),
         ]
 
@@ -151,15 +153,18 @@ def clean_mesh(
         (1, 1, True, True)
     """
     check_mesh("mesh", mesh)
-    fewest, least = check_count("min_triangles", min_triangles), check_positive("min_area", min_area, allow_zero=True)
-    say = check_progress(progress)
-    say("repair", 0, 0)
-    mended, done = mesh.repair(merge_distance=merge_distance, hole_size=hole_size)
-    say("parts", 0, 0)
-    _, counts, areas = mended.to(mended.device, arrays="numpy").cluster_connected_triangles()
-    small = int(((counts < fewest) | (areas < least)).sum())
-    left = mended.remove_small_components(fewest, least) if small else mended
-    say("check", 0, 0)
+    min_count, smallest_area = (
+        check_count("min_triangles", min_triangles),
+        check_positive("min_area", min_area, allow_zero=True),
+    )
+    report = check_progress(progress)
+    report("repair", 0, 0)
+    repaired, done = mesh.repair(merge_distance=merge_distance, hole_size=hole_size)
+    report("parts", 0, 0)
+    _, counts, areas = repaired.to(repaired.device, arrays="numpy").cluster_connected_triangles()
+    small = int(((counts < min_count) | (areas < smallest_area)).sum())
+    left = repaired.remove_small_components(min_count, smallest_area) if small else repaired
+    report("check", 0, 0)
     return CleanedMesh(
         mesh=left,
         **sizes_before(mesh),

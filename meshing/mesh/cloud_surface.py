@@ -99,16 +99,16 @@ def create_surface(
     settings = _settings_of(
         method, {"depth": depth, "density_quantile": density_quantile, "radii": radii, "alpha": alpha}
     )
-    say = check_progress(progress)
-    say("normals", 0, 0)
+    report = check_progress(progress)
+    report("normals", 0, 0)
     plain = cloud.to(cloud.device, arrays="numpy").remove_non_finite_points()
     points, normals = _with_normals(plain, method, bool(new_normals))
-    say(method, 0, 0)
+    report(method, 0, 0)
     flat = why_flat(points) if method == "alpha" else None
     empty = flat is not None or not len(points)
     made = _Made(TriangleMesh(device=cloud.device)) if empty else _make(points, method, settings)
     made.mesh.unit = cloud.unit
-    say("check", 0, 0)
+    report("check", 0, 0)
     mesh, made_up = _without_made_up(points, made, method, settings)
     return SurfaceResult(
         mesh=mesh.to(mesh.device, arrays=cloud.array_library),
@@ -130,15 +130,15 @@ def _settings_of(method: Any, given: dict[str, Any]) -> dict[str, Any]:
         raise ValueError(f"method: expected one of {', '.join(METHODS)}, got {method!r}")
     for name, value in given.items():
         if value is not None and _OWNERS[name] != method:
-            raise ValueError(f"{name}: goes with method {_OWNERS[name]!r}, not with {method!r}")
-    own = {name: value for name, value in given.items() if _OWNERS[name] == method}
-    settings = {name: _DEFAULTS[name] if value is None else value for name, value in own.items()}
+            raise ValueError(f"{name}: applies to method {_OWNERS[name]!r}, not to {method!r}")
+    applicable = {name: value for name, value in given.items() if _OWNERS[name] == method}
+    settings = {name: _DEFAULTS[name] if value is None else value for name, value in applicable.items()}
     if method == "poisson":
-        because = "codes of cells end there"
+        because = "cell codes support no deeper trees"
         check_count("depth", settings["depth"], minimum=MIN_DEPTH, maximum=MAX_DEPTH, because=because)
         quantile = settings["density_quantile"]
         if quantile is not None and check_share("density_quantile", quantile) == 1:
-            raise ValueError("density_quantile: expected a share from 0 and below 1, got 1, which leaves nothing")
+            raise ValueError("density_quantile: expected a fraction >= 0 and < 1, got 1, which removes all triangles")
     if method == "alpha" and not (isinstance(settings["alpha"], str) and settings["alpha"] == "auto"):
         check_positive("alpha", settings["alpha"], allow_infinite=True)
     return settings

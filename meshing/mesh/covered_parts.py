@@ -27,11 +27,11 @@ class Copies:
 
 def find_doubled(copies: Copies, names: NDArray[np.int32], loose: NDArray[np.bool_]) -> NDArray[np.bool_]:
     """Triangles of loose parts that contain an opposite copy of all their triangles, bool (t,)."""
-    own = names[copies.rows]
-    keys = (copies.classes.astype(np.int64) * len(names) + own) * 2 + copies.ways
+    part_names = names[copies.rows]
+    keys = (copies.classes.astype(np.int64) * len(names) + part_names) * 2 + copies.ways
     opposite = np.isin(keys ^ 1, keys) & ~copies.flat
     sizes = np.bincount(names, minlength=len(names))
-    doubled = np.bincount(own[opposite], minlength=len(names)) == sizes
+    doubled = np.bincount(part_names[opposite], minlength=len(names)) == sizes
     return doubled[names] & loose
 
 
@@ -42,26 +42,26 @@ def find_covered(mesh: Any, copies: Copies, names: NDArray[np.int32], twins: NDA
     the paired half-edges or -1."""
     firsts, labels, sizes = np.unique(names, return_inverse=True, return_counts=True)
     part_of = labels[copies.rows]
-    whole = np.flatnonzero(np.bincount(part_of[~copies.flat], minlength=len(firsts)) == sizes)
-    gone = np.zeros(len(firsts), np.bool_)
-    if not len(whole):
-        return gone[labels]
+    fully_copied = np.flatnonzero(np.bincount(part_of[~copies.flat], minlength=len(firsts)) == sizes)
+    covered = np.zeros(len(firsts), np.bool_)
+    if not len(fully_copied):
+        return covered[labels]
     closed = np.bincount(labels[np.flatnonzero(twins < 0) // 3], minlength=len(firsts)) == 0
-    sides = _sides_of(mesh, labels, closed, whole)
+    sides = _sides_of(mesh, labels, closed, fully_copied)
     solid = _are_solid(mesh, Parts(labels, closed, sides), part_of, copies)
     keys = copies.classes * 2 + copies.ways
     left = np.bincount(keys, minlength=2 * (copies.classes.max() + 1)).tolist()
     order = np.argsort(part_of, kind="stable")
     starts = np.searchsorted(part_of[order], np.arange(len(firsts) + 1))
-    for part in sorted(whole.tolist(), key=lambda p: (closed[p], sides[p], -p)):
-        own = keys[order[starts[part] : starts[part + 1]]].tolist()
-        for key in own:
+    for part in sorted(fully_copied.tolist(), key=lambda p: (closed[p], sides[p], -p)):
+        part_keys = keys[order[starts[part] : starts[part + 1]]].tolist()
+        for key in part_keys:
             left[key] -= 1
-        gone[part] = all(left[key] > 0 or (not solid[part] and left[key ^ 1] > 0) for key in own)
-        if not gone[part]:
-            for key in own:
+        covered[part] = all(left[key] > 0 or (not solid[part] and left[key ^ 1] > 0) for key in part_keys)
+        if not covered[part]:
+            for key in part_keys:
                 left[key] += 1
-    return gone[labels]
+    return covered[labels]
 
 
 def _sides_of(
@@ -70,12 +70,12 @@ def _sides_of(
     """Signed volume of each chosen part, 0 without orientation; float64 (p,)."""
     count = len(closed)
     rows = np.flatnonzero(np.isin(labels, chosen))
-    corners, own = mesh.vertices[mesh.triangles[rows]] - mesh.origin, labels[rows]
-    counts = np.maximum(np.bincount(own, minlength=count), 1)[:, None]
-    middles = np.column_stack([np.bincount(own, x, count) for x in corners.mean(axis=1).T]) / counts
-    a, b, c = (corners - middles[own][:, None]).transpose(1, 0, 2)
-    volumes = np.bincount(own, np.einsum("ij,ij->i", a, np.cross(b, c)), count) / 6
-    areas = np.bincount(own, np.linalg.norm(np.cross(b - a, c - a), axis=1), count) / 2
+    corners, part_labels = mesh.vertices[mesh.triangles[rows]] - mesh.origin, labels[rows]
+    counts = np.maximum(np.bincount(part_labels, minlength=count), 1)[:, None]
+    middles = np.column_stack([np.bincount(part_labels, x, count) for x in corners.mean(axis=1).T]) / counts
+    a, b, c = (corners - middles[part_labels][:, None]).transpose(1, 0, 2)
+    volumes = np.bincount(part_labels, np.einsum("ij,ij->i", a, np.cross(b, c)), count) / 6
+    areas = np.bincount(part_labels, np.linalg.norm(np.cross(b - a, c - a), axis=1), count) / 2
     return np.where(np.abs(volumes) > np.where(closed, FLAT, BULGE) * areas**1.5, volumes, 0.0)
 
 
@@ -87,12 +87,12 @@ def _are_solid(mesh: Any, parts: Parts, part_of: NDArray[np.int64], copies: Copi
     if not (parts.closed & (parts.sides < 0)).any():
         return solid
     arrays = mesh._device_arrays
-    whole = Parts(parts.labels, parts.closed, _all_sides(mesh, parts))
-    enclosing = find_enclosing(arrays["vertices"], arrays["triangles"], whole)
+    all_parts = Parts(parts.labels, parts.closed, _all_sides(mesh, parts))
+    enclosing = find_enclosing(arrays["vertices"], arrays["triangles"], all_parts)
     is_two_sided = len(copies.rows) == len(parts.labels)
     for part, around in enclosing.items():
         shared = set(part_of[np.isin(copies.classes, copies.classes[part_of == part])].tolist())
-        is_odd = sum(whole.sides[outer] > 0 for outer in around if outer not in shared) % 2 == 1
+        is_odd = sum(all_parts.sides[outer] > 0 for outer in around if outer not in shared) % 2 == 1
         if is_odd and (parts.sides[part] < 0 or is_two_sided):
             solid[part] = parts.sides[part] < 0
     return solid

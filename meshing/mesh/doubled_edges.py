@@ -24,14 +24,19 @@ def part_doubled_edges(mesh: MeshType, twins: Indices) -> MeshType:
     edge but is connected around both ends, so splitting vertices does not separate it. New vertices and triangles are
     appended. `twins` are the paired half-edges or -1, int32 (3 t,)."""
     count = mesh._device_arrays["vertices"].size
-    found = find_doubled_edges(mesh._device_arrays["triangles"], count, twins)  # sync
-    if not found.size:
+    half_edges = find_doubled_edges(mesh._device_arrays["triangles"], count, twins)  # sync
+    if not half_edges.size:
         return mesh
-    doubled, others = download(found), download(gather_rows(twins, found))  # sync
+    doubled, others = download(half_edges), download(gather_rows(twins, half_edges))  # sync
     triangles = download(mesh._device_arrays["triangles"]).reshape(-1, 3)  # sync
     pairs = np.where(others >= 0, np.minimum(doubled, others), doubled)
-    halves, middles = np.unique(pairs, return_inverse=True)
-    ends = np.column_stack([triangles.ravel()[halves], triangles.ravel()[halves - halves % 3 + (halves + 1) % 3]])
+    split_half_edges, middles = np.unique(pairs, return_inverse=True)
+    ends = np.column_stack(
+        [
+            triangles.ravel()[split_half_edges],
+            triangles.ravel()[split_half_edges - split_half_edges % 3 + (split_half_edges + 1) % 3],
+        ]
+    )
     middle_of = dict(zip(doubled.tolist(), (count + middles).tolist(), strict=True))
     pieces, weights, rows = [], [], np.unique(doubled // 3)
     for row in rows.tolist():
@@ -62,20 +67,22 @@ def _with_pieces(
     lower, upper = (upload(np.ascontiguousarray(ends[:, k]), int32, device) for k in (0, 1))
     arrays: dict[str, Any] = {}
     for name, values in mesh._per_vertex().items():
-        own, one, other = (download(part) for part in (values, gather_rows(values, lower), gather_rows(values, upper)))
+        current, one, other = (
+            download(part) for part in (values, gather_rows(values, lower), gather_rows(values, upper))
+        )
         middle = one
-        if own.dtype.kind == "f":
+        if current.dtype.kind == "f":
             middle = (one.astype(np.float64) + other) / 2
             if name == "vertex_normals":
                 size = np.linalg.norm(middle, axis=1, keepdims=True)
                 middle = np.where(size > 0, middle / np.where(size > 0, size, 1), one)
-        arrays[name] = upload(np.concatenate([own, middle.astype(own.dtype)]), values.dtype, device)
+        arrays[name] = upload(np.concatenate([current, middle.astype(current.dtype)]), values.dtype, device)
     old = mesh.array("vertices").size
     numbers = upload(np.arange(old, old + len(ends), dtype=np.int32), int32, device)
     middles = with_vertices_on_edges(old, numbers, lower, upper, full(len(ends), 0.5, float64, device))
     arrays["vertex_attributes"] = each(mesh._attributes["vertex_attributes"], middles.of)
-    places = [[row] + [-1] * (len(piece) - 1) for row, piece in zip(rows.tolist(), pieces, strict=True)]
-    flat = np.concatenate(places)
+    piece_rows = [[row] + [-1] * (len(piece) - 1) for row, piece in zip(rows.tolist(), pieces, strict=True)]
+    flat = np.concatenate(piece_rows)
     flat[flat < 0] = count + np.arange((flat < 0).sum())
     source = np.append(np.arange(count), np.empty(len(flat) - len(rows), np.int64)).astype(np.int32)
     source[flat] = np.repeat(rows, [len(piece) for piece in pieces])

@@ -13,7 +13,7 @@ from ...kernels.meshes.clean_triangles import mask_not_finite
 if TYPE_CHECKING:
     from .mesh_arrays import MeshArrays
 
-REMEDY = "repair() drops such triangles"
+REMEDY = "repair() removes such triangles"
 
 
 def find_wrong_corner(mesh: MeshArrays) -> str | None:
@@ -23,13 +23,13 @@ def find_wrong_corner(mesh: MeshArrays) -> str | None:
     if not rows.size:
         return None
     corners = download(gather_rows(triangles, rows[:1])).reshape(3)
-    places = download(vertices).reshape(-1, 3)[corners]
-    lost = corners[~np.isfinite(places).all(axis=1)][0]
+    corner_positions = download(vertices).reshape(-1, 3)[corners]
+    lost = corners[~np.isfinite(corner_positions).all(axis=1)][0]
     return f"triangle {int(download(rows[:1])[0])} has the vertex {lost}, which is NaN or infinite"
 
 
 def check_finite_corners(operation: str, mesh: MeshArrays) -> None:
     """Raise ValueError if a triangle has a corner that is not finite; unused vertices may be."""
-    found = find_wrong_corner(mesh)
-    if found is not None:
-        raise ValueError(f"{operation}: expected triangles with finite corners, but {found}; {REMEDY}")
+    fault = find_wrong_corner(mesh)
+    if fault is not None:
+        raise ValueError(f"{operation}: expected triangles with finite corners, but {fault}; {REMEDY}")

@@ -26,17 +26,17 @@ def fill_loops(name: str, loops: list[NDArray[np.float64]]) -> NDArray[np.int64]
     each outline edge once, also where outlines intersect. Triangles overlap there."""
     if not loops:
         return np.zeros((0, 3), np.int64)
-    found = load_manifold(name).triangulate([np.ascontiguousarray(loop, np.float64) for loop in loops])
-    return np.asarray(found, np.int64).reshape(-1, 3)
+    triangles = load_manifold(name).triangulate([np.ascontiguousarray(loop, np.float64) for loop in loops])
+    return np.asarray(triangles, np.int64).reshape(-1, 3)
 
 
-def turn_by_depth(loops: list[NDArray[np.float64]]) -> list[bool]:
-    """Outlines to reverse so that those inside an even number of others are counterclockwise."""
-    turns = []
+def loops_to_reverse(loops: list[NDArray[np.float64]]) -> list[bool]:
+    """True for outlines to reverse so that those inside an even number of others are counterclockwise."""
+    is_reversed = []
     for k, loop in enumerate(loops):
         depth = sum(encloses(other, loop[0]) for j, other in enumerate(loops) if j != k)
-        turns.append(bool((signed_area(loop) > 0) == (depth % 2 == 1)))
-    return turns
+        is_reversed.append(bool((signed_area(loop) > 0) == (depth % 2 == 1)))
+    return is_reversed
 
 
 def signed_area(loop: NDArray[np.float64]) -> float:

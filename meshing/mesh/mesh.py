@@ -79,7 +79,7 @@ class TriangleMesh(MeshPrimitives, MeshRepair, MeshRemeshing, MeshReconstruction
         else:
             positions = check_rows("vertices", vertices, 3)
             if len(positions) >= 2**31:
-                raise ValueError(f"vertices: 32-bit triangles cannot reach {len(positions)} vertices")
+                raise ValueError(f"vertices: {len(positions)} vertices exceed the range of 32-bit triangle indices")
             table = MeshTable(positions, triangles).checked()
             local, self._origin = split_origin(table.vertices, anchor)
             if anchor is None:

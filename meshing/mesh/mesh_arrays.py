@@ -51,7 +51,7 @@ from .finite_corners import check_finite_corners
 from .mesh_attributes import MeshAttributes, each, listed, rows_of
 from .mesh_rows import ATTRIBUTES, PER_TRIANGLE, PER_VERTEX, TEXTURE, as_triples, check_attributes, kind_and_count
 
-MOST = 2**31 - 1  # 32-bit indices
+MAX_INT32 = 2**31 - 1  # 32-bit indices
 
 
 class MeshArrays(InUnit, KnownNames, Movable):
@@ -70,7 +70,9 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     def _repr_html_(self) -> str:
         arrays = [*self._arrays.items()]
-        arrays += [(f"{kind}[{name!r}]", held) for kind, of in self._attributes.items() for name, held in of.items()]
+        arrays += [
+            (f"{kind}[{name!r}]", column) for kind, of in self._attributes.items() for name, column in of.items()
+        ]
         arrays += [(f"textures[{number}]", picture) for number, picture in enumerate(self._textures)]
         return html_table(repr(self), ((name, array_type(values)) for name, values in arrays))
 
@@ -183,13 +185,13 @@ class MeshArrays(InUnit, KnownNames, Movable):
         `_triangles_at`, new vertices `vertex_attributes` from `attributes_at`. Other attributes whose row count no
         longer matches are dropped with a warning."""
         merged = self._arrays | self._attributes | arrays
-        kept: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
+        remaining: dict[str, Any] = {name: values for name, values in merged.items() if values is not None}
         for kind, of in ATTRIBUTES.items():
-            if self._attributes[kind] and kind not in arrays and kept[of].size != self._arrays[of].size:
-                warnings.warn(f"{kind} {listed(kept.pop(kind))}: left behind, the {of} are others", stacklevel=3)
-        place = self._origin if origin is None else origin
-        textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in kept else self._textures
-        mesh = self._from_device_arrays(**kept, textures=textures, origin=place, library=self._library)
+            if self._attributes[kind] and kind not in arrays and remaining[of].size != self._arrays[of].size:
+                warnings.warn(f"{kind} {listed(remaining.pop(kind))}: dropped, because the {of} changed", stacklevel=3)
+        new_origin = self._origin if origin is None else origin
+        textures = () if "triangle_uvs" in self._arrays and "triangle_uvs" not in remaining else self._textures
+        mesh = self._from_device_arrays(**remaining, textures=textures, origin=new_origin, library=self._library)
         mesh._unit, mesh._up = self._unit, self._up
         return mesh
 
@@ -204,25 +206,25 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     def _handed_out(self, array: wp.array, *, dtype: DTypeLike | None = None) -> Any:
         """Convert a result to the mesh's array library. NumPy arrays own their memory."""
-        found = hand_out(array, self._library, dtype=dtype)
-        return found.copy() if self._library == NUMPY and not found.flags.owndata else found
+        result = hand_out(array, self._library, dtype=dtype)
+        return result.copy() if self._library == NUMPY and not result.flags.owndata else result
 
     def _per_vertex(self) -> dict[str, Any]:
         return {name: values for name, values in self._arrays.items() if name in PER_VERTEX}
 
     def _triangles_at(self, rows: wp.array) -> dict[str, Any]:
         """Triangle data at rows, an int32 device array with repeats allowed."""
-        taken: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
+        selected: dict[str, Any] = {"triangles": gather_triangles(self._arrays["triangles"], rows)}
         if "triangle_uvs" in self._arrays:
-            taken["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
+            selected["triangle_uvs"] = gather_corners(self._arrays["triangle_uvs"], rows)
         if "triangle_material_ids" in self._arrays:
-            taken["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
-        return taken | self._attributes_at("triangle_attributes", rows)
+            selected["triangle_material_ids"] = gather_rows(self._arrays["triangle_material_ids"], rows)
+        return selected | self._attributes_at("triangle_attributes", rows)
 
     def _vertices_at(self, rows: wp.array) -> dict[str, Any]:
         """Vertex data at rows, an int32 device array with repeats allowed."""
-        taken = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
-        return taken | self._attributes_at("vertex_attributes", rows)
+        selected = {name: gather_rows(values, rows) for name, values in self._per_vertex().items()}
+        return selected | self._attributes_at("vertex_attributes", rows)
 
     def _attributes_at(self, kind: str, rows: wp.array) -> dict[str, Any]:
         """Attributes of vertices or triangles at rows, as arguments of `_with_arrays`."""
@@ -230,25 +232,25 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     def _assign(self, name: str, values: Any) -> None:
         if isinstance(values, PointArrays):  # its `array` would be its points
-            raise TypeError(f"{name}: expected an array, got a PointCloud; take one of its arrays")
+            raise TypeError(f"{name}: expected an array, got a PointCloud. Pass one of its arrays")
         count = self._arrays["vertices"].size
         if is_on_gpu(values):
             given = (take_colors if name == "vertex_colors" else take_vectors)(name, values, self._device)
-            found = [given.size, 3]
+            shape = [given.size, 3]
         else:
             rows = check_rows(name, values, 3, dtype=None if name == "vertex_colors" else np.float32)
             rows = check_colors(name, rows) if name == "vertex_colors" else rows
-            found = list(rows.shape)
+            shape = list(rows.shape)
             given = upload(rows, vec3, self._device, copied=library_of(values) == NUMPY)
         if given.size != count:
-            raise ValueError(f"{name}: expected shape [{count}, 3], one row a vertex, got {found}")
+            raise ValueError(f"{name}: expected shape [{count}, 3], one row per vertex, got {shape}")
         self._arrays[name] = given
 
     def _assign_uvs(self, values: Any) -> None:
         rows, count = check_rows("triangle_uvs", values, 2, dtype=np.float32), 3 * len(self)
         if len(rows) != count:
             raise ValueError(
-                f"triangle_uvs: expected shape [{count}, 2], three rows a triangle, got {list(rows.shape)}"
+                f"triangle_uvs: expected shape [{count}, 2], three rows per triangle, got {list(rows.shape)}"
             )
         self._arrays["triangle_uvs"] = upload(rows, vec2, self._device)
 
@@ -259,12 +261,12 @@ class MeshArrays(InUnit, KnownNames, Movable):
         if ids.shape != (len(self),):
             raise ValueError(f"triangle_material_ids: expected shape [{len(self)}], got {list(ids.shape)}")
         if ids.size and (ids.min() < 0 or ids.max() >= 2**31):
-            raise ValueError(f"triangle_material_ids: expected 0 and up, got {ids.min()}..{ids.max()}")
+            raise ValueError(f"triangle_material_ids: expected values >= 0, got {ids.min()}..{ids.max()}")
         self._arrays["triangle_material_ids"] = upload(ids.astype(np.int32), int32, self._device)
 
     def __repr__(self) -> str:
         extras = "".join(f", {name}" for name in self._arrays if name not in ("vertices", "triangles"))
-        extras += "".join(f", {kind}[{listed(held)}]" for kind, held in self._attributes.items() if held)
+        extras += "".join(f", {kind}[{listed(columns)}]" for kind, columns in self._attributes.items() if columns)
         sizes = f"{self._arrays['vertices'].size} vertices, {len(self)} triangles"
         return f"{type(self).__name__}({sizes}{extras}, {self._device})"
 
@@ -288,12 +290,14 @@ class MeshArrays(InUnit, KnownNames, Movable):
         kind: Any = type(self)
         made = kind(values, device=self._device)
         count = self._arrays["vertices"].size
-        held = [name for name in PER_VERTEX if name in self._arrays and name != "vertices"]
-        if made.array("vertices").size != count and (held or len(self)):
-            has = f"{count} vertices" + "".join(f", {name}" for name in ("triangles", *held) if name in self._arrays)
+        per_vertex = [name for name in PER_VERTEX if name in self._arrays and name != "vertices"]
+        if made.array("vertices").size != count and (per_vertex or len(self)):
+            has = f"{count} vertices" + "".join(
+                f", {name}" for name in ("triangles", *per_vertex) if name in self._arrays
+            )
             raise ValueError(
                 f"vertices: expected shape [{count}, 3] as the mesh has {has}, got {list(made.vertices.shape)}; "
-                "TriangleMesh(vertices, triangles) makes another mesh"
+                "TriangleMesh(vertices, triangles) creates another mesh"
             )
         self._arrays["vertices"], self._origin = made._arrays["vertices"], made._origin
 
@@ -306,11 +310,11 @@ class MeshArrays(InUnit, KnownNames, Movable):
     def triangles(self, values: Any) -> None:
         kind: Any = type(self)
         made = kind(np.zeros((self._arrays["vertices"].size, 3)), values, device=self._device)
-        held = [name for name in TEXTURE if name in self._arrays]
-        if held and len(made) != len(self):
+        per_triangle = [name for name in TEXTURE if name in self._arrays]
+        if per_triangle and len(made) != len(self):
             raise ValueError(
-                f"triangles: expected shape [{len(self)}, 3] as the mesh has {', '.join(held)}, got [{len(made)}, 3]; "
-                "mesh.triangle_uvs = None drops them"
+                f"triangles: expected shape [{len(self)}, 3] as the mesh has {', '.join(per_triangle)}, "
+                f"got [{len(made)}, 3]; mesh.triangle_uvs = None drops them"
             )
         self._arrays["triangles"] = made._arrays["triangles"]
 
@@ -399,7 +403,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
             KeyError: If the mesh has no such array.
         """
         if check_name("name", name) not in self._arrays:
-            raise KeyError(f"{name}: this mesh has {', '.join(self._arrays)}")
+            raise KeyError(f"{name}: expected one of the mesh's arrays: {', '.join(self._arrays)}")
         return self._arrays[name]
 
     @returns_new
@@ -445,7 +449,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
     def _with_each(self, change: Callable[[wp.array], Any]) -> Self:
         """Apply a function to every array."""
         changed: dict[str, Any] = each(self._arrays, change)
-        changed |= {kind: each(held, change) for kind, held in self._attributes.items()}
+        changed |= {kind: each(columns, change) for kind, columns in self._attributes.items()}
         return self._with_arrays(**changed)
 
     def __add__(self, other: Any) -> Self:
@@ -492,8 +496,8 @@ class MeshArrays(InUnit, KnownNames, Movable):
             check_same_device("meshes", mesh.device, given[0].device)
         parts = [mesh for mesh in given if mesh._arrays["vertices"].size] or given[:1]
         for name in ("vertices", "triangles"):
-            if sum(mesh._arrays[name].size for mesh in parts) > MOST:
-                raise ValueError(f"meshes: more than 2^31 - 1 {name}; keep them in several meshes")
+            if sum(mesh._arrays[name].size for mesh in parts) > MAX_INT32:
+                raise ValueError(f"meshes: expected at most 2^31 - 1 {name} in total. Split them into several meshes")
         return cls._joined(parts)
 
     @classmethod
@@ -516,7 +520,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
 
     def __getstate__(self) -> dict[str, Any]:
         state = {"arrays": pickled(self._arrays), "origin": self._origin, "device": str(self._device)}
-        attributes = {kind: pickled(held) for kind, held in self._attributes.items()}
+        attributes = {kind: pickled(columns) for kind, columns in self._attributes.items()}
         state |= {"textures": self._textures, "library": self._library, "attributes": attributes}
         return state | {"unit": self._unit, "up": self._up}
 
@@ -557,7 +561,7 @@ class MeshArrays(InUnit, KnownNames, Movable):
         """Apply an affine map; `name` is the argument reported in errors."""
         A, determinant = T[:3, :3], float(det(T[:3, :3]))
         if determinant == 0:
-            raise ValueError(f"{name}: expected a matrix with an inverse, got one that flattens space")
+            raise ValueError(f"{name}: expected an invertible matrix, got a singular one")
         target = matmul(A, self._origin) + T[:3, 3]
         low, high, finite = bound_points(self._arrays["vertices"])  # sync
         low, high = (low, high) if finite else (np.zeros(3), np.zeros(3))
@@ -630,10 +634,10 @@ def _joined_columns(name: str, columns: list[Any]) -> Any:
     for column in columns:
         if column.dtype != first.dtype:
             kinds = f"{first.dtype.__name__} and {column.dtype.__name__}"
-            raise TypeError(f"{name}: the meshes have it in {kinds}; convert one of them")
+            raise TypeError(f"{name}: expected one dtype in all meshes, got {kinds}. Convert one of them")
         if column.shape[1:] != first.shape[1:]:
             raise ValueError(
-                f"{name}: the meshes have it in rows of {list(first.shape[1:])} and {list(column.shape[1:])}"
+                f"{name}: expected rows of one shape, got {list(first.shape[1:])} and {list(column.shape[1:])}"
             )
     return concatenate_rows(columns)
 
@@ -645,7 +649,7 @@ def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
     if any("triangle_uvs" in mesh._arrays for mesh in triangled):
         kinds = {("triangle_uvs" in mesh._arrays, bool(mesh._textures)) for mesh in triangled}
         if len(kinds) > 1:
-            warnings.warn("textures: left out, as not all meshes have them", stacklevel=4)
+            warnings.warn("textures: dropped, because not all meshes have them", stacklevel=4)
             return {}
     joined: dict[str, Any] = {"textures": tuple(picture for mesh in triangled for picture in mesh._textures)}
     if triangled and "triangle_uvs" in triangled[0]._arrays:
@@ -654,9 +658,9 @@ def _joined_textures(parts: list[MeshArrays]) -> dict[str, Any]:
     if (has_pictures and len(triangled) > 1) or (triangled and all(names[1] in mesh._arrays for mesh in triangled)):
         ids, first = [], 0
         for mesh in triangled:
-            own = mesh._arrays.get(names[1])
-            own = zeros(len(mesh), int32, mesh._device) if own is None else own
-            ids.append(raise_numbers(own, first) if first else own)
+            mesh_ids = mesh._arrays.get(names[1])
+            mesh_ids = zeros(len(mesh), int32, mesh._device) if mesh_ids is None else mesh_ids
+            ids.append(raise_numbers(mesh_ids, first) if first else mesh_ids)
             first += len(mesh._textures)
         joined[names[1]] = concatenate_rows(ids)
     return joined

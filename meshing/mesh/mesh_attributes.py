@@ -31,7 +31,7 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
 
     def __setitem__(self, name: str, values: ArrayLike) -> None:
         if check_name("name", name) in self._fields:
-            raise KeyError(f"{name}: assign mesh.{name}")
+            raise KeyError(f"{name}: not a custom attribute. Assign mesh.{name}")
         self._arrays[name] = self._taken(name, values)
 
     def __delitem__(self, name: str) -> None:
@@ -64,10 +64,10 @@ class MeshAttributes(MutableMapping[str, NDArray[Any]]):
             return take_column(name, values, self._device, self._count)
         column = check_numeric(name, values)
         if column.ndim not in (1, 2) or len(column) != self._count:
-            expected = f"[{self._count}] or [{self._count}, c], one row a {self._of}"
+            expected = f"[{self._count}] or [{self._count}, c], one row per {self._of}"
             raise ValueError(f"{name}: expected shape {expected}, got {list(column.shape)}")
         if column.dtype.itemsize > 8:
-            raise TypeError(f"{name}: expected numbers of 64 bits at most, got {column.dtype}")
+            raise TypeError(f"{name}: expected numbers of at most 64 bits, got {column.dtype}")
         kind = wp.dtype_from_numpy(column.dtype.newbyteorder("="))
         return upload(column, kind, self._device, copied=library_of(values) == NUMPY)
 

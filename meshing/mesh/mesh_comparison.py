@@ -50,31 +50,31 @@ class MeshComparison(Report, Assessed):
         mean, m = max(self.metrics.mean), symbol_of(self.unit)
         if mean > APART * self.diagonal:
             share = format_share(mean / self.diagonal)
-            return (f"the surfaces lie {share} of their size apart: other units, or other frames? Register them first",)
+            return (f"the surfaces are {share} of their size apart. Check units and frames, and register them first",)
         if self.limit is not None and self.metrics.hausdorff > self.limit:
-            return (f"the surfaces lie up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}",)
+            return (f"the surfaces are up to {self.metrics.hausdorff:.4g} {m} apart, more than {self.limit:g} {m}",)
         return ()
 
     def to_dict(self) -> dict[str, Any]:
         """All fields in JSON's types. F-scores by their distances."""
-        found = self.metrics
-        scores = dict(zip(map(str, self.thresholds), found.fscore.tolist(), strict=True))
-        head = {"triangles": self.triangles, "diagonal": self.diagonal, "chamfer": found.chamfer}
-        farthest = {"hausdorff": found.hausdorff, "hausdorff_bound": found.hausdorff_bound, "fscore": scores}
-        both_ways = {"mean": found.mean, "rms": found.rms, "max": found.max}
+        metrics = self.metrics
+        scores = dict(zip(map(str, self.thresholds), metrics.fscore.tolist(), strict=True))
+        head = {"triangles": self.triangles, "diagonal": self.diagonal, "chamfer": metrics.chamfer}
+        farthest = {"hausdorff": metrics.hausdorff, "hausdorff_bound": metrics.hausdorff_bound, "fscore": scores}
+        both_ways = {"mean": metrics.mean, "rms": metrics.rms, "max": metrics.max}
         tail = {"samples": self.samples, "seed": self.seed, "device": self.device, **quality(self)}
         unit = {} if self.unit is None else {"unit": self.unit}
         return plain(head | farthest | both_ways | tail | unit)
 
     def fields(self) -> Fields:
-        found, m = self.metrics, symbol_of(self.unit)
-        scores = zip(self.thresholds, found.fscore.tolist(), strict=True)
+        metrics, m = self.metrics, symbol_of(self.unit)
+        scores = zip(self.thresholds, metrics.fscore.tolist(), strict=True)
         return [
             ("triangles", " and ".join(f"{count:,}" for count in self.triangles)),
-            ("chamfer", f"{found.chamfer:.4g} {m}"),
-            ("mean", _there_and_back(found.mean, m)),
-            ("rms", _there_and_back(found.rms, m)),
-            ("Hausdorff", f"{found.hausdorff:.4g} {m}, at most {found.hausdorff_bound:.4g}"),
+            ("chamfer", f"{metrics.chamfer:.4g} {m}"),
+            ("mean", _there_and_back(metrics.mean, m)),
+            ("rms", _there_and_back(metrics.rms, m)),
+            ("Hausdorff", f"{metrics.hausdorff:.4g} {m}, at most {metrics.hausdorff_bound:.4g}"),
             ("F-score", ", ".join(f"{score:.1f} % within {radius:.3g} {m}" for radius, score in scores)),
         ]
 
@@ -115,9 +115,9 @@ def compare_meshes(
         check_mesh(name, mesh)
         check_finite_corners(name, mesh)
         if not mesh.get_surface_area() > 0:
-            raise ValueError(f"{name}: holds no triangle with an area, so no distance can be taken")
+            raise ValueError(f"{name}: expected at least one triangle with an area, got none")
     given = [] if thresholds is None else check_numeric("thresholds", thresholds).reshape(-1).tolist()
-    most = None if limit is None else check_positive("limit", limit, allow_infinite=True)
+    max_deviation = None if limit is None else check_positive("limit", limit, allow_infinite=True)
     count, chosen = check_count("samples", samples), check_seed(seed)
     low, high = second.get_axis_aligned_bounding_box()
     diagonal = math.dist(low, high)
@@ -129,7 +129,7 @@ def compare_meshes(
         diagonal=diagonal,
         samples=count,
         seed=chosen,
-        limit=most,
+        limit=max_deviation,
         device=str(first.device),
         unit=first.unit or second.unit,
     )

@@ -120,7 +120,7 @@ def write_triangle_mesh(
     if suffix not in MESH_READERS:
         raise FileError(path, f"meshes are written to {', '.join(MESH_READERS)}, not to {suffix or 'no extension'}")
     if ascii and suffix in (".stl", ".off", ".glb", ".gltf"):
-        raise ValueError(f"ascii: {suffix[1:].upper()} is written in one form only")
+        raise ValueError(f"ascii: {suffix[1:].upper()} has only one encoding")
     table = mesh_table(mesh)
     if not write_vertex_normals:
         table.vertex_normals = None

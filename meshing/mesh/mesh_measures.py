@@ -93,8 +93,8 @@ class MeshMeasures(MeshSelection):
         given = check_rows("triangle_normals", values, 3, rows=len(self), dtype=np.float64)
         if not np.allclose(given, self.compute_triangle_normals(), rtol=0, atol=SAME_NORMAL, equal_nan=True):
             raise ValueError(
-                "triangle_normals: these are not the triangles' own, which no mesh keeps apart from its triangles; "
-                "orient_triangles() turns triangles, vertex_normals shade"
+                "triangle_normals: expected the normals computed from the triangles, got others. "
+                "Call orient_triangles() to flip triangles, or set vertex_normals for shading"
             )
 
     def get_surface_area(self) -> float:
@@ -118,9 +118,9 @@ class MeshMeasures(MeshSelection):
         check_finite_corners("get_volume", self)
         topology = self.edge_topology()
         if not is_closed(topology):
-            raise ValueError("get_volume: the mesh is not watertight, so it encloses no volume")
+            raise ValueError("get_volume: expected a watertight mesh. Repair it with repair(hole_size=...) first")
         if topology.has_twisted_edge:
-            raise ValueError("get_volume: neighboring triangles turn different ways; orient them alike")
+            raise ValueError("get_volume: expected consistently oriented triangles. Call orient_triangles() first")
         return abs(self._signed_volume())
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
@@ -346,15 +346,15 @@ class MeshMeasures(MeshSelection):
         )
         surface = self._surface("sample_points_poisson_disk")
         if pcl is None:
-            name, advice = "number_of_points, init_factor", "take fewer"
+            name, advice = "number_of_points, init_factor", "use fewer"
             if count * factor > MAX_SAMPLES:
                 raise ValueError(
-                    f"{name}: expected up to {MAX_SAMPLES:,} points to begin with, got {count * factor:,}; {advice}"
+                    f"{name}: expected up to {MAX_SAMPLES:,} initial points, got {count * factor:,}; {advice}"
                 )
             start = self._draw(surface, count * factor, use_triangle_normal, seed)
         else:
             check_cloud("pcl", pcl)
-            name, advice = "pcl", "thin it first, as by pcl.random_down_sample"
+            name, advice = "pcl", "downsample it first, for example with pcl.random_down_sample"
             start = pcl.to(self.device)
             if len(start) > MAX_SAMPLES:
                 raise ValueError(f"{name}: expected up to {MAX_SAMPLES:,} points, got {len(start):,}; {advice}")
@@ -367,16 +367,18 @@ class MeshMeasures(MeshSelection):
 
     def _check_surface(self, surface: SurfaceSamples, operation: str) -> None:
         if not len(self):
-            raise ValueError(f"{operation}: the mesh has no triangles, so it has no surface to draw points from")
+            raise ValueError(f"{operation}: expected a mesh with triangles to sample, got none")
         check_finite_corners(operation, self)
         if not surface.area > 0:
             raise ValueError(
-                f"{operation}: none of the mesh's {len(self)} triangles has an area; each has two corners at one "
-                "place, or all three on a line"
+                f"{operation}: expected triangles with an area, but all {len(self)} triangles have "
+                "coincident or collinear corners"
             )
 
     def _draw(self, surface: SurfaceSamples, count: int, use_triangle_normal: bool, seed: int) -> PointCloud:
-        check_room(self._device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points with what they are made of")
+        check_room(
+            self._device, count * SAMPLE_BYTES, f"number_of_points: {count:,} points and their intermediate arrays"
+        )
         surface.draw(count, seed)
         arrays: dict[str, Any] = {"points": surface.mix(self._arrays["vertices"])}
         if use_triangle_normal:
@@ -438,12 +440,12 @@ class MeshMeasures(MeshSelection):
         fscore = np.divide(2 * there.within * back.within, both, out=np.zeros_like(both), where=both > 0)
         return SurfaceMetrics(
             there.mean + back.mean,
-            max(there.least, back.least),
+            max(there.lower, back.lower),
             fscore,
-            max(there.most, back.most),
+            max(there.upper, back.upper),
             (there.mean, back.mean),
             (there.rms, back.rms),
-            (there.least, back.least),
+            (there.lower, back.lower),
         )
 
     @returns_new
@@ -505,9 +507,9 @@ class MeshMeasures(MeshSelection):
             [1.814, 1.814, 1.814, 1.814, 1.814, 1.814]
         """
         sewn = sew(self)
-        found = measure_curvatures(sewn.mesh._device_arrays["vertices"], sewn.mesh._device_arrays["triangles"])
-        columns: Any = view_as(found, float64, (found.size, 4))
-        columns = [contiguous(columns[:, k]) if found.size else empty(0, float64, self.device) for k in range(4)]
+        curvatures = measure_curvatures(sewn.mesh._device_arrays["vertices"], sewn.mesh._device_arrays["triangles"])
+        columns: Any = view_as(curvatures, float64, (curvatures.size, 4))
+        columns = [contiguous(columns[:, k]) if curvatures.size else empty(0, float64, self.device) for k in range(4)]
         parts = [sewn.spread(column) for column in columns]
         return MeshCurvature(*map(self._handed_out, parts))
 
@@ -539,8 +541,13 @@ class MeshMeasures(MeshSelection):
         rows = upload(numbers, int32, self._device)
         check_finite_vertices("sources", numbers, gather_rows(vertices, rows))
         sewn = sew(self)
-        arrays, own = sewn.mesh._device_arrays, rows if sewn.places is None else gather_rows(sewn.places, rows)
-        return self._handed_out(sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], own)))
+        arrays, sources_in_sewn = (
+            sewn.mesh._device_arrays,
+            rows if sewn.sewn_indices is None else gather_rows(sewn.sewn_indices, rows),
+        )
+        return self._handed_out(
+            sewn.spread(geodesic_distances(arrays["vertices"], arrays["triangles"], sources_in_sewn))
+        )
 
     def voxelize(
         self,
@@ -581,16 +588,16 @@ class MeshMeasures(MeshSelection):
         extremes, findings = self._examined(solid)  # sync
         low, high = self._bounds_of_voxels(box_of(extremes), size, min_bound, max_bound)
         with np.errstate(over="ignore"):
-            reach = np.floor((high - low) / size + 0.5)
-        if not (reach < MAX_CELLS).all():
+            size_in_voxels = np.floor((high - low) / size + 0.5)
+        if not (size_in_voxels < MAX_CELLS).all():
             raise ValueError(
-                "voxel_size, min_bound, max_bound: expected less than 2^30 voxels along an axis, got "
-                f"{reach.max():g}; take larger voxels"
+                "voxel_size, min_bound, max_bound: expected fewer than 2^30 voxels along an axis, got "
+                f"{size_in_voxels.max():g}. Use larger voxels"
             )
-        counts = (int(reach[0]), int(reach[1]), int(reach[2]))
+        counts = (int(size_in_voxels[0]), int(size_in_voxels[1]), int(size_in_voxels[2]))
         if math.prod(counts) >= MAX_KEYS:
             raise ValueError(
-                f"voxel_size: a grid of {' x '.join(map(str, counts))} has more than 2^62 voxels; take larger voxels"
+                f"voxel_size: a grid of {' x '.join(map(str, counts))} has more than 2^62 voxels. Use larger voxels"
             )
         if solid:
             self._check_closed(topology_of(findings), box_of(extremes)[2])
@@ -639,11 +646,11 @@ class MeshMeasures(MeshSelection):
     def _check_closed(self, topology: Topology, finite_count: int) -> None:
         if not len(self) or topology.has_boundary or topology.has_crowded_edge:
             raise ValueError(
-                "voxelize: solid wants a closed mesh, with two triangles at every edge; merge vertices at one place, "
-                "or fill its holes first"
+                "voxelize: solid=True requires a closed mesh, with two triangles at every edge. Merge vertices "
+                "or fill holes first"
             )
         if finite_count < self._arrays["vertices"].size:
-            raise ValueError("voxelize: solid wants finite vertices, and some are not")
+            raise ValueError("voxelize: solid=True requires finite vertices, got NaN or infinite ones")
 
 
 def is_closed(topology: Topology) -> bool:
@@ -662,7 +669,7 @@ def _spread(start: PointCloud, count: int, area: float, name: str, advice: str) 
         return start._select_rows(eliminate_samples(tree, count, widest))
     except CrowdedError as error:
         raise ValueError(
-            f"{name}: {error.pair_count:,} pairs of points lie closer than {widest:.3g} m, expected up to 2^30; "
+            f"{name}: expected up to 2^30 pairs of points closer than {widest:.3g} m, got {error.pair_count:,}; "
             f"{advice}"
         ) from error
 

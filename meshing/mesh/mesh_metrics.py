@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import warp as wp
@@ -21,10 +21,7 @@ from ...kernels.rays.surface_hausdorff import (
 )
 from ...kernels.rays.triangle_tree import TriangleTree, trees_over
 
-if TYPE_CHECKING:
-    pass
-
-UNREACHED = "mesh2: has no finite triangle, or lies 1.8e19 m away or farther"
+UNREACHED = "mesh2: expected finite triangles at less than 1.8e19 m, got none"
 CLOSE = 1e-5  # of the meshes' size: precision of the Hausdorff bounds
 
 
@@ -53,8 +50,8 @@ class _OneWay(NamedTuple):
     mean: float
     rms: float
     within: NDArray[np.float64]
-    least: float
-    most: float
+    lower: float
+    upper: float
 
 
 class _Measured:
@@ -82,12 +79,12 @@ class _Measured:
         self.farthest = FarthestSearch(vertices, triangles, tree, known, CLOSE * size)
         self.arrays = [self._sums.buffer, sum_squares(sampled), self.farthest.known]
 
-    def check(self, whole: NDArray[Any]) -> None:
-        if self._sums.unpack(whole)[0] < self._count:
+    def check(self, sums: NDArray[Any]) -> None:
+        if self._sums.unpack(sums)[0] < self._count:
             raise ValueError(UNREACHED)
 
-    def told(self, whole: NDArray[Any], squares: NDArray[Any], bounds: tuple[float, float]) -> _OneWay:
-        _, total, _, within = self._sums.unpack(whole)
+    def result(self, sums: NDArray[Any], squares: NDArray[Any], bounds: tuple[float, float]) -> _OneWay:
+        _, total, _, within = self._sums.unpack(sums)
         count = self._count
         return _OneWay(total / count, root_mean_square(squares, count), 100 * within / count, *bounds)
 
@@ -97,18 +94,20 @@ def measure_both_ways(one: Any, two: Any, radii: list[float], count: int, seed: 
     meshes = [(mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]) for mesh in (one, two)]
     surfaces = [SurfaceSamples(*mesh) for mesh in meshes]
     trees, doubled = trees_over(meshes, [surface.doubled_area for surface in surfaces])  # sync
-    for surface, found in zip(surfaces, doubled, strict=True):
-        surface.area = surface.area_of(found)
-    ways = []
+    for surface, values in zip(surfaces, doubled, strict=True):
+        surface.area = surface.area_of(values)
+    directions = []
     for mesh, other, surface, tree in ((one, two, surfaces[0], trees[1]), (two, one, surfaces[1], trees[0])):
         mesh._check_surface(surface, "compute_metrics")
-        ways.append(_Measured(mesh, other, tree, surface, radii, count, seed))
-    found = read_together([array for way in ways for array in way.arrays])  # sync
-    parts = list(zip(found[::3], found[1::3], strict=True))
-    for way, (whole, _) in zip(ways, parts, strict=True):
-        way.check(whole)
-    bounds = search_farthest([way.farthest for way in ways], found[2::3])  # sync
-    there, back = (way.told(*part, bound) for way, part, bound in zip(ways, parts, bounds, strict=True))
+        directions.append(_Measured(mesh, other, tree, surface, radii, count, seed))
+    values = read_together([array for direction in directions for array in direction.arrays])  # sync
+    parts = list(zip(values[::3], values[1::3], strict=True))
+    for direction, (sums, _) in zip(directions, parts, strict=True):
+        direction.check(sums)
+    bounds = search_farthest([direction.farthest for direction in directions], values[2::3])  # sync
+    there, back = (
+        direction.result(*part, bound) for direction, part, bound in zip(directions, parts, bounds, strict=True)
+    )
     return there, back
 
 

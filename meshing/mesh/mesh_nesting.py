@@ -49,34 +49,36 @@ def find_enclosing(vertices: Points, triangles: Triangles, parts: Parts) -> dict
             continue
         rows = [order[starts[part] : starts[part + 1]] for part in near.tolist()]
         queries = np.concatenate([
-            _points_behind(points, corners[own], float(parts.sides[part])) for part, own in zip(near, rows, strict=True)
+            _points_behind(points, corners[part_rows], float(parts.sides[part]))
+            for part, part_rows in zip(near, rows, strict=True)
         ])  # fmt: skip
-        own = upload(order[starts[outer] : starts[outer + 1]].astype(np.int32), int32, triangles.device)
-        numbers = _winding_numbers(vertices, gather_triangles(triangles, own), queries)
+        part_rows = upload(order[starts[outer] : starts[outer + 1]].astype(np.int32), int32, triangles.device)
+        numbers = _winding_numbers(vertices, gather_triangles(triangles, part_rows), queries)
         within = (np.abs(numbers) > 0.5).reshape(-1, SAMPLES).sum(axis=1) * 2 > SAMPLES
         for part in near[within].tolist():
             enclosing.setdefault(part, []).append(outer)
     return enclosing
 
 
-def choose_sides(parts: Parts, enclosing: dict[int, list[int]], kept: NDArray[np.bool_]) -> NDArray[np.bool_]:
-    """Parts to be flipped, bool (p,). Outermost parts face outward. Nested parts that were oriented (`kept`) keep their
-    side relative to the enclosing part, unless the winding number would become negative. Others alternate by depth."""
-    turned, signs = np.zeros(len(parts.closed), np.bool_), np.sign(parts.sides)
+def choose_sides(parts: Parts, enclosing: dict[int, list[int]], is_fixed: NDArray[np.bool_]) -> NDArray[np.bool_]:
+    """Parts to be flipped, bool (p,). Outermost parts face outward. Nested parts that were oriented (`is_fixed`) keep
+    their side relative to the enclosing part, unless the winding number would become negative. Others alternate by
+    depth."""
+    flipped, signs = np.zeros(len(parts.closed), np.bool_), np.sign(parts.sides)
     depths = {part: len(enclosing.get(part, ())) for part in np.flatnonzero(parts.closed).tolist()}
     for part in sorted(depths, key=lambda p: (depths[p], p)):
         around = enclosing.get(part, [])
         if not around:
-            turn = signs[part] < 0
-        elif not kept[part]:
-            turn = signs[part] * (-1) ** depths[part] < 0
+            flip = signs[part] < 0
+        elif not is_fixed[part]:
+            flip = signs[part] * (-1) ** depths[part] < 0
         else:
             next_one = max(around, key=lambda p: (depths.get(p, 0), -p))
-            turn = bool(turned[next_one] and kept[next_one])
-            behind = sum(signs[p] * (-1 if turned[p] else 1) for p in around) + signs[part] * (-1 if turn else 1)
-            turn = not turn if behind < 0 else turn
-        turned[part] = turn
-    return turned
+            flip = bool(flipped[next_one] and is_fixed[next_one])
+            behind = sum(signs[p] * (-1 if flipped[p] else 1) for p in around) + signs[part] * (-1 if flip else 1)
+            flip = not flip if behind < 0 else flip
+        flipped[part] = flip
+    return flipped
 
 
 def _points_behind(points: NDArray[np.float32], corners: NDArray[np.int32], side: float) -> NDArray[np.float64]:
@@ -86,13 +88,13 @@ def _points_behind(points: NDArray[np.float32], corners: NDArray[np.int32], side
     sizes = np.linalg.norm(cross, axis=1)
     rows = np.resize(np.argsort(-sizes, kind="stable")[:SAMPLES], SAMPLES)
     normals = cross[rows] / np.maximum(sizes[rows], np.finfo(float).tiny)[:, None]
-    way = np.sqrt(sizes[rows])[:, None] * (INWARDS if side > 0 else -INWARDS)
-    return (a[rows] + b[rows] + c[rows]) / 3 - normals * way
+    offset = np.sqrt(sizes[rows])[:, None] * (INWARDS if side > 0 else -INWARDS)
+    return (a[rows] + b[rows] + c[rows]) / 3 - normals * offset
 
 
 def _winding_numbers(vertices: Points, triangles: Triangles, queries: NDArray[np.float64]) -> NDArray[np.float64]:
     device = vertices.device
     dipoles, numbers = Dipoles(TriangleTree(vertices, triangles)), zeros(len(queries), float64, device)
-    places = upload(queries.astype(np.float32), vec3, device)
-    add_winding_numbers(dipoles, places, positions(len(queries), device), numbers)
+    points = upload(queries.astype(np.float32), vec3, device)
+    add_winding_numbers(dipoles, points, positions(len(queries), device), numbers)
     return download(numbers).copy()  # sync

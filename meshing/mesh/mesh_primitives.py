@@ -25,7 +25,7 @@ from ...kernels.lang import int32, vec2, vec3, vec3i
 from ...kernels.linear_algebra import matmul
 from ...kernels.memory import upload
 from . import shape_arrays as shapes
-from .flat_polygons import fill_loops, turn_by_depth
+from .flat_polygons import fill_loops, loops_to_reverse
 from .mesh_measures import MeshMeasures
 from .shape_arrays import Shape
 from .sweep_arrays import (
@@ -145,12 +145,12 @@ class MeshPrimitives(MeshMeasures):
 
     @classmethod
     def _of(cls, shape: Shape, device: Any, *, with_uvs: bool = False) -> Self:
-        place = resolve_device(device)
+        target = resolve_device(device)
         local, origin = split_origin(shape.vertices)
         return cls._from_device_arrays(
-            upload(local, vec3, place),
-            upload(shape.triangles.astype(np.int32), vec3i, place),
-            triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, place) if with_uvs else None,
+            upload(local, vec3, target),
+            upload(shape.triangles.astype(np.int32), vec3i, target),
+            triangle_uvs=upload(shape.uvs.astype(np.float32), vec2, target) if with_uvs else None,
             origin=origin,
         )
 
@@ -232,7 +232,7 @@ class MeshPrimitives(MeshMeasures):
             True
         """
         sizes = positive_lengths(radius=radius, height=height)
-        counts = whole_counts(resolution=(resolution, 3), split=(split, 1))
+        counts = checked_counts(resolution=(resolution, 3), split=(split, 1))
         check_vertex_count("resolution, split", counts[0] * (counts[1] + 1) + 2)
         return cls._of(shapes.cylinder(*sizes, *counts), device, with_uvs=create_uv_map)
 
@@ -261,7 +261,7 @@ class MeshPrimitives(MeshMeasures):
             TriangleMesh(10 vertices, 16 triangles, cpu)
         """
         sizes = positive_lengths(radius=radius, height=height)
-        counts = whole_counts(resolution=(resolution, 3), split=(split, 1))
+        counts = checked_counts(resolution=(resolution, 3), split=(split, 1))
         check_vertex_count("resolution, split", counts[0] * counts[1] + 2)
         return cls._of(shapes.cone(*sizes, *counts), device, with_uvs=create_uv_map)
 
@@ -289,7 +289,7 @@ class MeshPrimitives(MeshMeasures):
             TriangleMesh(600 vertices, 1200 triangles, cpu)
         """
         radii = positive_lengths(torus_radius=torus_radius, tube_radius=tube_radius)
-        counts = whole_counts(radial_resolution=(radial_resolution, 3), tubular_resolution=(tubular_resolution, 3))
+        counts = checked_counts(radial_resolution=(radial_resolution, 3), tubular_resolution=(tubular_resolution, 3))
         check_vertex_count("radial_resolution, tubular_resolution", counts[0] * counts[1])
         return cls._of(shapes.torus(*radii, *counts), device)
 
@@ -326,7 +326,7 @@ class MeshPrimitives(MeshMeasures):
             cylinder_height=cylinder_height,
             cone_height=cone_height,
         )
-        counts = whole_counts(
+        counts = checked_counts(
             resolution=(resolution, 3), cylinder_split=(cylinder_split, 1), cone_split=(cone_split, 1)
         )
         check_vertex_count("resolution, cylinder_split, cone_split", counts[0] * (counts[1] + counts[2] + 1) + 4)
@@ -349,17 +349,17 @@ class MeshPrimitives(MeshMeasures):
             TriangleMesh(1134 vertices, 2240 triangles, vertex_normals, vertex_colors, cpu)
         """
         (length,) = positive_lengths(size=size)
-        place = check_finite("origin", check_shape("origin", origin, (3,)))
-        if np.abs(place).max() > LONGEST:
-            raise ValueError(f"origin: expected coordinates up to {LONGEST:g} m, got {place.tolist()}")
+        center = check_finite("origin", check_shape("origin", origin, (3,)))
+        if np.abs(center).max() > LONGEST:
+            raise ValueError(f"origin: expected coordinates up to {LONGEST:g} m, got {center.tolist()}")
         along_z = _arrow(0.035 * length, 0.06 * length, 0.8 * length, 0.2 * length, 20, 4, 1)
         x, y, z = along_z.vertices.T
-        turned = [along_z._replace(vertices=np.stack(axes, axis=1)) for axes in ((z, x, y), (y, z, x), (x, y, z))]
-        parts = [shapes.sphere(0.06 * length, 20), *turned]
+        arrows = [along_z._replace(vertices=np.stack(axes, axis=1)) for axes in ((z, x, y), (y, z, x), (x, y, z))]
+        parts = [shapes.sphere(0.06 * length, 20), *arrows]
         colors = [[0.5, 0.5, 0.5], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]]
         mesh = cls._of(shapes.joined(parts), device).compute_vertex_normals()
         mesh.vertex_colors = np.repeat(colors, [len(part.vertices) for part in parts], axis=0)
-        local, anchor = split_origin(mesh.vertices + place)
+        local, anchor = split_origin(mesh.vertices + center)
         return mesh._with_arrays(vertices=upload(local, vec3, mesh.device), origin=anchor)
 
     @classmethod
@@ -390,15 +390,15 @@ class MeshPrimitives(MeshMeasures):
             >>> loom.TriangleMesh.create_mobius()
             TriangleMesh(1050 vertices, 1960 triangles, cpu)
         """
-        long, wide, turns = whole_counts(
+        columns, rows, half_twists = checked_counts(
             length_split=(length_split, 3), width_split=(width_split, 2), twists=(twists, 0)
         )
         around, breadth, factor = positive_lengths(radius=radius, width=width, scale=scale)
         flat = check_number("flatness", flatness)
         if flat == 0 or abs(flat) > LONGEST:
             raise ValueError(f"flatness: expected a number other than 0 up to {LONGEST:g}, got {flat:g}")
-        check_vertex_count("length_split, width_split", long * wide)
-        return cls._of(shapes.mobius(long, wide, turns, around, flat, breadth, factor), device)
+        check_vertex_count("length_split, width_split", columns * rows)
+        return cls._of(shapes.mobius(columns, rows, half_twists, around, flat, breadth, factor), device)
 
     @classmethod
     def create_moebius(cls, *args: Any, **kwargs: Any) -> Self:
@@ -435,11 +435,11 @@ class MeshPrimitives(MeshMeasures):
             >>> wedge.is_watertight(), wedge.get_volume(), len(wedge)
             (True, 0.5, 8)
         """
-        way = check_finite("vector", check_shape("vector", vector, (3,))) * check_length("scale", scale)
-        if not way.any():
-            raise ValueError("vector: expected a way of some length, got none")
+        shift = check_finite("vector", check_shape("vector", vector, (3,))) * check_length("scale", scale)
+        if not shift.any():
+            raise ValueError("vector: expected a vector of nonzero length, got zero")
         corners = self.vertices
-        return self._swept(np.stack([corners, corners + way]), False, bool(capping))
+        return self._swept(np.stack([corners, corners + shift]), False, bool(capping))
 
     @returns_new
     def extrude_rotation(
@@ -469,22 +469,27 @@ class MeshPrimitives(MeshMeasures):
             >>> ring.is_watertight(), ring.euler_poincare_characteristic()
             (True, 0)
         """
-        way = check_direction("axis", axis)
-        whole, rise = np.radians(check_length("angle", angle)), check_length("translation", translation)
-        if not whole:
-            raise ValueError("angle: expected one other than zero")
+        direction = check_direction("axis", axis)
+        full_angle, rise = np.radians(check_length("angle", angle)), check_length("translation", translation)
+        if not full_angle:
+            raise ValueError("angle: expected a nonzero angle, got 0")
         steps = check_count("resolution", resolution, minimum=1)
         corners = self.vertices
         check_vertex_count("resolution", (steps + 1) * len(corners))
         shares = np.linspace(0, 1, steps + 1)[:, None, None]
-        along = matmul(corners, way)[:, None] * way
-        across, side = corners - along, np.cross(way, corners)
-        rings = along + np.cos(whole * shares) * across + np.sin(whole * shares) * side + rise * shares * way
+        along = matmul(corners, direction)[:, None] * direction
+        across, side = corners - along, np.cross(direction, corners)
+        rings = (
+            along
+            + np.cos(full_angle * shares) * across
+            + np.sin(full_angle * shares) * side
+            + rise * shares * direction
+        )
         is_closed = not rise and abs(abs(float(angle)) - 360) < 1e-9 and steps > 2
         if not rise:
-            reach = np.linalg.norm(across, axis=1)
-            rings[:, reach <= 1e-7 * np.abs(corners).max(initial=0)] = corners[
-                reach <= 1e-7 * np.abs(corners).max(initial=0)
+            radii = np.linalg.norm(across, axis=1)
+            rings[:, radii <= 1e-7 * np.abs(corners).max(initial=0)] = corners[
+                radii <= 1e-7 * np.abs(corners).max(initial=0)
             ]
         return self._swept(rings, is_closed, bool(capping) and not is_closed)
 
@@ -522,18 +527,18 @@ class MeshPrimitives(MeshMeasures):
             raise TypeError(f"holes: expected a list of outlines, got {shown(holes)}")
         loops = [check_ring("outline", outline), *(check_ring("holes", hole) for hole in holes)]
         if len({loop.shape[1] for loop in loops}) > 1:
-            raise ValueError("holes: expected as many coordinates as those of the outline")
-        places = np.concatenate(loops)
-        flat = flatten_outline(places, len(loops[0]))
+            raise ValueError("holes: expected the same number of coordinates per corner as the outline")
+        vertices = np.concatenate(loops)
+        flat = flatten_outline(vertices, len(loops[0]))
         parts = np.split(flat, np.cumsum([len(loop) for loop in loops])[:-1])
-        turned = turn_by_depth(parts)
+        is_reversed = loops_to_reverse(parts)
         order = np.split(np.arange(len(flat)), np.cumsum([len(loop) for loop in loops])[:-1])
-        order = [rows[::-1] if turn else rows for rows, turn in zip(order, turned, strict=True)]
+        order = [rows[::-1] if reverse else rows for rows, reverse in zip(order, is_reversed, strict=True)]
         triangles = np.concatenate(order)[fill_loops("from_polygon", [flat[rows] for rows in order])]
         check_area(flat, order, triangles)
-        if places.shape[1] == 2:
-            places = np.c_[places, np.zeros(len(places))]
-        return cls._of(Shape(places, triangles, np.zeros((0, 2))), device)
+        if vertices.shape[1] == 2:
+            vertices = np.c_[vertices, np.zeros(len(vertices))]
+        return cls._of(Shape(vertices, triangles, np.zeros((0, 2))), device)
 
     @classmethod
     def revolve(cls, profile: ArrayLike, angle: float = 360.0, resolution: int = 64, *, device: Any = None) -> Self:
@@ -560,52 +565,60 @@ class MeshPrimitives(MeshMeasures):
         """
         line = check_finite("profile", check_rows("profile", profile, 2, dtype=np.float64))
         if len(line) < 2 or (line[:, 0] < 0).any():
-            raise ValueError(f"profile: expected two points or more, none closer than zero, got {line.tolist()[:4]}")
-        turn, steps = check_number("angle", angle), check_count("resolution", resolution, minimum=3)
-        if not 0 < abs(turn) <= 360:
-            raise ValueError(f"angle: expected up to 360 degrees either way, got {turn}")
+            raise ValueError(f"profile: expected at least two points (radius >= 0, height), got {line.tolist()[:4]}")
+        degrees, steps = check_number("angle", angle), check_count("resolution", resolution, minimum=3)
+        if not 0 < abs(degrees) <= 360:
+            raise ValueError(f"angle: expected a nonzero angle from -360 to 360 degrees, got {degrees}")
         is_ring = len(line) > 2 and bool((line[0] == line[-1]).all())
         line = line[:-1] if is_ring else line
         check_vertex_count("profile, resolution", (steps + 1) * len(line))
-        angles = np.radians(turn) * np.linspace(0, 1, steps + 1)
+        angles = np.radians(degrees) * np.linspace(0, 1, steps + 1)
         radius, height = line.T
         rings = np.stack(
             [np.outer(np.cos(angles), radius), np.outer(np.sin(angles), radius), np.tile(height, (steps + 1, 1))], -1
         )
         first = np.arange(len(line) - (not is_ring))
         pairs = np.c_[first, (first + 1) % len(line)]
-        if turn < 0:
+        if degrees < 0:
             pairs = pairs[:, ::-1]
-        numbers = number_ring_vertices(rings, abs(turn) == 360)
+        numbers = number_ring_vertices(rings, abs(degrees) == 360)
         used, triangles = used_vertices(wall_triangles(numbers, pairs))
         return cls._of(Shape(rings.reshape(-1, 3)[used], triangles, np.zeros((0, 2))), device)
 
     def _swept(self, rings: NDArray[np.float64], is_closed: bool, capping: bool) -> Self:
         """Join copies of the vertices at k positions, shape (k, m, 3), by walls along the border."""
-        own = self.triangles.astype(np.int64)
-        sides = own[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
+        source_triangles = self.triangles.astype(np.int64)
+        sides = source_triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
         low, high = np.sort(sides, axis=1).T
         _, group, counts = np.unique(low * (len(self.vertices) + 1) + high, return_inverse=True, return_counts=True)
         on_border = np.flatnonzero(counts[group.reshape(-1)] == 1)
         numbers = number_ring_vertices(rings, is_closed)
-        places = rings.reshape(-1, 3)
-        ends = np.concatenate([numbers[0][own[:, ::-1]], numbers[-1][own]])
+        vertices = rings.reshape(-1, 3)
+        ends = np.concatenate([numbers[0][source_triangles[:, ::-1]], numbers[-1][source_triangles]])
         walls = wall_triangles(numbers, sides[on_border])
-        whole = walls if is_closed else np.concatenate([ends, walls])
+        surface = walls if is_closed else np.concatenate([ends, walls])
         sources = np.concatenate(
-            [np.arange(len(own)), np.arange(len(own)), np.tile(on_border // 3, 2 * (len(rings) - 1))]
+            [
+                np.arange(len(source_triangles)),
+                np.arange(len(source_triangles)),
+                np.tile(on_border // 3, 2 * (len(rings) - 1)),
+            ]
         )
-        keep = np.ones(len(whole), bool) if capping or is_closed else np.arange(len(whole)) >= 2 * len(own)
-        sources = sources[2 * len(own) :] if is_closed else sources
-        keep &= (whole != np.roll(whole, 1, axis=1)).all(axis=1)
-        if signed_volume(places, whole) < 0:
-            whole = whole[:, ::-1]
-        used, triangles = used_vertices(whole[keep])
-        return self._with_copies(places[used], used % max(rings.shape[1], 1), triangles, sources[keep])
+        keep = (
+            np.ones(len(surface), bool)
+            if capping or is_closed
+            else np.arange(len(surface)) >= 2 * len(source_triangles)
+        )
+        sources = sources[2 * len(source_triangles) :] if is_closed else sources
+        keep &= (surface != np.roll(surface, 1, axis=1)).all(axis=1)
+        if signed_volume(vertices, surface) < 0:
+            surface = surface[:, ::-1]
+        used, triangles = used_vertices(surface[keep])
+        return self._with_copies(vertices[used], used % max(rings.shape[1], 1), triangles, sources[keep])
 
-    def _with_copies(self, places: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
+    def _with_copies(self, vertices: Any, of_vertices: Any, triangles: Any, of_triangles: Any) -> Self:
         """New vertices and triangles with attributes copied from this mesh, without normals and textures."""
-        local, origin = split_origin(places)
+        local, origin = split_origin(vertices)
         bare = self._with_arrays(triangle_uvs=None, vertex_normals=None)
         arrays = bare._vertices_at(upload(of_vertices.astype(np.int32), int32, self._device))
         arrays |= bare._triangles_at(upload(of_triangles.astype(np.int32), int32, self._device))
@@ -619,15 +632,15 @@ def positive_lengths(**lengths: float) -> Any:
     return tuple(check_positive(name, value, maximum=LONGEST) for name, value in lengths.items())
 
 
-def whole_counts(**counts: tuple[int, int]) -> Any:
+def checked_counts(**counts: tuple[int, int]) -> Any:
     """Validate integers, each given with its minimum. Returns a tuple."""
-    return tuple(check_count(name, value, minimum=least) for name, (value, least) in counts.items())
+    return tuple(check_count(name, value, minimum=minimum) for name, (value, minimum) in counts.items())
 
 
 def check_vertex_count(names: str, vertex_count: int) -> None:
     """Raise ValueError if a shape has too many vertices; `names` are the arguments to report."""
     if vertex_count > MAX_VERTICES:
-        raise ValueError(f"{names}: {vertex_count:,} vertices are more than 2^22; take fewer steps")
+        raise ValueError(f"{names}: expected at most 2^22 vertices, got {vertex_count:,}. Use fewer steps")
 
 
 def _arrow(

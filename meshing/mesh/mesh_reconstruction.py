@@ -69,7 +69,7 @@ AUTO = 10.0  # times the median nearest neighbor distance: the minimum that keep
 TETRAHEDRON_CORNERS = 4  # points of a tetrahedron
 SHORT_ALPHA = 0.02  # of the usual alpha, a fifth of the nearest neighbor distance: no tetrahedron is so small
 FLAT = 2e-7  # of the largest standard deviation: float32 rounding of a plane's thickness
-FLAT_REMEDY = "ball pivoting makes a surface of a flat cloud with normals"
+FLAT_REMEDY = "ball pivoting can mesh a flat cloud with normals"
 MAX_ALPHAS = 1000  # each tetrahedron is tested for each alpha
 _FLOAT_MAX = float(np.finfo(np.float32).max)
 _FLOAT_TINY = float(np.finfo(np.float32).tiny)
@@ -144,18 +144,20 @@ class MeshReconstruction(MeshMeasures):
         """
         check_cloud("cloud", cloud)
         points, normals = cloud._device_array("points"), cloud._required_array("normals", NO_NORMALS)
-        deepest = check_count("depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="codes of cells end there")
+        deepest = check_count(
+            "depth", depth, minimum=MIN_DEPTH, maximum=MAX_DEPTH, because="cell codes support no deeper trees"
+        )
         edge, cell = check_positive("scale", scale), check_positive("width", width, allow_zero=True)
         pull = check_positive("point_weight", point_weight, allow_zero=True, maximum=MAX_POINT_WEIGHT)
         count = check_positive("samples_per_node", samples_per_node)
         if edge < 1:
-            raise ValueError(f"scale: expected 1 or more, the cube holds the cloud, got {edge:g}")
+            raise ValueError(f"scale: expected >= 1, so that the cube contains the cloud, got {edge:g}")
         if confidence:
             normals = _weights_as_lengths(points, normals)
         cube, rows = _cube_around(points, normals, edge)
         _warn_of_sides(cloud, float(cube.side))
         deepest = _depth_of_width(float(cube.side), cell) if cell > 0 else deepest
-        _check_reach(edge, deepest, count, points.size)
+        _check_scale(edge, deepest, count, points.size)
         surface = reconstruct_poisson(
             points,
             normals,
@@ -230,10 +232,12 @@ class MeshReconstruction(MeshMeasures):
             _check_size(sizes, extent)
         triangles = ball.roll(sizes, len(cloud), _check_work)
         if given is not None and not triangles.size and ball.tree.count >= TRIANGLE_CORNERS:
-            told, usual = (", ".join(f"{r:.3g}" for r in radii) for radii in (given, _default_radii(ball.tree)))
+            given_radii, usual = (", ".join(f"{r:.3g}" for r in radii) for radii in (given, _default_radii(ball.tree)))
             if max(given) < SHORT_RADIUS * _default_radii(ball.tree)[0]:
                 m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
-                message = f"radii: balls of {told}{m} touch no three points; the points' spacing asks for {usual}{m}"
+                message = (
+                    f"radii: balls of {given_radii}{m} touch no three points. The point spacing suggests {usual}{m}"
+                )
                 warn_of_units(message)
         colors = cloud._device_array("colors") if cloud.has_colors else None
         mesh = cls._from_device_arrays(
@@ -318,35 +322,39 @@ class MeshReconstruction(MeshMeasures):
         tree = unique.search_tree()
         if chosen is None:
             chosen = [_choose_alpha(tree, unique._device_arrays["points"])]
-        found = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
-        answers, bare = [], []
-        used = _used_points([triangles for triangles, _ in found], len(cloud))
-        for size, (triangles, tetrahedra), (mask, places, count) in zip(chosen, found, used, strict=True):
-            mesh = cls._over_points(cloud, triangles, mask, places, count)
+        shapes = _find_shapes(tree, rows, len(cloud), chosen, bool(return_tetrahedra))
+        results, empty_sizes = [], []
+        used = _used_points([triangles for triangles, _ in shapes], len(cloud))
+        for size, (triangles, tetrahedra), (mask, offsets, count) in zip(chosen, shapes, used, strict=True):
+            mesh = cls._over_points(cloud, triangles, mask, offsets, count)
             if not triangles.size:
-                bare.append(size)
-            answers.append((mesh, tetrahedra, _used_rows(mask, places, count)) if return_tetrahedra else mesh)
-        flat = _flat_reason(tree.count, unique._device_arrays["points"]) if bare else None
+                empty_sizes.append(size)
+            results.append((mesh, tetrahedra, _used_rows(mask, offsets, count)) if return_tetrahedra else mesh)
+        flat = _flat_reason(tree.count, unique._device_arrays["points"]) if empty_sizes else None
         if flat is not None:
             warn_of_units(f"cloud: {flat}, so no alpha gives a surface; {FLAT_REMEDY}", UserWarning)
-        elif bare and not isinstance(alpha, str):
+        elif empty_sizes and not isinstance(alpha, str):
             usual = _choose_alpha(tree, unique._device_arrays["points"])
-            if max(bare) < SHORT_ALPHA * usual:
-                told = ", ".join(f"{size:g}" for size in bare)
+            if max(empty_sizes) < SHORT_ALPHA * usual:
+                sizes = ", ".join(f"{size:g}" for size in empty_sizes)
                 usual *= ADVISED / AUTO
                 m = "" if cloud.unit is None else f" {cloud.unit.symbol}"
-                warn_of_units(f"alpha: nothing is left at {told}{m}; the points' spacing asks for some {usual:.2g}{m}")
-        return answers if is_list else answers[0]
+                warn_of_units(
+                    f"alpha: no triangles remain at {sizes}{m}. The point spacing suggests about {usual:.2g}{m}"
+                )
+        return results if is_list else results[0]
 
     create_from_point_cloud_alpha_shape = create_from_point_cloud_alpha_shape
 
     @classmethod
-    def _over_points(cls, cloud: PointCloud, triangles: wp.array, used: wp.array, places: wp.array, count: int) -> Self:
+    def _over_points(
+        cls, cloud: PointCloud, triangles: wp.array, used: wp.array, offsets: wp.array, count: int
+    ) -> Self:
         """Mesh of the points used by `triangles`, with their new indices."""
         names = {"vertices": "points", "vertex_normals": "normals", "vertex_colors": "colors"}
         arrays = {name: cloud._device_arrays[given] for name, given in names.items() if given in cloud._device_arrays}
-        corners, kept = keep_counted(triangles, used, places, count, list(arrays.values()))
-        rows = dict(zip(arrays, kept, strict=True))
+        corners, selected = keep_counted(triangles, used, offsets, count, list(arrays.values()))
+        rows = dict(zip(arrays, selected, strict=True))
         mesh = cls._from_device_arrays(triangles=corners, **rows, origin=cloud.origin, library=cloud.array_library)
         mesh.unit = cloud.unit
         return mesh
@@ -382,8 +390,8 @@ class MeshReconstruction(MeshMeasures):
             raise ValueError(f"contour_values: expected numbers within float32, got {shown(contour_values)}")
         field = np.asarray(check_numeric("volume", volume)).T
         if field.ndim != 3 or min(field.shape) < 2:
-            found = list(field.shape[::-1])
-            raise ValueError(f"volume: expected shape [nz, ny, nx] with at least 2 along each axis, got {found}")
+            shape = list(field.shape[::-1])
+            raise ValueError(f"volume: expected shape [nz, ny, nx] with at least 2 along each axis, got {shape}")
         parts = []
         for level in levels.tolist():
             vertices, triangles, origin = extract_level(field, level, (1.0,) * 3, (0.0,) * 3, device)
@@ -391,16 +399,16 @@ class MeshReconstruction(MeshMeasures):
         return cls.concatenate(parts)
 
 
-def _check_reach(scale: float, depth: int, samples: float, point_count: int) -> None:
+def _check_scale(scale: float, depth: int, samples: float, point_count: int) -> None:
     """Raise ValueError if the cloud fills too few cells of the tree, or has too few points."""
     if scale > 2 ** (depth - 1):
         raise ValueError(
-            f"scale: {scale:g} leaves the cloud in less than two of the 2^{depth} cells along the cube; "
-            f"expected up to {2 ** (depth - 1)}, or a greater depth"
+            f"scale: expected up to {2 ** (depth - 1)}, got {scale:g}, which leaves the cloud in fewer than two of the "
+            f"2^{depth} cells along the cube. Reduce scale or increase depth"
         )
     if not MIN_SAMPLES <= samples <= point_count:
         raise ValueError(
-            f"samples_per_node: expected a number from {MIN_SAMPLES:g} to {point_count}, the cloud's points, got "
+            f"samples_per_node: expected a number from {MIN_SAMPLES:g} to {point_count}, the number of points, got "
             f"{samples:g}"
         )
 
@@ -416,13 +424,13 @@ def _cube_around(points: wp.array, normals: wp.array, scale: float) -> tuple[Cub
     rows, low, high = bound_samples(points, normals)  # sync
     extent = float((high.astype(np.float64) - low).max()) if rows.size else 0.0
     if not extent > 0:
-        found = "all those with normals are one" if rows.size else "none is finite and has a normal that is not zero"
-        raise ValueError(f"cloud: expected points at two places at least, {found} of {points.size:,}")
+        reason = "all points with normals coincide" if rows.size else "no point is finite with a nonzero normal"
+        raise ValueError(f"cloud: expected at least two distinct points with normals; {reason} among {points.size:,}")
     side = extent * scale
     corner = (low.astype(np.float64) + high) / 2 - side / 2
     if not np.abs([corner, corner + side]).max() < np.finfo(np.float32).max:
         raise ValueError(
-            f"cloud, scale: a cube of {side:g} m reaches beyond what float32 holds; take a smaller scale, or "
+            f"cloud, scale: a cube of {side:g} m exceeds the float32 range. Use a smaller scale, or call "
             "cloud.scale(1e-6) first"
         )
     return Cube(corner, side), rows
@@ -435,10 +443,10 @@ def _check_envelope(envelope: Any, cloud: PointCloud) -> Envelope:
     common_unit("cloud, envelope", (cloud.unit, envelope.unit))
     if len(envelope) > MAX_ENVELOPE:
         raise ValueError(
-            f"envelope: expected up to {MAX_ENVELOPE:,} triangles, got {len(envelope):,}; take a coarser mesh"
+            f"envelope: expected up to {MAX_ENVELOPE:,} triangles, got {len(envelope):,}. Use a coarser mesh"
         )
     if not envelope.is_watertight():
-        raise ValueError("envelope: expected a closed mesh, this one is not watertight")
+        raise ValueError("envelope: expected a closed mesh, got one that is not watertight")
     vertices = transform_points(envelope.array("vertices"), np.eye(3), envelope.origin - cloud.origin)
     low, high, _ = bound_points(vertices)
     return Envelope(vertices, envelope.array("triangles"), low, high)
@@ -451,8 +459,8 @@ def _warn_of_sides(cloud: PointCloud, side: float) -> None:
     share = cloud.normal_disagreement()
     if share > OPPOSED:
         warn_of_units(
-            f"{100 * share:.0f} % of near neighbors have normals to opposite sides, so the surface is none of the "
-            "points'; call cloud.orient_normals_consistent_tangent_plane(30) first",
+            f"{100 * share:.0f}% of the neighboring points have opposite normals, so the surface does not follow the "
+            "points. Call cloud.orient_normals_consistent_tangent_plane(30) first",
             NormalsWarning,
         )
 
@@ -476,7 +484,9 @@ def _depth_of_width(side: float, width: float) -> int:
 def _check_radii(radii: Any) -> list[float]:
     values = [radii] if isinstance(radii, int | float | np.number) else check_list("radii", radii, "radii [m]")
     if not values:
-        raise ValueError("radii: expected one radius [m] or more, got none; None takes them from the cloud's spacing")
+        raise ValueError(
+            "radii: expected at least one radius [m], got none. Pass None to derive them from the point spacing"
+        )
     return [check_positive("radii", value) for value in values]
 
 
@@ -485,9 +495,9 @@ def _default_radii(tree: Any) -> list[float]:
     if tree.count < 3:
         return []
     distances = nearest_distances(tree, tree.source, others=True)  # NaN at points outside the tree
-    spacing, wide = quantiles_of(distances, (0.5, WIDE_SHARE))  # sync
+    spacing, wide_spacing = quantiles_of(distances, (0.5, WIDE_SHARE))  # sync
     radii = [FIRST_RADIUS * spacing * 2**i for i in range(MAX_RADII)]
-    needed = sum(radius < wide for radius in radii) + 1
+    needed = sum(radius < wide_spacing for radius in radii) + 1
     return radii[: max(MIN_RADII, needed)]
 
 
@@ -495,21 +505,21 @@ def _check_size(radii: list[float], extent: float) -> None:
     for radius in radii:
         if radius > LARGEST_SHARE * extent:
             raise ValueError(
-                f"radii: {shown(radius)} m is more than {LARGEST_SHARE:,.0f} times the {extent:.3g} m that the points "
-                "span; take a few times their spacing, or None"
+                f"radii: {shown(radius)} m is more than {LARGEST_SHARE:,.0f} times the {extent:.3g} m extent of the "
+                "points. Use a few times their spacing, or None"
             )
 
 
-def _check_work(tree: Any, radius: float, places: Any) -> None:
+def _check_work(tree: Any, radius: float, indices: Any) -> None:
     """Raise ValueError if a radius has too many neighbors to search."""
-    if tree.count * places.size <= MAX_NEIGHBORS:
+    if tree.count * indices.size <= MAX_NEIGHBORS:
         return
-    mean = count_around(tree, places, 2 * radius)  # sync
-    if mean * places.size > MAX_NEIGHBORS:
+    mean = count_around(tree, indices, 2 * radius)  # sync
+    if mean * indices.size > MAX_NEIGHBORS:
         raise ValueError(
-            f"radii: at {radius:.6g} m some {mean:,.0f} points lie within twice the radius of each of {places.size:,}, "
-            f"{mean * places.size:.1e} in all, where {MAX_NEIGHBORS:.1e} take minutes; take a smaller radius, or "
-            "cloud.voxel_down_sample() with a voxel of half the radius first"
+            f"radii: at {radius:.6g} m about {mean:,.0f} points are within twice the radius of each of "
+            f"{indices.size:,}, {mean * indices.size:.1e} in total, and {MAX_NEIGHBORS:.1e} take minutes. Use a "
+            "smaller radius, or call cloud.voxel_down_sample() with a voxel of half the radius first"
         )
 
 
@@ -533,13 +543,13 @@ def _used_points(shapes: list[wp.array], count: int) -> Iterator[tuple[wp.array,
     """For each shape: mask of used points, their new indices, their count. One sync for several shapes."""
     for first in range(0, len(shapes), TOGETHER):
         used = [mark_referenced(triangles, count) for triangles in shapes[first : first + TOGETHER]]
-        for mask, (places, (total,)) in zip(used, scan_together([(mask, [count]) for mask in used]), strict=True):
-            yield mask, places, total
+        for mask, (offsets, (total,)) in zip(used, scan_together([(mask, [count]) for mask in used]), strict=True):
+            yield mask, offsets, total
 
 
-def _used_rows(used: wp.array, places: wp.array, count: int) -> NDArray[np.int32]:
+def _used_rows(used: wp.array, offsets: wp.array, count: int) -> NDArray[np.int32]:
     rows = empty(count, int32, used.device)
-    launch(list_rows_kernel, used.size, [used, places, rows])
+    launch(list_rows_kernel, used.size, [used, offsets, rows])
     return download(rows).copy()  # sync
 
 
@@ -570,11 +580,11 @@ def _find_shapes(
     if tree.count < 4:
         none = np.zeros((0, 4), np.int32) if with_tetrahedra else None
         return [(empty(0, vec3i, tree.device), none) for _ in alphas]
-    places = gather_rows(rows, tree.order[: tree.count])
-    found = find_alpha_shapes(tree, places, owners, ascending, with_tetrahedra)
+    indices = gather_rows(rows, tree.order[: tree.count])
+    surfaces = find_alpha_shapes(tree, indices, owners, ascending, with_tetrahedra)
     shapes = [
         (triangles, None if corners is None else download(corners).reshape(-1, 4).copy())
-        for triangles, corners in found
+        for triangles, corners in surfaces
     ]
     return [shapes[ascending.index(alpha)] for alpha in alphas]
 
@@ -589,11 +599,13 @@ def extract_level(
     steps = check_shape("spacing", spacing, (3,))
     for step in steps:
         if check_positive("spacing", step) < _FLOAT_TINY:
-            raise ValueError(f"spacing: {float(step)!r} is below what float32 can hold")
+            raise ValueError(f"spacing: {float(step)!r} is below the float32 range")
     corner = check_shape("origin", origin, (3,))
     far = corner + steps * (np.array(values.shape) - 1)
     if not np.isfinite(corner).all() or not max(np.abs(corner).max(), np.abs(far).max()) < _FLOAT_MAX:
-        raise ValueError(f"origin, spacing: the grid from {corner.tolist()} to {far.tolist()} passes float32")
+        raise ValueError(
+            f"origin, spacing: the grid from {corner.tolist()} to {far.tolist()} exceeds the float32 range"
+        )
     mesh_origin = choose_origin(np.array([corner, far]))
     rows = values.reshape((nx * ny, nz))
     vertices, triangles = extract_surface(rows, (nx, ny, nz), level, corner - mesh_origin, steps)

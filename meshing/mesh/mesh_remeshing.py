@@ -60,7 +60,7 @@ FEW = 0.002  # of all edges: a round that changes fewer is the last
 MAX_CORNERS = 2**31 - 1  # 32-bit half-edge indices
 MAX_PASSES = 10_000
 SCOPES = {"all": tuple(PER_VERTEX), "vertex": ("vertices",), "normal": ("vertex_normals",), "color": ("vertex_colors",)}
-MAX_TURNS = 10_000
+MAX_DEFORM_ITERATIONS = 10_000
 ENERGIES = ("spokes", "smoothed")
 
 
@@ -95,10 +95,12 @@ class MeshRemeshing(MeshMeasures):
             >>> mesh.simplify_vertex_clustering(1.0).triangles.tolist()
             [[0, 1, 2], [1, 3, 2]]
         """
-        size, way = check_positive("voxel_size", voxel_size), _check_contraction(contraction)
+        size, contraction_name = check_positive("voxel_size", voxel_size), _check_contraction(contraction)
         rows = self._per_vertex()
         unit = [name == "vertex_normals" for name in rows][1:]
-        triangles, arrays = cluster_vertices(self._arrays["triangles"], [*rows.values()], unit, size, way == "quadric")
+        triangles, arrays = cluster_vertices(
+            self._arrays["triangles"], [*rows.values()], unit, size, contraction_name == "quadric"
+        )
         without: dict[str, Any] = dict.fromkeys(TEXTURE)
         left: dict[str, Any] = without | dict(zip(rows, arrays, strict=True))
         return with_attributes_of(self._bare()._with_arrays(triangles=triangles, **left), self)
@@ -153,11 +155,11 @@ class MeshRemeshing(MeshMeasures):
         job = Decimation(self._arrays["triangles"], [*rows.values()], unit, uvs, materials, target, error, weight)
         job.run()
         triangles, arrays, *texture = job.result()
-        kept: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
-        left = self._bare()._with_arrays(triangles=triangles, **kept)
+        remaining: dict[str, Any] = dict(zip((*TEXTURE, *rows), (*texture, *arrays), strict=True))
+        left = self._bare()._with_arrays(triangles=triangles, **remaining)
         if len(left) > target and np.isinf(error):
             warnings.warn(
-                f"{len(left)} triangles are left and not {target}: no edge can go without tearing the mesh",
+                f"{len(left)} triangles remain instead of {target}: no other edge can collapse without tearing it",
                 stacklevel=3,
             )
         return with_attributes_of(left.remove_unreferenced_vertices(), self)
@@ -193,7 +195,13 @@ class MeshRemeshing(MeshMeasures):
             (True, 1.0, 6.0)
         """
         target = check_positive("edge_length", edge_length, maximum=LARGEST_NUMBER)
-        count = check_count("iterations", iterations, minimum=0, maximum=MAX_ITERATIONS, because="ten bring most of it")
+        count = check_count(
+            "iterations",
+            iterations,
+            minimum=0,
+            maximum=MAX_ITERATIONS,
+            because="10 iterations achieve most of the effect",
+        )
         angle = check_number("feature_angle", feature_angle)
         if not 0 <= angle <= 180:
             raise ValueError(f"feature_angle: expected 0 to 180 degrees, got {angle:g}")
@@ -205,10 +213,10 @@ class MeshRemeshing(MeshMeasures):
         span, area = float(np.abs([low, high]).max()), measure(vertices, triangles)[0]  # sync
         if target < 2.0**-20 * span or area > MAX_TRIANGLES * 0.25 * target**2:
             raise ValueError(
-                f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 that reaches {span:g} m"
+                f"edge_length: {target:g} m is too small for a mesh of {area:g} m2 with an extent of {span:g} m"
             )
         expected = area / (0.43 * target**2)  # for equilateral triangles
-        check_room(self._device, int(TRIANGLE_BYTES * expected), f"some {expected:,.0f} triangles")
+        check_room(self._device, int(TRIANGLE_BYTES * expected), f"about {expected:,.0f} triangles")
         surface = TriangleTree(vertices, triangles, all_finite=True)
         mesh = _remesh(surface, target, count, math.radians(angle))
         bare = source._bare()._with_arrays(vertex_normals=None, vertex_colors=None, **dict.fromkeys(TEXTURE))
@@ -218,8 +226,8 @@ class MeshRemeshing(MeshMeasures):
     def _without_gone(self) -> Self:
         """Remove fully degenerate triangles and unused vertices. One sync."""
         triangles, count = self._arrays["triangles"], self._vertex_count
-        gone = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
-        return self._left(gone, clean_triangles.mask_used(triangles, gone, count))
+        removed = clean_triangles.mask_degenerate(self._arrays["vertices"], triangles, zero_area=False)
+        return self._left(removed, clean_triangles.mask_used(triangles, removed, count))
 
     @returns_new
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> Self:
@@ -280,16 +288,16 @@ class MeshRemeshing(MeshMeasures):
             return self._with_arrays()
         if count > 16 or 3 * len(self) * 4**count > MAX_CORNERS:
             raise ValueError(
-                f"number_of_iterations: {count} rounds make {len(self)} * 4^{count} triangles, more than the "
-                f"{MAX_CORNERS // 3:,} that 32 bits can count; take fewer"
+                f"number_of_iterations: {count} iterations produce {len(self)} * 4^{count} triangles, more than the "
+                f"{MAX_CORNERS // 3:,} that 32 bits can index. Use fewer iterations"
             )
-        arrays: dict[str, Any] = self._arrays | {kind: dict(held) for kind, held in self._attributes.items()}
+        arrays: dict[str, Any] = self._arrays | {kind: dict(columns) for kind, columns in self._attributes.items()}
         names = list(self._per_vertex())
-        wide = [widen_rows(arrays[name]) for name in names]
+        values = [widen_rows(arrays[name]) for name in names]
         for _ in range(count):
             triangles = arrays["triangles"]
-            split = subdivision.EdgeSplit(triangles, wide[0].size)
-            wide = rule(triangles, split, wide)
+            split = subdivision.EdgeSplit(triangles, values[0].size)
+            values = rule(triangles, split, values)
             arrays["triangles"] = subdivision.split_triangles(triangles, split)
             if arrays["vertex_attributes"]:
                 arrays["vertex_attributes"] = each(arrays["vertex_attributes"], subdivision.mixed_ends(split).of)
@@ -300,7 +308,7 @@ class MeshRemeshing(MeshMeasures):
         if arrays["triangle_attributes"]:
             quarters = upload(np.repeat(np.arange(len(self), dtype=np.int32), 4**count), int32, self._device)
             arrays |= self._attributes_at("triangle_attributes", quarters)
-        for name, rows in zip(names, wide, strict=True):
+        for name, rows in zip(names, values, strict=True):
             if name == "vertex_normals":
                 arrays[name] = narrow_directions(rows, self._arrays[name], first_new)
             else:
@@ -414,7 +422,7 @@ class MeshRemeshing(MeshMeasures):
         return self._filtered([(sharpen_kernel, factor)], number_of_iterations, filter_scope)
 
     def _filtered(self, passes: list[tuple[Any, float]], iterations: int, scope: Any) -> Self:
-        reason = "by then hardly anything is left but the mean of all vertices; take fewer"
+        reason = "more iterations shrink the mesh to the mean of its vertices"
         count = check_count("number_of_iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
         names = [name for name in _names_of(scope) if name in self._arrays]
         if not names:
@@ -473,45 +481,47 @@ class MeshRemeshing(MeshMeasures):
             [0.0, 2.0, 5.0]
         """
         count = self._arrays["vertices"].size
-        held = check_vertices("constraint_vertex_indices", constraint_vertex_indices, count)
+        fixed = check_vertices("constraint_vertex_indices", constraint_vertex_indices, count)
         targets = check_rows("constraint_vertex_positions", constraint_vertex_positions, 3, dtype=np.float64)
-        if len(targets) != len(held):
+        if len(targets) != len(fixed):
             raise ValueError(
-                f"constraint_vertex_positions: expected shape [{len(held)}, 3], one row for each of the vertices, got "
+                f"constraint_vertex_positions: expected shape [{len(fixed)}, 3], one row per constrained vertex, got "
                 f"{list(targets.shape)}"
             )
         check_finite("constraint_vertex_positions", targets)
-        numbers, repeats = np.unique(held, return_counts=True)
-        if len(numbers) < len(held):
+        numbers, repeats = np.unique(fixed, return_counts=True)
+        if len(numbers) < len(fixed):
             raise ValueError(
-                f"constraint_vertex_indices: vertex {numbers[repeats > 1][0]} is given twice; give it once"
+                f"constraint_vertex_indices: vertex {numbers[repeats > 1][0]} is duplicated. Pass each vertex once"
             )
-        reason = "by then nothing moves any more; take fewer"
-        turns = check_count("max_iter", max_iter, minimum=0, maximum=MAX_TURNS, because=reason)
+        reason = "vertices no longer move after that"
+        iterations = check_count("max_iter", max_iter, minimum=0, maximum=MAX_DEFORM_ITERATIONS, because=reason)
         alpha = check_positive("smoothed_alpha", smoothed_alpha, allow_zero=True)
         likeness = alpha * self._finite_area() if _energy_of(energy) == "smoothed" else 0.0
-        if turns == 0:
+        if iterations == 0:
             return self._with_arrays()
-        rows = upload(held, int32, self._device)
-        check_finite_vertices("constraint_vertex_indices", held, gather_rows(self._arrays["vertices"], rows))
+        rows = upload(fixed, int32, self._device)
+        check_finite_vertices("constraint_vertex_indices", fixed, gather_rows(self._arrays["vertices"], rows))
         sewn = sew(self)
-        if sewn.places is not None:
-            held, targets = _once(held, download(gather_rows(sewn.places, rows)), targets)  # sync
-            rows = upload(held, int32, self._device)
-        places, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh._device_arrays
-        moved, rotations = deform_rigidly(arrays["vertices"], arrays["triangles"], rows, places, turns, likeness)
-        bent: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
+        if sewn.sewn_indices is not None:
+            fixed, targets = _once(fixed, download(gather_rows(sewn.sewn_indices, rows)), targets)  # sync
+            rows = upload(fixed, int32, self._device)
+        positions, arrays = upload(targets - self._origin, vec3d, self._device), sewn.mesh._device_arrays
+        moved, rotations = deform_rigidly(
+            arrays["vertices"], arrays["triangles"], rows, positions, iterations, likeness
+        )
+        deformed: dict[str, Any] = {"vertices": sewn.spread(narrow_rows(moved))}
         if "vertex_normals" in self._arrays:
-            bent["vertex_normals"] = rotate_directions(rotations, self._arrays["vertex_normals"], sewn.places)
-        return self._with_arrays(**bent)
+            deformed["vertex_normals"] = rotate_directions(rotations, self._arrays["vertex_normals"], sewn.sewn_indices)
+        return self._with_arrays(**deformed)
 
 
 def _check_contraction(contraction: Any) -> str:
     given = contraction if isinstance(contraction, str) else getattr(contraction, "name", contraction)
-    way = check_name("contraction", given).lower()
-    if way not in CONTRACTIONS:
+    name = check_name("contraction", given).lower()
+    if name not in CONTRACTIONS:
         raise ValueError(f"contraction: expected one of {', '.join(CONTRACTIONS)}, got {given!r}")
-    return way
+    return name
 
 
 def _remesh(surface: TriangleTree, target: float, iterations: int, angle: float) -> CreasedMesh:
@@ -536,14 +546,14 @@ class Course:
         self.longest, self.shortest = LONG * target, SHORT * target
         self.steps: tuple[Callable[..., tuple[CreasedMesh, int | None]], ...] = (self._collapse, flip_edges)
         self.all_rounds = [mesh.vertices.device.is_cuda for _ in self.steps]
-        self.state: Integers | None = None  # two numbers of `end_rounds` per step, then `taken` for each relaxation
+        self.state: Integers | None = None  # two numbers of `end_rounds` per step, then `reverted` for each relaxation
         self.before = mesh.vertices
 
     def iterate(self) -> None:
         split, device = 1, self.before.device
         while split:
-            made, split, found = split_long_edges(self.mesh, self.longest, self.state)  # sync
-            if self._is_settled(found):
+            made, split, counts = split_long_edges(self.mesh, self.longest, self.state)  # sync
+            if self._is_converged(counts):
                 self.mesh = made
             else:
                 split = 1
@@ -558,16 +568,16 @@ class Course:
 
     def end(self) -> CreasedMesh:
         if self.state is not None:
-            self._is_settled(download(self.state).tolist())  # sync
+            self._is_converged(download(self.state).tolist())  # sync
         return self.mesh
 
-    def _is_settled(self, found: list[int]) -> bool:
+    def _is_converged(self, counts: list[int]) -> bool:
         """Read counts of the last iteration. False if vertices moved again, so that the mesh changed."""
         if self.state is None:
             return True
         self.state = None
-        self.all_rounds = [found[2 * k + 1] == ROUNDS for k in range(len(self.steps))]
-        if not any(found[2 * len(self.steps) :]):
+        self.all_rounds = [counts[2 * k + 1] == ROUNDS for k in range(len(self.steps))]
+        if not any(counts[2 * len(self.steps) :]):
             return True
         self.mesh.vertices = self.before
         self._relax()  # sync
@@ -580,19 +590,19 @@ class Course:
 
     def _make_rounds(self, k: int, step: Callable[..., tuple[CreasedMesh, int | None]], rounds: Integers) -> None:
         """Run the rounds of a step, without a host check or with one after each (sync)."""
-        for turn in range(1, ROUNDS + 1):
+        for round_number in range(1, ROUNDS + 1):
             self.mesh, changed = step(self.mesh, FEW, rounds if self.all_rounds[k] else None)
-            if changed is not None and (changed <= FEW * self.mesh.edges.count or turn == ROUNDS):
-                fill(rounds[1:], turn)
+            if changed is not None and (changed <= FEW * self.mesh.edges.count or round_number == ROUNDS):
+                fill(rounds[1:], round_number)
                 break
 
-    def _relax(self, taken: Integers | None = None) -> None:
-        """Relax vertices RELAXED times along the surface and creases. One sync each if `taken` is None."""
+    def _relax(self, reverted: Integers | None = None) -> None:
+        """Relax vertices RELAXED times along the surface and creases. One sync each if `reverted` is None."""
         for k in range(RELAXED):
             moved = relaxed(self.mesh)
             on_surface, on_lines = (SurfacePositions(moved, tree).points for tree in self.trees)
-            places = choose_positions(self.mesh, on_surface, on_lines)
-            move_without_flips(self.mesh, places, None if taken is None else taken[k : k + 1])
+            targets = choose_positions(self.mesh, on_surface, on_lines)
+            move_without_flips(self.mesh, targets, None if reverted is None else reverted[k : k + 1])
 
 
 def _names_of(scope: Any) -> tuple[str, ...]:
@@ -605,17 +615,15 @@ def _names_of(scope: Any) -> tuple[str, ...]:
 
 
 def _once(
-    held: NDArray[np.int32], places: NDArray[np.int32], targets: NDArray[np.float64]
+    vertices: NDArray[np.int32], sewn_indices: NDArray[np.int32], targets: NDArray[np.float64]
 ) -> tuple[NDArray[np.int32], NDArray[np.float64]]:
     """Unique constrained vertices of a seam-welded mesh and their targets. ValueError if targets contradict."""
-    found, firsts, members = np.unique(places, return_index=True, return_inverse=True)
+    distinct, firsts, members = np.unique(sewn_indices, return_index=True, return_inverse=True)
     unlike = np.flatnonzero((targets != targets[firsts][members]).any(axis=1))
     if len(unlike):
-        pair = f"{held[firsts[members[unlike[0]]]]} and {held[unlike[0]]}"
-        raise ValueError(
-            f"constraint_vertex_positions: vertices {pair} lie at one place of a seam; put them at one place"
-        )
-    return found.astype(np.int32), targets[firsts]
+        pair = f"{vertices[firsts[members[unlike[0]]]]} and {vertices[unlike[0]]}"
+        raise ValueError(f"constraint_vertex_positions: vertices {pair} coincide at a seam. Give them the same target")
+    return distinct.astype(np.int32), targets[firsts]
 
 
 def _energy_of(energy: Any) -> str:

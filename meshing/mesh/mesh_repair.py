@@ -43,7 +43,7 @@ from .mesh_sheets import cut_and_stitch
 if TYPE_CHECKING:
     from .mesh import TriangleMesh
 
-MOST = 2**31 - 1
+MAX_INT32 = 2**31 - 1
 MANIFOLD = 2  # triangles per edge of a closed surface
 ROUNDING = 1e-9  # relative, of area sums
 
@@ -129,10 +129,10 @@ class MeshRepair(MeshMeasures):
             ([[0, 1]], 7)
         """
         edges = self._edges()
-        found = mesh_edges.mask_counts(edges, MANIFOLD + 1, MOST)
+        mask = mesh_edges.mask_counts(edges, MANIFOLD + 1, MAX_INT32)
         if not allow_boundary_edges:
-            found = mesh_edges.mask_other_counts(edges, MANIFOLD)
-        return self._ends(edges, found)
+            mask = mesh_edges.mask_other_counts(edges, MANIFOLD)
+        return self._ends(edges, mask)
 
     def get_boundary_edges(self) -> NDArray[np.int32]:
         """Edges of exactly one triangle: vertex indices of shape (k, 2), the lower one first, in ascending order.
@@ -236,13 +236,13 @@ class MeshRepair(MeshMeasures):
             >>> oriented.triangles.tolist(), orientable
             ([[0, 1, 2], [1, 3, 2]], True)
         """
-        found = orientation.Orientation(self._arrays["triangles"], self._arrays["vertices"].size)
+        result = orientation.Orientation(self._arrays["triangles"], self._arrays["vertices"].size)
         if outward:
-            found.face_outwards(self._arrays["vertices"], self._arrays["triangles"])
-        arrays: dict[str, Any] = {"triangles": orientation.flip_some(self._arrays["triangles"], found.flips)}
+            result.face_outwards(self._arrays["vertices"], self._arrays["triangles"])
+        arrays: dict[str, Any] = {"triangles": orientation.flip_some(self._arrays["triangles"], result.flips)}
         if "triangle_uvs" in self._arrays:
-            arrays["triangle_uvs"] = orientation.flip_some_corners(self._arrays["triangle_uvs"], found.flips)
-        return self._with_arrays(**arrays), found.orientable
+            arrays["triangle_uvs"] = orientation.flip_some_corners(self._arrays["triangle_uvs"], result.flips)
+        return self._with_arrays(**arrays), result.orientable
 
     def euler_poincare_characteristic(self) -> int:
         """Euler characteristic V - E + F: 2 for a closed surface without handles, 0 for a torus.
@@ -279,9 +279,9 @@ class MeshRepair(MeshMeasures):
             ([1, 2], [0, 2, 3])
         """
         count = self._arrays["vertices"].size
-        found = VertexNeighbors(mesh_edges.MeshEdges(self._arrays["triangles"], count), count)
-        used = int(download(found.starts[count:])[0])  # sync
-        return self._handed_out(found.starts), self._handed_out(view_as(found.vertices, int32, (used,)))
+        neighbors = VertexNeighbors(mesh_edges.MeshEdges(self._arrays["triangles"], count), count)
+        used = int(download(neighbors.starts[count:])[0])  # sync
+        return self._handed_out(neighbors.starts), self._handed_out(view_as(neighbors.vertices, int32, (used,)))
 
     def compute_triangle_areas(self) -> NDArray[np.float64]:
         """Area of each triangle [m^2], shape (t,). NaN if a corner is not finite.
@@ -365,10 +365,13 @@ class MeshRepair(MeshMeasures):
         mesh = self._without(clean_triangles.mask_not_finite(self._arrays["vertices"], self._arrays["triangles"]))
         before = mesh._vertex_count
         finite = mesh if merge_distance is None else mesh._merge_close("merge_distance", merge_distance)
-        found = cut_and_stitch(finite)
-        mesh, orientation = found.mesh, Orientation(found.mesh._device_arrays["triangles"], found.mesh._vertex_count)
+        stitched = cut_and_stitch(finite)
+        mesh, orientation = (
+            stitched.mesh,
+            Orientation(stitched.mesh._device_arrays["triangles"], stitched.mesh._vertex_count),
+        )
         orientation.follow_majority()
-        mesh, flipped = found.mesh._flipped(orientation.flips), orientation.flips
+        mesh, flipped = stitched.mesh._flipped(orientation.flips), orientation.flips
         area, filled, left = mesh.get_surface_area(), 0, None
         if size is not None:
             mesh, filled, left = mesh._fill(size)
@@ -376,16 +379,16 @@ class MeshRepair(MeshMeasures):
         mesh, orientable = mesh._nested(flipped)
         report = MeshRepairReport(
             removed_non_finite_triangles=len(self) - len(finite),
-            merged_vertices=found.merged + before - finite._vertex_count,
-            removed_degenerate_triangles=found.degenerate,
-            removed_duplicated_triangles=found.copies,
-            removed_crowding_triangles=found.crowding,
-            split_vertices=found.split,
-            flipped_triangles=count_unlike(found.mesh._device_arrays["triangles"], mesh._device_arrays["triangles"]),
+            merged_vertices=stitched.merged + before - finite._vertex_count,
+            removed_degenerate_triangles=stitched.degenerate,
+            removed_duplicated_triangles=stitched.copies,
+            removed_crowding_triangles=stitched.crowding,
+            split_vertices=stitched.split,
+            flipped_triangles=count_unlike(stitched.mesh._device_arrays["triangles"], mesh._device_arrays["triangles"]),
             filled_holes=filled,
-            added_triangles=added + found.halved,
-            removed_vertices=found.unused,
-            lost_area=_difference(self._finite_area(), found.copied_area + area),
+            added_triangles=added + stitched.halved,
+            removed_vertices=stitched.unused,
+            lost_area=_difference(self._finite_area(), stitched.copied_area + area),
             is_orientable=orientable,
             holes_left=left,
             **mesh._findings(),
@@ -415,15 +418,15 @@ class MeshRepair(MeshMeasures):
 
     def _fill(self, hole_size: float) -> tuple[Self, int, int]:
         """(mesh with filled holes, number filled, number not filled)."""
-        found = Filling(self._arrays["vertices"], self._arrays["triangles"], hole_size)
-        arrays: dict[str, Any] = {"triangles": found.triangles}
+        filling = Filling(self._arrays["vertices"], self._arrays["triangles"], hole_size)
+        arrays: dict[str, Any] = {"triangles": filling.triangles}
         if "triangle_uvs" in self._arrays:
-            arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], found.corners)
+            arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], filling.corners)
         if "triangle_material_ids" in self._arrays:
-            arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], found.corners)
-        sources = spread_ids(positions(len(self), self._device), found.corners)
+            arrays["triangle_material_ids"] = spread_ids(self._arrays["triangle_material_ids"], filling.corners)
+        sources = spread_ids(positions(len(self), self._device), filling.corners)
         arrays |= self._attributes_at("triangle_attributes", sources)
-        return self._with_arrays(**arrays), found.filled, found.left
+        return self._with_arrays(**arrays), filling.filled, filling.left
 
     def _flipped(self, flips: Mask) -> Self:
         arrays: dict[str, Any] = {"triangles": flip_some(self._arrays["triangles"], flips)}
@@ -434,14 +437,16 @@ class MeshRepair(MeshMeasures):
     def _nested(self, flipped: Mask) -> tuple[Self, bool]:
         """(mesh with closed parts oriented by nesting, orientable); `flipped` marks inconsistently oriented input."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        found = Orientation(triangles, vertices.size)
-        measured = found.measure_parts(vertices, triangles)
+        orientation = Orientation(triangles, vertices.size)
+        measured = orientation.measure_parts(vertices, triangles)
         several = np.count_nonzero(measured.closed & (measured.volumes != 0)) > 1  # a single part cannot be nested
         labels = download(measured.labels) if several else np.empty(0, np.int64)  # sync
         parts = Parts(labels, measured.closed, measured.volumes)
-        kept = ~has_marked(measured.labels, flipped, len(measured.closed))  # sync
-        found.flip_parts(measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), kept))
-        return self._flipped(found.flips), found.orientable
+        is_fixed = ~has_marked(measured.labels, flipped, len(measured.closed))  # sync
+        orientation.flip_parts(
+            measured.labels, choose_sides(parts, find_enclosing(vertices, triangles, parts), is_fixed)
+        )
+        return self._flipped(orientation.flips), orientation.orientable
 
     def _findings(self) -> dict[str, Any]:
         """Remaining defects, by the field names of MeshRepairReport."""
@@ -614,28 +619,28 @@ class MeshRepair(MeshMeasures):
 def count_edges(mesh: MeshRepair) -> EdgeCounts:
     edges = mesh._edges()
     boundary, crowded = (
-        positions_of(mesh_edges.mask_counts(edges, *limits)).size for limits in ((1, 1), (MANIFOLD + 1, MOST))
+        positions_of(mesh_edges.mask_counts(edges, *limits)).size for limits in ((1, 1), (MANIFOLD + 1, MAX_INT32))
     )
     return EdgeCounts(edges.count, boundary, crowded)
 
 
-def _difference(whole: float, rest: float) -> float:
+def _difference(total: float, rest: float) -> float:
     """Difference of sums. 0 if it is below the rounding error."""
-    return whole - rest if whole - rest > ROUNDING * whole else 0.0
+    return total - rest if total - rest > ROUNDING * total else 0.0
 
 
 def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bool, what: str) -> Any:
     """Convert a mesh to a manifold relative to `origin`. Raise ValueError if it is not a solid."""
     if len(mesh):
         if (wrong := find_wrong_corner(mesh)) is not None:
-            raise ValueError(f"{what} has corners that are not finite: {wrong}; {REMEDY}")
+            raise ValueError(f"{what} has NaN or infinite corners: {wrong}; {REMEDY}")
         topology = mesh.edge_topology()
         if topology.has_boundary or topology.has_crowded_edge:
-            raise ValueError(f"{what} is not closed, so it is no solid; repair(hole_size=...) closes holes")
+            raise ValueError(f"{what} is not closed. Close holes with repair(hole_size=...) first")
         if topology.has_twisted_edge:
-            raise ValueError(f"{what} has neighboring triangles that turn different ways; see orient_triangles")
+            raise ValueError(f"{what} has inconsistently oriented triangles. Call orient_triangles() first")
         if mesh._signed_volume() < 0:
-            raise ValueError(f"{what} looks inwards; orient_triangles(outward=True) turns it")
+            raise ValueError(f"{what} faces inward. Call orient_triangles(outward=True) first")
     columns = [mesh.vertices - origin]
     if with_colors:
         columns.append(mesh.vertex_colors)
@@ -648,7 +653,7 @@ def _solid(library: Any, mesh: Any, origin: NDArray[np.float64], with_colors: bo
 def _check_status(solid: Any, what: str) -> None:
     status = solid.status()
     if status.name != "NoError":
-        raise ValueError(f"{what} is no solid to {LIBRARY}: {status.name}")
+        raise ValueError(f"{what} is rejected by {LIBRARY}: {status.name}")
 
 
 def _arrays_of(solid: Any) -> tuple[NDArray[np.float64], NDArray[np.int64], NDArray[np.float64]]:
@@ -657,5 +662,5 @@ def _arrays_of(solid: Any) -> tuple[NDArray[np.float64], NDArray[np.int64], NDAr
     properties = np.asarray(mesh.vert_properties)
     target = np.arange(len(properties))
     target[np.asarray(mesh.merge_from_vert, np.int64)] = np.asarray(mesh.merge_to_vert, np.int64)
-    kept, triangles = np.unique(target[np.asarray(mesh.tri_verts, np.int64)], return_inverse=True)
-    return properties[kept, :3], triangles.reshape(-1, 3), properties[kept, 3:]
+    rows, triangles = np.unique(target[np.asarray(mesh.tri_verts, np.int64)], return_inverse=True)
+    return properties[rows, :3], triangles.reshape(-1, 3), properties[rows, 3:]

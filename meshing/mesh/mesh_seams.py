@@ -17,15 +17,15 @@ MeshType = TypeVar("MeshType", bound=MeshArrays)
 
 @dataclass(frozen=True)
 class Sewn(Generic[MeshType]):
-    """A mesh with coincident seam vertices merged, and the vertex map `places` (int32 (m,), None without seams).
+    """A mesh with coincident seam vertices merged, and the vertex map `sewn_indices` (int32 (m,), None without seams).
     Normals and colors of merged vertices are means, attributes those of the first. Texture stays at the corners."""
 
     mesh: MeshType
-    places: Indices | None
+    sewn_indices: Indices | None
 
     def spread(self, values: Array) -> Array:
         """Values of the welded mesh's vertices at those of the original mesh."""
-        return values if self.places is None else gather_rows(values, self.places)
+        return values if self.sewn_indices is None else gather_rows(values, self.sewn_indices)
 
 
 def sew(mesh: MeshType) -> Sewn[MeshType]:
@@ -37,8 +37,8 @@ def sew(mesh: MeshType) -> Sewn[MeshType]:
     numbers, count = merge_vertices.number_owners(owners)  # sync
     if count == owners.size:
         return Sewn(mesh, None)
-    kept = positions_of(merge_vertices.mask_owners(owners), count)
-    rows = mesh._vertices_at(kept)
+    owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+    rows = mesh._vertices_at(owner_rows)
     means = {name: values for name, values in mesh._per_vertex().items() if values.dtype == vec3}
     unit = [name == "vertex_normals" for name in means]
     rows |= dict(zip(means, merge_vertices.average_members(means.values(), unit, owners, numbers, count), strict=True))

@@ -47,7 +47,7 @@ from ...pcd.bounding_box import BoundingBox
 from ...pcd.boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from ...pcd.line_set import LineSet
 from ...pcd.polygon_volume import SelectionPolygonVolume, mask_volume
-from .flat_polygons import fill_loops, load_manifold, turn_by_depth
+from .flat_polygons import fill_loops, load_manifold, loops_to_reverse
 from .mesh_arrays import MeshArrays
 from .mesh_attributes import each
 from .section_paths import join_lines, lines_in_plane, outline, run_alike
@@ -96,8 +96,8 @@ class MeshSelection(MeshArrays):
             [[1, 0, 2]]
         """
         used = cast(self._left_by(mask, self._arrays["vertices"].size, "vertices"), int32)
-        whole = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))
-        return self._with_used(whole.pop("triangles"), used, **whole)
+        arrays = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))
+        return self._with_used(arrays.pop("triangles"), used, **arrays)
 
     @returns_new
     def remove_triangles_by_mask(self, mask: ArrayLike) -> Self:
@@ -115,14 +115,14 @@ class MeshSelection(MeshArrays):
             >>> mesh.remove_triangles_by_mask([True, False])
             TriangleMesh(4 vertices, 1 triangles, cpu)
         """
-        kept = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
-        return self._with_arrays(**self._triangles_at(kept))
+        rows = positions_of(self._left_by(mask, len(self), "triangles"))  # sync
+        return self._with_arrays(**self._triangles_at(rows))
 
     def _with_used(self, triangles: wp.array, used: wp.array, **per_triangle: Any) -> Self:
         """Select by a vertex mask, int32 of 1 or 0, and drop triangles with other vertices."""
         rows = self._per_vertex()
-        triangles, kept = mesh_edits.keep_vertices(triangles, used, rows.values())
-        arrays: dict[str, Any] = dict(zip(rows, kept, strict=True))
+        triangles, selected = mesh_edits.keep_vertices(triangles, used, rows.values())
+        arrays: dict[str, Any] = dict(zip(rows, selected, strict=True))
         if self._attributes["vertex_attributes"]:
             arrays |= self._attributes_at("vertex_attributes", positions_of(cast(used, uint8)))  # sync
         return self._with_arrays(triangles=triangles, **arrays, **per_triangle)
@@ -137,8 +137,8 @@ class MeshSelection(MeshArrays):
         used = mesh_edits.mark_chosen(self._arrays["triangles"], mask, count)
         rows, vertices, *positions = positions_of_each(mask, used, *others)  # sync
         arrays = self._triangles_at(rows) | self._vertices_at(vertices)
-        places = mesh_edits.mask_and_index(vertices, count)[1]
-        arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], places)
+        new_indices = mesh_edits.mask_and_index(vertices, count)[1]
+        arrays["triangles"] = mesh_edits.renumber_triangles(arrays["triangles"], new_indices)
         return self._with_arrays(**arrays), rows, vertices, *positions
 
     def _left_by(self, mask: ArrayLike, count: int, of: str) -> wp.array:
@@ -197,10 +197,10 @@ class MeshSelection(MeshArrays):
             ([[0, 1, 2], [1, 3, 2]], 4)
         """
         owners = merge_vertices.find_equal_vertices(self._arrays["vertices"])
-        places, count = merge_vertices.number_owners(owners)  # sync
-        kept = positions_of(merge_vertices.mask_owners(owners), count)
-        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
-        return self._with_arrays(triangles=triangles, **self._vertices_at(kept))
+        new_indices, count = merge_vertices.number_owners(owners)  # sync
+        owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
+        return self._with_arrays(triangles=triangles, **self._vertices_at(owner_rows))
 
     @returns_new
     def merge_close_vertices(self, eps: float) -> Self:
@@ -257,44 +257,44 @@ class MeshSelection(MeshArrays):
 
     def _merge_close(self, name: str, distance: Any) -> Self:
         """`merge_close_vertices`; `name` is the argument named in errors."""
-        reach, vertices = check_positive(name, distance), self._arrays["vertices"]
+        radius, vertices = check_positive(name, distance), self._arrays["vertices"]
         low, high, count = bound_points(vertices)
         extent = float(np.abs([low, high]).max()) if count else 0.0
-        if reach < FINEST * extent or reach * reach == 0:
+        if radius < FINEST * extent or radius * radius == 0:
             raise ValueError(
-                f"{name}: {reach:g} m is too small for coordinates up to {extent:g} m; remove_duplicated_vertices "
-                "merges those at one position"
+                f"{name}: {radius:g} m is too small for coordinates up to {extent:g} m. Use remove_duplicated_vertices "
+                "to merge vertices at one position"
             )
         owners = positions(vertices.size, self._device)
-        find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True), count), reach, owners)
-        places, count = merge_vertices.number_owners(owners)  # sync
+        find_close_vertices(vertices, positions_of(mask_finite(vertices, True, True), count), radius, owners)
+        new_indices, count = merge_vertices.number_owners(owners)  # sync
         rows = self._per_vertex()
         unit = [name == "vertex_normals" for name in rows]
-        means = merge_vertices.average_members(rows.values(), unit, owners, places, count)
-        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, places)
+        means = merge_vertices.average_members(rows.values(), unit, owners, new_indices, count)
+        triangles = merge_vertices.rename_corners(self._arrays["triangles"], owners, new_indices)
         arrays: dict[str, Any] = dict(zip(rows, means, strict=True))
         if self._attributes["vertex_attributes"]:
-            kept = positions_of(merge_vertices.mask_owners(owners), count)
-            arrays |= self._attributes_at("vertex_attributes", kept)
+            owner_rows = positions_of(merge_vertices.mask_owners(owners), count)
+            arrays |= self._attributes_at("vertex_attributes", owner_rows)
         return self._with_arrays(triangles=triangles, **arrays)
 
     def _without_waste(self) -> Self:
         """Remove non-finite, degenerate and duplicate triangles and unused vertices."""
         vertices, triangles = self._arrays["vertices"], self._arrays["triangles"]
-        gone = clean_triangles.join_masks(
+        removed = clean_triangles.join_masks(
             clean_triangles.mask_repeats(triangles, vertices.size),
             clean_triangles.mask_degenerate(vertices, triangles, zero_area=False),
             clean_triangles.mask_not_finite(vertices, triangles),
         )
-        return self._left(gone, clean_triangles.mask_used(triangles, gone, vertices.size))
+        return self._left(removed, clean_triangles.mask_used(triangles, removed, vertices.size))
 
-    def _left(self, gone: Mask, used: Mask) -> Self:
+    def _left(self, removed: Mask, used: Mask) -> Self:
         """Remove masked triangles. Keep their vertices and those of `used`. One sync."""
-        rows, vertices = positions_of_each(invert_mask(gone), used)  # sync
-        taken = self._triangles_at(rows) | self._vertices_at(vertices)
-        places = mask_and_index(vertices, used.size)[1]
-        taken["triangles"] = renumber_triangles(taken["triangles"], places)
-        return self._with_arrays(**taken)
+        rows, vertices = positions_of_each(invert_mask(removed), used)  # sync
+        arrays = self._triangles_at(rows) | self._vertices_at(vertices)
+        new_indices = mask_and_index(vertices, used.size)[1]
+        arrays["triangles"] = renumber_triangles(arrays["triangles"], new_indices)
+        return self._with_arrays(**arrays)
 
     @property
     def _vertex_count(self) -> int:
@@ -394,7 +394,7 @@ class MeshSelection(MeshArrays):
         elif isinstance(bounding_box, SelectionPolygonVolume):
             mask = mask_volume(bounding_box, vertices, self._origin)
         else:
-            remedy = "loom.AxisAlignedBoundingBox(min_bound, max_bound) is one"
+            remedy = "build one with loom.AxisAlignedBoundingBox(min_bound, max_bound)"
             raise TypeError(f"bounding_box: expected a bounding box, got {type(bounding_box).__name__}; {remedy}")
         inside = positions_of(mask)  # sync
         return self._select_vertices(other_rows(inside, vertices.size) if invert else inside, True)
@@ -418,10 +418,12 @@ class MeshSelection(MeshArrays):
 
     def _at_vertices(self, rows: wp.array) -> Self:
         """Select vertices by row, each once, and the triangles between them."""
-        used, places = mesh_edits.mask_and_index(rows, self._vertex_count)
-        whole = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))  # sync
-        whole |= {"triangles": mesh_edits.renumber_triangles(whole["triangles"], places)} | self._vertices_at(rows)
-        return self._with_arrays(**whole)
+        used, new_indices = mesh_edits.mask_and_index(rows, self._vertex_count)
+        arrays = self._triangles_at(mesh_edits.complete_triangles(self._arrays["triangles"], used))  # sync
+        arrays |= {"triangles": mesh_edits.renumber_triangles(arrays["triangles"], new_indices)} | self._vertices_at(
+            rows
+        )
+        return self._with_arrays(**arrays)
 
     def cluster_connected_triangles(self) -> tuple[NDArray[np.int32], NDArray[np.int32], NDArray[np.float64]]:
         """Find parts of the mesh that are connected by shared edges.
@@ -446,8 +448,8 @@ class MeshSelection(MeshArrays):
         broken = positions_of(mask_not_finite(self._arrays["vertices"], self._arrays["triangles"]))
         if broken.size:
             areas[download(parts.labels)[download(broken)]] = np.nan
-        found = (hand_out_host(values, self._library, self._device) for values in (counts, areas))
-        return self._handed_out(parts.labels, dtype=np.int32), *found
+        results = (hand_out_host(values, self._library, self._device) for values in (counts, areas))
+        return self._handed_out(parts.labels, dtype=np.int32), *results
 
     @returns_new
     def remove_small_components(self, min_triangles: int = 1, min_area: float = 0.0) -> Self:
@@ -508,21 +510,23 @@ class MeshSelection(MeshArrays):
         values = check_numeric("vertex_values", vertex_values)
         count = self._arrays["vertices"].size
         if values.shape != (count,):
-            raise ValueError(f"vertex_values: expected shape [{count}], one number a vertex, got {list(values.shape)}")
+            raise ValueError(
+                f"vertex_values: expected shape [{count}], one number per vertex, got {list(values.shape)}"
+            )
         values = check_finite("vertex_values", values.astype(np.float64))
         where, ratio = check_number("level", level), check_share("island_ratio", island_ratio)
         cut = LevelCut(self._arrays["triangles"], upload(values, float64, self._device), where)
-        whole = self._cut_up(cut)
-        mask = mask_trimmed(whole._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
-        return whole._with_triangles(mask)  # sync
+        cut_mesh = self._cut_up(cut)
+        mask = mask_trimmed(cut_mesh._device_arrays["vertices"], cut, self._arrays["triangles"], ratio)
+        return cut_mesh._with_triangles(mask)  # sync
 
     def _cut_up(self, cut: LevelCut) -> Self:
         """All pieces of a cut as a mesh, with interpolated attributes."""
         rows = self._per_vertex()
         arrays: dict[str, Any] = {name: cut.rows_of(rows[name], name == "vertex_normals") for name in rows}
-        held = self._attributes["vertex_attributes"]
-        if held:
-            arrays["vertex_attributes"] = each(held, cut.mixed().of)
+        columns = self._attributes["vertex_attributes"]
+        if columns:
+            arrays["vertex_attributes"] = each(columns, cut.mixed().of)
         arrays |= self._attributes_at("triangle_attributes", cut.sources)
         if "triangle_uvs" in self._arrays:
             arrays["triangle_uvs"] = cut.corners_of(self._arrays["triangle_uvs"])
@@ -564,11 +568,11 @@ class MeshSelection(MeshArrays):
         plane, mesh = self._plane(point, normal)
         if cap:
             load_manifold("cap")
-        cut, sides, whole = mesh._cut_by(plane)
-        kept = plane_cut.mask_above(sides, with_up=not cap)
+        cut, sides, cut_mesh = mesh._cut_by(plane)
+        mask = plane_cut.mask_above(sides, with_up=not cap)
         if not cap:
-            return whole._with_triangles(kept)  # sync
-        above, half_edges = whole._above(cut, sides, kept)  # sync
+            return cut_mesh._with_triangles(mask)  # sync
+        above, half_edges = cut_mesh._above(cut, sides, mask)  # sync
         return above._with_lid(half_edges, plane)
 
     @overload
@@ -611,9 +615,9 @@ class MeshSelection(MeshArrays):
             raise ValueError(f"contour_values: expected shape [k], got {list(heights.shape)}")
         (plane, mesh), points, lines = self._plane(point, normal), [np.zeros((0, 3))], []
         for height in heights.tolist():
-            places, ends = mesh._section(plane._replace(offset=plane.offset - height))
+            positions, ends = mesh._section(plane._replace(offset=plane.offset - height))
             lines.append(ends + sum(map(len, points)))
-            points.append(places)
+            points.append(positions)
         return LineSet(np.concatenate(points), np.concatenate([np.zeros((0, 2), np.int64), *lines]).astype(np.int32))
 
     def section_loops(self, point: ArrayLike, normal: ArrayLike) -> list[NDArray[np.float64]]:
@@ -644,70 +648,79 @@ class MeshSelection(MeshArrays):
 
     def _plane(self, point: ArrayLike, normal: ArrayLike) -> tuple[_Plane, Self]:
         """(plane, mesh without non-finite triangles). One sync, two if there are such triangles."""
-        place = check_finite("point", check_shape("point", point, (3,)))
-        way, vertices = check_direction("normal", normal), self._arrays["vertices"]
+        center = check_finite("point", check_shape("point", point, (3,)))
+        direction, vertices = check_direction("normal", normal), self._arrays["vertices"]
         low, high, count = bound_points(vertices)  # sync
         largest = np.abs([low, high]).max(axis=0).astype(np.float64) if count else np.zeros(3)
         slack = float(
             matmul(
-                np.abs(way), plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(place))
+                np.abs(direction),
+                plane_cut.ROUNDING * largest + plane_cut.COARSE * (np.abs(self._origin) + np.abs(center)),
             )
         )
         mesh = self
         if count < vertices.size:
             mesh = self._without(clean_triangles.mask_not_finite(vertices, self._arrays["triangles"]))  # sync
-        return _Plane(way, float(matmul(way, self._origin - place)), slack), mesh
+        return _Plane(direction, float(matmul(direction, self._origin - center)), slack), mesh
 
     def _cut_by(self, plane: _Plane) -> tuple[LevelCut, wp.array, Self]:
         """(cut, side of each piece, mesh of all pieces)."""
         heights = plane_cut.measure_heights(self._arrays["vertices"], *plane)
         cut = LevelCut(self._arrays["triangles"], heights, 0.0)
-        whole = self._cut_up(cut)
-        return cut, plane_cut.find_sides(whole._arrays["vertices"], cut.pieces, cut.sides, plane.normal), whole
+        cut_mesh = self._cut_up(cut)
+        return cut, plane_cut.find_sides(cut_mesh._arrays["vertices"], cut.pieces, cut.sides, plane.normal), cut_mesh
 
     def _section(self, plane: _Plane) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
         """(points (n, 3) [m], lines (k, 2))."""
-        cut, sides, whole = self._cut_by(plane)
+        cut, sides, cut_mesh = self._cut_by(plane)
         rows = positions_of(plane_cut.mark_in_plane(cut))  # sync
-        found = plane_cut.read_half_edges(whole._arrays["vertices"], cut.pieces, sides, rows)  # sync
-        ends = lines_in_plane(found.rows, self._arrays["vertices"].size)
+        half_edges = plane_cut.read_half_edges(cut_mesh._arrays["vertices"], cut.pieces, sides, rows)  # sync
+        ends = lines_in_plane(half_edges.rows, self._arrays["vertices"].size)
         used, numbers = np.unique(ends, return_inverse=True)
-        return found.positions(used) + self._origin, numbers.reshape(-1, 2)
+        return half_edges.positions(used) + self._origin, numbers.reshape(-1, 2)
 
-    def _above(self, cut: LevelCut, sides: wp.array, kept: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
+    def _above(self, cut: LevelCut, sides: wp.array, mask: wp.array) -> tuple[Self, plane_cut.HalfEdges]:
         """(kept pieces with their vertices, their half-edges in the plane). Two syncs."""
-        mesh, rows, chosen, found = self._chosen(kept, plane_cut.mark_in_plane(cut, kept))  # sync
+        mesh, rows, chosen, half_edges = self._chosen(mask, plane_cut.mark_in_plane(cut, mask))  # sync
         vertices, pieces = self._arrays["vertices"], cut.pieces
-        places = [mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))]
-        return mesh, plane_cut.read_half_edges(vertices, pieces, sides, found, (places[0], places[1]))  # sync
+        new_indices = [
+            mesh_edits.mask_and_index(*listed)[1] for listed in ((chosen, vertices.size), (rows, pieces.size))
+        ]
+        return mesh, plane_cut.read_half_edges(
+            vertices, pieces, sides, half_edges, (new_indices[0], new_indices[1])
+        )  # sync
 
-    def _with_lid(self, found: plane_cut.HalfEdges, plane: _Plane) -> Self:
-        ends = outline(found.rows)[:, ::-1]  # in the direction of the cap's triangles
+    def _with_lid(self, half_edges: plane_cut.HalfEdges, plane: _Plane) -> Self:
+        ends = outline(half_edges.rows)[:, ::-1]  # in the direction of the cap's triangles
         used = np.unique(ends)
-        flat = matmul(found.positions(used), plane.axes()[::-1].T)  # seen from below
+        flat = matmul(half_edges.positions(used), plane.axes()[::-1].T)  # seen from below
         loops, paths = join_lines(ends, dict(zip(used.tolist(), flat, strict=True)))
         if paths:
-            warnings.warn(f"cap: {len(paths)} outlines are not closed, as the mesh is not; no lid there", stacklevel=4)
+            warnings.warn(
+                f"cap: {len(paths)} outlines are not closed, because the mesh is not, and are not capped", stacklevel=4
+            )
         loops = [loop for loop in loops if len(loop) > 2]
-        places = [flat[np.searchsorted(used, loop)] for loop in loops]
+        polygons = [flat[np.searchsorted(used, loop)] for loop in loops]
         if not run_alike(loops, ends):
-            turned = turn_by_depth(places)
-            loops = [loop[::-1] if turn else loop for loop, turn in zip(loops, turned, strict=True)]
-            places = [place[::-1] if turn else place for place, turn in zip(places, turned, strict=True)]
+            is_reversed = loops_to_reverse(polygons)
+            loops = [loop[::-1] if reverse else loop for loop, reverse in zip(loops, is_reversed, strict=True)]
+            polygons = [
+                polygon[::-1] if reverse else polygon for polygon, reverse in zip(polygons, is_reversed, strict=True)
+            ]
         numbers = np.array([v for loop in loops for v in loop], np.int32)
-        return self._with_more(numbers[fill_loops("cap", places)], found.rows)
+        return self._with_more(numbers[fill_loops("cap", polygons)], half_edges.rows)
 
     def _with_more(self, lid: NDArray[np.int32], half_edges: NDArray[np.int32]) -> Self:
         """Add cap triangles whose corners take the attributes of the first of the given half-edges there."""
         numbers = half_edges[:, 3]
         ends = np.concatenate([half_edges[:, 0], half_edges[:, 1]])
-        held = np.concatenate([numbers, numbers - numbers % 3 + (numbers + 1) % 3])
+        end_corners = np.concatenate([numbers, numbers - numbers % 3 + (numbers + 1) % 3])
         vertices, first = np.unique(ends, return_index=True)
-        corners = held[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
-        own = self._arrays["triangles"]
-        rows = np.concatenate([np.arange(own.size, dtype=np.int32), corners[::3] // 3])
+        corners = end_corners[first][np.searchsorted(vertices, lid.reshape(-1))].astype(np.int32)
+        current = self._arrays["triangles"]
+        rows = np.concatenate([np.arange(current.size, dtype=np.int32), corners[::3] // 3])
         arrays = self._triangles_at(upload(rows, int32, self._device))
-        arrays["triangles"] = concatenate_rows([own, upload(lid, vec3i, self._device)])
+        arrays["triangles"] = concatenate_rows([current, upload(lid, vec3i, self._device)])
         if "triangle_uvs" in self._arrays:
             more = upload(corners, int32, self._device)
             arrays["triangle_uvs"] = spread_corners(self._arrays["triangle_uvs"], more)

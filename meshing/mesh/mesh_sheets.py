@@ -54,69 +54,73 @@ def cut_and_stitch(mesh: MeshType) -> Stitched[MeshType]:
     clean = mesh.remove_degenerate_triangles()
     vertices, triangles = clean._device_arrays["vertices"], clean._device_arrays["triangles"]
     owners = merge_vertices.find_equal_vertices(vertices)
-    placed = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
+    merged_triangles = merge_vertices.rename_corners(triangles, owners, positions(vertices.size, vertices.device))
     loose = mask_loose(triangles, vertices.size)
-    folded, repeated, turned = _find_worthless(clean, placed, loose)
-    found = _sew(clean, placed, loose, folded, repeated)
-    if found.open_sides and turned.size > repeated.size:
-        other = _sew(clean, placed, loose, folded, turned)
-        found = other if other.open_sides < found.open_sides else found
-    return replace(found, degenerate=len(mesh) - triangles.size + folded.size)
+    folded, repeated, oriented_repeats = _find_worthless(clean, merged_triangles, loose)
+    result = _sew(clean, merged_triangles, loose, folded, repeated)
+    if result.open_sides and oriented_repeats.size > repeated.size:
+        other = _sew(clean, merged_triangles, loose, folded, oriented_repeats)
+        result = other if other.open_sides < result.open_sides else result
+    return replace(result, degenerate=len(mesh) - triangles.size + folded.size)
 
 
-def _sew(mesh: MeshType, placed: Triangles, loose: Mask, folded: Indices, repeated: Indices) -> Stitched[MeshType]:
+def _sew(
+    mesh: MeshType, merged_triangles: Triangles, loose: Mask, folded: Indices, repeated: Indices
+) -> Stitched[MeshType]:
     """`cut_and_stitch` without some triangles."""
     vertices, copied_area = mesh._device_arrays["vertices"], _area_of(mesh, repeated)
-    kept = other_rows(_joined(folded, repeated), placed.size, are_distinct=True)
-    clean = mesh._with_arrays(**mesh._triangles_at(kept))
-    placed, loose = gather_triangles(placed, kept), gather_rows(loose, kept)
-    sheets = Sheets(vertices, clean._device_arrays["triangles"], placed, loose)
-    covered, crowding = _find_parts_to_drop(clean, sheets, placed, loose)
+    rows = other_rows(_joined(folded, repeated), merged_triangles.size, are_distinct=True)
+    clean = mesh._with_arrays(**mesh._triangles_at(rows))
+    merged_triangles, loose = gather_triangles(merged_triangles, rows), gather_rows(loose, rows)
+    sheets = Sheets(vertices, clean._device_arrays["triangles"], merged_triangles, loose)
+    covered, crowding = _find_parts_to_drop(clean, sheets, merged_triangles, loose)
     copied_area += _area_of(clean, covered)
-    kept = other_rows(_joined(covered, crowding), placed.size, are_distinct=True)
-    sets, twins = keep_corners(sheets.corner_sets(), kept), keep_corners(sheets.twins, kept)
-    clean = clean._with_arrays(**clean._triangles_at(kept))
+    rows = other_rows(_joined(covered, crowding), merged_triangles.size, are_distinct=True)
+    sets, twins = keep_corners(sheets.corner_sets(), rows), keep_corners(sheets.twins, rows)
+    clean = clean._with_arrays(**clean._triangles_at(rows))
     used = count_referenced(clean._device_arrays["triangles"], vertices.size)
-    found = CornerVertices(clean._device_arrays["triangles"], vertices.size, sets)
-    sewn = clean._with_arrays(triangles=found.triangles, **clean._vertices_at(found.rows))
-    whole = part_doubled_edges(sewn, twins)
+    corner_vertices = CornerVertices(clean._device_arrays["triangles"], vertices.size, sets)
+    sewn = clean._with_arrays(triangles=corner_vertices.triangles, **clean._vertices_at(corner_vertices.rows))
+    result = part_doubled_edges(sewn, twins)
     return Stitched(
-        mesh=whole,
+        mesh=result,
         copies=repeated.size + covered.size,
         copied_area=copied_area,
         crowding=crowding.size,
-        halved=len(whole) - len(sewn),
-        merged=used - found.kept_count,
-        split=whole._device_arrays["vertices"].size - found.kept_count,
+        halved=len(result) - len(sewn),
+        merged=used - corner_vertices.kept_count,
+        split=result._device_arrays["vertices"].size - corner_vertices.kept_count,
         unused=vertices.size - used,
         open_sides=sum_counts(mark_open_sides(twins)),  # sync
     )
 
 
-def _find_worthless(mesh: MeshSelection, placed: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
+def _find_worthless(mesh: MeshSelection, merged_triangles: Triangles, loose: Mask) -> tuple[Indices, Indices, Indices]:
     """Rows of loose triangles: degenerate, duplicate, duplicate in either orientation."""
     rows = positions_of(loose)  # sync
-    own = gather_triangles(placed, rows)
+    candidates = gather_triangles(merged_triangles, rows)
     vertices = mesh._device_arrays["vertices"]
-    folded = positions_of(clean_triangles.mask_degenerate(vertices, own, zero_area=False))  # sync
+    folded = positions_of(clean_triangles.mask_degenerate(vertices, candidates, zero_area=False))  # sync
     rest = other_rows(folded, rows.size, are_distinct=True)
-    triangles, rows_left = gather_triangles(own, rest), gather_rows(rows, rest)
-    again = positions_of(clean_triangles.mask_repeats(triangles, vertices.size))  # sync
+    triangles, rows_left = gather_triangles(candidates, rest), gather_rows(rows, rest)
+    repeats = positions_of(clean_triangles.mask_repeats(triangles, vertices.size))  # sync
     classes, count = find_copies(triangles, vertices.size)  # sync
-    turned = again
+    oriented_repeats = repeats
     if count < rest.size:
-        turned = repeated_positions(classes, count)
-    return gather_rows(rows, folded), gather_rows(rows_left, again), gather_rows(rows_left, turned)
+        oriented_repeats = repeated_positions(classes, count)
+    return gather_rows(rows, folded), gather_rows(rows_left, repeats), gather_rows(rows_left, oriented_repeats)
 
 
-def _find_parts_to_drop(mesh: MeshSelection, sheets: Sheets, placed: Triangles, loose: Mask) -> tuple[Indices, Indices]:
+def _find_parts_to_drop(
+    mesh: MeshSelection, sheets: Sheets, merged_triangles: Triangles, loose: Mask
+) -> tuple[Indices, Indices]:
     """(rows of parts that copy others, rows of single triangles without a partner)."""
-    count, device = placed.size, placed.device
-    classes, class_count = find_copies(placed, mesh._device_arrays["vertices"].size)  # sync
+    count, device = merged_triangles.size, merged_triangles.device
+    classes, class_count = find_copies(merged_triangles, mesh._device_arrays["vertices"].size)  # sync
     covered = np.zeros(count, np.bool_)
     if class_count < count:
         names = download(sheets.parts())  # sync
-        copies = Copies(download(classes), download(placed).reshape(-1, 3))  # sync
+        copies = Copies(download(classes), download(merged_triangles).reshape(-1, 3))  # sync
         doubled = find_doubled(copies, names, download(loose) != 0)  # sync
         if doubled.any():
             sheets.part_copies(upload(doubled, uint8, device))

@@ -57,13 +57,13 @@ class MeshTexture(MeshArrays):
             >>> mesh.triangle_uvs.shape, bool((mesh.triangle_uvs >= 0).all() and (mesh.triangle_uvs <= 1).all())
             ((36, 2), True)
         """
-        size = check_count("size", size, maximum=MAX_SIZE, because="pictures have up to 2^28 texels")
+        size = check_count("size", size, maximum=MAX_SIZE, because="textures have at most 2^28 texels")
         gutter = check_positive("gutter", gutter, allow_zero=True, maximum=size / 4)
         low, high, finite = bound_points(self._arrays["vertices"])
         if not len(self):
             raise ValueError("compute_uvatlas: the mesh has no triangles")
         if finite < self._arrays["vertices"].size:
-            raise ValueError("compute_uvatlas: expected finite vertices, and some are not")
+            raise ValueError("compute_uvatlas: expected finite vertices, got NaN or infinite ones")
         extent = float((high.astype(np.float64) - low).max())
         corners = (download(self._arrays["vertices"]).reshape(-1, 3).astype(np.float64) - low) / (extent or 1.0)
         uvs = _lay_out(corners.astype(np.float32), self.triangles, size, gutter)
@@ -94,15 +94,15 @@ class MeshTexture(MeshArrays):
             >>> baked.textures[0][:, 0].tolist()
             [[32, 0, 223], [96, 0, 159], [159, 0, 96], [223, 0, 32]]
         """
-        size = check_count("size", size, maximum=MAX_SIZE, because="pictures have up to 2^28 texels")
+        size = check_count("size", size, maximum=MAX_SIZE, because="textures have at most 2^28 texels")
         gutter = check_count("gutter", gutter, minimum=0, maximum=size)
-        for name, advice in (("vertex_colors", "there is nothing to draw"), ("triangle_uvs", "compute_uvatlas()")):
+        for name, advice in (("vertex_colors", "set them first"), ("triangle_uvs", "call compute_uvatlas() first")):
             if name not in self._arrays:
                 raise ValueError(f"bake_vertex_colors: the mesh has no {name}; {advice}")
         uvs = download(self._arrays["triangle_uvs"])
         if not ((uvs >= 0) & (uvs <= 1)).all():
-            raise ValueError("triangle_uvs: expected coordinates in 0..1; compute_uvatlas() makes such")
-        check_room(self._device, size * size * TEXEL_BYTES, f"size: a picture of {size} x {size} texels")
+            raise ValueError("triangle_uvs: expected coordinates in 0..1. Call compute_uvatlas() first")
+        check_room(self._device, size * size * TEXEL_BYTES, f"size: a texture of {size} x {size} texels")
         arrays = (self._arrays["triangles"], self._arrays["vertex_colors"], self._arrays["triangle_uvs"])
         picture = download(draw_vertex_colors(*arrays, size, gutter)).reshape(size, size, 3)
         baked = self._with_arrays(vertex_colors=None, triangle_material_ids=None)
@@ -147,19 +147,19 @@ class MeshTexture(MeshArrays):
 
     def _with_albedo(self, images: Any, cameras: Any, poses: Any, tex_size: int) -> tuple[Any, float]:
         """(mesh with its texture, fraction of texels seen in an image)."""
-        because = "the texture and what it is made from would not fit; take fewer texels"
+        because = "the texture and its intermediate arrays would not fit into memory. Use fewer texels"
         size = check_count("tex_size", tex_size, minimum=1, maximum=MAX_TEXELS, because=because)
         if not len(self):
-            raise ValueError("mesh: it has no triangles, so there is no surface to paint")
+            raise ValueError("mesh: expected triangles to texture, got none")
         if "triangle_uvs" not in self._arrays:
-            raise ValueError("mesh: it has no triangle_uvs; make an atlas first")
-        pictures = check_list("images", images, "pictures")
+            raise ValueError("mesh: expected triangle_uvs, got none. Call compute_uvatlas() first")
+        pictures = check_list("images", images, "images")
         extrinsics = check_list("extrinsic_matrices", poses, "matrices")
         checked = check_images(NAMES, pictures, _cameras(cameras, pictures), extrinsics, self._device)
         arrays = self._arrays
         texels = SurfaceTexels(arrays["vertices"], arrays["triangles"], arrays["triangle_uvs"], size)
         if not texels.texels.size:
-            raise ValueError("mesh: no triangle covers a texel; bring triangle_uvs into 0..1, or take more texels")
+            raise ValueError("mesh: no triangle covers a texel. Scale triangle_uvs into 0..1, or use more texels")
         trees = plant_trees(self._arrays["vertices"], self._arrays["triangles"])
         sums = texels.blend(checked.pictures(self._origin, 0), trees)
         colors = self._arrays.get("vertex_colors")
@@ -185,11 +185,11 @@ def _lay_out(
         rows, corners, uvs = atlas[0]
         edge = max(atlas.width, atlas.height)
         if not np.array_equal(rows[corners], triangles):
-            raise RuntimeError("compute_uvatlas: xatlas gave back other triangles than it was given")
+            raise RuntimeError("compute_uvatlas: xatlas returned different triangles than it was given")
         if padding * size >= gutter * edge:
-            placed = uvs[corners.reshape(-1)] * (np.array([atlas.width, atlas.height]) / max(edge, 1))
-            return np.clip(placed, 0, 1).astype(np.float32)
-        reason = f"its {atlas.chart_count} charts and gutters of {gutter:g} take {edge} x {edge} texels"
+            scaled = uvs[corners.reshape(-1)] * (np.array([atlas.width, atlas.height]) / max(edge, 1))
+            return np.clip(scaled, 0, 1).astype(np.float32)
+        reason = f"its {atlas.chart_count} charts with gutters of {gutter:g} need {edge} x {edge} texels"
         if edge > MAX_EXCESS * size:
             break
         padding = math.ceil(_WIDER * gutter * edge / size)
@@ -209,7 +209,7 @@ def _cameras(cameras: Any, pictures: list[Any]) -> Any:
         return cameras
     listed = check_list("intrinsic_matrices", cameras, "cameras")
     if len(listed) != len(pictures):
-        raise ValueError(f"intrinsic_matrices: {len(listed)} cameras, but {len(pictures)} images; give one an image")
+        raise ValueError(f"intrinsic_matrices: expected {len(pictures)}, one per image, got {len(listed)}")
     result = []
     for i, (camera, image) in enumerate(zip(listed, pictures, strict=True)):
         if not isinstance(camera, PinholeCameraIntrinsic):
@@ -227,5 +227,5 @@ def _size(image: Any) -> tuple[int, int]:
         return image.height, image.width
     shape: tuple[int, ...] = np.shape(image)
     if len(shape) < 2 or 0 in shape:
-        raise ValueError(f"images: expected pictures [h, w, 3], got shape {list(shape)}")
+        raise ValueError(f"images: expected images of shape [h, w, 3], got shape {list(shape)}")
     return shape[0], shape[1]

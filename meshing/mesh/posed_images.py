@@ -54,16 +54,16 @@ class Names:
 
 def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any, device: Any) -> PosedImages:
     """Validate as many images (RGBDImages or uint8 arrays) as cameras and poses, and upload them."""
-    pictures, poses = check_list(names.images, images, "pictures"), list(T_camera_world)
+    pictures, poses = check_list(names.images, images, "images"), list(T_camera_world)
     if not pictures:
-        raise ValueError(f"{names.images}: expected at least one picture, got none")
+        raise ValueError(f"{names.images}: expected at least one image, got none")
     if len(poses) != len(pictures):
-        raise ValueError(f"{names.poses}: {len(poses)} poses, but {len(pictures)} pictures; give one a picture")
+        raise ValueError(f"{names.poses}: expected {len(pictures)}, one per image, got {len(poses)}")
     alone = isinstance(intrinsics, PinholeCameraIntrinsic)
     cameras = [intrinsics] * len(pictures) if alone else check_list(names.cameras, intrinsics, "cameras")
     if len(cameras) != len(pictures):
-        have = f"{len(cameras)} cameras, but {len(pictures)} pictures"
-        raise ValueError(f"{names.cameras}: {have}; give one, or one a picture")
+        expected = f"expected one, or {len(pictures)}, one per image"
+        raise ValueError(f"{names.cameras}: {expected}, got {len(cameras)}")
     colors, depths = [], []
     for i, (image, camera) in enumerate(zip(pictures, cameras, strict=True)):
         try:
@@ -74,8 +74,8 @@ def check_images(names: Names, images: Any, intrinsics: Any, T_camera_world: Any
         depths.append(depth)
     pixel_count = sum(color.shape[0] for color in colors)
     if pixel_count > MAX_PIXELS:
-        have = f"{pixel_count:,} pixels in all"
-        raise ValueError(f"{names.images}: {have} are more than 2^31 - 1; give fewer or smaller ones")
+        expected = "expected at most 2^31 - 1 pixels in total"
+        raise ValueError(f"{names.images}: {expected}, got {pixel_count:,}. Use fewer or smaller images")
     T = np.array([check_rigid(f"{names.poses}[{i}]", pose) for i, pose in enumerate(poses)])
     return PosedImages(colors, depths, cameras, T)
 
@@ -85,11 +85,11 @@ def _take(image: Any, camera: Any, device: Any) -> tuple[wp.array, wp.array | No
         check_same_device("device", image.device, device)
         check_intrinsic(camera, image.width, image.height)
         if image.color_array.dtype != uint8:
-            raise ValueError("brightness only; make the image with convert_rgb_to_intensity=False to keep its colors")
+            raise ValueError("intensity only. Create the image with convert_rgb_to_intensity=False to keep its colors")
         return image.color_array, image.depth_array
     pixels = np.asarray(unmasked("image", image))
     if pixels.ndim not in (2, 3) or 0 in pixels.shape:
-        raise ValueError(f"expected an RGBDImage or a uint8 picture [h, w, 3], got {_named(image, pixels)}")
+        raise ValueError(f"expected an RGBDImage or a uint8 image [h, w, 3], got {_named(image, pixels)}")
     height, width = pixels.shape[:2]
     check_intrinsic(camera, width, height)
     return upload_color(pixels, height, width, device), None

@@ -26,8 +26,8 @@ def lines_in_plane(half_edges: NDArray[np.int32], first_new: int) -> Ends:
     above = np.bincount(group[rows[:, 2] == ABOVE], minlength=count)
     others = np.bincount(group[rows[:, 2] != ABOVE], minlength=count)
     is_line = (above > 0) & ((others > 0) | (above % 2 == 1) | (high[first] >= first_new))
-    way = np.where(rows[:, 2] == ABOVE, np.where(rows[:, 0] == low, 1, -1), 0)
-    is_back = np.bincount(group, way, minlength=count) < 0
+    direction = np.where(rows[:, 2] == ABOVE, np.where(rows[:, 0] == low, 1, -1), 0)
+    is_back = np.bincount(group, direction, minlength=count) < 0
     ends = np.where(is_back[:, None], np.c_[high[first], low[first]], np.c_[low[first], high[first]])
     return ends[is_line]
 
@@ -38,20 +38,20 @@ def outline(half_edges: NDArray[np.int32]) -> Ends:
     low, high = rows[:, :2].min(axis=1), rows[:, :2].max(axis=1)
     key = low * (int(high.max(initial=0)) + 1) + high
     _, first, group, counts = np.unique(key, return_index=True, return_inverse=True, return_counts=True)
-    way = np.bincount(group.reshape(-1), np.where(rows[:, 0] == low, 1, -1), minlength=len(first))
-    ends = np.where((way < 0)[:, None], np.c_[high[first], low[first]], np.c_[low[first], high[first]])
+    direction = np.bincount(group.reshape(-1), np.where(rows[:, 0] == low, 1, -1), minlength=len(first))
+    ends = np.where((direction < 0)[:, None], np.c_[high[first], low[first]], np.c_[low[first], high[first]])
     return ends[counts % 2 == 1]
 
 
-def join_lines(ends: Ends, places: dict[int, NDArray[np.float64]]) -> tuple[list[list[int]], list[list[int]]]:
+def join_lines(ends: Ends, positions: dict[int, NDArray[np.float64]]) -> tuple[list[list[int]], list[list[int]]]:
     """(loops, paths): lines joined at their ends, each used once. A loop does not repeat its first vertex. Keeps
     directions if consistent. At branches the leftmost turn is taken, so loops touch but do not cross."""
     balance: dict[int, int] = {}
     for a, b in ends.tolist():
         balance[a], balance[b] = balance.get(a, 0) + 1, balance.get(b, 0) - 1
     if any(balance.values()):
-        return _walk(ends, places, directed=_is_path_like(balance))
-    return _walk(ends, places, directed=True)
+        return _trace_paths(ends, positions, directed=_is_path_like(balance))
+    return _trace_paths(ends, positions, directed=True)
 
 
 def run_alike(loops: list[list[int]], ends: Ends) -> bool:
@@ -64,8 +64,8 @@ def _is_path_like(balance: dict[int, int]) -> bool:
     return all(abs(value) <= 1 for value in balance.values())
 
 
-def _walk(
-    ends: Ends, places: dict[int, NDArray[np.float64]], *, directed: bool
+def _trace_paths(
+    ends: Ends, positions: dict[int, NDArray[np.float64]], *, directed: bool
 ) -> tuple[list[list[int]], list[list[int]]]:
     leaving: dict[int, list[tuple[int, int]]] = {}  # of each vertex: (line, other end)
     degree: dict[int, int] = {}
@@ -79,7 +79,7 @@ def _walk(
     used = np.zeros(len(ends), bool)
     loops, paths = [], []
     for start in [*ragged, *leaving]:
-        while (path := _follow(start, leaving, used, places)) is not None:
+        while (path := _follow(start, leaving, used, positions)) is not None:
             if path[0] == path[-1]:
                 loops.extend(_simple(path[:-1]))
             else:
@@ -89,14 +89,16 @@ def _walk(
     return loops, paths
 
 
-def _follow(start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray[np.bool_], places) -> list[int] | None:
+def _follow(
+    start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray[np.bool_], positions
+) -> list[int] | None:
     """Follow lines from a vertex until closed or stuck. None if there is no line."""
     path, at = [start], start
     while True:
         open_lines = [(line, to) for line, to in leaving.get(at, ()) if not used[line]]
         if not open_lines:
             return path if len(path) > 1 else None
-        line, to = open_lines[0] if len(open_lines) == 1 else _leftmost(path, open_lines, places)
+        line, to = open_lines[0] if len(open_lines) == 1 else _leftmost(path, open_lines, positions)
         used[line] = True
         path.append(to)
         at = to
@@ -104,31 +106,31 @@ def _follow(start: int, leaving: dict[int, list[tuple[int, int]]], used: NDArray
             return path
 
 
-def _leftmost(path: list[int], lines: Iterable[tuple[int, int]], places) -> tuple[int, int]:
-    here = places[path[-1]]
-    back = places[path[-2]] - here if len(path) > 1 else np.array([-1.0, 0.0])
+def _leftmost(path: list[int], lines: Iterable[tuple[int, int]], positions) -> tuple[int, int]:
+    here = positions[path[-1]]
+    back = positions[path[-2]] - here if len(path) > 1 else np.array([-1.0, 0.0])
 
-    def turn(line: tuple[int, int]) -> float:
-        way = places[line[1]] - here
-        angle = math.atan2(back[0] * way[1] - back[1] * way[0], matmul(back, way))
+    def clockwise_angle(line: tuple[int, int]) -> float:
+        direction = positions[line[1]] - here
+        angle = math.atan2(back[0] * direction[1] - back[1] * direction[0], matmul(back, direction))
         return float(-angle % (2 * np.pi)) or 2 * np.pi  # clockwise from the previous line
 
-    return min(lines, key=turn)
+    return min(lines, key=clockwise_angle)
 
 
 def _simple(loop: list[int]) -> list[list[int]]:
     """Split a loop at repeated vertices."""
     seen: dict[int, int] = {}
-    walk: list[int] = []
+    current: list[int] = []
     parts: list[list[int]] = []
     for v in loop:
         if v in seen:
             start = seen[v]
-            parts.append(walk[start:])
-            for gone in walk[start + 1 :]:
-                del seen[gone]
-            walk = walk[: start + 1]
+            parts.append(current[start:])
+            for removed in current[start + 1 :]:
+                del seen[removed]
+            current = current[: start + 1]
         else:
-            seen[v] = len(walk)
-            walk.append(v)
-    return [*parts, walk]
+            seen[v] = len(current)
+            current.append(v)
+    return [*parts, current]

@@ -189,7 +189,7 @@ def mobius(
     v = (-width / 2 + width / (width_split - 1) * np.arange(width_split))[None, :]
     alpha = twists * 0.5 * u
     away = np.cos(alpha) * v + radius
-    places = [away * np.cos(u), away * np.sin(u), np.sin(alpha) * v * flatness]
+    coordinates = [away * np.cos(u), away * np.sin(u), np.sin(alpha) * v * flatness]
     i, j = np.mgrid[:length_split, : width_split - 1]
     number = i * width_split + j
     here, beside = number, number + 1
@@ -199,14 +199,16 @@ def mobius(
         there[-1], across[-1] = width_split - 1 - j[-1], width_split - 2 - j[-1]
     even = [[here, across, beside, here, there, across], [beside, here, there, beside, there, across]]
     corners = np.where((i + j) % 2 == 0, np.array(even[0]), np.array(even[1]))
-    _turn_last(corners, twists, here, beside, there, across, i + j)
+    _orient_last(corners, twists, here, beside, there, across, i + j)
     return Shape(
-        scale * np.stack(places, axis=-1).reshape(-1, 3), corners.transpose(1, 2, 0).reshape(-1, 3), np.empty((0, 2))
+        scale * np.stack(coordinates, axis=-1).reshape(-1, 3),
+        corners.transpose(1, 2, 0).reshape(-1, 3),
+        np.empty((0, 2)),
     )
 
 
-def _turn_last(
-    corners: NDArray, twists: int, here: NDArray, beside: NDArray, there: NDArray, across: NDArray, place: NDArray
+def _orient_last(
+    corners: NDArray, twists: int, here: NDArray, beside: NDArray, there: NDArray, across: NDArray, parity: NDArray
 ) -> None:
     """Last pieces of a strip, whose triangles Open3D starts at other corners."""
     a, b, c, d = here[-1], beside[-1], there[-1], across[-1]
@@ -214,7 +216,7 @@ def _turn_last(
         even, odd = [d, a, b, c, a, d], [a, b, c, c, b, d]
     else:
         even, odd = [a, d, b, a, c, d], [a, c, b, b, c, d]
-    corners[:, -1] = np.where(place[-1] % 2 == 0, np.array(even), np.array(odd))
+    corners[:, -1] = np.where(parity[-1] % 2 == 0, np.array(even), np.array(odd))
 
 
 def moved(shape: Shape, shift: tuple[float, float, float]) -> Shape:

@@ -20,7 +20,11 @@ MISSED = 1.05  # times the target: more triangles are reported
 FAR = 0.01  # of the box's diagonal: a larger RMS distance is reported
 SAMPLES = 20_000
 
-_WAYS = {"triangles": "to {:,.0f} triangles", "ratio": "to a share of {:g}", "voxel": "one vertex a voxel of {:g} {m}"}
+_WAYS = {
+    "triangles": "to {:,.0f} triangles",
+    "ratio": "to a fraction of {:g}",
+    "voxel": "one vertex per voxel of {:g} {m}",
+}
 
 
 @dataclass(frozen=True)
@@ -57,19 +61,19 @@ class SimplifiedMesh(ChangedMesh):
     def warnings(self) -> tuple[str, ...]:
         count, target = len(self.mesh), self.target
         if not count:
-            return ("no triangle is left; use more triangles or smaller voxels",)
+            return ("no triangles remain: use more triangles or smaller voxels",)
         reasons = []
         if target is not None and count > max(target * MISSED, target + 4) and math.isinf(self.max_error):
             reasons.append(f"{count:,} triangles are left instead of {target:,}: repair the mesh with clean_mesh first")
         if self.errors is not None and self.errors.rms > FAR * self.diagonal:
             share = self.errors.rms / self.diagonal
-            reasons.append(f"the surface moved by {share:.1%} of its size: take more triangles or smaller voxels")
+            reasons.append(f"the surface moved by {share:.1%} of its size: use more triangles or smaller voxels")
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
         errors = None if self.errors is None else {"rms": self.errors.rms, "max": self.errors.max}
-        found = {"by": self.by, "amount": self.amount, "target": self.target, "errors": errors}
-        return plain(self.sizes_to_dict() | found | quality(self))
+        settings = {"by": self.by, "amount": self.amount, "target": self.target, "errors": errors}
+        return plain(self.sizes_to_dict() | settings | quality(self))
 
     def fields(self) -> Fields:
         distance, m = "none measured", symbol_of(self.mesh.unit)
@@ -118,15 +122,15 @@ def simplify_mesh(
     farthest = check_positive("max_error", max_error, allow_zero=True, allow_infinite=True)
     weight = check_positive("boundary_weight", boundary_weight, allow_zero=True)
     if by == "voxel" and (farthest, weight) != (math.inf, 1.0):
-        raise ValueError("max_error, boundary_weight: go with triangles or ratio, not with voxel_size")
-    say, target = check_progress(progress), None
-    say("simplify", 0, 0)
+        raise ValueError("max_error, boundary_weight: apply to triangles or ratio, not to voxel_size")
+    report, target = check_progress(progress), None
+    report("simplify", 0, 0)
     if by == "voxel":
         small = mesh.simplify_vertex_clustering(amount, "quadric")
     else:
         target = int(amount) if by == "triangles" else max(1, round(amount * len(mesh)))
         small = mesh.simplify_quadric_decimation(target, farthest, weight)
-    say("check", 0, 0)
+    report("check", 0, 0)
     low, high = mesh.get_axis_aligned_bounding_box()
     return SimplifiedMesh(
         mesh=small,
@@ -144,14 +148,14 @@ def _one_of(triangles: Any, ratio: Any, voxel_size: Any) -> tuple[str, float]:
     given = {"triangles": triangles, "ratio": ratio, "voxel_size": voxel_size}
     names = [name for name, amount in given.items() if amount is not None]
     if len(names) != 1:
-        raise ValueError(f"give one of triangles, ratio and voxel_size, got {' and '.join(names) or 'none'}")
+        raise ValueError(f"pass one of triangles, ratio and voxel_size, got {' and '.join(names) or 'none'}")
     if triangles is not None:
         return "triangles", check_count("triangles", triangles)
     if voxel_size is not None:
         return "voxel", check_positive("voxel_size", voxel_size)
     share = check_share("ratio", ratio)
     if not share:
-        raise ValueError("ratio: expected a share above 0, got 0")
+        raise ValueError("ratio: expected a fraction above 0, got 0")
     return "ratio", share
 
 
@@ -161,5 +165,5 @@ def _shift_of(small: TriangleMesh, full: TriangleMesh) -> SurfaceShift | None:
         return None
     if not (small.get_surface_area() > 0 and full.get_surface_area() > 0):
         return None
-    found = full.compute_metrics(small, n_sampled_points=SAMPLES)
-    return SurfaceShift(found.rms[0], found.max[0])
+    metrics = full.compute_metrics(small, n_sampled_points=SAMPLES)
+    return SurfaceShift(metrics.rms[0], metrics.max[0])

@@ -114,7 +114,7 @@ def smooth_mesh(
     """
     check_mesh("mesh", mesh)
     factors = _factors_of(method, {"lambda_filter": lambda_filter, "mu": mu, "strength": strength})
-    reason = "by then hardly anything is left but the mean of all vertices; take fewer"
+    reason = "more iterations shrink the mesh to the mean of its vertices"
     count = check_count("iterations", iterations, minimum=0, maximum=MAX_PASSES, because=reason)
     filters = {name: getattr(mesh, f"filter_smooth_{name}") for name in METHODS[:3]} | {"sharpen": mesh.filter_sharpen}
     smooth = filters[method](count, *factors)
@@ -141,6 +141,6 @@ def _factors_of(method: Any, given: dict[str, Any]) -> list[float]:
     for name, value in given.items():
         if value is not None and method not in _OWNERS[name]:
             owners = " or ".join(repr(owner) for owner in _OWNERS[name])
-            raise ValueError(f"{name}: goes with method {owners}, not with {method!r}")
-    own = {name: value for name, value in given.items() if method in _OWNERS[name]}
-    return [_DEFAULTS[name] if value is None else check_number(name, value) for name, value in own.items()]
+            raise ValueError(f"{name}: applies to method {owners}, not to {method!r}")
+    applicable = {name: value for name, value in given.items() if method in _OWNERS[name]}
+    return [_DEFAULTS[name] if value is None else check_number(name, value) for name, value in applicable.items()]

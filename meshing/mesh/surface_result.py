@@ -36,10 +36,12 @@ class NormalsUsed:
         share = self.disagreement
         if share is None or share <= OPPOSED:
             return None
-        said = f"{format_share(share)} of neighboring normals point to opposite sides"
+        statement = f"{format_share(share)} of neighboring normals point to opposite sides"
         if self.given:
-            return f"{said}; give new_normals, or orient those of the input"
-        return f"{said} though they were oriented: the points hardly lie on a surface; clean or smooth them first"
+            return f"{statement}; use new_normals, or orient the normals of the input"
+        return (
+            f"{statement} although they were oriented: the points may not sample a surface; clean or smooth them first"
+        )
 
 
 @dataclass(frozen=True)
@@ -122,27 +124,27 @@ class SurfaceResult(Report, Assessed):
 
     def fields(self) -> Fields:
         settings = ", ".join(f"{name.replace('_', ' ')} {_shown(value)}" for name, value in self.settings.items())
-        lost, normals, found = self.points_in - self.points, self.normals.origin, self.summary
+        lost, normals, summary = self.points_in - self.points, self.normals.origin, self.summary
         if self.normals.disagreement is not None:
-            normals += f"; {format_share(self.normals.disagreement)} of neighbors to opposite sides"
-        edges = f"{found.boundary_edges:,} of {found.edges:,} at a border"
-        if found.crowded_edges:
-            edges += f", {found.crowded_edges:,} of three triangles or more"
-        parts = f"{found.parts:,}"
-        if found.parts > 1:
-            parts += f", the largest {format_share(found.largest_share)} of the area"
+            normals += f"; {format_share(self.normals.disagreement)} of neighbors opposite"
+        edges = f"{summary.boundary_edges:,} of {summary.edges:,} at the boundary"
+        if summary.crowded_edges:
+            edges += f", {summary.crowded_edges:,} with three or more triangles"
+        parts = f"{summary.parts:,}"
+        if summary.parts > 1:
+            parts += f", the largest {format_share(summary.largest_share)} of the area"
         made_up, lacking = self.made_up.share, ", ".join(self.not_carried)
-        area = f"{found.area:.4g} {symbol_of(self.mesh.unit)}^2"
+        area = f"{summary.area:.4g} {symbol_of(self.mesh.unit)}^2"
         return [
             ("method", f"{self.method}, {settings}"),
-            ("points", f"{self.points:,}" + (f", {lost:,} not finite left out" if lost else "")),
+            ("points", f"{self.points:,}" + (f", {lost:,} non-finite ignored" if lost else "")),
             ("normals", normals),
-            ("mesh", f"{found.vertices:,} vertices, {found.triangles:,} triangles, {area}"),
+            ("mesh", f"{summary.vertices:,} vertices, {summary.triangles:,} triangles, {area}"),
             ("parts", parts),
             ("edges", edges),
-            *([("made up", f"{format_share(made_up)} of the area")] if made_up else []),
-            ("closed", "yes" if found.watertight else "no"),
-            ("bounds", format_bounds(found.to_dict()["bounds"])),
+            *([("extrapolated", f"{format_share(made_up)} of the area")] if made_up else []),
+            ("closed", "yes" if summary.watertight else "no"),
+            ("bounds", format_bounds(summary.to_dict()["bounds"])),
             *([("not carried", f"{lacking} of the points")] if lacking else []),
         ]
 
@@ -157,14 +159,14 @@ class SurfaceResult(Report, Assessed):
 
     def _surface_problems(self) -> list[str]:
         """Warnings if the mesh is torn, far from the points or fragmented."""
-        found, larger = self.summary, _LARGER[self.method]
+        summary, larger = self.summary, _LARGER[self.method]
         reasons: list[str] = []
-        if found.boundary_edges > TORN * found.edges:
-            share = format_share(found.boundary_edges / found.edges)
-            reasons.append(f"the mesh is torn: {share} of its edges are at a border; take {larger}")
-        if found.crowded_edges > CROWDED[self.method] * found.edges:
-            share = format_share(found.crowded_edges / found.edges)
-            reasons.append(f"{share} of its edges have three triangles or more, so it is no single surface")
+        if summary.boundary_edges > TORN * summary.edges:
+            share = format_share(summary.boundary_edges / summary.edges)
+            reasons.append(f"the mesh has many holes: {share} of its edges are boundary edges; use {larger}")
+        if summary.crowded_edges > CROWDED[self.method] * summary.edges:
+            share = format_share(summary.crowded_edges / summary.edges)
+            reasons.append(f"{share} of its edges have three or more triangles, so it is not a single surface")
         made_up, far, better = self.made_up.share, self.made_up.far, self.made_up.better_quantile
         if made_up is not None and made_up > MADE_UP:
             remedy = f"density_quantile {better:g}" if better else "a larger density_quantile"
@@ -172,19 +174,19 @@ class SurfaceResult(Report, Assessed):
                 remedy = "a smaller alpha or more points"
             away = f"{far:.3g} {symbol_of(self.mesh.unit)}"
             reasons.append(
-                f"{format_share(made_up)} of the area lie farther than {away} from all points, "
-                f"made up to close the surface; take {remedy}"
+                f"{format_share(made_up)} of the area is farther than {away} from all points "
+                f"and was extrapolated to close the surface; use {remedy}"
             )
-        if 1 - found.largest_share > ISLANDS:
-            share = format_share(1 - found.largest_share)
-            what = "islands or the walls of hollows" if self.method == "alpha" else "islands"
+        if 1 - summary.largest_share > ISLANDS:
+            share = format_share(1 - summary.largest_share)
+            what = "islands or cavity walls" if self.method == "alpha" else "islands"
             reasons.append(
-                f"{share} of the area are {what}, {found.parts - 1:,} of them: clean the cloud first, or take {larger}"
+                f"{share} of the area is in {summary.parts - 1:,} {what}: clean the cloud first, or use {larger}"
             )
         return reasons
 
 
 def _shown(value: Any) -> str:
     if value is None:
-        return "chosen by the spacing of the points"
+        return "derived from the point spacing"
     return " ".join(f"{part:g}" for part in value) if isinstance(value, list | tuple) else str(value)

@@ -18,17 +18,17 @@ def with_attributes_of(mesh: Mesh, source: Any, tree: TriangleTree | None = None
     """Copy attributes from another mesh about the same origin. Vertices take the values at the nearest surface point
     (floating ones interpolated, others of the nearest corner), triangles those of the triangle nearest to their
     center."""
-    held = {kind: getattr(source, kind).arrays for kind in ("vertex_attributes", "triangle_attributes")}
-    if not any(held.values()) or not len(source) or not mesh._device_arrays["vertices"].size:
+    columns = {kind: getattr(source, kind).arrays for kind in ("vertex_attributes", "triangle_attributes")}
+    if not any(columns.values()) or not len(source) or not mesh._device_arrays["vertices"].size:
         return mesh
     tree = tree or TriangleTree(source._device_arrays["vertices"], source._device_arrays["triangles"])
     arrays: dict[str, Any] = {}
     vertices, triangles = mesh._device_arrays["vertices"], mesh._device_arrays["triangles"]
-    if held["vertex_attributes"]:
-        arrays["vertex_attributes"] = each(held["vertex_attributes"], SurfacePositions(vertices, tree).mixed.of)
-    if held["triangle_attributes"]:
+    if columns["vertex_attributes"]:
+        arrays["vertex_attributes"] = each(columns["vertex_attributes"], SurfacePositions(vertices, tree).mixed.of)
+    if columns["triangle_attributes"]:
         nearest = SurfacePositions(middles_of(vertices, triangles), tree).triangles
-        arrays["triangle_attributes"] = rows_of(held["triangle_attributes"], nearest)
+        arrays["triangle_attributes"] = rows_of(columns["triangle_attributes"], nearest)
     return mesh._with_arrays(**arrays)
 
 

@@ -57,9 +57,9 @@ def used_vertices(triangles: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDAr
     return used, numbers.reshape(-1, 3)
 
 
-def signed_volume(places: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
+def signed_volume(vertices: NDArray[np.float64], triangles: NDArray[np.int64]) -> float:
     """Six times the volume inside the finite triangles, negative if inward."""
-    corners = places[triangles]
+    corners = vertices[triangles]
     corners = corners[np.isfinite(corners).all(axis=(1, 2))]
     if not len(corners):
         return 0.0
@@ -75,24 +75,24 @@ def check_ring(name: str, points: ArrayLike) -> NDArray[np.float64]:
     if len(ring) > 1 and (ring[0] == ring[-1]).all():
         ring = ring[:-1]
     if len(ring) < 3:
-        raise ValueError(f"{name}: expected three corners or more, got {len(ring)}")
+        raise ValueError(f"{name}: expected at least three corners, got {len(ring)}")
     return ring
 
 
-def flatten_outline(places: NDArray[np.float64], count: int) -> NDArray[np.float64]:
+def flatten_outline(vertices: NDArray[np.float64], count: int) -> NDArray[np.float64]:
     """Project positions (n, 2) or (n, 3) to the plane of the first `count`."""
-    if places.shape[1] == 2:
-        return places - places[0]
-    local = places - places[0]
+    if vertices.shape[1] == 2:
+        return vertices - vertices[0]
+    local = vertices - vertices[0]
     ring = local[:count]
     normal = np.cross(ring, np.roll(ring, -1, axis=0)).sum(axis=0)
     size, length = norm(normal), np.linalg.norm(np.roll(ring, -1, axis=0) - ring, axis=1).sum()
     if not size > 1e-12 * length**2:
-        raise ValueError("outline: its corners lie on a line, or it crosses itself")
+        raise ValueError("outline: expected a simple polygon, got collinear corners or self-intersections")
     normal /= size
     off = np.abs(matmul(local, normal)).max()
     if off > 1e-6 * length:
-        raise ValueError(f"outline, holes: corners lie up to {off:g} m off their plane")
+        raise ValueError(f"outline, holes: expected coplanar corners, got corners up to {off:g} m off the plane")
     u = np.cross(np.eye(3)[np.abs(normal).argmin()], normal)
     u /= norm(u)
     return matmul(local, np.array([u, np.cross(normal, u)]).T)
@@ -101,7 +101,7 @@ def flatten_outline(places: NDArray[np.float64], count: int) -> NDArray[np.float
 def check_area(flat: NDArray[np.float64], order: list[Any], triangles: NDArray[np.int64]) -> None:
     a, b, c = flat[triangles].transpose(1, 0, 2)
     doubled = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]
-    whole = sum(signed_area(flat[rows]) for rows in order)
+    area = sum(signed_area(flat[rows]) for rows in order)
     scale = sum(abs(signed_area(flat[rows])) for rows in order)
-    if not abs(np.abs(doubled).sum() / 2 - whole) <= SAME_AREA * scale or not whole > 0:
-        raise ValueError("outline, holes: they cross themselves or each other")
+    if not abs(np.abs(doubled).sum() / 2 - area) <= SAME_AREA * scale or not area > 0:
+        raise ValueError("outline, holes: expected polygons that do not intersect themselves or each other")

@@ -22,12 +22,12 @@ def check_vertices(name: str, values: Any, count: int) -> NDArray[np.int32]:
         raise TypeError(f"{name}: expected whole numbers, got {numbers.dtype}")
     wrong = (numbers < 0) | (numbers >= count)
     if wrong.any():
-        raise ValueError(f"{name}: vertex {numbers[wrong][0]} does not exist; the mesh has {count}, from 0 on")
+        raise ValueError(f"{name}: expected vertex indices from 0 to {count - 1}, got {numbers[wrong][0]}")
     return numbers.astype(np.int32)
 
 
-def check_finite_vertices(name: str, numbers: NDArray[np.int32], places: Any) -> None:
+def check_finite_vertices(name: str, numbers: NDArray[np.int32], positions: Any) -> None:
     """Raise ValueError if a vertex (vec3 device array) is not finite."""
-    lost = ~np.isfinite(download(places).reshape(-1, 3)).all(axis=1)
+    lost = ~np.isfinite(download(positions).reshape(-1, 3)).all(axis=1)
     if lost.any():
-        raise ValueError(f"{name}: vertex {numbers[lost][0]} is not finite, so nothing is near it; leave it out")
+        raise ValueError(f"{name}: vertex {numbers[lost][0]} is NaN or infinite. Leave it out")

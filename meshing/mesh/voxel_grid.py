@@ -98,7 +98,9 @@ class VoxelGrid(HintedNames):
         """
         cell = self._cells_of(check_finite("point", check_shape("point", point, (3,))))
         if np.abs(cell).max() >= 2.0**63:
-            raise ValueError(f"point: lies {np.abs(cell).max():.3g} voxels from the origin, beyond 64 bits")
+            raise ValueError(
+                f"point: is {np.abs(cell).max():.3g} voxels from the origin, beyond the range of 64-bit indices"
+            )
         return cell.astype(np.int64)
 
     def check_if_included(self, queries: ArrayLike) -> NDArray[np.bool_]:
@@ -112,8 +114,8 @@ class VoxelGrid(HintedNames):
             inside = ((cells >= 0) & (cells < self.counts)).all(axis=1)
         included = np.zeros(len(cells), bool)
         occupied = np.ravel_multi_index(tuple(self.coordinates.T), self.counts)
-        asked = np.ravel_multi_index(tuple(cells[inside].astype(np.int64).T), self.counts)
-        included[inside] = np.isin(asked, occupied)
+        queried = np.ravel_multi_index(tuple(cells[inside].astype(np.int64).T), self.counts)
+        included[inside] = np.isin(queried, occupied)
         return included
 
     def _cells_of(self, points: NDArray[np.float64]) -> NDArray[np.float64]:

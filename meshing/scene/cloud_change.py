@@ -52,8 +52,8 @@ class CloudToMeshResult:
             return (np.abs(self.distances) > self.level_of_detection) & ~self.beside & enough
 
     def __repr__(self) -> str:
-        found, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
-        return f"CloudToMeshResult({len(self.distances)} points, {found} with a distance, {changed} significant)"
+        measured, changed = int(np.isfinite(self.distances).sum()), int(self.is_significant.sum())
+        return f"CloudToMeshResult({len(self.distances)} points, {measured} with a distance, {changed} significant)"
 
 
 @explain_argument_errors
@@ -101,13 +101,13 @@ def cloud_to_mesh(
     common_unit("cloud, mesh", (cloud.unit, mesh.unit))
     error = check_positive("registration_error", registration_error, allow_zero=True)
     within = None if radius is None else check_positive("radius", radius)
-    most = np.inf if max_distance is None else check_positive("max_distance", max_distance)
+    limit = np.inf if max_distance is None else check_positive("max_distance", max_distance)
     vertices, triangles = mesh.array("vertices"), mesh.array("triangles")
     tree, queries = TriangleTree(vertices, triangles), cloud._points_about(mesh.origin)
-    found, beside = (download(values) for values in face_distances(tree, vertices, triangles, queries))  # sync
-    distances, is_beside = found.astype(np.float64), beside != 0
+    signed, beside = (download(values) for values in face_distances(tree, vertices, triangles, queries))  # sync
+    distances, is_beside = signed.astype(np.float64), beside != 0
     with np.errstate(invalid="ignore"):
-        distances[np.abs(distances) > most] = np.nan
+        distances[np.abs(distances) > limit] = np.nan
     if within is None:
         count, limits = len(distances), np.where(np.isnan(distances), np.nan, TWO_SIDED * error)
         return CloudToMeshResult(distances, limits, np.full(count, np.nan), np.ones(count, np.int32), is_beside)

@@ -69,10 +69,10 @@ class Orthophoto:
             'ortho.tif'
         """
         if self.colors is None:
-            raise ValueError("colors: the mesh has neither a texture nor colors of vertices; write its heights")
-        told, (rows, _, _) = self.heights, self.colors.shape
-        place = self.colors.shape[:2], (told.corner[0], told.corner[1]), told.cell, told
-        with geotiff(path, *place, overwrite=overwrite, for_maps=True, is_picture=True) as file:
+            raise ValueError("colors: the mesh has neither a texture nor vertex colors. Write its heights instead")
+        heights, (rows, _, _) = self.heights, self.colors.shape
+        georeference = self.colors.shape[:2], (heights.corner[0], heights.corner[1]), heights.cell, heights
+        with geotiff(path, *georeference, overwrite=overwrite, for_maps=True, is_picture=True) as file:
             for top in range(0, rows, BLOCK):
                 part = self.colors[top : top + BLOCK]
                 window = ((top, top + len(part)), (0, part.shape[1]))
@@ -125,7 +125,7 @@ def orthophoto(
     side, start = check_positive("cell", cell), check_finite("corner", check_shape("corner", corner, (2,)))
     box = None if bounds is None else check_box(bounds)
     system = _check_system(mesh, frame, epsg, crs)
-    vertices, origin = _placed_vertices(mesh, frame, epsg)
+    vertices, origin = _vertices_in_frame(mesh, frame, epsg)
     tree = TriangleTree(vertices, mesh.array("triangles"))
     if box is not None:
         grid = grid_within(box, start, side)
@@ -133,7 +133,7 @@ def orthophoto(
         low, high = (end.astype(np.float64)[:2] + origin[:2] for end in (tree.low, tree.high))
         grid = grid_over(low, high, start, side)
     else:
-        raise ValueError("mesh: has no triangles whose corners are finite; give the bounds of a map without any")
+        raise ValueError("mesh: expected triangles with finite corners, got none. Pass bounds to create an empty map")
     heights = np.empty(grid.shape, np.float32)
     surfaces = _surfaces_of(mesh, vertices)
     colors = np.empty((*grid.shape, CHANNELS), np.uint8) if surfaces else None
@@ -141,40 +141,42 @@ def orthophoto(
         heights[rows] = part_heights
         if colors is not None:
             colors[rows] = part_colors
-    told = Raster(heights, grid.corner, side, np.zeros(grid.shape, bool), "dsm", system)
-    return Orthophoto(colors, told)
+    raster = Raster(heights, grid.corner, side, np.zeros(grid.shape, bool), "dsm", system)
+    return Orthophoto(colors, raster)
 
 
 def _check_system(mesh: TriangleMesh, frame: Any, epsg: Any, crs: str | None) -> str | None:
     if mesh.unit is not None and is_same(mesh.unit, DEGREE):
-        raise ValueError("mesh: is in degrees, which are no lengths")
+        raise ValueError("mesh: expected a length unit, got degrees")
     if frame is None:
         if epsg is not None:
-            raise ValueError("epsg: goes with frame, which tells where the mesh lies; of a mesh in UTM give crs")
+            raise ValueError("epsg: requires frame, which georeferences the mesh. For a mesh in UTM pass crs")
         return crs
     if not isinstance(frame, WorldFrame):
         raise TypeError(f"frame: expected a WorldFrame, got {type(frame).__name__}")
     if crs is not None:
-        raise ValueError("crs: the frame has a UTM zone of its own; leave it out, or give epsg")
+        raise ValueError("crs: expected None, because the frame defines a UTM zone. Pass epsg for another system")
     if not is_same(mesh.unit, METRE):
-        raise ValueError(f"mesh: is in {mesh.unit}, and a frame counts meters")
+        raise ValueError(f"mesh: expected meters with a frame, got {mesh.unit}")
     frame.to_utm(np.zeros((1, 3)), epsg)
     return f"EPSG:{frame.epsg if epsg is None else epsg}"
 
 
-def _placed_vertices(mesh: TriangleMesh, frame: WorldFrame | None, epsg: int | None) -> tuple[Any, NDArray[np.float64]]:
+def _vertices_in_frame(
+    mesh: TriangleMesh, frame: WorldFrame | None, epsg: int | None
+) -> tuple[Any, NDArray[np.float64]]:
     """Projected vertices: a device array of vec3 about an origin, float64 (3,)."""
     if frame is None:
         return mesh.array("vertices"), mesh.origin
-    places = np.array(mesh.vertices)
-    for first in range(0, len(places), PART):
-        part = places[first : first + PART]
+    positions = np.array(mesh.vertices)
+    for first in range(0, len(positions), PART):
+        part = positions[first : first + PART]
         finite = np.isfinite(part).all(axis=1)
         part[finite] = frame.to_utm(part[finite], epsg)
-    finite = places[np.isfinite(places).all(axis=1)]
+    finite = positions[np.isfinite(positions).all(axis=1)]
     origin = (finite.min(axis=0) + finite.max(axis=0)) / 2 if len(finite) else np.zeros(3)
-    places -= origin
-    return upload(places.astype(np.float32), vec3, mesh.device), origin
+    positions -= origin
+    return upload(positions.astype(np.float32), vec3, mesh.device), origin
 
 
 def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]:
@@ -182,7 +184,7 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
     arrays, none, device = mesh._device_arrays, empty(0, vec3, mesh.device), mesh.device
     flat = view_as(arrays["triangles"], int32, (3 * arrays["triangles"].size,))
     looks: dict[str, Any] = {"normals": none, "plain": vec3(0.0, 0.0, 0.0), "lit": False, "edges": False}
-    found: list[tuple[int, Surface]] = []
+    surfaces: list[tuple[int, Surface]] = []
     numbers = [EVERY]
     if "triangle_uvs" in arrays and mesh.textures:
         numbers = (
@@ -192,15 +194,15 @@ def _surfaces_of(mesh: TriangleMesh, vertices: Any) -> list[tuple[int, Surface]]
         if 0 <= number < len(mesh.textures):
             pixels = np.ascontiguousarray(mesh.textures[number][:, :, :3])
             image = upload(pixels.ravel(), uint8, device), pixels.shape[1], pixels.shape[0]
-            held = {"colors": none, "uvs": arrays["triangle_uvs"], "texture": image}
+            material = {"colors": none, "uvs": arrays["triangle_uvs"], "texture": image}
         elif "vertex_colors" in arrays:
             nothing: Any = empty(0, uint8, device), 0, 0
-            held = {"colors": arrays["vertex_colors"], "uvs": empty(0, vec2, device), "texture": nothing}
+            material = {"colors": arrays["vertex_colors"], "uvs": empty(0, vec2, device), "texture": nothing}
         else:
             continue
         is_for_all = "triangle_material_ids" not in arrays or numbers == [EVERY]
-        found.append((EVERY if is_for_all else number, Surface(vertices, flat, **held, **looks)))
-    return found
+        surfaces.append((EVERY if is_for_all else number, Surface(vertices, flat, **material, **looks)))
+    return surfaces
 
 
 def _strips(

@@ -51,8 +51,8 @@ def _camera_of_view(given: dict[str, Any], width: int, height: int) -> tuple[NDA
         raise ValueError(f"fov_deg: expected a field of view between 0 and 180, got {fov}")
     center, eye, up = (check_finite(n, check_shape(n, given[n], (3,))) for n in ("center", "eye", "up"))
     focal = 0.5 * width / math.tan(math.radians(fov) / 2)
-    forward = _unit("center, eye", center - eye, "the camera stands where it looks")
-    right = _unit("up", np.cross(up, forward), "the camera looks along it, or it is zero")
+    forward = _unit("center, eye", center - eye, "the camera is at the point it looks at")
+    right = _unit("up", np.cross(up, forward), "it is parallel to the view direction, or zero")
     T = np.eye(4)
     T[:3, :3] = right, np.cross(forward, right), forward
     T[:3, 3] = matmul(-T[:3, :3], eye)

@@ -47,8 +47,8 @@ def _grid_of(cells_of: Callable[[float], Cells], corner: Array, cell: float) -> 
         if not _fits(counts):
             columns, rows, gigabytes = map(_counted, (*counts, counts[0] * counts[1] * BYTES / 1e9))
             raise ValueError(
-                f"cell: {cell:g} makes {columns} x {rows} cells, {gigabytes} GB, and 2^28 is the most; "
-                f"{_what_fits(cells_of, cell, counts)}, or take smaller bounds"
+                f"cell: {cell:g} gives {columns} x {rows} cells, {gigabytes} GB; expected at most 2^28; "
+                f"{_what_fits(cells_of, cell, counts)}, or use smaller bounds"
             )
     check_cell_numbers(first, counts)
     return PlanGrid(corner + first * cell, cell, (int(counts[1]), int(counts[0])))
@@ -69,7 +69,7 @@ def _what_fits(cells_of: Callable[[float], Cells], cell: float, counts: Array) -
         counts = cells_of(larger)[1]
         if _fits(counts):
             return f"a cell of {larger:g} fits"
-    return "take larger cells"
+    return "use larger cells"
 
 
 def _counted(number: float) -> str:

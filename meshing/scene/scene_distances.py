@@ -98,10 +98,10 @@ class SceneDistances(SceneGeometries):
         for number in range(len(self)):
             there = self._seen_from(number, queries)
             describe(there, self._trees[self._mesh_of[number]], nearest, number, poses[number], closest)
-        places = add_origin(closest.points, self._origin) if self._origin.any() else closest.points
-        found = {"points": places, "geometry_ids": nearest.meshes, "primitive_ids": nearest.triangles}
-        found |= {"primitive_uvs": closest.uvs, "primitive_normals": closest.normals}
-        return form.hand_out_all(found, dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32), shape=shape)
+        points = add_origin(closest.points, self._origin) if self._origin.any() else closest.points
+        arrays = {"points": points, "geometry_ids": nearest.meshes, "primitive_ids": nearest.triangles}
+        arrays |= {"primitive_uvs": closest.uvs, "primitive_normals": closest.normals}
+        return form.hand_out_all(arrays, dict.fromkeys(("geometry_ids", "primitive_ids"), np.uint32), shape=shape)
 
     def compute_distance(self, query_points: Any, nthreads: int = 0) -> NDArray[np.float32]:
         """Distance of each query to the surface.

@@ -34,13 +34,13 @@ class SceneGeometries(KnownNames):
     _trees: list[TriangleTree]
     _mesh_of: list[int]
     _poses: list[NDArray[np.float64]]
-    _placed: SceneTrees | None  # for the current `_meshes`. Poses are current unless `_is_moved`
+    _instances: SceneTrees | None  # for the current `_meshes`. Poses are current unless `_is_moved`
     _is_moved: bool
 
     def __init__(self, device: Any = None):
         self._device = resolve_device(device)
         self._meshes, self._trees, self._mesh_of, self._poses = [], [], [], []
-        self._placed, self._is_moved = None, False
+        self._instances, self._is_moved = None, False
 
     def __len__(self) -> int:
         return len(self._mesh_of)
@@ -108,7 +108,7 @@ class SceneGeometries(KnownNames):
         """
         if isinstance(mesh, TriangleMesh):
             if triangles is not None:
-                raise TypeError("triangles: the mesh has its own; give vertices and triangles, or a mesh alone")
+                raise TypeError("triangles: expected None with a mesh. Pass vertices and triangles, or a mesh alone")
             check_same_device("mesh", self._device, mesh.device)
             added = mesh.copy()
         else:
@@ -117,11 +117,11 @@ class SceneGeometries(KnownNames):
             added = TriangleMesh(check_rows("mesh", mesh, 3), triangles, device=self._device)
         T = np.eye(4) if pose is None else check_rigid("pose", pose)
         if (wrong := find_wrong_corner(added)) is not None:
-            message = f"mesh: {wrong}; such triangles are left out, so distances and occupancy are of an open surface"
+            message = f"mesh: {wrong}; such triangles are ignored, so distances and occupancy refer to an open surface"
             warnings.warn(message, UserWarning, stacklevel=2)
         self._trees.append(TriangleTree(added.array("vertices"), added.array("triangles")))
         self._meshes.append(added)
-        return self._place(len(self._meshes) - 1, T)
+        return self._add_instance(len(self._meshes) - 1, T)
 
     def add_instance(self, geometry_id: int, pose: Any) -> int:
         """Add another instance of a mesh, which shares its triangles. Returns its geometry id.
@@ -144,7 +144,7 @@ class SceneGeometries(KnownNames):
             >>> scene.list_intersections([[0.2, 0.2, 1, 0, 0, -1]])["t_hit"].tolist()
             [1.0, 3.0]
         """
-        return self._place(self._mesh_of[self._known("geometry_id", geometry_id)], check_rigid("pose", pose))
+        return self._add_instance(self._mesh_of[self._known("geometry_id", geometry_id)], check_rigid("pose", pose))
 
     def set_pose(self, geometry_id: int, pose: Any) -> None:
         """Set the pose of a geometry. Mesh trees are not rebuilt.
@@ -174,13 +174,13 @@ class SceneGeometries(KnownNames):
     def _known(self, name: str, geometry_id: Any) -> int:
         number = check_count(name, geometry_id, minimum=0)
         if number >= len(self):
-            raise ValueError(f"{name}: there is no geometry {number}; this scene has {len(self)}")
+            raise ValueError(f"{name}: expected a geometry id below {len(self)}, got {number}")
         return number
 
-    def _place(self, mesh: int, pose: NDArray[np.float64]) -> int:
+    def _add_instance(self, mesh: int, pose: NDArray[np.float64]) -> int:
         self._mesh_of.append(mesh)
         self._poses.append(pose.copy())
-        self._placed = None
+        self._instances = None
         return len(self) - 1
 
     @property
@@ -189,8 +189,8 @@ class SceneGeometries(KnownNames):
         if not self._poses:
             return np.zeros(3)
         anchor = self._meshes[self._mesh_of[0]].origin
-        place = matmul(self._poses[0][:3, :3], anchor) + self._poses[0][:3, 3]
-        return place if anchor.any() or np.abs(place).max() > NEAR_ZERO else np.zeros(3)
+        origin = matmul(self._poses[0][:3, :3], anchor) + self._poses[0][:3, 3]
+        return origin if anchor.any() or np.abs(origin).max() > NEAR_ZERO else np.zeros(3)
 
     def _stored_poses(self) -> NDArray[np.float64]:
         """float64 (geometries, 4, 4), from the meshes' float32 vertices to positions about `_origin`."""
@@ -201,9 +201,9 @@ class SceneGeometries(KnownNames):
 
     def _scene_trees(self) -> SceneTrees:
         """Trees and poses of all meshes, built at the first query after a change."""
-        if self._placed is None:
-            self._placed = SceneTrees(self._trees, self._mesh_of, self._stored_poses())
+        if self._instances is None:
+            self._instances = SceneTrees(self._trees, self._mesh_of, self._stored_poses())
         elif self._is_moved:
-            self._placed.put(self._stored_poses())
+            self._instances.put(self._stored_poses())
         self._is_moved = False
-        return self._placed
+        return self._instances

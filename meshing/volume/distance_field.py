@@ -79,7 +79,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
 
     def __init__(self) -> None:
         raise TypeError(
-            "DistanceField: make one with from_point_cloud, from_array, from_voxel_grid, from_voxels or load"
+            "DistanceField: create one with from_point_cloud, from_array, from_voxel_grid, from_voxels or load"
         )
 
     @classmethod
@@ -114,10 +114,10 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         check_cloud("cloud", cloud)
         check_lengths(cloud)
         edge = check_voxel_size(voxel_size)
-        place = cloud.origin if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
+        start = cloud.origin if origin is None else check_finite("origin", check_shape("origin", origin, (3,)))
         points = cloud._device_array("points")
-        x, y, z = (cloud.origin - place).tolist()
-        source = FieldSource(place, edge, check_positive("max_distance", max_distance))
+        x, y, z = (cloud.origin - start).tolist()
+        source = FieldSource(start, edge, check_positive("max_distance", max_distance))
         try:
             return cls._of(find_cells(points, (x, y, z), edge), source)
         except ValueError as error:
@@ -228,7 +228,7 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         if cells.dtype.kind not in "iu" and cells.size:
             raise TypeError(f"coordinates: expected whole numbers, got {cells.dtype}")
         if cells.size and not (cells.min() > -LARGEST and cells.max() < LARGEST):
-            raise ValueError(f"coordinates: {cells.min()}..{cells.max()} are more than 30 bits hold")
+            raise ValueError(f"coordinates: {cells.min()}..{cells.max()} exceed 30 bits")
         edge, limit = check_voxel_size(voxel_size), check_positive("max_distance", max_distance)
         corner = check_finite("origin", check_shape("origin", origin, (3,)))
         return cls._from_device_voxels(upload(cells, vec3i, resolve_device(device)), FieldSource(corner, edge, limit))
@@ -266,13 +266,13 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
 
     @classmethod
     def _of(cls, cells: Cells, source: FieldSource) -> DistanceField:
-        reach = (
+        radius = (
             limits_for_box(source.shape or (0, 0, 0))
             if source.max_distance is None
             else limits_for(source.max_distance / source.voxel_size)
         )
         field = cls.__new__(cls)
-        field._take(source, cells, find_distances(cells, reach, source.shape if source.signed else None))
+        field._take(source, cells, find_distances(cells, radius, source.shape if source.signed else None))
         return field
 
     def _take(self, source: FieldSource, cells: Cells, blocks: Any) -> None:
@@ -282,8 +282,8 @@ class DistanceField(FieldQueries, FieldViews, HintedNames):
         self._grid = DistanceGrid(blocks, source.origin.tolist(), source.voxel_size, source.max_distance)
 
     def __repr__(self) -> str:
-        reach = "of a box" if self.max_distance is None else f"up to {self.max_distance:g} m"
-        size = f"{self.voxel_count:,} occupied voxels of {self.voxel_size:g} m, {reach}, {self.block_count:,} blocks"
+        extent = "of a box" if self.max_distance is None else f"up to {self.max_distance:g} m"
+        size = f"{self.voxel_count:,} occupied voxels of {self.voxel_size:g} m, {extent}, {self.block_count:,} blocks"
         return f"DistanceField({size}{', signed' * self.is_signed}, {self.device})"
 
     @property
@@ -356,7 +356,7 @@ def _take_mask(occupied: Any, device: Any) -> tuple[Mask, tuple[int, int, int]]:
     if kind not in "biu":
         raise TypeError(f"occupied: expected booleans or whole numbers, got {given.dtype}")
     if len(shape) != 3 or not min(shape):
-        raise ValueError(f"occupied: expected shape [x, y, z] with a voxel at least, got {list(shape)}")
+        raise ValueError(f"occupied: expected shape [x, y, z] with at least one voxel, got {list(shape)}")
     if is_on_gpu(occupied):
         return view_as(given, uint8, (given.size,)), shape
     return upload((given != 0).ravel(), uint8, where), shape
@@ -367,4 +367,4 @@ def _extent(cloud: PointCloud) -> str:
     if not count:
         return ""
     box = (np.array([low, high], np.float64) + cloud.origin).round(3).tolist()
-    return f"; the points reach from {box[0]} to {box[1]}"
+    return f"; the points extend from {box[0]} to {box[1]}"

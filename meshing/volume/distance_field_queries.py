@@ -77,8 +77,8 @@ class FieldQueries:
             TypeError, ValueError: If the points are not numeric or have another shape.
             DeviceError: If the points are on another device.
         """
-        places, form = self._places("points", points)
-        return form.hand_out(queries.find_distances_at(places, self._grid, interpolate=bool(interpolate)).distances)
+        positions, form = self._points_and_form("points", points)
+        return form.hand_out(queries.find_distances_at(positions, self._grid, interpolate=bool(interpolate)).distances)
 
     @explain_argument_errors
     def is_known(self, points: Any) -> NDArray[np.bool_]:
@@ -87,8 +87,8 @@ class FieldQueries:
         Args:
             points: As of `distances`, including errors.
         """
-        places, form = self._places("points", points)
-        known = queries.find_distances_at(places, self._grid, interpolate=False).known
+        positions, form = self._points_and_form("points", points)
+        known = queries.find_distances_at(positions, self._grid, interpolate=False).known
         return form.hand_out(known, dtype=np.bool_)
 
     @explain_argument_errors
@@ -107,8 +107,8 @@ class FieldQueries:
             >>> field.gradients([[3.0, 0.5, 0.5]]).tolist()
             [[1.0, 0.0, 0.0]]
         """
-        places, form = self._places("points", points)
-        return form.hand_out(queries.find_gradients(places, self._grid))
+        positions, form = self._points_and_form("points", points)
+        return form.hand_out(queries.find_gradients(positions, self._grid))
 
     @explain_argument_errors
     def nearest_obstacles(self, points: Any) -> NearestObstacles:
@@ -126,8 +126,8 @@ class FieldQueries:
             >>> found.positions.tolist(), found.distances.tolist()
             ([[6.5, 0.5, 0.5], [nan, nan, nan]], [2.0, 5.0])
         """
-        places, form = self._places("points", points)
-        rows, positions, distances = queries.find_obstacles(places, self._grid)
+        queried, form = self._points_and_form("points", points)
+        rows, positions, distances = queries.find_obstacles(queried, self._grid)
         return NearestObstacles(form.hand_out(rows), form.hand_out(positions), form.hand_out(distances))
 
     @explain_argument_errors
@@ -145,11 +145,11 @@ class FieldQueries:
         Raises:
             TypeError, ValueError, DeviceError: As `distances`. Also if radii are negative or too large.
         """
-        places, form = self._places("centers", centers)
+        positions, form = self._points_and_form("centers", centers)
         sizes = np.atleast_1d(self._radii("radii", radii))
-        if sizes.shape not in ((1,), (places.size,)):
-            raise ValueError(f"radii: expected one, or {places.size} as there are centers, got {list(sizes.shape)}")
-        hits = queries.find_hits(places, upload(sizes, float64, self.device), self._grid)
+        if sizes.shape not in ((1,), (positions.size,)):
+            raise ValueError(f"radii: expected one, or {positions.size}, one per center, got {list(sizes.shape)}")
+        hits = queries.find_hits(positions, upload(sizes, float64, self.device), self._grid)
         return form.hand_out(hits, dtype=np.bool_)
 
     @explain_argument_errors
@@ -178,7 +178,7 @@ class FieldQueries:
         """
         body = check_finite("spheres", check_rows("spheres", spheres, 4, dtype=np.float64))
         if not len(body):
-            raise ValueError("spheres: a body without any touches nothing; give at least one row (x, y, z, radius)")
+            raise ValueError("spheres: expected at least one row (x, y, z, radius), got none")
         self._radii("spheres", body[:, 3])
         motions = check_poses("poses", poses)
         room = queries.find_body_room(
@@ -197,21 +197,21 @@ class FieldQueries:
         margin = 2 * HALF_DIAGONAL * self.voxel_size
         if self.max_distance is not None and sizes.size and sizes.max() + margin >= self.max_distance:
             raise ValueError(
-                f"{name}: a radius of {sizes.max():g} m and a voxel's diagonal of {margin:g} m reach beyond the "
-                f"{self.max_distance:g} m that are known; make the field with a larger max_distance"
+                f"{name}: a radius of {sizes.max():g} m and a voxel's diagonal of {margin:g} m exceed the "
+                f"{self.max_distance:g} m that are known. Build the field with a larger max_distance"
             )
         return sizes
 
-    def _places(self, name: str, points: Any) -> tuple[Positions, Form]:
+    def _points_and_form(self, name: str, points: Any) -> tuple[Positions, Form]:
         """Positions in float64 on the field's device, and the form of the result."""
         if isinstance(points, PointCloud):
             check_same_device(name, points.device, self.device)
-            places = add_origin(points._device_array("points"), points.origin)
-            return places, Form(points.array_library, points.device.is_cpu)
+            positions = add_origin(points._device_array("points"), points.origin)
+            return positions, Form(points.array_library, points.device.is_cpu)
         if is_on_gpu(points):
             rows = take_rows(name, points, 3, self.device)
-            wide = rows if rows.dtype == float64 else cast(rows, float64)
-            return view_as(wide, vec3d, (rows.shape[0],)), form_of(points)
+            float64_rows = rows if rows.dtype == float64 else cast(rows, float64)
+            return view_as(float64_rows, vec3d, (rows.shape[0],)), form_of(points)
         rows = check_rows(name, points, 3, dtype=np.float64)
         return upload(rows, vec3d, self.device), form_of(points)
 

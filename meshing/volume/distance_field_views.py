@@ -78,13 +78,13 @@ class FieldViews:
         if bounds is None:
             low, high = self._voxel_bounds()
         else:
-            beyond = "reach further from the origin than blocks can"
+            beyond = "exceed the range of block indices around the origin"
             low, high = voxels_in_bounds(bounds, self.origin, self.voxel_size, queries.OUTERMOST, beyond)
         if layer is not None:
             low[layer[0]], high[layer[0]] = layer[1], layer[1] + 1
         count, (x, y, z), size = math.prod((high - low).tolist()), low.tolist(), (high - low).tolist()
         if count >= 2**31:
-            raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31; give smaller bounds")
+            raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31. Use smaller bounds")
         check_room(self.device, 6 * count, f"{count:,} voxels")
         return Box((x, y, z), (size[0], size[1], size[2]))
 
@@ -111,13 +111,13 @@ class FieldViews:
             raise ValueError(f"values: expected one of {', '.join(VALUES)}, got {shown(values)}")
         box = self._box(bounds)
         if values == "squared":
-            found = download(queries.list_sqdists(box, self._grid))  # sync
+            result = download(queries.list_sqdists(box, self._grid))  # sync
         elif values == "nearest":
-            found = download(queries.list_nearest(box, self._grid))  # sync
+            result = download(queries.list_nearest(box, self._grid))  # sync
         else:
             distances, known = queries.list_distances(box, self._grid)
-            found = download(distances) if values == "distances" else download(known).view(np.bool_)  # sync
-        return np.array(found).reshape(box.size)
+            result = download(distances) if values == "distances" else download(known).view(np.bool_)  # sync
+        return np.array(result).reshape(box.size)
 
     def slice(self, axis: str, position: float, *, bounds: ArrayLike | None = None) -> FieldSlice:
         """Distances in one layer of voxels, for `draw_slice`.
@@ -138,10 +138,10 @@ class FieldViews:
         """
         along = check_axis(axis)
         number = check_number("position", position)
-        place = (number - float(self.origin[along])) / self.voxel_size
-        if not abs(place) < queries.OUTERMOST:
-            raise ValueError(f"position: {number:g} m is further from the origin than blocks can be")
-        layer = math.floor(place)
+        cell = (number - float(self.origin[along])) / self.voxel_size
+        if not abs(cell) < queries.OUTERMOST:
+            raise ValueError(f"position: {number:g} m exceeds the range of block indices around the origin")
+        layer = math.floor(cell)
         low, size = thin = self._box(bounds, (along, layer))
         distances, known = (np.array(download(a)).reshape(size) for a in queries.list_distances(thin, self._grid))
         corners = self.origin + np.array([low, np.add(low, size)]) * self.voxel_size

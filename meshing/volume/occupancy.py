@@ -25,7 +25,7 @@ from ...kernels.volumes.tsdf_blocks import BLOCK_VOXELS
 from ...pcd.cloud import PointCloud
 from .occupancy_files import check_grid_arrays, find_fault_of_model, log_odds_of, read_grid, write_grid
 from .occupancy_queries import OccupancyQuestions
-from .voxel_boxes import check_voxel_size, places_of
+from .voxel_boxes import check_positions, check_voxel_size
 
 FARTHEST = 3.0e38  # [m] default of max_range
 
@@ -137,34 +137,34 @@ class OccupancyGrid(OccupancyQuestions, HintedNames):
         """
         if origin is None:
             raise ValueError(
-                "origin: a scan needs the place of its sensor [m], shape [3], or one a point, shape [n, 3]; without it "
-                "nothing is known to be free. Points of a registered cloud have their poses in its trajectory"
+                "origin: expected the sensor position [m] of shape [3], or one per point of shape [n, 3], got None. It "
+                "defines the free space. For a registered cloud use the positions of its trajectory"
             )
         cloud = self._cloud_of("points", points)
-        starts = places_of("origin", origin, len(cloud))
+        starts = check_positions("origin", origin, len(cloud))
         longest = FARTHEST if max_range is None else check_positive("max_range", max_range)
         if not len(cloud):
             return 0
-        place = self._origin if self._origin is not None else origin_of_sensor(starts[0])
-        local = starts - place
+        new_origin = self._origin if self._origin is not None else origin_of_sensor(starts[0])
+        local = starts - new_origin
         if not np.abs(local).max() < OUTERMOST * self.voxel_size:
             raise ValueError(
-                f"origin: a ray begins {np.abs(local).max():.6g} m from the grid's origin {place.tolist()}"
+                f"origin: a ray starts {np.abs(local).max():.6g} m from the grid's origin {new_origin.tolist()}"
             )
-        x, y, z = (cloud.origin - place).tolist()
-        lattice, begun = self._blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
-        rays, infinite = odds.prepare_rays(cloud._device_array("points"), (x, y, z), begun, longest, lattice)
+        x, y, z = (cloud.origin - new_origin).tolist()
+        lattice, ray_starts = self._blocks.lattice, upload(local.astype(np.float32), vec3, self.device)
+        rays, infinite = odds.prepare_rays(cloud._device_array("points"), (x, y, z), ray_starts, longest, lattice)
         if infinite:
-            raise ValueError("points: some are infinite; remove_non_finite_points drops them, max_range cuts long rays")
+            raise ValueError(
+                "points: expected finite points. Use remove_non_finite_points(), or max_range to shorten long rays"
+            )
         before = self._origin
         try:
-            self._origin = place
+            self._origin = new_origin
             count = odds.fold_scan(rays, self._blocks)
         except odds.WildScanError as error:
             self._origin = before
-            raise ValueError(
-                f"points: {error}; a stray point may lie far away: give max_range, or larger voxels"
-            ) from None
+            raise ValueError(f"points: {error}; an outlier may be far away: use max_range or larger voxels") from None
         if not self.scan_count:
             self._origin = before
         return count

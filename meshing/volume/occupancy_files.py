@@ -27,9 +27,9 @@ def log_odds_of(probability: float) -> float:
 
 def find_fault_of_model(hit: float, miss: float, low: float, high: float) -> str:
     if not 0.5 < hit < 1:
-        return f"hit: {hit:g} is no probability above 0.5 and below 1, which an end point is to raise"
+        return f"hit: expected a probability above 0.5 and below 1, got {hit:g}"
     if not 0 < miss < 0.5:
-        return f"miss: {miss:g} is no probability above 0 and below 0.5, which a ray that passes is to lower"
+        return f"miss: expected a probability above 0 and below 0.5, got {miss:g}"
     if not 0 < low < 0.5 < high < 1:
         return f"min, max: expected 0 < min < 0.5 < max < 1, got {low:g} and {high:g}"
     return ""
@@ -76,5 +76,5 @@ def _find_fault(arrays: Arrays) -> str:
     if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):
         return "keys: blocks out of range or repeated"
     if not ((odds == UNKNOWN) | ((odds >= log_odds_of(low)) & (odds <= log_odds_of(high)))).all():
-        return "odds: beyond the clamps"
+        return "odds: outside the clamping range"
     return ""

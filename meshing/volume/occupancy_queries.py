@@ -20,7 +20,7 @@ from ...kernels.volumes import occupancy_blocks as odds
 from ...kernels.volumes.occupancy_blocks import KNOWN_BELOW, OUTERMOST, OddsBlocks
 from ...pcd.cloud import PointCloud
 from ..mesh.voxel_grid import VoxelGrid
-from .voxel_boxes import Corners, places_of, voxels_in_bounds, voxels_of_blocks
+from .voxel_boxes import Corners, check_positions, voxels_in_bounds, voxels_of_blocks
 
 THRESHOLD = 0.0  # log odds of probability 0.5
 
@@ -66,9 +66,9 @@ class OccupancyQuestions:
             ValueError: If the shape is wrong.
         """
         value = self._odds_of(points)
-        found = np.where(value >= THRESHOLD, 1, 0)
-        found[value > KNOWN_BELOW] = -1
-        return found.astype(np.int8)
+        result = np.where(value >= THRESHOLD, 1, 0)
+        result[value > KNOWN_BELOW] = -1
+        return result.astype(np.int8)
 
     @explain_argument_errors
     def occupied(self, points: PointCloud | ArrayLike) -> NDArray[np.bool_]:
@@ -118,16 +118,16 @@ class OccupancyQuestions:
             >>> hits.states.tolist(), hits.distances.round(2).tolist()
             ([1, -1], [1.75, 0.25])
         """
-        ways = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
-        lengths = np.linalg.norm(ways, axis=1, keepdims=True)
+        vectors = check_finite("directions", check_rows("directions", directions, 3, dtype=np.float64))
+        lengths = np.linalg.norm(vectors, axis=1, keepdims=True)
         if not (lengths > 0).all():
-            raise ValueError("directions: some have length 0")
-        reach = check_positive("max_range", max_range)
-        begun = np.broadcast_to(places_of("origins", origins, len(ways)), ways.shape) - self.origin
-        ends = begun + ways / lengths * reach
-        if not max(np.abs(begun).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
-            raise ValueError("origins, max_range: rays reach more than 2^22 voxels from the grid's origin")
-        starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (begun, ends))
+            raise ValueError("directions: expected nonzero vectors, got some of length 0")
+        length = check_positive("max_range", max_range)
+        start_points = np.broadcast_to(check_positions("origins", origins, len(vectors)), vectors.shape) - self.origin
+        ends = start_points + vectors / lengths * length
+        if not max(np.abs(start_points).max(initial=0), np.abs(ends).max(initial=0)) < OUTERMOST * self.voxel_size:
+            raise ValueError("origins, max_range: rays extend more than 2^22 voxels from the grid's origin")
+        starts, stops = (upload(a.astype(np.float32), vec3, self.device) for a in (start_points, ends))
         self._blocks.count  # noqa: B018  what was interrupted is settled
         states, distances, voxels = (download(a) for a in odds.cast_rays(starts, stops, THRESHOLD, self._blocks))
         far = np.where(states == 0, np.inf, distances)
@@ -135,8 +135,8 @@ class OccupancyQuestions:
 
     def voxel_indices(self) -> NDArray[np.int32]:
         """Occupied voxels, int32 (k, 3), sorted by x, y, z. Voxel i starts at `origin + i * voxel_size`."""
-        found = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
-        return found[np.lexsort(found.T[::-1])]
+        voxels = np.array(download(self._device_voxels()), np.int32).reshape(-1, 3)
+        return voxels[np.lexsort(voxels.T[::-1])]
 
     def _device_voxels(self) -> Cells:
         """Occupied voxels on the device, vec3i, in block order."""
@@ -153,8 +153,8 @@ class OccupancyQuestions:
         voxels = self.voxel_indices()
         low = voxels.min(axis=0, initial=0) if not len(voxels) else voxels.min(axis=0)
         x, y, z = (voxels - low).max(axis=0, initial=-1) + 1
-        place = self.origin + low * self.voxel_size
-        return VoxelGrid(place, self.voxel_size, (int(x), int(y), int(z)), voxels - low)
+        corner = self.origin + low * self.voxel_size
+        return VoxelGrid(corner, self.voxel_size, (int(x), int(y), int(z)), voxels - low)
 
     @explain_argument_errors
     def to_array(self, bounds: ArrayLike | None = None) -> NDArray[np.float32]:
@@ -178,15 +178,15 @@ class OccupancyQuestions:
         size = (high - low).tolist()
         count = math.prod(size)
         if count >= 2**31:
-            raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31; give smaller bounds")
+            raise ValueError(f"bounds: {' x '.join(map(str, size))} voxels are more than 2^31. Use smaller bounds")
         check_room(self.device, 12 * count, f"{count:,} voxels")
         x, y, z = low.tolist()
         self._blocks.count  # noqa: B018  what was interrupted is settled
-        found = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self._blocks)))
-        return _probability(found).astype(np.float32).reshape(size)
+        log_odds = np.array(download(odds.look_up_box((x, y, z), (size[0], size[1], size[2]), self._blocks)))
+        return _probability(log_odds).astype(np.float32).reshape(size)
 
     def _voxels_in(self, bounds: ArrayLike) -> Corners:
-        beyond = "reach more than 2^22 voxels from the grid's origin"
+        beyond = "extend more than 2^22 voxels from the grid's origin"
         return voxels_in_bounds(bounds, self.origin, self.voxel_size, OUTERMOST, beyond)
 
     def _voxel_bounds(self) -> Corners:

@@ -41,7 +41,7 @@ class Page(NamedTuple):
 class Saved(NamedTuple):
     """Content of a list: arrays of the volume, blocks along a cube, pages by cube."""
 
-    told: Arrays
+    header: Arrays
     side: int
     pages: dict[int, Page]
 
@@ -61,7 +61,7 @@ class PageFolder:
             self._check_free(overwrite)
             self.path.mkdir(exist_ok=True)
         elif not (self.path / LIST).is_file():
-            raise FileError(path, f"holds no paged volume: there is no {LIST}")
+            raise FileError(path, f"contains no paged volume: {LIST} is missing")
         stack = contextlib.ExitStack()
         stack.enter_context(locked(self.path))
         self._release = weakref.finalize(self, stack.close)
@@ -69,15 +69,15 @@ class PageFolder:
 
     def _check_free(self, overwrite: bool) -> None:
         if self.path.exists() and not self.path.is_dir():
-            raise FileError(self.path, "is not a folder", remedy="Give the name of a folder")
+            raise FileError(self.path, "is not a folder", remedy="Pass the name of a folder")
         if not self.path.absolute().parent.is_dir():
             raise FileError(self.path, f"the folder {self.path.parent} does not exist", remedy="Make the folder first")
         if self.path.is_dir() and any(file not in self._unfinished() for file in self.path.iterdir()):
             if not (self.path / LIST).is_file():
-                raise FileError(self.path, f"holds other files: there is no {LIST}", remedy="Give another folder")
+                raise FileError(self.path, f"contains other files, but no {LIST}", remedy="Pass another folder")
             if not overwrite:
-                remedy = "Go on with it by PagedTSDFVolume.load, or give overwrite=True to begin anew"
-                raise FileError(self.path, "holds a volume already", remedy=remedy)
+                remedy = "Continue with PagedTSDFVolume.load, or pass overwrite=True to start over"
+                raise FileError(self.path, "already contains a volume", remedy=remedy)
 
     def close(self) -> None:
         self._release()
@@ -88,27 +88,27 @@ class PageFolder:
     def _unfinished(self) -> list[Path]:
         return [*self.path.glob(".*.npz.*.part")]
 
-    def _place(self, number: int) -> Path:
+    def _path_of(self, number: int) -> Path:
         return self.path / f"{number:08d}.npz"
 
     def write(self, arrays: Mapping[str, NDArray[Any]]) -> Page:
         number = self._last + 1
-        with atomic_write(self._place(number), overwrite=False) as file:
+        with atomic_write(self._path_of(number), overwrite=False) as file:
             np.savez(file, format=np.frombuffer(PAGE_FORMAT, np.uint8), **arrays)  # type: ignore[arg-type]
         self._last = number
         return Page(number, np.array(arrays["keys"]))
 
     def read(self, page: Page, *, has_colors: bool) -> Arrays:
         """Arrays of a page. FileError if missing, damaged or of another volume."""
-        path = self._place(page.number)
+        path = self._path_of(page.number)
         expected = partial(_page_arrays, has_colors)
         arrays = read_archive(path, PAGE_FORMAT, "page of a volume", "PagedTSDFVolume", expected, _fault_of_page)
         if not np.array_equal(arrays["keys"], page.keys):
-            raise FileError(path, f"holds other blocks than {LIST} says", remedy="The file was changed")
+            raise FileError(path, f"contains other blocks than {LIST} lists", remedy="The file was changed")
         del arrays["format"]
         return arrays
 
-    def save(self, told: Arrays, side: int, pages: Mapping[int, Page]) -> None:
+    def save(self, header: Arrays, side: int, pages: Mapping[int, Page]) -> None:
         """Write the list of pages, then remove all others."""
         listed = sorted(pages.items())
         none = np.zeros(0, np.int64)
@@ -119,10 +119,10 @@ class PageFolder:
             "counts": np.array([len(page.keys) for _, page in listed], np.int64),
             "keys": np.concatenate([none, *(page.keys for _, page in listed)]),
         }
-        write_archive(self.path / LIST, FORMAT, told | arrays, overwrite=True)
-        kept = {page.number for page in pages.values()}
+        write_archive(self.path / LIST, FORMAT, header | arrays, overwrite=True)
+        used_numbers = {page.number for page in pages.values()}
         for file in self._files():
-            if int(file.stem) not in kept:
+            if int(file.stem) not in used_numbers:
                 file.unlink(missing_ok=True)
         for file in self._unfinished():
             file.unlink(missing_ok=True)
@@ -135,8 +135,8 @@ class PageFolder:
         ends = np.cumsum(arrays["counts"])[:-1]
         keys = np.split(arrays["keys"], ends) if len(arrays["cubes"]) else []
         rows = zip(arrays["cubes"].tolist(), arrays["numbers"].tolist(), keys, strict=True)
-        told = {name: arrays[name] for name in ("sizes", "origin", "frame_count", "has_color")}
-        return Saved(told, int(arrays["side"]), {cube: Page(number, blocks) for cube, number, blocks in rows})
+        header = {name: arrays[name] for name in ("sizes", "origin", "frame_count", "has_color")}
+        return Saved(header, int(arrays["side"]), {cube: Page(number, blocks) for cube, number, blocks in rows})
 
 
 def _page_arrays(has_colors: bool, arrays: Arrays) -> Expected:
@@ -185,5 +185,5 @@ def _fault_of_list(arrays: Arrays) -> str:
     if len(keys) and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != len(keys)):
         return "keys: blocks out of range or repeated"
     if not np.array_equal(np.repeat(arrays["cubes"], counts), cubes_of(keys, side)):
-        return "cubes: other blocks lie in them"
+        return "cubes: do not match the blocks"
     return ""

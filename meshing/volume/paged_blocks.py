@@ -20,7 +20,7 @@ SPARE = 4  # a quarter of `max_blocks` is freed at once, so that not each frame 
 
 
 @dataclass
-class _Held:
+class _PagingState:
     """State of the resident blocks, replaced as a unit so that interruptions are safe. The first blocks have the
     numbers `ranks` in insertion order, later ones count from `total`, the volume's blocks then. `away` are cubes only
     on disk, `clean` those unchanged since their page, `index` the blocks of `away`."""
@@ -37,110 +37,110 @@ class PagedBlocks(TSDFVolume):
     """A TSDFVolume with up to `max_blocks` on the device and unneeded cubes on disk. Cubes are loaded completely before
     a frame is integrated. The least recently used leave, into a new page if changed."""
 
-    _held: _Held
+    _state: _PagingState
 
     def __init__(self, folder: PageFolder, side: int, max_blocks: int, **sizes: Any):
         self.folder, self.side, self.max_blocks = folder, side, max_blocks
-        self._used: dict[int, int] = {}
-        self._turn = 0
+        self._last_access: dict[int, int] = {}
+        self._access_count = 0
         super().__init__(**sizes)
 
     def adopt(self, saved: Saved) -> None:
         """Load a saved state. All of it is on disk."""
-        count = int(saved.told["frame_count"])
-        self._frames = _Frames(count, saved.told["origin"] if count else None, bool(saved.told["has_color"][1]))
+        count = int(saved.header["frame_count"])
+        self._frames = _Frames(count, saved.header["origin"] if count else None, bool(saved.header["has_color"][1]))
         total = sum(len(page.keys) for page in saved.pages.values())
-        self._held = _Held(self._held.blocks, np.zeros(0, np.int64), total, dict(saved.pages), {})
+        self._state = _PagingState(self._state.blocks, np.zeros(0, np.int64), total, dict(saved.pages), {})
 
     def _keep(self, blocks: VoxelBlocks) -> None:
         self._device_frames = None
-        self._held = _Held(blocks, np.zeros(0, np.int64), 0, {}, {})
+        self._state = _PagingState(blocks, np.zeros(0, np.int64), 0, {}, {})
 
     @property
     def _blocks(self) -> VoxelBlocks:  # type: ignore[override]
-        return self._held.blocks
+        return self._state.blocks
 
     @property
     def total(self) -> int:
-        return self._held.blocks.count + sum(len(page.keys) for page in self._held.away.values())
+        return self._state.blocks.count + sum(len(page.keys) for page in self._state.away.values())
 
     @property
     def cubes(self) -> list[int]:
-        return sorted({*self._held.away, *np.unique(self._cubes_here()).tolist()})
+        return sorted({*self._state.away, *np.unique(self._cubes_here()).tolist()})
 
     def arrays(self) -> dict[str, NDArray[Any]]:
-        held = self._held
-        count = held.blocks.count
-        new = held.total + np.arange(count - len(held.ranks))
-        found: dict[str, NDArray[Any]] = {
+        state = self._state
+        count = state.blocks.count
+        new = state.total + np.arange(count - len(state.ranks))
+        result: dict[str, NDArray[Any]] = {
             "keys": self._keys_here(),
-            "ranks": np.concatenate([held.ranks, new]),
-            "distances": download(held.blocks.distances)[: count * BLOCK_VOXELS].reshape(count, BLOCK_VOXELS),
-            "weights": download(held.blocks.weights)[: count * BLOCK_VOXELS].reshape(count, BLOCK_VOXELS),
+            "ranks": np.concatenate([state.ranks, new]),
+            "distances": download(state.blocks.distances)[: count * BLOCK_VOXELS].reshape(count, BLOCK_VOXELS),
+            "weights": download(state.blocks.weights)[: count * BLOCK_VOXELS].reshape(count, BLOCK_VOXELS),
         }
         if self.has_color and self._frames.colored:
-            colors = download(held.blocks.colors)[: count * BLOCK_VOXELS]
-            found["colors"] = colors.reshape(count, BLOCK_VOXELS, 3)
-        return found
+            colors = download(state.blocks.colors)[: count * BLOCK_VOXELS]
+            result["colors"] = colors.reshape(count, BLOCK_VOXELS, 3)
+        return result
 
     def all_arrays(self) -> dict[str, NDArray[Any]]:
         """All blocks in insertion order."""
-        parts = [self.arrays(), *map(self.page, self._held.away)]
+        parts = [self.arrays(), *map(self.page, self._state.away)]
         together = {name: np.concatenate([part[name] for part in parts]) for name in parts[0]}
         return _rows(together, np.argsort(together["ranks"]))
 
     def bring_box(self, low: NDArray[Any], high: NDArray[Any]) -> None:
         """Load all blocks in a box. ValueError if there are more than `max_blocks`."""
-        keys = np.concatenate([self._keys_here(), *(page.keys for page in self._held.away.values())])
+        keys = np.concatenate([self._keys_here(), *(page.keys for page in self._state.away.values())])
         blocks = block_box(keys)
         inside = ((blocks >= low) & (blocks <= high)).all(axis=1)
-        self.bring(keys[inside], changing=False, what="the view", remedy="give more, or a smaller depth_max")
+        self.bring(keys[inside], changing=False, what="the view", remedy="increase max_blocks or reduce depth_max")
 
     def page(self, cube: int) -> dict[str, NDArray[Any]]:
-        return self._read(self._held.away[cube])
+        return self._read(self._state.away[cube])
 
     def _read(self, page: Page) -> dict[str, NDArray[Any]]:
         return self.folder.read(page, has_colors=self.has_color and self._frames.colored)
 
     def is_away(self, cube: int) -> bool:
-        return cube in self._held.away
+        return cube in self._state.away
 
     def save_pages(self) -> None:
-        arrays, held = self.arrays(), self._held
+        arrays, state = self.arrays(), self._state
         cubes = cubes_of(arrays["keys"], self.side)
         for cube in np.unique(cubes).tolist():
-            if cube not in held.clean:
-                held.clean[cube] = self.folder.write(_rows(arrays, np.flatnonzero(cubes == cube)))
-        told = {
+            if cube not in state.clean:
+                state.clean[cube] = self.folder.write(_rows(arrays, np.flatnonzero(cubes == cube)))
+        header = {
             "sizes": np.array([self.voxel_size, self.truncation]),
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
-            "has_color": np.array([self.has_color, self._settled.colored]),
+            "has_color": np.array([self.has_color, self._current_frames.colored]),
         }
-        self.folder.save(told, self.side, held.away | held.clean)
+        self.folder.save(header, self.side, state.away | state.clean)
 
     def bring(self, keys: Keys, *, changing: bool, what: str, remedy: str) -> None:
         """Load the cubes of blocks and, if `changing`, reserve room for new ones. ValueError above `max_blocks`."""
-        held, here = self._held, self._keys_here()
+        state, here = self._state, self._keys_here()
         wanted = np.unique(cubes_of(keys, self.side))
-        coming = [cube for cube in wanted.tolist() if cube in held.away]
+        coming = [cube for cube in wanted.tolist() if cube in state.away]
         inside = np.isin(cubes_of(here, self.side), wanted)
-        known = [here[inside], *(held.away[cube].keys for cube in coming)]
+        known = [here[inside], *(state.away[cube].keys for cube in coming)]
         needed = sum(map(len, known))
         if changing:
             needed += int((~np.isin(keys, np.concatenate(known))).sum())
         if needed > self.max_blocks:
             reason = f"{what} needs {needed:,} blocks at once, more than max_blocks, {self.max_blocks:,}"
             raise ValueError(f"{reason}; {remedy}")
-        self._turn += 1
-        self._used |= dict.fromkeys(wanted.tolist(), self._turn)
+        self._access_count += 1
+        self._last_access |= dict.fromkeys(wanted.tolist(), self._access_count)
         others = len(here) - int(inside.sum())
         if coming or needed + others > self.max_blocks:
             self._exchange(coming, self._leaving(wanted, needed))
         if changing:
             for cube in wanted.tolist():
-                self._held.clean.pop(cube, None)
-            room = self._held.blocks
+                self._state.clean.pop(cube, None)
+            room = self._state.blocks
             if needed + others > room.keys.size and 2 * room.keys.size > self.max_blocks:
                 room.make_room(self.max_blocks)
 
@@ -151,7 +151,7 @@ class PagedBlocks(TSDFVolume):
         left, leaving = sum(others.values()), []
         if needed + left <= self.max_blocks:
             return []
-        for cube in sorted(others, key=lambda cube: (self._used.get(cube, 0), cube)):
+        for cube in sorted(others, key=lambda cube: (self._last_access.get(cube, 0), cube)):
             if needed + left <= self.max_blocks - self.max_blocks // SPARE:
                 break
             leaving.append(cube)
@@ -160,9 +160,9 @@ class PagedBlocks(TSDFVolume):
 
     def _exchange(self, coming: list[int], leaving: list[int]) -> None:
         """Rebuild the device blocks with other cubes."""
-        arrays, held = self.arrays(), self._held
-        cubes, away, clean = cubes_of(arrays["keys"], self.side), dict(held.away), dict(held.clean)
-        total = held.total + len(cubes) - len(held.ranks)
+        arrays, state = self.arrays(), self._state
+        cubes, away, clean = cubes_of(arrays["keys"], self.side), dict(state.away), dict(state.clean)
+        total = state.total + len(cubes) - len(state.ranks)
         for cube in leaving:
             page = clean.pop(cube, None)
             away[cube] = page or self.folder.write(_rows(arrays, np.flatnonzero(cubes == cube)))
@@ -171,33 +171,33 @@ class PagedBlocks(TSDFVolume):
             clean[cube] = away.pop(cube)
             parts.append(self._read(clean[cube]))
         together = {name: np.concatenate([part[name] for part in parts]) for name in arrays}
-        blocks = blocks_of(together, self._held.blocks, self.max_blocks)
-        self._held = _Held(blocks, together["ranks"], total, away, clean)
+        blocks = blocks_of(together, self._state.blocks, self.max_blocks)
+        self._state = _PagingState(blocks, together["ranks"], total, away, clean)
         if self._next is not None:
             self._next = (blocks.frame_count + 1, self._next[1])
 
     def _keys_here(self) -> Keys:
-        blocks = self._held.blocks
+        blocks = self._state.blocks
         return np.array(download(blocks.keys)[: blocks.count])
 
     def _cubes_here(self) -> Keys:
         return cubes_of(self._keys_here(), self.side)
 
-    def _kept(self, keys: Any) -> Any:
+    def _filter_keys(self, keys: Any) -> Any:
         if keys.size:
-            remedy = "give more, a smaller depth_max, or larger voxels"
+            remedy = "increase max_blocks, reduce depth_max, or use larger voxels"
             self.bring(np.array(download(keys)), changing=True, what="the frame", remedy=remedy)  # sync
         return keys
 
     def _fold_scan(self, rays: ScanRays, carve: bool) -> int:
-        held = self._held
-        if carve and rays.points.size and held.away:
-            if held.index is None:
-                known = np.sort(np.concatenate([page.keys for page in held.away.values()]))
-                held.index = held.blocks.without_voxels(upload(known, int64, self.device))
-            passed = [np.array(download(passed_blocks(rays, blocks))) for blocks in (held.blocks, held.index)]
-            remedy = "give more, a max_range, or carve=False"
-            self.bring(np.concatenate(passed), changing=False, what="what rays pass", remedy=remedy)
+        state = self._state
+        if carve and rays.points.size and state.away:
+            if state.index is None:
+                known = np.sort(np.concatenate([page.keys for page in state.away.values()]))
+                state.index = state.blocks.without_voxels(upload(known, int64, self.device))
+            passed = [np.array(download(passed_blocks(rays, blocks))) for blocks in (state.blocks, state.index)]
+            remedy = "increase max_blocks, set max_range, or use carve=False"
+            self.bring(np.concatenate(passed), changing=False, what="the space that rays cross", remedy=remedy)
         return super()._fold_scan(rays, carve)
 
 

@@ -58,20 +58,25 @@ class CubeReader:
             not self._as_points,
             None if self._as_points else (low, high),
         )
-        places, shades, slopes = surface.vertices(volume.has_frame_colors, self._as_points)
+        positions, shades, slopes = surface.vertices(volume.has_frame_colors, self._as_points)
         keys, at = (download(array) for array in surface.vertex_edges())
         order = np.argsort(arrays["keys"])
         ranks = arrays["ranks"][order[np.searchsorted(arrays["keys"], keys, sorter=order)]]
-        told = [None if rows is None else download(rows).reshape(-1, 3) for rows in (shades, slopes)]
-        vertices, edges = download(places).reshape(-1, 3), ranks * EDGES + at
+        attributes = [None if rows is None else download(rows).reshape(-1, 3) for rows in (shades, slopes)]
+        vertices, edges = download(positions).reshape(-1, 3), ranks * EDGES + at
         if self._as_points:
-            own = cubes_of(keys, volume.side) == cube
-            told, none = [None if rows is None else rows[own] for rows in told], np.zeros((0, 3), np.int32)
-            return CubeSurface(vertices[own], told[0], told[1], edges[own], none, np.zeros(0, np.int64))
+            is_own = cubes_of(keys, volume.side) == cube
+            attributes, none = (
+                [None if rows is None else rows[is_own] for rows in attributes],
+                np.zeros((0, 3), np.int32),
+            )
+            return CubeSurface(
+                vertices[is_own], attributes[0], attributes[1], edges[is_own], none, np.zeros(0, np.int64)
+            )
         firsts = download(surface.offsets)[surface.rows :][::ROWS]
         owners = np.repeat(arrays["ranks"], np.diff(firsts))
         triangles = download(surface.triangles()).reshape(-1, 3)
-        return CubeSurface(vertices, told[0], told[1], edges, triangles, owners)
+        return CubeSurface(vertices, attributes[0], attributes[1], edges, triangles, owners)
 
     def _around(self, cube: int, low: Rows, high: Rows) -> dict[str, NDArray[Any]]:
         """Blocks of a cube and the layer around it, in insertion order."""

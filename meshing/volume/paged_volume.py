@@ -81,11 +81,11 @@ class PagedTSDFVolume(HintedNames):
         overwrite: bool = False,
     ):
         folder = path_of(folder, "folder")
-        most, side = _check_counts(max_blocks, page_blocks)
+        limit, side = _check_counts(max_blocks, page_blocks)
         TSDFVolume(voxel_size=voxel_size, truncation=truncation, color=color, device=device)  # validates the arguments
         pages = PageFolder(folder, is_new=True, overwrite=overwrite)
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "color": color, "device": device}
-        self._volume = PagedBlocks(pages, side, most, **sizes)
+        self._volume = PagedBlocks(pages, side, limit, **sizes)
         self._volume.save_pages()
 
     @classmethod
@@ -96,14 +96,14 @@ class PagedTSDFVolume(HintedNames):
             FileError: If there is none, it is damaged, or in use. Damaged pages are reported when needed.
             ValueError: If a count is below 1.
         """
-        most, _ = _check_counts(max_blocks, 1)
+        limit, _ = _check_counts(max_blocks, 1)
         pages = PageFolder(folder, is_new=False)
         saved = pages.saved()
-        voxel_size, truncation = saved.told["sizes"].tolist()
+        voxel_size, truncation = saved.header["sizes"].tolist()
         sizes: dict[str, Any] = {"voxel_size": voxel_size, "truncation": truncation, "device": resolve_device(device)}
         paged = cls.__new__(cls)
         with values_of_file(pages.path / LIST):
-            paged._volume = PagedBlocks(pages, saved.side, most, color=bool(saved.told["has_color"][0]), **sizes)
+            paged._volume = PagedBlocks(pages, saved.side, limit, color=bool(saved.header["has_color"][0]), **sizes)
             paged._volume.adopt(saved)
         return paged
 
@@ -125,7 +125,9 @@ class PagedTSDFVolume(HintedNames):
         return f"PagedTSDFVolume({size}, {blocks}, {self.frame_count} frames, {self.folder})"
 
     def __reduce__(self) -> Any:
-        raise TypeError("PagedTSDFVolume: is its folder, and cannot be copied or pickled; save it and load the folder")
+        raise TypeError(
+            "PagedTSDFVolume: cannot be copied or pickled, as its data is on disk. Save it and load the folder"
+        )
 
     @property
     def folder(self) -> Path:
@@ -284,12 +286,12 @@ class PagedTSDFVolume(HintedNames):
         volume = self._volume
         arrays = volume.all_arrays()
         sizes: dict[str, Any] = {"voxel_size": volume.voxel_size, "truncation": volume.truncation}
-        whole = TSDFVolume(**sizes, color=volume.has_color, device=volume.device)
+        complete = TSDFVolume(**sizes, color=volume.has_color, device=volume.device)
         if len(arrays["keys"]) > MAX_BLOCKS:
-            raise ValueError(f"{len(arrays['keys']):,} blocks are more than one volume has, {MAX_BLOCKS:,}")
+            raise ValueError(f"{len(arrays['keys']):,} blocks exceed the maximum of one volume, {MAX_BLOCKS:,}")
         blocks = blocks_of(arrays, volume._blocks)
-        whole._adopt(blocks, volume.frame_count, volume.origin, volume._settled.colored, volume.array_library)
-        return whole
+        complete._adopt(blocks, volume.frame_count, volume.origin, volume._current_frames.colored, volume.array_library)
+        return complete
 
     def _surfaces(self, weight_threshold: float, *, as_points: bool) -> Iterator[CubeSurface]:
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
@@ -301,14 +303,16 @@ class PagedTSDFVolume(HintedNames):
     def _mesh_of(self, surface: CubeSurface) -> TriangleMesh:
         colors = self._rows(surface.colors) if self._volume.has_frame_colors else None
         triangles = upload(np.ascontiguousarray(surface.triangles), vec3i, self.device)
-        told: dict[str, Any] = {"origin": self.origin, "library": self._volume.array_library}
-        return TriangleMesh._from_device_arrays(self._rows(surface.vertices), triangles, vertex_colors=colors, **told)
+        options: dict[str, Any] = {"origin": self.origin, "library": self._volume.array_library}
+        return TriangleMesh._from_device_arrays(
+            self._rows(surface.vertices), triangles, vertex_colors=colors, **options
+        )
 
 
 def _check_counts(max_blocks: Any, page_blocks: Any) -> tuple[int, int]:
-    most, side = check_count("max_blocks", max_blocks), check_count("page_blocks", page_blocks)
-    if most > MAX_BLOCKS:
-        raise ValueError(f"max_blocks: {most:,} are more than 32 bits index, {MAX_BLOCKS:,}")
+    limit, side = check_count("max_blocks", max_blocks), check_count("page_blocks", page_blocks)
+    if limit > MAX_BLOCKS:
+        raise ValueError(f"max_blocks: expected at most {MAX_BLOCKS:,}, the limit of 32-bit indices, got {limit:,}")
     if side > MAX_SIDE:
-        raise ValueError(f"page_blocks: {side:,} are more than {MAX_SIDE:,}")
-    return most, side
+        raise ValueError(f"page_blocks: expected at most {MAX_SIDE:,}, got {side:,}")
+    return limit, side

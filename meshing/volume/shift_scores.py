@@ -19,14 +19,14 @@ def score_shifts(
     shifts: NDArray[np.float64],
     *,
     weight_threshold: float,
-    least: float,
+    min_score: float,
     is_coarse: bool = False,
 ) -> NDArray[np.float32]:
     """Mean closeness of points (n, 3) to the surface after each shift (m, 3) [m], 0 (a truncation off, or unseen) to 1.
-    Voxels with at most `weight_threshold` frames are ignored. Shifts whose first points score below `least` stop early.
-    With `is_coarse` a point scores 1 in any existing block."""
+    Voxels with at most `weight_threshold` frames are ignored. Shifts whose first points score below `min_score` stop
+    early. With `is_coarse` a point scores 1 in any existing block."""
     blocks = volume._blocks
-    placed: Any = upload(((points - volume.origin) / volume.voxel_size).astype(np.float32), vec3, blocks.device)
+    local_points: Any = upload(((points - volume.origin) / volume.voxel_size).astype(np.float32), vec3, blocks.device)
     moves: Any = upload((shifts / volume.voxel_size).astype(np.float32), vec3, blocks.device)
-    scores = shift_scores.score_shifts(placed, moves, blocks, weight_threshold, least, is_coarse=is_coarse)
+    scores = shift_scores.score_shifts(local_points, moves, blocks, weight_threshold, min_score, is_coarse=is_coarse)
     return download(scores)  # sync

@@ -23,7 +23,7 @@ TRUNCATION = 3.0  # voxels
 MAX_VOXELS = 1 << 20  # along an axis
 PIXELS = 3.0  # image pixels per voxel
 MIN_SIDE, MAX_SIDE = 64, 1200  # [px] of the rendered images
-REACH = 2.5  # camera distance in radii
+CAMERA_DISTANCE = 2.5  # camera distance in radii
 BEYOND = 0.02  # fraction of splats outside the radius: floating fog
 
 
@@ -71,18 +71,20 @@ def fuse_splats(
     if not isinstance(splats, GaussianSplats):
         raise TypeError(f"splats: expected GaussianSplats, got {type(splats).__name__}")
     if not len(splats):
-        raise ValueError("splats: there are none, so that nothing has a surface")
+        raise ValueError("splats: expected at least one splat, got none")
     if (intrinsic is None) != (extrinsics is None):
-        raise ValueError("extrinsics: expected a camera and its views, or neither for views from all round")
-    say = check_progress(progress)
+        raise ValueError("extrinsics: expected intrinsic and extrinsics together, or neither for views from all sides")
+    report = check_progress(progress)
     farthest = check_positive("depth_max", depth_max, allow_infinite=True)
     edge = check_positive("voxel_size", voxel_size)
     extent = float(np.ptp(splats.centers, axis=0).max())
     if extent > MAX_VOXELS * edge:
-        raise ValueError(f"voxel_size: {voxel_size} m for splats {extent:g} m across; {extent / 1000:g} m gives detail")
+        raise ValueError(
+            f"voxel_size: {voxel_size} m is too small for splats {extent:g} m across. Use about {extent / 1000:g} m"
+        )
     limit = TRUNCATION * edge if truncation is None else check_positive("truncation", truncation)
     if limit > MAX_VOXELS * edge:
-        raise ValueError(f"truncation: {truncation} m is too much for voxels of {voxel_size} m; 3 voxels are usual")
+        raise ValueError(f"truncation: {truncation} m is too large for voxels of {voxel_size} m. 3 voxels are usual")
     if intrinsic is None or extrinsics is None:
         intrinsic, poses = views_around(splats.centers, edge)
     else:
@@ -92,7 +94,7 @@ def fuse_splats(
         poses = [check_rigid(f"extrinsics[{i}]", T) for i, T in enumerate(given)]
     volume = TSDFVolume(voxel_size=voxel_size, truncation=limit, device=splats.device)
     for done, T in enumerate(poses):
-        say("fuse splats", done, len(poses))
+        report("fuse splats", done, len(poses))
         seen = surface_before(splats, intrinsic, T)
         T_world_camera, colors = inv(T), color_surface(seen)
         try:
@@ -101,9 +103,7 @@ def fuse_splats(
             raise ValueError(f"voxel_size, truncation: {error}") from None
     mesh = volume.extract_triangle_mesh(weight_threshold)
     if not len(mesh.triangles):
-        raise ValueError(
-            f"extrinsics: none of {len(poses)} views shows a surface that more than {weight_threshold:g} see"
-        )
+        raise ValueError(f"extrinsics: no surface is visible in more than {weight_threshold:g} of {len(poses)} views")
     return mesh
 
 
@@ -113,9 +113,9 @@ def views_around(
     """A camera and poses evenly distributed on a sphere around the centers."""
     middle = np.median(centers, axis=0)
     radius = float(np.quantile(np.linalg.norm(centers - middle, axis=1), 1 - BEYOND))
-    away = REACH * max(radius, 1e-9)
+    away = CAMERA_DISTANCE * max(radius, 1e-9)
     side = int(min(max(PIXELS * 2 * radius / voxel_size, MIN_SIDE), MAX_SIDE))
-    focal = 0.5 * side * math.sqrt(REACH**2 - 1)
+    focal = 0.5 * side * math.sqrt(CAMERA_DISTANCE**2 - 1)
     camera = PinholeCameraIntrinsic(side, side, focal, focal, 0.5 * (side - 1), 0.5 * (side - 1))
     poses = []
     for k in range(AROUND):

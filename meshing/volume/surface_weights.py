@@ -6,11 +6,11 @@ from __future__ import annotations
 WEIGHTS = ((30, 3.0), (10, 1.0), (0, 0.0))  # (minimum number of frames, threshold)
 
 
-def least_weight(frame_count: int) -> float:
+def min_weight(frame_count: int) -> float:
     """Default threshold: a voxel is surface if it was seen more often than this."""
-    return least_weights(frame_count)[0]
+    return min_weights(frame_count)[0]
 
 
-def least_weights(frame_count: int) -> list[float]:
+def min_weights(frame_count: int) -> list[float]:
     """Default threshold, then lower ones for surfaces that it leaves empty."""
     return [threshold for frames, threshold in WEIGHTS if frame_count >= frames]

@@ -89,7 +89,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         if truncation is not None:
             limit = check_positive("truncation", truncation, maximum=LARGEST_TRUNCATION)
         if limit < edge:
-            raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m); 4 voxels are usual")
+            raise ValueError(f"truncation: {truncation} m is below one voxel ({edge} m). 4 voxels are usual")
         self.device, self.has_color = resolve_device(device), bool(color)
         self._frames, self._library = _Frames(), NUMPY
         self._next: tuple[int, _Frames] | None = None  # block frame count, and the state once the blocks reach it
@@ -117,13 +117,13 @@ class TSDFVolume(ScanIntegration, HintedNames):
     @property
     def origin(self) -> NDArray[np.float64]:
         """Origin of the volume's coordinates [m]: zero, or near the first camera if that is beyond 128 m."""
-        origin = self._settled.origin
+        origin = self._current_frames.origin
         return np.zeros(3) if origin is None else origin.copy()
 
     @property
     def frame_count(self) -> int:
         """Number of integrated frames."""
-        return self._settled.count
+        return self._current_frames.count
 
     @property
     def memory_bytes(self) -> int:
@@ -190,7 +190,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
     ) -> int:
         """`integrate` for a frame on the device. The pose is not checked. `depth` is float32 or uint16 (h * w,) in
         units of 1 / `depth_scale`; `pixels` is uint8 (h * w, 3) or None."""
-        frames, T = self._settled, np.array(T_world_camera, np.float64)
+        frames, T = self._current_frames, np.array(T_world_camera, np.float64)
         origin = frames.origin
         if origin is None:
             origin = origin_of_sensor(T[:3, 3])
@@ -208,7 +208,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             return None
         if image.color_array.dtype != wp.uint8:
             raise TypeError(
-                "depth: the RGBDImage holds brightness, and the volume keeps color: make it with "
+                "depth: expected an RGBDImage with color, got one with intensity. Create it with "
                 "convert_rgb_to_intensity=False, or the volume with color=False"
             )
         return image.color_array
@@ -216,11 +216,11 @@ class TSDFVolume(ScanIntegration, HintedNames):
     def _check_color(self, colored: bool) -> None:
         """Raise ValueError if only some frames have color."""
         if colored and not self.has_color:
-            raise ValueError("color: the volume was made with color=False")
-        frames = self._settled
+            raise ValueError("color: expected None, because the volume was created with color=False")
+        frames = self._current_frames
         if self.has_color and frames.count and frames.colored != colored:
-            have = "with color" if frames.colored else "without"
-            raise ValueError(f"color: the frames so far came {have}; give it for every frame or for none")
+            have = "with" if frames.colored else "without"
+            raise ValueError(f"color: the previous frames came {have} color. Pass color for every frame or for none")
 
     def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
         """Integrate a frame into the blocks. Returns the number of touched blocks, on a GPU still pending."""
@@ -232,13 +232,15 @@ class TSDFVolume(ScanIntegration, HintedNames):
         frame = Frame(metric, depth_images.largest_depth(largest), camera, pixels)
         if not frame.farthest > 0:
             return 0
-        keys: Any = self._kept(touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size))
+        keys: Any = self._filter_keys(
+            touched_blocks(metric, frame.farthest, camera, T, self.truncation, self.voxel_size)
+        )
         if not keys.size:
             return 0
         integrate_depth(keys, frame, inv(T), self._blocks)
         return keys.size
 
-    def _kept(self, keys: Any) -> Any:
+    def _filter_keys(self, keys: Any) -> Any:
         """Touched blocks, int64 keys, that belong to the volume: here all."""
         return keys
 
@@ -302,7 +304,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             TypeError: If the intrinsic has another type.
         """
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        T = self._place_of(inv(check_rigid("extrinsic", extrinsic)))
+        T = self._pose_about_origin(inv(check_rigid("extrinsic", extrinsic)))
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return cast_view(seen, intrinsic, T, (near, far), self.origin, colored, self._library)
 
@@ -319,7 +321,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """`ray_cast` for tracking: depth, brightness and optionally normals in the camera frame, on the device. Faster
         than `ray_cast`: no points, colors or copies. The pose is not checked."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        T = self._place_of(np.array(T_world_camera, np.float64))
+        T = self._pose_about_origin(np.array(T_world_camera, np.float64))
         seen, colored = SeenBlocks(self._blocks, threshold), self.has_frame_colors
         return render_maps(seen, intrinsic, T, (near, far), colored, normals)
 
@@ -334,7 +336,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
     ) -> tuple[wp.array, wp.array]:
         """As `_render_maps`: depth, float32 (h * w,), 0 without surface, and colors, vec3 (h * w,) in 0..1."""
         near, far, threshold = check_view(intrinsic, depth_min, depth_max, weight_threshold)
-        T = self._place_of(np.array(T_world_camera, np.float64))
+        T = self._pose_about_origin(np.array(T_world_camera, np.float64))
         return render_colors(SeenBlocks(self._blocks, threshold), intrinsic, T, (near, far))
 
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
@@ -352,7 +354,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             "sizes": np.array([self.voxel_size, self.truncation]),
             "origin": self.origin,
             "frame_count": np.array(self.frame_count),
-            "has_color": np.array([self.has_color, self._settled.colored]),
+            "has_color": np.array([self.has_color, self._current_frames.colored]),
             "keys": download(self._blocks.keys)[: self.block_count],
             "distances": download(self._blocks.distances)[:used],
             "weights": download(self._blocks.weights)[:used],
@@ -387,7 +389,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         """Independent copy with the same voxels."""
         sizes = {"voxel_size": self.voxel_size, "truncation": self.truncation}
         volume = TSDFVolume(**sizes, color=self.has_color, device=self.device)
-        volume._frames, volume._library = self._settled, self._library
+        volume._frames, volume._library = self._current_frames, self._library
         volume._keep(self._blocks.clone())
         return volume
 
@@ -418,7 +420,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
         self._keep(blocks)
 
     @property
-    def _settled(self) -> _Frames:
+    def _current_frames(self) -> _Frames:
         """Current state. An interrupted frame counts if the blocks contain it."""
         if self._next is not None:
             number, after = self._next
@@ -427,7 +429,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
             self._next = None
         return self._frames
 
-    def _place_of(self, T_world_camera: NDArray[Any]) -> NDArray[Any]:
+    def _pose_about_origin(self, T_world_camera: NDArray[Any]) -> NDArray[Any]:
         """Convert a pose to the volume's coordinates, in place."""
         T_world_camera[:3, 3] -= self.origin
         return T_world_camera
@@ -440,7 +442,7 @@ class TSDFVolume(ScanIntegration, HintedNames):
     @property
     def has_frame_colors(self) -> bool:
         """True if the volume keeps color and its frames had some."""
-        return self.has_color and self._settled.colored
+        return self.has_color and self._current_frames.colored
 
     def _surface(self, weight_threshold: float, *, need_cells: bool) -> BlockSurface:
         threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)

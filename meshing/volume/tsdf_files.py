@@ -72,7 +72,7 @@ def _find_fault(arrays: Arrays) -> str:
     if frames < 0 or (frames == 0 and (blocks or colored or arrays["origin"].any())):
         return f"frame_count: {frames}"
     if colored and not has_color:
-        return "has_color: colors without room for them"
+        return "has_color: colors in a volume without color"
     if blocks > MAX_BLOCKS:
         return f"keys: {blocks:,} blocks, more than {MAX_BLOCKS:,}"
     if blocks and (keys.min() < 0 or np.abs(block_box(keys)).max() > BIAS - 2 or len(np.unique(keys)) != blocks):

@@ -23,7 +23,7 @@ from ...kernels.volumes.scan_fusion import integrate_scan, scan_blocks
 from ...kernels.volumes.scan_rays import ScanRays, find_faults
 from ...kernels.volumes.tsdf_blocks import SIDE
 from ...pcd.cloud import PointCloud
-from .voxel_boxes import places_of
+from .voxel_boxes import check_positions
 
 Positions = NDArray[np.float64]
 
@@ -36,9 +36,9 @@ class ScanIntegration:
     _blocks: Any
     _frames: Any
     _next: Any
-    _settled: Any
+    _current_frames: Any
     _library: str
-    _kept: Any
+    _filter_keys: Any
     _check_color: Any
 
     @explain_argument_errors
@@ -81,26 +81,28 @@ class ScanIntegration:
             >>> bool(abs(mesh.vertices[:, 0] - 4).max() < 0.01)
             True
         """
-        places, library = _scan_of(points, self.device)
-        scanners = _scanners_of(origin, len(places))
+        scan, library = _scan_of(points, self.device)
+        scanners = _scanners_of(origin, len(scan))
         if not isinstance(carve, bool | np.bool_):
             raise TypeError(f"carve: expected True or False, got {type(carve).__name__}")
-        least = check_positive("min_range", min_range, allow_zero=True)
-        most = math.inf if max_range is None else check_positive("max_range", max_range, allow_infinite=True)
-        if not least < most:
-            raise ValueError(f"max_range: expected more than min_range, {least} m, got {most} m")
-        cloud = places if isinstance(places, PointCloud) else None
+        nearest = check_positive("min_range", min_range, allow_zero=True)
+        farthest = math.inf if max_range is None else check_positive("max_range", max_range, allow_infinite=True)
+        if not nearest < farthest:
+            raise ValueError(f"max_range: expected more than min_range, {nearest} m, got {farthest} m")
+        cloud = scan if isinstance(scan, PointCloud) else None
         has_colors = cloud is not None and self.has_color and bool(cloud.has_colors)
-        if len(places):
+        if len(scan):
             self._check_color(has_colors)
         colors = cloud._device_array("colors") if has_colors and cloud is not None else None
-        frames = self._settled
+        frames = self._current_frames
         start = frames.origin if frames.origin is not None else origin_of_sensor(scanners[0])
         if cloud is not None:
             positions = add_origin(cloud._device_array("points"), cloud.origin - start)
         else:
-            positions = upload(places - start, vec3d, self.device)
-        rays = ScanRays(positions, upload(scanners - start, vec3d, self.device), colors, (least, most), self._blocks)
+            positions = upload(scan - start, vec3d, self.device)
+        rays = ScanRays(
+            positions, upload(scanners - start, vec3d, self.device), colors, (nearest, farthest), self._blocks
+        )
         self._check_rays(rays)
         after = dataclasses.replace(frames, count=frames.count + 1, origin=start, colored=has_colors)
         self._next = (self._blocks.frame_count + 1, after)
@@ -113,7 +115,7 @@ class ScanIntegration:
         """Integrate a scan into the blocks. Returns the number of touched ones."""
         if not rays.points.size:
             return 0
-        keys = self._kept(scan_blocks(rays, carve, self._blocks))
+        keys = self._filter_keys(scan_blocks(rays, carve, self._blocks))
         if keys.size:
             integrate_scan(keys, rays, carve, self._blocks)
         return keys.size
@@ -124,14 +126,14 @@ class ScanIntegration:
         faults = find_faults(rays)
         if faults.infinite < count:
             raise ValueError(
-                f"points: point {faults.infinite} is infinite; leave out what was not measured: "
+                f"points: expected finite points, but point {faults.infinite} is infinite. Remove such points with "
                 "cloud.remove_non_finite_points()"
             )
         if faults.far < count:
-            reach = BIAS * SIDE * rays.voxel_size
+            extent = BIAS * SIDE * rays.voxel_size
             raise ValueError(
-                f"points, origin: point {faults.far}, or its scanner, lies beyond {reach:.0f} m from the volume's "
-                f"origin, where blocks of {rays.voxel_size} m voxels end; max_range= leaves wild points out"
+                f"points, origin: point {faults.far} or its scanner is beyond {extent:.0f} m from the volume's "
+                f"origin, the range of {rays.voxel_size} m voxels. Use max_range to ignore outliers"
             )
 
 
@@ -147,7 +149,7 @@ def _scanners_of(origin: Any, count: int) -> Positions:
     """Scanner positions, float64 (1, 3) or (n, 3)."""
     if origin is None:
         raise ValueError(
-            "origin: expected where the scanner stood, got None; it is T_world_sensor[:3, 3] of the scan's pose, which "
-            "LidarOdometry finds, or the station's place"
+            "origin: expected the scanner position, got None. It is T_world_sensor[:3, 3] of the scan's pose, from "
+            "LidarOdometry, or the position of the station"
         )
-    return places_of("origin", origin, count)
+    return check_positions("origin", origin, count)

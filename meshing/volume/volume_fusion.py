@@ -27,7 +27,7 @@ class _Moved(NamedTuple):
     pose: Matrix
 
     @property
-    def place(self) -> tuple[Any, ...]:
+    def sort_key(self) -> tuple[Any, ...]:
         """Sort key independent of input order: poses and sizes."""
         volume = self.volume
         sizes = (volume.voxel_size, volume.truncation, volume.block_count, volume.frame_count)
@@ -94,12 +94,16 @@ def fuse_volumes(
     size = coarsest if voxel_size is None else check_positive("voxel_size", voxel_size)
     limit = thinnest if truncation is None else check_positive("truncation", truncation)
     if limit > thinnest:
-        raise ValueError(f"truncation: {limit} m is beyond {thinnest} m, where distances of a volume are cut already")
+        raise ValueError(
+            f"truncation: expected at most {thinnest} m, the smallest truncation of the volumes, got {limit} m"
+        )
     if limit < size:
         raise ValueError(f"truncation: {limit} m is below one voxel ({size} m)")
     has_color = all(v.has_frame_colors for v in filled or [first]) if color is None else bool(color)
     if color and not all(v.has_frame_colors for v in filled):
-        raise ValueError("color: a volume has no colors; give color=False, or None to keep them where all have them")
+        raise ValueError(
+            "color: a volume has no colors. Pass color=False, or None to keep colors if all volumes have them"
+        )
     result = TSDFVolume(voxel_size=size, truncation=limit, color=has_color, device=first.device)
     if not filled:
         return result
@@ -132,17 +136,19 @@ def _check_volumes(volumes: Sequence[TSDFVolume], poses: ArrayLike) -> list[_Mov
 
 
 def _in_fixed_order(moved: list[_Moved]) -> list[_Moved]:
-    places = [m.place for m in moved]
-    alike = {place for place in places if places.count(place) > 1}
-    keys = [(place, m.digest if place in alike else b"") for place, m in zip(places, moved, strict=True)]
-    return [moved[i] for i in sorted(range(len(moved)), key=keys.__getitem__)]
+    sort_keys = [m.sort_key for m in moved]
+    alike = {sort_key for sort_key in sort_keys if sort_keys.count(sort_key) > 1}
+    complete_keys = [
+        (sort_key, m.digest if sort_key in alike else b"") for sort_key, m in zip(sort_keys, moved, strict=True)
+    ]
+    return [moved[i] for i in sorted(range(len(moved)), key=complete_keys.__getitem__)]
 
 
 def _way_back(moved: _Moved, origin: Matrix, voxel_size: float) -> Matrix:
     """Map voxels of the result to those of a volume; exactly the identity if both grids coincide."""
     volume, R, t = moved.volume, moved.pose[:3, :3], moved.pose[:3, 3]
     back = np.eye(4)
-    turn = inv(R)  # exact inverse, since rotations from files may be rounded
-    back[:3, :3] = turn * (voxel_size / volume.voxel_size)
-    back[:3, 3] = (matmul(turn, origin - t) - volume.origin) / volume.voxel_size
+    inverse = inv(R)  # exact inverse, since rotations from files may be rounded
+    back[:3, :3] = inverse * (voxel_size / volume.voxel_size)
+    back[:3, 3] = (matmul(inverse, origin - t) - volume.origin) / volume.voxel_size
     return back

@@ -20,14 +20,14 @@ Blocks = NDArray[np.int64]
 
 
 class PartSurface(NamedTuple):
-    """Surface of a part about the volume's origin. `blocks` (int64 keys) and `places` (int32) identify each vertex's
-    grid edge in the complete volume."""
+    """Surface of a part about the volume's origin. `blocks` (int64 keys) and `edge_slots` (int32) identify each
+    vertex's grid edge in the complete volume."""
 
     vertices: NDArray[np.float32]
     colors: NDArray[np.float32] | None
     triangles: NDArray[np.int32]
     blocks: Blocks
-    places: NDArray[np.int32]
+    edge_slots: NDArray[np.int32]
 
 
 class VolumePart(TSDFVolume):
@@ -43,41 +43,41 @@ class VolumePart(TSDFVolume):
     def _keep(self, blocks: VoxelBlocks) -> None:
         self._blocks, self._device_frames = blocks, None
 
-    def _kept(self, keys: Any) -> Any:
-        found = download(keys)  # sync. Some thousand
-        blocks = block_box(found)
+    def _filter_keys(self, keys: Any) -> Any:
+        downloaded = download(keys)  # sync. Some thousand
+        blocks = block_box(downloaded)
         inside = ((blocks >= self._low) & (blocks <= self._high)).all(axis=1)
-        return upload(np.ascontiguousarray(found[inside]), int64, self.device)
+        return upload(np.ascontiguousarray(downloaded[inside]), int64, self.device)
 
     def extract_part(self, weight_threshold: float) -> PartSurface:
         """Surface of the part by marching cubes. See `TSDFVolume.extract_triangle_mesh`."""
         surface = BlockSurface(SeenBlocks(self._blocks, weight_threshold), True, (self._low, self._high))
         vertices, shades, _ = surface.vertices(self.has_frame_colors, False)
-        blocks, places = surface.vertex_edges()
+        blocks, edge_slots = surface.vertex_edges()
         return PartSurface(
             download(vertices).reshape(-1, 3),
             None if shades is None else download(shades).reshape(-1, 3),
             download(surface.triangles()).reshape(-1, 3),
             download(blocks),
-            download(places),
+            download(edge_slots),
         )
 
 
 class BlockFinder(TSDFVolume):
-    """Records the blocks that `integrate` would touch in `found`, int64 (m, 3), without integrating."""
+    """Records the blocks that `integrate` would touch in `block_indices`, int64 (m, 3), without integrating."""
 
     def __init__(self, *, origin: NDArray[np.float64], **sizes: Any):
         super().__init__(**sizes)
-        self.found: Blocks = np.zeros((0, 3), np.int64)
+        self.block_indices: Blocks = np.zeros((0, 3), np.int64)
         self._frames = _Frames(origin=np.array(origin, np.float64))
 
     def _keep(self, blocks: VoxelBlocks) -> None:
         self._blocks, self._device_frames = blocks, None
 
     def _fold(self, raw: Any, scale: float, farthest: float, camera: Any, T: Any, pixels: Any) -> Any:
-        self.found = np.zeros((0, 3), np.int64)
+        self.block_indices = np.zeros((0, 3), np.int64)
         return super()._fold(raw, scale, farthest, camera, T, pixels)
 
-    def _kept(self, keys: Any) -> Any:
-        self.found = block_box(download(keys))  # sync
+    def _filter_keys(self, keys: Any) -> Any:
+        self.block_indices = block_box(download(keys))  # sync
         return empty(0, int64, self.device)

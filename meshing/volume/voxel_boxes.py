@@ -43,19 +43,19 @@ def voxels_in_bounds(
     ends = check_finite("bounds", check_shape("bounds", bounds, (2, 3)))
     if not (ends[0] < ends[1]).all():
         raise ValueError(f"bounds: expected a low corner below a high one, got {ends.tolist()}")
-    places = (ends - origin) / voxel_size
-    if not np.abs(places).max() < outermost:
+    cells = (ends - origin) / voxel_size
+    if not np.abs(cells).max() < outermost:
         raise ValueError(f"bounds: {ends.tolist()} {beyond}")
-    low = np.floor(places[0] + 1e-9).astype(np.int64)  # tolerance for bounds at voxel borders
-    return low, np.maximum(np.ceil(places[1] - 1e-9).astype(np.int64), low + 1)
+    low = np.floor(cells[0] + 1e-9).astype(np.int64)  # tolerance for bounds at voxel borders
+    return low, np.maximum(np.ceil(cells[1] - 1e-9).astype(np.int64), low + 1)
 
 
-def places_of(name: str, places: Any, count: int) -> NDArray[np.float64]:
+def check_positions(name: str, positions: Any, count: int) -> NDArray[np.float64]:
     """One position, float64 (1, 3), or one per point, (count, 3)."""
-    given = check_numeric(name, places).astype(np.float64)
+    given = check_numeric(name, positions).astype(np.float64)
     if given.shape == (3,):
         given = given[None]
     elif given.shape != (count, 3):
         got = list(given.shape)
-        raise ValueError(f"{name}: expected shape [3], or [{count}, 3] as there are {count} points, got {got}")
+        raise ValueError(f"{name}: expected shape [3], or [{count}, 3], one row per point, got {got}")
     return check_finite(name, given)

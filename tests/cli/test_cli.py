@@ -335,8 +335,8 @@ def test_a_camera_that_the_pictures_contradict_is_unreliable(frames, tmp_path):
     (frames / "camera-intrinsics.json").unlink()
     (frames / "intrinsics.K.txt").write_text("525 0 320\n0 525 240\n0 0 1\n")  # of 640 x 480; these are 160 x 120
     poor = "; ".join(unreliable("fuse", frames, "--voxel", "0.1", "-o", tmp_path / "out.ply")["warnings"])
-    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) lies far" in poor
-    assert "pictures of 160 x 120; it may be that of 640 x 480" in poor
+    assert f"the camera may be wrong ({frames / 'intrinsics.K.txt'}): its principal point (320, 240) is far" in poor
+    assert "images of 160 x 120; it may be for 640 x 480" in poor
 
 
 def test_fuse_tells_which_frames_have_no_partner(tmp_path):

@@ -89,11 +89,11 @@ def test_a_surface_made_up_around_an_open_scan_is_unreliable_and_the_quantile_pr
     report = unreliable(*words, 0.001)
     assert report["made_up"] > 0.1 and report["area"] > 1.1 * 2 * np.pi
     assert report["far"] == pytest.approx(3 * 2 * np.sqrt(10 / 4000 / 2), rel=0.1)  # 10 of them lie in a cap of a 400th
-    better = "; ".join(report["warnings"]).split("take density_quantile ")[1].split(";")[0]
+    better = "; ".join(report["warnings"]).split("use density_quantile ")[1].split(";")[0]
     mended = answer(*words, better, "--force")
     assert mended["made_up"] <= 0.05 and 2 * np.pi < mended["area"] < report["area"]
     shown = run(*words, better, "--force").stdout
-    assert ("made up" in shown) == (mended["made_up"] > 0)
+    assert ("extrapolated" in shown) == (mended["made_up"] > 0)
 
 
 def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tmp_path):
@@ -103,7 +103,7 @@ def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tm
     words = ["mesh", tmp_path / "mixed.ply", tmp_path / "out.ply", "--depth", 4]
     report = unreliable(*words)
     assert report["normals"] == "of the input" and 0.3 < report["disagreement"] < 0.6
-    assert "point to opposite sides; give new_normals" in str(report["warnings"])
+    assert "point to opposite sides; use new_normals" in str(report["warnings"])
     report = answer(*words, "--new-normals", "--force")
     assert report["normals"] == "made of the 30 nearest points of each and oriented" and report["disagreement"] == 0
 
@@ -111,7 +111,7 @@ def test_normals_of_the_input_are_used_and_reported_where_they_disagree(ball, tm
 def test_stl_leaves_normals_and_colors_out_and_says_so(ball, tmp_path):
     shown = run("mesh", ball, tmp_path / "out.stl", "--depth", 4)
     assert shown.exit_code == 0, shown.stderr
-    for words in ("poisson, depth 4, density quantile 0.0", "3,000, 1 not finite left out", "normals, colors (the"):
+    for words in ("poisson, depth 4, density quantile 0.0", "3,000, 1 non-finite ignored", "normals, colors (the"):
         assert words in shown.stdout
     assert "not carried  intensity of the points" in shown.stdout
     assert len(loom.read_triangle_mesh(tmp_path / "out.stl")) > 100
@@ -153,7 +153,7 @@ def test_radii_and_alpha_reach_the_library(ball, tmp_path, monkeypatch):
     assert [arguments for _, arguments, _ in alphas] == [(0.3,), ("auto",)]
     assert not any(cloud.has_normals for cloud, _, _ in alphas)
     shown = run("mesh", ball, tmp_path / "a.ply", "--method", "ball", "--force").stdout
-    assert "ball, radii chosen by the spacing of the points" in shown
+    assert "ball, radii derived from the point spacing" in shown
 
 
 @pytest.mark.parametrize("method", ["poisson", "ball", "alpha"])
@@ -175,7 +175,7 @@ def test_a_torn_surface_is_unreliable_and_written(ball, tmp_path, monkeypatch):
     mesh = grid()
     stand_in(monkeypatch, "ball", mesh.remove_triangles_by_mask(np.arange(len(mesh)) % 5 == 0))
     report = unreliable("mesh", ball, tmp_path / "out.ply", "--method", "ball")
-    assert "the mesh is torn: " in str(report["warnings"]) and "take larger radii" in str(report["warnings"])
+    assert "the mesh has many holes: " in str(report["warnings"]) and "use larger radii" in str(report["warnings"])
     assert report["files"] == [str(tmp_path / "out.ply")]
 
 
@@ -206,24 +206,24 @@ def warnings_of(method, made_up=0.05, **figures):
 @pytest.mark.parametrize(
     ("figures", "word"),
     [
-        ({"boundary_edges": 101}, "10.1% of its edges are at a border"),
-        ({"crowded_edges": 11}, "1.1% of its edges have three triangles or more"),
-        ({"largest_share": 0.89}, "11.0% of the area are islands"),
-        ({"made_up": 0.051}, "5.1% of the area lie farther than 0.2 m from all points"),
+        ({"boundary_edges": 101}, "10.1% of its edges are boundary edges"),
+        ({"crowded_edges": 11}, "1.1% of its edges have three or more triangles"),
+        ({"largest_share": 0.89}, "11.0% of the area is in 2 islands"),
+        ({"made_up": 0.051}, "5.1% of the area is farther than 0.2 m from all points"),
     ],
 )
 def test_a_surface_is_unreliable_beyond_a_limit_and_not_at_it(figures, word):
     for method, remedy in (("poisson", "density_quantile"), ("ball", "radii")):
         assert not warnings_of(method)
         said = str(warnings_of(method, **figures))
-        assert word in said and any(w in said for w in (remedy, "three triangles", "density_quantile 0.1"))
+        assert word in said and any(w in said for w in (remedy, "three or more triangles", "density_quantile 0.1"))
 
 
 def test_an_alpha_shape_may_have_a_tenth_of_crowded_edges_and_hollows_are_told_apart_from_nothing():
     assert not warnings_of("alpha", crowded_edges=100)
-    assert "10.1% of its edges have three triangles" in str(warnings_of("alpha", crowded_edges=101))
+    assert "10.1% of its edges have three or more triangles" in str(warnings_of("alpha", crowded_edges=101))
     said = str(warnings_of("alpha", largest_share=0.5))
-    assert "50.0% of the area are islands or the walls of hollows, 2 of them" in said and "a larger alpha" in said
+    assert "50.0% of the area is in 2 islands or cavity walls" in said and "a larger alpha" in said
 
 
 def test_a_surface_that_leaves_half_of_its_points_out_is_unreliable():
@@ -242,8 +242,8 @@ def test_an_alpha_shape_that_spans_a_hollow_is_unreliable():
     x, y = np.random.default_rng(1).uniform(-1, 1, (2, 1500))
     bowl = loom.PointCloud(np.column_stack([x, y, 0.2 * (x * x + y * y)]))  # a few spacings deep
     spanned, followed = (loom.create_surface(bowl, "alpha", alpha=alpha) for alpha in (10.0, 0.1))
-    assert "made up to close the surface; take a smaller alpha" in str(spanned.warnings)
-    assert "made up" not in str(followed.warnings)
+    assert "was extrapolated to close the surface; use a smaller alpha" in str(spanned.warnings)
+    assert "extrapolated" not in str(followed.warnings)
 
 
 def test_normals_are_unreliable_beyond_a_tenth():

@@ -13,7 +13,7 @@ from pointloom.cli.jobs.reconstruct import StageOptions, reconstruct_folder
 from pointloom.io.frames.frames import open_folder
 from pointloom.io.pictures.image_files import read_depth, write_png
 from pointloom.meshing.mesh.mesh_files import read_triangle_mesh
-from pointloom.meshing.volume.surface_weights import least_weight
+from pointloom.meshing.volume.surface_weights import min_weight
 from pointloom.rgbd.slam import dense_slam, looped_model
 from pointloom.rgbd.slam.tracking import make_slam, track_with
 
@@ -118,7 +118,7 @@ def test_without_loops_the_surface_is_the_tracked_one(walked, tmp_path, made_up)
     sizes = {"voxel_size": 0.05, "depth_max": 4.0, "device": "cpu"}
     slam = make_slam(dataset, **sizes)
     track_with(slam, dataset, **sizes)
-    mesh = slam.extract_triangle_mesh(weight_threshold=least_weight(len(dataset)))
+    mesh = slam.extract_triangle_mesh(weight_threshold=min_weight(len(dataset)))
     assert np.array_equal(read_triangle_mesh(tmp_path / "plain.ply").vertices, mesh.vertices)
     assert plain["submaps"] == 3
 

@@ -99,7 +99,7 @@ def test_bad_input_ends_with_an_error_that_names_it(scan, tmp_path):
     loom.write_triangle_mesh(
         tmp_path / "points.off", loom.TriangleMesh(loom.read_triangle_mesh(scan / "bare.ply").vertices)
     )
-    assert "holds no faces" in refusal("texture", tmp_path / "points.off", scan / "room", "-o", out)
+    assert "contains no faces" in refusal("texture", tmp_path / "points.off", scan / "room", "-o", out)
     out.write_bytes(b"old")
     assert "exists" in refusal("texture", scan / "bare.ply", scan / "room", "-o", out)
     assert out.read_bytes() == b"old"

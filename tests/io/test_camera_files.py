@@ -145,7 +145,7 @@ def test_frames_of_the_scanner_app_take_their_size_from_the_picture(tmp_path):
     model = loom.read_cameras(tmp_path)
     assert_looks_along_x(model, "frame_00000")
     assert model.cameras[0] == loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
-    assert model.left_out == ("frame_00001: no picture",)
+    assert model.left_out == ("frame_00001: no image",)
     (tmp_path / "frame_00000.jpg").unlink()
     with pytest.raises(FileError, match="2 have none"):
         loom.read_cameras(tmp_path)
@@ -194,7 +194,7 @@ def test_a_trajectory_wants_a_lens_and_nothing_else_does(tmp_path):
 def test_other_places_are_refused_with_what_is_known(tmp_path):
     with pytest.raises(FileError, match=r"/cameras\.csv:"):
         loom.read_cameras(tmp_path / "cameras.csv")
-    with pytest.raises(FileError, match="no cameras that are known"):
+    with pytest.raises(FileError, match="no supported cameras"):
         loom.read_cameras(tmp_path)
 
 

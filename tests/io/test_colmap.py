@@ -105,7 +105,7 @@ def test_a_missing_file_is_named(folder, form, name):
 
 def test_a_place_without_a_model_is_told(tmp_path):
     (tmp_path / "file").write_text("x")
-    for place, reason in (("", "holds no model"), ("none", "does not exist"), ("file", "is a file")):
+    for place, reason in (("", "contains no COLMAP model"), ("none", "does not exist"), ("file", "is a file")):
         with pytest.raises(loom.FileError, match=reason):
             loom.read_colmap_model(tmp_path / place)
 
@@ -147,10 +147,10 @@ def test_what_colmap_cannot_hold_is_refused(tmp_path):
     lens = loom.CameraModel("METASHAPE", 640, 480, [500, 320, 240, *[0.0] * 7, 1.0])
     for model, message, form in (
         (loom.SfmModel(["a"], [lens], np.eye(4)[None]), "no camera model METASHAPE", "bin"),
-        (loom.SfmModel(["a\nb"], [LENS], np.eye(4)[None]), "text cannot hold", "txt"),
-        (loom.SfmModel(["a b"], [LENS], np.eye(4)[None]), "text cannot hold", "txt"),
-        (loom.SfmModel(["a\0b"], [LENS], np.eye(4)[None]), "cannot hold the picture's name", "bin"),
-        (loom.SfmModel([], [], []), "at least one picture", "bin"),
+        (loom.SfmModel(["a\nb"], [LENS], np.eye(4)[None]), "text cannot store", "txt"),
+        (loom.SfmModel(["a b"], [LENS], np.eye(4)[None]), "text cannot store", "txt"),
+        (loom.SfmModel(["a\0b"], [LENS], np.eye(4)[None]), "cannot store the image name", "bin"),
+        (loom.SfmModel([], [], []), "at least one image", "bin"),
         (MODEL, "format", "ply"),
     ):
         with pytest.raises(ValueError, match=message):
@@ -181,24 +181,24 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
     ("name", "at", "new", "message"),
     [
         ("images.bin", 0, struct.pack("<Q", 0), "bytes follow the last record"),
-        ("images.bin", KEYPOINTS, struct.pack("<Q", 2**60), "keypoints, for which"),
+        ("images.bin", KEYPOINTS, struct.pack("<Q", 2**60), "keypoints, but only"),
         ("points3D.bin", 8 + 43, struct.pack("<Q", 2**61), r"byte \d+.*ends within"),
         ("points3D.bin", 8 + 43, struct.pack("<Q", 2**64 - 1), r"byte \d+.*ends within"),
         ("cameras.bin", 12, struct.pack("<i", 99), r"byte 8.*unknown camera model 99"),
-        ("cameras.bin", 12, struct.pack("<i", 17), "EQUIRECTANGULAR is not read"),
+        ("cameras.bin", 12, struct.pack("<i", 17), "EQUIRECTANGULAR is not supported"),
         ("cameras.bin", 16, struct.pack("<Q", 0), r"byte 8.*width"),
         ("cameras.bin", 16, struct.pack("<Q", 2**63), r"byte 8.*width"),
         ("cameras.bin", 32, struct.pack("<d", np.nan), r"byte 8.*finite"),
-        ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which cameras.bin does not have"),
+        ("cameras.bin", 8, struct.pack("<I", 7), "camera 1, which is missing in cameras.bin"),
         ("images.bin", POSE, struct.pack("<d", np.nan), r"byte 8.*no pose"),
         ("images.bin", POSE + 32, struct.pack("<d", np.inf), r"byte 8.*no pose"),
         ("images.bin", NAME, b"\xff\xfe", r"byte \d+.*not UTF-8"),
         ("images.bin", NAME, b"\0", "without an end|expected|no name|name"),
         ("images.bin", KEYPOINTS + 8, struct.pack("<d", np.nan), "keypoint of 'left/00.png' is not finite"),
-        ("images.bin", KEYPOINTS + 24, struct.pack("<q", 999), "point 999, which points3D.bin does not have"),
-        ("images.bin", KEYPOINTS + 24, struct.pack("<q", -1), "not so there|keypoints belong"),
+        ("images.bin", KEYPOINTS + 24, struct.pack("<q", 999), "point 999, which is missing in points3D.bin"),
+        ("images.bin", KEYPOINTS + 24, struct.pack("<q", -1), "does not refer to it|keypoints belong"),
         ("points3D.bin", 16, struct.pack("<d", np.nan), r"byte 8.*position is not finite"),
-        ("points3D.bin", 8, struct.pack("<Q", 2), r"byte \d+.*number 2 stands twice"),
+        ("points3D.bin", 8, struct.pack("<Q", 2), r"byte \d+.*number 2 is duplicated"),
     ],
 )
 def test_damage_is_told_with_its_place(binary, name, at, new, message):
@@ -273,25 +273,25 @@ def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
         ("cameras", "1 PINHOLE 640 480 1 1 1 1 1\n", "line 1.*takes fx, fy, cx, cy; got 5"),
         ("cameras", "1 PINHOLE 640 480 1 1 1 x\n", "line 1.*not a number: 'x'"),
         ("cameras", "1 PINHOLE 6_40 480 1 1 1 1\n", "line 1.*whole number, got '6_40'"),
-        ("cameras", CAMERAS + CAMERAS[8:], "line 4.*number 1 stands twice"),
-        ("cameras", "# nothing\n", "camera 1, which cameras.txt does not have"),
+        ("cameras", CAMERAS + CAMERAS[8:], "line 4.*number 1 is duplicated"),
+        ("cameras", "# nothing\n", "camera 1, which is missing in cameras.txt"),
         ("images", "1 1 0 0 0 0 0 0 1\n\n", "line 1.*got 9 columns"),
         ("images", "1 1 0 0 0 0 0 0 1 a", "line 1.*line of keypoints is missing"),
-        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2\n", "line 2.*3 numbers a keypoint"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2\n", "line 2.*3 numbers per keypoint"),
         ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 0.5\n", "line 2.*whole number"),
         ("images", "1 1 0 0 0 0 0 0 1 a\n1 nan 3\n", "not finite"),
-        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n1 1 0 0 0 0 0 0 1 b\n\n", "line 3.*number 1 stands twice"),
-        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n2 1 0 0 0 0 0 0 1 a\n\n", "line 3.*'a' stands twice"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n1 1 0 0 0 0 0 0 1 b\n\n", "line 3.*number 1 is duplicated"),
+        ("images", "1 1 0 0 0 0 0 0 1 a\n1 2 3\n2 1 0 0 0 0 0 0 1 a\n\n", "line 3.*'a' is duplicated"),
         ("images", "1 0.5 0.5 0.5 0.6 0 0 0 1 a\n1 2 3\n", "line 1.*no pose"),
-        ("images", "# nothing\n", "holds no picture"),
+        ("images", "# nothing\n", "contains no image"),
         ("points3D", "\n# c\n3 0 0 2 1 2 3 0.5 1\n", "line 3.*expected 8 numbers"),
         ("points3D", "3 0 0 2 1 2 256 0.5 1 0\n", "line 1.*colors of 0..255"),
         ("points3D", "3 0 0 2 1 2 2.5 0.5 1 0\n", "line 1.*a color: expected a whole number"),
         ("points3D", "3 0 0 nan 1 2 3 0.5 1 0\n", "line 1.*not finite"),
-        ("points3D", "3 0 0 2 1 2 3 0.5 2 0\n", "line 1.*not so there"),
-        ("points3D", "", "sees point 3, which points3D.txt does not have"),
+        ("points3D", "3 0 0 2 1 2 3 0.5 2 0\n", "line 1.*does not refer to it"),
+        ("points3D", "", "observes point 3, which is missing in points3D.txt"),
         ("points3D", "3 0 0 2 1 2 3 0.5\n", "1 keypoints belong to points, but the tracks have 0"),
-        ("points3D", POINTS + POINTS, "line 2.*number 3 stands twice"),
+        ("points3D", POINTS + POINTS, "line 2.*number 3 is duplicated"),
         ("points3D", "3 0 0 2,0 1 2 3 0.5 1 0\n", "line 1.*not a number"),
     ],
 )

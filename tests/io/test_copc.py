@@ -48,7 +48,7 @@ def table():
 @pytest.fixture
 def small_nodes(monkeypatch):
     """Octrees of several levels from few points."""
-    monkeypatch.setattr(copc_writer, "_LEAST", 200)
+    monkeypatch.setattr(copc_writer, "_MIN_NODE_POINTS", 200)
 
 
 @pytest.fixture
@@ -217,11 +217,11 @@ def test_info_says_what_it_is(path):
         ((INFO_AT + 48, "<Q", 32), "which are not the"),
         ((104, "B", 0x80 | 3), "(?s)."),
         # behind the page's beginning
-        ((-0, "<i", -1), "level or a count"),
+        ((-0, "<i", -1), "level or count"),
         ((-4, "<i", 1), "outside its cube"),
         ((-24, "<i", 1 << 30), "which are not the"),
-        ((-28, "<i", -1), "page of the octree|in a circle"),
-        ((-16, "<Qii", "page", "size", -1), "in a circle"),
+        ((-28, "<i", -1), "page of the octree|a cycle"),
+        ((-16, "<Qii", "page", "size", -1), "a cycle"),
     ],
 )
 def test_records_and_entries_that_lie_are_errors(edit, reason, path):

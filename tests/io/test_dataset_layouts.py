@@ -94,7 +94,7 @@ def test_redwood_ids_that_name_no_frame_are_refused(tmp_path, ids):
 def test_redwood_counts_must_agree(tmp_path, count):
     folder = make_redwood(tmp_path / "set")
     write_log(folder, range(count))
-    with pytest.raises(DatasetError, match=rf"holds {count} poses for 3 depth maps"):
+    with pytest.raises(DatasetError, match=rf"contains {count} poses for 3 depth maps"):
         list_redwood(folder)
 
 
@@ -157,9 +157,9 @@ def test_association_agrees_with_trying_all_pairs():
 @pytest.mark.parametrize(
     ("name", "text", "claim"),
     [
-        ("depth.txt", "", "lists no picture"),
+        ("depth.txt", "", "lists no image"),
         ("depth.txt", "soon depth/a.png\n", "line 1): not a number"),
-        ("depth.txt", "100.0 ../../etc/x.png\n", "name of a picture in the folder"),
+        ("depth.txt", "100.0 ../../etc/x.png\n", "name of an image in the folder"),
         ("depth.txt", "100.1 depth/a.png\n100.0 depth/b.png\n", "line 2): expected increasing times"),
         ("groundtruth.txt", "1 0 0 0 0 1 0 0 0 0 1 0\n", "has no times"),
         ("groundtruth.txt", "1 0 0 0 0 0 0 0\n", "unit quaternion"),

@@ -166,10 +166,10 @@ def test_two_matrices_that_disagree_are_refused(tmp_path):
 @pytest.mark.parametrize(
     ("numbers", "doubt"),
     [
-        ((7, 7, 7.5, 5.5), "of pictures of 8 x 6; it may be that of 15 x 11"),
-        ((7, 7, 0, 0), r"principal point \(0, 0\) lies far from the middle"),
-        ((7, 200, 3.5, 2.5), "focal length 200 makes a field of view of 1.72"),
-        ((0.5, 7, 3.5, 2.5), "a field of view of 166 degrees of a width of 8"),
+        ((7, 7, 7.5, 5.5), "of images of 8 x 6; it may be for 15 x 11"),
+        ((7, 7, 0, 0), r"principal point \(0, 0\) is far from the center"),
+        ((7, 200, 3.5, 2.5), "focal length 200 gives a field of view of 1.72"),
+        ((0.5, 7, 3.5, 2.5), "a field of view of 166 degrees for a width of 8"),
     ],
 )
 def test_a_camera_that_the_images_contradict_is_reported(tmp_path, numbers, doubt):
@@ -190,7 +190,7 @@ def test_a_file_like_a_camera_that_is_not_read_is_reported_with_the_default(tmp_
     (folder / name).write_text("fx: 500\n")
     dataset = open_dataset(folder)
     assert dataset.intrinsic_source == "the default of 7-Scenes"
-    assert dataset.warnings == (f"{name} lies beside the frames and was not read; give it with intrinsic=",)
+    assert dataset.warnings == (f"{name} is beside the frames, but was not read; pass it as intrinsic=",)
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)

@@ -162,7 +162,7 @@ def test_a_kinect_that_is_not_there_is_an_error(kinect):
     with pytest.raises(CameraError, match="no Azure Kinect 0 can be opened"):
         loom.AzureKinectCamera()
     kinect([])
-    with pytest.raises(CameraError, match="holds no frame"):
+    with pytest.raises(CameraError, match="contains no frame"):
         loom.AzureKinectCamera(file="empty.mkv")
 
 
@@ -201,7 +201,7 @@ def test_the_inverse_model_undoes_the_model():
     camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
     k = (0.1, -0.1, 0.001, 0.001, 0.02)
     lens = LensMap(camera, k, inverse=True)
-    places = np.stack([(lens.places[0] - camera.cx) / camera.fx, (lens.places[1] - camera.cy) / camera.fy])
+    places = np.stack([(lens.positions[0] - camera.cx) / camera.fx, (lens.positions[1] - camera.cy) / camera.fy])
     back = distort(places, np.array([*k, 0, 0, 0]))
     v, u = np.mgrid[:120, :160]
     assert np.abs(back[0] * camera.fx + camera.cx - u).max() < 1e-6

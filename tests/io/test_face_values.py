@@ -131,7 +131,7 @@ def test_strips_of_binary_files_stand_behind_the_faces(tmp_path, byte_order):
 @pytest.mark.parametrize(
     ("rows", "reason"),
     [
-        ("4 0 1 2 -2\n", "a strip names vertex -2"),
+        ("4 0 1 2 -2\n", "a strip refers to vertex -2"),
         ("4 0 1 2\n", "the line ends too early"),
         ("4 0 1 1 0\n", "its strips have no triangle"),
     ],

@@ -83,7 +83,7 @@ def test_times_that_jump_are_told_by_frame(tmp_path):
         write_listing(folder, name, times)
     without_poses(folder)
     notes = open_frames(folder, intrinsic=SMALL).notes
-    assert notes == ["103.000000: comes 2.400 s after the frame before it, where 0.100 s are usual"]
+    assert notes == ["103.000000: comes 2.400 s after the frame before it, instead of the usual 0.100 s"]
 
 
 @pytest.mark.parametrize("gone", ["depth", "color"])
@@ -208,7 +208,7 @@ def test_pictures_that_do_not_pair_are_refused_by_name(tmp_path):
     with pytest.raises(DatasetError, match=r"3\.png"):
         open_frames(folder, intrinsic=SMALL, depth_scale=5000)
     source = open_frames(folder, intrinsic=SMALL, depth_scale=5000, skip_missing=True)
-    assert len(source) == 3 and source.left_out == ["3.png: has no depth map of its name"]
+    assert len(source) == 3 and source.left_out == ["3.png: has no depth map of the same name"]
     write_png(folder / "3_depth.png", depth_map(1))
     write_png(folder / "3-depth.png", depth_map(1))
     with pytest.raises(DatasetError, match=r"/3_depth\.png:"):

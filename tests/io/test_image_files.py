@@ -95,10 +95,10 @@ def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color)
     [
         (b"P5 2 2 65535\n", "neither PNG nor JPEG"),
         (b"\x89PNG\r\n\x1a\n", "damaged PNG header"),
-        (b"\xff\xd8\xff\xe0", "damaged picture"),
+        (b"\xff\xd8\xff\xe0", "damaged image"),
         (png_claiming(2**20, 2**20), "1048576 x 1048576"),
         (png_claiming(2**31 - 1, 1), "expected 1 to"),
-        (png_claiming(400, 300), "take 240300 bytes, but its stream of pixels holds 64"),
+        (png_claiming(400, 300), "take 240300 bytes, but its stream of pixels contains 64"),
         (png_claiming(4, 4)[:-12], "the end of the PNG is missing"),
         (png_claiming(2**14, 2**14), "take 536887296 bytes"),
         (b"\x93NUMPY", ".npy header"),

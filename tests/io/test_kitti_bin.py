@@ -127,7 +127,7 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
 def test_numbers_of_another_type_are_refused(tmp_path, rng, dtype):
     numbers = rng.integers(500, 4000, (1000, 12)) if dtype[1] in "ui" else rng.random((1000, 12)) * 20
     numbers.astype(dtype).tofile(tmp_path / "a.bin")
-    with pytest.raises(FileError, match="no scan of float32"):
+    with pytest.raises(FileError, match="not a scan of float32"):
         loom.read_point_cloud(tmp_path / "a.bin")
 
 

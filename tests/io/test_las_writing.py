@@ -83,7 +83,7 @@ def test_a_file_without_points_survives(suffix, tmp_path):
 @pytest.mark.parametrize(
     ("attribute", "reason"),
     [
-        ({"classification": np.array([-1, 0])}, "holds -1"),
+        ({"classification": np.array([-1, 0])}, "contains -1"),
         ({"intensity": np.zeros((2, 2))}, "2 components"),
         ({"half": np.zeros(2, np.float16)}, "type float16"),
         ({"n" * 33: np.zeros(2)}, "32 bytes"),

@@ -88,7 +88,7 @@ def binary_stl(path, header, values):
         (b"viscam", [0x801F, 0x7C00], "1 of 2 facets have no color", [[0, 0, 1], [1, 1, 1]]),
         (b"COLOR=\xff\x33\x00\xff,MATERIAL=", [0x001F, 0xFFFF], None, [[1, 0, 0], [1, 0.2, 0]]),
         (b"COLOR=\x00\x00\x00\x66", [0x7C00, 0x8000], None, [[0, 0, 1, 0.4], [0, 0, 0, 0.4]]),
-        (b"", [7, 0], "attribute bytes of facets are left behind", None),
+        (b"", [7, 0], "attribute bytes of facets are dropped", None),
         (b"", [0, 0], None, None),
     ],
 )
@@ -128,8 +128,8 @@ FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop"
         (["color 0 0 1 0.5", ""], ["", ""], None, [[0, 0, 1, 0.5]] * 2),
         (["", ""], ["color 0 255 51", ""], "divided by 255", [[0, 1, 0.2], [1, 1, 1]]),
         (["", ""], ["color 0 1.5 -1", "color 0 0 0"], "1 of 2 are outside 0..1", [[0, 1, 0], [0, 0, 0]]),
-        (["", ""], ["color nan 0 0", ""], "colors are left behind", None),
-        (["", ""], ["color red", ""], "colors are left behind", None),
+        (["", ""], ["color nan 0 0", ""], "colors are dropped", None),
+        (["", ""], ["color red", ""], "colors are dropped", None),
     ],
 )
 def test_color_lines_of_a_text_stl_are_colors_of_its_triangles(tmp_path, before, within, told, wanted):
@@ -157,6 +157,6 @@ def check_triangle_colors(mesh, wanted):
 )
 def test_colors_and_texture_coordinates_of_unknown_types_are_left_behind(tmp_path, name, values):
     path = one_triangle(**{name: values}).write(tmp_path / "m.glb")
-    with pytest.warns(UserWarning, match="left behind"):
+    with pytest.warns(UserWarning, match="dropped"):
         mesh = read_mesh(path)
     assert (len(mesh.triangles), mesh.vertex_colors, mesh.triangle_uvs) == (1, None, None)

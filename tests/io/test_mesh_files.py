@@ -59,7 +59,7 @@ def test_a_ply_mesh_survives_a_round_trip_to_the_bit(tmp_path, ascii, dtype):
 def test_a_file_without_faces_is_no_mesh_in_any_format(tmp_path, suffix, count):
     path, empty = tmp_path / f"m{suffix}", MeshTable(np.zeros((count, 3)), np.empty((0, 3), np.int32))
     write_mesh(path, empty, ascii=False, overwrite=True)
-    with pytest.raises(FileError, match=r"holds no (faces|facets)|is empty"):
+    with pytest.raises(FileError, match=r"contains no (faces|facets)|is empty"):
         loom.read_triangle_mesh(path)
     if suffix == ".ply":
         assert len(loom.read_point_cloud(path)) == count
@@ -100,7 +100,7 @@ def test_binary_faces_of_varying_length_become_fans(tmp_path, byte_order):
     ("faces", "where", "reason"),
     [
         ("3 0 1 2\n0\n", "face 1", "a face has 0 corners"),
-        ("3 0 1 -1\n3 0 1 2\n", "face 0", "names vertex -1"),
+        ("3 0 1 -1\n3 0 1 2\n", "face 0", "refers to vertex -1"),
         ("3 0 1 2\n3 0 1 2 3\n", "line 16", "more values than declared"),
         ("3 0 1 2\n3 0 1 2.5\n", "line 16", "does not fit"),
     ],
@@ -116,7 +116,7 @@ def test_a_bad_face_is_refused_with_its_row(tmp_path, faces, where, reason):
 @pytest.mark.parametrize(
     ("header", "reason"),
     [
-        ("element tristrips 0\nproperty list int int vertex_indices\n", "holds no faces"),
+        ("element tristrips 0\nproperty list int int vertex_indices\n", "contains no faces"),
         ("element face 0\nproperty uchar flag\n", "no property vertex_indices"),
         ("element face 0\nproperty list uchar float vertex_indices\n", "not a list of whole numbers"),
     ],
@@ -152,7 +152,7 @@ def test_stl_bytes_are_what_the_specification_says(tmp_path):
     ("write", "lost"), [(write_obj, "weight"), (write_stl, "colors, weight"), (write_off, "weight")]
 )
 def test_what_a_mesh_format_cannot_hold_is_left_out_with_a_warning_naming_ply(tmp_path, write, lost):
-    with pytest.warns(UserWarning, match=rf": {lost}, triangle label left out.*\.ply holds everything"):
+    with pytest.warns(UserWarning, match=rf": {lost}, triangle label left out.*\.ply stores everything"):
         write(tmp_path / "m.any", replace(mesh(), triangle_attributes={"label": np.zeros(90)}))
     assert (tmp_path / "m.any").stat().st_size > 3000
 

@@ -68,9 +68,9 @@ def test_polygons_and_what_is_no_surface(tmp_path):
         table = read_obj(obj(tmp_path, text))
     told = [str(warning.message).split(": the ", 1)[1] for warning in told]
     assert told == [
-        "textures are left behind, since the file 'a.mtl' of its materials does not lie beside it",
-        "points and lines are left behind, since a mesh has none",
-        "names are left behind, since a mesh has no place for them: objects 'thing'; groups 'side'",
+        "textures are dropped, because the file 'a.mtl' of its materials is not beside it",
+        "points and lines are dropped, because a mesh cannot store them",
+        "names are dropped, because a mesh has no place for them: objects 'thing'; groups 'side'",
     ]
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 2]])
 
@@ -88,12 +88,12 @@ def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
 @pytest.mark.parametrize(
     ("vertices", "faces", "lost"),
     [
-        (SQUARE, "vt 0 0\nf 1/2 2/1 3/1\n", "texture coordinates are left behind, since a face names 2 of 1"),
-        (SQUARE, "vt 0 0\nvn 0 0 1\nf 1/1/0 2/1/1 3/1/1\n", "normals are left behind, since a face names 0 of 1"),
-        ("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\n", "f 1 2 3\n", "colors are left behind, since only 2 of 4"),
-        ("v 0 0 0 1 0 nan\nv 1 0 0 0 0 0\nv 1 1 0 0 0 1\n", "f 1 2 3\n", "colors are left behind, since a color is"),
-        (SQUARE, "o a\ng b c\nf 1 2 3\n", "names are left behind.*: objects 'a'; groups 'b c'"),
-        (SQUARE, "usemtl red\nf 1 2 3\n", "names are left behind.*: materials 'red'"),
+        (SQUARE, "vt 0 0\nf 1/2 2/1 3/1\n", "texture coordinates are dropped, because a face refers to 2 of 1"),
+        (SQUARE, "vt 0 0\nvn 0 0 1\nf 1/1/0 2/1/1 3/1/1\n", "normals are dropped, because a face refers to 0 of 1"),
+        ("v 0 0 0 1 0 0\nv 1 0 0\nv 1 1 0 0 0 1\nv 0 1 0\n", "f 1 2 3\n", "colors are dropped, because only 2 of 4"),
+        ("v 0 0 0 1 0 nan\nv 1 0 0 0 0 0\nv 1 1 0 0 0 1\n", "f 1 2 3\n", "colors are dropped, because a color is"),
+        (SQUARE, "o a\ng b c\nf 1 2 3\n", "names are dropped.*: objects 'a'; groups 'b c'"),
+        (SQUARE, "usemtl red\nf 1 2 3\n", "names are dropped.*: materials 'red'"),
     ],
 )
 def test_what_is_not_whole_beside_the_geometry_is_left_behind_and_told(tmp_path, vertices, faces, lost):
@@ -156,23 +156,23 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
 @pytest.mark.parametrize(
     ("name", "text", "where", "reason"),
     [
-        ("m.obj", SQUARE, "", "holds no faces"),
-        ("m.obj", "f 1 2 3\n", "", "holds no vertices"),
+        ("m.obj", SQUARE, "", "contains no faces"),
+        ("m.obj", "f 1 2 3\n", "", "contains no vertices"),
         ("m.obj", SQUARE + "f 1 2\n", "line 5", "a face has 2 corners"),
-        ("m.obj", SQUARE + "f -5 1 2\n", "line 5", "a face names -5 of 4 vertices"),
+        ("m.obj", SQUARE + "f -5 1 2\n", "line 5", "a face refers to -5 of 4 vertices"),
         ("m.obj", SQUARE + "vn 0 0 1\nf 1//1/2 //1/ 3//1/2 //1/\n", "line 6", "not a corner of a face: '1//1/2'"),
         ("m.obj", SQUARE + "f 1 2 3-1\n", "line 5", "not a corner of a face: '3-1'"),
-        ("m.obj", SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face names {10**18} of 4 vertices"),
+        ("m.obj", SQUARE + f"f 1 2 {10**30}\n", "line 5", f"a face refers to {10**18} of 4 vertices"),
         ("m.obj", SQUARE + "v 0 0 1e39\nf 1 2 5\n", "vertex 4", "beyond the float32 range"),
         ("m.obj", SQUARE + "f 1 2 1_0\n", "line 5", "not a corner of a face: '1_0'"),
-        ("m.obj", "v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, found 2"),
+        ("m.obj", "v 0 0\nf 1 1 1\n", "line 1", "a vertex has 3, 4 or 6 values, got 2"),
         ("m.obj", SQUARE + "vt \0\nvt 0 0\nf 1/1 2/2 3/2\n", "line 5", "a vt has no values"),
         ("m.obj", "v 0 0 0 1\nv 0 0 0 2\nf 1 2 1\n", "line 2", "a vertex has the weight 2"),
         ("m.obj", SQUARE + "\nv 0 x 0\nf 1 2 3\n", "line 6", "not a number: 'x'"),
-        ("m.obj", SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not read"),
-        ("m.obj", SQUARE + "f 1 2 3 \\", "line 5", "ends in a line that is to go on"),
+        ("m.obj", SQUARE + "curv 0 1 1 2\nf 1 2 3\n", "line 5", "the statement 'curv' is not supported"),
+        ("m.obj", SQUARE + "f 1 2 3 \\", "line 5", "ends in a line with a continuation mark"),
         ("m.stl", "solid a\n" + TEXT_FACET, "line 9", "truncated: ends without endsolid"),
-        ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "found 'vertex 1 0'"),
+        ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0") + "endsolid\n", "line 5", "got 'vertex 1 0'"),
         ("m.stl", "solid a\n" + TEXT_FACET.replace("1 0 0", "1 0 x") + "endsolid\n", "line 5", "not a number: 'x'"),
         (
             "m.stl",
@@ -180,9 +180,9 @@ def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors
             "triangle 0",
             "a corner is not finite",
         ),
-        ("m.stl", "solid x\nendsolid x\n", "", "holds no facets"),
-        ("m.stl", "\0" * 84, "", "holds no facets"),
-        ("m.stl", "no mesh", "byte 7", "is no STL"),
+        ("m.stl", "solid x\nendsolid x\n", "", "contains no facets"),
+        ("m.stl", "\0" * 84, "", "contains no facets"),
+        ("m.stl", "no mesh", "byte 7", "is not an STL file"),
         ("m.stl", "x" * 200, "byte 200", "facets that it declares take"),
     ],
 )

@@ -141,10 +141,10 @@ TEXT = (
 COUNTED = ["ascii.ply", "ascii_mesh.ply", "ascii.pcd", "cloud.pts", "scans.ptx", "text.stl", "mesh.off"]
 
 pytestmark = [
-    pytest.mark.filterwarnings("ignore:.*(are|is) left behind"),
+    pytest.mark.filterwarnings("ignore:.*(are|is) (dropped|ignored)"),
     pytest.mark.filterwarnings("ignore:.*(clamped|divided by 255|defined twice|before any newmtl)"),
-    pytest.mark.filterwarnings("ignore:.*taken for white"),
-    pytest.mark.filterwarnings("ignore:.*such are fans"),
+    pytest.mark.filterwarnings("ignore:.*white is used"),
+    pytest.mark.filterwarnings("ignore:.*triangulated as fans"),
     pytest.mark.filterwarnings("ignore:.*WIDTH x HEIGHT is 0"),
 ]
 

@@ -78,15 +78,15 @@ def test_archives_of_numpy_are_read_in_any_layout(path, save):
 @pytest.mark.parametrize(
     ("arrays", "reason"),
     [
-        ({"xyz": np.zeros((2, 3))}, "no array 'points' (the archive holds: xyz)"),
-        ({"points": np.zeros((3, 2))}, "points: expected numbers of shape [n, 3], found float64 [3, 2]"),
-        ({"points": np.zeros(3)}, "points: expected numbers of shape [n, 3], found float64 [3]"),
+        ({"xyz": np.zeros((2, 3))}, "no array 'points' (the archive contains: xyz)"),
+        ({"points": np.zeros((3, 2))}, "points: expected numbers of shape [n, 3], got float64 [3, 2]"),
+        ({"points": np.zeros(3)}, "points: expected numbers of shape [n, 3], got float64 [3]"),
         ({"points": np.zeros((2, 3), bool)}, "points: expected numbers"),
         ({"points": np.zeros((2, 3)), "normals": np.zeros((3, 3))}, "normals: expected numbers of shape [2, 3]"),
         ({"points": np.zeros((2, 3)), "colors": np.full((2, 3), 2.0)}, "a color is outside 0..1"),
         (
             {"points": np.zeros((2, 3)), "ring": np.zeros((2, 2, 2))},
-            "ring: expected shape [2] or [2, c], found [2, 2, 2]",
+            "ring: expected shape [2] or [2, c], got [2, 2, 2]",
         ),
         ({"points": np.zeros((2, 3)), "name": np.array(["a", "b"])}, "name: expected real numbers"),
         ({"points": np.zeros((2, 3)), "grid": np.array([3, 3])}, "grid: expected height and width"),
@@ -130,8 +130,8 @@ def test_a_directory_that_lies_about_the_size_is_refused(path, size):
         (lambda data: b"", "is empty"),
         (lambda data: data[:-1], "truncated"),
         (lambda data: data + b"\0", "bytes follow its end"),
-        (lambda data: b"junk" + data, "4 bytes stand before the archive"),
-        (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is there twice"),
+        (lambda data: b"junk" + data, "4 bytes precede the archive"),
+        (lambda data: data.replace(b"ring__.npy", b"points.npy"), "is duplicated"),
         (lambda data: data.replace(b"\x93NUMPY\1", b"\x93NUMPY\7"), "Bad CRC-32"),
     ],
 )
@@ -173,7 +173,7 @@ def test_memory_that_runs_out_is_called_so_with_the_file(path, monkeypatch):
     for place in ("zipfile.ZipExtFile.read", "numpy.lib.format.read_array_header_1_0", "numpy.frombuffer"):
         with monkeypatch.context() as patch:
             patch.setattr(place, refuse)
-            with pytest.raises(MemoryError, match=re.escape(f"{path}: the memory does not hold")):
+            with pytest.raises(MemoryError, match=re.escape(f"{path}: not enough memory")):
                 read_npz(path)
 
 

@@ -80,9 +80,9 @@ def test_colors_up_to_one_are_parts(tmp_path):
 @pytest.mark.parametrize(
     ("values", "faces", "lost"),
     [
-        ("", "3 0 1 2 5\n3 0 2 1 6", "colors of faces are left behind, since [0-2] of 2 faces"),
-        ("", "3 0 1 2\n3 0 2 1 9 9 9", "colors of faces are left behind, since [0-2] of 2 faces"),
-        ("", "3 0 1 2 9 9 9\n3 0 2 1 9 9 9 9", "colors of faces are left behind, since [0-2] of 2 faces"),
+        ("", "3 0 1 2 5\n3 0 2 1 6", "colors of faces are dropped, because [0-2] of 2 faces"),
+        ("", "3 0 1 2\n3 0 2 1 9 9 9", "colors of faces are dropped, because [0-2] of 2 faces"),
+        ("", "3 0 1 2 9 9 9\n3 0 2 1 9 9 9 9", "colors of faces are dropped, because [0-2] of 2 faces"),
     ],
 )
 def test_colors_that_are_not_whole_are_left_behind_and_told(tmp_path, values, faces, lost):
@@ -126,16 +126,16 @@ def test_colors_of_faces_are_the_triangles(tmp_path):
 @pytest.mark.parametrize(
     ("text", "where", "reason"),
     [
-        ("OFFER\n", "", "is no OFF"),
+        ("OFFER\n", "", "is not an OFF file"),
         ("nOFF\n3\n", "line 1", "OFF of another dimension"),
         ("OFF\n", "line 1", "it has no counts"),
         ("OFF\n-1 1 0\n", "line 2", "a count: -1 does not fit"),
         ("OFF\n4 2 0\n" + SQUARE + "3 0 1 2\n", "line 7", "truncated: 5 lines for 4 vertices and 2 faces"),
         ("OFF\n4 1 0\n" + SQUARE + "3 0 1 2\n3 0 1 2\n", "line 8", "1 lines follow"),
-        ("OFF\n3 1 0\n0 0 0\n0 0\n0 0 0\n3 0 1 2\n", "line 4", "expected 3 values, found 2"),
-        ("NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, found 3"),
-        ("OFF\n4 0 0\n" + SQUARE, "", "holds no faces"),
-        ("OFF\n4 1 0\n" + SQUARE + "3 0 1 4\n", "line 7", "a face names vertex 4"),
+        ("OFF\n3 1 0\n0 0 0\n0 0\n0 0 0\n3 0 1 2\n", "line 4", "expected 3 values, got 2"),
+        ("NOFF\n3 1 0\n0 0 0\n0 0 0\n0 0 0\n3 0 1 2\n", "line 3", "a vertex has 6 values, got 3"),
+        ("OFF\n4 0 0\n" + SQUARE, "", "contains no faces"),
+        ("OFF\n4 1 0\n" + SQUARE + "3 0 1 4\n", "line 7", "a face refers to vertex 4"),
         ("OFF\n4 1 0\n" + SQUARE + "3 0 1 -1\n", "line 7", "a corner: -1 does not fit"),
         ("OFF\n4 1 0\n" + SQUARE + "2 0 1\n", "face 0", "a face has 2 corners"),
         ("OFF\n4 1 0\n" + SQUARE + "3 0 1 2 1 1\n", "line 7", "a face of 3 corners has 5 values"),

@@ -126,7 +126,7 @@ def test_older_headers_without_viewpoint_or_counts_are_read(path, version):
         ("POINTS 2", "POINTS 3", "line 10", "POINTS is 3, but WIDTH x HEIGHT is 2"),
         ("VIEWPOINT 0 0 0 1", "VIEWPOINT 0 0", "line 9", "VIEWPOINT: expected 7 numbers"),
         ("4 5 6\n", "", "line 12", "truncated: 1 of 2 points"),
-        ("4 5 6\n", "4 5 6 7\n", "line 13", "expected 3 values, found 4"),
+        ("4 5 6\n", "4 5 6 7\n", "line 13", "expected 3 values, got 4"),
         ("4 5 6\n", "4 5 6e\n", "line 13", "not a number: '6e'"),
         ("4 5 6\n", "4 5 6\n\n7 8 9\n", "line 15", "1 lines follow the declared 2 points"),
     ],
@@ -246,7 +246,7 @@ def test_lzf_crosses_its_blocks_and_shrinks_what_repeats(monkeypatch):
         (b"\x00a\xe0\x05", 4, "ends within a reference"),
         (b"\x00a\xe0", 4, "ends within a reference"),
         (b"\x00a\xe0\xff\x00", 50, "more than the declared 50 bytes"),
-        (b"\x00a", 2, "1 bytes come out where 2 are declared"),
+        (b"\x00a", 2, "decompresses to 1 bytes instead of the declared 2"),
         (b"\x00a", 10**9, "cannot expand"),
     ],
 )

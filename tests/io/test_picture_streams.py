@@ -24,14 +24,14 @@ RED_GREEN_BLUE = {"bits": 8, "color_type": 2}
     ("rows", "cut", "claim"),
     [
         (24, 0, None),
-        (12, 0, "but its stream of pixels holds"),
-        (23, 0, "but its stream of pixels holds"),
-        (0, 0, "but its stream of pixels holds 0"),
-        (25, 0, "but its stream of pixels holds more"),
-        (48, 0, "but its stream of pixels holds more"),
+        (12, 0, "but its stream of pixels contains"),
+        (23, 0, "but its stream of pixels contains"),
+        (0, 0, "but its stream of pixels contains 0"),
+        (25, 0, "but its stream of pixels contains more"),
+        (48, 0, "but its stream of pixels contains more"),
         (24, 1, "lacks its end and checksum"),
         (24, 4, "lacks its end and checksum"),
-        (24, 30, "but its stream of pixels holds"),
+        (24, 30, "but its stream of pixels contains"),
     ],
 )
 def test_a_png_whose_stream_does_not_fit_its_header_is_refused(tmp_path, kind, pixel, read, rows, cut, claim):
@@ -61,12 +61,12 @@ def test_what_else_a_png_may_not_have_is_refused(tmp_path, monkeypatch):
     row = b"\0" + bytes(8)
     whole = zlib.compress(row * 4)
     cases = {
-        "goes on behind its end": png_of(4, 4, whole + b"more"),
-        "not zlib's": png_of(4, 4, b"no stream"),
+        "continues after its end": png_of(4, 4, whole + b"more"),
+        "not a zlib stream": png_of(4, 4, b"no stream"),
         "unknown filter": png_of(4, 4, zlib.compress(row * 3 + b"\5" + bytes(8))),
         "no 16 bits a channel for color type 3": png_of(4, 4, whole, color_type=3),
         "interlacing 2": png_of(4, 4, whole, interlace=2),
-        "holds 36": png_of(4, 4, whole, interlace=1),
+        "contains 36": png_of(4, 4, whole, interlace=1),
     }
     sound = png_of(4, 4, whole[:5], whole[5:])
     cases["not in one run"] = sound[:-12] + sound[8:33].replace(b"IHDR", b"tEXt") + sound[33:]

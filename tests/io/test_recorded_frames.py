@@ -181,7 +181,7 @@ def test_a_lens_that_is_not_straightened_is_told_and_a_rectified_picture_has_p(t
         out.image("/cam/depth/image_rect", 1.0, "16UC1", depth_of(0))
     recording = loom.open_recording(out.path)
     raw, rect = recording.frames(DEPTH_TOPIC), recording.frames("/cam/depth/image_rect")
-    assert "tells a lens (0.1, -0.2, 0, 0, 0) that is not straightened" in raw.warnings[0]
+    assert "has a lens distortion (0.1, -0.2, 0, 0, 0) that is not corrected" in raw.warnings[0]
     assert (rect.intrinsic.fx, rect.intrinsic.cy, rect.warnings) == (30.0, 6.0, ())
 
 
@@ -204,9 +204,9 @@ def test_cameras_that_are_missing_or_say_nothing_are_named(tmp_path):
 
 
 @pytest.mark.parametrize(("encoding", "array", "step", "words"), [
-    ("bayer_rggb8", color_of(0)[:, :, 0], 0, "pictures of 'bayer_rggb8' are not read"),
-    ("rgb8", color_of(0)[:, :, 0], 0, "rows of 16 bytes for 16 pixels, which are 48"),
-    ("rgb8", color_of(0)[:6], 0, r"of 12 rows of 24 bytes|rows of 24 bytes for 16 pixels"),
+    ("bayer_rggb8", color_of(0)[:, :, 0], 0, "images of encoding 'bayer_rggb8' are not supported"),
+    ("rgb8", color_of(0)[:, :, 0], 0, "rows of 16 bytes, but 16 pixels need 48"),
+    ("rgb8", color_of(0)[:6], 0, r"of 12 rows of 24 bytes|rows of 24 bytes, but 16 pixels"),
 ])  # fmt: skip
 def test_pictures_that_lie_are_refused_by_their_frame(tmp_path, encoding, array, step, words):
     with Writer(tmp_path) as out:

@@ -124,8 +124,8 @@ def test_circles_two_parents_and_what_is_no_transform_are_named(tmp_path):
     cases += [("long", [("a", "b", [0, 0, 0], [0, 0, 0, 2])]), ("nan", [("a", "b", [np.nan, 0, 0], [0, 0, 0, 1])])]
     cases += [("self", [("a", "a", *still)]), ("nameless", [("", "b", *still)])]
     said = [
-        "stand in a circle",
-        "b stands in a and in c",
+        "form a cycle",
+        "b has the parents a and c",
         "no transform of b",
         "no transform of b",
         "'a' to 'a'",

@@ -67,7 +67,7 @@ def test_a_list_has_a_length_and_may_be_read_twice_a_generator_neither():
         ((COLOR, DEPTH, float("nan")), ValueError, "timestamp"),
         ((COLOR, DEPTH, "noon"), TypeError, "timestamp"),
         ((COLOR,), ValueError, r"expected \(color, depth\)"),
-        (DEPTH, TypeError, r"expected \(color, depth\) or what has color and depth"),
+        (DEPTH, TypeError, r"expected \(color, depth\) or an object with color and depth"),
     ],
 )
 def test_a_frame_that_is_none_is_named_and_the_frames_before_it_are_given(item, error, message):
@@ -93,7 +93,7 @@ def test_times_that_stand_still_go_back_or_jump_are_told():
     assert len(list(source)) == len(times)
     assert source.notes == [
         "frame-000007: its time stamp is equal to that of the frame before it",
-        "frame-000008: comes 2.400 s after the frame before it, where 0.100 s are usual",
+        "frame-000008: comes 2.400 s after the frame before it, instead of the usual 0.100 s",
         "frame-000009: its time stamp is 2.000 s before that of the frame before it",
     ]
 
@@ -201,7 +201,7 @@ def test_closing_from_another_thread_ends_a_loop_that_waits():
 def test_frames_are_read_by_one_loop():
     latest = loom.LatestFrames(stream((COLOR, DEPTH)))
     assert len(list(latest)) == 1
-    with pytest.raises(ValueError, match="read once"):
+    with pytest.raises(ValueError, match="read only once"):
         iter(latest)
 
 
@@ -295,7 +295,7 @@ def test_a_listed_frame_that_is_gone_is_named_or_skipped(tmp_path):
     loom.record_frames(stream(*[(COLOR, DEPTH)] * 3), tmp_path / "set")
     for path in (tmp_path / "set").glob("frame-000001.*"):
         path.unlink()
-    with pytest.raises(DatasetError, match=rf"frame-000001\.depth\.png: missing, though {FRAME_TIMES} lists it"):
+    with pytest.raises(DatasetError, match=rf"frame-000001\.depth\.png: missing, although {FRAME_TIMES} lists it"):
         loom.open_frames(tmp_path / "set")
     source = loom.open_frames(tmp_path / "set", skip_missing=True)
     assert len(source) == 2 and len(source.left_out) == 1

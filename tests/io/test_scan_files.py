@@ -32,11 +32,11 @@ def test_tables_beside_scans_are_no_scans(tmp_path):
 def test_folders_that_are_none_are_named(tmp_path):
     with pytest.raises(FileError, match="/nowhere:"):
         run_odometry(tmp_path / "nowhere")
-    with pytest.raises(FileError, match="holds no scan"):
+    with pytest.raises(FileError, match="contains no scan"):
         run_odometry(tmp_path)
     (tmp_path / "1.bin").touch()
     (tmp_path / "2.ply").touch()
-    with pytest.raises(FileError, match=r"several kinds: \.bin, \.ply"):
+    with pytest.raises(FileError, match=r"several types: \.bin, \.ply"):
         run_odometry(tmp_path)
     with pytest.raises(FileError, match=r"/1\.bin:"):
         run_odometry(tmp_path / "1.bin")

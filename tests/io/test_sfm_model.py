@@ -134,10 +134,10 @@ def good(**changed):
 @pytest.mark.parametrize(
     ("changed", "kind", "message"),
     [
-        ({"names": ["a", "a"]}, ValueError, "names: 'a' stands twice"),
+        ({"names": ["a", "a"]}, ValueError, "names: 'a' is duplicated"),
         ({"names": ["", "a"]}, ValueError, "an empty one"),
         ({"names": ["a", 1]}, TypeError, "names"),
-        ({"cameras": [LENS]}, ValueError, "cameras: expected one a picture, 2, got 1"),
+        ({"cameras": [LENS]}, ValueError, "cameras: expected 2, one per image, got 1"),
         ({"cameras": [LENS, LENS.params]}, TypeError, "cameras: expected CameraModels"),
         ({"T_camera_world": np.tile(2 * np.eye(4), (2, 1, 1))}, ValueError, r"T_camera_world\[0\]"),
         ({"T_camera_world": np.full((2, 4, 4), np.nan)}, ValueError, r"T_camera_world\[0\]"),
@@ -150,7 +150,7 @@ def good(**changed):
         ({"errors": [0.0]}, ValueError, "errors"),
         ({"observations": [[-1, 0]]}, ValueError, "row 0"),
         ({"observations": [[0.0, 1.0]]}, TypeError, "whole numbers"),
-        ({"pixels": None}, ValueError, "pixels: expected one a row"),
+        ({"pixels": None}, ValueError, "pixels: expected one per row"),
         ({"pixels": [[np.nan, 0]]}, ValueError, "pixels: expected finite"),
         ({"observations": None}, ValueError, "pixels: given without observations"),
         ({"left_out": "text"}, TypeError, "left_out"),

@@ -104,8 +104,8 @@ def test_a_cloud_is_no_splats(tmp_path):
 
 
 @pytest.mark.parametrize(("name", "columns", "message"), [
-    ("scale", 2, "expected 3 columns scale_i, found 2; splats of 2D"),
-    ("f_rest", 8, "expected 0, 9, 24, 45 or 72 columns f_rest_i, found 8"),
+    ("scale", 2, "expected 3 columns scale_i, got 2; splats of 2D"),
+    ("f_rest", 8, "expected 0, 9, 24, 45 or 72 columns f_rest_i, got 8"),
 ])  # fmt: skip
 def test_other_numbers_of_columns_are_refused(tmp_path, name, columns, message):
     cloud = made(3, 1).cloud.copy()
@@ -138,7 +138,7 @@ def test_a_count_that_lies_takes_no_memory(tmp_path, version):
 
 
 @pytest.mark.parametrize(("place", "value", "message"), [
-    (4, 1, "SPZ of version 1"), (12, 7, "harmonics of degree 7"), (13, 24, "24 fractional bits"), (0, 0, "mark"),
+    (4, 1, "SPZ of version 1"), (12, 7, "harmonics of degree 7"), (13, 24, "24 fractional bits"), (0, 0, "magic"),
 ])  # fmt: skip
 def test_headers_of_spz_are_held_to(tmp_path, place, value, message):
     loom.write_splats(tmp_path / "a.spz", made(3, 0))
@@ -221,7 +221,7 @@ def test_the_largest_part_of_a_compressed_rotation_follows_from_the_others(tmp_p
 @pytest.mark.parametrize(
     ("more", "message"),
     [
-        ({"chunks": []}, "expected 1 chunks of 256 for 1 splats, found 0"),
+        ({"chunks": []}, "expected 1 chunks of 256 for 1 splats, got 0"),
         ({"chunks": [CHUNK] * 2}, "expected 1 chunks"),
         ({"chunks": CHUNK[1:], "ends": ENDS[1:]}, "has no min_x"),
         ({"chunks": [*CHUNK, 0], "ends": [*ENDS, "min_r"]}, "expected all of min_r"),

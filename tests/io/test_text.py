@@ -62,9 +62,9 @@ def test_pts_holds_intensity_and_colors_in_any_combination(tmp_path, with_intens
     ("name", "content", "where", "reason"),
     [
         ("c.xyz", "", "byte 0", "is empty"),
-        ("c.xyz", "# nothing\n", "", "holds no points"),
+        ("c.xyz", "# nothing\n", "", "contains no points"),
         ("c.xyz", "# c\n1 2 3\n4 5 x\n", "line 3", "not a number: 'x'"),
-        ("c.xyz", "1 2 3\n4 5 \0\n", "line 2", "expected 3 values, found 2"),
+        ("c.xyz", "1 2 3\n4 5 \0\n", "line 2", "expected 3 values, got 2"),
         ("c.xyz", "1 2 3\n4 5 6\0\n", "line 2", r"not a number: '6\x00'"),
         ("c.xyz", "1 2 3\n4 5 1_0\n", "line 2", "not a number: '1_0'"),
         ("c.xyz", "1 2 3\n4 5 1e400\n", "line 2", "beyond the range of float64"),
@@ -74,7 +74,7 @@ def test_pts_holds_intensity_and_colors_in_any_combination(tmp_path, with_intens
         ("c.pts", "1e3\n", "line 1", "not a whole number"),
         ("c.pts", "10000000000\n1 2 3\n", "line 2", "truncated: 1 of 10000000000 points"),
         ("c.pts", "1\n1 2 3\n4 5 6\n", "line 3", "1 lines follow the declared 1 points"),
-        ("c.pts", "1\n1 2 3 4 5\n", "line 2", "expected 3, 4, 6 or 7 values, found 5"),
+        ("c.pts", "1\n1 2 3 4 5\n", "line 2", "expected 3, 4, 6 or 7 values, got 5"),
         ("c.pts", "1\n1 2 3 0 0 256\n", "line 2", "does not fit"),
         ("c.txt", "1 2 3\n", "", "'.txt' is not one of .xyz, .xyzn, .xyzrgb, .pts"),
     ],
@@ -90,8 +90,8 @@ def test_a_damaged_file_is_refused_with_place_and_reason(tmp_path, name, content
 @pytest.mark.parametrize(
     ("suffix", "change", "reason"),
     [
-        (".xyz", {"colors": np.zeros((50, 3))}, ".xyz cannot hold colors"),
-        (".pts", {"attributes": {"ring": np.zeros(50)}}, ".pts cannot hold the attribute 'ring'"),
+        (".xyz", {"colors": np.zeros((50, 3))}, ".xyz cannot store colors"),
+        (".pts", {"attributes": {"ring": np.zeros(50)}}, ".pts cannot store the attribute 'ring'"),
         (".xyzrgb", {"colors": None}, ".xyzrgb needs colors"),
     ],
 )

@@ -63,7 +63,7 @@ def test_we_see_pictures_of_trimesh_upright(tmp_path):
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, visual=look, process=False)
     for name in ("t.glb", "t.obj"):
         other.export(tmp_path / name)
-        lost = "left behind: factors of base colors beside a texture" if name == "t.glb" else None
+        lost = "dropped: factors of base colors beside a texture" if name == "t.glb" else None
         with pytest.warns(UserWarning, match=lost) if lost else nullcontext():
             assert seen_at_corners(FORMATS[name[1:]][1](tmp_path / name)) == CORNERS
 
@@ -128,7 +128,7 @@ def test_what_is_not_to_be_written_is_left_out(tmp_path):
     )
     mesh.triangle_uvs, mesh.textures = table.triangle_uvs, table.textures[:1]
     for suffix in (".stl", ".off"):
-        with pytest.warns(UserWarning, match=r"textures left out, since (STL|OFF) cannot hold that"):
+        with pytest.warns(UserWarning, match=r"textures left out, because (STL|OFF) cannot store them"):
             loom.write_triangle_mesh(tmp_path / f"m{suffix}", mesh)
         assert loom.read_triangle_mesh(tmp_path / f"m{suffix}").triangle_uvs is None
     without = {"write_vertex_normals": False, "write_vertex_colors": False, "write_triangle_uvs": False}
@@ -189,13 +189,13 @@ def test_a_picture_in_a_folder_with_blanks_and_options_is_found(tmp_path):
 @pytest.mark.parametrize(
     ("mtl", "reason"),
     [
-        ("newmtl a\nmap_Kd q.png\n", "its picture 'q.png' does not lie beside it"),
+        ("newmtl a\nmap_Kd q.png\n", "its image 'q.png' is not beside it"),
         (
             "newmtl a\nmap_Kd /etc/hostname\n",
-            "its picture '/etc/hostname' leads out of its folder (copy it there, or ask for outside_files=True)",
+            "its image '/etc/hostname' is outside of its folder (copy it there, or pass outside_files=True)",
         ),
-        ("newmtl a\nmap_Kd C:\\p.png\n", r"its picture 'C:\\p.png' leads out of its folder"),
-        (f"newmtl a\nmap_Kd {'x' * 5000}\n", "does not lie beside it"),
+        ("newmtl a\nmap_Kd C:\\p.png\n", r"its image 'C:\\p.png' is outside of its folder"),
+        (f"newmtl a\nmap_Kd {'x' * 5000}\n", "is not beside it"),
     ],
 )
 def test_a_missing_picture_leaves_textures_behind_with_a_warning(tmp_path, mtl, reason):
@@ -219,7 +219,7 @@ def test_a_material_that_is_not_defined_is_white_with_a_warning(tmp_path):
 @pytest.mark.parametrize(
     ("text", "where", "reason"),
     [
-        ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, found 4"),
+        ("vt 0 0 0 0\nf 1/5 2/5 3/5\n", "line 10", "a vt has 1 to 3 values, got 4"),
         ("vt 1e60 0\nf 1/5 2/5 3/5\n", "line 10", "beyond the range of float32"),
         ("vt x 0\nf 1/5 2/5 3/5\n", "line 10", "not a number: 'x'"),
     ],
@@ -243,7 +243,7 @@ def test_a_damaged_vt_is_refused_with_its_line(tmp_path, text, where, reason):
         ("newmtl a\nmap_Kd -mm 0 2 -t 1 p.png\n", "line 2: the option -mm of map_Kd, the option -t", PICTURE),
         ("\ufeffNEWMTL a\nKD 0 0 1 # blue\n", None, [0, 0, 255]),
         ("newmtl a\nmap_kd p.png\n", None, PICTURE),
-        ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is left behind", PICTURE),
+        ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is ignored", PICTURE),
     ],
 )
 def test_faults_of_an_mtl_are_warned_of_and_the_mesh_is_read(tmp_path, mtl, told, seen):
@@ -272,7 +272,7 @@ def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_pat
         (tmp_path / "m_0.png").write_text("no picture")
     else:
         Image.new("RGB", (8, 8)).save(tmp_path / "m_0.png", kind)
-    with pytest.warns(UserWarning, match="the textures are left behind.*neither PNG nor JPEG"):
+    with pytest.warns(UserWarning, match="the textures are dropped.*neither PNG nor JPEG"):
         mesh = FORMATS[suffix][1](tmp_path / f"m{suffix}")
     assert (len(mesh.triangles), mesh.textures) == (2, ())
 
@@ -377,7 +377,7 @@ def test_ply_coordinates_at_vertices_are_those_of_corners(tmp_path, names):
     ("faces", "face", "reason"),
     [
         (f"4 0 1 2 3 {UVS} 0\n3 0 1 2 4 0 0 1 0 0\n", None, "a face of 3 corners has 4 texture coordinates"),
-        (f"4 0 1 2 3 {UVS} 2\n4 0 1 2 3 {UVS} 0\n", None, "a face has the texture 2, but 2 are named"),
+        (f"4 0 1 2 3 {UVS} 2\n4 0 1 2 3 {UVS} 0\n", None, "a face refers to texture 2, but 2 are listed"),
         ("3 0 1 2 0\n3 0 1 2 0\n", "property float texcoord\n", "'texcoord' is not a list of coordinates"),
         ("3 0 1 2 0.5\n3 0 1 2 0\n", "property float texnumber\n", "'texnumber' is not a whole number"),
     ],

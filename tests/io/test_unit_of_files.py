@@ -106,7 +106,7 @@ def test_a_format_without_a_place_for_the_unit_says_so(suffix, tmp_path):
             else (lambda m=mesh: loom.write_triangle_mesh(path, m))
         )
         if count:
-            with pytest.warns(loom.UnitWarning, match="does not tell that coordinates are in foot"):
+            with pytest.warns(loom.UnitWarning, match="coordinates are in foot"):
                 write()
         else:
             write()

@@ -81,12 +81,12 @@ def test_the_mesh_has_the_arrays_of_the_cloud():
 @pytest.mark.parametrize(
     ("settings", "said"),
     [
-        ({"radii": [0.1]}, "radii: goes with method 'ball', not with 'poisson'"),
-        ({"method": "ball", "depth": 7}, "depth: goes with method 'poisson', not with 'ball'"),
-        ({"method": "alpha", "density_quantile": 0.1}, "density_quantile: goes with method 'poisson'"),
-        ({"alpha": 0.1}, "alpha: goes with method 'alpha'"),
+        ({"radii": [0.1]}, "radii: applies to method 'ball', not to 'poisson'"),
+        ({"method": "ball", "depth": 7}, "depth: applies to method 'poisson', not to 'ball'"),
+        ({"method": "alpha", "density_quantile": 0.1}, "density_quantile: applies to method 'poisson'"),
+        ({"alpha": 0.1}, "alpha: applies to method 'alpha'"),
         ({"method": "voronoi"}, "method: expected one of poisson, ball, alpha, got 'voronoi'"),
-        ({"density_quantile": 1}, "density_quantile: expected a share from 0 and below 1"),
+        ({"density_quantile": 1}, "density_quantile: expected a fraction >= 0 and < 1"),
         ({"method": "alpha", "alpha": [0.1, 0.2]}, "alpha: expected a number"),
     ],
 )

@@ -131,7 +131,7 @@ def test_a_wild_point_takes_no_more_than_its_own_blocks(scan):
     assert with_it.slice("z", UTM[2] + 1).distances.shape[1] > FAR_AWAY[0] / SIZE
     with pytest.raises(ValueError, match="bounds:"):
         with_it.to_array([UTM - 1e5, UTM + 1e5])
-    with pytest.raises(ValueError, match=r"a voxel lies .* from the field's origin.*the points reach from"):
+    with pytest.raises(ValueError, match=r"a voxel lies .* from the field's origin.*the points extend from"):
         field_of(np.vstack([scan, UTM + 100 * FAR_AWAY]), "cpu")
 
 
@@ -223,7 +223,7 @@ def test_a_field_comes_back_from_its_file_and_from_pickle(tmp_path, scan):
 
 DAMAGE = {
     "lacks voxels": lambda a: a.pop("voxels"),
-    "holds unknown arrays": lambda a: a.update(more=np.zeros(1)),
+    "contains unknown arrays": lambda a: a.update(more=np.zeros(1)),
     "voxels: expected int32": lambda a: a.update(voxels=a["voxels"].astype(np.int64)),
     "voxels: repeated": lambda a: a.update(voxels=a["voxels"][[0, 0]]),
     "voxels: out of range": lambda a: a.update(voxels=a["voxels"] + 90),

@@ -204,9 +204,9 @@ def test_device_arrays_are_taken_where_they_lie(device):
         ({"level": "zero"}, TypeError, "level: expected a number"),
         ({"spacing": 1.0}, ValueError, r"spacing: expected shape \[3\], got \[\]"),
         ({"spacing": (1, 0, 1)}, ValueError, "spacing: expected a finite number > 0"),
-        ({"spacing": (1, 1e-60, 1)}, ValueError, "below what float32 can hold"),
-        ({"spacing": (1, 1e39, 1)}, ValueError, "passes float32"),
-        ({"origin": (np.nan, 0, 0)}, ValueError, "passes float32"),
+        ({"spacing": (1, 1e-60, 1)}, ValueError, "below the float32 range"),
+        ({"spacing": (1, 1e39, 1)}, ValueError, "exceeds the float32 range"),
+        ({"origin": (np.nan, 0, 0)}, ValueError, "exceeds the float32 range"),
         ({"device": "cuda:99"}, DeviceError, "device: expected one of"),
     ],
 )

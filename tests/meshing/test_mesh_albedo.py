@@ -145,10 +145,10 @@ def test_bad_input_is_named():
     flat, nan = loom.TriangleMesh([[0, 0, 0]]), [np.full((4, 4), np.nan), *poses[1:]]
     wrong = [*images[:2], np.zeros((2, 2, 3), np.uint8), *images[3:]]
     for one, given, named in (
-        (scene.mesh, (images, camera, poses), "no triangle_uvs"),
-        (flat, (images, camera, poses), "no triangles"),
-        (mesh, (images, camera, poses[:4]), "4 poses, but 5 pictures"),
-        (mesh, (images, [camera], poses), "1 cameras, but 5 images"),
+        (scene.mesh, (images, camera, poses), "expected triangle_uvs"),
+        (flat, (images, camera, poses), "expected triangles"),
+        (mesh, (images, camera, poses[:4]), "expected 5, one per image, got 4"),
+        (mesh, (images, [camera], poses), "expected 5, one per image, got 1"),
         (mesh, (wrong, camera, poses), r"images\[2\]"),
         (mesh, (images, camera, poses, 0), "tex_size"),
         (mesh, (images, camera, nan), r"extrinsic_matrices\[0\]"),

@@ -92,7 +92,7 @@ def test_what_makes_no_atlas_is_refused(monkeypatch):
     mesh = TriangleMesh.create_torus()
     for arguments, error, reason in (
         ({"size": 0}, ValueError, "size"),
-        ({"size": 2**15}, ValueError, "up to 2.28 texels"),
+        ({"size": 2**15}, ValueError, "at most 2.28 texels"),
         ({"gutter": -1}, ValueError, "gutter"),
         ({"size": 16, "gutter": 4}, ValueError, "size: 16 x 16 texels are too few for the mesh"),
         ({"size": 2.5}, TypeError, "size"),

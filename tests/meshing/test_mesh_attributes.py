@@ -66,11 +66,11 @@ def test_the_constructor_takes_them():
 @pytest.mark.parametrize(
     ("name", "values", "kind", "message"),
     [
-        ("a", [1, 2], ValueError, r"a: expected shape \[8\] or \[8, c\], one row a vertex, got \[2\]"),
+        ("a", [1, 2], ValueError, r"a: expected shape \[8\] or \[8, c\], one row per vertex, got \[2\]"),
         ("a", np.zeros((8, 2, 2)), ValueError, "a: expected shape"),
         ("a", ["x"] * 8, TypeError, "a: expected"),
-        ("vertex_colors", np.zeros((8, 3)), KeyError, "assign mesh.vertex_colors"),
-        ("a", np.zeros(8, np.longdouble), TypeError, "64 bits at most"),
+        ("vertex_colors", np.zeros((8, 3)), KeyError, "Assign mesh.vertex_colors"),
+        ("a", np.zeros(8, np.longdouble), TypeError, "at most 64 bits"),
     ],
 )
 def test_what_is_no_attribute_is_refused(name, values, kind, message):

@@ -50,9 +50,9 @@ def test_colors_go_along_and_normals_are_made_anew_where_both_have_them(device):
 
 BAD = {
     "closed": (BOX, BOX_SIDES[1:]),
-    "turn different ways": (BOX, np.vstack([BOX_SIDES[:1, ::-1], BOX_SIDES[1:]])),
-    "looks inwards": (BOX, BOX_SIDES[:, ::-1]),
-    "not finite": (np.vstack([[[np.nan] * 3], BOX[1:]]), BOX_SIDES),
+    "inconsistently oriented": (BOX, np.vstack([BOX_SIDES[:1, ::-1], BOX_SIDES[1:]])),
+    "faces inward": (BOX, BOX_SIDES[:, ::-1]),
+    "NaN or infinite": (np.vstack([[[np.nan] * 3], BOX[1:]]), BOX_SIDES),
 }
 
 

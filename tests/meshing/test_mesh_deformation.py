@@ -158,10 +158,18 @@ def test_no_turns_and_no_triangles_change_nothing(device):
     ("changed", "error", "message"),
     [
         ({"constraint_vertex_indices": []}, ValueError, "constraint_vertex_indices: .* at least one"),
-        ({"constraint_vertex_indices": [0, 0]}, ValueError, "constraint_vertex_indices: vertex 0 is given twice"),
-        ({"constraint_vertex_indices": [0, 4]}, ValueError, "constraint_vertex_indices: vertex 4 does not exist"),
-        ({"constraint_vertex_indices": [-1, 1]}, ValueError, "constraint_vertex_indices: vertex -1 does not exist"),
-        ({"constraint_vertex_indices": [0, 3]}, ValueError, "constraint_vertex_indices: vertex 3 is not finite"),
+        ({"constraint_vertex_indices": [0, 0]}, ValueError, "constraint_vertex_indices: vertex 0 is duplicated"),
+        (
+            {"constraint_vertex_indices": [0, 4]},
+            ValueError,
+            "constraint_vertex_indices: expected vertex indices from 0 to 3, got 4",
+        ),
+        (
+            {"constraint_vertex_indices": [-1, 1]},
+            ValueError,
+            "constraint_vertex_indices: expected vertex indices from 0 to 3, got -1",
+        ),
+        ({"constraint_vertex_indices": [0, 3]}, ValueError, "constraint_vertex_indices: vertex 3 is NaN or infinite"),
         ({"constraint_vertex_indices": [0.0, 1.0]}, TypeError, "constraint_vertex_indices"),
         ({"constraint_vertex_positions": [[0, 0, 0]]}, ValueError, r"constraint_vertex_positions: .*\[2, 3\]"),
         ({"constraint_vertex_positions": [[0, 0, np.inf]] * 2}, ValueError, "constraint_vertex_positions"),

@@ -125,9 +125,9 @@ def test_distances_grow_with_the_mesh(device, scale):
     ("sources", "error", "message"),
     [
         ([], ValueError, "sources: .* at least one"),
-        ([4], ValueError, "sources: vertex 4 does not exist"),
-        ([-1], ValueError, "sources: vertex -1 does not exist"),
-        ([3], ValueError, "sources: vertex 3 is not finite"),
+        ([4], ValueError, "sources: expected vertex indices from 0 to 3, got 4"),
+        ([-1], ValueError, "sources: expected vertex indices from 0 to 3, got -1"),
+        ([3], ValueError, "sources: vertex 3 is NaN or infinite"),
         ([0.5], TypeError, "sources"),
         (0, ValueError, r"sources: expected shape \[n\]"),
     ],

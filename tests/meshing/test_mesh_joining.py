@@ -160,10 +160,10 @@ def test_polygons_use_all_their_corners_and_no_others():
 @pytest.mark.parametrize(
     ("outline", "message"),
     [
-        ([[0, 0], [1, 1], [1, 0], [0, 1]], "cross"),
-        ([[0, 0], [1, 0], [2, 0]], "cross"),
+        ([[0, 0], [1, 1], [1, 0], [0, 1]], "do not intersect"),
+        ([[0, 0], [1, 0], [2, 0]], "do not intersect"),
         ([[0, 0], [1, 0]], "three corners"),
-        ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]], "off their plane"),
+        ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0.1]], "off the plane"),
         ([[0, 0], [np.nan, 0], [1, 1]], "finite"),
     ],
 )

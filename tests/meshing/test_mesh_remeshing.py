@@ -73,8 +73,8 @@ def test_edges_between_a_crease_and_a_corner_collapse_onto_the_corner_whatever_t
 def test_every_device_makes_the_same_mesh_however_often_vertices_are_taken_back(device, monkeypatch, rng, is_rough):
     mesh, length = (TriangleMesh.create_sphere(resolution=12) if is_rough else TriangleMesh.create_cone()), 0.3
     mesh.vertices = mesh.vertices + 0.4 * is_rough * rng.normal(size=mesh.vertices.shape)
-    first, redone, settle = mesh.remesh_isotropic(length, 8), [], Course._is_settled
-    monkeypatch.setattr(Course, "_is_settled", lambda *given: redone.append(settle(*given)) or redone[-1])
+    first, redone, settle = mesh.remesh_isotropic(length, 8), [], Course._is_converged
+    monkeypatch.setattr(Course, "_is_converged", lambda *given: redone.append(settle(*given)) or redone[-1])
     for turns in (relaxed_vertices.PASSES, 1):  # with one, the host finds that more would have to be taken back
         monkeypatch.setattr(relaxed_vertices, "PASSES", turns)
         made = mesh.to(device).remesh_isotropic(length, 8)

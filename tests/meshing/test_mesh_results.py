@@ -65,8 +65,8 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
 
 def test_a_mesh_without_triangles_is_unreliable_and_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
-        assert loom.clean_mesh(mesh).warnings == ("no triangle is left",)
-        assert "no triangle is left" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
+        assert loom.clean_mesh(mesh).warnings == ("no triangles remain",)
+        assert "no triangles remain" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
         assert loom.smooth_mesh(mesh).warnings == ("the mesh has no triangles",)
         with pytest.raises(ValueError, match="first:"):
             loom.compare_meshes(mesh, torn())
@@ -84,22 +84,22 @@ def test_a_repair_that_cost_too_much_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
     lost = loom.clean_mesh(fin)
-    assert lost.repair.removed_crowding_triangles == 1 and "% of the area is gone" in str(lost.warnings)
+    assert lost.repair.removed_crowding_triangles == 1 and "% of the area was lost" in str(lost.warnings)
     holed = loom.clean_mesh(TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles))
-    assert "of the triangles are gone" in str(holed.warnings)
+    assert "of the triangles were removed" in str(holed.warnings)
     opened = replace(holed, triangles_in=10**6, was_watertight=True)
-    assert opened.warnings == ("it was closed and is no more: compare it with the input (compare_meshes)",)
+    assert opened.warnings == ("the input was closed, the result is not: compare it with the input (compare_meshes)",)
 
 
 @pytest.mark.parametrize(
     ("call", "said"),
     [
-        (lambda mesh: loom.simplify_mesh(mesh), "give one of triangles, ratio and voxel_size, got none"),
+        (lambda mesh: loom.simplify_mesh(mesh), "pass one of triangles, ratio and voxel_size, got none"),
         (lambda mesh: loom.simplify_mesh(mesh, triangles=9, ratio=0.5), "got triangles and ratio"),
-        (lambda mesh: loom.simplify_mesh(mesh, ratio=0), "ratio: expected a share above 0"),
-        (lambda mesh: loom.simplify_mesh(mesh, voxel_size=1, max_error=1), "max_error, boundary_weight: go with"),
-        (lambda mesh: loom.smooth_mesh(mesh, "simple", mu=-1), "mu: goes with method 'taubin', not with 'simple'"),
-        (lambda mesh: loom.smooth_mesh(mesh, strength=1), "strength: goes with method 'sharpen'"),
+        (lambda mesh: loom.simplify_mesh(mesh, ratio=0), "ratio: expected a fraction above 0"),
+        (lambda mesh: loom.simplify_mesh(mesh, voxel_size=1, max_error=1), "max_error, boundary_weight: apply to"),
+        (lambda mesh: loom.smooth_mesh(mesh, "simple", mu=-1), "mu: applies to method 'taubin', not to 'simple'"),
+        (lambda mesh: loom.smooth_mesh(mesh, strength=1), "strength: applies to method 'sharpen'"),
         (lambda mesh: loom.smooth_mesh(mesh, "bilateral"), "method: expected one of taubin, laplacian, simple"),
         (lambda mesh: loom.clean_mesh(mesh, min_triangles=0), "min_triangles: expected an integer >= 1"),
         (lambda mesh: loom.compare_meshes(mesh, mesh, limit=0), "limit: expected a number > 0"),

@@ -89,7 +89,7 @@ def test_vertices_at_one_place_are_put_at_one_place(device):
     once = split.deform_as_rigid_as_possible([first], [target], 2)
     twice = split.deform_as_rigid_as_possible([first, second], [target, target], 2)
     np.testing.assert_array_equal(once.vertices, twice.vertices)
-    with pytest.raises(ValueError, match=f"vertices {first} and {second} lie at one place of a seam"):
+    with pytest.raises(ValueError, match=f"vertices {first} and {second} coincide at a seam"):
         split.deform_as_rigid_as_possible([first, second], [target, target + 1], 2)
 
 

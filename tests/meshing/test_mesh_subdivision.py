@@ -127,7 +127,7 @@ def test_no_rounds_and_no_triangles_change_nothing(device, method):
     [
         (-1, ValueError, "number_of_iterations: .* >= 0"),
         (1.5, TypeError, "number_of_iterations"),
-        (15, ValueError, "number_of_iterations: 15 rounds .* take fewer"),
+        (15, ValueError, "number_of_iterations: 15 iterations .* Use fewer"),
         (2**31 - 1, ValueError, "number_of_iterations"),
     ],
 )

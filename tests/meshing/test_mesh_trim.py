@@ -241,7 +241,7 @@ def test_huge_values_are_cut_where_they_should_be(device):
 @pytest.mark.parametrize(
     ("arguments", "error", "message"),
     [
-        (([1, 2], 0), ValueError, r"vertex_values: expected shape \[25\], one number a vertex, got \[2\]"),
+        (([1, 2], 0), ValueError, r"vertex_values: expected shape \[25\], one number per vertex, got \[2\]"),
         ((np.zeros((25, 1)), 0), ValueError, r"vertex_values: expected shape \[25\].* got \[25, 1\]"),
         ((np.full(25, np.nan), 0), ValueError, "vertex_values: expected finite numbers"),
         ((["a"] * 25, 0), TypeError, "vertex_values: expected real numbers"),

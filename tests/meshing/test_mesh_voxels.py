@@ -203,7 +203,7 @@ def test_open_meshes_enclose_nothing():
         ((0,), ValueError, "voxel_size: expected a finite number > 0"),
         ((np.nan,), ValueError, "voxel_size"),
         (("a",), TypeError, "voxel_size"),
-        ((1e-12,), ValueError, "less than 2.30 voxels along an axis"),
+        ((1e-12,), ValueError, "fewer than 2.30 voxels along an axis"),
         ((3e-9,), ValueError, "more than 2.62 voxels"),
         ((1e-6,), ValueError, r"columns of voxels over all triangles are more than 2\^31 - 1"),
         ((0.1, [0, 0]), ValueError, "min_bound: expected shape"),
@@ -232,6 +232,6 @@ def test_a_point_has_a_voxel_inside_the_grid_and_beyond_it():
     cells = np.stack([grid.get_voxel(center) for center in grid.centers])
     np.testing.assert_array_equal(cells, grid.coordinates)
     assert grid.get_voxel(grid.origin - 0.1).tolist() == [-1, -1, -1]
-    for bad, said in (([0, 0], "shape"), ([np.nan, 0, 0], "finite"), ([1e90, 0, 0], "beyond 64 bits")):
+    for bad, said in (([0, 0], "shape"), ([np.nan, 0, 0], "finite"), ([1e90, 0, 0], "beyond the range of 64-bit")):
         with pytest.raises(ValueError, match=said):
             grid.get_voxel(bad)

@@ -237,8 +237,8 @@ def test_too_many_cells_are_refused_with_the_cell_that_fits(cell):
     ("given", "message"),
     [
         ({"cell": 0}, "cell: "),
-        ({"epsg": 32632}, "epsg: goes with frame"),
-        ({"frame": FRAME, "crs": "EPSG:4326"}, "crs: the frame has"),
+        ({"epsg": 32632}, "epsg: requires frame"),
+        ({"frame": FRAME, "crs": "EPSG:4326"}, "crs: expected None, because the frame"),
         ({"frame": FRAME, "epsg": 4326}, "epsg: expected 32601"),
         ({"bounds": (0, 0, 0, 1)}, "bounds: "),
         ({"corner": (1e300, 0)}, "corner: "),

@@ -69,12 +69,20 @@ def test_a_cube_as_tight_as_the_points_is_cut_by_its_sides(device):
 @pytest.mark.parametrize(
     ("points", "normals", "message"),
     [
-        (np.zeros((0, 3)), np.zeros((0, 3)), "cloud: expected points at two places at least, none is finite"),
-        (np.ones((1, 3)), np.ones((1, 3)), "cloud: expected points at two places .*those with normals are one of 1"),
-        (np.ones((40, 3)), np.ones((40, 3)), "cloud: expected points at two places .*those with normals are one of 40"),
-        (sphere(9), np.zeros((9, 3)), "cloud: expected points at two places .*a normal that is not zero of 9"),
-        (np.full((9, 3), np.nan), sphere(9), "cloud: expected points at two places at least, none is finite"),
-        (sphere(9) * 3e38, sphere(9), "cloud, scale: a cube of .* m reaches beyond what float32 holds"),
+        (
+            np.zeros((0, 3)),
+            np.zeros((0, 3)),
+            "cloud: expected at least two distinct points with normals; no point is finite",
+        ),
+        (np.ones((1, 3)), np.ones((1, 3)), "cloud: .*all points with normals coincide among 1"),
+        (np.ones((40, 3)), np.ones((40, 3)), "cloud: .*all points with normals coincide among 40"),
+        (sphere(9), np.zeros((9, 3)), "cloud: expected at least two distinct points .*a nonzero normal among 9"),
+        (
+            np.full((9, 3), np.nan),
+            sphere(9),
+            "cloud: expected at least two distinct points with normals; no point is finite",
+        ),
+        (sphere(9) * 3e38, sphere(9), "cloud, scale: a cube of .* m exceeds the float32 range"),
     ],
 )
 def test_points_at_no_two_places_are_refused(device, points, normals, message):
@@ -100,11 +108,15 @@ def test_what_is_no_cloud_is_refused():
         ({"depth": 5.0}, TypeError, "depth: expected an integer"),
         ({"width": -1}, ValueError, "width: "),
         ({"width": 1e-9}, ValueError, r"width: expected .* m or more, .*2\^20 cells along it, got 1e-09"),
-        ({"scale": 0.99}, ValueError, "scale: expected 1 or more"),
-        ({"scale": 17.0}, ValueError, r"scale: 17 leaves the cloud in less than two of the 2\^5 cells .*up to 16"),
+        ({"scale": 0.99}, ValueError, "scale: expected >= 1"),
+        ({"scale": 17.0}, ValueError, r"scale: expected up to 16, got 17, .* fewer than two of the 2\^5 cells"),
         ({"point_weight": -1}, ValueError, "point_weight: "),
         ({"point_weight": 1001}, ValueError, "point_weight: .*up to 1000"),
-        ({"samples_per_node": 1e-4}, ValueError, "samples_per_node: expected a number from 0.001 to 100, the cloud's"),
+        (
+            {"samples_per_node": 1e-4},
+            ValueError,
+            "samples_per_node: expected a number from 0.001 to 100, the number of points",
+        ),
     ],
 )
 def test_arguments_out_of_range_are_refused_by_name(options, error, message):

@@ -99,7 +99,7 @@ def test_no_triangle_turns_over(device, height):
 )
 def test_a_closed_piece_stays_one_and_says_so(device, surface, target, vertices, number):
     """Four vertices of a ball; of a torus one of the 21 that cannot be reduced (Lavrenchenko 1990)."""
-    with pytest.warns(UserWarning, match=rf"\d+ triangles are left and not {target}"):
+    with pytest.warns(UserWarning, match=rf"\d+ triangles remain instead of {target}"):
         thin = TriangleMesh(*surface, device=device).simplify_quadric_decimation(target)
     assert len(thin.vertices) in vertices and euler(thin) == number
     assert set(edge_counts(thin.triangles).values()) == {2}

@@ -21,16 +21,16 @@ def test_a_score_is_the_closeness_of_the_points_that_were_seen(device):
     volume, points = wall(device)
     offsets = np.array([0.0, 0.05, 0.1, -0.1, -0.15, 0.6])
     shifts = np.vstack([np.outer(offsets, [0, 0, 1]), [[30, 0, 0]]])
-    scores = score_shifts(volume, points, shifts, weight_threshold=0.0, least=0.0)
+    scores = score_shifts(volume, points, shifts, weight_threshold=0.0, min_score=0.0)
     expected = np.append(np.maximum(1 - np.abs(offsets) / TRUNCATION, 0), 0)
     np.testing.assert_allclose(scores, expected, rtol=0, atol=1e-3)
-    assert (score_shifts(volume, points, shifts, weight_threshold=1.0, least=0.0) == 0).all()
-    coarse = score_shifts(volume, points, shifts, weight_threshold=1.0, least=0.0, is_coarse=True)
+    assert (score_shifts(volume, points, shifts, weight_threshold=1.0, min_score=0.0) == 0).all()
+    coarse = score_shifts(volume, points, shifts, weight_threshold=1.0, min_score=0.0, is_coarse=True)
     assert coarse[0] == 1 and coarse[-1] == 0
 
 
 def test_a_shift_whose_first_points_score_too_little_is_given_up(device):
     volume, points = wall(device)
     points[:24, 2] = 0.85
-    scores = [score_shifts(volume, points, np.zeros((1, 3)), weight_threshold=0.0, least=x)[0] for x in (0.0, 0.5)]
+    scores = [score_shifts(volume, points, np.zeros((1, 3)), weight_threshold=0.0, min_score=x)[0] for x in (0.0, 0.5)]
     np.testing.assert_allclose(scores, [(24 * 0.25 + 36) / 60, 0.25], rtol=0, atol=1e-3)

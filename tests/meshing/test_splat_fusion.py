@@ -72,7 +72,7 @@ def test_views_around_see_all_from_everywhere():
         ({"extrinsics": [np.eye(4)]}, ValueError, "or neither"),
         ({"voxel_size": 0}, ValueError, "voxel_size"),
         ({"depth_max": -1}, ValueError, "depth_max"),
-        ({"depth_max": 1e-3}, ValueError, "none of 60 views shows a surface"),
+        ({"depth_max": 1e-3}, ValueError, "no surface is visible in more than 2 of 60 views"),
     ],
 )
 def test_wrong_arguments_are_named(changed, error, told):

@@ -58,8 +58,8 @@ def test_pictures_that_agree_no_better_are_unreliable():
         colors = dataclasses.replace(good.colors, residual_before=before, residual=after, view_counts=views)
         return dataclasses.replace(good, method=method, colors=colors).warnings
 
-    assert "agree no better" in str(warnings("rigid", 0.05, 0.0499))
-    assert "compare with method='none'" in str(warnings("rigid", 0.05, 0.0499))
+    assert "do not agree better" in str(warnings("rigid", 0.05, 0.0499))
+    assert "Compare with method='none'" in str(warnings("rigid", 0.05, 0.0499))
     assert not warnings("none", 0.05, 0.0499)
     assert not warnings("rigid", 0.05, 0.03)
     assert not warnings("rigid", 0.005, 0.005)
@@ -73,10 +73,10 @@ def test_frames_that_cannot_color_a_mesh_are_refused_by_name():
     gray = loom.frames_from([(None, np.full((48, 64), 1000, np.uint16))], CAMERA)
     for given, poses, said in (
         (gray, [POSE], "frames: frame-000000 has no color"),
-        (frames(1), None, "frames: frame-000000 has no pose; give poses"),
-        (frames(0), [], "frames: expected one frame at least"),
-        (frames(2), [POSE], "poses: 1 poses, but more frames"),
-        (frames(1), [POSE] * 2, "poses: 2 poses, but 1 frames"),
+        (frames(1), None, "frames: frame-000000 has no pose. Pass poses"),
+        (frames(0), [], "frames: expected at least one frame"),
+        (frames(2), [POSE], "poses: expected one per frame, got 1 for more frames"),
+        (frames(1), [POSE] * 2, "poses: expected 1, one per frame, got 2"),
         (frames(1), [2 * POSE], r"poses\[0\]"),
     ):
         with pytest.raises(ValueError, match=said):

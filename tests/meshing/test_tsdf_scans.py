@@ -144,10 +144,10 @@ def test_scans_that_cannot_be_placed_are_refused_and_leave_the_volume(device):
     volume.integrate_points(points, np.zeros(3))
     before = fingerprint(volume)
     for wrong, origin, words in (
-        (points, None, "origin: expected where the scanner stood"),
+        (points, None, "origin: expected the scanner position"),
         (points, np.zeros((3, 3)), r"origin: expected shape \[3\], or \[625, 3\]"),
         (np.vstack([points, [np.inf, 0, 0]]), np.zeros(3), "point 625 is infinite"),
-        (np.vstack([points, [2e6, 0, 0]]), np.zeros(3), "point 625, or its scanner, lies beyond"),
+        (np.vstack([points, [2e6, 0, 0]]), np.zeros(3), "point 625 or its scanner is beyond"),
     ):
         with pytest.raises(ValueError, match=words):
             volume.integrate_points(wrong, origin)

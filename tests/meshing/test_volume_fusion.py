@@ -183,7 +183,7 @@ def test_what_cannot_be_fused_is_refused(device):
             loom.fuse_volumes(*arguments)
     for options, message in (
         ({"voxel_size": 0.0}, "voxel_size"),
-        ({"truncation": 0.2}, "truncation: 0.2 m is beyond"),
+        ({"truncation": 0.2}, "truncation: expected at most"),
         ({"truncation": 0.01}, "truncation: 0.01 m is below"),
         ({"color": True}, "color: a volume has no colors"),
     ):

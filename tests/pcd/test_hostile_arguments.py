@@ -466,8 +466,8 @@ MAY_BE_INFINITE = {"invalid_fill"}
 ALSO = {
     "NearestNeighborSearch": "points",
     "PointCloud.array": "the cloud has no",
-    "TriangleMesh": "one row a triangle",
-    "TriangleMesh.array": "this mesh has",
+    "TriangleMesh": "one row per triangle",
+    "TriangleMesh.array": "expected one of the mesh's arrays",
     "RaycastingScene.add_triangles": "points",
 }
 TABLE = read_table(CALLS, HOMES)

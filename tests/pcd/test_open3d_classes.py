@@ -90,7 +90,7 @@ def test_vertices_and_triangles_are_assigned(shapes):
     [
         ("mesh.vertices = [[0, 0, 0]]", r"vertices: expected shape \[8, 3\] as the mesh has 8 vertices, triangles"),
         ("mesh.triangles = [[0, 1, 8]]", r"triangles: row 0 is \[0, 1, 8\], but there are vertices 0..7"),
-        ("mesh.triangle_normals = -mesh.triangle_normals", "triangle_normals: these are not the triangles' own"),
+        ("mesh.triangle_normals = -mesh.triangle_normals", "triangle_normals: expected the normals computed"),
         ("cloud + cloud.points", "a cloud and a ndarray cannot be added: cloud.translate"),
         ("cloud.points + cloud", "a cloud and a ndarray cannot be added: cloud.translate"),
         (

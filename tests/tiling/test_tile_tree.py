@@ -61,7 +61,7 @@ def test_what_is_held_at_once_gives_the_bytes_of_the_file_made_in_memory(job, tm
 def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job, tmp_path, monkeypatch, most):
     monkeypatch.setattr(tile_tree, "MOST", most)
     monkeypatch.setattr(tile_tree, "LEAST", 200)
-    monkeypatch.setattr("pointloom.io.points.copc_writer._LEAST", 200)
+    monkeypatch.setattr("pointloom.io.points.copc_writer._MIN_NODE_POINTS", 200)
     monkeypatch.setattr(tile_tree, "_KEPT_BYTES", 1)
     found = open_copc(loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz"))
     wanted = open_copc(in_memory(job, tmp_path / "b.copc.laz"))
@@ -76,7 +76,7 @@ def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job
 def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job, tmp_path, monkeypatch):
     monkeypatch.setattr(tile_tree, "MOST", 150)
     monkeypatch.setattr(tile_tree, "LEAST", 0)
-    monkeypatch.setattr("pointloom.io.points.copc_writer._LEAST", 0)
+    monkeypatch.setattr("pointloom.io.points.copc_writer._MIN_NODE_POINTS", 0)
     paths, counts = zip(*((path, open_las(path).header.point_count) for path in (job / "tiles").iterdir()), strict=True)
     tree = tile_tree.TileTree([*paths], [*counts], lambda *_: None)
     assert max(leaf.depth for leaf in tree.leaves) > 7

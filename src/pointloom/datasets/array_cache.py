@@ -37,13 +37,13 @@ def data_folder() -> Path:
     return cache_folder() / "pointloom" / "datasets"
 
 
-def kept(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[str, Any]]) -> Arrays:
+def cached(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[str, Any]]) -> Arrays:
     """Arrays by name from the cache, or from `make`, which must be deterministic in the JSON `parameters`."""
     key = json.dumps([FORM, maker, dict(parameters), source_digest()], sort_keys=True)
     path = data_folder() / f"{maker}-{hashlib.sha256(key.encode()).hexdigest()[:16]}.npz"
-    found = _read(path, key)
-    if found is not None:
-        return found
+    arrays_read = _read(path, key)
+    if arrays_read is not None:
+        return arrays_read
     started = time.perf_counter()
     arrays = {name: np.asarray(values) for name, values in make().items()}
     if time.perf_counter() - started > MIN_SECONDS:
@@ -54,23 +54,23 @@ def kept(maker: str, parameters: Mapping[str, Any], make: Callable[[], Mapping[s
 @functools.cache
 def source_digest() -> str:
     root, digest = Path(__file__).parents[1], hashlib.sha256(np.__version__.encode())
-    for house in SOURCES:
-        for path in sorted((root / house).rglob("*.py")):
+    for package in SOURCES:
+        for path in sorted((root / package).rglob("*.py")):
             digest.update(path.relative_to(root).as_posix().encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()
 
 
 def _read(path: Path, key: str) -> Arrays | None:
     try:
-        with path.open("rb") as held, np.load(held, allow_pickle=False) as file:
+        with path.open("rb") as stream, np.load(stream, allow_pickle=False) as file:
             if str(file["key"]) != key:
                 return None
-            found = {name: file[name] for name in file.files if name != "key"}
+            arrays = {name: file[name] for name in file.files if name != "key"}
     except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile, zlib.error, NotImplementedError):
         return None
     with contextlib.suppress(OSError):
         os.utime(path)  # mark as used
-    return found
+    return arrays
 
 
 def _write(path: Path, key: str, arrays: Arrays) -> None:
@@ -84,9 +84,9 @@ def _write(path: Path, key: str, arrays: Arrays) -> None:
 
 def _make_room(newest: Path) -> None:
     """Remove the least recently used files until the limit holds. The newest stays."""
-    found = sorted(((file.stat().st_mtime, file) for file in newest.parent.glob("*.npz")), reverse=True)
+    files = sorted(((file.stat().st_mtime, file) for file in newest.parent.glob("*.npz")), reverse=True)
     total = 0
-    for _, file in found:
+    for _, file in files:
         total += file.stat().st_size
         if total > MAX_BYTES and file != newest:
             file.unlink(missing_ok=True)

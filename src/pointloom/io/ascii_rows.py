@@ -60,8 +60,8 @@ class AsciiRows:
         wrong = np.flatnonzero(self.widths()[begin:end] != width)
         if len(wrong):
             row = begin + int(wrong[0])
-            found = int(self.widths()[row])
-            raise FileError(self._path, f"expected {width} values, found {found}", where=self.where(row))
+            value_count = int(self.widths()[row])
+            raise FileError(self._path, f"expected {width} values, got {value_count}", where=self.where(row))
 
     def is_parted_by(self, marks: NDArray[np.int64], width: int) -> bool:
         """True if each row has `width` values with exactly one separator between them.
@@ -107,7 +107,7 @@ class AsciiRows:
                 if not _NUMBER.fullmatch(token):
                     shown = token[:40].decode("ascii", "backslashreplace")
                     return FileError(self._path, f"not a number: {shown!r}", where=f"line {self._first_line + number}")
-        return FileError(self._path, "the text holds something that is not a number")
+        return FileError(self._path, "the text contains something that is not a number")
 
     def cast(
         self, values: NDArray[np.float64], dtype: np.dtype[Any], what: str, rows: int | NDArray[np.int64]

@@ -19,11 +19,12 @@ from ..core.escaped_text import escaped
 
 @dataclass(frozen=True)
 class NameRules:
-    """The names that a format allows: characters (`holds`), reserved names (`used`) and bytes in UTF-8 (`max_bytes`).
+    """The names that a format allows: characters (`is_allowed`), reserved names (`used`) and bytes in UTF-8
+    (`max_bytes`).
     `roles` are tuples of names with another meaning if all are present. `in_parts` writes an attribute (n, c) as
     `name_0`, ... `instead` gives alternative names for attributes whose values do not fit under their own."""
 
-    holds: Callable[[str], bool]
+    is_allowed: Callable[[str], bool]
     used: Collection[str] = ()
     roles: Sequence[tuple[str, ...]] = ()
     max_bytes: int | None = None
@@ -37,16 +38,16 @@ def is_word(character: str) -> bool:
 
 
 def new_names(attributes: dict[str, NDArray[Any]], rules: NameRules) -> dict[str, str]:
-    used, later = {*rules.used}, []
+    used, deferred = {*rules.used}, []
     renamed = {}
     for name, values in attributes.items():
         wanted = rules.instead.get(name, name)
         parts = _parts(wanted, values, rules)
         if wanted != name or _clean(wanted, rules, 0) != wanted or _is_taken(parts, used, rules):
-            later.append((name, wanted, values))
+            deferred.append((name, wanted, values))
         else:
             used |= parts
-    for name, wanted, values in later:
+    for name, wanted, values in deferred:
         tries = (_with_number(wanted, number, values, rules) for number in count(1))
         new = next(new for new in tries if not _is_taken(_parts(new, values, rules), used, rules))
         used |= _parts(new, values, rules)
@@ -62,8 +63,8 @@ def _with_number(name: str, number: int, values: NDArray[Any], rules: NameRules)
 
 
 def warn_of_names(path: Any, reason: str, renamed: dict[str, str], *, stacklevel: int = 3) -> None:
-    told = ", ".join(f"{old!r} as {new!r}" for old, new in renamed.items())
-    message = f"{path}: attributes are {reason}: {told}"
+    pairs = ", ".join(f"{old!r} as {new!r}" for old, new in renamed.items())
+    message = f"{path}: attributes are {reason}: {pairs}"
     warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
@@ -74,7 +75,7 @@ def rename(
     renamed = new_names(attributes, rules)
     if not renamed:
         return attributes
-    reason = f"written under other names, since {format} cannot hold them under their own"
+    reason = f"written under other names, because {format} cannot store their own"
     warn_of_names(path, reason, renamed, stacklevel=stacklevel + 1)
     return {renamed.get(name, name): values for name, values in attributes.items()}
 
@@ -93,7 +94,7 @@ def _is_taken(parts: Iterable[str], used: set[str], rules: NameRules) -> bool:
 
 def _clean(name: str, rules: NameRules, reserved: int) -> str:
     """A valid name that leaves `reserved` bytes for a suffix."""
-    name = "".join(letter if rules.holds(letter) else "_" for letter in name) or "_"
+    name = "".join(letter if rules.is_allowed(letter) else "_" for letter in name) or "_"
     if rules.max_bytes is None:
         return name
     return name.encode()[: rules.max_bytes - reserved].decode(errors="ignore")

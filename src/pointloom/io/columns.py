@@ -102,18 +102,18 @@ def fit_colors(columns: Sequence[NDArray[Any]], full: int) -> tuple[NDArray[np.f
 
 def warn_of_loss(path: Any, what: str, reason: str, *, stacklevel: int = 3) -> None:
     """Warn that content of a file is dropped, by default at the reader's caller."""
-    message = f"{path}: the {what} are left behind, since {reason}"
+    message = f"{path}: the {what} are dropped, because {reason}"
     warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
 def warn_left_out(path: Any, format: str, names: Sequence[str], *, stacklevel: int = 3) -> None:
     """Warn at the writer's caller of content that the format cannot store. No-op without names."""
     if names:
-        message = f"{path}: {', '.join(names)} left out, since {format} cannot hold that; .ply holds everything"
+        message = f"{path}: {', '.join(names)} left out, because {format} cannot store them; .ply stores everything"
         warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
-def check_reach(path: Any, points: NDArray[Any]) -> None:
+def check_extent(path: Any, points: NDArray[Any]) -> None:
     """Raise `FileError` if mesh vertices are too far apart for float32."""
     try:
         choose_origin(points)
@@ -121,7 +121,7 @@ def check_reach(path: Any, points: NDArray[Any]) -> None:
         with quiet():
             sizes = np.where(np.isfinite(points), np.abs(points), 0).max(axis=1)
         reason = str(error).removeprefix("points: ")
-        remedy = "Drop what lies so far out"
+        remedy = "Remove the distant vertices"
         raise FileError(path, f"vertices: {reason}", where=f"vertex {int(sizes.argmax())}", remedy=remedy) from error
 
 

@@ -38,8 +38,8 @@ def content_errors(path: Any) -> Iterator[None]:
     except PointloomError:
         raise
     except MemoryError as error:
-        remedy = "Part it into smaller files, or read it on a machine with more"
-        raise FileError(path, "needs more memory than there is", remedy=remedy) from error
+        remedy = "Split it into smaller files, or read it on a machine with more"
+        raise FileError(path, "needs more memory than is available", remedy=remedy) from error
     except (ValueError, ArithmeticError, RecursionError) as error:
         _pass_signals(error, handled)
         reason = str(error).split("\n")[0] or type(error).__name__
@@ -67,7 +67,7 @@ def open_source(path: str | os.PathLike[str]) -> Source:
         if stat.S_ISDIR(status.st_mode):
             raise FileError(path, "is a folder", remedy="Give the name of a file")
         if not stat.S_ISREG(status.st_mode):
-            raise FileError(path, "is not a regular file", remedy="Copy what it delivers into a file first")
+            raise FileError(path, "is not a regular file", remedy="Copy its content into a file first")
         if status.st_size == 0:
             raise FileError(path, "is empty", where="byte 0")
         with path.open("rb") as file:
@@ -90,7 +90,7 @@ def _pass_signals(error: BaseException, handled: BaseException | None) -> None:
         raise stopped from None
 
 
-def parse_whole(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
+def parse_count(path: Any, text: str, what: str, line: int, *, maximum: int = 10**_MAX_DIGITS) -> int:
     """A decimal count in a header, at most `maximum`. Raises `FileError` with the line otherwise."""
     where = f"line {line}"
     if text.startswith("-") and text[1:].isdigit():

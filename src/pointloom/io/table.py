@@ -129,9 +129,9 @@ def _material_ids(values: Any, count: int, picture_count: int) -> NDArray[np.int
         raise TypeError(f"triangle_material_ids: expected whole numbers, got {ids.dtype}")
     if ids.shape != (count,):
         raise ValueError(f"triangle_material_ids: expected shape [{count}], got {list(ids.shape)}")
-    most = picture_count or 2**31
-    if ids.size and (ids.min() < 0 or ids.max() >= most):
-        raise ValueError(f"triangle_material_ids: expected 0..{most - 1}, got {ids.min()}..{ids.max()}")
+    limit = picture_count or 2**31
+    if ids.size and (ids.min() < 0 or ids.max() >= limit):
+        raise ValueError(f"triangle_material_ids: expected 0..{limit - 1}, got {ids.min()}..{ids.max()}")
     return ids.astype(np.int32)
 
 

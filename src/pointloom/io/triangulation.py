@@ -37,10 +37,10 @@ _MAX_STEPS = 12
 _MAX_STEPS_OF_LARGE = 4
 
 Floats = NDArray[np.float64]
-Places = NDArray[np.int64]
+Indices = NDArray[np.int64]
 
 
-def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
+def clip_ears(x: Floats, y: Floats) -> tuple[Indices, NDArray[np.bool_]]:
     """Triangulate counterclockwise polygons, coordinates (p, n).
     Returns corner indices (p, n - 2, 3) and a mask. Triangles of self-intersecting polygons are invalid."""
     count, n = x.shape
@@ -64,7 +64,7 @@ def clip_ears(x: Floats, y: Floats) -> tuple[Places, NDArray[np.bool_]]:
     return triangles, good
 
 
-def _turn(ax: Floats, ay: Floats, bx: Floats, by: Floats, cx: Floats, cy: Floats) -> Floats:
+def _doubled_area(ax: Floats, ay: Floats, bx: Floats, by: Floats, cx: Floats, cy: Floats) -> Floats:
     """Twice the signed area of a, b, c, > 0 for a left turn; exactly 0 within rounding."""
     left, right = (bx - ax) * (cy - ay), (by - ay) * (cx - ax)
     area = left - right
@@ -83,7 +83,7 @@ def _cross_themselves(x: Floats, y: Floats) -> NDArray[np.bool_]:
         part = slice(begin, begin + at_a_time)
         ax, ay, bx, by = (values[part, :, None] for values in (x, y, ends_x, ends_y))
         cx, cy, dx, dy = (values[part, None, :] for values in (x, y, ends_x, ends_y))
-        apart = _turn(ax, ay, bx, by, cx, cy) * _turn(ax, ay, bx, by, dx, dy) < 0
+        apart = _doubled_area(ax, ay, bx, by, cx, cy) * _doubled_area(ax, ay, bx, by, dx, dy) < 0
         crossed[part] = (apart & apart.transpose(0, 2, 1)).any(axis=(1, 2))
     return crossed
 
@@ -93,19 +93,21 @@ def _wind_twice(x: Floats, y: Floats) -> NDArray[np.bool_]:
     along_x, along_y = np.roll(x, -1, 1) - x, np.roll(y, -1, 1) - y
     next_x, next_y = np.roll(along_x, -1, 1), np.roll(along_y, -1, 1)
     zero = np.zeros_like(x)
-    turns = np.arctan2(_turn(zero, zero, along_x, along_y, next_x, next_y), along_x * next_x + along_y * next_y)
-    is_tip = np.abs(turns) == np.pi
-    total = np.where(is_tip, 0.0, turns).sum(axis=1) / np.pi
+    angles = np.arctan2(
+        _doubled_area(zero, zero, along_x, along_y, next_x, next_y), along_x * next_x + along_y * next_y
+    )
+    is_tip = np.abs(angles) == np.pi
+    total = np.where(is_tip, 0.0, angles).sum(axis=1) / np.pi
     repeated = ((along_x == 0) & (along_y == 0)).any(axis=1)
     return ~repeated & (np.abs(total - 2) > is_tip.sum(axis=1) + 0.5)
 
 
-def _overlap(x: Floats, y: Floats, triangles: Places) -> NDArray[np.bool_]:
+def _overlap(x: Floats, y: Floats, triangles: Indices) -> NDArray[np.bool_]:
     """Mask (p,) of polygons with a triangle whose centroid is inside another one."""
     count, n = x.shape
-    found = np.zeros(count, bool)
+    overlaps = np.zeros(count, bool)
     if n > _MAX_CROSSED:
-        return found
+        return overlaps
     at_a_time = max(1, _PAIRS_AT_A_TIME // (n * n))
     for begin in range(0, count, at_a_time):
         part = slice(begin, begin + at_a_time)
@@ -114,10 +116,12 @@ def _overlap(x: Floats, y: Floats, triangles: Places) -> NDArray[np.bool_]:
         px, py = cx.mean(axis=2)[:, None, :], cy.mean(axis=2)[:, None, :]
         inside = np.ones((len(cx), n - 2, n - 2), bool)
         for j, k in ((0, 1), (1, 2), (2, 0)):
-            inside &= _turn(cx[:, :, j, None], cy[:, :, j, None], cx[:, :, k, None], cy[:, :, k, None], px, py) > 0
+            inside &= (
+                _doubled_area(cx[:, :, j, None], cy[:, :, j, None], cx[:, :, k, None], cy[:, :, k, None], px, py) > 0
+            )
         inside[:, np.arange(n - 2), np.arange(n - 2)] = False
-        found[part] = inside.any(axis=(1, 2))
-    return found
+        overlaps[part] = inside.any(axis=(1, 2))
+    return overlaps
 
 
 class _Clipping:
@@ -131,11 +135,11 @@ class _Clipping:
         here = np.full(count, start)
         self.at, self.left, self.failed = here, np.full(count, n), np.zeros(count, np.int64)
         self.way = np.zeros(count, np.int64)
-        self.inward = _turn(np.roll(x, 1, 1), np.roll(y, 1, 1), x, y, np.roll(x, -1, 1), np.roll(y, -1, 1)) <= 0
+        self.inward = _doubled_area(np.roll(x, 1, 1), np.roll(y, 1, 1), x, y, np.roll(x, -1, 1), np.roll(y, -1, 1)) <= 0
         self.triangles = np.zeros((count, n - 2, 3), np.int64)
         self.good = np.ones(count, bool)
 
-    def run(self) -> tuple[Places, NDArray[np.bool_]]:
+    def run(self) -> tuple[Indices, NDArray[np.bool_]]:
         n = self.x.shape[1]
         rows, steps = np.arange(len(self.x)), 0
         while len(rows):
@@ -146,15 +150,17 @@ class _Clipping:
             rows = self._step(rows)
         return self.triangles, self.good
 
-    def _step(self, rows: Places) -> Places:
+    def _step(self, rows: Indices) -> Indices:
         """Test the next corner of each polygon. Returns the unfinished polygons."""
         b = self.at[rows]
         a, c = self.before[rows, b], self.after[rows, b]
-        area = self._turn_at(rows, a, b, c)
-        way, left = self.way[rows], self.left[rows]
-        ear = (area > 0) | ((area == 0) & ((way >= _FLAT) | self._turns_back(rows, a, b, c)))
-        asked = np.flatnonzero(ear & (area > 0) & (way < _ANY) & (left > 3))
-        ear[asked] &= ~self._is_filled(rows[asked], a[asked], b[asked], c[asked], way[asked])
+        area = self._area_at(rows, a, b, c)
+        mode, left = self.way[rows], self.left[rows]
+        ear = (area > 0) | ((area == 0) & ((mode >= _FLAT) | self._is_degenerate(rows, a, b, c)))
+        candidates = np.flatnonzero(ear & (area > 0) & (mode < _ANY) & (left > 3))
+        ear[candidates] &= ~self._is_filled(
+            rows[candidates], a[candidates], b[candidates], c[candidates], mode[candidates]
+        )
         last = left == 3
         ear |= last
         self._clip(rows[ear], a[ear], b[ear], c[ear])
@@ -168,31 +174,35 @@ class _Clipping:
         self.good[stuck[self.way[stuck] > _ANY]] = False
         return rows[~last & self.good[rows]]
 
-    def _turn_at(self, rows: Places, a: Places, b: Places, c: Places) -> Floats:
+    def _area_at(self, rows: Indices, a: Indices, b: Indices, c: Indices) -> Floats:
         x, y = self.x, self.y
-        return _turn(x[rows, a], y[rows, a], x[rows, b], y[rows, b], x[rows, c], y[rows, c])
+        return _doubled_area(x[rows, a], y[rows, a], x[rows, b], y[rows, b], x[rows, c], y[rows, c])
 
-    def _turns_back(self, rows: Places, a: Places, b: Places, c: Places) -> NDArray[np.bool_]:
+    def _is_degenerate(self, rows: Indices, a: Indices, b: Indices, c: Indices) -> NDArray[np.bool_]:
         """True for zero-area corners that are duplicates or tips of spikes, which have no area in any triangulation."""
         x, y = self.x, self.y
         at_x, at_y = x[rows, b], y[rows, b]
         return (x[rows, a] - at_x) * (x[rows, c] - at_x) + (y[rows, a] - at_y) * (y[rows, c] - at_y) >= 0
 
-    def _is_filled(self, rows: Places, a: Places, b: Places, c: Places, way: Places) -> NDArray[np.bool_]:
-        """True if a reflex corner is inside the triangle, or on its boundary if `way` includes it."""
+    def _is_filled(self, rows: Indices, a: Indices, b: Indices, c: Indices, mode: Indices) -> NDArray[np.bool_]:
+        """True if a reflex corner is inside the triangle, or on its boundary if `mode` includes it."""
         x, y, inward = self.x[rows], self.y[rows], self.inward[rows]
         if len(rows) == 1:  # one large polygon: only those corners
-            kept = np.flatnonzero(inward[0])
-            x, y, inward = x[:, kept], y[:, kept], inward[:, kept]
+            reflex = np.flatnonzero(inward[0])
+            x, y, inward = x[:, reflex], y[:, reflex], inward[:, reflex]
         ax, bx, cx = (self.x[rows, k][:, None] for k in (a, b, c))
         ay, by, cy = (self.y[rows, k][:, None] for k in (a, b, c))
-        sides = [_turn(ax, ay, bx, by, x, y), _turn(bx, by, cx, cy, x, y), _turn(cx, cy, ax, ay, x, y)]
-        least = np.minimum(np.minimum(sides[0], sides[1]), sides[2])
+        sides = [
+            _doubled_area(ax, ay, bx, by, x, y),
+            _doubled_area(bx, by, cx, cy, x, y),
+            _doubled_area(cx, cy, ax, ay, x, y),
+        ]
+        min_side = np.minimum(np.minimum(sides[0], sides[1]), sides[2])
         same = ((x == ax) & (y == ay)) | ((x == bx) & (y == by)) | ((x == cx) & (y == cy))
-        held = (least > 0) | ((least == 0) & (way == 0)[:, None] & ~same)
-        return (held & inward).any(axis=1)
+        is_inside = (min_side > 0) | ((min_side == 0) & (mode == 0)[:, None] & ~same)
+        return (is_inside & inward).any(axis=1)
 
-    def _clip(self, rows: Places, a: Places, b: Places, c: Places) -> None:
+    def _clip(self, rows: Indices, a: Indices, b: Indices, c: Indices) -> None:
         number = self.x.shape[1] - self.left[rows]
         self.triangles[rows, number] = np.stack([a, b, c], axis=1)
         self.after[rows, a], self.before[rows, c] = c, a
@@ -201,8 +211,8 @@ class _Clipping:
         self.failed[rows] = self.way[rows] = 0
         self.at[rows] = self.after[rows, c]  # not the neighbor: its triangle would be a sliver beside this one
         for k in (a, c):
-            turns = self._turn_at(rows, self.before[rows, k], k, self.after[rows, k])
-            self.inward[rows, k] &= turns <= 0
+            areas = self._area_at(rows, self.before[rows, k], k, self.after[rows, k])
+            self.inward[rows, k] &= areas <= 0
 
 
 # A quad is nonplanar if its diagonals miss each other by more than this fraction of the longer one: above the
@@ -215,11 +225,11 @@ _NO_AREA = 1e-12
 _CORNERS_AT_A_TIME = 1 << 15
 
 Floats = NDArray[np.float64]
-Places = NDArray[np.int64]
+Indices = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 
-def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDArray[Any]) -> Places:
+def split_faces(path: Any, lengths: Indices, corners: NDArray[Any], vertices: NDArray[Any]) -> Indices:
     """Triangles as indices into all corners, shape (t, 3). Warns of self-intersecting faces."""
     small = np.flatnonzero(lengths < 3)
     if len(small):
@@ -245,13 +255,13 @@ def split_faces(path: Any, lengths: Places, corners: NDArray[Any], vertices: NDA
             if not len(changed):
                 continue
             some = some[changed]
-            places = firsts[some][:, None, None] + triangles
-            fans[begins[some][:, None] + np.arange(length - 2)] = places
-    _tell(path, np.sort(np.concatenate(crossed)), lengths)
+            corner_indices = firsts[some][:, None, None] + triangles
+            fans[begins[some][:, None] + np.arange(length - 2)] = corner_indices
+    _warn_of_crossed(path, np.sort(np.concatenate(crossed)), lengths)
     return fans
 
 
-def _fans(lengths: Places) -> Places:
+def _fans(lengths: Indices) -> Indices:
     if (lengths == lengths[0]).all():
         length = int(lengths[0])
         begins, fans = np.arange(0, len(lengths) * length, length), np.empty((len(lengths), length - 2, 3), np.int64)
@@ -264,7 +274,7 @@ def _fans(lengths: Places) -> Places:
     return np.stack([firsts, firsts + within + 1, firsts + within + 2], axis=1)
 
 
-def _by_length(lengths: Places, largest: int) -> list[tuple[int, Places]]:
+def _by_length(lengths: Indices, largest: int) -> list[tuple[int, Indices]]:
     if (lengths == largest).all():
         return [(largest, np.arange(len(lengths)))]
     order = np.argsort(lengths, kind="stable")
@@ -291,7 +301,7 @@ def _dot(a: list[Floats], b: list[Floats]) -> Floats:
 
 
 @np.errstate(all="ignore")
-def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
+def _split_quads(p: Floats) -> tuple[Indices, Indices, Mask]:
     """Quads (q, 4, 3) to split from corner 1 to 3, their triangles, and a mask of self-intersecting ones.
     With diagonals d, e, normal n = d x e and s = p1 - p0, the areas along n are (s x d) n and n n - (s x d) n for the
     fan, and (s x e) n and n n - (s x e) n for the other split."""
@@ -302,8 +312,8 @@ def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
     fan, other = _dot(_cross(s, d), n), _dot(_cross(s, e), n)
     dd, ee, none = _dot(d, d), _dot(e, e), _NO_AREA * nn
     is_fan, is_other = ((part > none) & (nn - part > none) for part in (fan, other))
-    bent = _dot(s, n) ** 2 > _BENT**2 * nn * np.maximum(dd, ee)
-    swapped = is_other & (~is_fan | (bent & (ee < dd)))
+    is_bent = _dot(s, n) ** 2 > _BENT**2 * nn * np.maximum(dd, ee)
+    swapped = is_other & (~is_fan | (is_bent & (ee < dd)))
     crossed = np.zeros(len(p), bool)
     rest = np.flatnonzero(~is_fan & ~is_other)
     if len(rest):
@@ -318,14 +328,14 @@ def _split_quads(p: Floats) -> tuple[Places, Places, Mask]:
 
 
 @np.errstate(all="ignore")
-def _split_polygons(p: Floats) -> tuple[Places, Places, Mask]:
+def _split_polygons(p: Floats) -> tuple[Indices, Indices, Mask]:
     """Polygons (q, n, 3) that need ear clipping, their triangles, and a mask of self-intersecting ones."""
     arms = np.ascontiguousarray((p[:, 1:] - p[:, :1]).transpose(2, 0, 1))
     sides = _cross([*arms[:, :, :-1]], [*arms[:, :, 1:]])
     n = [side.sum(axis=1) for side in sides]
     nn = _dot(n, n)
-    turned = _dot(sides, [side[:, None] for side in n]) > _NO_AREA * nn[:, None]
-    rest = np.flatnonzero(~turned.all(axis=1) | _goes_round(arms, n))
+    is_convex = _dot(sides, [side[:, None] for side in n]) > _NO_AREA * nn[:, None]
+    rest = np.flatnonzero(~is_convex.all(axis=1) | _goes_round(arms, n))
     rest = rest[np.isfinite(p[rest]).all(axis=(1, 2))]
     crossed = np.zeros(len(p), bool)
     if not len(rest):
@@ -334,8 +344,8 @@ def _split_polygons(p: Floats) -> tuple[Places, Places, Mask]:
     widest = np.sqrt(_dot(sides, sides)[rest].max(axis=1))
     is_thin = area <= _NO_AREA * widest  # no normal: collinear, or parts that cancel
     triangles, good = clip_ears(x[~is_thin], y[~is_thin])
-    reach = (p[rest].max(axis=1) - p[rest].min(axis=1)).max(axis=1)
-    crossed[rest] = is_thin & (widest > _NO_AREA * reach**2)
+    extent = (p[rest].max(axis=1) - p[rest].min(axis=1)).max(axis=1)
+    crossed[rest] = is_thin & (widest > _NO_AREA * extent**2)
     crossed[rest[~is_thin][~good]] = True
     return rest[~is_thin][good], triangles[good], crossed
 
@@ -357,10 +367,10 @@ def _flattened(p: Floats, n: Floats) -> tuple[Floats, Floats, Floats]:
     return p[rows, :, u], p[rows, :, v], np.abs(part)
 
 
-def _tell(path: Any, crossed: Places, lengths: Places) -> None:
+def _warn_of_crossed(path: Any, crossed: Indices, lengths: Indices) -> None:
     if not len(crossed):
         return
     many = f"{len(crossed)} faces cross themselves, the first" if len(crossed) > 1 else "a face crosses itself:"
     large = f" (or have more than {MAX_CORNERS} corners)" if lengths[crossed].max() > MAX_CORNERS else ""
-    message = f"{path}: {many} face {crossed[0]}{large}; such are fans, whose triangles overlap"
+    message = f"{path}: {many} face {crossed[0]}{large}; they are triangulated as fans with overlapping triangles"
     warnings.warn(escaped(message), UserWarning, stacklevel=5)

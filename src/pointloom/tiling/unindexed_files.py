@@ -28,7 +28,7 @@ from ..io.points.e57 import SCAN_INDEX, describe_e57, read_e57
 from ..io.points.formats import READERS
 from ..io.points.in_parts import open_in_parts
 from ..io.points.las_writer import lay_out, name_rules, unstorable_in_las, with_scan_angle
-from ..io.points.ptx import iterate_placed
+from ..io.points.ptx import iterate_world_scans
 from ..io.points.text_parts import TextInParts
 from ..io.table import PointTable
 
@@ -171,7 +171,7 @@ def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Part
 def opened(path: Path) -> Parts:
     """Reader of a file's points in parts, repeatable. At least one part, possibly empty."""
     suffix = path.suffix.lower()
-    by_suffix = {".e57": _scans_of, ".ptx": iterate_placed, ".ply": _rows_of, ".pcd": _rows_of}
+    by_suffix = {".e57": _scans_of, ".ptx": iterate_world_scans, ".ply": _rows_of, ".pcd": _rows_of}
     return partial(by_suffix[suffix], path) if suffix in by_suffix else partial(TextInParts(path).parts, ROWS)
 
 

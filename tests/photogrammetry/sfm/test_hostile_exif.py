@@ -140,7 +140,7 @@ def test_a_tag_that_points_out_of_the_file_is_a_named_error_of_the_picture(tmp_p
     data = shot(source / "a.jpg", tags={0x0112: 6}).read_bytes()
     (source / "a.jpg").write_bytes(data.replace(b"\x01\x12\0\3\0\0\0\1", b"\x01\x12\0\5\0\0\0\1"))
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
-    assert choice.names == ("b.jpg",) and choice.left_out["a.jpg"].startswith("damaged picture")
+    assert choice.names == ("b.jpg",) and choice.left_out["a.jpg"].startswith("damaged image")
 
 
 def test_an_orientation_that_the_told_size_contradicts_is_told(tmp_path):

@@ -164,7 +164,7 @@ def test_another_zone_than_that_of_gps_is_reported():
         ("EPSG:32632", (8.25, 47.5, 400.0), "x is 8.25, and EPSG:32632 has 100000"),
         ("EPSG:32632", (5260000.0, 443500.0, 400.0), "x is the easting"),
         ("EPSG:4326", (470.5, 8.25, 400.0), "x the longitude and y the latitude"),
-        ("EPSG:999999", (443500.0, 5260000.0, 400.0), "no coordinate system"),
+        ("EPSG:999999", (443500.0, 5260000.0, 400.0), "expected a coordinate system"),
         ("EPSG:4978", (4.2e6, 6e5, 400.0), "expected meters of a map"),
         ("EPSG:2263", (9.8e5, 2e5, 40.0), "US survey foot"),
     ],

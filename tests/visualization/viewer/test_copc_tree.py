@@ -10,7 +10,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.io.points.copc import ENTRY, open_copc
-from pointloom.io.points.copc_nodes import says_copc
+from pointloom.io.points.copc_nodes import declares_copc
 from pointloom.io.points.las import read_las
 from pointloom.visualization.render.styles import Style
 from pointloom.visualization.render.view import fit_view
@@ -114,7 +114,7 @@ def test_what_is_kept_has_a_bound(city):
     tree = CopcTree(city, memory=memory, first=1)
     for i in [*range(len(tree)), *range(len(tree))]:
         tree.node(i)
-        assert tree.nodes.held <= max(memory, int(tree.counts.max()) * tree.nodes.row.itemsize)
+        assert tree.nodes.memory_used <= max(memory, int(tree.counts.max()) * tree.nodes.row.itemsize)
     assert tree.nodes.nodes_read > len(tree)  # some twice
 
 
@@ -185,10 +185,14 @@ def test_what_is_no_copc_is_told(city, tmp_path):
     cut.write_bytes(city.read_bytes()[:20_000])
     plain = tmp_path / "plain.laz"
     loom.write_point_cloud(plain, loom.PointCloud(np.eye(3)))
-    for path, reason in ((cut, "cut.copc.laz"), (plain, "is no COPC file"), (tmp_path / "none.laz", "none.laz")):
+    for path, reason in ((cut, "cut.copc.laz"), (plain, "is not a COPC file"), (tmp_path / "none.laz", "none.laz")):
         with pytest.raises(FileError, match=reason):
             CopcTree(path)
-    assert says_copc(city, more_than=COUNT - 1) and not says_copc(city, more_than=COUNT) and not says_copc(plain)
+    assert (
+        declares_copc(city, more_than=COUNT - 1)
+        and not declares_copc(city, more_than=COUNT)
+        and not declares_copc(plain)
+    )
 
 
 def test_a_viewer_shows_a_file_in_parts(city):

@@ -217,7 +217,7 @@ def _describe_las(path: Path) -> Las:
         offset=[offset + 0.0 for offset in header.offsets],  # some writers store minus zero
         coordinate_system=crs_name(header),
         unit=units.plane,
-        unit_notes=None if units.doubt is None else [units.doubt],
+        unit_notes=None if units.warning is None else [units.warning],
         attributes=attribute_types(file),
         bounds={"min": [*low], "max": [*high]} if is_box else None,
         software=header.software or None,

@@ -20,7 +20,7 @@ from ...core.timing import Clock
 from ...core.units import LengthUnit, UnitWarning, symbol_of, without_warnings
 from ...core.wording import plain
 from ...io.meshes import tables
-from ...io.meshes.mesh_formats import UPRIGHT, turned_up
+from ...io.meshes.mesh_formats import UPRIGHT, rotated_to_z_up
 from ...io.points.formats import WRITTEN
 from ...io.table import MeshTable, PointTable
 
@@ -179,11 +179,11 @@ class Job:
 
     def read_table(self) -> PointTable | MeshTable:
         table = tables.read_table(self.source, self._columns)
-        return turned_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
+        return rotated_to_z_up(table) if isinstance(table, MeshTable) and self.up_of(self.source) == "z" else table
 
     def write_table(self, table: MeshTable, output: FilePath) -> None:
         """Write a mesh without the data that the format cannot store."""
-        held = turned_up(table, back=True) if self.up_of(output) == "z" else table
+        held = rotated_to_z_up(table, back=True) if self.up_of(output) == "z" else table
         self.wrote(output, tables.write_mesh_table(output, held, **self.form))
 
     def read_points(self) -> PointTable:

@@ -12,7 +12,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from ...io.points.point_cloud import origin_of, unit_told
+from ...io.points.point_cloud import origin_of, unit_with_warnings
 from ...io.table import PointTable
 from ...pcd.cloud import PointCloud
 from .job import Job, JobReport
@@ -48,7 +48,7 @@ def read_rows(job: Job) -> Rows:
         table = job.read_points()
         rows = np.arange(len(table.points), dtype=np.int32)
         cloud = PointCloud(table.points, device=where, origin=origin_of(table, job.source), row=rows)
-        cloud.unit = unit_told(table, job.source)
+        cloud.unit = unit_with_warnings(table, job.source)
     return Rows(table, cloud)
 
 

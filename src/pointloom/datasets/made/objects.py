@@ -10,7 +10,7 @@ from ...cameras.camera import PinholeCameraIntrinsic
 from ...core.checks import check_count, check_seed
 from ...meshing.mesh.mesh import TriangleMesh
 from ...pcd.cloud import PointCloud
-from ..array_cache import Arrays, kept
+from ..array_cache import Arrays, cached
 from ..scenes.figure import owl
 from .results import PosedScans
 from .views import ring, scene_of, view_mesh
@@ -45,7 +45,7 @@ def object_mesh() -> TriangleMesh:
         mesh = owl()
         return {name: getattr(mesh, name) for name in ("vertices", "triangles", "vertex_colors", "vertex_normals")}
 
-    return TriangleMesh(**kept("object_mesh", {}, make))
+    return TriangleMesh(**cached("object_mesh", {}, make))
 
 
 def object_scans(count: int = 10, *, noise: bool = True, seed: int = 0) -> PosedScans:
@@ -87,20 +87,20 @@ def object_scans(count: int = 10, *, noise: bool = True, seed: int = 0) -> Posed
         mesh, rng, scans = object_mesh(), np.random.default_rng(seed), []
         scene = scene_of(mesh)
         v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
-        ways = np.stack([(u - CAMERA.cx) / CAMERA.fx, (v - CAMERA.cy) / CAMERA.fy, np.ones(u.shape)], axis=-1)
+        directions = np.stack([(u - CAMERA.cx) / CAMERA.fx, (v - CAMERA.cy) / CAMERA.fy, np.ones(u.shape)], axis=-1)
         for T in poses:
             view = view_mesh(mesh, scene, CAMERA, T)
             seen = (view.depth > 0) & (view.cosine > STEEPEST)
-            points, colors = ways[seen] * view.depth[seen, None], view.colors[seen]
+            points, colors = directions[seen] * view.depth[seen, None], view.colors[seen]
             if noise:
-                reach = np.linalg.norm(points, axis=1, keepdims=True)
-                points *= 1 + rng.normal(0, RANGE_NOISE, (len(points), 1)) / reach
+                ranges = np.linalg.norm(points, axis=1, keepdims=True)
+                points *= 1 + rng.normal(0, RANGE_NOISE, (len(points), 1)) / ranges
                 colors = np.clip(colors + rng.normal(0, COLOR_NOISE, colors.shape), 0, 1)
             scans.append((points.astype(np.float32), colors.astype(np.float32)))
-        whole = {"points": np.concatenate([p for p, _ in scans]), "colors": np.concatenate([c for _, c in scans])}
-        return whole | {"counts": np.array([len(p) for p, _ in scans])}
+        columns = {"points": np.concatenate([p for p, _ in scans]), "colors": np.concatenate([c for _, c in scans])}
+        return columns | {"counts": np.array([len(p) for p, _ in scans])}
 
-    found = kept("object_scans", {"count": count, "noise": noise, "seed": seed}, make)
-    ends = np.cumsum(found["counts"])[:-1]
-    pairs = zip(np.split(found["points"], ends), np.split(found["colors"], ends), strict=True)
+    arrays = cached("object_scans", {"count": count, "noise": noise, "seed": seed}, make)
+    ends = np.cumsum(arrays["counts"])[:-1]
+    pairs = zip(np.split(arrays["points"], ends), np.split(arrays["colors"], ends), strict=True)
     return PosedScans([PointCloud(points, colors=colors) for points, colors in pairs], poses)

@@ -15,7 +15,7 @@ from ...kernels.scenes.color_noise import measure_colors
 from ...kernels.scenes.value_noise import grain_pixels
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.scene.raycasting_scene import RaycastingScene
-from ..array_cache import Arrays, kept
+from ..array_cache import Arrays, cached
 from .objects import object_mesh
 from .results import PosedPictures
 from .views import MeshView, ring, scene_of, view_mesh
@@ -68,8 +68,8 @@ def photographs(count: int = 12, *, seed: int = 0) -> PosedPictures:
         pictures = [_picture(view, scene, T, seed, k) for k, (view, T) in enumerate(zip(views, poses, strict=True))]
         return {"pictures": np.array(pictures), "depths": np.array([view.depth for view in views], np.float32)}
 
-    found = kept("photographs", {"count": count, "seed": seed}, make)
-    return PosedPictures(list(found["pictures"]), CAMERA, poses, list(found["depths"]))
+    arrays = cached("photographs", {"count": count, "seed": seed}, make)
+    return PosedPictures(list(arrays["pictures"]), CAMERA, poses, list(arrays["depths"]))
 
 
 def _stage() -> TriangleMesh:

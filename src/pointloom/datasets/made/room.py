@@ -18,7 +18,7 @@ from ...kernels.scenes.primitives import distance_to_solids
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
-from ..array_cache import Arrays, kept
+from ..array_cache import Arrays, cached
 from ..scenes.furniture import SIZE, furnished_room
 from ..scenes.room import COLOR_NOISE, DEPTH_SCALE, RoomFrame, film_pose, look_along, room_pose, room_views, round_pose
 
@@ -82,10 +82,10 @@ def room_frames(
         frames = list(room_views(poses, camera, seed=seed, noise=noise, texture=GRAIN, color_noise=sigma))
         return {"depth": np.array([f.depth for f in frames]), "color": np.array([f.color for f in frames])}
 
-    found = kept("room_frames", parameters, make)
+    arrays = cached("room_frames", parameters, make)
     return [
         RoomFrame(depth=_metres(depth), color=color, T_world_camera=pose, intrinsic=camera, name=f"frame-{index:06d}")
-        for index, (depth, color, pose) in enumerate(zip(found["depth"], found["color"], poses, strict=True))
+        for index, (depth, color, pose) in enumerate(zip(arrays["depth"], arrays["color"], poses, strict=True))
     ]
 
 
@@ -117,11 +117,11 @@ def room_cloud(*, voxel_size: float = 0.02, seed: int = 0) -> PointCloud:
         parts = [_seen_points(frame) for frame in _views()]
         points = np.concatenate([part.points for part in parts])
         points += np.random.default_rng(seed).normal(0.0, SCAN_NOISE, points.shape)
-        whole = PointCloud(points, colors=np.concatenate([part.colors for part in parts]))
-        thin = whole.voxel_down_sample(voxel_size)
+        complete = PointCloud(points, colors=np.concatenate([part.colors for part in parts]))
+        thin = complete.voxel_down_sample(voxel_size)
         return {"points": thin.points, "colors": thin.colors, "normals": _true_normals(thin.points)}
 
-    return PointCloud(**kept("room_cloud", {"voxel_size": voxel_size, "seed": seed}, make))
+    return PointCloud(**cached("room_cloud", {"voxel_size": voxel_size, "seed": seed}, make))
 
 
 def room_mesh() -> TriangleMesh:
@@ -150,7 +150,7 @@ def room_mesh() -> TriangleMesh:
         names = ("vertices", "triangles", "vertex_colors", "vertex_normals")
         return {name: getattr(mesh, name) for name in names}
 
-    return TriangleMesh(**kept("room_mesh", {}, make))
+    return TriangleMesh(**cached("room_mesh", {}, make))
 
 
 def _camera(width: int, height: int) -> PinholeCameraIntrinsic:
@@ -176,14 +176,14 @@ def _survey_pose(index: int) -> NDArray[np.float64]:
         return (room_pose, round_pose)[kind](share)
     if kind == 4:
         x, y = CORNERS[index // 5 % 4]
-        turn = (index // 20 % 5 - 2) * 0.3
-        yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + turn, 2.25, -0.75
+        offset = (index // 20 % 5 - 2) * 0.3
+        yaw, height, pitch = math.atan2(SIZE[1] / 2 - y, SIZE[0] / 2 - x) + offset, 2.25, -0.75
     else:
         wide, deep, height, pitch = ((1.6, 1.2, 2.35, -0.75), (0.9, 0.8, 0.6, 0.05))[kind - 2]
         yaw = 4 * math.pi * share
         x, y = SIZE[0] / 2 - wide * math.cos(yaw), SIZE[1] / 2 - deep * math.sin(yaw)
-    way = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
-    return look_along(np.array([x, y, height]), way)
+    direction = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
+    return look_along(np.array([x, y, height]), direction)
 
 
 def _seen_points(frame: RoomFrame) -> PointCloud:

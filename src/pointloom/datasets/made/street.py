@@ -8,8 +8,8 @@ import numpy as np
 
 from ...core.checks import check_count, check_seed
 from ...pcd.cloud import PointCloud
-from ..array_cache import Arrays, kept
-from ..scenes.drive import TURN, in_world, pose_at, sensor_pose, turning_rays
+from ..array_cache import Arrays, cached
+from ..scenes.drive import SCAN_PERIOD, in_world, pose_at, rotating_rays, sensor_pose
 from ..scenes.street import painted_street
 from .results import PosedScans
 
@@ -52,36 +52,36 @@ def street_scans(count: int = 10, *, seed: int = 0) -> PosedScans:
         (2, 1.0)
     """
     count, seed = check_count("count", count), check_seed(seed)
-    found = kept("street_scans", {"count": count, "seed": seed}, lambda: _drive(count, seed))
-    ends = np.cumsum(found.pop("counts"))[:-1]
-    columns: dict[str, Any] = {name: np.split(values, ends) for name, values in found.items()}
+    arrays = cached("street_scans", {"count": count, "seed": seed}, lambda: _drive(count, seed))
+    ends = np.cumsum(arrays.pop("counts"))[:-1]
+    columns: dict[str, Any] = {name: np.split(values, ends) for name, values in arrays.items()}
     scans = [PointCloud(**{name: values[k] for name, values in columns.items()}) for k in range(count)]
-    return PosedScans(scans, np.array([sensor_pose(k * SPEED * TURN) for k in range(count)]))
+    return PosedScans(scans, np.array([sensor_pose(k * SPEED * SCAN_PERIOD) for k in range(count)]))
 
 
 def _drive(count: int, seed: int) -> Arrays:
-    parts = painted_street(count * SPEED * TURN, seed)
+    parts = painted_street(count * SPEED * SCAN_PERIOD, seed)
     scene, colors, labels = parts.scene(), parts.colors, parts.labels
     rng, scans = np.random.default_rng([seed, 1]), []
     for k in range(count):
-        rays, share = turning_rays(BEAMS, AZIMUTHS, rng)
-        places, headings = pose_at((k + share - 1) * SPEED * TURN, 0.0)
+        rays, share = rotating_rays(BEAMS, AZIMUTHS, rng)
+        positions, headings = pose_at((k + share - 1) * SPEED * SCAN_PERIOD, 0.0)
         directions = in_world(rays, headings)
-        met = scene.cast_rays(np.concatenate([places, directions], axis=1))
-        reach = met["t_hit"].astype(np.float64) + rng.normal(0, RANGE_NOISE, len(rays))
-        seen = np.isfinite(reach) & (reach > MIN_RANGE) & (reach < MAX_RANGE)
-        rows = met["primitive_ids"][seen]
-        cosine = np.abs((directions * met["primitive_normals"]).sum(axis=1))[seen]
+        hits = scene.cast_rays(np.concatenate([positions, directions], axis=1))
+        ranges = hits["t_hit"].astype(np.float64) + rng.normal(0, RANGE_NOISE, len(rays))
+        seen = np.isfinite(ranges) & (ranges > MIN_RANGE) & (ranges < MAX_RANGE)
+        rows = hits["primitive_ids"][seen]
+        cosine = np.abs((directions * hits["primitive_normals"]).sum(axis=1))[seen]
         light = (0.25 + 0.75 * cosine) * colors[rows].mean(axis=1)
         scans.append(
             {
-                "points": (rays[seen] * reach[seen, None]).astype(np.float32),
+                "points": (rays[seen] * ranges[seen, None]).astype(np.float32),
                 "colors": colors[rows],
-                "time": (k + share[seen]) * TURN,
+                "time": (k + share[seen]) * SCAN_PERIOD,
                 "ring": np.tile(np.arange(len(BEAMS), dtype=np.uint8), AZIMUTHS)[seen],
                 "intensity": light.astype(np.float32),
                 "label": labels[rows],
             }
         )
-    whole = {name: np.concatenate([scan[name] for scan in scans]) for name in scans[0]}
-    return whole | {"counts": np.array([len(scan["time"]) for scan in scans])}
+    columns = {name: np.concatenate([scan[name] for scan in scans]) for name in scans[0]}
+    return columns | {"counts": np.array([len(scan["time"]) for scan in scans])}

@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from ...core.checks import check_seed
 from ...pcd.cloud import PointCloud
-from ..array_cache import Arrays, kept
+from ..array_cache import Arrays, cached
 from ..scenes.country import EXTENT, TREES, Country, painted_country
 
 UTM = np.array([447_800.0, 5_411_300.0, 312.0])  # [m] south-west corner in zone 32 north, and height of zero
@@ -47,18 +47,18 @@ def terrain(*, seed: int = 0) -> PointCloud:
         True
     """
     seed = check_seed(seed)
-    found = kept("terrain", {"seed": seed}, lambda: _fly(seed))
-    return PointCloud(found.pop("points"), **found)
+    arrays = cached("terrain", {"seed": seed}, lambda: _fly(seed))
+    return PointCloud(arrays.pop("points"), **arrays)
 
 
 def _fly(seed: int) -> Arrays:
     country, rng = painted_country(seed), np.random.default_rng([seed, 1])
     strips = [_strip(country, y, number + 1, rng) for number, y in enumerate(STRIPS)]
-    found = {name: np.concatenate([strip[name] for strip in strips]) for name in strips[0]}
-    inside = (np.abs(found["points"][:, :2]) <= EXTENT / 2).all(axis=1)
-    found = {name: values[inside] for name, values in found.items()}
-    found["points"] = np.round(found["points"] + [EXTENT / 2, EXTENT / 2, 0] + UTM, 3)
-    return found
+    columns = {name: np.concatenate([strip[name] for strip in strips]) for name in strips[0]}
+    inside = (np.abs(columns["points"][:, :2]) <= EXTENT / 2).all(axis=1)
+    columns = {name: values[inside] for name, values in columns.items()}
+    columns["points"] = np.round(columns["points"] + [EXTENT / 2, EXTENT / 2, 0] + UTM, 3)
+    return columns
 
 
 def _strip(country: Country, y: float, number: int, rng: np.random.Generator) -> Arrays:
@@ -73,22 +73,22 @@ def _strip(country: Country, y: float, number: int, rng: np.random.Generator) ->
         ]
     )
     origin = np.column_stack([target[:, 0], np.full(count, y), np.full(count, FLIGHT)])
-    ways = (target - origin) / np.linalg.norm(target - origin, axis=1, keepdims=True)
-    rays = np.concatenate([origin, ways], axis=1)
+    directions = (target - origin) / np.linalg.norm(target - origin, axis=1, keepdims=True)
+    rays = np.concatenate([origin, directions], axis=1)
     below, above = country.solid.scene().cast_rays(rays), country.crowns.scene().cast_rays(rays)
     floor, leaves = below["t_hit"].astype(np.float64), above["t_hit"].astype(np.float64)
     in_crown = leaves < floor
     deep = np.minimum(leaves + rng.exponential(0.8, count), floor - 0.5)
     both = in_crown & (rng.random(count) < PASSES)
-    first = _returns(origin, ways, np.where(in_crown, deep, floor), rng)
-    last = _returns(origin, ways, floor, rng)[both]
+    first = _returns(origin, directions, np.where(in_crown, deep, floor), rng)
+    last = _returns(origin, directions, floor, rng)[both]
     solid, crown = (
         below["primitive_ids"].astype(np.int64),
         np.where(in_crown, above["primitive_ids"], 0).astype(np.int64),
     )
     colors = np.where(in_crown[:, None], country.crowns.colors[crown], country.solid.colors[solid])
     labels = np.where(in_crown, TREES, country.solid.labels[solid]).astype(np.uint8)
-    steep = np.abs((ways * below["primitive_normals"]).sum(axis=1))
+    steep = np.abs((directions * below["primitive_normals"]).sum(axis=1))
     bright = np.where(in_crown, 0.5, 0.3 + 0.7 * steep) * colors.mean(axis=1)
     returns = 1 + both.astype(np.uint8)
     return {
@@ -103,6 +103,6 @@ def _strip(country: Country, y: float, number: int, rng: np.random.Generator) ->
 
 
 def _returns(
-    origin: NDArray[np.float64], ways: NDArray[np.float64], reach: NDArray[np.float64], rng: np.random.Generator
+    origin: NDArray[np.float64], directions: NDArray[np.float64], ranges: NDArray[np.float64], rng: np.random.Generator
 ) -> NDArray[np.float64]:
-    return origin + ways * (reach + rng.normal(0, RANGE_NOISE, len(reach)))[:, None]
+    return origin + directions * (ranges + rng.normal(0, RANGE_NOISE, len(ranges)))[:, None]

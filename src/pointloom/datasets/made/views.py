@@ -43,8 +43,8 @@ def ring(count: int, distance: float, heights: tuple[float, ...], *, start: floa
     """Cameras on a ring that look at the origin, (n, 4, 4), with alternating elevations [rad]."""
     poses = []
     for k in range(count):
-        turn, rise = start + 2 * math.pi * k / count, heights[k % len(heights)]
-        away = (math.cos(turn) * math.cos(rise), math.sin(turn) * math.cos(rise), math.sin(rise))
+        azimuth, rise = start + 2 * math.pi * k / count, heights[k % len(heights)]
+        away = (math.cos(azimuth) * math.cos(rise), math.sin(azimuth) * math.cos(rise), math.sin(rise))
         poses.append(look_at(distance * np.array(away)))
     return np.array(poses)
 
@@ -54,16 +54,16 @@ def view_mesh(
 ) -> MeshView:
     fx, fy, cx, cy = camera.fx, camera.fy, camera.cx, camera.cy
     v, u = np.mgrid[: camera.height, : camera.width]
-    ways = np.stack([(u - cx) / fx, (v - cy) / fy, np.ones(u.shape)], axis=-1) @ T_world_camera[:3, :3].T
-    rays = np.concatenate([np.broadcast_to(T_world_camera[:3, 3], ways.shape), ways], axis=-1)
-    met = scene.cast_rays(rays)
-    seen = np.isfinite(met["t_hit"])
-    corners = mesh.triangles[np.where(seen, met["primitive_ids"], 0).astype(np.int64)]
-    second, third = met["primitive_uvs"][..., :1], met["primitive_uvs"][..., 1:]
+    directions = np.stack([(u - cx) / fx, (v - cy) / fy, np.ones(u.shape)], axis=-1) @ T_world_camera[:3, :3].T
+    rays = np.concatenate([np.broadcast_to(T_world_camera[:3, 3], directions.shape), directions], axis=-1)
+    hits = scene.cast_rays(rays)
+    seen = np.isfinite(hits["t_hit"])
+    corners = mesh.triangles[np.where(seen, hits["primitive_ids"], 0).astype(np.int64)]
+    second, third = hits["primitive_uvs"][..., :1], hits["primitive_uvs"][..., 1:]
     weights = np.stack([1 - second - third, second, third], axis=-2)
     colors = (np.asarray(mesh.vertex_colors)[corners] * weights).sum(axis=-2) * seen[..., None]
-    normals = met["primitive_normals"].astype(np.float64)
-    cosine = np.abs((ways * normals).sum(axis=-1)) / np.linalg.norm(ways, axis=-1)
-    depth = np.where(seen, met["t_hit"], 0.0)
-    points = T_world_camera[:3, 3] + ways * depth[..., None]
+    normals = hits["primitive_normals"].astype(np.float64)
+    cosine = np.abs((directions * normals).sum(axis=-1)) / np.linalg.norm(directions, axis=-1)
+    depth = np.where(seen, hits["t_hit"], 0.0)
+    points = T_world_camera[:3, 3] + directions * depth[..., None]
     return MeshView(depth, colors, normals, cosine, points)

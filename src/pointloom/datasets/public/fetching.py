@@ -56,22 +56,22 @@ def fetch(name: str, folder: str | os.PathLike[str] | None = None) -> Path:
         raise ValueError(f"name: no public set {name!r}{nearest_name(name, SETS)} There are {', '.join(SETS)}")
     wanted = SETS[name]
     home = data_folder() / "public" if folder is None else path_of(folder, "folder")
-    place = home / name
-    if not _is_whole(place):
-        _bring(wanted, home, place)
+    target = home / name
+    if not _is_complete(target):
+        _bring(wanted, home, target)
     plain = [file for file in wanted.files if file.unpack is None]
-    return place / plain[0].name if len(wanted.files) == len(plain) == 1 else place
+    return target / plain[0].name if len(wanted.files) == len(plain) == 1 else target
 
 
-def _is_whole(place: Path) -> bool:
+def _is_complete(folder: Path) -> bool:
     try:
-        sizes = json.loads((place / LISTING).read_text())
-        return bool(sizes) and all((place / name).stat().st_size == size for name, size in sizes.items())
+        sizes = json.loads((folder / LISTING).read_text())
+        return bool(sizes) and all((folder / name).stat().st_size == size for name, size in sizes.items())
     except (OSError, ValueError, AttributeError):
         return False
 
 
-def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
+def _bring(wanted: PublicSet, home: Path, target: Path) -> None:
     """Download and unpack a set beside its final location, then rename it."""
     downloads = home / "downloads"
     try:
@@ -90,23 +90,23 @@ def _bring(wanted: PublicSet, home: Path, place: Path) -> None:
         files = sorted(path for path in part.rglob("*") if path.is_file())
         sizes = {path.relative_to(part).as_posix(): path.stat().st_size for path in files}
         (part / LISTING).write_text(json.dumps(sizes, indent=0))
-        _settle(part, place)
+        _publish(part, target)
     except OSError as error:
-        raise FileError(place, f"cannot be written: {error.strerror or error}") from error
+        raise FileError(target, f"cannot be written: {error.strerror or error}") from error
     finally:
         shutil.rmtree(part, ignore_errors=True)
     for file in wanted.files:
         _download_path(wanted, file, downloads).unlink(missing_ok=True)
 
 
-def _settle(part: Path, place: Path) -> None:
+def _publish(part: Path, target: Path) -> None:
     """Rename a complete set, replacing a damaged one. Another process may have done so already."""
-    if place.exists() and not _is_whole(place):
-        shutil.rmtree(place)
+    if target.exists() and not _is_complete(target):
+        shutil.rmtree(target)
     try:
-        part.rename(place)
+        part.rename(target)
     except OSError:
-        if not _is_whole(place):
+        if not _is_complete(target):
             raise
 
 
@@ -129,11 +129,11 @@ def _download(wanted: PublicSet, file: PublicFile, downloads: Path) -> Path:
             if _matches(pooch, Path(source), file):
                 return Path(source)
             missing = not Path(source).exists()
-            reasons.append(f"{source} " + ("is not there" if missing else "has another checksum"))
+            reasons.append(f"{source} " + ("is not there" if missing else "has a different checksum"))
         except (ValueError, OSError) as error:  # pooch's error for a wrong checksum. All errors of requests
             reasons.append(f"{source}: {_brief(error)}")
     remedy = (
-        f"Download {file.url} by hand and put it at {path}, or name a mirror (an address or a folder that holds "
+        f"Download {file.url} manually to {path}, or set a mirror (a URL or a folder that contains "
         f"{wanted.name}/{file.name}) by {MIRROR}"
     )
     raise FileError(path, "cannot be downloaded: " + "; ".join(reasons), remedy=remedy)
@@ -159,7 +159,7 @@ def _pooch() -> Any:
     try:
         import pooch
     except ImportError as error:
-        reason = "public sets are fetched by the package pooch, which is not installed"
+        reason = "downloading public data sets needs the package pooch, which is not installed"
         raise FileError("pooch", reason, remedy='pip install "pointloom[data]"') from error
     pooch.get_logger().setLevel("WARNING")
     return pooch
@@ -174,7 +174,7 @@ def _unpack(archive: Path, folder: Path) -> None:
                 parts = PurePosixPath(name.replace("\\", "/"))
                 is_link = stat.S_ISLNK(member.external_attr >> 16)
                 if parts.is_absolute() or ".." in parts.parts or ":" in name or is_link or "\0" in name:
-                    raise FileError(archive, f"holds {name!r}, which leads out of its folder or is a link")
+                    raise FileError(archive, f"contains {name!r}, which is a link or outside of its folder")
             folder.mkdir(parents=True, exist_ok=True)
             file.extractall(folder)
     except (zipfile.BadZipFile, EOFError, NotImplementedError) as error:
@@ -185,8 +185,8 @@ _OPEN3D = "https://github.com/isl-org/open3d_downloads/releases/download/"
 _SCIKIT_IMAGE = "https://gitlab.com/scikit-image/data/-/raw/5c090b56df3988d988ff97928e2ef2d2cbe38e1b/"
 
 _STANFORD = "Stanford Computer Graphics Laboratory: free for research, cite; no commercial use without permission"
-_REDWOOD = "Redwood, CC BY 3.0 as Open3D's pages say"
-_SCENES = "not stated by its host; ask its authors (qianyi.info/scenedata.html) before anything but research"
+_REDWOOD = "Redwood, CC BY 3.0 according to Open3D's documentation"
+_SCENES = "not stated by its host; ask its authors (qianyi.info/scenedata.html) before any use other than research"
 _CHOI = "Choi, Zhou and Koltun, Robust Reconstruction of Indoor Scenes, CVPR 2015"
 _ZHOU = "Zhou and Koltun, Dense Scene Reconstruction with Points of Interest, SIGGRAPH 2013"
 
@@ -276,7 +276,7 @@ _SETS = (
     ),
     PublicSet(
         "living-room",
-        "2,870 RGB-D frames of a made living room (color/, depth/ in millimeters), their true path and the true cloud",
+        "2,870 RGB-D frames of a synthetic living room (color/, depth/ in millimeters), true trajectory and true cloud",
         _REDWOOD,
         _CHOI,
         (
@@ -295,7 +295,7 @@ _SETS = (
     ),
     PublicSet(
         "lounge",
-        "3,000 RGB-D frames of a lounge (color/, depth/ in millimeters), a path and a mesh made of them",
+        "3,000 RGB-D frames of a lounge (color/, depth/ in millimeters), a trajectory and a mesh made of them",
         _SCENES,
         _ZHOU,
         (_open3d("20220301-data/LoungeRGBDImages.zip", "cdd307caef898519a8829ce1b6ab9f75", ""),),

@@ -43,8 +43,8 @@ def painted_country(seed: int) -> Country:
     rng = np.random.default_rng(seed)
     solid, crowns = PaintedParts(), PaintedParts()
     _ground(solid)
-    taken = _houses(solid, rng)
-    _trees(crowns, rng, taken)
+    house_positions = _houses(solid, rng)
+    _trees(crowns, rng, house_positions)
     return Country(solid, crowns)
 
 
@@ -72,38 +72,38 @@ def _meadow(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float6
 
 def _houses(parts: PaintedParts, rng: np.random.Generator) -> NDArray[np.float64]:
     """Houses on both sides of the lane. Returns positions (n, 2)."""
-    taken = []
+    house_positions = []
     parts.label = BUILDING
     for k in range(HOUSES):
         along = (k // 2 + 0.5) / (HOUSES // 2) * (EXTENT - 20) - (EXTENT - 20) / 2 + rng.uniform(-3, 3)
         side = 1 if k % 2 else -1
         x, y = along, float(lane(along)) + side * rng.uniform(11, 17)
         length, width, high = rng.uniform(9, 14), rng.uniform(7, 10), rng.uniform(3.0, 6.5)
-        turn = np.arctan(18 / 42 * np.cos(along / 42)) + rng.uniform(-0.15, 0.15)
+        angle = np.arctan(18 / 42 * np.cos(along / 42)) + rng.uniform(-0.15, 0.15)
         floor = float(ground_height(np.array(x), np.array(y)))
         roof = _ROOFS[rng.integers(len(_ROOFS))]
-        parts.place(x, y, floor, turn=turn)
+        parts.set_frame(x, y, floor, angle=angle)
         walls = (0.88, 0.84, 0.76)
         parts.box((0, 0, high / 2 - 1.5), (length, width, high + 3), walls)
         parts.gable((0, 0, high), (length + 0.6, width + 0.8, rng.uniform(2.0, 3.8)), roof, walls)
         parts.box((length * 0.2, 0.8, high + 2.2), (0.8, 0.8, 2.6), (0.55, 0.33, 0.28))
         if rng.random() < 0.5:
             parts.box((-length / 2 - 2.2, 0.5, 0.3), (3.6, 5.5, 5.0), (0.55, 0.55, 0.56))
-        taken.append((x, y))
-    return np.array(taken)
+        house_positions.append((x, y))
+    return np.array(house_positions)
 
 
-def _trees(parts: PaintedParts, rng: np.random.Generator, taken: NDArray[np.float64]) -> None:
+def _trees(parts: PaintedParts, rng: np.random.Generator, house_positions: NDArray[np.float64]) -> None:
     parts.label, planted = TREES, 0
     while planted < TREE_COUNT:
         in_wood = planted < TREE_COUNT * 0.6
         x, y = rng.uniform((-96, -96), (-10, -35)) if in_wood else rng.uniform(-97, 97, 2)
-        near_house = np.hypot(taken[:, 0] - x, taken[:, 1] - y).min() < 11
+        near_house = np.hypot(house_positions[:, 0] - x, house_positions[:, 1] - y).min() < 11
         if near_house or abs(y - lane(x)) < 5:
             continue
         tall, wide = rng.uniform(7, 16), rng.uniform(2.0, 3.6)
         floor, leaf = float(ground_height(np.array(x), np.array(y))), _CROWNS[rng.integers(len(_CROWNS))]
-        parts.place(x, y, floor, turn=rng.uniform(0, 6))
+        parts.set_frame(x, y, floor, angle=rng.uniform(0, 6))
         if rng.random() < 0.35:  # a conifer
             for share in (0.35, 0.55, 0.75, 0.92):
                 radius = 0.8 * wide * (1.15 - share)

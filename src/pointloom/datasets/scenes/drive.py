@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-TURN = 0.1  # [s] duration of a scan
+SCAN_PERIOD = 0.1  # [s] duration of a scan
 SENSOR_HEIGHT = 1.8  # [m]
 SWAY_LENGTH = 40.0  # [m] period of the sway
 
@@ -18,30 +18,30 @@ def road(x: Any) -> Any:
 
 def pose_at(s: NDArray[np.float64], sway: float) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Positions (n, 3) and headings (n,) of the sensor at x = s, swaying up to `sway` [rad]."""
-    places = np.stack([s, 12 * np.sin(s / 60), np.full_like(s, SENSOR_HEIGHT)], axis=-1)
+    positions = np.stack([s, 12 * np.sin(s / 60), np.full_like(s, SENSOR_HEIGHT)], axis=-1)
     growing = np.clip(s / SWAY_LENGTH, 0, 1)
-    turned = sway * growing * np.sin(s * (2 * np.pi / SWAY_LENGTH))
-    return places, np.arctan2(12 / 60 * np.cos(s / 60), 1) + turned
+    yaw = sway * growing * np.sin(s * (2 * np.pi / SWAY_LENGTH))
+    return positions, np.arctan2(12 / 60 * np.cos(s / 60), 1) + yaw
 
 
 def sensor_pose(s: float, sway: float = 0.0) -> NDArray[np.float64]:
     """T_world_sensor at x = s, (4, 4): x ahead, y left, z up."""
-    place, heading = pose_at(np.array(s), sway)
+    position, heading = pose_at(np.array(s), sway)
     T = np.eye(4)
     T[:2, :2] = [[np.cos(heading), -np.sin(heading)], [np.sin(heading), np.cos(heading)]]
-    T[:3, 3] = place
+    T[:3, 3] = position
     return T
 
 
-def turning_rays(
+def rotating_rays(
     beams: NDArray[np.float64], azimuths: int, rng: np.random.Generator
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Directions (n, 3) of one rotation from straight behind, and their fraction of the rotation (n,).
     The start is random within a step: a fixed raster would be registered instead of the street."""
     share = np.arange(1, azimuths + 1) / azimuths
     share, rise = np.repeat(share, len(beams)), np.tile(beams, azimuths)
-    turn = 2 * np.pi * (share - rng.random() / azimuths) - np.pi
-    return np.stack([np.cos(rise) * np.cos(turn), np.cos(rise) * np.sin(turn), np.sin(rise)], axis=1), share
+    azimuth = 2 * np.pi * (share - rng.random() / azimuths) - np.pi
+    return np.stack([np.cos(rise) * np.cos(azimuth), np.cos(rise) * np.sin(azimuth), np.sin(rise)], axis=1), share
 
 
 def in_world(rays: NDArray[np.float64], headings: NDArray[np.float64]) -> NDArray[np.float64]:

@@ -87,7 +87,7 @@ def _parts(p: Field) -> dict[str, Field]:
     }
 
 
-def _whole(parts: dict[str, Field]) -> Field:
+def _join_parts(parts: dict[str, Field]) -> Field:
     field = _join(parts["body"], parts["head"], 0.022)
     for name, width in (("wing", 0.012), ("tail", 0.015), ("disc", 0.006), ("foot", 0.004), ("beak", 0.003)):
         field = _join(field, parts[name], width)
@@ -129,7 +129,7 @@ def owl() -> TriangleMesh:
     counts = np.ceil((HIGH - LOW) / STEP).astype(int) + 1
     axes = [LOW[k] + STEP * np.arange(counts[k]) for k in range(3)]
     grid = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1).astype(np.float32)
-    mesh = marching_cubes(_whole(_parts(grid)), spacing=[STEP] * 3, origin=LOW)
+    mesh = marching_cubes(_join_parts(_parts(grid)), spacing=[STEP] * 3, origin=LOW)
     labels, counts, _ = mesh.cluster_connected_triangles()
     mesh = mesh.remove_triangles_by_mask(np.asarray(labels) != np.argmax(counts)).remove_unreferenced_vertices()
     at = mesh.vertices.astype(np.float32)

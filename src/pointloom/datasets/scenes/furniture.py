@@ -27,7 +27,7 @@ _STEEL: Color = (0.45, 0.47, 0.50)
 def furnished_room() -> SolidBuilder:
     room = SolidBuilder()
     for add in (_shell, _window, _sofa, _rug, _table, _shelf, _lamps, _pictures, _small_things):
-        room.place(0, 0)
+        room.set_frame(0, 0)
         add(room)
     return room
 
@@ -95,7 +95,7 @@ def _window(room: SolidBuilder) -> None:
 
 def _sofa(room: SolidBuilder) -> None:
     cloth, dark = (0.30, 0.42, 0.47), (0.24, 0.35, 0.40)
-    room.place(0.55, 1.9, turn=-90)  # at the wall x = 0. Its x is along the wall, its y into the room
+    room.set_frame(0.55, 1.9, angle=-90)  # at the wall x = 0. Its x is along the wall, its y into the room
     room.box((0, 0.0, 0.24), (2.0, 0.84, 0.24), dark, radius=0.05)
     room.box((0, -0.36, 0.52), (2.0, 0.2, 0.62), cloth, radius=0.08)
     for side in (-1, 1):
@@ -127,7 +127,7 @@ def _sofa(room: SolidBuilder) -> None:
 
 def _rug(room: SolidBuilder) -> None:
     """The rug and a low round table in front of the sofa."""
-    room.place(1.75, 1.95)
+    room.set_frame(1.75, 1.95)
     room.box(
         (0, 0, 0.01),
         (1.7, 2.3, 0.02),
@@ -157,7 +157,7 @@ def _rug(room: SolidBuilder) -> None:
 
 
 def _table(room: SolidBuilder) -> None:
-    room.place(3.75, 1.75, turn=8)
+    room.set_frame(3.75, 1.75, angle=8)
     room.box((0, 0, 0.735), (0.85, 1.4, 0.04), _OAK, radius=0.012, second=(0.64, 0.45, 0.28), pattern=(PLANKS, 0.12))
     for x in (-0.36, 0.36):
         for y in (-0.63, 0.63):
@@ -186,14 +186,14 @@ def _table(room: SolidBuilder) -> None:
         pattern=(CHECKER, 0.08),
     )
     room.cylinder((0.28, 0.02, 0.80), 0.04, 0.09, (0.80, 0.30, 0.25), rounding=0.006)
-    for x, y, turn in ((-0.72, 0.28, -85), (0.76, -0.28, 97)):
-        _chair(room, 3.75 + x, 1.75 + y, turn)
+    for x, y, angle in ((-0.72, 0.28, -85), (0.76, -0.28, 97)):
+        _chair(room, 3.75 + x, 1.75 + y, angle)
 
 
-def _chair(room: SolidBuilder, x: float, y: float, turn: float) -> None:
+def _chair(room: SolidBuilder, x: float, y: float, angle: float) -> None:
     """A chair whose front faces its own y axis."""
     wood, seat = _WALNUT, (0.86, 0.80, 0.68)
-    room.place(x, y, turn=turn)
+    room.set_frame(x, y, angle=angle)
     room.box((0, 0, 0.45), (0.42, 0.42, 0.05), seat, radius=0.022, second=(0.75, 0.66, 0.52), pattern=(STRIPES, 0.05))
     for side in (-0.18, 0.18):
         room.cylinder((side, 0.18, 0.215), 0.02, 0.43, wood)
@@ -203,7 +203,7 @@ def _chair(room: SolidBuilder, x: float, y: float, turn: float) -> None:
 
 
 def _shelf(room: SolidBuilder) -> None:
-    room.place(1.3, 0.17)
+    room.set_frame(1.3, 0.17)
     wood, back = (0.80, 0.66, 0.48), (0.66, 0.52, 0.36)
     for side in (-0.63, 0.63):
         room.box((side, 0, 0.95), (0.03, 0.32, 1.9), wood)
@@ -249,7 +249,7 @@ def _shelf(room: SolidBuilder) -> None:
 def _lamps(room: SolidBuilder) -> None:
     shade = (0.98, 0.93, 0.80)
     room.cylinder((LAMP[0], LAMP[1], 2.55), 0.24, 0.10, (0.98, 0.95, 0.88), rounding=0.04, pattern=(GLOW, 1.0))
-    room.place(0.45, 3.45)
+    room.set_frame(0.45, 3.45)
     room.cylinder((0, 0, 0.015), 0.15, 0.03, _STEEL, rounding=0.01)
     room.cylinder((0, 0, 0.72), 0.014, 1.4, _STEEL)
     room.cylinder((0, 0, 1.55), 0.19, 0.30, shade, second=(0.92, 0.82, 0.62), pattern=(STRIPES, 0.05))
@@ -258,17 +258,17 @@ def _lamps(room: SolidBuilder) -> None:
 
 def _pictures(room: SolidBuilder) -> None:
     frame = (0.16, 0.15, 0.15)
-    room.place(0, 1.9, 1.55)  # above the sofa
+    room.set_frame(0, 1.9, 1.55)  # above the sofa
     for y, wide, high, first, second, kind in (
         (-0.55, 0.70, 0.50, (0.85, 0.55, 0.30), (0.20, 0.35, 0.45), (CHECKER, 0.11)),
         (0.25, 0.50, 0.66, (0.90, 0.86, 0.78), (0.65, 0.20, 0.22), (PLANKS, 0.07)),
     ):
         room.box((0.015, y, 0), (0.03, wide, high), frame)
         room.box((0.03, y, 0), (0.012, wide - 0.08, high - 0.08), first, second=second, pattern=kind)
-    room.place(3.7, 0, 1.5)
+    room.set_frame(3.7, 0, 1.5)
     room.box((0, 0.015, 0), (1.0, 0.03, 0.7), frame)
     room.box((0, 0.03, 0), (0.9, 0.012, 0.6), (0.25, 0.42, 0.55), second=(0.92, 0.72, 0.42), pattern=(CHECKER, 0.15))
-    room.place(5.0, 1.3, 1.6)
+    room.set_frame(5.0, 1.3, 1.6)
     room.cylinder((-0.02, 0, 0), 0.17, 0.04, (0.95, 0.95, 0.95), rounding=0.008, tilt=(1, 90))
     room.box((-0.045, 0.03, 0.045), (0.008, 0.014, 0.13), frame, tilt=(0, -35))
     room.box((-0.045, -0.03, 0.02), (0.008, 0.014, 0.09), frame, tilt=(0, 60))
@@ -276,24 +276,24 @@ def _pictures(room: SolidBuilder) -> None:
 
 def _small_things(room: SolidBuilder) -> None:
     # a plant with leaves of capsules
-    room.place(4.55, 0.45)
+    room.set_frame(4.55, 0.45)
     room.cylinder((0, 0, 0.17), 0.17, 0.34, (0.78, 0.42, 0.28), rounding=0.02)
     room.cylinder((0, 0, 0.55), 0.016, 0.5, (0.35, 0.27, 0.15))
     for leaf in range(14):
         angle, lift, high = leaf * 137.5, 25 + 8 * (leaf % 6), 0.55 + 0.035 * leaf
-        room.place(4.55, 0.45, high, turn=angle)
+        room.set_frame(4.55, 0.45, high, angle=angle)
         green = (0.20 + 0.03 * (leaf % 4), 0.48 + 0.04 * (leaf % 3), 0.22)
         c, s = math.cos(math.radians(lift)), math.sin(math.radians(lift))
         room.box((0.19 * c, 0, 0.19 * s), (0.36, 0.11, 0.03), green, radius=0.015, tilt=(1, -lift))
-    room.place(0, 0)
+    room.set_frame(0, 0)
     room.sphere(
         (2.45, 0.62, 0.13), 0.13, (0.92, 0.92, 0.90), second=(0.85, 0.22, 0.20), pattern=(CHECKER, 0.11), tilt=(0, 30)
     )
-    room.place(2.9, 3.2, turn=20)  # a pouf and a toy box below the window
+    room.set_frame(2.9, 3.2, angle=20)  # a pouf and a toy box below the window
     room.cylinder(
         (0, 0, 0.2), 0.27, 0.4, (0.55, 0.42, 0.62), rounding=0.09, second=(0.64, 0.52, 0.70), pattern=(STRIPES, 0.07)
     )
-    room.place(4.35, 3.0, turn=-12)
+    room.set_frame(4.35, 3.0, angle=-12)
     room.box(
         (-0.25, 0.45, 0.14),
         (0.42, 0.3, 0.28),
@@ -309,7 +309,7 @@ Color = tuple[float, float, float]
 
 
 class SolidBuilder:
-    """Collects solids, in the frame set by `place`. Its arrays are those of `Solids` and `Room`."""
+    """Collects solids, in the frame set by `set_frame`. Its arrays are those of `Solids` and `Room`."""
 
     def __init__(self):
         self.kinds: list[int] = []
@@ -318,11 +318,11 @@ class SolidBuilder:
         self.extents: list[tuple[float, float, float, float]] = []
         self.paints: list[tuple[Color, Color]] = []
         self.patterns: list[tuple[int, float]] = []
-        self.place(0, 0)
+        self.set_frame(0, 0)
 
-    def place(self, x: float, y: float, z: float = 0.0, *, turn: float = 0.0) -> None:
+    def set_frame(self, x: float, y: float, z: float = 0.0, *, angle: float = 0.0) -> None:
         """Set the frame: a position [m] and a rotation [degrees] about z."""
-        self.frame, self.offset = _turn_about(2, turn), np.array([x, y, z])
+        self.frame, self.offset = _rotation_about(2, angle), np.array([x, y, z])
 
     def box(
         self,
@@ -381,7 +381,7 @@ class SolidBuilder:
     ) -> None:
         self.kinds.append(kind)
         self.centers.append(self.offset + self.frame @ center)
-        self.rotations.append((self.frame @ _turn_about(*tilt)).T)
+        self.rotations.append((self.frame @ _rotation_about(*tilt)).T)
         self.extents.append(extent)
         self.paints.append((color, second or color))
         self.patterns.append(pattern)
@@ -396,7 +396,7 @@ class SolidBuilder:
         )
 
 
-def _turn_about(axis: int, degrees: float) -> NDArray[np.float64]:
+def _rotation_about(axis: int, degrees: float) -> NDArray[np.float64]:
     c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
     i, j = (axis + 1) % 3, (axis + 2) % 3
     R = np.eye(3)

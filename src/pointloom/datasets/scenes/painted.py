@@ -17,7 +17,7 @@ _FACES = np.array([[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4
 
 
 class PaintedParts:
-    """Collects triangles in the frame set by `place`, with the current `label`."""
+    """Collects triangles in the frame set by `set_frame`, with the current `label`."""
 
     def __init__(self) -> None:
         self._vertices: list[NDArray[np.float64]] = []
@@ -25,11 +25,11 @@ class PaintedParts:
         self._colors: list[NDArray[np.float64]] = []
         self._labels: list[NDArray[np.uint8]] = []
         self._count, self.label = 0, 0
-        self.place(0, 0)
+        self.set_frame(0, 0)
 
-    def place(self, x: float, y: float, z: float = 0.0, *, turn: float = 0.0) -> None:
+    def set_frame(self, x: float, y: float, z: float = 0.0, *, angle: float = 0.0) -> None:
         """Set the frame: a position [m] and a rotation [rad] about z."""
-        c, s = math.cos(turn), math.sin(turn)
+        c, s = math.cos(angle), math.sin(angle)
         self._R, self._t = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]), np.array([x, y, z])
 
     def add(self, vertices: ArrayLike, triangles: ArrayLike, color: ArrayLike) -> None:

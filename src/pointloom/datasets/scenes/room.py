@@ -61,9 +61,9 @@ def look_along(
     return T
 
 
-def _blend(share: float, places: tuple[float, ...], values: tuple[float, ...]) -> float:
+def _blend(share: float, knots: tuple[float, ...], values: tuple[float, ...]) -> float:
     """Interpolate values with curves that have zero slope at the given fractions."""
-    for a, b, low, high in zip(places, places[1:], values, values[1:], strict=False):
+    for a, b, low, high in zip(knots, knots[1:], values, values[1:], strict=False):
         if share <= b:
             t = (share - a) / (b - a)
             return low + (high - low) * t * t * (3 - 2 * t)
@@ -75,8 +75,8 @@ def round_pose(share: float) -> NDArray[np.float64]:
     a = 2 * math.pi * share
     yaw, pitch = a + 0.35, math.radians(-6 + 27 * math.sin(3 * a))
     behind = 0.75 + 0.25 * math.sin(2 * a + 1)
-    place = (-behind * math.cos(yaw), -0.8 * behind * math.sin(yaw), 1.5 + 0.15 * math.sin(2 * a))
-    return _hand_held(share, place, yaw, pitch)
+    position = (-behind * math.cos(yaw), -0.8 * behind * math.sin(yaw), 1.5 + 0.15 * math.sin(2 * a))
+    return _hand_held(share, position, yaw, pitch)
 
 
 def eight_pose(share: float) -> NDArray[np.float64]:
@@ -84,25 +84,25 @@ def eight_pose(share: float) -> NDArray[np.float64]:
     a = -2 * math.pi * share
     yaw = math.pi / 2 + a + math.radians(10) * math.sin(2 * a)
     pitch = math.radians(-8 + 28 * math.sin(4 * a + 1.2))
-    place = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
-    return _hand_held(share, place, yaw, pitch)
+    position = (1.05 * math.sin(a), -0.42 * math.sin(2 * a), 1.5 + 0.12 * math.cos(3 * a))
+    return _hand_held(share, position, yaw, pitch)
 
 
 def film_pose(share: float) -> NDArray[np.float64]:
     """Camera to world [m] on a wide circle along the walls, with wide baselines, for color alone."""
     yaw = 2 * math.pi * share + 0.35
     pitch = math.radians(-14 + 6 * math.sin(6 * math.pi * share))
-    place = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
-    return _hand_held(share, place, yaw, pitch)
+    position = (-1.35 * math.cos(yaw), -1.08 * math.sin(yaw), 1.5 + 0.12 * math.sin(4 * math.pi * share))
+    return _hand_held(share, position, yaw, pitch)
 
 
-def _hand_held(share: float, place: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
+def _hand_held(share: float, position: tuple[float, float, float], yaw: float, pitch: float) -> NDArray[np.float64]:
     """A pose from the floor center with hand tremor of 3 mm and 0.2 degrees at about 1 Hz, periodic over the loop."""
     a = 2 * math.pi * share
     tremble = 0.003 * np.sin([19 * a + 0.3, 23 * a + 1.1, 17 * a + 2.0])
     yaw += math.radians(0.2) * math.sin(21 * a + 0.7)
     pitch += math.radians(0.2) * math.sin(18 * a + 0.1)
-    eye = np.array([SIZE[0] / 2, SIZE[1] / 2, 0.0]) + place + tremble
+    eye = np.array([SIZE[0] / 2, SIZE[1] / 2, 0.0]) + position + tremble
     return look_along(eye, (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)))
 
 
@@ -140,7 +140,7 @@ class RoomSequence:
         self.frame_count, self.intrinsic, self.seed, self.noise = frame_count, intrinsic, seed, noise
         self._texture, self._color_noise = texture, color_noise
         self.depth_scale = DEPTH_SCALE if noise else 1.0
-        self._room, self._path, self._effects = _kept_room(str(device), current_cpu_compiler()), path, effects
+        self._room, self._path, self._effects = _cached_room(str(device), current_cpu_compiler()), path, effects
 
     def __len__(self) -> int:
         return self.frame_count
@@ -197,7 +197,7 @@ class RoomSequence:
 
 
 @functools.lru_cache(maxsize=2)
-def _kept_room(device: str, compiler: str) -> Room:
+def _cached_room(device: str, compiler: str) -> Room:
     """The cached room of a device. Its lighting takes seconds to compute."""
     return build_room(resolve_device(device))
 
@@ -301,10 +301,10 @@ def room_views(
         intrinsic: The camera of all frames.
         seed, noise, texture, color_noise, device: As `room_sequence`.
     """
-    places = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
-    if not places:
+    matrices = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
+    if not matrices:
         raise ValueError("poses: expected at least one, got none")
-    frame_count = len(places)
+    frame_count = len(matrices)
     seed, where = check_count("seed", seed, minimum=0), resolve_device(device)
     grain: dict[str, Any] = {
         "texture": check_share("texture", float(texture) if isinstance(texture, bool) else texture),
@@ -312,7 +312,7 @@ def room_views(
     }
 
     def path(share: float) -> NDArray[np.float64]:
-        return places[min(round(share * frame_count), frame_count - 1)]
+        return matrices[min(round(share * frame_count), frame_count - 1)]
 
     return RoomSequence(frame_count, intrinsic, seed, bool(noise), where, path, **grain)
 
@@ -372,7 +372,7 @@ def write_room_sequence(
         part = part_name(folder)
         part.mkdir()
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
     try:
         write_pinhole_camera_intrinsic(part / "camera-intrinsics.json", sequence.intrinsic)
         for frame in sequence:
@@ -421,7 +421,7 @@ class RoomEffects:
         if covered is None:
             return cls(seed, bool(color), blur, exposure, (0, 0), bool(person))
         if not isinstance(covered, (tuple, list)) or len(covered) != 2:
-            raise TypeError(f"covered: expected the first frame and the one after the last, got {covered!r}")
+            raise TypeError(f"covered: expected (first, end) frame indices, got {covered!r}")
         first, end = (check_count("covered", value, minimum=0) for value in covered)
         if not first < end <= frame_count:
             raise ValueError(f"covered: expected two frames in order up to {frame_count}, got {first} and {end}")
@@ -431,8 +431,8 @@ class RoomEffects:
         """Offsets [frames] of the additional renderings of a blurred image."""
         if not self.blur or not self.color:
             return []
-        places = [(k / (EXPOSURES - 1) - 0.5) * self.blur for k in range(EXPOSURES)]
-        return [place for place in places if place]
+        offsets = [(k / (EXPOSURES - 1) - 0.5) * self.blur for k in range(EXPOSURES)]
+        return [offset for offset in offsets if offset]
 
     def spoil(
         self, index: int, depth: NDArray[Any], color: NDArray[np.uint8], others: Iterable[NDArray[np.uint8]]
@@ -463,7 +463,7 @@ def person_in(room: Room, T_world_camera: NDArray[np.float64], share: float) -> 
     angle = math.atan2(forward[1], forward[0]) + PERSON_SWING * math.sin(2 * math.pi * PERSON_PASSES * share)
     x = min(max(eye[0] + PERSON_AWAY * math.cos(angle), 0.35), SIZE[0] - 0.35)
     y = min(max(eye[1] + PERSON_AWAY * math.sin(angle), 0.35), SIZE[1] - 0.35)
-    parts.place(x, y, turn=math.degrees(angle))
+    parts.set_frame(x, y, angle=math.degrees(angle))
     shirt = {"second": (0.90, 0.86, 0.80), "pattern": (STRIPES, 0.05)}
     parts.cylinder((0, 0, 1.1), 0.21, 0.72, (0.20, 0.30, 0.55), rounding=0.1, **shirt)
     parts.cylinder((0, 0, 0.4), 0.16, 0.8, (0.16, 0.17, 0.22), rounding=0.05)

@@ -69,7 +69,7 @@ def _ground(parts: PaintedParts, low: float, high: float) -> None:
     xs = np.arange(low, high + 1, 1.0)
     steps = len(xs) - 1
     asphalt, rng = np.full((steps, 3), 0.33), np.random.default_rng(5)
-    parts.place(0, 0)
+    parts.set_frame(0, 0)
     parts.label = ROAD
     _strip(parts, xs, 4.2, -4.2, 0.0, asphalt * rng.uniform(0.92, 1.08, (steps, 1)))
     dashes = np.flatnonzero(np.arange(steps) % 6 < 3)
@@ -104,7 +104,7 @@ def _house(parts: PaintedParts, rng: np.random.Generator, x: float, side: int, w
     setback, high = rng.uniform(8.5, 12.5), 2.9 * floors + 0.4
     walls, roof = _WALLS[rng.integers(len(_WALLS))], _ROOFS[rng.integers(len(_ROOFS))]
     parts.label = HOUSE
-    parts.place(x, road(x) + side * (setback + depth / 2), 0.1, turn=_heading(x) + (0 if side > 0 else math.pi))
+    parts.set_frame(x, road(x) + side * (setback + depth / 2), 0.1, angle=_heading(x) + (0 if side > 0 else math.pi))
     # the street is at -y in the house's frame
     parts.box((0, 0, high / 2), (width, depth, high), walls)
     parts.gable((0, 0, high), (width + 0.8, depth + 1.0, rng.uniform(2.2, 4.0)), roof, walls)
@@ -130,9 +130,9 @@ def _house(parts: PaintedParts, rng: np.random.Generator, x: float, side: int, w
 
 def _car(parts: PaintedParts, rng: np.random.Generator, x: float, side: int) -> None:
     color = _CARS[rng.integers(len(_CARS))]
-    turn = _heading(x) + (math.pi if rng.random() < 0.5 else 0.0)
+    angle = _heading(x) + (math.pi if rng.random() < 0.5 else 0.0)
     parts.label = CAR
-    parts.place(x, road(x) + side * 3.15, turn=turn)
+    parts.set_frame(x, road(x) + side * 3.15, angle=angle)
     parts.box((0, 0, 0.62), (4.2, 1.74, 0.62), color, taper=0.95)
     parts.box((-0.25, 0, 1.2), (2.5, 1.55, 0.58), _GLASS, taper=0.72)
     parts.box((-0.25, 0, 1.5), (1.75, 1.12, 0.05), color)
@@ -146,7 +146,7 @@ def _car(parts: PaintedParts, rng: np.random.Generator, x: float, side: int) -> 
 def _tree(parts: PaintedParts, rng: np.random.Generator, x: float, y: float) -> None:
     tall, wide, leaf = rng.uniform(4.5, 9), rng.uniform(1.4, 2.6), _LEAVES[rng.integers(len(_LEAVES))]
     parts.label = TREE
-    parts.place(x, road(x) + y, turn=rng.uniform(0, 6))
+    parts.set_frame(x, road(x) + y, angle=rng.uniform(0, 6))
     parts.cylinder((0, 0, tall * 0.3), 0.16 + 0.02 * tall, tall * 0.6, (0.36, 0.26, 0.18))
     for _ in range(5):
         off = rng.normal(0, 0.35 * wide, 3) * [1, 1, 0.8]
@@ -157,7 +157,7 @@ def _tree(parts: PaintedParts, rng: np.random.Generator, x: float, y: float) -> 
 
 def _lamp(parts: PaintedParts, x: float, side: int) -> None:
     parts.label = POLE
-    parts.place(x, road(x) + side * 4.7, turn=_heading(x))
+    parts.set_frame(x, road(x) + side * 4.7, angle=_heading(x))
     parts.cylinder((0, 0, 2.9), 0.08, 5.8, _STEEL)
     parts.box((0, -side * 0.75, 5.8), (0.09, 1.6, 0.09), _STEEL)
     parts.box((0, -side * 1.5, 5.72), (0.26, 0.6, 0.12), (0.95, 0.92, 0.75))
@@ -165,7 +165,7 @@ def _lamp(parts: PaintedParts, x: float, side: int) -> None:
 
 def _sign(parts: PaintedParts, x: float, side: int) -> None:
     parts.label = POLE
-    parts.place(x, road(x) + side * 5.0, turn=_heading(x))
+    parts.set_frame(x, road(x) + side * 5.0, angle=_heading(x))
     parts.cylinder((0, 0, 1.3), 0.04, 2.6, _STEEL)
     parts.cylinder((-0.05 * side, 0, 2.5), 0.38, 0.03, (0.85, 0.14, 0.12), axis=0, resolution=24)
     parts.box((-0.08 * side, 0, 2.5), (0.02, 0.5, 0.12), (0.96, 0.96, 0.95))

@@ -31,18 +31,18 @@ class _Info(NamedTuple):
 class _Bag:
     def __init__(self, path: Path, source: Any):
         self.path, self.source = path, source
-        self.found = Contents(path, self.payload)
+        self.contents = Contents(path, self.payload)
         self.chunks: list[Chunk] = []
         self.infos: dict[int, _Info] = {}
         self.announced = 0  # number of chunks in the header of a closed bag
 
-    def walk(self) -> None:
-        place = len(MAGIC)
+    def parse(self) -> None:
+        offset = len(MAGIC)
         try:
-            while place < len(self.source):
-                op, fields, begin, length = _record(self.path, self.source, place)
+            while offset < len(self.source):
+                op, fields, begin, length = _record(self.path, self.source, offset)
                 if op == _CHUNK:
-                    self.take_chunk(place, fields, begin, length)
+                    self.take_chunk(offset, fields, begin, length)
                 elif op == _INDEX:
                     self.take_index(fields, slice_of(self.path, self.source, begin, length))
                 elif op == _CONNECTION:
@@ -52,16 +52,16 @@ class _Bag:
                 elif op == _HEADER and any(fields.get(b"index_pos", b"")):  # otherwise the bag was not closed
                     self.announced = number("I", fields[b"chunk_count"], 0)
                 elif op == _MESSAGE:
-                    self.found.note(f"has a message outside of its chunks at byte {place}")
-                place = begin + length
+                    self.contents.note(f"has a message outside of its chunks at byte {offset}")
+                offset = begin + length
         except _DAMAGED as error:
-            self.found.note(f"is cut off or damaged at byte {place} of {len(self.source)}: {error}")
+            self.contents.note(f"is cut off or damaged at byte {offset} of {len(self.source)}: {error}")
 
-    def take_chunk(self, place: int, fields: dict[bytes, bytes], begin: int, length: int) -> None:
+    def take_chunk(self, offset: int, fields: dict[bytes, bytes], begin: int, length: int) -> None:
         form, size = fields[b"compression"].decode("ascii", "replace"), number("I", fields[b"size"], 0)
         path, source = self.path, self.source
-        self.found.pieces.append(lambda: unpack(path, source[begin : begin + length], form, size))
-        self.chunks.append(Chunk(place, len(self.found.pieces) - 1, size))
+        self.contents.pieces.append(lambda: unpack(path, source[begin : begin + length], form, size))
+        self.chunks.append(Chunk(offset, len(self.contents.pieces) - 1, size))
 
     def take_index(self, fields: dict[bytes, bytes], data: bytes) -> None:
         if not self.chunks:
@@ -82,34 +82,36 @@ class _Bag:
         self.infos[number("Q", fields[b"chunk_pos"], 0)] = info
 
     def take_connection(self, fields: dict[bytes, bytes], data: bytes) -> None:
-        told, at = {}, 0
+        values, at = {}, 0
         while at < len(data):
             size = number("I", data, at)
             name, _, value = slice_of(self.path, data, at + 4, size).partition(b"=")
-            told[name] = value
+            values[name] = value
             at += 4 + size
         topic = fields[b"topic"].decode("utf-8", "replace")
-        kind = told[b"type"].decode("ascii", "replace").replace("/", "/msg/", 1)
-        self.found.add_channel(number("I", fields[b"conn"], 0), Channel(topic, kind, "ros1"))
+        kind = values[b"type"].decode("ascii", "replace").replace("/", "/msg/", 1)
+        self.contents.add_channel(number("I", fields[b"conn"], 0), Channel(topic, kind, "ros1"))
 
-    def settle(self) -> None:
+    def resolve_messages(self) -> None:
         """Choose the messages of each chunk: from its index, or from the chunk itself."""
         if self.announced and (self.announced != len(self.chunks) or {*self.infos} - {c.begin for c in self.chunks}):
-            self.found.note(f"lists {max(self.announced, len(self.infos))} chunks, {len(self.chunks)} were found")
-        is_cut_off = self.found.damage is not None
+            self.contents.note(f"lists {max(self.announced, len(self.infos))} chunks, but contains {len(self.chunks)}")
+        is_cut_off = self.contents.damage is not None
         for chunk in self.chunks:
             info = self.infos.get(chunk.begin)
             if not self.is_trusted(chunk, info, is_cut_off):
                 self.search(chunk, info)
-            self.found.entries += [(time, connection, chunk.piece, place) for time, connection, place in chunk.rows]
+            self.contents.entries += [
+                (time, connection, chunk.piece, offset) for time, connection, offset in chunk.rows
+            ]
 
     def is_trusted(self, chunk: Chunk, info: _Info | None, is_cut_off: bool) -> bool:
         """True if a chunk's index is complete, without reading its messages.
         A complete bag without a list of chunks was not closed by its recorder, so nothing confirms its indexes."""
         rows = chunk.rows
-        if not rows or not chunk.is_consistent or not chunk.channels <= self.found.channels.keys():
+        if not rows or not chunk.is_consistent or not chunk.channels <= self.contents.channels.keys():
             return False
-        if len({place for _, _, place in rows}) < len(rows) or max(place for _, _, place in rows) >= chunk.size:
+        if len({offset for _, _, offset in rows}) < len(rows) or max(offset for _, _, offset in rows) >= chunk.size:
             return False
         if info is None:
             return is_cut_off
@@ -120,54 +122,56 @@ class _Bag:
         """Read connections and messages from the records of a chunk."""
         rows: list[Row] = []
         try:
-            data, place = self.found.pieces[chunk.piece](), 0
-            while place < len(data):
-                op, fields, begin, length = _record(self.path, data, place)
+            data, offset = self.contents.pieces[chunk.piece](), 0
+            while offset < len(data):
+                op, fields, begin, length = _record(self.path, data, offset)
                 if op == _CONNECTION:
                     self.take_connection(fields, data[begin : begin + length])
                 elif op == _MESSAGE:
-                    rows.append((_time(fields[b"time"]), number("I", fields[b"conn"], 0), place))
+                    rows.append((_time(fields[b"time"]), number("I", fields[b"conn"], 0), offset))
                 else:
                     raise FileError(self.path, f"a chunk contains a record of kind {op}", where=f"byte {chunk.begin}")
-                place = begin + length
+                offset = begin + length
         except _DAMAGED as error:
-            self.found.note(f"has a damaged chunk: {error}")
+            self.contents.note(f"has a damaged chunk: {error}")
         else:
             is_other = not chunk.is_consistent or (chunk.channels and sorted(rows) != sorted(chunk.rows))
             if is_other or (info is not None and Counter(connection for _, connection, _ in rows) != info.counts):
-                self.found.note(f"has an index that contradicts its messages, which were used, at byte {chunk.begin}")
+                self.contents.note(
+                    f"has an index that contradicts its messages, which were used, at byte {chunk.begin}"
+                )
         chunk.rows = rows
 
-    def payload(self, data: bytes, place: int, connection: int, time: int) -> bytes:
-        op, fields, begin, length = _record(self.path, data, place)
+    def payload(self, data: bytes, offset: int, connection: int, time: int) -> bytes:
+        op, fields, begin, length = _record(self.path, data, offset)
         if op != _MESSAGE or (_time(fields[b"time"]), number("I", fields[b"conn"], 0)) != (time, connection):
-            raise FileError(self.path, "the index names another message", where=f"byte {place} of a chunk")
+            raise FileError(self.path, "the index refers to another message", where=f"byte {offset} of a chunk")
         return slice_of(self.path, data, begin, length)
 
 
 def read_bag1(path: Path) -> Contents:
     source: Any = open_source(path)
     if source[: len(MAGIC)] != MAGIC:
-        raise FileError(path, "is no bag of ROS 1, version 2.0", where="byte 0")
+        raise FileError(path, "is not a ROS 1 bag of version 2.0", where="byte 0")
     bag = _Bag(path, source)
-    bag.walk()
-    bag.settle()
-    return bag.found
+    bag.parse()
+    bag.resolve_messages()
+    return bag.contents
 
 
-def _record(path: Path, data: Any, place: int) -> tuple[int, dict[bytes, bytes], int, int]:
+def _record(path: Path, data: Any, offset: int) -> tuple[int, dict[bytes, bytes], int, int]:
     """Operation code, fields, and data offset and length of a record."""
-    head = number("I", data, place)
-    header, fields, at = slice_of(path, data, place + 4, head), {}, 0
+    head = number("I", data, offset)
+    header, fields, at = slice_of(path, data, offset + 4, head), {}, 0
     while at < len(header):
         size = number("I", header, at)
         name, _, value = slice_of(path, header, at + 4, size).partition(b"=")
         fields[name] = value
         at += 4 + size
-    begin = place + 8 + head
-    length = number("I", data, place + 4 + head)
+    begin = offset + 8 + head
+    length = number("I", data, offset + 4 + head)
     if begin + length > len(data):
-        raise FileError(path, f"a record of {length} bytes is cut off", where=f"byte {place}")
+        raise FileError(path, f"a record of {length} bytes is cut off", where=f"byte {offset}")
     return number("B", fields[b"op"], 0), fields, begin, length
 
 

@@ -37,16 +37,16 @@ def table_of_livox(path: Path, data: bytes, encoding: str) -> PointTable:
         at += 4 + size
         if not is_one:  # relative to the end of the encoding
             at += -(at - 4) % 8
-        told, count = struct.unpack_from(order + "8xI4xI", data, at)
+        declared_count, count = struct.unpack_from(order + "8xI4xI", data, at)
     except struct.error as error:
-        raise FileError(path, f"a cloud of Livox is cut off in its header: {len(data)} bytes") from error
-    if told != count:
-        raise FileError(path, f"a cloud of Livox says that it has {told} points, and has {count}")
+        raise FileError(path, f"a Livox cloud is cut off in its header: {len(data)} bytes") from error
+    if declared_count != count:
+        raise FileError(path, f"a Livox cloud declares {declared_count} points, but has {count}")
     step, first = (19 if is_one else 20), at + 20
     kind = np.dtype([(name, order + code) for name, code in _FIELDS])
     needed = first + max(count - 1, 0) * step + (kind.itemsize if count else 0)
     if needed > len(data):
-        raise FileError(path, f"a cloud of Livox of {count} points needs {needed} bytes, and has {len(data)}")
+        raise FileError(path, f"a Livox cloud of {count} points needs {needed} bytes, but has {len(data)}")
     rows = np.ndarray((count,), kind, np.frombuffer(data, np.uint8), first, (step,)) if count else np.zeros(0, kind)
     points = np.stack([rows[axis].astype(np.float32) for axis in "xyz"], axis=1)
     attributes = {name: rows[name].copy() for name in ("reflectivity", "tag", "line")}
@@ -67,25 +67,25 @@ def with_seconds(path: Path, columns: Mapping[str, NDArray[Any]], seen: NDArray[
     """Replace the driver's times by `time` [s] since the first point, if their unit is certain.
     `seen` (n,) marks measured points, `stamp` is the header time [s]. Warns of unknown or unexpected units. Without a
     unit the values are unchanged, with `time` renamed to `timestamps`."""
-    kept = dict(columns)
-    name = next((name for name in NAMES if name in kept and kept[name].ndim == 1), None)
+    remaining = dict(columns)
+    name = next((name for name in NAMES if name in remaining and remaining[name].ndim == 1), None)
     if name is None:
-        return kept
-    raw = kept.pop(name)
+        return remaining
+    raw = remaining.pop(name)
     times = raw.astype(np.float64) if raw.dtype.kind == "f" else raw.astype(np.int64)
     measured = _set(times[seen & np.isfinite(times)])
     written = WRITTEN.get((name, raw.dtype.kind))
     unit = _unit(measured, written, stamp, _steps(raw.dtype, measured))
     if unit is None:
         other = name if name != "time" else "timestamps"
-        told = f"the times of points in {name!r} are in no unit in which a sweep takes {SWEEP[0]:g} to {SWEEP[1]:g} s"
-        warn_of_units(f"{path}: {told}; they stay as they are, as {other!r}", RecordingWarning)
-        return {**kept, other: raw}
+        message = f"the point times in {name!r} give no sweep of {SWEEP[0]:g} to {SWEEP[1]:g} s in any unit"
+        warn_of_units(f"{path}: {message}; they are kept unchanged as {other!r}", RecordingWarning)
+        return {**remaining, other: raw}
     if written is not None and unit != written:
-        told = f"the times of points in {name!r} are read as {unit}: in {written} they would be those of no sweep"
-        warn_of_units(f"{path}: {told}", RecordingWarning)
+        message = f"the point times in {name!r} are read as {unit}: in {written} no sweep has such a duration"
+        warn_of_units(f"{path}: {message}", RecordingWarning)
     first = measured.min() if measured.size else times.dtype.type(0)
-    return {**kept, "time": np.asarray((times - first) * UNITS[unit], np.float64)}
+    return {**remaining, "time": np.asarray((times - first) * UNITS[unit], np.float64)}
 
 
 def _set(times: NDArray[Any]) -> NDArray[Any]:
@@ -126,7 +126,7 @@ def table_of_message(path: Path, message: Any) -> PointTable:
     if missing:
         raise FileError(path, f"a cloud has no field {missing[0]!r}; it has {', '.join(columns) or 'none'}")
     if any(columns[name].dtype.kind != "f" or columns[name].ndim != 1 for name in "xyz"):
-        raise FileError(path, "a cloud has coordinates that are not single floats")
+        raise FileError(path, "a cloud has coordinates that are not one float each")
     points = np.stack([_native(columns.pop(name)) for name in "xyz"], axis=1)
     attributes = {}
     colors = _colors(columns)
@@ -158,7 +158,7 @@ def _columns(path: Path, message: Any) -> dict[str, NDArray[Any]]:
         raise FileError(path, f"a cloud has rows of {row} bytes for {width} points of {step}")
     needed = (height - 1) * row + width * step if height > 1 else width * height * step
     if width and height and (step < 1 or needed > len(data)):
-        raise FileError(path, f"a cloud of {width} x {height} points needs {needed} bytes, and has {len(data)}")
+        raise FileError(path, f"a cloud of {width} x {height} points needs {needed} bytes, but has {len(data)}")
     kind = np.dtype({"names": names, "formats": formats, "offsets": offsets, "itemsize": max(step, 1)})
     if not (width and height):
         rows = np.zeros(0, kind)

@@ -17,40 +17,40 @@ _TABLES = ("topics", "messages")
 
 def read_db3(path: Path) -> Contents:
     if open_source(path)[: len(MAGIC)] != MAGIC:
-        raise FileError(path, "is no SQLite file", where="byte 0")
+        raise FileError(path, "is not a SQLite file", where="byte 0")
     try:
         database = sqlite3.connect(f"{path.resolve().as_uri()}?mode=ro&immutable=1", uri=True, check_same_thread=False)
         database.execute("PRAGMA writable_schema = ON")  # otherwise a file with missing pages cannot be opened
         protect(database, path, is_bounded=True)
         check_tables(database, path, _TABLES)
-        found = Contents(path, _Payload(path, database), pieces=[lambda: b""])
+        contents = Contents(path, _Payload(path, database), pieces=[lambda: b""])
         query = "SELECT rowid, id, name, type, serialization_format FROM topics NOT INDEXED"
         for _, key, *texts in ascending(path, database.execute(query)):
-            found.add_channel(key, Channel(*map(str, texts)))
+            contents.add_channel(key, Channel(*map(str, texts)))
     except sqlite3.Error as error:
-        raise FileError(path, f"is no bag of ROS 2, or damaged at its beginning: {error}") from error
-    _find_messages(path, database, found)
+        raise FileError(path, f"is not a ROS 2 bag, or is damaged at its beginning: {error}") from error
+    _find_messages(path, database, contents)
     database.set_progress_handler(None, 0)  # from now on rows are read one by one
-    return found
+    return contents
 
 
-def _find_messages(path: Path, database: sqlite3.Connection, found: Contents) -> None:
+def _find_messages(path: Path, database: sqlite3.Connection, contents: Contents) -> None:
     unusable = 0
     try:
         query = "SELECT rowid, topic_id, timestamp FROM messages NOT INDEXED"
         for row, channel, time in ascending(path, database.execute(query)):
             if isinstance(time, int) and isinstance(channel, int):
-                found.entries.append((time, channel, 0, row))
+                contents.entries.append((time, channel, 0, row))
             else:
                 unusable += 1
         if unusable:
-            found.note(f"has {unusable} rows without a time or topic, which were left out")
-        _compare_with_index(database, found)
+            contents.note(f"has {unusable} rows without a time or topic, which were left out")
+        _compare_with_index(database, contents)
     except (sqlite3.Error, FileError) as error:
-        found.note(f"is cut off or damaged after {len(found.entries)} messages: {error}")
+        contents.note(f"is cut off or damaged after {len(contents.entries)} messages: {error}")
 
 
-def _compare_with_index(database: sqlite3.Connection, found: Contents) -> None:
+def _compare_with_index(database: sqlite3.Connection, contents: Contents) -> None:
     """Compare rows with the time index of ROS: damaged pages can lose rows without an error."""
     indexes = [row[1] for row in database.execute("PRAGMA main.index_list(messages)") if not row[4]]
     for name in indexes:
@@ -58,24 +58,24 @@ def _compare_with_index(database: sqlite3.Connection, found: Contents) -> None:
             continue
         quoted = '"' + name.replace('"', '""') + '"'
         query = f"SELECT timestamp, rowid FROM messages INDEXED BY {quoted} WHERE timestamp IS NOT NULL"
-        count, check = 0, sum(hash((time, row)) for time, _, _, row in found.entries)
+        count, check = 0, sum(hash((time, row)) for time, _, _, row in contents.entries)
         for time, row in database.execute(query):
             count, check = count + 1, check - hash((time, row))
-        if count != len(found.entries) or check:
-            found.note(f"has an index of {count} messages that contradicts its {len(found.entries)} rows")
+        if count != len(contents.entries) or check:
+            contents.note(f"has an index of {count} messages that contradicts its {len(contents.entries)} rows")
 
 
 class _Payload:
     def __init__(self, path: Path, database: sqlite3.Connection):
         self._path, self._database = path, database
 
-    def __call__(self, _: bytes, place: int, channel: int, time: int) -> bytes:
+    def __call__(self, _: bytes, row_id: int, channel: int, time: int) -> bytes:
         query = "SELECT data FROM messages NOT INDEXED WHERE rowid = ? AND topic_id = ? AND timestamp = ?"
         with contextlib.closing(self._database.cursor()) as cursor:
             try:
-                row = cursor.execute(query, (place, channel, time)).fetchone()
+                row = cursor.execute(query, (row_id, channel, time)).fetchone()
             except sqlite3.Error as error:
-                raise FileError(self._path, f"damaged: {error}", where=f"row {place}") from error
+                raise FileError(self._path, f"damaged: {error}", where=f"row {row_id}") from error
         if row is None or not isinstance(row[0], bytes):
-            raise FileError(self._path, "a message is missing", where=f"row {place}")
+            raise FileError(self._path, "a message is missing", where=f"row {row_id}")
         return row[0]

@@ -38,23 +38,23 @@ class _File:
     def __init__(self, path: Path, source: Any):
         self.path, self.source = path, source
         self.schemas: dict[int, str] = {0: ""}
-        self.found = Contents(path, self.payload, pieces=[lambda: source])
+        self.contents = Contents(path, self.payload, pieces=[lambda: source])
         self.chunks: list[_Chunk] = []
         self.loose: list[Row] = []  # messages outside of chunks
         self.has_end = False
         self.statistics: tuple[int, dict[int, int]] | None = None  # messages, also by channel
 
-    def records(self, data: Any, place: int) -> Iterator[tuple[int, int, int]]:
+    def records(self, data: Any, offset: int) -> Iterator[tuple[int, int, int]]:
         """Yield operation code, offset and length of each record's content."""
-        while place < len(data):
-            op, length = number("B", data, place), number("Q", data, place + 1)
-            begin = place + 9
+        while offset < len(data):
+            op, length = number("B", data, offset), number("Q", data, offset + 1)
+            begin = offset + 9
             if begin + length > len(data):
-                raise FileError(self.path, f"a record of {length} bytes is cut off", where=f"byte {place}")
+                raise FileError(self.path, f"a record of {length} bytes is cut off", where=f"byte {offset}")
             yield op, begin, length
-            place = begin + length
+            offset = begin + length
 
-    def walk(self) -> None:
+    def parse(self) -> None:
         try:
             for op, begin, length in self.records(self.source, len(MAGIC)):
                 if op == _FOOTER:
@@ -67,9 +67,9 @@ class _File:
                     self.take(op, begin, length)
         except _DAMAGED as error:
             what = "has a damaged summary" if self.has_end else "is cut off or damaged"
-            self.found.note(f"{what}: {error}")
+            self.contents.note(f"{what}: {error}")
         if not self.has_end:
-            self.found.note("is cut off: nothing tells the end of its data")
+            self.contents.note("is cut off: the record that ends its data is missing")
 
     def take(self, op: int, begin: int, length: int) -> None:
         if op == _CHUNK:
@@ -92,7 +92,7 @@ class _File:
             topic, at = _text(self.path, content, 4)
             kind, encoding = self.schemas.get(number("H", content, 2), ""), _text(self.path, content, at)[0]
             kind = kind if "/msg/" in kind else kind.replace("/", "/msg/", 1)
-            self.found.add_channel(number("H", content, 0), Channel(topic, kind, encoding))
+            self.contents.add_channel(number("H", content, 0), Channel(topic, kind, encoding))
 
     def row_of(self, data: Any, begin: int, length: int) -> Row:
         """The index entry of a message from its header."""
@@ -110,11 +110,11 @@ class _File:
         def read() -> bytes:
             data = unpack(self.path, self.source[at + 8 : at + 8 + stored], form, size)
             if check and zlib.crc32(data) != check:
-                raise FileError(self.path, "a chunk is damaged: its checksum is another", where=f"byte {begin}")
+                raise FileError(self.path, "a chunk is damaged: its checksum differs", where=f"byte {begin}")
             return data
 
-        self.found.pieces.append(read)
-        self.chunks.append(_Chunk(begin, len(self.found.pieces) - 1, size, start=start, end=end))
+        self.contents.pieces.append(read)
+        self.chunks.append(_Chunk(begin, len(self.contents.pieces) - 1, size, start=start, end=end))
 
     def take_index(self, data: bytes) -> None:
         if not self.chunks:
@@ -124,7 +124,7 @@ class _File:
             chunk.is_consistent = False
             return
         chunk.channels.add(channel)
-        chunk.rows += [(time, channel, place) for time, place in struct.iter_unpack("<QQ", data[6:])]
+        chunk.rows += [(time, channel, offset) for time, offset in struct.iter_unpack("<QQ", data[6:])]
 
     def take_statistics(self, data: bytes) -> None:
         size = number("I", data, 42)
@@ -132,29 +132,29 @@ class _File:
             raise ValueError("the statistics are cut off")
         self.statistics = number("Q", data, 0), dict(struct.iter_unpack("<HQ", data[46 : 46 + size]))
 
-    def settle(self) -> None:
+    def resolve_messages(self) -> None:
         """Choose the messages of each chunk: from its index, or from the chunk itself.
         The statistics confirm the indexes. A truncated file has none and is reported as damaged."""
         for chunk in self.chunks:
             if not self.is_trusted(chunk):
                 self.search(chunk)
-        is_cut_off = self.found.damage is not None and self.statistics is None
+        is_cut_off = self.contents.damage is not None and self.statistics is None
         if not self.is_confirmed() and not is_cut_off:
             for chunk in self.chunks:
                 self.search(chunk)
             if self.statistics is not None and not self.is_confirmed():
                 count = len(self.loose) + sum(len(chunk.rows) for chunk in self.chunks)
-                self.found.note(f"lists {self.statistics[0]} messages in its summary, {count} were found")
-        self.found.entries += [(time, channel, 0, place) for time, channel, place in self.loose]
+                self.contents.note(f"lists {self.statistics[0]} messages in its summary, but contains {count}")
+        self.contents.entries += [(time, channel, 0, offset) for time, channel, offset in self.loose]
         for chunk in self.chunks:
-            self.found.entries += [(time, channel, chunk.piece, place) for time, channel, place in chunk.rows]
+            self.contents.entries += [(time, channel, chunk.piece, offset) for time, channel, offset in chunk.rows]
 
     def is_trusted(self, chunk: _Chunk) -> bool:
         """True if a chunk's index is consistent, without reading its messages."""
         rows = chunk.rows
-        if not rows or not chunk.is_consistent or not chunk.channels <= self.found.channels.keys():
+        if not rows or not chunk.is_consistent or not chunk.channels <= self.contents.channels.keys():
             return False
-        if len({place for _, _, place in rows}) < len(rows) or max(place for _, _, place in rows) >= chunk.size:
+        if len({offset for _, _, offset in rows}) < len(rows) or max(offset for _, _, offset in rows) >= chunk.size:
             return False
         return (min(rows)[0], max(rows)[0]) == (chunk.start, chunk.end)
 
@@ -174,7 +174,7 @@ class _File:
             return
         chunk.was_searched, rows = True, []
         try:
-            data = self.found.pieces[chunk.piece]()
+            data = self.contents.pieces[chunk.piece]()
             for op, begin, length in self.records(data, 0):
                 if op == _MESSAGE:
                     rows.append(self.row_of(data, begin, length))
@@ -183,27 +183,29 @@ class _File:
                 elif op < _PRIVATE:
                     raise FileError(self.path, f"a chunk contains a record of kind {op}", where=f"byte {chunk.begin}")
         except _DAMAGED as error:
-            self.found.note(f"has a damaged chunk: {error}")
+            self.contents.note(f"has a damaged chunk: {error}")
         else:
             if not chunk.is_consistent or (chunk.channels and sorted(rows) != sorted(chunk.rows)):
-                self.found.note(f"has an index that contradicts its messages, which were used, at byte {chunk.begin}")
+                self.contents.note(
+                    f"has an index that contradicts its messages, which were used, at byte {chunk.begin}"
+                )
         chunk.rows = rows
 
-    def payload(self, data: bytes, place: int, channel: int, time: int) -> bytes:
-        length = number("Q", data, place + 1)
-        if number("B", data, place) != _MESSAGE or self.row_of(data, place + 9, length)[:2] != (time, channel):
-            raise FileError(self.path, "the index names another message", where=f"byte {place} of a chunk")
-        return slice_of(self.path, data, place + 9 + _MESSAGE_HEAD, length - _MESSAGE_HEAD)
+    def payload(self, data: bytes, offset: int, channel: int, time: int) -> bytes:
+        length = number("Q", data, offset + 1)
+        if number("B", data, offset) != _MESSAGE or self.row_of(data, offset + 9, length)[:2] != (time, channel):
+            raise FileError(self.path, "the index refers to another message", where=f"byte {offset} of a chunk")
+        return slice_of(self.path, data, offset + 9 + _MESSAGE_HEAD, length - _MESSAGE_HEAD)
 
 
 def read_mcap(path: Path) -> Contents:
     source: Any = open_source(path)
     if source[: len(MAGIC)] != MAGIC:
-        raise FileError(path, "is no MCAP file", where="byte 0")
+        raise FileError(path, "is not an MCAP file", where="byte 0")
     file = _File(path, source)
-    file.walk()
-    file.settle()
-    return file.found
+    file.parse()
+    file.resolve_messages()
+    return file.contents
 
 
 def _text(path: Path, data: Any, begin: int) -> tuple[str, int]:

@@ -30,7 +30,7 @@ class RecordingWarning(UserWarning):
     """
 
 
-Row = tuple[int, int, int]  # of a message in a chunk: time [ns], channel, place
+Row = tuple[int, int, int]  # of a message in a chunk: time [ns], channel, offset
 
 
 @dataclass
@@ -84,14 +84,14 @@ def unpack(path: Path, data: bytes, compression: str, size: int) -> bytes:
         unpacked = bytes(data)
     elif compression in _DECOMPRESSORS:
         new = _DECOMPRESSORS[compression](path)
-        with foreign_errors(path, f"a chunk that is packed by {compression} is damaged"):
+        with foreign_errors(path, f"a chunk compressed with {compression} is damaged"):
             unpacked = _unpack_bounded(new, bytes(data), size + 1)
     else:
-        reason = f"has chunks packed by {compression!r}"
-        raise FileError(path, reason, remedy="Known are none, lz4, zstd and bz2; pack it again")
+        reason = f"has chunks compressed with {compression!r}"
+        raise FileError(path, reason, remedy="Supported are none, lz4, zstd and bz2; compress it again")
     if len(unpacked) != size:
-        found = f"more than {size}" if len(unpacked) > size else str(len(unpacked))
-        raise FileError(path, f"a chunk is damaged: expected {size} unpacked bytes, got {found}")
+        size_text = f"more than {size}" if len(unpacked) > size else str(len(unpacked))
+        raise FileError(path, f"a chunk is damaged: expected {size} unpacked bytes, got {size_text}")
     return unpacked
 
 

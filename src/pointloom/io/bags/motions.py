@@ -55,9 +55,9 @@ def imu_of_messages(messages: Iterable[Any]) -> ImuReadings:
     """The readings of Imu messages. Values with a covariance of -1 (missing, REP 145) are NaN."""
     rows = []
     for message in messages:
-        turns, pushes, q = message.angular_velocity, message.linear_acceleration, message.orientation
+        rates, pushes, q = message.angular_velocity, message.linear_acceleration, message.orientation
         parts = [
-            (turns.x, turns.y, turns.z, message.angular_velocity_covariance),
+            (rates.x, rates.y, rates.z, message.angular_velocity_covariance),
             (pushes.x, pushes.y, pushes.z, message.linear_acceleration_covariance),
             (q.w, q.x, q.y, q.z, message.orientation_covariance),
         ]
@@ -76,11 +76,15 @@ def trajectory_of_messages(path: Path, topic: str, kind: str, messages: Iterable
         pose = message
         for part in POSES[kind]:
             pose = getattr(pose, part)
-        place, q = (pose.translation, pose.rotation) if hasattr(pose, "rotation") else (pose.position, pose.orientation)
-        row = [stamp_of_header(message.header), place.x, place.y, place.z, q.x, q.y, q.z, q.w]
+        position, q = (
+            (pose.translation, pose.rotation) if hasattr(pose, "rotation") else (pose.position, pose.orientation)
+        )
+        row = [stamp_of_header(message.header), position.x, position.y, position.z, q.x, q.y, q.z, q.w]
         length = np.linalg.norm(row[4:])
         if not np.isfinite(row).all() or abs(length - 1) > _UNIT:
-            reason = f"{topic}: message {number} holds no pose: {row[1:4]}, rotation {row[4:]} of length {length:.3g}"
+            reason = (
+                f"{topic}: message {number} contains no pose: {row[1:4]}, rotation {row[4:]} of length {length:.3g}"
+            )
             raise FileError(path, reason)
         rows.append(row)
     table = np.array(rows, np.float64).reshape(-1, 8)

@@ -38,7 +38,7 @@ _DEPTH_HEAD = struct.Struct("<iff")  # of compressed_depth_image_transport: a fo
 PACKED_DEPTH = "compressedDepth"
 
 
-def holds_depth(kind: str, message: Any) -> bool:
+def is_depth(kind: str, message: Any) -> bool:
     """True if an image is a depth map, by its encoding."""
     return PACKED_DEPTH in message.format if kind == COMPRESSED else message.encoding in DEPTH
 
@@ -48,7 +48,11 @@ def depth_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint16] 
     if kind == COMPRESSED:
         return _packed_depth(path, message)
     if message.encoding not in DEPTH:
-        raise FileError(path, f"a picture of {message.encoding!r} is no depth map", remedy=f"Those are {_list(DEPTH)}")
+        raise FileError(
+            path,
+            f"an image of encoding {message.encoding!r} is not a depth map",
+            remedy=f"Depth encodings are {_list(DEPTH)}",
+        )
     rows = _rows(path, message, DEPTH[message.encoding], 1)[:, :, 0]
     return np.ascontiguousarray(rows, rows.dtype.newbyteorder("="))
 
@@ -58,8 +62,8 @@ def color_of_message(path: Path, kind: str, message: Any) -> NDArray[np.uint8]:
     if kind == COMPRESSED:
         return np.ascontiguousarray(decode_texture(path, np.asarray(message.data, np.uint8).tobytes())[:, :, :3])
     if message.encoding not in COLORS:
-        reason = f"pictures of {message.encoding!r} are not read as colors"
-        raise FileError(path, reason, remedy=f"Known are {_list(COLORS)}")
+        reason = f"images of encoding {message.encoding!r} are not supported as color"
+        raise FileError(path, reason, remedy=f"Supported are {_list(COLORS)}")
     channels, order = COLORS[message.encoding]
     return np.ascontiguousarray(_rows(path, message, "u1", channels)[:, :, list(order)])
 
@@ -70,12 +74,12 @@ def intrinsic_of_message(path: Path, message: Any, *, rectified: bool) -> Pinhol
     numbers = _matrix(message, "p" if rectified else "k")
     fx, cx, fy, cy = numbers[0], numbers[2], numbers[columns + 1], numbers[columns + 2]
     if not (fx > 0 and fy > 0):
-        reason = f"a camera_info says that its focal lengths are {fx:g} and {fy:g}"
+        reason = f"a camera_info has the focal lengths {fx:g} and {fy:g}"
         raise FileError(path, reason, remedy="The camera was not calibrated: give intrinsic")
     try:
         return PinholeCameraIntrinsic(int(message.width), int(message.height), fx, fy, cx, cy)
     except (ValueError, TypeError) as error:
-        raise FileError(path, f"a camera_info is no camera: {error}", remedy="Give intrinsic") from error
+        raise FileError(path, f"a camera_info is not a valid camera: {error}", remedy="Give intrinsic") from error
 
 
 def lens_of_message(message: Any) -> list[float]:
@@ -101,11 +105,11 @@ def _rows(path: Path, message: Any, code: str, channels: int) -> NDArray[Any]:
     data = np.ascontiguousarray(np.asarray(message.data, np.uint8).reshape(-1))
     row = width * channels * kind.itemsize
     if not (height and width):
-        raise FileError(path, f"a picture of {width} x {height} pixels")
+        raise FileError(path, f"an image of {width} x {height} pixels")
     if step < row:
-        raise FileError(path, f"a picture has rows of {step} bytes for {width} pixels, which are {row}")
+        raise FileError(path, f"an image has rows of {step} bytes, but {width} pixels need {row}")
     if len(data) != height * step:
-        raise FileError(path, f"a picture of {height} rows of {step} bytes has {len(data)}, not {height * step}")
+        raise FileError(path, f"an image of {height} rows of {step} bytes has {len(data)}, not {height * step}")
     pixels = data.reshape(height, step)[:, :row]
     return np.ascontiguousarray(pixels).view(kind).reshape(height, width, channels)
 
@@ -119,17 +123,17 @@ def _packed_depth(path: Path, message: Any) -> NDArray[np.uint16] | NDArray[np.f
     elif data[12:20] == PNG_MAGIC:
         (_, a, b), png = _DEPTH_HEAD.unpack_from(data), data[12:]
     else:
-        reason = f"depth packed as {message.format!r} is no PNG"
-        raise FileError(path, reason, remedy="RVL is not read: record depth raw, or packed by png")
-    whole = decode_depth(path, png)
+        reason = f"depth packed as {message.format!r} is not a PNG"
+        raise FileError(path, reason, remedy="RVL is not supported: record raw depth, or PNG-compressed depth")
+    pixels = decode_depth(path, png)
     if encoding != "32FC1":
-        return whole
+        return pixels
     if not (a > 0 and np.isfinite(b)):
         raise FileError(path, f"depth of floats packed with the numbers {a:g} and {b:g}")
-    depth = np.zeros(whole.shape, np.float32)
-    known = whole > 0
+    depth = np.zeros(pixels.shape, np.float32)
+    known = pixels > 0
     with np.errstate(divide="ignore"):
-        depth[known] = a / (whole[known].astype(np.float64) - b)
+        depth[known] = a / (pixels[known].astype(np.float64) - b)
     depth[~np.isfinite(depth) | (depth < 0)] = 0
     return depth
 
@@ -225,7 +229,7 @@ class RecordedFrames(Assessed):
         try:
             return checked_frame(Frame(depth, color, None, name, time), self.intrinsic, resize=True)
         except (ValueError, TypeError) as error:
-            raise FileError(path, str(error), remedy="Give the intrinsic of these pictures") from error
+            raise FileError(path, str(error), remedy="Give the intrinsic of these images") from error
 
     def _pairs(self, tolerance: float) -> list[tuple[float, Any, Any]]:
         depth = self._stamped(self.depth)
@@ -241,38 +245,38 @@ class RecordedFrames(Assessed):
 
     def _stamped(self, topic: str) -> list[tuple[float, Any]]:
         rows = self._recording.rows_of(topic)
-        found = []
+        stamped = []
         for number, row in enumerate(rows):
             encoding, data = self._recording.bytes_at(row)
             try:
-                found.append((stamp_of(data, encoding), row))
+                stamped.append((stamp_of(data, encoding), row))
             except struct.error as error:
                 raise FileError(self._recording.path, f"{topic}: message {number} has no header") from error
-        return sorted(found, key=lambda pair: pair[0])
+        return sorted(stamped, key=lambda pair: pair[0])
 
     def _find_camera(self) -> PinholeCameraIntrinsic:
-        path, place = self._recording.path, self.depth
+        path, topic = self._recording.path, self.depth
         for suffix in _SUFFIXES:
-            place = place.removesuffix(suffix)
-        beside = place.rsplit("/", 1)[0] + "/camera_info"
+            topic = topic.removesuffix(suffix)
+        beside = topic.rsplit("/", 1)[0] + "/camera_info"
         infos = [name for name, kind in self._kinds.items() if kind == CAMERA_INFO]
         if beside not in infos:
             known = f"; there are {', '.join(infos)}" if infos else ""
-            raise FileError(path, f"has no {beside}, which would say what camera {self.depth} is of{known}",
+            raise FileError(path, f"has no {beside}, the camera of {self.depth}{known}",
                             remedy="Give its intrinsic")  # fmt: skip
         message = self._recording.content_at(self._recording.rows_of(beside)[0])
-        rectified = "rect" in place.rsplit("/", 1)[1]
+        rectified = "rect" in topic.rsplit("/", 1)[1]
         self.intrinsic_source = beside
         if (lens := lens_of_message(message)) and not rectified:
-            told = ", ".join(f"{value:.3g}" for value in lens)
-            self.warnings = (f"{beside} tells a lens ({told}) that is not straightened in {self.depth}",)
+            coefficients = ", ".join(f"{value:.3g}" for value in lens)
+            self.warnings = (f"{beside} has a lens distortion ({coefficients}) that is not corrected in {self.depth}",)
         return intrinsic_of_message(path, message, rectified=rectified)
 
 
 def choose_pictures(recording: Messages, depth: str | None, color: str | None) -> tuple[str, str | None]:
     """The given depth and color topics, or the only ones. Raises `FileError` if none or several match."""
     kinds = {name: kind for name, kind in recording.topic_types().items() if kind in (IMAGE, COMPRESSED)}
-    depths = [name for name in kinds if holds_depth(kinds[name], recording.content_at(recording.rows_of(name)[0]))]
+    depths = [name for name in kinds if is_depth(kinds[name], recording.content_at(recording.rows_of(name)[0]))]
     colors = [name for name in kinds if name not in depths]
     return (
         str(_only(recording.path, "depth", depth, depths, needed=True)),
@@ -280,14 +284,18 @@ def choose_pictures(recording: Messages, depth: str | None, color: str | None) -
     )
 
 
-def _only(path: Path, what: str, asked: str | None, found: list[str], *, needed: bool) -> str | None:
-    if asked is not None:
-        if asked not in found:
-            there = f"There are {', '.join(found)}" if found else "There are none"
-            raise FileError(path, f"has no topic {asked!r} of {what} pictures", remedy=there)
-        return asked
-    if len(found) > 1:
-        raise FileError(path, f"has {len(found)} topics of {what} pictures: {', '.join(found)}", remedy=f"Name {what}")
-    if not found and needed:
-        raise FileError(path, f"has no topic of {what} pictures", remedy="Depth is Image of 16UC1 or 32FC1, or packed")
-    return found[0] if found else None
+def _only(path: Path, what: str, requested: str | None, topics: list[str], *, needed: bool) -> str | None:
+    if requested is not None:
+        if requested not in topics:
+            there = f"There are {', '.join(topics)}" if topics else "There are none"
+            raise FileError(path, f"has no topic {requested!r} of {what} images", remedy=there)
+        return requested
+    if len(topics) > 1:
+        raise FileError(
+            path, f"has {len(topics)} topics of {what} images: {', '.join(topics)}", remedy=f"Choose one as {what}"
+        )
+    if not topics and needed:
+        raise FileError(
+            path, f"has no topic of {what} images", remedy="Depth is Image of 16UC1 or 32FC1, or compressed"
+        )
+    return topics[0] if topics else None

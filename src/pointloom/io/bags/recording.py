@@ -120,7 +120,7 @@ class Recording:
             ValueError: No such topic.
             FileError: A damaged message, with the number of messages before it, or an unknown type.
         """
-        names = [found.name for found in self.topics]
+        names = [info.name for info in self.topics]
         if topic not in names:
             raise ValueError(escaped(f"topic: {self.path} has no {topic!r}; there are {', '.join(names) or 'none'}"))
         return self._messages(topic)
@@ -129,12 +129,12 @@ class Recording:
         """The given topic, or the only topic of these types. Raises `FileError` if none or several match."""
         types = kinds or (CLOUD, *LIVOX)
         kind = types[0]
-        fitting = [name for name, found in self.topic_types().items() if found in types]
+        fitting = [name for name, info in self.topic_types().items() if info in types]
         if topic is None and len(fitting) == 1:
             return fitting[0]
         if topic in fitting:
             return str(topic)
-        every = ", ".join(f"{found.name} ({found.type}, {found.count})" for found in self.topics) or "none"
+        every = ", ".join(f"{info.name} ({info.type}, {info.count})" for info in self.topics) or "none"
         if topic is not None:
             raise FileError(self.path, f"has no topic {topic!r} of {kind}", remedy=f"There are {every}")
         what = f"{len(fitting)} topics of {kind}: {', '.join(fitting)}" if fitting else f"no topic of {kind}"
@@ -181,7 +181,7 @@ class Recording:
         """
         topics = [name for name, kind in self.topic_types().items() if kind in TRANSFORMS]
         if not topics:
-            every = ", ".join(f"{found.name} ({found.type})" for found in self.topics) or "none"
+            every = ", ".join(f"{info.name} ({info.type})" for info in self.topics) or "none"
             raise FileError(self.path, f"has no topic of {TRANSFORMS[0]}", remedy=f"There are {every}")
         each = (
             (topic, number, message.content) for topic in topics for number, message in enumerate(self._messages(topic))
@@ -216,11 +216,11 @@ class Recording:
         apart, step = check_positive("tolerance", tolerance), check_count("every", every)
         if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
             raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-        found = RecordedFrames(self, *choose_pictures(self, depth, color), intrinsic, apart, step)
-        if not len(found):
-            reason = f"no pictures of {found.depth} and {found.color} were taken within {apart:g} s"
+        recorded = RecordedFrames(self, *choose_pictures(self, depth, color), intrinsic, apart, step)
+        if not len(recorded):
+            reason = f"no images of {recorded.depth} and {recorded.color} were taken within {apart:g} s"
             raise FileError(self.path, reason, remedy="Give a larger tolerance, or other topics")
-        return found
+        return recorded
 
     def imu(self, topic: str | None = None) -> ImuReadings:
         """IMU readings: header times, angular velocities, accelerations, and orientations if present.
@@ -278,7 +278,7 @@ class Recording:
             yield row, content
 
     def _payload(self, row: tuple[int, int, int, int, int]) -> bytes:
-        time, number, channel, piece, place = row
+        time, number, channel, piece, offset = row
         part = self._parts[number]
         chunk = self._chunks.find((number, piece))
         with foreign_errors(part.path, "damaged"):
@@ -286,21 +286,23 @@ class Recording:
                 chunk = part.pieces[piece]()
                 size = len(chunk) if isinstance(chunk, bytes) else 0  # otherwise a mapped file
                 self._chunks.put((number, piece), chunk, max(size, _MAX_BYTES // _MAX_CHUNKS))
-            return part.payload(chunk, place, channel, time)
+            return part.payload(chunk, offset, channel, time)
 
     def _decode(self, kind: str, encoding: str, data: bytes) -> Any:
         if encoding not in ("ros1", "cdr"):
-            raise FileError(self.path, f"its messages are encoded as {encoding!r}", remedy="Known are ros1 and cdr")
+            raise FileError(self.path, f"its messages are encoded as {encoding!r}", remedy="Supported are ros1 and cdr")
         if encoding not in self._stores:
             typesys = import_for(self.path, "rosbags.typesys", "ros")
             chosen = typesys.Stores.ROS1_NOETIC if encoding == "ros1" else typesys.Stores.ROS2_HUMBLE
-            self._stores[encoding] = found = typesys.get_typestore(chosen)
-            for name in {*TRANSFORMS} - {*found.fielddefs}:  # different packages in ROS 1
-                found.register(typesys.get_types_from_msg("geometry_msgs/TransformStamped[] transforms", name))
+            self._stores[encoding] = typestore = typesys.get_typestore(chosen)
+            for name in {*TRANSFORMS} - {*typestore.fielddefs}:  # different packages in ROS 1
+                typestore.register(typesys.get_types_from_msg("geometry_msgs/TransformStamped[] transforms", name))
         store = self._stores[encoding]
         if kind not in store.fielddefs:
-            raise FileError(self.path, f"messages of {kind} are not known", remedy="Known are those of ROS itself")
-        with foreign_errors(self.path, f"a message is no {kind}"):
+            raise FileError(
+                self.path, f"messages of {kind} are not supported", remedy="Supported are those of ROS itself"
+            )
+        with foreign_errors(self.path, f"a message is not a valid {kind}"):
             return store.deserialize_ros1(data, kind) if encoding == "ros1" else store.deserialize_cdr(data, kind)
 
     def _topic(self, name: str, kind: str, rows: list[tuple[int, int, int, int, int]]) -> Topic:
@@ -343,28 +345,28 @@ def open_recording(path: str | os.PathLike[str]) -> Recording:
     """
     recording = read_recording(path)
     if recording.damage:
-        message = escaped(f"{recording.path}: {recording.damage}; {len(recording)} messages are left")
+        message = escaped(f"{recording.path}: {recording.damage}; {len(recording)} messages remain")
         warnings.warn(message, RecordingWarning, stacklevel=2)
     return recording
 
 
 def read_recording(path: str | os.PathLike[str]) -> Recording:
-    place = path_of(path)
-    restore_folder(place)
-    files = [place]
-    if place.is_dir():
-        files = sorted((file for file in place.iterdir() if file.suffix in (".db3", ".mcap")), key=natural_key)
+    root = path_of(path)
+    restore_folder(root)
+    files = [root]
+    if root.is_dir():
+        files = sorted((file for file in root.iterdir() if file.suffix in (".db3", ".mcap")), key=natural_key)
         if not files:
-            packed = [file.name for file in place.iterdir() if file.name.endswith((".db3.zstd", ".mcap.zstd"))]
+            packed = [file.name for file in root.iterdir() if file.name.endswith((".db3.zstd", ".mcap.zstd"))]
             remedy = f"Unpack {packed[0]} with zstd -d" if packed else "Bags of ROS 2 are .db3 or .mcap files"
-            raise FileError(place, "holds no recording", remedy=remedy)
-    elif not place.exists():
-        raise FileError(place, "does not exist")
-    elif place.suffix.lower() not in _READERS:
-        raise FileError(place, f"is no recording: {place.suffix!r}", remedy=f"Known are {' '.join(_READERS)}")
-    recording = Recording(place, [_READERS[file.suffix.lower()](file) for file in files])
+            raise FileError(root, "contains no recording", remedy=remedy)
+    elif not root.exists():
+        raise FileError(root, "does not exist")
+    elif root.suffix.lower() not in _READERS:
+        raise FileError(root, f"is not a recording: {root.suffix!r}", remedy=f"Supported are {' '.join(_READERS)}")
+    recording = Recording(root, [_READERS[file.suffix.lower()](file) for file in files])
     if not len(recording):
-        raise FileError(place, f"holds no message{'; ' + recording.damage if recording.damage else ''}")
+        raise FileError(root, f"contains no message{'; ' + recording.damage if recording.damage else ''}")
     return recording
 
 
@@ -378,6 +380,6 @@ def _header(data: bytes, encoding: str) -> tuple[float | None, str]:
     """Time and frame of a message header: after a counter in ROS 1, after 4 bytes of encoding in ROS 2."""
     seconds, nanoseconds, size = struct.unpack_from(byte_order(data, encoding) + "iII", data, 4)
     if 16 + size > len(data):
-        raise struct.error("the frame ends behind the message")
+        raise struct.error("the frame ends after the message")
     frame = bytes(data[16 : 16 + size]).rstrip(b"\0").decode()
     return (seconds + nanoseconds * 1e-9) if seconds or nanoseconds else None, frame

@@ -30,8 +30,8 @@ class _Joint:
 
     parent: str
     times: NDArray[np.float64] | None
-    places: NDArray[np.float64]
-    turns: NDArray[np.float64]
+    translations: NDArray[np.float64]
+    rotations: NDArray[np.float64]
 
 
 class RecordedTransforms:
@@ -66,7 +66,7 @@ class RecordedTransforms:
         """
         self._check(check_name("frame", frame))
         if frame not in self._joints:
-            raise FileError(self.path, f"the frame {frame} has no parent: others stand in it")
+            raise FileError(self.path, f"the frame {frame} has no parent: it is a root")
         times = self._joints[frame].times
         return None if times is None else (float(times[0]), float(times[-1]))
 
@@ -94,8 +94,8 @@ class RecordedTransforms:
         every = None if times is None else np.atleast_1d(times)
         count = 1 if every is None else len(every)
         T_common_target, T_common_source = self._product(up, every, count), self._product(down, every, count)
-        found = _inverse(T_common_target) @ T_common_source
-        return found if times is not None and times.ndim else found[0]
+        poses = _inverse(T_common_target) @ T_common_source
+        return poses if times is not None and times.ndim else poses[0]
 
     def _check(self, frame: str) -> None:
         if frame not in self.frames:
@@ -103,15 +103,17 @@ class RecordedTransforms:
 
     def _above(self, frame: str) -> list[str]:
         self._check(frame)
-        way = [frame]
-        while (parent := self.parents.get(way[-1])) is not None:
-            if way[-1] in self._contested:
-                parents = " and in ".join(self._contested[way[-1]])
-                raise FileError(self.path, f"the frame {way[-1]} stands in {parents}", remedy="One parent is allowed")
-            if parent in way:
-                raise FileError(self.path, f"the frames {' in '.join([*way, parent])} stand in a circle")
-            way.append(parent)
-        return way
+        path = [frame]
+        while (parent := self.parents.get(path[-1])) is not None:
+            if path[-1] in self._contested:
+                parents = " and ".join(self._contested[path[-1]])
+                raise FileError(
+                    self.path, f"the frame {path[-1]} has the parents {parents}", remedy="One parent is allowed"
+                )
+            if parent in path:
+                raise FileError(self.path, f"the frames {' in '.join([*path, parent])} form a cycle")
+            path.append(parent)
+        return path
 
     def _ways(self, target: str, source: str) -> tuple[list[str], list[str]]:
         """The frames from both to below their lowest common ancestor."""
@@ -124,21 +126,19 @@ class RecordedTransforms:
             raise FileError(self.path, reason)
         return one[: one.index(common)], other[: other.index(common)]
 
-    def _product(self, way: list[str], times: NDArray[np.float64] | None, count: int) -> Matrix:
+    def _product(self, path: list[str], times: NDArray[np.float64] | None, count: int) -> Matrix:
         """Transform from the first frame of a path to the parent of its last."""
         product = np.tile(np.eye(4), (count, 1, 1))
-        for frame in way:
+        for frame in path:
             product = self._joint_at(frame, times) @ product
         return product
 
     def _joint_at(self, frame: str, times: NDArray[np.float64] | None) -> Matrix:
         joint = self._joints[frame]
         if joint.times is None:
-            return _matrices(joint.places, joint.turns)
+            return _matrices(joint.translations, joint.rotations)
         if times is None:
-            reason = (
-                f"the frame {frame} moves in {joint.parent}: where it stands depends on the time, and none is given"
-            )
+            reason = f"the frame {frame} moves in {joint.parent}: its pose depends on the time, and no time is given"
             raise FileError(self.path, reason)
         first, last = joint.times[0], joint.times[-1]
         outside = (times < first) | (times > last)
@@ -149,8 +149,8 @@ class RecordedTransforms:
         before = np.maximum(after - 1, 0)
         gap = joint.times[after] - joint.times[before]
         share = np.divide(times - joint.times[before], gap, out=np.zeros(len(times)), where=gap > 0)[:, None]
-        places = joint.places[before] + share * (joint.places[after] - joint.places[before])
-        return _matrices(places, _between(joint.turns[before], joint.turns[after], share))
+        translations = joint.translations[before] + share * (joint.translations[after] - joint.translations[before])
+        return _matrices(translations, _between(joint.rotations[before], joint.rotations[after], share))
 
 
 def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]]) -> RecordedTransforms:
@@ -163,14 +163,14 @@ def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]])
             if topic.endswith(FIXED):
                 fixed.add((child, parent))
     if not rows:
-        raise FileError(path, "holds no transform")
+        raise FileError(path, "contains no transform")
     joints = {}
     for child, by_parent in rows.items():
-        parent, found = next(iter(by_parent.items()))
+        parent, samples = next(iter(by_parent.items()))
         is_fixed = (child, parent) in fixed
-        told = found[-1:] if is_fixed else sorted(dict(found).items())  # of equal times the last one wins
-        table = np.array([row for _, row in told], np.float64)
-        times = None if is_fixed else np.array([time for time, _ in told])
+        used = samples[-1:] if is_fixed else sorted(dict(samples).items())  # of equal times the last one wins
+        table = np.array([row for _, row in used], np.float64)
+        times = None if is_fixed else np.array([time for time, _ in used])
         joints[child] = _Joint(parent, times, table[:, :3], table[:, 3:])
     return RecordedTransforms(path, joints, {child: [*several] for child, several in rows.items() if len(several) > 1})
 
@@ -178,12 +178,12 @@ def transforms_of_messages(path: Path, messages: Iterable[tuple[str, int, Any]])
 def _rows(path: Path, topic: str, number: int, content: Any) -> Iterator[tuple[str, str, float, list[float]]]:
     """Parent, child, time [s], translation and unit quaternion (x, y, z, w) of a message's transforms."""
     for item in content.transforms:
-        place, q = item.transform.translation, item.transform.rotation
-        row = [place.x, place.y, place.z, q.x, q.y, q.z, q.w]
+        translation, q = item.transform.translation, item.transform.rotation
+        row = [translation.x, translation.y, translation.z, q.x, q.y, q.z, q.w]
         length = float(np.linalg.norm(row[3:]))
         parent, child = _plain(item.header.frame_id), _plain(item.child_frame_id)
         if not np.isfinite(row).all() or abs(length - 1) > _UNIT:
-            reason = f"{topic}: message {number} holds no transform of {child}: {row[:3]}, rotation {row[3:]}"
+            reason = f"{topic}: message {number} contains no transform of {child}: {row[:3]}, rotation {row[3:]}"
             raise FileError(path, reason)
         if not parent or not child or parent == child:
             raise FileError(path, f"{topic}: message {number} has a transform from {child!r} to {parent!r}")
@@ -203,18 +203,18 @@ def _between(a: Matrix, b: Matrix, share: Matrix) -> Matrix:
     sine = np.where(cosine < _ALIKE, np.sin(half), 1.0)
     first = np.where(cosine < _ALIKE, np.sin((1 - share) * half) / sine, 1 - share)
     second = np.where(cosine < _ALIKE, np.sin(share * half) / sine, share)
-    found = first * a + second * b
-    return found / np.linalg.norm(found, axis=1, keepdims=True)
+    mixed = first * a + second * b
+    return mixed / np.linalg.norm(mixed, axis=1, keepdims=True)
 
 
-def _matrices(places: Matrix, turns: Matrix) -> Matrix:
-    poses = np.tile(np.eye(4), (len(places), 1, 1))
-    poses[:, :3, :3], poses[:, :3, 3] = quaternions_to_rotations(turns), places
+def _matrices(translations: Matrix, rotations: Matrix) -> Matrix:
+    poses = np.tile(np.eye(4), (len(translations), 1, 1))
+    poses[:, :3, :3], poses[:, :3, 3] = quaternions_to_rotations(rotations), translations
     return poses
 
 
 def _inverse(T: Matrix) -> Matrix:
     back = np.tile(np.eye(4), (len(T), 1, 1))
-    turned = T[:, :3, :3].transpose(0, 2, 1)
-    back[:, :3, :3], back[:, :3, 3] = turned, -(turned @ T[:, :3, 3:])[:, :, 0]
+    R = T[:, :3, :3].transpose(0, 2, 1)
+    back[:, :3, :3], back[:, :3, 3] = R, -(R @ T[:, :3, 3:])[:, :, 0]
     return back

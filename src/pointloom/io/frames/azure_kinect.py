@@ -48,7 +48,7 @@ class AzureKinectCamera(DepthCamera):
         number, path = check_count("number", number, minimum=0), recording_path(file)
         k4a = self._driver = import_driver("pyk4a", "an Azure Kinect", "azure-kinect")
         what = f"the recording {path} cannot be played" if path else f"no Azure Kinect {number} can be opened"
-        remedy = "Is it a whole .mkv?" if path else "Check both cables and that no other program has it"
+        remedy = "Check that it is a complete .mkv" if path else "Check both cables and that no other program has it"
         self._playing = path is not None
         with self._opening(what, remedy):
             if path is not None:
@@ -65,9 +65,9 @@ class AzureKinectCamera(DepthCamera):
                 self._device = k4a.PyK4A(config, device_id=number)
                 self._device.start()
             self._open = True
-            self._first = self._next_whole()
+            self._first = self._next_complete()
             if self._first is None:
-                raise CameraError(f"{what}: it holds no frame with depth and color")
+                raise CameraError(f"{what}: it contains no frame with depth and color")
             height, width = self._color_of(self._first).shape[:2]
             kind = k4a.CalibrationType.COLOR
             self.intrinsic = PinholeCameraIntrinsic.from_matrix(
@@ -75,7 +75,7 @@ class AzureKinectCamera(DepthCamera):
             )
             self._use_lens(np.ravel(self._device.calibration.get_distortion_coefficients(kind)))
 
-    def _next_whole(self) -> Any:
+    def _next_complete(self) -> Any:
         """The next capture with depth and color. None at the end of a recording."""
         while True:
             if self._playing:
@@ -89,7 +89,7 @@ class AzureKinectCamera(DepthCamera):
                 return capture
 
     def _take(self) -> tuple[Any, Any, float] | None:
-        capture, self._first = self._first or self._next_whole(), None
+        capture, self._first = self._first or self._next_complete(), None
         if capture is None:
             return None
         return capture.transformed_depth, self._color_of(capture), capture.depth_timestamp_usec * 1e-6

@@ -69,40 +69,42 @@ class Demand:
 def list_seven_scenes(folder: Path, every: int, demand: Demand | None = None) -> list[FrameFiles]:
     """Frames of a 7-Scenes folder. Only the poses of every k-th are read."""
     demand = demand or Demand()
-    found, numbers = _gather_seven_scenes(folder)
+    files, numbers = _gather_seven_scenes(folder)
     times = read_frame_times(folder)
     if times is not None:
-        for path in (folder / f"{name}.depth.png" for name in times if name not in found):
-            demand.miss(path, f"missing, though {FRAME_TIMES} lists it", f"Bring it back, or take it off {FRAME_TIMES}")
+        for path in (folder / f"{name}.depth.png" for name in times if name not in files):
+            demand.miss(
+                path, f"missing, although {FRAME_TIMES} lists it", f"Restore it, or remove it from {FRAME_TIMES}"
+            )
     parts = {"depth": "png"}
-    if any("color" in there for there in found.values()):
+    if any("color" in there for there in files.values()):
         parts["color"] = "png or .jpg"
     if demand.poses == "needed":
         parts["pose"] = "txt"
-    whole = []
+    complete = []
     for stem in (numbers[number] for number in sorted(numbers)):
         if times is not None and stem not in times:
             continue  # an interrupted recording: unlisted files are incomplete
-        lacking = next((part for part in parts if part not in found[stem]), None)
+        lacking = next((part for part in parts if part not in files[stem]), None)
         if lacking is None:
-            whole.append(stem)
+            complete.append(stem)
             continue
-        there = ", ".join(path.name for path in found[stem].values())
-        remedy = f"Bring it back, or remove {there} to leave the frame out"
+        there = ", ".join(path.name for path in files[stem].values())
+        remedy = f"Restore it, or remove {there} to leave the frame out"
         demand.miss(folder / f"{stem}.{lacking}.{parts[lacking]}", "missing", remedy)
     frames = []
-    for stem in whole[::every]:
-        pose = found[stem].get("pose") if demand.poses != "ignored" else None
+    for stem in complete[::every]:
+        pose = files[stem].get("pose") if demand.poses != "ignored" else None
         T_world_camera = None if pose is None else read_pose_or_gap(pose)
         if pose is not None and T_world_camera is None and demand.loses(pose):
             continue
         time = None if times is None else times[stem]
-        frames.append(FrameFiles(stem, found[stem]["depth"], found[stem].get("color"), T_world_camera, time))
+        frames.append(FrameFiles(stem, files[stem]["depth"], files[stem].get("color"), T_world_camera, time))
     return frames
 
 
 def _gather_seven_scenes(folder: Path) -> tuple[dict[str, dict[str, Path]], dict[int, str]]:
-    found: dict[str, dict[str, Path]] = {}
+    files: dict[str, dict[str, Path]] = {}
     numbers: dict[int, str] = {}
     for entry in sorted(folder.iterdir()):
         match = _SEVEN_SCENES_NAME.fullmatch(entry.name)
@@ -111,12 +113,14 @@ def _gather_seven_scenes(folder: Path) -> tuple[dict[str, dict[str, Path]], dict
         stem, number, part = match[1], int(match[2]), match[match.lastindex or 0]
         if numbers.setdefault(number, stem) != stem:
             raise DatasetError(entry, f"has the same number as {numbers[number]}", remedy="Keep one of the two")
-        if part in found.setdefault(stem, {}):
-            raise DatasetError(entry, f"is there beside {found[stem][part].name}", remedy="Keep one of the two")
-        found[stem][part] = entry
-    if not found:
-        raise DatasetError(folder, "holds no frame-NNNNNN.depth.png", remedy="Give the folder that holds the frames")
-    return found, numbers
+        if part in files.setdefault(stem, {}):
+            raise DatasetError(entry, f"duplicates {files[stem][part].name}", remedy="Keep one of the two")
+        files[stem][part] = entry
+    if not files:
+        raise DatasetError(
+            folder, "contains no frame-NNNNNN.depth.png", remedy="Give the folder that contains the frames"
+        )
+    return files, numbers
 
 
 def read_frame_times(folder: Path) -> dict[str, float | None] | None:
@@ -167,8 +171,8 @@ def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArr
     if len(trajectory) != len(depths):
         raise DatasetError(
             log,
-            f"holds {len(trajectory)} poses for {len(depths)} depth maps in {folder / 'depth'}",
-            remedy="Remove the depth maps without pose, or complete the log: which belong together cannot be told",
+            f"contains {len(trajectory)} poses for {len(depths)} depth maps in {folder / 'depth'}",
+            remedy="Remove the depth maps without pose, or complete the log: the pairs are ambiguous",
         )
     ids = trajectory.ids[:, 0].tolist()
     numbers = [_first_number(path) for path in depths]
@@ -180,7 +184,7 @@ def _pair_poses(folder: Path, log: Path, depths: list[Path]) -> dict[Path, NDArr
     odd = next((i for i in ids if i not in numbers), ids[0])
     raise DatasetError(
         log,
-        f"its ids are neither 0 to {len(ids) - 1} nor the numbers of the depth maps; the first odd one is {odd}",
+        f"its ids are neither 0 to {len(ids) - 1} nor the numbers of the depth maps; the first unexpected one is {odd}",
         remedy="The first number above each pose must name its frame",
     )
 
@@ -191,12 +195,12 @@ def _list_pictures(folder: Path, suffixes: tuple[str, ...]) -> list[Path]:
         raise DatasetError(folder, "missing", remedy="Give the folder above it, or another layout")
     paths = [p for p in folder.iterdir() if p.suffix.lower() in suffixes and not p.name.startswith(".")]
     if not paths:
-        raise DatasetError(folder, f"holds no picture ({' or '.join(suffixes)})", remedy="Put the frames there")
+        raise DatasetError(folder, f"contains no image ({' or '.join(suffixes)})", remedy="Put the frames there")
     paths.sort(key=lambda path: ([int(number) for number in re.findall(r"\d+", path.stem)], path.name))
     stems: dict[str, Path] = {}
     for path in paths:
         if stems.setdefault(path.stem, path) != path:
-            raise DatasetError(path, f"is there beside {stems[path.stem].name}", remedy="Keep one of the two")
+            raise DatasetError(path, f"duplicates {stems[path.stem].name}", remedy="Keep one of the two")
     return paths
 
 
@@ -206,7 +210,7 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
     if not folders:
         return None
     if len(folders) > 1:
-        raise DatasetError(folders[1], f"is there beside {folders[0].name}", remedy="Keep one folder of color")
+        raise DatasetError(folders[1], f"duplicates {folders[0].name}", remedy="Keep one folder of color")
     colors = _list_pictures(folders[0], (".png", ".jpg", ".jpeg"))
     depth_keys, color_keys = _pairing_keys(depths, colors)
     by_key = dict(zip(color_keys, colors, strict=True))
@@ -215,9 +219,9 @@ def _find_colors(folder: Path, depths: list[Path], demand: Demand) -> dict[Path,
         if key in by_key:
             pairs[path] = by_key.pop(key)
         else:
-            demand.miss(path, f"has no color picture in {folders[0]}", "Bring it back, or remove this")
+            demand.miss(path, f"has no color image in {folders[0]}", "Restore it, or remove this")
     for path in by_key.values():
-        demand.miss(path, f"has no depth map in {folder / 'depth'}", "Bring it back, or remove this")
+        demand.miss(path, f"has no depth map in {folder / 'depth'}", "Restore it, or remove this")
     return pairs
 
 
@@ -235,8 +239,8 @@ def _pairing_keys(depths: list[Path], colors: list[Path]) -> tuple[Sequence[obje
         counts = Counter(side)
         for number, path in zip(side, paths, strict=True):
             if number is None or counts[number] > 1:
-                reason = "cannot be paired: depth and color have different names, and its first number is not its own"
-                raise DatasetError(path, reason, remedy="Name both alike, such as 00000.png and 00000.jpg")
+                reason = "cannot be paired: depth and color have different names, and its first number is not unique"
+                raise DatasetError(path, reason, remedy="Use the same name for both, such as 00000.png and 00000.jpg")
     return stems
 
 
@@ -262,7 +266,9 @@ def list_tum(folder: Path, demand: Demand | None = None) -> tuple[list[FrameFile
         color_times, color_names = _read_listing(folder, "rgb.txt")
         color_of = associate(depth_times, color_times, TUM_TOLERANCE)
     elif (folder / "rgb").is_dir():
-        raise DatasetError(folder / "rgb.txt", "missing, though there is rgb/", remedy="It tells the times of color")
+        raise DatasetError(
+            folder / "rgb.txt", "missing, although there is rgb/", remedy="It contains the times of color"
+        )
     frames, left_out = [], demand.left_out
     for i, (time, name) in enumerate(zip(depth_times.tolist(), depth_names, strict=True)):
         T_world_camera, color = _pose_at(pose_times, poses, time), None
@@ -309,11 +315,11 @@ def associate(first: NDArray[np.float64], second: NDArray[np.float64], tolerance
         (abs(float(first[i] - second[j])), i, j) for i in range(len(first)) for j in range(starts[i], ends[i])
     )
     pairs: dict[int, int] = {}
-    taken: set[int] = set()
+    used: set[int] = set()
     for distance, i, j in candidates:
-        if distance < tolerance and i not in pairs and j not in taken:
+        if distance < tolerance and i not in pairs and j not in used:
             pairs[i] = j
-            taken.add(j)
+            used.add(j)
     return pairs
 
 
@@ -321,19 +327,19 @@ def _read_listing(folder: Path, name: str) -> tuple[NDArray[np.float64], list[st
     """Sorted times and file names of a TUM list."""
     path = folder / name
     if not path.is_file():
-        raise DatasetError(path, "missing", remedy="It lists the times and names of the pictures")
+        raise DatasetError(path, "missing", remedy="It lists the times and names of the images")
     rows = []
     for number, columns in read_lines(path):
         (time,) = parse_floats(path, (number, columns[:1]), 1)
         entry = " ".join(columns[1:])
         if not entry or Path(entry).is_absolute() or ".." in Path(entry).parts or "\0" in entry:
-            reason = f"expected a time and the name of a picture in the folder, got {' '.join(columns)[:80]!r}"
+            reason = f"expected a time and the name of an image in the folder, got {' '.join(columns)[:80]!r}"
             raise DatasetError(path, reason, where=f"line {number}")
         if rows and time <= rows[-1][0]:
             raise DatasetError(path, "expected increasing times", where=f"line {number}", remedy="Sort the list")
         rows.append((time, entry))
     if not rows:
-        raise DatasetError(path, "lists no picture", remedy="Fetch the data set again")
+        raise DatasetError(path, "lists no image", remedy="Fetch the data set again")
     return np.array([time for time, _ in rows]), [entry for _, entry in rows]
 
 

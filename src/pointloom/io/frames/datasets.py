@@ -39,7 +39,7 @@ _COLOR_WORD = re.compile(r"(?<![a-z])(?:colou?r|rgb|image|img)(?![a-z])", re.I)
 _POSE_WORD = re.compile(r"(?<![a-z])pose(?![a-z])", re.I)
 
 
-def holds_pictures(folder: Path) -> bool:
+def contains_pictures(folder: Path) -> bool:
     """True if a PNG in the folder has a name of a depth map."""
     names = [path.name for path in folder.iterdir() if path.is_file()]
     return any(n.lower().endswith(".png") and _DEPTH_WORD.search(Path(n).stem) for n in names if n[0] != ".")
@@ -60,14 +60,14 @@ def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
         elif kind == ".txt" and _POSE_WORD.search(path.stem):
             _add(poses, _without(_POSE_WORD, path), path)
     if not depths:
-        raise DatasetError(folder, "holds no PNG with depth in its name", remedy="Give the folder of the frames")
+        raise DatasetError(folder, "contains no PNG with depth in its name", remedy="Give the folder of the frames")
     for key, path in colors.items():
         if key not in depths:
-            demand.miss(path, "has no depth map of its name", "Name it alike, such as 1.png and 1_depth.png")
+            demand.miss(path, "has no depth map of the same name", "Use matching names, such as 1.png and 1_depth.png")
     frames = []
     for key in sorted(depths, key=lambda key: ([int(n) for n in re.findall(r"\d+", key)], key)):
         if colors and key not in colors:
-            demand.miss(depths[key], "has no color picture of its name", "Bring it back, or remove this")
+            demand.miss(depths[key], "has no color image of the same name", "Restore it, or remove this")
             continue
         pose = poses.get(key) if demand.poses != "ignored" else None
         T_world_camera = None if pose is None else _read_any_pose(pose)
@@ -79,7 +79,7 @@ def list_pictures(folder: Path, demand: Demand) -> list[FrameFiles]:
 
 def _add(there: dict[str, Path], key: str, path: Path) -> None:
     if there.setdefault(key, path) != path:
-        raise DatasetError(path, f"names the same frame as {there[key].name}", remedy="Keep one of the two")
+        raise DatasetError(path, f"belongs to the same frame as {there[key].name}", remedy="Keep one of the two")
 
 
 def _without(word: re.Pattern[str], path: Path) -> str:
@@ -118,58 +118,58 @@ class FoundCamera:
     intrinsic: PinholeCameraIntrinsic
     source: str
     depth_scale: float
-    doubt: str = ""
+    warning: str = ""
 
 
 def find_camera(folder: Path, layout: str, size: tuple[int, int], depth_scale: float) -> FoundCamera:
     """The camera of a folder: a JSON file, a matrix (also above a folder seq-NN), or the default of the layout."""
     present = [folder / name for name in INTRINSIC_NAMES if (folder / name).is_file()]
     if len(present) > 1:
-        raise DatasetError(present[1], f"is there beside {present[0].name}", remedy="Keep one, or give intrinsic=")
+        raise DatasetError(present[1], f"duplicates {present[0].name}", remedy="Keep one, or give intrinsic=")
     if present:
         scale = _read_depth_scale(present[0], depth_scale)
-        return doubted(FoundCamera(read_pinhole_camera_intrinsic(present[0]), present[0].name, scale))
-    for place in [folder] + ([folder.parent] if re.fullmatch(r"seq-\d+", folder.name) else []):
-        matrices = {path: _read_matrix(path) for name in MATRIX_NAMES if (path := place / name).is_file()}
+        return with_warning(FoundCamera(read_pinhole_camera_intrinsic(present[0]), present[0].name, scale))
+    for searched in [folder] + ([folder.parent] if re.fullmatch(r"seq-\d+", folder.name) else []):
+        matrices = {path: _read_matrix(path) for name in MATRIX_NAMES if (path := searched / name).is_file()}
         if not matrices:
             continue
         path, K = next(iter(matrices.items()))
         other = next((p for p, matrix in matrices.items() if not np.array_equal(matrix, K)), None)
         if other is not None:
-            reason = f"says otherwise than {path.name} beside it"
+            reason = f"contradicts {path.name} beside it"
             raise DatasetError(other, reason, remedy="Keep one, or give intrinsic=")
         try:
-            return doubted(FoundCamera(PinholeCameraIntrinsic.from_matrix(K, *size), str(path), depth_scale))
+            return with_warning(FoundCamera(PinholeCameraIntrinsic.from_matrix(K, *size), str(path), depth_scale))
         except ValueError as error:
             raise FileError(path, str(error)) from error
     if layout == "pictures":
         remedy = "Give intrinsic=, or put a camera-intrinsics.json beside them"
-        raise DatasetError(folder, "nothing tells the camera of its pictures", remedy=remedy)
+        raise DatasetError(folder, "the camera of its images is unknown", remedy=remedy)
     intrinsic, source = PinholeCameraIntrinsic.prime_sense_default(), f"the default of {layout}"
     if layout == "7scenes":
         intrinsic, source = PinholeCameraIntrinsic(640, 480, 585.0, 585.0, 320.0, 240.0), "the default of 7-Scenes"
     unread = sorted(path.name for path in folder.iterdir() if _LIKE_A_CAMERA.fullmatch(path.name) and path.is_file())
-    doubt = f"{unread[0]} lies beside the frames and was not read; give it with intrinsic=" if unread else ""
-    return FoundCamera(intrinsic, source, depth_scale, doubt)
+    warning = f"{unread[0]} is beside the frames, but was not read; pass it as intrinsic=" if unread else ""
+    return FoundCamera(intrinsic, source, depth_scale, warning)
 
 
-def doubted(found: FoundCamera) -> FoundCamera:
+def with_warning(source: FoundCamera) -> FoundCamera:
     """Add a warning to the camera if it may not belong to these images."""
-    camera = found.intrinsic
+    camera = source.intrinsic
     for name, length, middle, focal in (
         ("width", camera.width, camera.cx, camera.fx),
         ("height", camera.height, camera.cy, camera.fy),
     ):
         off = abs(middle - (length - 1) / 2) / length
         if off > _MAX_FROM_MIDDLE:
-            reason = f"its principal point ({camera.cx:g}, {camera.cy:g}) lies far from the middle of pictures of"
-            likely = f"it may be that of {2 * camera.cx:.0f} x {2 * camera.cy:.0f}"
-            return dataclasses.replace(found, doubt=f"{reason} {camera.width} x {camera.height}; {likely}")
+            reason = f"its principal point ({camera.cx:g}, {camera.cy:g}) is far from the center of images of"
+            likely = f"it may be for {2 * camera.cx:.0f} x {2 * camera.cy:.0f}"
+            return dataclasses.replace(source, warning=f"{reason} {camera.width} x {camera.height}; {likely}")
         view = 2 * np.degrees(np.arctan(length / (2 * focal)))
         if not _FIELDS_OF_VIEW[0] <= view <= _FIELDS_OF_VIEW[1]:
-            reason = f"its focal length {focal:g} makes a field of view of {view:.3g} degrees of a {name} of {length}"
-            return dataclasses.replace(found, doubt=reason)
-    return found
+            reason = f"its focal length {focal:g} gives a field of view of {view:.3g} degrees for a {name} of {length}"
+            return dataclasses.replace(source, warning=reason)
+    return source
 
 
 def _read_matrix(path: Path) -> NDArray[np.float64]:
@@ -276,7 +276,7 @@ class RGBDDataset(Assessed):
             if picture is not None and picture.shape[:2] != size:
                 raise FileError(str(path), "has changed its size since the folder was opened", remedy="Open it again")
         if depth.dtype != np.uint16:
-            raise FileError(files.depth, "is no 16-bit PNG any more", remedy="Open the folder again")
+            raise FileError(files.depth, "is no longer a 16-bit PNG", remedy="Open the folder again")
         if self.layout == "7scenes":
             depth[depth == _SEVEN_SCENES_INVALID] = 0
         return Frame(depth, color, files.T_world_camera, files.name, files.timestamp)
@@ -394,7 +394,7 @@ def _check_folder(folder: str | os.PathLike[str]) -> Path:
     restore_folder(folder)
     if not folder.is_dir():
         reason = "is not a folder" if folder.exists() else "does not exist"
-        raise DatasetError(folder, reason, remedy="Give the folder that holds the frames")
+        raise DatasetError(folder, reason, remedy="Give the folder that contains the frames")
     if not os.access(folder, os.R_OK | os.X_OK):
         raise DatasetError(folder, "may not be read", remedy="Change its permissions")
     return folder
@@ -424,31 +424,31 @@ def _open(
         frames = list_tum(folder, demand)[0][::every]
     else:
         frames = list_pictures(folder, demand)[::every]
-    frames = [frame for frame in frames if _is_whole(frame, demand)]
+    frames = [frame for frame in frames if _is_complete(frame, demand)]
     size = _check_headers(folder, frames, resize)
     if intrinsic is None:
-        found = find_camera(folder, layout, size, _DEPTH_SCALES.get(layout, 0.0))
+        camera_source = find_camera(folder, layout, size, _DEPTH_SCALES.get(layout, 0.0))
     else:
-        found = doubted(FoundCamera(intrinsic, "the intrinsic given", _DEPTH_SCALES.get(layout, 0.0)))
-    camera, scale = found.intrinsic, depth_scale or found.depth_scale
+        camera_source = with_warning(FoundCamera(intrinsic, "the intrinsic given", _DEPTH_SCALES.get(layout, 0.0)))
+    camera, scale = camera_source.intrinsic, depth_scale or camera_source.depth_scale
     if not scale:
-        remedy = "Give depth_scale=: 1000 for millimeters, 5000 for pictures of the TUM benchmark"
-        raise DatasetError(folder, "nothing tells the unit of its depth maps", remedy=remedy)
+        remedy = "Give depth_scale=: 1000 for millimeters, 5000 for images of the TUM benchmark"
+        raise DatasetError(folder, "the unit of its depth maps is unknown", remedy=remedy)
     if (camera.width, camera.height) != size:
         raise DatasetError(
             frames[0].depth,
-            f"is {size[0]} x {size[1]}, but {found.source} is for {camera.width} x {camera.height}",
-            remedy="Give intrinsic= of these pictures; intrinsic.scaled(factor) fits one to resized pictures",
+            f"is {size[0]} x {size[1]}, but {camera_source.source} is for {camera.width} x {camera.height}",
+            remedy="Give intrinsic= of these images; intrinsic.scaled(factor) adapts one to resized images",
         )
-    warnings = failed(found.doubt)
-    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, found.source, warnings, resize)
+    warnings = failed(camera_source.warning)
+    return RGBDDataset(folder, layout, camera, scale, frames, demand.left_out, camera_source.source, warnings, resize)
 
 
-def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
+def _is_complete(frame: FrameFiles, demand: Demand) -> bool:
     """True if all image files of a frame exist, which a list of names does not guarantee."""
     for path in (frame.depth, frame.color):
         if path is not None and not is_file(path):
-            demand.miss(path, "missing", "Bring it back, or take it off the list")
+            demand.miss(path, "missing", "Restore it, or remove it from the list")
             return False
     return True
 
@@ -456,7 +456,7 @@ def _is_whole(frame: FrameFiles, demand: Demand) -> bool:
 def _detect_loosely(folder: Path) -> str:
     """Detect the layout of a folder whose poses are optional."""
     marks = _layout_marks(folder)
-    if any(all(found.values()) for found in marks.values()):
+    if any(all(layout_marks.values()) for layout_marks in marks.values()):
         return _detect_layout(folder, marks)
     layout = _layout_without_poses(folder, marks)
     if layout is not None:
@@ -471,24 +471,26 @@ def _layout_without_poses(folder: Path, marks: dict[str, dict[str, bool]]) -> st
         return "tum"
     if marks["redwood"]["depth/"]:
         return "redwood"
-    return "pictures" if holds_pictures(folder) else None
+    return "pictures" if contains_pictures(folder) else None
 
 
-def _detect_layout(folder: Path, looked: dict[str, dict[str, bool]]) -> str:
-    found = [layout for layout, marks in looked.items() if all(marks.values())]
-    if len(found) == 1:
-        return found[0]
-    if found:
-        remedy = f"Say which with layout=, one of {', '.join(found)}"
-        raise DatasetError(folder, f"ambiguous: holds the files of {' and '.join(found)}", remedy=remedy)
+def _detect_layout(folder: Path, layout_marks: dict[str, dict[str, bool]]) -> str:
+    layouts = [layout for layout, marks in layout_marks.items() if all(marks.values())]
+    if len(layouts) == 1:
+        return layouts[0]
+    if layouts:
+        remedy = f"Set layout=, one of {', '.join(layouts)}"
+        raise DatasetError(folder, f"ambiguous: contains the files of {' and '.join(layouts)}", remedy=remedy)
     state = {True: "found", False: "missing"}
     sought = "; ".join(
         f"{layout}: {', '.join(f'{mark} ({state[there]})' for mark, there in marks.items())}"
-        for layout, marks in looked.items()
+        for layout, marks in layout_marks.items()
     )
-    known = holds_frames if "pictures" in looked else is_dataset
+    known = contains_frames if "pictures" in layout_marks else is_dataset
     inner = next((d for d in sorted(folder.iterdir()) if d.is_dir() and known(d)), None)
-    remedy = f"Did you mean {inner}?" if inner else "Give the folder that holds these files, or convert to one of them"
+    remedy = (
+        f"Did you mean {inner}?" if inner else "Give the folder that contains these files, or convert to one of them"
+    )
     raise DatasetError(folder, f"no known layout. Looked for {sought}", remedy=remedy)
 
 
@@ -509,7 +511,7 @@ def is_dataset(folder: Path) -> bool:
         return False
 
 
-def holds_frames(folder: Path) -> bool:
+def contains_frames(folder: Path) -> bool:
     """True if the folder contains the files of a known layout, poses optional."""
     try:
         return is_dataset(folder) or _layout_without_poses(folder, _layout_marks(folder)) is not None
@@ -537,5 +539,5 @@ def _check_headers(folder: Path, frames: list[FrameFiles], resize: bool) -> tupl
                     remedy += "; open_frames takes color of another size with resize_color=True"
                 raise DatasetError(path, f"is {header.width} x {header.height}, but {first_size}", remedy=remedy)
     if not sizes:
-        raise DatasetError(folder, "holds no frame", remedy="Give the folder that holds the frames")
+        raise DatasetError(folder, "contains no frame", remedy="Give the folder that contains the frames")
     return sizes["depth"][1].width, sizes["depth"][1].height

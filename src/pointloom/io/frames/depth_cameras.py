@@ -28,11 +28,11 @@ NEGLIGIBLE = 0.05  # [px] smaller displacements count as a pinhole
 
 PARTS = 16  # color is read at 1/16 px: four weights of 1/256 keep the sum within 16 bits
 
-TURNS = 20  # fixed-point iterations of the inverse. 0.001 px remain after a few
+ITERATIONS = 20  # fixed-point iterations of the inverse. 0.001 px remain after a few
 
 
 class LensMap:
-    """Maps pixels of a pinhole camera to `places` in the distorted image, (2, h, w) [px], at most `shift` [px] away.
+    """Maps pixels of a pinhole camera to `positions` in the distorted image, (2, h, w) [px], at most `shift` [px] away.
     `coefficients` are k1, k2, p1, p2, k3 and optionally k4, k5, k6. If `inverse`, they map distorted to ideal
     positions, as RealSense's "inverse Brown-Conrady"."""
 
@@ -41,18 +41,18 @@ class LensMap:
         k[: len(coefficients)] = coefficients
         v, u = np.mgrid[: intrinsic.height, : intrinsic.width].astype(np.float64)
         ideal = np.stack([(u - intrinsic.cx) / intrinsic.fx, (v - intrinsic.cy) / intrinsic.fy])
-        bent = _turn_round(ideal, k) if inverse else distort(ideal, k)
+        mapped = _undistort(ideal, k) if inverse else distort(ideal, k)
         height, width = u.shape
-        u_bent, v_bent = bent[0] * intrinsic.fx + intrinsic.cx, bent[1] * intrinsic.fy + intrinsic.cy
-        self.places = np.stack([u_bent, v_bent])
-        self.shift = float(np.hypot(u_bent - u, v_bent - v).max())
-        self._outside = ~((u_bent >= 0) & (v_bent >= 0) & (u_bent <= width - 1) & (v_bent <= height - 1))
-        u_bent, v_bent = np.clip(u_bent, 0, width - 1), np.clip(v_bent, 0, height - 1)
-        self._nearest = np.rint(v_bent).astype(np.intp) * width + np.rint(u_bent).astype(np.intp)
-        left, upper = np.floor(u_bent).astype(np.intp), np.floor(v_bent).astype(np.intp)
+        mapped_u, mapped_v = mapped[0] * intrinsic.fx + intrinsic.cx, mapped[1] * intrinsic.fy + intrinsic.cy
+        self.positions = np.stack([mapped_u, mapped_v])
+        self.shift = float(np.hypot(mapped_u - u, mapped_v - v).max())
+        self._outside = ~((mapped_u >= 0) & (mapped_v >= 0) & (mapped_u <= width - 1) & (mapped_v <= height - 1))
+        mapped_u, mapped_v = np.clip(mapped_u, 0, width - 1), np.clip(mapped_v, 0, height - 1)
+        self._nearest = np.rint(mapped_v).astype(np.intp) * width + np.rint(mapped_u).astype(np.intp)
+        left, upper = np.floor(mapped_u).astype(np.intp), np.floor(mapped_v).astype(np.intp)
         right, lower = np.minimum(left + 1, width - 1), np.minimum(upper + 1, height - 1)
-        x = np.rint((u_bent - left) * PARTS).astype(np.uint16)
-        y = np.rint((v_bent - upper) * PARTS).astype(np.uint16)
+        x = np.rint((mapped_u - left) * PARTS).astype(np.uint16)
+        y = np.rint((mapped_v - upper) * PARTS).astype(np.uint16)
         self._corners = [
             (row * width + column, weight[..., None])
             for row, column, weight in (
@@ -72,16 +72,16 @@ class LensMap:
     def straighten_color(self, color: NDArray[np.uint8]) -> NDArray[np.uint8]:
         pixels = color.reshape(-1, 3).astype(np.uint16)
         mixed = np.full(color.shape, PARTS * PARTS // 2, np.uint16)
-        for place, weight in self._corners:
-            mixed += pixels[place] * weight
+        for index, weight in self._corners:
+            mixed += pixels[index] * weight
         straight = (mixed // (PARTS * PARTS)).astype(np.uint8)
         straight[self._outside] = 0
         return straight
 
 
-def distort(places: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
+def distort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
     """Distorted positions of ideal positions x, y at depth 1, shape (2, ...)."""
-    x, y = places
+    x, y = positions
     r2 = x * x + y * y
     radial = (1 + r2 * (k[0] + r2 * (k[1] + r2 * k[4]))) / (1 + r2 * (k[5] + r2 * (k[6] + r2 * k[7])))
     return np.stack([
@@ -90,11 +90,11 @@ def distort(places: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.f
     ])  # fmt: skip
 
 
-def _turn_round(places: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
-    found = places.copy()
-    for _ in range(TURNS):
-        found = found - (distort(found, k) - places)
-    return found
+def _undistort(positions: NDArray[np.float64], k: NDArray[np.float64]) -> NDArray[np.float64]:
+    estimate = positions.copy()
+    for _ in range(ITERATIONS):
+        estimate = estimate - (distort(estimate, k) - positions)
+    return estimate
 
 
 LONGEST_WAIT = 3600.0  # [s] maximum timeout; drivers count milliseconds in 32 bits
@@ -166,11 +166,11 @@ class DepthCamera:
 
     def __iter__(self) -> Iterator[Frame]:
         while self._open:
-            with driver_errors(f"{self.name} stopped after {self.count} frames", "Frames up to there are whole"):
-                taken = self._take()
-            if taken is None:
+            with driver_errors(f"{self.name} stopped after {self.count} frames", "Frames up to there are complete"):
+                captured = self._take()
+            if captured is None:
                 return
-            yield self._finish(*taken)
+            yield self._finish(*captured)
 
     @contextlib.contextmanager
     def _opening(self, what: str, remedy: str) -> Iterator[None]:

@@ -29,10 +29,10 @@ def _check_depth(name: str, depth: Any, size: tuple[int, int]) -> NDArray[np.uin
     values = check_numeric(name, depth)
     if values.dtype.kind != "f" and values.dtype != np.uint16:
         eight = values.dtype.itemsize == 1
-        remedy = "8-bit pictures are for viewing and hold no depth" if eight else "convert it with .astype"
+        remedy = "8-bit images are for display and contain no depth" if eight else "convert it with .astype"
         raise TypeError(f"{name}: expected uint16, or meters in floats, got {values.dtype}; {remedy}")
     if values.shape != size:
-        raise ValueError(f"{name}: expected shape {list(size)}, as the intrinsic says, got {list(values.shape)}")
+        raise ValueError(f"{name}: expected shape {list(size)}, as in the intrinsic, got {list(values.shape)}")
     with np.errstate(over="ignore"):  # a depth beyond float32 becomes infinite: no measurement
         return np.array(values, np.uint16) if values.dtype.kind == "u" else np.array(values, np.float32)
 
@@ -48,6 +48,6 @@ def _check_color(name: str, color: Any, size: tuple[int, int], resize: bool) -> 
     if not resize:
         raise ValueError(
             f"{name}: is {values.shape[1]} x {values.shape[0]}, depth {size[1]} x {size[0]}; both must show the same "
-            "view, pixel for pixel. Where only the size differs, resize_color=True brings color to that of depth"
+            "view, pixel for pixel. If only the size differs, resize_color=True resizes color to that of depth"
         )
     return resize_color(values, size, name)

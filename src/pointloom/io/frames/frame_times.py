@@ -31,7 +31,7 @@ class TimeWatch:
                 back = f"{-step:.3f} s before" if step else "equal to"
                 self.remark(f"{name}: its time stamp is {back} that of the frame before it")
             elif step > GAP * usual:
-                self.remark(f"{name}: comes {step:.3f} s after the frame before it, where {usual:.3f} s are usual")
+                self.remark(f"{name}: comes {step:.3f} s after the frame before it, instead of the usual {usual:.3f} s")
             if step > 0:
                 self._steps.append(step)
         self._last = time

@@ -48,7 +48,7 @@ class FrameSource(Protocol):
 def check_frames(name: str, frames: Any) -> FrameSource | RGBDSource:
     can_give = can_read(frames) or hasattr(frames, "__iter__")
     if not can_give or not isinstance(getattr(frames, "intrinsic", None), PinholeCameraIntrinsic):
-        remedy = "loom.frames_from(pictures, intrinsic) makes them of pictures, loom.open_frames of a folder"
+        remedy = "loom.frames_from(pictures, intrinsic) creates them from images, loom.open_frames from a folder"
         raise TypeError(f"{name}: expected RGB-D frames of one camera, got {type(frames).__name__}; {remedy}")
     check_positive(f"{name}: depth_scale", getattr(frames, "depth_scale", None))
     return frames
@@ -158,7 +158,7 @@ def camera_problem(dataset: Any, source: str) -> str | None:
     return f"the camera may be wrong ({source}): {problem}" if problem else None
 
 
-def why_out_of_reach(depth_share: float, used_share: float, depth_max: float) -> str | None:
+def why_out_of_range(depth_share: float, used_share: float, depth_max: float) -> str | None:
     """Why hardly any pixel is within the depth limit, or None."""
     used, measured = format_share(used_share), format_share(depth_share)
     if used_share >= HARDLY_ANY:
@@ -176,4 +176,4 @@ def why_incomplete(dataset: RGBDDataset) -> str | None:
     if not lost or dataset.layout == "tum":
         return None
     count = len(lost) + len(dataset)
-    return f"{len(lost)} of {count} frames lack a picture and are left out, the first {lost[0]}"
+    return f"{len(lost)} of {count} frames lack an image and are left out, the first {lost[0]}"

@@ -65,11 +65,11 @@ class LatestFrames:
     @property
     def notes(self) -> list[str]:
         """Notes of the source, and the number of dropped frames."""
-        said = list(getattr(self._source, "notes", []))
+        notes = list(getattr(self._source, "notes", []))
         return (
-            [*said, f"{self._dropped} frames dropped: newer ones came before they were taken"]
+            [*notes, f"{self._dropped} frames dropped: newer ones came before they were taken"]
             if self._dropped
-            else said
+            else notes
         )
 
     def __enter__(self) -> LatestFrames:
@@ -80,7 +80,7 @@ class LatestFrames:
 
     def __iter__(self) -> Iterator[Frame]:
         if self._thread is not None:
-            raise ValueError("source: its frames are read once, and a loop over them has begun already")
+            raise ValueError("source: its frames can be read only once, and iteration has already started")
         context = contextvars.copy_context()  # the caller's compiler choice holds in the thread
         self._thread = threading.Thread(target=context.run, args=(self._read,), name="pointloom-latest", daemon=True)
         self._thread.start()

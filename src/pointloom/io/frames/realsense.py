@@ -66,7 +66,7 @@ class RealSenseCamera(DepthCamera):
         rs = self._driver = import_driver("pyrealsense2", "a RealSense camera", "realsense")
         remedy = "Check the cable, that no other program has it, and the size and rate that it offers"
         what = f"the recording {path} cannot be played" if path else "no RealSense camera can be opened"
-        with self._opening(what, "Is it a whole recording of this version of the driver?" if path else remedy):
+        with self._opening(what, "Check that the recording is complete and of this driver version" if path else remedy):
             config = rs.config()
             if path is not None:
                 config.enable_device_from_file(path, False)
@@ -85,7 +85,7 @@ class RealSenseCamera(DepthCamera):
             self._read_calibration(rs, profile)
         self._align = rs.align(rs.stream.color) if self._colored else None
         self._number: int | None = None
-        self._held: tuple[Any, Any, float, Any] | Exception | None = None
+        self._pending: tuple[Any, Any, float, Any] | Exception | None = None
 
     def _read_calibration(self, rs: Any, profile: Any) -> None:
         stream = profile.get_stream(rs.stream.color if self._colored else rs.stream.depth)
@@ -97,22 +97,22 @@ class RealSenseCamera(DepthCamera):
         if lens.model in models:
             self._use_lens(lens.coeffs, inverse=models[lens.model])
         elif np.any(lens.coeffs):
-            raise CameraError(f"{self.name} has a lens of an unknown kind, {lens.model}; its pictures would be bent")
+            raise CameraError(f"{self.name} has an unknown lens model, {lens.model}; its images would be distorted")
 
     def _take(self) -> tuple[Any, Any, float] | None:
         while True:
-            found, self._held = self._held or self._next_set(), None
-            if isinstance(found, Exception):
-                raise found
-            if found is None:
+            frame_set, self._pending = self._pending or self._next_set(), None
+            if isinstance(frame_set, Exception):
+                raise frame_set
+            if frame_set is None:
                 return None
-            depth, color, apart, frames = found
+            depth, color, apart, frames = frame_set
             number = depth.get_frame_number()
             if number == self._number:
                 continue  # already delivered with a color closer in time
             if apart > TOGETHER:  # the driver repeats an image while it waits for the other camera
-                self._held = self._look_ahead()
-                ahead = self._held
+                self._pending = self._look_ahead()
+                ahead = self._pending
                 if isinstance(ahead, tuple) and ahead[0].get_frame_number() == number and ahead[2] < apart:
                     continue
             if self._number is not None and number > self._number + 1:
@@ -135,8 +135,8 @@ class RealSenseCamera(DepthCamera):
         """Depth, color, their time difference [s], and the frame set. None at the end of a recording."""
         waited = 0.0
         while True:
-            patience = min(SLICE, self.timeout - waited) if self._playback is not None else self.timeout
-            came, frames = self._pipeline.try_wait_for_frames(max(int(1000 * patience), 1))
+            timeout = min(SLICE, self.timeout - waited) if self._playback is not None else self.timeout
+            came, frames = self._pipeline.try_wait_for_frames(max(int(1000 * timeout), 1))
             if came:
                 waited = 0.0
                 depth, color = frames.get_depth_frame(), frames.get_color_frame() if self._colored else None
@@ -147,7 +147,7 @@ class RealSenseCamera(DepthCamera):
                 continue  # one of the two is late, as in a camera's first frames
             if self._ended():
                 return None
-            waited += patience
+            waited += timeout
             if waited >= self.timeout:
                 raise CameraError(f"{self.name} sent nothing for {self.timeout:g} s after {self.count} frames")
 

@@ -140,13 +140,13 @@ def record_frames(source: RGBDSource, folder: str | os.PathLike[str], *, progres
     if not isinstance(source, RGBDSource):
         kind = type(source).__name__
         raise TypeError(f"source: expected an RGBDSource (intrinsic, depth_scale, iteration), got {kind}")
-    say, recorder = check_progress(progress), None
+    report, recorder = check_progress(progress), None
     for frame in source:
         if recorder is None:
             scale = source.depth_scale if frame.depth.dtype.kind == "u" else DEPTH_SCALE
             recorder = FrameRecorder(folder, source.intrinsic, depth_scale=scale)
         recorder.write(frame)
-        say("frames", recorder.count, len(source) if hasattr(source, "__len__") else 0)  # type: ignore[arg-type]
+        report("frames", recorder.count, len(source) if hasattr(source, "__len__") else 0)  # type: ignore[arg-type]
     if recorder is None:
         recorder = FrameRecorder(folder, source.intrinsic)
     return recorder.count
@@ -159,9 +159,9 @@ def _make_folder(folder: Path) -> None:
     except FileNotFoundError as error:
         raise FileError(folder, f"the folder {folder.parent} does not exist", remedy="Make it first") from error
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
     if entry is not None:
-        raise FileError(folder, f"holds {entry.name} already", remedy="Give the name of a new folder")
+        raise FileError(folder, f"already contains {entry.name}", remedy="Give the name of a new folder")
 
 
 def _in_units(frame: Frame, depth_scale: float) -> np.ndarray[Any, np.dtype[np.uint16]]:
@@ -171,6 +171,8 @@ def _in_units(frame: Frame, depth_scale: float) -> np.ndarray[Any, np.dtype[np.u
     meters = np.where(frame.depth > 0, frame.depth, np.float32(0)).astype(np.float64)
     units = np.rint(meters * depth_scale)
     if units.max(initial=0) >= 65535:
-        most = 65534 / depth_scale
-        raise ValueError(f"frame {escaped(frame.name)}: depth of {meters.max():.4g} m; 16 bits hold up to {most:.4g} m")
+        max_depth = 65534 / depth_scale
+        raise ValueError(
+            f"frame {escaped(frame.name)}: depth of {meters.max():.4g} m; 16 bits store up to {max_depth:.4g} m"
+        )
     return units.astype(np.uint16)

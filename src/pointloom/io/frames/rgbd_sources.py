@@ -54,7 +54,7 @@ class FrameStream:
     def __iter__(self) -> Iterator[Frame]:
         iterator = iter(self._items)
         if self._begun and iterator is self._items:
-            raise ValueError("frames: a generator gives its frames once, and these were taken already")
+            raise ValueError("frames: a generator can be iterated only once, and was already consumed")
         self._begun, self._watch = True, TimeWatch()
         return self._check(iterator)
 
@@ -125,6 +125,6 @@ def _frame_of(item: Any, name: str) -> Frame:
             )
         return Frame(item[1], item[0], None, name, item[2] if len(item) == 3 else None)
     if not hasattr(item, "depth") or not hasattr(item, "color"):
-        raise TypeError(f"{name}: expected (color, depth) or what has color and depth, got {type(item).__name__}")
-    own, pose, time = (getattr(item, attribute, None) for attribute in ("name", "T_world_camera", "timestamp"))
-    return Frame(item.depth, item.color, pose, own if isinstance(own, str) else name, time)
+        raise TypeError(f"{name}: expected (color, depth) or an object with color and depth, got {type(item).__name__}")
+    own_name, pose, time = (getattr(item, attribute, None) for attribute in ("name", "T_world_camera", "timestamp"))
+    return Frame(item.depth, item.color, pose, own_name if isinstance(own_name, str) else name, time)

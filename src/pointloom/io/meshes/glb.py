@@ -22,7 +22,7 @@ from ..source import open_source
 from ..table import MeshTable
 from .gltf_arrays import GltfArrays
 from .gltf_file import GltfFile
-from .gltf_nodes import walk_scene
+from .gltf_nodes import list_scene_nodes
 from .gltf_primitives import TRIANGLES, Placing, Primitive, Vertices, placing_of
 from .gltf_unsupported import SPECULAR, LeftBehind, check_required
 
@@ -80,10 +80,10 @@ class Materials:
         if names[1] not in look:
             return BaseColor(factor=color)
         texture = file.part(look, names[1], what)
-        coordinates, transform = file.whole(texture, "texCoord", what, 0), None
+        coordinates, transform = file.integer(texture, "texCoord", what, 0), None
         moved = file.extension(texture, _TRANSFORM, what)
         if moved is not None:
-            coordinates = file.whole(moved, "texCoord", what, coordinates)
+            coordinates = file.integer(moved, "texCoord", what, coordinates)
             transform = self._transform(moved, f"{_TRANSFORM} of {what}")
         if color != (1, 1, 1, 1):
             self._left.add("factors of base colors beside a texture", number)
@@ -92,9 +92,9 @@ class Materials:
     def _transform(self, moved: dict[str, Any], what: str) -> NDArray[np.float64] | None:
         """Scale, rotation, offset; counterclockwise as displayed, so with v downwards."""
         file = self._file
-        offset = file.numbers(moved, "offset", what, [0.0, 0.0], most=1e30)
-        scale = file.numbers(moved, "scale", what, [1.0, 1.0], most=1e30)
-        angle = file.numbers({"rotation": [moved.get("rotation", 0.0)]}, "rotation", what, [0.0], most=1e30)[0]
+        offset = file.numbers(moved, "offset", what, [0.0, 0.0], limit=1e30)
+        scale = file.numbers(moved, "scale", what, [1.0, 1.0], limit=1e30)
+        angle = file.numbers({"rotation": [moved.get("rotation", 0.0)]}, "rotation", what, [0.0], limit=1e30)[0]
         c, s = np.cos(angle), np.sin(angle)
         A = np.array([[c, s, 0], [-s, c, 0]]) * [*scale, 0]
         A[:, 2] = offset
@@ -115,14 +115,14 @@ class Materials:
                 continue
             key, name, data = self._image(color.texture, f"materials {number}")
             if data is None:
-                self._left.add(f"the textures, since that of materials {number} is {name}")
+                self._left.add(f"the textures, because that of materials {number} is {name}")
                 return (), []
             keys.append(key)
             given.setdefault(key, (name, data))
         try:
             decoded = decode_textures(self._file.path, given)
         except FileError as error:
-            self._left.add(f"the textures, since {error}")
+            self._left.add(f"the textures, because {error}")
             return (), []
         made: dict[tuple[Hashable, float], NDArray[np.uint8]] = {}
         pictures = []
@@ -136,18 +136,18 @@ class Materials:
                     made[key, color.cutoff] = drop_alpha(picture, color.cutoff)
                 picture = made[key, color.cutoff]
             pictures.append(picture)
-        places = {number: place for place, number in enumerate(numbers)}
-        return tuple(pictures), [places[number] for number in used]
+        index_of = {number: index for index, number in enumerate(numbers)}
+        return tuple(pictures), [index_of[number] for number in used]
 
     def _image(self, texture: Any, what: str) -> tuple[Hashable, str, Any]:
         """Key, name and bytes of a texture's image; or the reason for its absence and None."""
         file, arrays = self._file, self._arrays
-        held = file.take("textures", texture, what)
-        if "source" not in held:
+        content = file.take("textures", texture, what)
+        if "source" not in content:
             for name, kind in _OTHER_KINDS.items():
-                if file.extension(held, name, f"the texture of {what}") is not None:
-                    return None, f"a picture of the kind {kind}, which is not read", None
-        source = file.whole(held, "source", f"the texture of {what}")
+                if file.extension(content, name, f"the texture of {what}") is not None:
+                    return None, f"an image of type {kind}, which is not supported", None
+        source = file.integer(content, "source", f"the texture of {what}")
         image = file.take("images", source, f"the texture of {what}")
         name, uri = f"{file.path} (images {source})", image.get("uri")
         if uri is None:
@@ -155,10 +155,10 @@ class Materials:
             return ("view", view), name, arrays.view(view, f"images {source}")[0]
         if isinstance(uri, str) and uri[:5].lower() == "data:":
             return ("image", source), name, file.uri_bytes(uri, f"images {source}")
-        found = file.uri_file(uri, f"images {source}")
-        if found is None:
+        linked = file.uri_file(uri, f"images {source}")
+        if linked is None:
             return None, file.why_missing(uri), None
-        return ("file", found.resolve()), str(found), memoryview(open_source(found))
+        return ("file", linked.resolve()), str(linked), memoryview(open_source(linked))
 
 
 def _pixel(linear: tuple[float, ...]) -> NDArray[np.uint8]:
@@ -174,7 +174,7 @@ def read_glb(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
     file = GltfFile(path, outside_files=outside_files)
     check_required(file)
     parts = _Parts(file)
-    tree = walk_scene(file)
+    tree = list_scene_nodes(file)
     for number in tree.with_mesh:
         parts.add_mesh(number, placing_of(parts.arrays, tree, number))
     mesh = parts.mesh(tree.with_mesh)
@@ -194,8 +194,8 @@ class _Parts:
 
     def add_mesh(self, number: int, placing: Placing) -> None:
         file = self.file
-        place = file.take("nodes", number, "a scene")["mesh"]
-        mesh, what = file.take("meshes", place, "a node"), f"meshes {place}"
+        mesh_index = file.take("nodes", number, "a scene")["mesh"]
+        mesh, what = file.take("meshes", mesh_index, "a node"), f"meshes {mesh_index}"
         primitives = mesh.get("primitives")
         if not isinstance(primitives, list) or not all(isinstance(entry, dict) for entry in primitives):
             raise file.error(f"{what}: primitives: expected a list of objects")
@@ -203,17 +203,17 @@ class _Parts:
         for content in primitives:
             primitive = Primitive(self.arrays, self.left, content, what)
             if primitive.has_triangles:
-                material = file.whole(content, "material", what) if "material" in content else -1
+                material = file.integer(content, "material", what) if "material" in content else -1
                 self._add(primitive, material, placing, shared)
             else:
                 self.left.add("points and lines" if primitive.mode < TRIANGLES else "triangles without positions")
 
     def _add(self, primitive: Primitive, material: int, placing: Placing, shared: dict[str, Vertices]) -> None:
         if primitive.key not in shared:
-            found = primitive.read_vertices(self._counts[0], placing)
-            shared[primitive.key] = found
-            self.vertices.append(found)
-            self._counts[0] += len(found.positions)
+            new_vertices = primitive.read_vertices(self._counts[0], placing)
+            shared[primitive.key] = new_vertices
+            self.vertices.append(new_vertices)
+            self._counts[0] += len(new_vertices.positions)
         vertices = shared[primitive.key]
         count = len(vertices.positions)
         corners = primitive.read_corners(count)
@@ -228,7 +228,7 @@ class _Parts:
 
     def mesh(self, nodes: list[int]) -> MeshTable:
         if not sum(len(part) for part in self.triangles):
-            raise self.file.error("holds no triangles")
+            raise self.file.error("contains no triangles")
         counts = [len(part) for part in self.triangles]
         positions = np.concatenate([part.positions for part in self.vertices])
         mesh = MeshTable(positions, np.concatenate(self.triangles), self._of_all("normals"), self._of_all("colors"))
@@ -244,20 +244,20 @@ class _Parts:
         return mesh.checked()
 
     def _of_all(self, name: str) -> NDArray[np.float32] | None:
-        found = [getattr(part, name) for part in self.vertices]
-        if all(values is not None for values in found):
-            return np.concatenate(found).astype(np.float32)
-        if any(values is not None for values in found):
-            self.left.add(f"the {name}, since some primitives have none")
+        values_of_parts = [getattr(part, name) for part in self.vertices]
+        if all(values is not None for values in values_of_parts):
+            return np.concatenate(values_of_parts).astype(np.float32)
+        if any(values is not None for values in values_of_parts):
+            self.left.add(f"the {name}, because some primitives have none")
         return None
 
     def _attributes(self) -> dict[str, NDArray[np.generic]]:
-        found = {}
+        joined = {}
         for name in dict.fromkeys(name for part in self.vertices for name in part.attributes):
             parts = [part.attributes.get(name) for part in self.vertices]
             given = [values for values in parts if values is not None]
             if len(given) == len(parts) and len({values.shape[1:] for values in given}) == 1:
-                found[name] = np.concatenate(given)
+                joined[name] = np.concatenate(given)
             else:
-                self.left.add(f"the attribute {name[:60]}, since some primitives have none of its kind")
-        return found
+                self.left.add(f"the attribute {name[:60]}, because some primitives have none of its kind")
+        return joined

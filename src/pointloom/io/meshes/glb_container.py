@@ -15,14 +15,14 @@ MAGIC, JSON_CHUNK, BINARY_CHUNK = b"glTF", 0x4E4F534A, 0x004E4942
 
 def split_chunks(path: str | os.PathLike[str], data: memoryview) -> tuple[memoryview, memoryview | None]:
     if data[:4] != MAGIC:
-        raise FileError(path, "is no GLB: it does not begin with glTF", where="byte 0", remedy="Is it a .gltf?")
+        raise FileError(path, "is not a GLB: it does not begin with glTF", where="byte 0", remedy="Is it a .gltf?")
     if len(data) < 20:
         raise FileError(path, "cut off in its header", where=f"byte {len(data)}")
     version, length = struct.unpack("<II", data[4:12])
     if version != 2:
         raise FileError(path, f"GLB version {version}; version 2 is read", where="byte 4")
     if length != len(data):
-        reason = f"{len(data)} bytes, but its header says {length}"
+        reason = f"{len(data)} bytes, but its header declares {length}"
         raise FileError(path, reason, where="byte 8", remedy="The file may be cut off")
     chunks, at = [], 12
     while at < length:
@@ -30,7 +30,7 @@ def split_chunks(path: str | os.PathLike[str], data: memoryview) -> tuple[memory
             raise FileError(path, "cut off in the head of a chunk", where=f"byte {at}")
         size, kind = struct.unpack("<II", data[at : at + 8])
         if at + 8 + size > length:
-            reason = f"a chunk says {size} bytes, {length - at - 8} are left"
+            reason = f"a chunk declares {size} bytes, but {length - at - 8} are left"
             raise FileError(path, reason, where=f"byte {at}", remedy="The file may be cut off")
         chunks.append((kind, data[at + 8 : at + 8 + size]))
         at += 8 + size

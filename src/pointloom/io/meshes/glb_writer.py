@@ -46,7 +46,7 @@ def write_glb(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
     body = bytes(scene.body.data)
     length = 12 + 8 + len(text) + 8 + len(body)
     if length >= 2**32:
-        raise FileError(path, f"GLB ends at 4 GiB, and the mesh takes {length} bytes", remedy="Write .ply")
+        raise FileError(path, f"GLB is limited to 4 GiB, and the mesh needs {length} bytes", remedy="Write .ply")
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(MAGIC + struct.pack("<II", 2, length) + struct.pack("<II", len(text), JSON_CHUNK) + text)
         file.write(struct.pack("<II", len(body), BINARY_CHUNK))
@@ -63,11 +63,11 @@ def write_gltf(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool
         file.write(text)
 
 
-def held_by_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+def storable_in_gltf(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
     """The part of a mesh that glTF stores, and the names of the other attributes."""
-    held = {name: values for name, values in mesh.attributes.items() if _column_of(np.asarray(values)) is not None}
-    left_out = [name for name in mesh.attributes if name not in held] + [*mesh.triangle_attributes]
-    return replace(mesh, attributes=held, triangle_attributes={}), left_out
+    storable = {name: values for name, values in mesh.attributes.items() if _column_of(np.asarray(values)) is not None}
+    left_out = [name for name in mesh.attributes if name not in storable] + [*mesh.triangle_attributes]
+    return replace(mesh, attributes=storable, triangle_attributes={}), left_out
 
 
 @dataclass
@@ -81,12 +81,12 @@ class _Scene:
 
 def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     mesh = mesh.checked()
-    mesh, left_out = held_by_gltf(mesh)
+    mesh, left_out = storable_in_gltf(mesh)
     if left_out:
-        message = f"{path}: {', '.join(left_out)} left out, since glTF cannot hold that; .ply holds everything"
+        message = f"{path}: {', '.join(left_out)} left out, because glTF cannot store them; .ply stores everything"
         warnings.warn(escaped(message), UserWarning, stacklevel=4)
     if not len(mesh.triangles):
-        raise FileError(path, "GLB cannot hold a mesh without triangles", remedy="Write .ply")
+        raise FileError(path, "GLB cannot store a mesh without triangles", remedy="Write .ply")
     with quiet():
         positions, origin = split_origin(mesh.vertices)
     rows, corners, uvs = _split_seams(mesh)
@@ -96,7 +96,7 @@ def _scene_of(path: Path, mesh: MeshTable) -> _Scene:
     for name, values in columns.items():
         if values.dtype.kind == "f" and not np.isfinite(values).all():
             row = int(rows[np.flatnonzero(~np.isfinite(values).all(axis=1))[0]])
-            raise FileError(path, f"{name}: GLB cannot hold NaN or infinite values", where=f"vertex {row}")
+            raise FileError(path, f"{name}: GLB cannot store NaN or infinite values", where=f"vertex {row}")
     return _assemble(columns, corners, mesh, origin)
 
 
@@ -109,9 +109,9 @@ def _columns(mesh: MeshTable, positions: NDArray[Any]) -> dict[str, NDArray[Any]
         if alpha.ndim == 1 and alpha.dtype.kind == "f" and ((alpha >= 0) & (alpha <= 1)).all():
             colors = np.column_stack([colors, attributes.pop(ALPHA)])
         colors = colors.astype(np.float32)
-    found = {"POSITION": positions, "NORMAL": mesh.vertex_normals, "COLOR_0": colors}
-    found |= {f"_{name}": _column_of(values) for name, values in attributes.items()}
-    return {name: values for name, values in found.items() if values is not None}
+    columns = {"POSITION": positions, "NORMAL": mesh.vertex_normals, "COLOR_0": colors}
+    columns |= {f"_{name}": _column_of(values) for name, values in attributes.items()}
+    return {name: values for name, values in columns.items() if values is not None}
 
 
 def _column_of(values: NDArray[Any]) -> NDArray[Any] | None:
@@ -145,10 +145,10 @@ def _split_seams(mesh: MeshTable) -> tuple[NDArray[np.int64], NDArray[np.int64],
     order = np.lexsort((uvs[:, 1], uvs[:, 0], vertex))
     is_first = np.ones(len(order), bool)
     is_first[1:] = (np.diff(vertex[order]) != 0) | (uvs[order][1:] != uvs[order][:-1]).any(axis=1)
-    place = np.empty(len(order), np.int64)
-    place[order] = np.cumsum(is_first) - 1
+    new_index = np.empty(len(order), np.int64)
+    new_index[order] = np.cumsum(is_first) - 1
     firsts = order[is_first]
-    return vertex[firsts].astype(np.int64), place[: mesh.triangles.size].reshape(-1, 3), uvs[firsts]
+    return vertex[firsts].astype(np.int64), new_index[: mesh.triangles.size].reshape(-1, 3), uvs[firsts]
 
 
 def _assemble(
@@ -177,10 +177,10 @@ def _assemble(
     images = list({id(picture): picture for picture in mesh.textures}.values())
     if images:
         modes = {id(picture): alpha_mode(picture) for picture in images}
-        places = {id(picture): number for number, picture in enumerate(images)}
+        image_index = {id(picture): number for number, picture in enumerate(images)}
         content |= {
             "textures": [{"source": number} for number in range(len(images))],
-            "materials": [_material(places[id(picture)], modes[id(picture)]) for picture in mesh.textures],
+            "materials": [_material(image_index[id(picture)], modes[id(picture)]) for picture in mesh.textures],
         }
         images = [picture[..., :3] if modes[id(picture)] == "OPAQUE" else picture for picture in images]
     return _Scene(content, body, images)

@@ -29,17 +29,19 @@ class GltfArrays:
         """The bytes of a buffer view, and its stride. 0 if packed."""
         file = self.file
         view, name = file.take("bufferViews", number, what), f"bufferViews {number}"
-        packed = next((found for key in MESHOPT if (found := file.extension(view, key, name)) is not None), None)
+        packed = next(
+            (extension for key in MESHOPT if (extension := file.extension(view, key, name)) is not None), None
+        )
         if packed is not None:
             if number not in self._decoded:
                 self._decoded[number] = decode_view(file, packed, self._slice(packed, name), name)
             return self._decoded[number]
-        return self._slice(view, name), file.whole(view, "byteStride", name, 0)
+        return self._slice(view, name), file.integer(view, "byteStride", name, 0)
 
     def _slice(self, view: dict[str, Any], name: str) -> memoryview:
         file = self.file
         buffer = self._buffer(view.get("buffer"), name)
-        begin, size = file.whole(view, "byteOffset", name, 0), file.whole(view, "byteLength", name)
+        begin, size = file.integer(view, "byteOffset", name, 0), file.integer(view, "byteLength", name)
         if begin + size > len(buffer):
             raise file.error(f"{name} reaches to byte {begin + size} of a buffer of {len(buffer)}")
         return buffer[begin : begin + size]
@@ -49,13 +51,13 @@ class GltfArrays:
         buffer = file.take("buffers", number, what)
         if number not in self._buffers:
             name = f"buffers {number}"
-            size = file.whole(buffer, "byteLength", name)
-            held = file.binary if "uri" not in buffer else file.uri_bytes(buffer["uri"], name)
-            if held is None or (number != 0 and "uri" not in buffer):
+            size = file.integer(buffer, "byteLength", name)
+            content = file.binary if "uri" not in buffer else file.uri_bytes(buffer["uri"], name)
+            if content is None or (number != 0 and "uri" not in buffer):
                 raise file.error(f"{name} has no bytes")
-            if size > len(held):
-                raise file.error(f"{name} says {size} bytes, {len(held)} are there", remedy="It may be cut off")
-            self._buffers[number] = held[:size]
+            if size > len(content):
+                raise file.error(f"{name} declares {size} bytes, but has {len(content)}", remedy="It may be cut off")
+            self._buffers[number] = content[:size]
         return self._buffers[number]
 
     def accessor(
@@ -67,14 +69,14 @@ class GltfArrays:
         file = self.file
         accessor = file.take("accessors", number, what)
         name = f"accessors {number} ({what})"
-        kind, component = accessor.get("type"), file.whole(accessor, "componentType", name)
+        kind, component = accessor.get("type"), file.integer(accessor, "componentType", name)
         code = COMPONENTS.get(component, "")
         is_normalized = accessor.get("normalized", False) is True
         if kind not in types or not code or f"{'n' * is_normalized}{code[1:]}" not in components.split():
-            raise file.error(f"{name} is of the type {str(kind)[:20]} {component}, which is not read there")
-        count, dtype, width = file.whole(accessor, "count", name), np.dtype(code), _WIDTHS[kind]
+            raise file.error(f"{name} is of the type {str(kind)[:20]} {component}, which is not supported there")
+        count, dtype, width = file.integer(accessor, "count", name), np.dtype(code), _WIDTHS[kind]
         if given is not None:
-            values = self._as_said(given, count, dtype, width, name)
+            values = self._as_declared(given, count, dtype, width, name)
         elif "sparse" in accessor and "bufferView" not in accessor:
             file.check_count(count, f"the elements of {name}")
             values = np.zeros((count, width), dtype.newbyteorder("="))
@@ -91,34 +93,38 @@ class GltfArrays:
     ) -> NDArray[Any]:
         file = self.file
         data, stride = self.view(holder.get("bufferView"), name)
-        begin, size = file.whole(holder, "byteOffset", name, 0), width * dtype.itemsize
+        begin, size = file.integer(holder, "byteOffset", name, 0), width * dtype.itemsize
         step = stride if stride and steps else size
         if step < size:
             raise file.error(f"{name} has elements of {size} bytes every {step}")
         if count < 1 or begin + step * (count - 1) + size > len(data):
-            raise file.error(f"{name} says {count} elements, beyond the {len(data)} bytes of its buffer view")
+            raise file.error(f"{name} declares {count} elements, beyond the {len(data)} bytes of its buffer view")
         return np.ndarray((count, width), dtype, data, begin, (step, dtype.itemsize)).astype(dtype.newbyteorder("="))
 
     def _replace_some(self, sparse: dict[str, Any], values: NDArray[Any], dtype: np.dtype[Any], name: str) -> None:
         file, what = self.file, f"{name}: sparse"
-        count = file.whole(sparse, "count", what)
+        count = file.integer(sparse, "count", what)
         if not 0 < count <= len(values):
             raise file.error(f"{what} replaces {count} of {len(values)} elements")
-        places, fresh = file.part(sparse, "indices", what), file.part(sparse, "values", what)
-        code = COMPONENTS.get(file.whole(places, "componentType", what), "")
+        indices, fresh = file.part(sparse, "indices", what), file.part(sparse, "values", what)
+        code = COMPONENTS.get(file.integer(indices, "componentType", what), "")
         if code not in ("<u1", "<u2", "<u4"):
-            raise file.error(f"{what} has indices that are no unsigned whole numbers")
-        rows = self._elements(places, np.dtype(code), 1, count, what, steps=False)[:, 0].astype(np.int64)
+            raise file.error(f"{what} has indices that are not unsigned integers")
+        rows = self._elements(indices, np.dtype(code), 1, count, what, steps=False)[:, 0].astype(np.int64)
         if rows[-1] >= len(values) or (np.diff(rows) <= 0).any():
-            raise file.error(f"{what} has indices that do not rise, or reach beyond {len(values)} elements")
+            raise file.error(f"{what} has indices that do not increase, or exceed {len(values)} elements")
         values[rows] = self._elements(fresh, dtype, values.shape[1], count, what, steps=False)
 
-    def _as_said(self, given: NDArray[Any], count: int, dtype: np.dtype[Any], width: int, name: str) -> NDArray[Any]:
+    def _as_declared(
+        self, given: NDArray[Any], count: int, dtype: np.dtype[Any], width: int, name: str
+    ) -> NDArray[Any]:
         if given.shape != (count, width):
-            raise self.file.error(f"{name} says {count} x {width}, its compressed mesh holds {list(given.shape)}")
+            raise self.file.error(
+                f"{name} declares {count} x {width}, but its compressed mesh contains {list(given.shape)}"
+            )
         if given.dtype == dtype:
             return given.copy()
         cast = given.astype(dtype) if given.dtype.kind in "iu" and dtype.kind in "iu" else None
         if cast is None or (cast != given).any():
-            raise self.file.error(f"{name} says {dtype}, its compressed mesh holds {given.dtype}")
+            raise self.file.error(f"{name} declares {dtype}, but its compressed mesh contains {given.dtype}")
         return cast

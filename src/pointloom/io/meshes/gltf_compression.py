@@ -21,19 +21,21 @@ _MAX_STRIDE = 256
 
 def decode_view(file: GltfFile, packed: dict[str, Any], data: memoryview, name: str) -> tuple[memoryview, int]:
     """The bytes of a view compressed by meshoptimizer, and the element stride."""
-    count, stride = file.whole(packed, "count", name), file.whole(packed, "byteStride", name)
+    count, stride = file.integer(packed, "count", name), file.integer(packed, "byteStride", name)
     mode, filter_name = packed.get("mode"), packed.get("filter", "NONE")
     is_attribute = mode == "ATTRIBUTES"
     file.check_count(count, f"the elements of {name}")
     if mode not in ("ATTRIBUTES", "TRIANGLES", "INDICES") or filter_name not in _FILTERS:
-        raise file.error(f"{name} is packed as {str(mode)[:20]} {str(filter_name)[:20]}, which is not read")
+        raise file.error(f"{name} is compressed as {str(mode)[:20]} {str(filter_name)[:20]}, which is not supported")
     good = range(4, _MAX_STRIDE + 1, 4) if is_attribute else (2, 4)
     if filter_name != "NONE":
         good = _FILTERS[filter_name] if is_attribute else ()
     if stride not in good or count < 1 or (mode == "TRIANGLES" and count % 3):
-        raise file.error(f"{name} is packed as {mode} {filter_name} of {count} times {stride} bytes, which cannot be")
+        raise file.error(
+            f"{name} is compressed as {mode} {filter_name} of {count} times {stride} bytes, which is invalid"
+        )
     package = import_for(file.path, "meshoptimizer", "meshopt")
-    with foreign_errors(file.path, f"{name} is packed by meshoptimizer and damaged"):
+    with foreign_errors(file.path, f"{name} is compressed with meshoptimizer and damaged"):
         if is_attribute:
             plain = package.decode_vertex_buffer(count, stride, bytes(data)).view(np.uint8).reshape(-1)
         elif mode == "TRIANGLES":
@@ -56,11 +58,11 @@ class DracoMesh:
         self._file, self._what = file, what
         self._names = file.part(packed, "attributes", what)
         package = import_for(file.path, "DracoPy", "gltf")
-        with foreign_errors(file.path, f"{what} is packed by Draco and damaged"):
+        with foreign_errors(file.path, f"{what} is compressed with Draco and damaged"):
             mesh = package.decode(bytes(data))
             faces, attributes = getattr(mesh, "faces", None), mesh.attributes
         if faces is None:
-            raise file.error(f"{what}: Draco packed points, no triangles")
+            raise file.error(f"{what}: the Draco data contains points, no triangles")
         self.corners: NDArray[np.int64] = np.asarray(faces).reshape(-1).astype(np.int64)
         file.check_count(len(self.corners), f"the corners of {what}")
         self._values = {entry["unique_id"]: entry["data"] for entry in attributes}
@@ -71,6 +73,8 @@ class DracoMesh:
             return None
         key = self._names[name]
         if not isinstance(key, int) or key not in self._values:
-            raise self._file.error(f"{self._what}: Draco packed no attribute {str(key)[:20]}, which {name} names")
+            raise self._file.error(
+                f"{self._what}: the Draco data contains no attribute {str(key)[:20]}, which {name} refers to"
+            )
         values = np.asarray(self._values[key])
         return values.reshape(len(values), -1)

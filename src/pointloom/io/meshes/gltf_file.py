@@ -45,7 +45,7 @@ class GltfFile:
         except (ValueError, RecursionError) as error:
             raise self.error(f"its JSON is damaged: {error}"[:200]) from error
         if not isinstance(content, dict):
-            raise self.error("its JSON is no object")
+            raise self.error("its JSON is not an object")
         self.content: dict[str, Any] = content
         version = content.get("asset", {}).get("version") if isinstance(content.get("asset"), dict) else None
         if not isinstance(version, str) or not version.startswith("2."):
@@ -56,87 +56,87 @@ class GltfFile:
 
     def check_count(self, count: int, what: str) -> None:
         """Raise `FileError` if a count is implausible for the file size."""
-        most = max(FREE_ELEMENTS, ELEMENTS_A_BYTE * self.size)
-        if count > most:
-            reason = f"{what} come to {count:,}, more than {most:,}, of a file of {self.size:,} bytes"
+        limit = max(FREE_ELEMENTS, ELEMENTS_A_BYTE * self.size)
+        if count > limit:
+            reason = f"{what} are {count:,}, more than {limit:,}, for a file of {self.size:,} bytes"
             raise self.error(reason, remedy="Join or drop some in the program that wrote it")
 
     def objects(self, kind: str) -> list[dict[str, Any]]:
         """A list of JSON objects, such as "meshes". Empty if missing."""
-        found = self.content.get(kind, [])
-        if not isinstance(found, list) or not all(isinstance(entry, dict) for entry in found):
+        entries = self.content.get(kind, [])
+        if not isinstance(entries, list) or not all(isinstance(entry, dict) for entry in entries):
             raise self.error(f"{kind}: expected a list of objects")
-        return found
+        return entries
 
     def take(self, kind: str, number: Any, what: str) -> dict[str, Any]:
         """A JSON object by its index; `what` describes it in errors."""
         objects = self.objects(kind)
-        if not is_whole(number) or not 0 <= number < len(objects):
-            raise self.error(f"{what} names {kind} {str(number)[:40]}, of {len(objects)}")
+        if not is_integer(number) or not 0 <= number < len(objects):
+            raise self.error(f"{what} refers to {kind} {str(number)[:40]}, of {len(objects)}")
         return objects[number]
 
     def part(self, holder: dict[str, Any], name: str, what: str) -> dict[str, Any]:
         """A nested object. Empty if missing."""
-        found = holder.get(name, {})
-        if not isinstance(found, dict):
-            raise self.error(f"{what}: {name} is no object")
-        return found
+        value = holder.get(name, {})
+        if not isinstance(value, dict):
+            raise self.error(f"{what}: {name} is not an object")
+        return value
 
     def extension(self, holder: dict[str, Any], name: str, what: str) -> dict[str, Any] | None:
         extensions = self.part(holder, "extensions", what)
         return self.part(extensions, name, what) if name in extensions else None
 
-    def whole(self, holder: dict[str, Any], name: str, what: str, default: int | None = None) -> int:
+    def integer(self, holder: dict[str, Any], name: str, what: str, default: int | None = None) -> int:
         value = holder.get(name, default)
-        if not is_whole(value) or not 0 <= value < 2**53:
+        if not is_integer(value) or not 0 <= value < 2**53:
             raise self.error(f"{what}: {name} is {str(value)[:40]}, expected a whole number from 0")
         return value
 
     def numbers(
-        self, holder: dict[str, Any], name: str, what: str, default: list[float], *, most: float = 1e300
+        self, holder: dict[str, Any], name: str, what: str, default: list[float], *, limit: float = 1e300
     ) -> NDArray[np.float64]:
         """A list of finite numbers of an object, as long as the default."""
         values = holder.get(name, default)
         is_list = isinstance(values, list) and len(values) == len(default)
-        if not is_list or not all(isinstance(x, int | float) and abs(x) < most for x in values):
+        if not is_list or not all(isinstance(x, int | float) and abs(x) < limit for x in values):
             raise self.error(f"{what}: {name} is not {len(default)} numbers")
         return np.array(values, np.float64)
 
-    def places(self, holder: dict[str, Any], name: str, what: str) -> list[int]:
+    def node_indices(self, holder: dict[str, Any], name: str, what: str) -> list[int]:
         """A list of integers of an object. Empty if missing."""
-        found = holder.get(name, [])
-        if not isinstance(found, list) or not all(type(place) is int for place in found):
-            raise self.error(f"{what}: {name}: expected a list of numbers of nodes")
-        return found
+        indices = holder.get(name, [])
+        if not isinstance(indices, list) or not all(type(index) is int for index in indices):
+            raise self.error(f"{what}: {name}: expected a list of node indices")
+        return indices
 
     def uri_file(self, uri: Any, what: str) -> Path | None:
         """The neighboring file of a URI, or None if it does not exist."""
         if not isinstance(uri, str):
-            raise self.error(f"{what}: uri is {str(uri)[:40]}, expected a text")
+            raise self.error(f"{what}: uri is {str(uri)[:40]}, expected a string")
         if _SCHEME.match(uri):
             return None
         for name in dict.fromkeys([unquote(uri, errors="surrogateescape"), uri]):
-            found = find_beside(self.path, name, outside_files=self.outside_files)
-            if found is not None:
-                return found
+            path = find_beside(self.path, name, outside_files=self.outside_files)
+            if path is not None:
+                return path
         return None
 
     def why_missing(self, uri: str) -> str:
         """Why `uri_file` returned None, as the end of a sentence."""
         if _SCHEME.match(uri):
-            return f"{uri[:60]!r}, from where nothing is fetched"
+            return f"{uri[:60]!r}, which is not downloaded"
         name = unquote(uri, errors="surrogateescape")
         return f"{name[:60]!r}, which {why_missing(name, outside_files=self.outside_files)}"
 
     def uri_bytes(self, uri: Any, what: str) -> memoryview:
         if isinstance(uri, str) and uri[:5].lower() == "data:":
             return memoryview(self._data_uri(uri, what))
-        found = self.uri_file(uri, what)
-        if found is None:
-            raise self.error(f"{what} lies in another file, {self.why_missing(uri)}")
-        held = memoryview(open_source(found))
-        self.size += len(held)
-        return held
+        path = self.uri_file(uri, what)
+        if path is None:
+            raise self.error(f"{what} is in another file, {self.why_missing(uri)}")
+        content = memoryview(open_source(path))
+        self.size += len(content)
+        return content
 
     def _data_uri(self, uri: str, what: str) -> bytes:
         head, comma, body = uri[5:].partition(",")
@@ -144,16 +144,16 @@ class GltfFile:
             if not comma:
                 raise ValueError("it has no comma")
             if _BAD_ESCAPE.search(body):
-                raise ValueError("a % without two digits behind it")
+                raise ValueError("a % without two digits after it")
             plain = unquote_to_bytes(body) if "%" in body else body.encode("ascii")
             return base64.b64decode(plain, validate=True) if head.lower().endswith(";base64") else plain
         except (ValueError, binascii.Error) as error:
             raise self.error(f"{what}: its data URI is damaged: {error}"[:200]) from error
 
 
-def is_whole(value: Any) -> bool:
+def is_integer(value: Any) -> bool:
     return isinstance(value, int) and not isinstance(value, bool)
 
 
 def _refuse_constant(name: str) -> None:
-    raise ValueError(f"{name} is no number of JSON")
+    raise ValueError(f"{name} is not a JSON number")

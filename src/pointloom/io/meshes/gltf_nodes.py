@@ -26,20 +26,20 @@ class Tree:
     with_mesh: list[int]
 
 
-def walk_scene(file: GltfFile) -> Tree:
+def list_scene_nodes(file: GltfFile) -> Tree:
     """The nodes of the displayed scene. Raises `FileError` on cycles or invalid transforms."""
     nodes, scenes = file.objects("nodes"), file.objects("scenes")
     if scenes:
-        roots = file.places(file.take("scenes", file.content.get("scene", 0), "scene"), "nodes", "a scene")
+        roots = file.node_indices(file.take("scenes", file.content.get("scene", 0), "scene"), "nodes", "a scene")
     else:
-        below = {child for k, node in enumerate(nodes) for child in file.places(node, "children", f"nodes {k}")}
+        below = {child for k, node in enumerate(nodes) for child in file.node_indices(node, "children", f"nodes {k}")}
         roots = [number for number in range(len(nodes)) if number not in below]
     waiting, tree = [(number, np.eye(4)) for number in reversed(roots)], Tree({}, [])
     while waiting:
         number, T_parent = waiting.pop()
         node = file.take("nodes", number, "a node or scene")
         if number in tree.T_world_node:
-            raise file.error(f"nodes {number} stands in two places of the tree of nodes")
+            raise file.error(f"nodes {number} is duplicated in the node tree")
         with quiet():
             T = T_parent @ _transform_of(file, node, f"nodes {number}")
         if not np.isfinite(T).all():
@@ -47,7 +47,7 @@ def walk_scene(file: GltfFile) -> Tree:
         tree.T_world_node[number] = T
         if "mesh" in node:
             tree.with_mesh.append(number)
-        waiting += [(child, T) for child in reversed(file.places(node, "children", f"nodes {number}"))]
+        waiting += [(child, T) for child in reversed(file.node_indices(node, "children", f"nodes {number}"))]
     return tree
 
 
@@ -58,7 +58,7 @@ def _transform_of(file: GltfFile, node: dict[str, Any], what: str) -> NDArray[np
     quaternion = file.numbers(node, "rotation", what, [0.0, 0.0, 0.0, 1.0])
     square = float((quaternion * quaternion).sum())
     if not 0.5 < square < 2:  # a rounded unit quaternion
-        raise file.error(f"{what}: rotation is no unit quaternion")
+        raise file.error(f"{what}: rotation is not a unit quaternion")
     R = quaternions_to_rotations((quaternion / math.sqrt(square))[None])[0]
     T[:3, :3] = R * file.numbers(node, "scale", what, [1.0, 1.0, 1.0])
     T[:3, 3] = file.numbers(node, "translation", what, [0.0, 0.0, 0.0])
@@ -69,7 +69,7 @@ def joint_transforms(arrays: GltfArrays, tree: Tree, number: int) -> NDArray[np.
     """Joint transforms of a skin from the bind pose to the world, shape (j, 4, 4)."""
     file, what = arrays.file, f"skins {number}"
     skin = file.take("skins", number, "a node")
-    joints = file.places(skin, "joints", what)
+    joints = file.node_indices(skin, "joints", what)
     for joint in joints:
         if joint not in tree.T_world_node:
             raise file.error(f"{what}: its joint nodes {joint} is not in the scene")
@@ -84,7 +84,7 @@ def joint_transforms(arrays: GltfArrays, tree: Tree, number: int) -> NDArray[np.
     with quiet():
         transforms = transforms @ binds[: len(joints)].reshape(-1, 4, 4).transpose(0, 2, 1).astype(np.float64)
     if not np.isfinite(transforms).all():
-        raise file.error(f"{what} has a joint that carries beyond the range of numbers")
+        raise file.error(f"{what} has a joint transform beyond the range of numbers")
     return transforms
 
 
@@ -96,10 +96,10 @@ def blend_joints(
     sums = weights.sum(axis=1)
     wrong = ~(np.isfinite(weights).all(axis=1) & (weights >= 0).all(axis=1) & (sums > 0))
     if wrong.any():
-        raise file.error(f"{what}: weights of joints that are no shares", where=f"vertex {int(np.argmax(wrong))}")
+        raise file.error(f"{what}: invalid joint weights", where=f"vertex {int(np.argmax(wrong))}")
     joints = np.where(weights > 0, joints, 0)
     if joints.max() >= len(transforms):
-        raise file.error(f"{what} names joint {joints.max()}, of {len(transforms)}")
+        raise file.error(f"{what} refers to joint {joints.max()}, of {len(transforms)}")
     weights /= sums[:, None]
     blended = np.zeros((len(joints), 4, 4))
     for k in range(joints.shape[1]):
@@ -114,14 +114,14 @@ def move_points(points: NDArray[Any], transforms: NDArray[np.float64]) -> NDArra
         )
 
 
-def turn_normals(normals: NDArray[Any], transforms: NDArray[np.float64]) -> NDArray[np.float64]:
+def transform_normals(normals: NDArray[Any], transforms: NDArray[np.float64]) -> NDArray[np.float64]:
     """Transform normals by cofactor matrices, which preserve the side under mirroring, and normalize them."""
     A = transforms[..., :3, :3]
     with quiet():
         cofactors = np.stack(
             [np.cross(A[..., k, :], A[..., (k + 1) % 3, :]) for k in (1, 2, 0)], axis=-2
         )  # rows 1 x 2, 2 x 0, 0 x 1
-        turned = np.einsum("...ij,...j->...i", cofactors, normals.astype(np.float64))
-        turned = turned * np.sign(np.linalg.det(A))[..., None]
-        lengths = np.linalg.norm(turned, axis=-1, keepdims=True)
-        return np.divide(turned, lengths, out=np.zeros_like(turned), where=lengths > 0)
+        transformed = np.einsum("...ij,...j->...i", cofactors, normals.astype(np.float64))
+        transformed = transformed * np.sign(np.linalg.det(A))[..., None]
+        lengths = np.linalg.norm(transformed, axis=-1, keepdims=True)
+        return np.divide(transformed, lengths, out=np.zeros_like(transformed), where=lengths > 0)

@@ -18,7 +18,7 @@ from ..color_space import linear_to_srgb
 from ..columns import fit_colors
 from .gltf_arrays import GltfArrays
 from .gltf_compression import DRACO, DracoMesh
-from .gltf_nodes import Tree, blend_joints, joint_transforms, move_points, turn_normals
+from .gltf_nodes import Tree, blend_joints, joint_transforms, move_points, transform_normals
 from .gltf_unsupported import LeftBehind
 
 TRIANGLES, STRIP, FAN = 4, 5, 6
@@ -59,10 +59,10 @@ def placing_of(arrays: GltfArrays, tree: Tree, number: int) -> Placing:
     file = arrays.file
     node, what = file.take("nodes", number, "a scene"), f"nodes {number}"
     mesh = file.take("meshes", node["mesh"], what)
-    joints = joint_transforms(arrays, tree, file.whole(node, "skin", what)) if "skin" in node else None
+    joints = joint_transforms(arrays, tree, file.integer(node, "skin", what)) if "skin" in node else None
     weights = node.get("weights", mesh.get("weights"))
     if weights is not None and not isinstance(weights, list):
-        raise file.error(f"{what}: weights are no list of numbers")
+        raise file.error(f"{what}: weights are not a list of numbers")
     return Placing(tree.T_world_node[number], joints, weights)
 
 
@@ -71,26 +71,26 @@ class Primitive:
         """Parse the primitive. Only Draco meshes are decoded."""
         self._arrays, self._file, self._left, self._what = arrays, arrays.file, left, what
         self._content = content
-        self.mode = self._file.whole(content, "mode", what, TRIANGLES)
+        self.mode = self._file.integer(content, "mode", what, TRIANGLES)
         if self.mode > FAN:
             raise self._file.error(f"{what} has the unknown mode {self.mode}")
-        found = content.get("attributes")
-        if not isinstance(found, dict):
+        attributes = content.get("attributes")
+        if not isinstance(attributes, dict):
             raise self._file.error(f"{what}: a primitive has no attributes")
-        self._attributes: dict[str, Any] = found
+        self._attributes: dict[str, Any] = attributes
         targets = content.get("targets", [])
         if not isinstance(targets, list) or not all(isinstance(target, dict) for target in targets):
             raise self._file.error(f"{what}: targets: expected a list of objects")
         self._targets: list[dict[str, Any]] = targets
-        self.has_triangles = self.mode >= TRIANGLES and "POSITION" in found
+        self.has_triangles = self.mode >= TRIANGLES and "POSITION" in attributes
         packed = self._file.extension(content, DRACO, what)
-        self._packed = packed if packed is not None and self.has_triangles and not self._stands_plain() else None
+        self._packed = packed if packed is not None and self.has_triangles and not self._has_uncompressed() else None
         self._draco: DracoMesh | None = None
         if self._packed is not None:
             data = arrays.view(self._packed.get("bufferView"), f"{DRACO} of {what}")[0]
             self._draco = DracoMesh(self._file, self._packed, data, what)
 
-    def _stands_plain(self) -> bool:
+    def _has_uncompressed(self) -> bool:
         """True if all arrays are also stored without compression."""
         numbers = [*self._attributes.values(), self._content.get("indices")]
         return all("bufferView" in self._file.take("accessors", number, self._what) for number in numbers)
@@ -117,12 +117,12 @@ class Primitive:
         normals = self._array("NORMAL", ("VEC3",), _NORMAL, count) if "NORMAL" in self._attributes else None
         colors, attributes = self._colors(count)
         positions = self._morphed("POSITION", positions, _POSITION, placing)
-        self._check_finite(positions, "is moved by a morph target to no place")
+        self._check_finite(positions, "is moved by a morph target to a NaN or infinite position")
         if normals is not None:
             normals = self._morphed("NORMAL", normals, _NORMAL, placing)
         attributes |= self._custom(count, attributes)
         vertices = Vertices(first, positions, normals, colors, attributes)
-        self._place(vertices, placing)
+        self._apply_transform(vertices, placing)
         self._check_finite(vertices.positions, "is moved by its node beyond the range of numbers")
         return vertices
 
@@ -140,32 +140,32 @@ class Primitive:
         except FileError as error:
             clamped, note = None, error.reason
         if clamped is None:
-            self._left.add(f"the colors of {self._what}, since {note}")
+            self._left.add(f"the colors of {self._what}, because {note}")
             return None, {}
         if note:
-            self._left.add(f"the exact colors of {self._what}, since {note}")
+            self._left.add(f"the exact colors of {self._what}, because {note}")
         has_alpha = clamped.shape[1] == 4 and not (clamped[:, 3] == 1).all()
         colors = linear_to_srgb(clamped[:, :3]).astype(np.float32)
         return colors, {ALPHA: clamped[:, 3]} if has_alpha else {}
 
-    def _custom(self, count: int, taken: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+    def _custom(self, count: int, standard: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
         """Attributes with a leading underscore, without it. Others are noted as dropped."""
-        found: dict[str, NDArray[Any]] = {}
+        custom: dict[str, NDArray[Any]] = {}
         for name in self._attributes:
-            if name.startswith("_") and len(name) > 1 and name[1:] not in taken:
+            if name.startswith("_") and len(name) > 1 and name[1:] not in standard:
                 accessor = self._file.take("accessors", self._attributes[name], f"{name} of {self._what}")
                 if accessor.get("type") not in ("SCALAR", "VEC2", "VEC3", "VEC4"):
                     self._left.add(f"the attribute {name[:60]}")
                     continue
                 values = self._array(name, ("SCALAR", "VEC2", "VEC3", "VEC4"), _CUSTOM, count)
-                found[name[1:]] = values[:, 0] if values.shape[1] == 1 else values
+                custom[name[1:]] = values[:, 0] if values.shape[1] == 1 else values
             elif name not in ("POSITION", "NORMAL", "COLOR_0") and not name.startswith(_PLACELESS):
                 self._left.add(f"the attribute {name[:60]}")
             elif name == "TANGENT":
                 self._left.add("tangents")
             elif name.startswith("COLOR_") and name != "COLOR_0":
                 self._left.add(f"the colors {name[:60]}")
-        return found
+        return custom
 
     def _morphed(self, name: str, values: NDArray[Any], components: str, placing: Placing) -> NDArray[Any]:
         if not self._targets:
@@ -173,7 +173,7 @@ class Primitive:
         self._left.add("morph targets, but for their default weights")
         weights = [0.0] * len(self._targets) if placing.weights is None else placing.weights
         given = self._file.numbers(
-            {"weights": weights}, "weights", f"the node of {self._what}", [0.0] * len(self._targets), most=1e30
+            {"weights": weights}, "weights", f"the node of {self._what}", [0.0] * len(self._targets), limit=1e30
         )
         moved = values
         for number, (target, weight) in enumerate(zip(self._targets, given, strict=True)):
@@ -189,7 +189,7 @@ class Primitive:
             self._left.add("colors and texture coordinates of morph targets")
         return moved
 
-    def _place(self, vertices: Vertices, placing: Placing) -> None:
+    def _apply_transform(self, vertices: Vertices, placing: Placing) -> None:
         if placing.joints is None:
             T = placing.T
             if np.array_equal(T, np.eye(4)):
@@ -209,19 +209,19 @@ class Primitive:
             vertices.is_mirrored = bool((np.linalg.det(T[:, :3, :3]) < 0).all())
         vertices.positions = move_points(vertices.positions, T)
         if vertices.normals is not None:
-            vertices.normals = turn_normals(vertices.normals, T)
+            vertices.normals = transform_normals(vertices.normals, T)
 
     def read_corners(self, count: int) -> NDArray[np.int64]:
         mode, corners = self.mode, self._indices()
         if corners is None:
             corners = np.arange(count)
         elif len(corners) and corners.max() >= count:
-            raise self._file.error(f"indices of {self._what} name vertex {corners.max()}, of {count}")
+            raise self._file.error(f"indices of {self._what} refer to vertex {corners.max()}, of {count}")
         if self._draco is not None:  # also triangulates strips
             mode = TRIANGLES
         if mode == TRIANGLES:
             if len(corners) % 3:
-                raise self._file.error(f"{self._what}: {len(corners)} corners are no whole triangles")
+                raise self._file.error(f"{self._what}: {len(corners)} corners are not complete triangles")
             return corners.reshape(-1, 3)
         k = np.arange(max(len(corners) - 2, 0))
         if mode == STRIP:  # every other triangle of a strip has the opposite orientation
@@ -253,7 +253,7 @@ class Primitive:
         try:
             uvs = self._array(name, ("VEC2",), _UV, count).astype(np.float32)
         except FileError as error:
-            self._left.add(f"the texture coordinates {name} of {self._what}, since {error.reason}")
+            self._left.add(f"the texture coordinates {name} of {self._what}, because {error.reason}")
             return None
         with quiet():
             if transform is not None:

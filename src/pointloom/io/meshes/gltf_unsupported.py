@@ -61,13 +61,13 @@ class LeftBehind:
         used = content.get("extensionsUsed")
         for name in used if isinstance(used, list) else ():
             if name not in READ:
-                self.add(f"what the extension {str(name)[:60]} says")
+                self.add(f"the extension {str(name)[:60]}")
 
     def warn(self, stacklevel: int) -> None:
         if not self._words:
             return
-        told = [f"{words} ({len(things)})" if things else words for words, things in self._words.items()]
-        message = f"{self._file.path}: parts that a mesh has no place for are left behind: {', '.join(told)}"
+        ignored = [f"{words} ({len(things)})" if things else words for words, things in self._words.items()]
+        message = f"{self._file.path}: parts that a mesh cannot store are dropped: {', '.join(ignored)}"
         warnings.warn(escaped(message), UserWarning, stacklevel=stacklevel + 1)
 
 
@@ -76,4 +76,6 @@ def check_required(file: GltfFile) -> None:
     required = file.content.get("extensionsRequired", [])
     for name in required if isinstance(required, list) else [required]:
         if not isinstance(name, str) or not (name in READ or name.startswith(_LOOKS)):
-            raise file.error(f"needs the extension {str(name)[:60]}, which is not read", remedy="Export without it")
+            raise file.error(
+                f"needs the extension {str(name)[:60]}, which is not supported", remedy="Export without it"
+            )

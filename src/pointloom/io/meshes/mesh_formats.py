@@ -13,19 +13,19 @@ from numpy.typing import NDArray
 
 from ...core.checks import shown
 from ..attribute_names import rename
-from ..points.header_units import PLY, in_metres, is_metric, tells_unit, unit_comment, warn_of_lost_unit
+from ..points.header_units import PLY, in_metres, is_metric, unit_comment, warn_of_lost_unit, with_header_unit
 from ..points.ply import name_rules, read_ply_mesh, write_ply_mesh
 from ..points.ply_faces import face_name_rules
 from ..source import netted
 from ..table import MeshTable
 from .glb import read_glb
-from .glb_writer import held_by_gltf, write_glb, write_gltf
-from .obj import held_by_obj, read_obj, write_obj
-from .off import held_by_off, read_off, write_off
-from .stl import held_by_stl, read_stl, write_stl
+from .glb_writer import storable_in_gltf, write_glb, write_gltf
+from .obj import read_obj, storable_in_obj, write_obj
+from .off import read_off, storable_in_off, write_off
+from .stl import read_stl, storable_in_stl, write_stl
 
 _READERS: dict[str, Callable[..., MeshTable]] = {
-    ".ply": tells_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off,
+    ".ply": with_header_unit(PLY)(read_ply_mesh), ".obj": read_obj, ".stl": read_stl, ".off": read_off,
     ".glb": is_metric(read_glb), ".gltf": is_metric(read_glb),
 }  # fmt: skip
 
@@ -33,8 +33,9 @@ _READERS: dict[str, Callable[..., MeshTable]] = {
 MESH_READERS = {extension: netted(reader) for extension, reader in _READERS.items()}
 
 #: Functions that return the storable part of a mesh and the names of the rest, by extension.
-UNHELD: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
-    ".obj": held_by_obj, ".stl": held_by_stl, ".off": held_by_off, ".glb": held_by_gltf, ".gltf": held_by_gltf,
+STORABLE_PARTS: dict[str, Callable[[MeshTable], tuple[MeshTable, list[str]]]] = {
+    ".obj": storable_in_obj, ".stl": storable_in_stl, ".off": storable_in_off, ".glb": storable_in_gltf,
+    ".gltf": storable_in_gltf,
 }  # fmt: skip
 
 _WRITERS: dict[str, Callable[..., None]] = {
@@ -51,7 +52,7 @@ def read_mesh(path: str | os.PathLike[str], *, up: str = "y", outside_files: boo
     suffix = Path(path).suffix.lower()
     check_up(path, up)
     mesh = MESH_READERS[suffix](path, **({"outside_files": True} if outside_files and suffix in NAMING else {}))
-    return turned_up(mesh) if up == "z" else mesh
+    return rotated_to_z_up(mesh) if up == "z" else mesh
 
 
 def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, overwrite: bool, up: str = "y") -> None:
@@ -59,7 +60,7 @@ def write_mesh(path: str | os.PathLike[str], mesh: MeshTable, *, ascii: bool, ov
     `ascii` is for .ply; `up` is the up axis of the mesh, converted to y in .glb and .gltf."""
     suffix = Path(path).suffix.lower()
     check_up(path, up)
-    mesh = turned_up(mesh, back=True) if up == "z" else mesh
+    mesh = rotated_to_z_up(mesh, back=True) if up == "z" else mesh
     if suffix == ".ply":
         mesh = _with_fitting_names(path, mesh)
         write_ply_mesh(path, mesh, ascii=ascii, overwrite=overwrite, comments=unit_comment(mesh))
@@ -88,15 +89,15 @@ def check_up(path: str | os.PathLike[str], up: Any) -> None:
         raise ValueError(f"up: expected one of {', '.join(UPS)}, got {shown(up)}")
     suffix = Path(path).suffix.lower()
     if up == "z" and suffix not in UPRIGHT:
-        raise ValueError(f"up: only {' and '.join(UPRIGHT)} say which axis is up, got {suffix or shown(path)}")
+        raise ValueError(f"up: only {' and '.join(UPRIGHT)} define an up axis, got {suffix or shown(path)}")
 
 
-def turned_up(mesh: MeshTable, *, back: bool = False) -> MeshTable:
+def rotated_to_z_up(mesh: MeshTable, *, back: bool = False) -> MeshTable:
     """Rotate a mesh with y up to z up, or `back`, exactly."""
-    normals = None if mesh.vertex_normals is None else _turned(mesh.vertex_normals, back)
-    return replace(mesh, vertices=_turned(mesh.vertices, back), vertex_normals=normals)
+    normals = None if mesh.vertex_normals is None else _rotated(mesh.vertex_normals, back)
+    return replace(mesh, vertices=_rotated(mesh.vertices, back), vertex_normals=normals)
 
 
-def _turned(vectors: NDArray[Any], back: bool) -> NDArray[Any]:
+def _rotated(vectors: NDArray[Any], back: bool) -> NDArray[Any]:
     x, y, z = np.asarray(vectors).T
     return np.stack([x, z, 0 - y] if back else [x, 0 - z, y], axis=1)

@@ -23,7 +23,7 @@ from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
-from ..columns import check_reach, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
+from ..columns import check_extent, colors_or_loss, stack_normals, warn_left_out, warn_of_loss
 from ..pictures.texture_files import (
     alpha_mode,
     derived_name,
@@ -68,7 +68,7 @@ class Material:
 def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
     """Read the materials of an MTL file in file order; faults are dropped or clamped with a warning."""
     text = bytes(open_source(path)[:]).decode("utf-8", "surrogateescape").removeprefix("\ufeff")
-    found: dict[str, Material] = {}
+    materials: dict[str, Material] = {}
     notes: list[str] = []
     current: Material | None = None
     for number, line in enumerate(text.splitlines(), 1):
@@ -76,20 +76,20 @@ def read_mtl(path: str | os.PathLike[str]) -> list[Material]:
         kind, rest, note = kind.lower(), rest.strip(), ""
         if kind == "newmtl":
             current = Material(rest)
-            if rest in found:
+            if rest in materials:
                 note = f"the material {rest[:60]!r} is defined twice"
-            found.setdefault(rest, current)
+            materials.setdefault(rest, current)
         elif kind in ("kd", "map_kd", "d", "map_d"):
             note = f"{kind} comes before any newmtl" if current is None else _take(current, kind, rest)
         if note:
             notes.append(f"line {number}: {note}")
-    for material in found.values():
+    for material in materials.values():
         if material.opacity is not None and not material.opacity.endswith(material.picture or "\0"):
-            notes.append(f"the opacity map {material.opacity[:60]!r} of {material.name[:60]!r} is left behind")
+            notes.append(f"the opacity map {material.opacity[:60]!r} of {material.name[:60]!r} is ignored")
     if notes:
         more = f"; and {len(notes) - _MAX_NOTES} more" if len(notes) > _MAX_NOTES else ""
         warnings.warn(escaped(f"{path}: {'; '.join(notes[:_MAX_NOTES])}{more}"), UserWarning, stacklevel=5)
-    return [*found.values()]
+    return [*materials.values()]
 
 
 def _take(material: Material, kind: str, rest: str) -> str:
@@ -105,7 +105,7 @@ def _take(material: Material, kind: str, rest: str) -> str:
         material.is_opaque = material.is_opaque and not (values and values[-1] < 1)
         return ""
     if len(values) != len(words) or len(values) not in (1, 3) or not np.isfinite(values).all():
-        return f"Kd: expected three numbers in 0..1, got {rest[:60]!r}; it is left behind"
+        return f"Kd: expected three numbers in 0..1, got {rest[:60]!r}; it is ignored"
     material.color = tuple(min(max(value, 0.0), 1.0) for value in values) * (3 // len(values))  # one number is gray
     return "" if all(0 <= value <= 1 for value in values) else f"Kd {rest[:60]} is clamped to 0..1"
 
@@ -136,7 +136,7 @@ def _take_map(material: Material, text: str) -> str:
     material.picture = text or None
     if not text:
         lost.append("map_Kd, which names no image")
-    return f"{', '.join(lost)} is left behind" if lost else ""
+    return f"{', '.join(lost)} is ignored" if lost else ""
 
 
 def _is_number(word: str) -> bool:
@@ -149,16 +149,16 @@ def _is_number(word: str) -> bool:
 
 def materials_of(path: Path, libraries: Sequence[str], *, outside_files: bool = False) -> list[Material] | None:
     """The materials of the MTL files that an OBJ names. None, with a warning, if a file is missing."""
-    found: list[Material] = []
+    materials: list[Material] = []
     for library in libraries:
-        place = find_beside(path, library, outside_files=outside_files)
-        if place is None:
+        file = find_beside(path, library, outside_files=outside_files)
+        if file is None:
             reason = why_missing(library, outside_files=outside_files)
             warn_left_behind(path, f"the file {library!r} of its materials {reason}")
             return None
-        known = {material.name for material in found}
-        found += [material for material in read_mtl(place) if material.name not in known]
-    return found
+        known = {material.name for material in materials}
+        materials += [material for material in read_mtl(file) if material.name not in known]
+    return materials
 
 
 def pictures_of(
@@ -173,11 +173,11 @@ def pictures_of(
     named = [material.picture for material in materials if material.picture is not None]
     opaque: dict[int, NDArray[np.uint8]] = {}
     pictures = iter(read_textures(path, named, outside_files=outside_files))
-    found = []
+    result = []
     for material in materials:
         if material.picture is None:
             color = np.array(material.color or WHITE)
-            found.append(np.rint(color * 255).astype(np.uint8).reshape(1, 1, 3))
+            result.append(np.rint(color * 255).astype(np.uint8).reshape(1, 1, 3))
             continue
         picture = next(pictures, None)
         if picture is None:
@@ -186,8 +186,8 @@ def pictures_of(
             if id(picture) not in opaque:
                 opaque[id(picture)] = drop_alpha(picture)
             picture = opaque[id(picture)]
-        found.append(picture)
-    return tuple(found), numbers
+        result.append(picture)
+    return tuple(result), numbers
 
 
 def move_uvs(uvs: NDArray[np.float32], materials: list[Material], ids: NDArray[np.int64]) -> NDArray[np.float32]:
@@ -228,7 +228,7 @@ _KINDS = (b"v", b"vt", b"vn")
 
 # Default names that programs write.
 _NAMELESS = frozenset(("", "default", "Default", "off", "(null)", "None"))
-_NAMES_TOLD = 5
+_MAX_NAMES = 5
 
 
 def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> MeshTable:
@@ -240,26 +240,26 @@ def read_obj(path: str | os.PathLike[str], *, outside_files: bool = False) -> Me
     normals.check_width(0, normals.row_count, 3)
     normal_values = stack_normals(path, [*normals.numbers().reshape(-1, 3).T]) if normals.row_count else None
     if not statements.faces:
-        raise FileError(path, "holds no faces", remedy="Read the vertices as a cloud: convert them to .xyz first")
-    found = read_corners(path, statements.faces, statements.face_lines, statements.before, statements.counts)
-    check_reach(path, vertices)
-    triangles = split_faces(path, found.lengths, found.vertices, vertices)
+        raise FileError(path, "contains no faces", remedy="Read the vertices as a cloud: convert them to .xyz first")
+    corners = read_corners(path, statements.faces, statements.face_lines, statements.before, statements.counts)
+    check_extent(path, vertices)
+    triangles = split_faces(path, corners.lengths, corners.vertices, vertices)
     vertex_normals = None
-    if "normals" in found.missing:
-        warn_of_loss(path, "normals", found.missing["normals"])
+    if "normals" in corners.missing:
+        warn_of_loss(path, "normals", corners.missing["normals"])
     elif normal_values is not None:
-        vertex_normals = _normals_of(found.vertices, found.normals, normal_values, len(vertices))
+        vertex_normals = _normals_of(corners.vertices, corners.normals, normal_values, len(vertices))
         if vertex_normals is None:
-            warn_of_loss(path, "normals", "they are not one a vertex; compute_vertex_normals() makes such")
-    mesh = MeshTable(vertices, found.vertices[triangles], vertex_normals, colors)
-    if "texture coordinates" in found.missing:
-        warn_of_loss(path, "texture coordinates", found.missing["texture coordinates"])
-    elif (found.uvs >= 0).any():
-        mesh.triangle_uvs = _uvs_of(path, statements.rows(1), found.uvs[triangles.reshape(-1)])
+            warn_of_loss(path, "normals", "they are not one per vertex; call compute_vertex_normals()")
+    mesh = MeshTable(vertices, corners.vertices[triangles], vertex_normals, colors)
+    if "texture coordinates" in corners.missing:
+        warn_of_loss(path, "texture coordinates", corners.missing["texture coordinates"])
+    elif (corners.uvs >= 0).any():
+        mesh.triangle_uvs = _uvs_of(path, statements.rows(1), corners.uvs[triangles.reshape(-1)])
     if any(used >= 0 for used in statements.materials):
-        used = np.repeat(statements.materials, found.lengths - 2)
+        used = np.repeat(statements.materials, corners.lengths - 2)
         _add_textures(path, mesh, statements, used, outside_files=outside_files)
-    _tell_rest(path, mesh, statements)
+    _warn_of_rest(path, mesh, statements)
     return mesh.checked()
 
 
@@ -303,71 +303,71 @@ def _text_of(path: Path) -> bytes:
 
 def _joined(path: Path, lines: list[bytes]) -> Iterator[tuple[int, bytes]]:
     """Each statement with its line number, without comments and with continuation lines joined."""
-    begun, first = b"", 0
+    pending, first = b"", 0
     for number, line in enumerate(lines, 1):
         text = line.partition(b"#")[0]
         if text.rstrip().endswith(b"\\"):  # continues in the next line
-            begun, first = begun + text.rstrip()[:-1] + b" ", first or number
+            pending, first = pending + text.rstrip()[:-1] + b" ", first or number
             continue
         if first:
-            yield first, begun + text
-            begun, first = b"", 0
+            yield first, pending + text
+            pending, first = b"", 0
         else:
             yield number, text
     if first:
-        raise FileError(path, "ends in a line that is to go on", where=f"line {len(lines)}")
+        raise FileError(path, "ends in a line with a continuation mark", where=f"line {len(lines)}")
 
 
 def _read_statements(path: Path) -> _Statements:
     body = _text_of(path)
     lines = body.split(b"\n")
-    found = _Statements(path, ([b""] * len(lines), [b""] * len(lines), [b""] * len(lines)))
+    statements = _Statements(path, ([b""] * len(lines), [b""] * len(lines), [b""] * len(lines)))
     is_plain = b"#" not in body and b"\\" not in body
     counts = [0, 0, 0]
     at_face, material = (0, 0, 0), -1
     for number, text in enumerate(lines, 1) if is_plain else _joined(path, lines):
         kind, _, rest = text.strip().partition(b" ")
         if kind == b"f":
-            found.faces.append(rest)
-            found.face_lines.append(number)
-            found.before.append(at_face)
-            found.materials.append(material)
+            statements.faces.append(rest)
+            statements.face_lines.append(number)
+            statements.before.append(at_face)
+            statements.materials.append(material)
         elif kind in _KINDS:
             column = _KINDS.index(kind)
-            found.lines[column][number - 1] = rest or b" "
+            statements.lines[column][number - 1] = rest or b" "
             counts[column] += 1
             at_face = (counts[0], counts[1], counts[2])
         elif kind == b"usemtl":
             name = rest.strip().decode("utf-8", "surrogateescape")
-            material = found.material_names.setdefault(name, len(found.material_names))
+            material = statements.material_names.setdefault(name, len(statements.material_names))
         elif kind == b"mtllib":
-            found.libraries += _libraries_of(path, rest.strip().decode("utf-8", "surrogateescape"))
+            statements.libraries += _libraries_of(path, rest.strip().decode("utf-8", "surrogateescape"))
         elif kind in (b"o", b"g"):
             name = rest.strip().decode("utf-8", "backslashreplace")
-            found.names["objects" if kind == b"o" else "groups"][name] = None
+            statements.names["objects" if kind == b"o" else "groups"][name] = None
         elif kind in (b"p", b"l"):
-            found.has_lines = True
+            statements.has_lines = True
         elif kind and kind not in _PASSED_OVER and not kind.startswith(b"$"):
             shown = kind[:40].decode("ascii", "backslashreplace")
-            reason = f"the statement {shown!r} is not read"
-            remedy = "Read are v, vt, vn and f; other programs turn free-form surfaces into faces"
+            reason = f"the statement {shown!r} is not supported"
+            remedy = "Supported are v, vt, vn and f; convert free-form surfaces to faces first"
             raise FileError(path, reason, where=f"line {number}", remedy=remedy)
-    found.counts = at_face
-    return found
+    statements.counts = at_face
+    return statements
 
 
-def _tell_rest(path: Path, mesh: MeshTable, statements: _Statements) -> None:
+def _warn_of_rest(path: Path, mesh: MeshTable, statements: _Statements) -> None:
     if statements.has_lines:
-        warn_of_loss(path, "points and lines", "a mesh has none")
+        warn_of_loss(path, "points and lines", "a mesh cannot store them")
     materials = [] if mesh.textures or statements.libraries else statements.material_names
-    told = []
+    lost = []
     for what, names in ({**statements.names, "materials": materials}).items():
         named = [repr(name[:60]) for name in names if name not in _NAMELESS]
         if named:
-            more = f" and {len(named) - _NAMES_TOLD} more" if len(named) > _NAMES_TOLD else ""
-            told.append(f"{what} {', '.join(named[:_NAMES_TOLD])}{more}")
-    if told:
-        warn_of_loss(path, "names", f"a mesh has no place for them: {'; '.join(told)}")
+            more = f" and {len(named) - _MAX_NAMES} more" if len(named) > _MAX_NAMES else ""
+            lost.append(f"{what} {', '.join(named[:_MAX_NAMES])}{more}")
+    if lost:
+        warn_of_loss(path, "names", f"a mesh cannot store them: {'; '.join(lost)}")
 
 
 def _libraries_of(path: Path, text: str) -> list[str]:
@@ -379,7 +379,7 @@ def _uvs_of(path: Path, rows: AsciiRows, corners: NDArray[np.int64]) -> NDArray[
     widths = rows.widths()
     wrong = np.flatnonzero(widths > 3)
     if len(wrong):
-        reason = f"a vt has 1 to 3 values, found {widths[wrong[0]]}"
+        reason = f"a vt has 1 to 3 values, got {widths[wrong[0]]}"
         raise FileError(path, reason, where=rows.where(int(wrong[0])))
     values, first = np.append(rows.numbers(), 0), rows.first[:-1]
     pairs = np.stack([values[first], np.where(widths > 1, values[first + 1], 0)], axis=1)
@@ -401,8 +401,8 @@ def _add_textures(
     known = {material.name: number for number, material in enumerate(materials)}
     lacking = [name for name in statements.material_names if name not in known]
     if lacking:
-        message = f"{path}: the material {lacking[0][:60]!r} is in none of {', '.join(statements.libraries)}"
-        warnings.warn(escaped(f"{message}; it is taken for white"), UserWarning, stacklevel=4)
+        message = f"{path}: the material {lacking[0][:60]!r} is not defined in {', '.join(statements.libraries)}"
+        warnings.warn(escaped(f"{message}; white is used"), UserWarning, stacklevel=4)
     materials += [Material(name) for name in lacking]
     known = {material.name: number for number, material in enumerate(materials)}
     numbers = np.array([*(known[name] for name in statements.material_names), len(materials)])
@@ -420,17 +420,17 @@ def _add_textures(
 def _vertices_of(path: Path, rows: AsciiRows) -> tuple[NDArray[np.float64], NDArray[np.float32] | None]:
     """Positions and, if all lines have six values, colors."""
     if not rows.row_count:
-        raise FileError(path, "holds no vertices")
+        raise FileError(path, "contains no vertices")
     widths, first, values = rows.widths(), rows.first[:-1], rows.numbers()
     wrong = np.flatnonzero((widths != 3) & (widths != 4) & (widths != 6))
     if len(wrong):
         row = int(wrong[0])
-        raise FileError(path, f"a vertex has 3, 4 or 6 values, found {widths[row]}", where=rows.where(row))
+        raise FileError(path, f"a vertex has 3, 4 or 6 values, got {widths[row]}", where=rows.where(row))
     weighted = np.flatnonzero(widths == 4)
     rational = weighted[values[first[weighted] + 3] != 1]
     if len(rational):
         row = int(rational[0])
-        reason = f"a vertex has the weight {values[first[row] + 3]:g}; rational vertices are not read"
+        reason = f"a vertex has the weight {values[first[row] + 3]:g}; rational vertices are not supported"
         raise FileError(path, reason, where=rows.where(row))
     colored, colors = int((widths == 6).sum()), None
     if 0 < colored < len(widths):
@@ -460,7 +460,7 @@ def _normals_of(
 def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as OBJ. Textures go to m.mtl and m_0.png, m_1.png, .. beside m.obj. Files are atomic."""
     path = check_writable(path, overwrite=overwrite)
-    mesh, lost = held_by_obj(mesh.checked())
+    mesh, lost = storable_in_obj(mesh.checked())
     _refuse_unwritable(path, mesh)
     warn_left_out(path, "OBJ", lost)
     beside, library = {}, derived_name(path, ".mtl")
@@ -476,9 +476,9 @@ def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         corners = [mesh.triangles.astype(np.int64) + 1]
         form = "%d"
         if mesh.triangle_uvs is not None:
-            uvs, places = np.unique(mesh.triangle_uvs, axis=0, return_inverse=True)
+            uvs, uv_index = np.unique(mesh.triangle_uvs, axis=0, return_inverse=True)
             write_rows(file, [*uvs.T], line="vt " + row_format([*uvs.T]))
-            corners.append(places.reshape(-1, 3) + 1)
+            corners.append(uv_index.reshape(-1, 3) + 1)
             form += "/%d"
         if mesh.vertex_normals is not None:
             normals = [*mesh.vertex_normals.T]
@@ -489,7 +489,7 @@ def write_obj(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool 
         _write_faces(file, columns, f"f {form} {form} {form}\n", mesh)
 
 
-def held_by_obj(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+def storable_in_obj(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
     names = [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes)]
     return replace(mesh, attributes={}, triangle_attributes={}), names
 
@@ -499,7 +499,7 @@ def _refuse_unwritable(path: Path, mesh: MeshTable) -> None:
         values = getattr(mesh, name)
         if values is not None and not np.isfinite(values).all():
             row = int(np.flatnonzero(~np.isfinite(values).all(axis=1))[0])
-            raise FileError(path, f"{name}: OBJ cannot hold NaN or infinite values", where=f"row {row}")
+            raise FileError(path, f"{name}: OBJ cannot store NaN or infinite values", where=f"row {row}")
 
 
 def _write_faces(file: IO[bytes], columns: list[NDArray[Any]], line: str, mesh: MeshTable) -> None:

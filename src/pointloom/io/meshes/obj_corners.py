@@ -47,11 +47,11 @@ def read_corners(
         reason = f"a face has {lengths[small[0]]} corners; at least 3 are needed"
         raise FileError(path, reason, where=f"line {lines[small[0]]}")
     is_negative = numbers < 0
-    places = numbers - 1
+    indices = numbers - 1
     if is_negative.any():
-        places = np.where(is_negative, np.repeat(np.array(before), lengths, axis=0) + numbers, places)
-    bad = given & ((places < 0) | (places >= np.array(counts)))
-    places[~given] = -1
+        indices = np.where(is_negative, np.repeat(np.array(before), lengths, axis=0) + numbers, indices)
+    bad = given & ((indices < 0) | (indices >= np.array(counts)))
+    indices[~given] = -1
     missing = {}
     if bad.any():
         face_of = np.repeat(np.arange(len(lengths)), lengths)
@@ -59,11 +59,11 @@ def read_corners(
             row = int(np.argmax(bad[:, column]))
             if bad[row, column]:
                 where = f"line {lines[face_of[row]]}"
-                reason = f"a face names {numbers[row, column]} of {counts[column]} {kind}"
+                reason = f"a face refers to {numbers[row, column]} of {counts[column]} {kind}"
                 if column == 0:
                     raise FileError(path, reason, where=where)
                 missing[kind] = f"{reason} ({where})"
-    return Corners(lengths, places[:, 0], places[:, 1], places[:, 2], missing)
+    return Corners(lengths, indices[:, 0], indices[:, 1], indices[:, 2], missing)
 
 
 _Parsed = tuple[NDArray[np.int64], NDArray[np.bool_], NDArray[np.int64]]
@@ -98,7 +98,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
         return None
     words_before = np.searchsorted(begin[firsts], np.flatnonzero(codes == 10))
     lengths = np.diff(words_before, prepend=0)
-    found = np.fromstring(text.replace(b"/", b" "), np.int64, sep=" ")
+    values = np.fromstring(text.replace(b"/", b" "), np.int64, sep=" ")
     filled = digits > 0
     numbers, given = np.zeros((len(firsts), 3), np.int64), np.zeros((len(firsts), 3), bool)
     if len(begin) == len(firsts) * parts[0] and (parts == parts[0]).all():  # all of one format
@@ -106,7 +106,7 @@ def _parse_all(faces: Sequence[bytes]) -> _Parsed | None:
     else:
         within = np.arange(len(begin)) - np.repeat(firsts, parts)
         given[np.repeat(np.arange(len(firsts)), parts), within] = filled
-    numbers[given] = found
+    numbers[given] = values
     return numbers, given, lengths
 
 
@@ -137,7 +137,7 @@ def _parse(word: bytes) -> list[int]:
     parts = word.split(b"/")
     if len(parts) > 3 or not parts[0]:
         return []
-    found = [_EMPTY] * 3
+    numbers = [_EMPTY] * 3
     for k, part in enumerate(parts):
         digits = part.removeprefix(b"-")
         if part and not digits.isdigit():
@@ -145,5 +145,5 @@ def _parse(word: bytes) -> list[int]:
         if part:
             size = digits.lstrip(b"0")
             size = 10**_MAX_DIGITS if len(size) > _MAX_DIGITS else int(size or b"0")
-            found[k] = -size if part.startswith(b"-") else size
-    return found
+            numbers[k] = -size if part.startswith(b"-") else size
+    return numbers

@@ -22,7 +22,7 @@ from ...core.coordinates import quiet
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ..ascii_rows import AsciiRows, row_format, unix_lines, write_rows
-from ..columns import check_reach, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
+from ..columns import check_extent, color_scale, colors_to_bytes, fit_colors, stack_normals, warn_left_out, warn_of_loss
 from ..source import open_source
 from ..table import MeshTable
 from ..triangulation import split_faces
@@ -38,11 +38,13 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
     body = _COMMENT.sub(b"", body)
     head = _HEAD.match(body)
     if head is None:
-        raise FileError(path, "is no OFF: it does not begin with OFF, or a letter for what vertices have and OFF")
+        raise FileError(
+            path, "is not an OFF file: it does not begin with OFF, or with letters for the vertex data and OFF"
+        )
     textured, colored, with_normals, fourth, other, binary = (part is not None for part in head.groups())
     if fourth or other or binary:
         what = "binary OFF" if binary else "OFF of another dimension"
-        raise FileError(path, f"{what} is not read", where="line 1", remedy="Convert it to .ply")
+        raise FileError(path, f"{what} is not supported", where="line 1", remedy="Convert it to .ply")
     blanks = re.sub(rb"[^\n]", b" ", body[: head.end()])
     rows = AsciiRows(path, blanks + body[head.end() :], 1)
     if not rows.row_count:
@@ -52,7 +54,7 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
     vertex_count, face_count = (int(x) for x in rows.cast(values[:3], np.dtype(np.uint32), "a count", 0)[:2])
     _check_row_count(path, rows, vertex_count, face_count)
     if not face_count:
-        raise FileError(path, "holds no faces", remedy="Read the vertices as a cloud: convert them to .xyz first")
+        raise FileError(path, "contains no faces", remedy="Read the vertices as a cloud: convert them to .xyz first")
     width = _vertex_width(path, rows, vertex_count, 3 + 3 * with_normals + 2 * textured, colored)
     table = values[3 : 3 + vertex_count * width].reshape(-1, width)
     columns = [*table.T]
@@ -60,7 +62,7 @@ def read_off(path: str | os.PathLike[str]) -> MeshTable:
     at = 6 if with_normals else 3
     colors, attributes = _vertex_colors(path, columns[at : at + width - at - 2 * textured]) if colored else (None, {})
     vertices = np.ascontiguousarray(table[:, :3])
-    check_reach(path, vertices)
+    check_extent(path, vertices)
     corners, lengths, face_colors = _faces_of(path, rows, values, len(vertices))
     triangles = corners[split_faces(path, lengths, corners, vertices)]
     mesh = MeshTable(vertices, triangles, normals, colors, attributes)
@@ -88,7 +90,7 @@ def _vertex_width(path: Path, rows: AsciiRows, count: int, bare: int, colored: b
     width = int(rows.widths()[1]) if count else allowed[0]
     if width not in allowed:
         expected = " or ".join(map(str, allowed))
-        raise FileError(path, f"a vertex has {expected} values, found {width}", where=rows.where(1))
+        raise FileError(path, f"a vertex has {expected} values, got {width}", where=rows.where(1))
     rows.check_width(1, 1 + count, width)
     return width
 
@@ -128,8 +130,10 @@ def _faces_of(
     wrong = np.flatnonzero((extra < 0) | (extra == 2) | (extra > 4))
     if len(wrong):
         row = int(wrong[0])
-        reason = f"a face of {lengths[row]} corners has {widths[row] - 1} values behind their number"
-        raise FileError(path, reason, where=rows.where(begin + row), remedy="Behind corners stand 0, 1, 3 or 4 values")
+        reason = f"a face of {lengths[row]} corners has {widths[row] - 1} values after their number"
+        raise FileError(
+            path, reason, where=rows.where(begin + row), remedy="Corners are followed by 0, 1, 3 or 4 values"
+        )
     if (lengths == lengths[0]).all() and (extra == extra[0]).all():
         corners = values[first[0] :].reshape(len(lengths), -1)[:, 1 : 1 + int(lengths[0])].reshape(-1)
     else:
@@ -137,9 +141,9 @@ def _faces_of(
         corners = values[np.repeat(first + 1, lengths) + within]
     if not ((corners >= 0) & (corners < vertex_count) & (np.floor(corners) == corners)).all():
         row_of = np.repeat(np.arange(begin, begin + len(lengths)), lengths)
-        whole = rows.cast(corners, np.dtype(np.uint32), "a corner", row_of)
-        bad = int(np.flatnonzero(whole >= vertex_count)[0])
-        reason = f"a face names vertex {whole[bad]}, but there are {vertex_count} vertices"
+        integers = rows.cast(corners, np.dtype(np.uint32), "a corner", row_of)
+        bad = int(np.flatnonzero(integers >= vertex_count)[0])
+        reason = f"a face refers to vertex {integers[bad]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=rows.where(int(row_of[bad])))
     return corners.astype(np.int64), lengths, _face_colors(path, values, first + 1 + lengths, extra)
 
@@ -160,11 +164,11 @@ def _face_colors(
     return _fit(path, channels, color_scale(channels[:3]), "colors of faces")
 
 
-def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
-    held, of_triangles, names = {}, {}, []
+def storable_in_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+    storable, of_triangles, names = {}, {}, []
     for name, values in mesh.attributes.items():
         if name == "alpha" and mesh.vertex_colors is not None and values.dtype == np.uint8 and values.ndim == 1:
-            held[name] = values
+            storable[name] = values
         else:
             names.append(name)
     for name, values in mesh.triangle_attributes.items():
@@ -174,18 +178,18 @@ def held_by_off(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
             names.append(f"triangle {name}")
     if mesh.triangle_uvs is not None:
         names.append("textures")
-    return replace(mesh.without_texture(), attributes=held, triangle_attributes=of_triangles), names
+    return replace(mesh.without_texture(), attributes=storable, triangle_attributes=of_triangles), names
 
 
 def write_off(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a mesh as OFF atomically, with 8-bit colors. Textures and other attributes are dropped with a warning."""
     path = check_writable(path, overwrite=overwrite)
-    mesh, lost = held_by_off(mesh.checked())
+    mesh, lost = storable_in_off(mesh.checked())
     columns: list[NDArray[Any]] = [*mesh.vertices.T]
     if mesh.vertex_normals is not None:
         columns += [*mesh.vertex_normals.T]
     if not all(np.isfinite(column).all() for column in columns):
-        raise FileError(path, "vertices, vertex_normals: OFF cannot hold NaN or infinite values")
+        raise FileError(path, "vertices, vertex_normals: OFF cannot store NaN or infinite values")
     if mesh.vertex_colors is not None:
         columns += [*colors_to_bytes(path, mesh.vertex_colors).T]
         columns.append(mesh.attributes.get("alpha", np.full(len(mesh.vertices), 255, np.uint8)))

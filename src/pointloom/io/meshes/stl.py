@@ -19,7 +19,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
 from ..ascii_rows import CHUNK_ROWS, AsciiRows, unix_lines
-from ..columns import check_reach, colors_or_loss, warn_left_out, warn_of_loss
+from ..columns import check_extent, colors_or_loss, warn_left_out, warn_of_loss
 from ..source import Source, open_source
 from ..table import MeshTable
 
@@ -57,8 +57,8 @@ def read_stl(path: str | os.PathLike[str]) -> MeshTable:
     if len(wild):
         raise FileError(path, "a corner is not finite", where=f"triangle {int(wild[0]) // 3}")
     if not len(corners):
-        raise FileError(path, "holds no facets")
-    check_reach(path, corners)
+        raise FileError(path, "contains no facets")
+    check_extent(path, corners)
     vertices, triangles = _merge(corners)
     values = {} if colors is None else {"colors": colors}
     return MeshTable(vertices, triangles.reshape(-1, 3), triangle_attributes=values).checked()
@@ -71,12 +71,12 @@ def _colors_of_bytes(path: Path, header: bytes, values: NDArray[np.uint16]) -> N
     begin = header.find(_DEFAULT_COLOR)
     if begin >= 0 and begin + 10 <= len(header):
         default = np.frombuffer(header, np.uint8, 4, begin + 6) / np.float32(255)
-        found = np.hstack([colors[:, ::-1], np.full((len(values), 1), default[3])])
-        found[flagged] = default
-        return found if default[3] < 1 else np.ascontiguousarray(found[:, :3])
+        rgba = np.hstack([colors[:, ::-1], np.full((len(values), 1), default[3])])
+        rgba[flagged] = default
+        return rgba if default[3] < 1 else np.ascontiguousarray(rgba[:, :3])
     if not flagged.any():
         if values.any():
-            warn_of_loss(path, "attribute bytes of facets", "they are no colors", stacklevel=4)
+            warn_of_loss(path, "attribute bytes of facets", "they are not colors", stacklevel=4)
         return None
     return _with_white(path, colors, flagged)
 
@@ -84,7 +84,7 @@ def _colors_of_bytes(path: Path, header: bytes, values: NDArray[np.uint16]) -> N
 def _with_white(path: Path, colors: NDArray[np.float32], has_color: NDArray[np.bool_]) -> NDArray[np.float32]:
     if not has_color.all():
         lacking = int(np.count_nonzero(~has_color))
-        message = f"{path}: {lacking} of {len(colors)} facets have no color; they are taken for white"
+        message = f"{path}: {lacking} of {len(colors)} facets have no color; white is used"
         warnings.warn(escaped(message), UserWarning, stacklevel=5)
         colors = np.where(has_color[:, None], colors, np.float32(1))
     return colors
@@ -92,7 +92,7 @@ def _with_white(path: Path, colors: NDArray[np.float32], has_color: NDArray[np.b
 
 def _wrong_size(path: Path, source: Source, count: int) -> FileError:
     if len(source) < _HEADER_BYTES:
-        reason = "is no STL: neither text, which begins with solid, nor long enough for the binary form"
+        reason = "is not an STL file: it neither begins with solid nor is long enough for the binary format"
         return FileError(path, reason, where=f"byte {len(source)}")
     expected = _HEADER_BYTES + count * _FACET.itemsize
     reason = f"{len(source)} bytes, but the {count} facets that it declares take {expected}"
@@ -103,7 +103,7 @@ def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray
     """Corners of the text form, shape (3 t, 3), and facet colors (t, 3 or 4) or None."""
     body = bytes(source[:])
     lines = unix_lines(body).split(b"\n")
-    numbers, place, is_open = [b""] * len(lines), 0, False
+    numbers, step, is_open = [b""] * len(lines), 0, False
     current, colors = b"", {}  # by facet
     count = 0
     for k, line in enumerate(lines):
@@ -112,26 +112,26 @@ def _read_text(path: Path, source: Source) -> tuple[NDArray[np.float64], NDArray
             continue
         word = words[0].lower()
         if is_open and word == b"color":
-            if place:
+            if step:
                 colors[count] = b" ".join(words[1:])
             else:
                 current = b" ".join(words[1:])
             continue
-        if place == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
+        if step == 0 and word in (b"solid", b"endsolid") and is_open == (word == b"endsolid"):
             is_open, current = not is_open, b""
             continue
-        begin, width = _LINES[place]
+        begin, width = _LINES[step]
         named = begin.split()
         right = is_open and [w.lower() for w in words[: len(named)]] == named and len(words) == len(named) + width
         if not right:
             expected = begin.decode() + " and three numbers" * (width > 0) if is_open else "solid"
             shown = line.strip()[:40].decode("ascii", "backslashreplace")
-            raise FileError(path, f"expected {expected}, found {shown!r}", where=f"line {k + 1}")
+            raise FileError(path, f"expected {expected}, got {shown!r}", where=f"line {k + 1}")
         numbers[k] = b" ".join(words[len(named) :])
-        if not place and current:
+        if not step and current:
             colors[count] = current
-        place = (place + 1) % len(_LINES)
-        count += not place
+        step = (step + 1) % len(_LINES)
+        count += not step
     if is_open:
         raise FileError(path, "truncated: ends without endsolid", where=f"line {len(lines)}")
     rows = AsciiRows(path, b"\n".join(numbers), 1)
@@ -149,14 +149,14 @@ def _colors_of_lines(path: Path, lines: dict[int, bytes], count: int) -> NDArray
             numbers = []
         if len(numbers) not in (3, 4):
             shown = line[:40].decode("ascii", "backslashreplace")
-            warn_of_loss(path, "colors", f"a color is three or four numbers, found {shown!r}", stacklevel=5)
+            warn_of_loss(path, "colors", f"a color is three or four numbers, got {shown!r}", stacklevel=5)
             return None
         values[facet, : len(numbers)], width = numbers, min(width, len(numbers))
-    found = colors_or_loss(path, [values[[*lines], k] for k in range(width)], stacklevel=5)
-    if found is None:
+    stacked = colors_or_loss(path, [values[[*lines], k] for k in range(width)], stacklevel=5)
+    if stacked is None:
         return None
     colors, has_color = np.ones((count, width), np.float32), np.zeros(count, bool)
-    colors[[*lines]], has_color[[*lines]] = found, True
+    colors[[*lines]], has_color[[*lines]] = stacked, True
     return _with_white(path, colors, has_color)
 
 
@@ -175,16 +175,16 @@ def _merge(corners: NDArray[np.floating]) -> tuple[NDArray[np.floating], NDArray
     return corners[firsts[by_first]], rank[group]
 
 
-def held_by_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
+def storable_in_stl(mesh: MeshTable) -> tuple[MeshTable, list[str]]:
     optional = {"normals": mesh.vertex_normals, "colors": mesh.vertex_colors, "textures": mesh.triangle_uvs}
     names = [name for name, values in optional.items() if values is not None]
     colors = mesh.triangle_attributes.get("colors")
-    held = {}
+    storable = {}
     if colors is not None and _is_colors(colors):
-        held = {"colors": colors[:, :3]}
+        storable = {"colors": colors[:, :3]}
         names += ["opacity of triangle colors"] if (colors[:, 3:] < 1).any() else []
-    names += [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes if name not in held)]
-    return MeshTable(mesh.vertices, mesh.triangles, triangle_attributes=held), names
+    names += [*mesh.attributes, *(f"triangle {name}" for name in mesh.triangle_attributes if name not in storable)]
+    return MeshTable(mesh.vertices, mesh.triangles, triangle_attributes=storable), names
 
 
 def _is_colors(values: NDArray[Any]) -> bool:
@@ -196,9 +196,9 @@ def _is_colors(values: NDArray[Any]) -> bool:
 def write_stl(path: str | os.PathLike[str], mesh: MeshTable, *, overwrite: bool = True) -> None:
     """Write a triangle mesh as binary STL atomically. Degenerate triangles get the normal (0, 0, 0)."""
     path = check_writable(path, overwrite=overwrite)
-    mesh, lost = held_by_stl(mesh.checked())
+    mesh, lost = storable_in_stl(mesh.checked())
     if len(mesh.triangles) >= 2**32:
-        raise FileError(path, f"STL cannot count {len(mesh.triangles)} triangles", remedy="Write .ply")
+        raise FileError(path, f"STL cannot store {len(mesh.triangles)} triangles", remedy="Write .ply")
     with np.errstate(over="ignore"):
         single = mesh.vertices.astype(np.float32)
     bad = ~np.isfinite(single[mesh.triangles]).all(axis=(1, 2))

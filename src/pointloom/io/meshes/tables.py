@@ -20,13 +20,13 @@ from ..points.ply_header import read_header
 from ..points.ptx import read_ptx_frames
 from ..source import open_source
 from ..table import MeshTable, PointTable
-from .mesh_formats import MESH_READERS, UNHELD, write_mesh
+from .mesh_formats import MESH_READERS, STORABLE_PARTS, write_mesh
 
 MESHES = tuple(MESH_READERS)
 LAS = (".las", ".laz")
 
 # What the text formats store beside positions. The others store everything.
-_HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
+_TEXT_COLUMNS = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
 def is_mesh_file(path: str | os.PathLike[str]) -> bool:
@@ -62,15 +62,15 @@ def write_cloud_table(
     identification. From E57 or PTX to E57 it provides scan names and poses, unless `system_only`."""
     suffix, left_out = Path(path).suffix.lower(), []
     lost = ["viewpoint"] if table.viewpoint is not None and suffix != ".pcd" else []
-    if suffix in _HELD:
-        table, left_out = _as_text_holds(table, _HELD[suffix])
+    if suffix in _TEXT_COLUMNS:
+        table, left_out = _storable_in_text(table, _TEXT_COLUMNS[suffix])
     elif suffix == ".e57":
         table, left_out = _without(table, unstorable_in_e57(table))
     elif suffix in LAS:
         table = with_fitting_names(path, table)
         table, left_out = _without(table, [*unstorable_in_las(path, table)])
     elif suffix == ".ply":
-        table, left_out = _as_ply_holds(table)
+        table, left_out = _storable_in_ply(table)
     kind, frames, like = "" if source is None else Path(source).suffix.lower(), [], None
     if source is not None and suffix in LAS and kind in LAS:
         like = open_las(source).header
@@ -78,7 +78,7 @@ def write_cloud_table(
     elif source is not None and suffix == ".e57" and kind in (".e57", ".ptx") and not system_only:
         frames, beside = read_frames(source) if kind == ".e57" else (read_ptx_frames(source), [])
         if beside:
-            warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 is written with points alone")
+            warn_of_loss(path, f"{' and the '.join(beside)} of the source", "E57 files are written with points only")
     write_table(path, table, ascii=as_text, overwrite=overwrite, like=like, frames=frames)
     return left_out + lost
 
@@ -87,14 +87,14 @@ def write_mesh_table(
     path: str | os.PathLike[str], mesh: MeshTable, *, as_text: bool = False, overwrite: bool = True
 ) -> list[str]:
     """Write a mesh without what the format cannot store. Returns the dropped names."""
-    held, left_out = mesh, []
+    storable, left_out = mesh, []
     suffix = Path(path).suffix.lower()
-    if suffix in UNHELD:
-        held, left_out = UNHELD[suffix](mesh)
+    if suffix in STORABLE_PARTS:
+        storable, left_out = STORABLE_PARTS[suffix](mesh)
     elif suffix != ".ply":
-        held = replace(mesh, attributes={}, triangle_attributes={})
+        storable = replace(mesh, attributes={}, triangle_attributes={})
         left_out = [*mesh.attributes, *mesh.triangle_attributes]
-    write_mesh(path, held, ascii=as_text, overwrite=overwrite)
+    write_mesh(path, storable, ascii=as_text, overwrite=overwrite)
     return left_out
 
 
@@ -107,7 +107,7 @@ def _without(table: PointTable, left_out: list[str]) -> tuple[PointTable, list[s
     return replace(table, attributes=attributes), left_out
 
 
-def _as_ply_holds(table: PointTable) -> tuple[PointTable, list[str]]:
+def _storable_in_ply(table: PointTable) -> tuple[PointTable, list[str]]:
     """The table with 64-bit integers in types that PLY supports, and the names of those without one."""
     narrowed = {name: narrow_integers(values) for name, values in table.attributes.items()}
     left_out = [name for name, values in narrowed.items() if values is None]
@@ -115,13 +115,13 @@ def _as_ply_holds(table: PointTable) -> tuple[PointTable, list[str]]:
     return replace(table, attributes=attributes), left_out
 
 
-def _as_text_holds(table: PointTable, held: tuple[str, ...]) -> tuple[PointTable, list[str]]:
+def _storable_in_text(table: PointTable, columns: tuple[str, ...]) -> tuple[PointTable, list[str]]:
     """The table without unsupported attributes, and their names."""
-    attributes = {name: values for name, values in table.attributes.items() if name in held and values.ndim == 1}
+    attributes = {name: values for name, values in table.attributes.items() if name in columns and values.ndim == 1}
     left_out = [name for name in table.attributes if name not in attributes]
     normals, colors = table.normals, table.colors
-    if colors is not None and "colors" not in held:
+    if colors is not None and "colors" not in columns:
         colors, left_out = None, ["colors", *left_out]
-    if normals is not None and "normals" not in held:
+    if normals is not None and "normals" not in columns:
         normals, left_out = None, ["normals", *left_out]
     return PointTable(table.points, normals, colors, attributes, unit=table.unit), left_out

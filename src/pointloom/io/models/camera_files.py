@@ -22,7 +22,7 @@ from ...core.json_files import read_json_object
 from ...core.paths import path_of
 from ..points.scan_files import natural_key
 from .colmap import is_colmap_model, read_colmap_model
-from .frame_cameras import holds_frame_cameras, read_frame_cameras, read_transforms
+from .frame_cameras import contains_frame_cameras, read_frame_cameras, read_transforms
 from .metashape import read_metashape_cameras
 from .sfm_model import SfmModel
 
@@ -73,40 +73,40 @@ def read_cameras(
         >>> model.centers.tolist(), model.left_out
         ([[0.0, 0.0, 0.0], [0.5, 0.0, 0.0]], ('11.0.png: no pose',))
     """
-    place = path_of(path)
-    kind = _kind_of(place)
+    file = path_of(path)
+    kind = _kind_of(file)
     if kind != "trajectory":
         if intrinsic is not None:
-            raise ValueError(f"intrinsic: {escaped(place.name)} holds the lenses itself; leave it out")
+            raise ValueError(f"intrinsic: {escaped(file.name)} contains the lenses. Leave it out")
         readers: dict[str, Any] = {"metashape": read_metashape_cameras, "colmap": read_colmap_model}
         readers |= {"transforms": read_transforms, "frames": read_frame_cameras}
-        return readers[kind](place)
+        return readers[kind](file)
     if not isinstance(intrinsic, PinholeCameraIntrinsic):
-        reason = "holds poses alone, and no lens"
-        raise FileError(place, reason, remedy="Give the camera as intrinsic (--intrinsic, Open3D's JSON) too")
+        reason = "contains only poses, and no lens"
+        raise FileError(file, reason, remedy="Give the camera as intrinsic (--intrinsic, Open3D's JSON) too")
     if pictures is None:
-        raise ValueError("pictures: a trajectory names none; expected the names of its pictures")
+        raise ValueError("pictures: expected the names of the images, which a trajectory does not contain")
     names = [check_name("pictures", name) for name in check_list("pictures", pictures, "names")]
-    trajectory = read_poses_and_gaps(place)
+    trajectory = read_poses_and_gaps(file)
     lost = np.asarray(np.isnan(trajectory.poses).any(axis=(1, 2)))
-    chosen = [None if row is None or lost[row] else row for row in _poses_of(place, trajectory, names)]
-    kept = [i for i, row in enumerate(chosen) if row is not None]
-    if not kept:
-        raise FileError(place, "holds the pose of none of the pictures", remedy=f"Their names are such as {names[0]}")
+    chosen = [None if row is None or lost[row] else row for row in _poses_of(file, trajectory, names)]
+    rows_with_pose = [i for i, row in enumerate(chosen) if row is not None]
+    if not rows_with_pose:
+        raise FileError(file, "contains the pose of none of the images", remedy=f"The first image is {names[0]}")
     rows = [row for row in chosen if row is not None]
     left_out = tuple(f"{name}: no pose" for name, row in zip(names, chosen, strict=True) if row is None)
     lens = CameraModel.from_intrinsic(intrinsic)
     poses = _inverse(trajectory.poses[rows])
-    return SfmModel(tuple(names[i] for i in kept), (lens,) * len(kept), poses, left_out=left_out)
+    return SfmModel(tuple(names[i] for i in rows_with_pose), (lens,) * len(rows_with_pose), poses, left_out=left_out)
 
 
 def _kind_of(path: Path) -> str:
     if path.is_dir():
         if is_colmap_model(path):
             return "colmap"
-        if holds_frame_cameras(path):
+        if contains_frame_cameras(path):
             return "frames"
-        raise FileError(path, "holds no cameras that are known", remedy=_KNOWN)
+        raise FileError(path, "contains no supported cameras", remedy=_KNOWN)
     suffix = path.suffix.lower()
     if suffix == ".xml":
         return "metashape"
@@ -114,9 +114,7 @@ def _kind_of(path: Path) -> str:
         return "transforms"
     if suffix in TRAJECTORIES:
         return "trajectory"
-    raise FileError(
-        path, "does not exist" if not path.exists() else "is no file of cameras that is known", remedy=_KNOWN
-    )
+    raise FileError(path, "does not exist" if not path.exists() else "is not a supported camera file", remedy=_KNOWN)
 
 
 def _poses_of(path: Path, trajectory: Trajectory, names: Sequence[str]) -> list[int | None]:
@@ -129,8 +127,10 @@ def _poses_of(path: Path, trajectory: Trajectory, names: Sequence[str]) -> list[
         if None not in numbers and len(set(numbers)) == len(names) and len(rows) == len(trajectory):
             return [rows.get(int(number or 0)) for number in numbers]
     if len(names) != len(trajectory):
-        reason = f"holds {len(trajectory)} poses, and there are {len(names)} pictures: which is whose is not known"
-        raise FileError(path, reason, remedy="Name the pictures by the times of the poses, or give as many as poses")
+        reason = f"contains {len(trajectory)} poses for {len(names)} images, which cannot be matched"
+        raise FileError(
+            path, reason, remedy="Name the images by the times of the poses, or give as many images as poses"
+        )
     order = sorted(range(len(names)), key=lambda i: natural_key(Path(names[i])))
     rows_in_order: list[int | None] = [None] * len(names)
     for row, i in enumerate(order):

@@ -19,7 +19,7 @@ FORMS: dict[str, ModuleType] = {"bin": colmap_binary, "txt": colmap_text}
 FILES = ("cameras", "images", "points3D")
 BESIDE = ("rigs", "frames")  # files of COLMAP 4 that are valid only with the model they were written with
 _KNOWN = tuple(f"{name}.{form}" for name in ("cameras", "points3D", *BESIDE, "images") for form in FORMS)
-PLACES = ("sparse/0", "sparse", "0", "dense/sparse")  # usual model folders of a project
+MODEL_FOLDERS = ("sparse/0", "sparse", "0", "dense/sparse")  # usual model folders of a project
 
 
 def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
@@ -48,8 +48,8 @@ def read_colmap_model(folder: str | os.PathLike[str]) -> SfmModel:
         >>> loom.read_colmap_model("sparse")
         SfmModel(1 picture, 1 camera, 1 points, 0 observations)
     """
-    place, form = find_colmap_model(folder)
-    paths = {name: place / f"{name}.{form}" for name in FILES}
+    root, form = find_colmap_model(folder)
+    paths = {name: root / f"{name}.{form}" for name in FILES}
     read = FORMS[form]
     cameras = read.read_cameras(paths["cameras"])
     pictures = read.read_pictures(paths["images"])
@@ -64,20 +64,20 @@ def find_colmap_model(folder: str | os.PathLike[str]) -> tuple[Path, str]:
         raise FileError(folder, reason, remedy="Give the folder of cameras, images and points3D")
     if _files_of(folder):
         return folder, _form_of(folder)
-    models = sorted(p for place in (folder, folder / "sparse") for p in _numbered(place) if _files_of(p))
+    models = sorted(p for candidate in (folder, folder / "sparse") for p in _numbered(candidate) if _files_of(p))
     if len(models) > 1:
         shown = ", ".join(f"{p.relative_to(folder)} ({_size_of(p)})" for p in models[:8])
-        raise FileError(folder, f"holds {len(models)} models: {shown}", remedy="Give the folder of one of them")
-    for place in [*models, *(folder / name for name in PLACES)]:
-        if _files_of(place):
-            return place, _form_of(place)
-    raise FileError(folder, "holds no model of COLMAP", remedy="Give the folder of cameras, images and points3D")
+        raise FileError(folder, f"contains {len(models)} models: {shown}", remedy="Give the folder of one of them")
+    for candidate in [*models, *(folder / name for name in MODEL_FOLDERS)]:
+        if _files_of(candidate):
+            return candidate, _form_of(candidate)
+    raise FileError(folder, "contains no COLMAP model", remedy="Give the folder of cameras, images and points3D")
 
 
 def is_colmap_model(folder: str | os.PathLike[str]) -> bool:
     folder = path_of(folder, "folder")
-    below = [p for place in (folder, folder / "sparse") for p in _numbered(place)]
-    return any(_files_of(place) for place in [folder, *below, *(folder / name for name in PLACES)])
+    below = [p for candidate in (folder, folder / "sparse") for p in _numbered(candidate)]
+    return any(_files_of(candidate) for candidate in [folder, *below, *(folder / name for name in MODEL_FOLDERS)])
 
 
 def _numbered(folder: Path) -> list[Path]:
@@ -92,20 +92,20 @@ def _files_of(folder: Path) -> list[str]:
 
 
 def _form_of(folder: Path) -> str:
-    found = _files_of(folder)
+    names = _files_of(folder)
     for form in FORMS:
-        if all(f"{name}.{form}" in found for name in FILES):
+        if all(f"{name}.{form}" in names for name in FILES):
             return form
-    form = max(FORMS, key=lambda form: sum(name.endswith(form) for name in found))
-    missing = [f"{name}.{form}" for name in FILES if f"{name}.{form}" not in found]
-    remedy = "The model may be half written; a model without points has an empty points3D.txt"
-    raise FileError(folder, f"holds {', '.join(found)}, but not {' and '.join(missing)}", remedy=remedy)
+    form = max(FORMS, key=lambda form: sum(name.endswith(form) for name in names))
+    missing = [f"{name}.{form}" for name in FILES if f"{name}.{form}" not in names]
+    remedy = "The model may be incomplete; a model without points has an empty points3D.txt"
+    raise FileError(folder, f"contains {', '.join(names)}, but not {' and '.join(missing)}", remedy=remedy)
 
 
 def _size_of(folder: Path) -> str:
     try:
         form = _form_of(folder)
-        return f"{FORMS[form].count_pictures(folder / f'images.{form}')} pictures"
+        return f"{FORMS[form].count_pictures(folder / f'images.{form}')} images"
     except FileError:
         return "damaged"
 
@@ -164,27 +164,27 @@ def write_colmap_model(
 
 def _check_writable(model: SfmModel, format: str) -> None:
     if not len(model):
-        raise ValueError("model: expected at least one picture, got none")
+        raise ValueError("model: expected at least one image, got none")
     for camera in set(model.cameras):
         if MODELS[camera.model].number is None:
             reason = f"model: COLMAP has no camera model {camera.model}"
-            raise ValueError(f"{reason}; straighten the pictures first, see loom.undistort_picture")
+            raise ValueError(f"{reason}; undistort the images first, see loom.undistort_picture")
     for name in model.names:
         if "\0" in name or len(name.encode(errors="replace")) > colmap_binary.LONGEST_NAME:
-            raise ValueError(f"model: COLMAP's files cannot hold the picture's name {name[:80]!r}")
+            raise ValueError(f"model: COLMAP's files cannot store the image name {name[:80]!r}")
         if format == "txt" and name.split() != [name]:  # COLMAP writes such a name, but reads only its first word
-            raise ValueError(f"model: text cannot hold the picture's name {name[:80]!r}; write format='bin'")
+            raise ValueError(f"model: text cannot store the image name {name[:80]!r}; write format='bin'")
 
 
 def _prepare(folder: Path, overwrite: bool) -> bool:
     """Create the folder if missing. Returns True if it was."""
     if folder.is_dir():
-        found = _files_of(folder)
-        if found and not overwrite:
-            raise FileError(folder, f"holds {found[0]} already", remedy="Give another folder, or overwrite=True")
+        existing = _files_of(folder)
+        if existing and not overwrite:
+            raise FileError(folder, f"already contains {existing[0]}", remedy="Give another folder, or overwrite=True")
         return False
     try:
         folder.mkdir(parents=True)
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
     return True

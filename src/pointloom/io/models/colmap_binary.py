@@ -47,16 +47,14 @@ class _Reader:
 
     def need(self, size: int, what: str) -> None:
         if size > self.size - self.at:
-            reason = f"ends within {what}: {size:,} bytes are missing {size - self.size + self.at:,}"
+            reason = f"ends within {what}: {size - self.size + self.at:,} of {size:,} bytes are missing"
             raise FileError(self.path, reason, where=f"byte {self.at}", remedy=_CUT)
 
     def count(self, what: str, smallest: int) -> int:
         """A record count that the remaining file can hold."""
         (count,) = self.take(_COUNT, f"the number of {what}")
         if count * smallest > self.size - self.at:
-            reason = (
-                f"expected {count:,} {what}, for which the {self.size - self.at:,} bytes that follow do not suffice"
-            )
+            reason = f"expected {count:,} {what}, but only {self.size - self.at:,} bytes follow"
             raise FileError(self.path, reason, where=f"byte {self.at - 8}", remedy=_CUT)
         return count
 
@@ -85,7 +83,7 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
         where = f"byte {file.at}"
         number, model, width, height = file.take(_CAMERA, "a camera")
         if number in cameras:
-            raise FileError(path, f"the camera number {number} stands twice", where=where)
+            raise FileError(path, f"the camera number {number} is duplicated", where=where)
         name = MODEL_NUMBERS.get(model)
         if name is None:
             raise unknown_model(path, where, str(model), UNSUPPORTED.get(model))
@@ -99,22 +97,25 @@ def unknown_model(path: Path, where: str, model: str, name: str | None) -> FileE
     """The error for an unsupported camera model; `name` is COLMAP's, if known."""
     if name:
         return FileError(
-            path, f"the camera model {name} is not read", where=where, remedy="Undistort the pictures with COLMAP first"
+            path,
+            f"the camera model {name} is not supported",
+            where=where,
+            remedy="Undistort the images with COLMAP first",
         )
     known = ", ".join(MODEL_NUMBERS.values())
-    return FileError(path, f"unknown camera model {model[:40]}", where=where, remedy=f"Known are {known}")
+    return FileError(path, f"unknown camera model {model[:40]}", where=where, remedy=f"Supported are {known}")
 
 
 def read_pictures(path: Path) -> list[Picture]:
     file = _Reader(path)
     pictures = []
-    for _ in range(file.count("pictures", _PICTURE.size + 1 + _COUNT.size)):
+    for _ in range(file.count("images", _PICTURE.size + 1 + _COUNT.size)):
         where = f"byte {file.at}"
-        number, *pose, camera = file.take(_PICTURE, "a picture")
-        name = file.text("the name of a picture")
+        number, *pose, camera = file.take(_PICTURE, "an image")
+        name = file.text("the name of an image")
         keypoints = file.array(_KEYPOINT, file.count("keypoints", _KEYPOINT.itemsize), "keypoints")
-        places, points = keypoints["place"], keypoints["point"]
-        pictures.append(Picture(number, name, tuple(pose[:4]), tuple(pose[4:]), camera, places, points, where))
+        pixels, points = keypoints["place"], keypoints["point"]
+        pictures.append(Picture(number, name, tuple(pose[:4]), tuple(pose[4:]), camera, pixels, points, where))
     file.close()
     return pictures
 
@@ -168,7 +169,7 @@ def _gather(data: NDArray[np.uint8], starts: NDArray[np.int64], width: int) -> N
 
 
 def count_pictures(path: Path) -> int:
-    return _Reader(path).count("pictures", _PICTURE.size + 1 + _COUNT.size)
+    return _Reader(path).count("images", _PICTURE.size + 1 + _COUNT.size)
 
 
 def write_cameras(file: IO[bytes], records: Records) -> None:
@@ -187,7 +188,7 @@ def write_pictures(file: IO[bytes], records: Records) -> None:
         file.write(_PICTURE.pack(i + 1, *pose, records.camera_numbers[i]))
         file.write(name.encode() + b"\0" + _COUNT.pack(end - begin))
         keypoints = np.empty(end - begin, _KEYPOINT)
-        keypoints["place"], keypoints["point"] = records.places[begin:end], model.observations[begin:end, 1] + 1
+        keypoints["place"], keypoints["point"] = records.keypoints[begin:end], model.observations[begin:end, 1] + 1
         file.write(keypoints.tobytes())
 
 

@@ -30,14 +30,15 @@ _MIXED = "The three files may be of different models"
 @dataclasses.dataclass
 class Picture:
     """A record of images.bin or images.txt, with quaternion w, x, y, z and translation world to camera.
-    `places` are keypoints (k, 2), `points` their point ids (k,), -1 for none; `where` is the location in the file."""
+    `keypoints` are their pixels (k, 2), `points` their point ids (k,), -1 for none; `where` is the location in
+    the file."""
 
     number: int
     name: str
     quaternion: tuple[float, ...]
     translation: tuple[float, ...]
     camera: int
-    places: NDArray[np.float64]
+    keypoints: NDArray[np.float64]
     points: NDArray[np.int64]
     where: str
 
@@ -70,27 +71,27 @@ def assemble(
     images, sparse = paths["images"], paths["points3D"]
     if not pictures:
         raise FileError(
-            images, "holds no picture", remedy="Mapping found none, or the model was written before its end"
+            images, "contains no image", remedy="Mapping registered none, or the model was written before it finished"
         )
     _check_pictures(images, paths["cameras"], cameras, pictures)
     order, rows = _check_points(sparse, points)
     numbers = points.numbers[order]
     counts = np.array([len(p.points) for p in pictures])
     starts = np.concatenate([[0], np.cumsum(counts)])
-    owners, places = np.concatenate([p.points for p in pictures]), np.concatenate([p.places for p in pictures])
-    kept = np.flatnonzero(owners != NO_POINT)
-    observers = np.repeat(np.arange(len(pictures)), counts)[kept]
-    seen = _find_numbers(numbers, owners[kept])
+    owners, keypoints = np.concatenate([p.points for p in pictures]), np.concatenate([p.keypoints for p in pictures])
+    observed = np.flatnonzero(owners != NO_POINT)
+    observers = np.repeat(np.arange(len(pictures)), counts)[observed]
+    seen = _find_numbers(numbers, owners[observed])
     lost = np.flatnonzero(seen < 0)
     if len(lost):
-        picture, number = pictures[observers[lost[0]]], owners[kept][lost[0]]
-        reason = f"picture {picture.name!r} sees point {number}, which {sparse.name} does not have"
+        picture, number = pictures[observers[lost[0]]], owners[observed][lost[0]]
+        reason = f"image {picture.name!r} observes point {number}, which is missing in {sparse.name}"
         raise FileError(images, reason, where=picture.where, remedy=_MIXED)
     _check_tracks(sparse, points, rows, pictures, starts, owners)
-    if len(kept) != len(points.tracks):
-        reason = f"{len(kept)} keypoints belong to points, but the tracks have {len(points.tracks)}"
+    if len(observed) != len(points.tracks):
+        reason = f"{len(observed)} keypoints belong to points, but the tracks have {len(points.tracks)}"
         raise FileError(sparse, reason, remedy=_MIXED)
-    pixels = places[kept] - HALF
+    pixels = keypoints[observed] - HALF
     wrong = np.flatnonzero(~(np.abs(pixels) <= LARGEST).all(axis=1))
     if len(wrong):
         picture = pictures[observers[wrong[0]]]
@@ -112,13 +113,13 @@ def _check_pictures(images: Path, path: Path, cameras: dict[int, CameraModel], p
     numbers: set[int] = set()
     for picture in pictures:
         if picture.number in numbers:
-            raise FileError(images, f"the picture number {picture.number} stands twice", where=picture.where)
+            raise FileError(images, f"the image number {picture.number} is duplicated", where=picture.where)
         if picture.name in names:
-            raise FileError(images, f"the picture {picture.name!r} stands twice", where=picture.where)
+            raise FileError(images, f"the image {picture.name!r} is duplicated", where=picture.where)
         if not picture.name:
-            raise FileError(images, "a picture has no name", where=picture.where, remedy=_CUT)
+            raise FileError(images, "an image has no name", where=picture.where, remedy=_CUT)
         if picture.camera not in cameras:
-            reason = f"picture {picture.name!r} is of camera {picture.camera}, which {path.name} does not have"
+            reason = f"image {picture.name!r} refers to camera {picture.camera}, which is missing in {path.name}"
             raise FileError(images, reason, where=picture.where, remedy=_MIXED)
         numbers.add(picture.number)
         names[picture.name] = picture
@@ -133,7 +134,7 @@ def _poses(path: Path, pictures: list[Picture]) -> NDArray[np.float64]:
     for i in np.flatnonzero(~good):
         picture = pictures[i]
         reason = (
-            f"picture {picture.name!r} has no pose: quaternion {picture.quaternion}, translation {picture.translation}"
+            f"image {picture.name!r} has no pose: quaternion {picture.quaternion}, translation {picture.translation}"
         )
         raise FileError(path, reason, where=picture.where, remedy="Quaternions are w x y z of length 1")
     poses = np.tile(np.eye(4), (len(pictures), 1, 1))
@@ -154,7 +155,7 @@ def _check_points(path: Path, points: Points) -> tuple[NDArray[np.int64], NDArra
     twice = np.flatnonzero(ascending[1:] == ascending[:-1])
     if len(twice):
         row = int(order[twice[0] + 1])
-        raise FileError(path, f"the point number {points.numbers[row]} stands twice", where=points.where(row))
+        raise FileError(path, f"the point number {points.numbers[row]} is duplicated", where=points.where(row))
     rows = np.empty(len(order), np.int64)
     rows[order] = np.arange(len(order))
     return order, rows
@@ -194,7 +195,9 @@ def _check_tracks(
     if len(first):
         row = int(of_tracks[first[0]])
         number, index = tracks[first[0]].tolist()
-        reason = f"point {points.numbers[row]} was seen as keypoint {index} of picture {number}, which is not so there"
+        reason = (
+            f"point {points.numbers[row]} is observed as keypoint {index} of image {number}, which does not refer to it"
+        )
         raise FileError(path, reason, where=points.where(row), remedy=_MIXED)
 
 
@@ -210,7 +213,7 @@ class Records:
     camera_numbers: list[int]
     quaternions: NDArray[np.float64]
     starts: NDArray[np.int64]
-    places: NDArray[np.float64]
+    keypoints: NDArray[np.float64]
     track_starts: NDArray[np.int64]
     tracks: NDArray[np.int64]
     errors: NDArray[np.float64]

@@ -35,9 +35,9 @@ def read_cameras(path: Path) -> dict[int, CameraModel]:
         if len(words) < 5:
             reason = f"expected number, model, width, height and parameters, got {len(words)} columns"
             raise FileError(path, reason, where=where)
-        number, width, height = (_whole(path, where, words[i]) for i in (0, 2, 3))
+        number, width, height = (_integer(path, where, words[i]) for i in (0, 2, 3))
         if number in cameras:
-            raise FileError(path, f"the camera number {number} stands twice", where=where)
+            raise FileError(path, f"the camera number {number} is duplicated", where=where)
         if words[1] not in MODEL_NUMBERS.values():
             raise unknown_model(path, where, repr(words[1]), words[1] if words[1] in UNSUPPORTED.values() else None)
         cameras[number] = camera_of(path, where, words[1], width, height, [_real(path, where, w) for w in words[4:]])
@@ -52,25 +52,25 @@ def read_pictures(path: Path) -> list[Picture]:
             continue
         if len(words) < 10:
             reason = f"expected number, 4 + 3 numbers of the pose, camera and name, got {len(words)} columns"
-            remedy = "Behind each picture there is one line of keypoints, which may be blank"
+            remedy = "Each image is followed by one line of keypoints, which may be blank"
             raise FileError(path, reason, where=where, remedy=remedy)
-        number, camera = _whole(path, where, words[0]), _whole(path, where, words[8])
+        number, camera = _integer(path, where, words[0]), _integer(path, where, words[8])
         pose = tuple(_real(path, where, word) for word in words[1:8])
         below, keypoints = next(lines, (line + 1, None))
         if keypoints is None:
-            reason = f"ends behind picture {words[9]!r}, whose line of keypoints is missing"
+            reason = f"ends after image {words[9]!r}, whose line of keypoints is missing"
             raise FileError(path, reason, where=where, remedy="The file may be cut off; the line may be blank")
-        places, points = _keypoints(path, below, keypoints)
-        pictures.append(Picture(number, words[9], pose[:4], pose[4:], camera, places, points, where))
+        pixels, points = _keypoints(path, below, keypoints)
+        pictures.append(Picture(number, words[9], pose[:4], pose[4:], camera, pixels, points, where))
     return pictures
 
 
 def _keypoints(path: Path, line: int, text: str) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     numbers = AsciiRows(path, text.encode(), line).numbers()
     if len(numbers) % 3:
-        raise FileError(path, f"expected 3 numbers a keypoint, got {len(numbers)}", where=f"line {line}")
+        raise FileError(path, f"expected 3 numbers per keypoint, got {len(numbers)}", where=f"line {line}")
     table = numbers.reshape(-1, 3)
-    return table[:, :2], _as_whole(path, table[:, 2], -1, lambda _: f"line {line}", "the number of a point")
+    return table[:, :2], _as_integers(path, table[:, 2], -1, lambda _: f"line {line}", "the number of a point")
 
 
 def read_points(path: Path) -> Points:
@@ -80,21 +80,21 @@ def read_points(path: Path) -> Points:
     numbers, widths, first = rows.numbers(), rows.widths(), rows.first[:-1]
     wrong = np.flatnonzero((widths < 8) | (widths % 2 == 1))
     if len(wrong):
-        reason = f"expected 8 numbers and two a step of the track, got {widths[wrong[0]]}"
+        reason = f"expected 8 numbers and two per step of the track, got {widths[wrong[0]]}"
         raise FileError(path, reason, where=rows.where(int(wrong[0])))
     fixed = numbers[first[:, None] + np.arange(8)].reshape(-1, 8)
     is_track = np.ones(len(numbers), bool)
     is_track[first[:, None] + np.arange(8)] = False
     lengths = (widths - 8) // 2
     owners = np.repeat(np.arange(len(first)), lengths * 2)
-    tracks = _as_whole(path, numbers[is_track], 0, lambda i: rows.where(int(owners[i])), "a step of a track")
-    colors = _as_whole(path, fixed[:, 4:7].reshape(-1), 0, lambda i: rows.where(i // 3), "a color")
+    tracks = _as_integers(path, numbers[is_track], 0, lambda i: rows.where(int(owners[i])), "a step of a track")
+    colors = _as_integers(path, fixed[:, 4:7].reshape(-1), 0, lambda i: rows.where(i // 3), "a color")
     bright = np.flatnonzero(colors > 255)
     if len(bright):
         reason = f"expected colors of 0..255, got {colors[bright[0]]}"
         raise FileError(path, reason, where=rows.where(int(bright[0]) // 3))
     return Points(
-        _as_whole(path, fixed[:, 0], 0, rows.where, "the number of a point"),
+        _as_integers(path, fixed[:, 0], 0, rows.where, "the number of a point"),
         fixed[:, 1:4],
         colors.reshape(-1, 3).astype(np.uint8),
         fixed[:, 7],
@@ -104,11 +104,11 @@ def read_points(path: Path) -> Points:
     )
 
 
-def _as_whole(path: Path, values: NDArray[np.float64], least: int, where, what: str) -> NDArray[np.int64]:
-    wrong = np.flatnonzero(~((values >= least) & (values <= _EXACT) & (values == np.floor(values))))
+def _as_integers(path: Path, values: NDArray[np.float64], minimum: int, where, what: str) -> NDArray[np.int64]:
+    wrong = np.flatnonzero(~((values >= minimum) & (values <= _EXACT) & (values == np.floor(values))))
     if len(wrong):
         i = int(wrong[0])
-        raise FileError(path, f"{what}: expected a whole number >= {least}, got {values[i]:g}", where=where(i))
+        raise FileError(path, f"{what}: expected a whole number >= {minimum}, got {values[i]:g}", where=where(i))
     return values.astype(np.int64)
 
 
@@ -130,7 +130,7 @@ def _lines(path: Path) -> Iterator[tuple[int, str]]:
     return iter(enumerate(lines, 1))
 
 
-def _whole(path: Path, where: str, word: str) -> int:
+def _integer(path: Path, where: str, word: str) -> int:
     if not (word.isascii() and word.isdigit() and len(word) < 19):
         raise FileError(path, f"expected a whole number, got {word[:40]!r}", where=where)
     return int(word)
@@ -165,8 +165,8 @@ def write_pictures(file: IO[bytes], records: Records) -> None:
         pose = (*records.quaternions[i].tolist(), *model.T_camera_world[i, :3, 3].tolist())
         file.write(f"{i + 1} {' '.join(map(repr, pose))} {records.camera_numbers[i]} {name}\n".encode())
         points = (model.observations[begin:end, 1] + 1).tolist()
-        places = records.places[begin:end].tolist()
-        file.write(" ".join([f"{x!r} {y!r} {n}" for (x, y), n in zip(places, points, strict=True)]).encode() + b"\n")
+        pixels = records.keypoints[begin:end].tolist()
+        file.write(" ".join([f"{x!r} {y!r} {n}" for (x, y), n in zip(pixels, points, strict=True)]).encode() + b"\n")
 
 
 def write_points(file: IO[bytes], records: Records) -> None:

@@ -45,7 +45,7 @@ def read_transforms(path: str | os.PathLike[str]) -> SfmModel:
     for i, frame in enumerate(frames):
         where = f"frames[{i}]"
         if not isinstance(frame, dict) or not isinstance(frame.get("file_path"), str) or not frame["file_path"]:
-            raise FileError(path, "expected an object with the picture's file_path", where=where)
+            raise FileError(path, "expected an object with the image's file_path", where=where)
         values, name = {**content, **frame}, frame["file_path"]
         if "w" not in values or "h" not in values:
             picture = _picture_of(path, where, name)
@@ -70,7 +70,7 @@ def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
         if SCANNER_APP in content:
             picture = next((p for p in map(path.with_suffix, PICTURES) if p.is_file()), None)
             if picture is None:
-                left_out.append(f"{path.stem}: no picture")
+                left_out.append(f"{path.stem}: no image")
                 continue
             header = read_picture_header(picture)
             width, height = header.width, header.height
@@ -87,13 +87,13 @@ def read_frame_cameras(folder: str | os.PathLike[str]) -> SfmModel:
         cameras.append(camera_of(path, "", "PINHOLE", width, height, [float(value) for value in params]))
         poses.append(_pose(path, "", rows))
     if not names:
-        reason = "holds no camera of Polycam or of the 3D Scanner App"
-        reason += f" with a picture beside it ({len(left_out)} have none)" if left_out else ""
+        reason = "contains no camera of Polycam or of the 3D Scanner App"
+        reason += f" with an image beside it ({len(left_out)} have none)" if left_out else ""
         raise FileError(folder, reason, remedy=_EXPORTED)
     return _model(folder, names, cameras, poses, left_out)
 
 
-def holds_frame_cameras(folder: str | os.PathLike[str]) -> bool:
+def contains_frame_cameras(folder: str | os.PathLike[str]) -> bool:
     return any(True for _ in _camera_files(Path(folder)))
 
 
@@ -105,12 +105,12 @@ def _camera_files(folder: Path) -> Iterator[tuple[Path, dict[str, Any]]]:
 
 
 def _picture_of(path: Path, where: str, name: str) -> Path:
-    place = path.parent / name
-    beside = (place.with_name(place.name + suffix) for ending in PICTURES for suffix in (ending, ending.upper()))
-    picture = next((p for p in (place, *beside) if p.is_file()), None)
+    base = path.parent / name
+    beside = (base.with_name(base.name + suffix) for ending in PICTURES for suffix in (ending, ending.upper()))
+    picture = next((p for p in (base, *beside) if p.is_file()), None)
     if picture is None:
-        reason = f"w and h are missing, and there is no picture {name} to take them from"
-        raise FileError(path, reason, where=where, remedy="Put the pictures there, or add w and h in pixels")
+        reason = f"w and h are missing, and there is no image {name} to read them from"
+        raise FileError(path, reason, where=where, remedy="Put the images there, or add w and h in pixels")
     return picture
 
 
@@ -118,7 +118,7 @@ def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
     is_fisheye = values.get("is_fisheye") is True
     kind = values.get("camera_model", "OPENCV_FISHEYE" if is_fisheye else "OPENCV")
     if kind not in LENSES:
-        remedy = f"Read are {', '.join(LENSES)}; undistort the pictures of others first"
+        remedy = f"Supported are {', '.join(LENSES)}; undistort the images of others first"
         raise FileError(path, f"camera_model is {str(kind)[:40]!r}", where=where, remedy=remedy)
     if is_fisheye and kind != "OPENCV_FISHEYE":
         reason = f"is_fisheye is true, but camera_model is {kind!r}"
@@ -127,7 +127,7 @@ def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
     fx = _focal_length(path, where, values, "x", width)
     fy = _focal_length(path, where, values, "y", height)
     if fx is None and fy is None:
-        reason = "there is no focal length: none of fl_x, camera_angle_x, fl_y, camera_angle_y"
+        reason = "the focal length is missing: none of fl_x, camera_angle_x, fl_y, camera_angle_y"
         raise FileError(path, reason, where=where, remedy=_EXPORTED)
     fx, fy = (fy if fx is None else fx), (fx if fy is None else fy)
     assert fx is not None and fy is not None
@@ -143,7 +143,7 @@ def _lens_of(path: Path, where: str, values: Mapping[str, Any]) -> CameraModel:
         return camera_of(path, where, "OPENCV", width, height, numbers)
     if k["k4"] or k["k5"] or k["k6"]:
         raise FileError(
-            path, "k4 to k6 of a lens that is no fisheye are not read", where=where, remedy="Undistort first"
+            path, "k4 to k6 of a lens that is not a fisheye are not supported", where=where, remedy="Undistort first"
         )
     return camera_of(path, where, "FULL_OPENCV", width, height, [*numbers, k["k3"], 0.0, 0.0, 0.0])
 

@@ -66,7 +66,7 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
     path = path_of(path)
     chunk = _chunk_of(path)
     lenses = {_name(path, sensor, "id"): sensor for sensor in chunk.findall("sensors/sensor")}
-    placed = _transform_of(path, chunk, "the chunk")
+    chunk_transform = _transform_of(path, chunk, "the chunk")
     parts = {
         _name(path, part, "id"): _transform_of(path, part, f"component {part.get('id')}")
         for part in chunk.findall("components/component")
@@ -81,27 +81,29 @@ def read_metashape_cameras(path: str | os.PathLike[str]) -> SfmModel:
             continue
         sensor = _name(path, camera, "sensor_id")
         if sensor not in lenses:
-            raise FileError(path, f"camera {label!r} is of sensor {sensor!r}, which is not there")
+            raise FileError(path, f"camera {label!r} refers to sensor {sensor!r}, which is missing")
         if sensor not in cameras:
             cameras[sensor] = _lens_of(path, lenses[sensor], sensor)
         T = _numbers(path, camera.findtext("transform") or "", 16, f"transform of camera {label!r}").reshape(4, 4)
-        place = parts.get(camera.get("component_id") or "")
+        component = parts.get(camera.get("component_id") or "")
         names.append(label)
         models.append(cameras[sensor])
-        poses.append(_pose(path, label, T, place if place is not None else placed))
+        poses.append(_pose(path, label, T, component if component is not None else chunk_transform))
     if not names:
         remedy = "Align the photos first" if left_out else _EXPORT
-        raise FileError(path, f"holds no aligned camera ({len(left_out)} are disabled or not aligned)", remedy=remedy)
+        raise FileError(
+            path, f"contains no aligned camera ({len(left_out)} are disabled or not aligned)", remedy=remedy
+        )
     try:
         return SfmModel(tuple(names), tuple(models), np.array(poses), left_out=tuple(left_out))
     except ValueError as error:
-        remedy = "Rename cameras in Metashape so that each has a label of its own" if "twice" in str(error) else ""
+        remedy = "Rename cameras in Metashape so that each has a label of its own" if "duplicated" in str(error) else ""
         raise FileError(path, str(error), remedy=remedy) from error
 
 
 def _cameras(chunk: ET.Element) -> list[ET.Element]:
-    found = chunk.find("cameras")
-    return [] if found is None else list(found.iter("camera"))  # including groups
+    group = chunk.find("cameras")
+    return [] if group is None else list(group.iter("camera"))  # including groups
 
 
 def _why_left_out(camera: ET.Element) -> str:
@@ -131,13 +133,13 @@ def _transform_of(path: Path, element: ET.Element, what: str) -> NDArray[np.floa
     return T
 
 
-def _pose(path: Path, label: str, T: NDArray[np.float64], placed: NDArray[np.float64] | None) -> NDArray[np.float64]:
+def _pose(path: Path, label: str, T: NDArray[np.float64], transform: NDArray[np.float64] | None) -> NDArray[np.float64]:
     """T_camera_world from a camera's pose in its chunk."""
     _check_rigid(path, T, f"the transform of camera {label!r}")
-    if placed is not None:
-        scale = np.cbrt(np.linalg.det(placed[:3, :3]))
-        center = placed[:3, :3] @ T[:3, 3] + placed[:3, 3]
-        T[:3, :3] = placed[:3, :3] / scale @ T[:3, :3]
+    if transform is not None:
+        scale = np.cbrt(np.linalg.det(transform[:3, :3]))
+        center = transform[:3, :3] @ T[:3, 3] + transform[:3, 3]
+        T[:3, :3] = transform[:3, :3] / scale @ T[:3, :3]
         T[:3, 3] = center
     pose = np.eye(4)
     pose[:3, :3] = T[:3, :3].T
@@ -161,12 +163,12 @@ def _lens_of(path: Path, sensor: ET.Element, number: str) -> CameraModel:
     calibration = chosen[0]
     kind = calibration.get("type") or sensor.get("type") or "frame"
     if kind not in FRAME + FISHEYE:
-        reason = f"the lens is {kind[:40]!r}; read are frame and (equidistant) fisheye"
+        reason = f"the lens is {kind[:40]!r}; supported are frame and (equidistant) fisheye"
         raise FileError(path, reason, where=where, remedy="Export undistorted photos from Metashape")
     for name in NOT_READ:
         if float(_numbers(path, calibration.findtext(name) or "0", 1, f"{name} of {where}")[0]) != 0:
             raise FileError(
-                path, f"{name} is not read", where=where, remedy=f"Optimize the cameras without it. {_EXPORT}"
+                path, f"{name} is not supported", where=where, remedy=f"Optimize the cameras without it. {_EXPORT}"
             )
     values = {
         name: float(_numbers(path, calibration.findtext(name) or "0", 1, f"{name} of {where}")[0]) for name in NUMBERS
@@ -220,7 +222,7 @@ class _Builder(ET.TreeBuilder):
     def start(self, tag: str, attrs: dict[str, str]) -> ET.Element:
         self._depth += 1
         if self._depth > DEEPEST:
-            raise ValueError(f"more than {DEEPEST} elements stand within one another")
+            raise ValueError(f"more than {DEEPEST} elements are nested")
         return super().start(tag, attrs)
 
     def end(self, tag: str) -> ET.Element:
@@ -243,8 +245,8 @@ def _chunk_of(path: Path) -> ET.Element:
         raise FileError(path, f"not read: {error}", remedy=_EXPORT) from error
     chunks = root.findall("chunk") if root.tag == "document" else []
     if len(chunks) != 1:
-        found = f"{len(chunks)} chunks" if root.tag == "document" else f"an element {root.tag[:40]!r}"
-        raise FileError(path, f"expected a document with one chunk, got {found}", remedy=_EXPORT)
+        contents = f"{len(chunks)} chunks" if root.tag == "document" else f"an element {root.tag[:40]!r}"
+        raise FileError(path, f"expected a document with one chunk, got {contents}", remedy=_EXPORT)
     return chunks[0]
 
 

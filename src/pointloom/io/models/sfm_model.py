@@ -82,7 +82,7 @@ class SfmModel:
         _check_names([names[i] for i in order])
         cameras = check_list("cameras", self.cameras, "CameraModels")
         if len(cameras) != len(names):
-            raise ValueError(f"cameras: expected one a picture, {len(names)}, got {len(cameras)}")
+            raise ValueError(f"cameras: expected {len(names)}, one per image, got {len(cameras)}")
         for camera in cameras:
             if not isinstance(camera, CameraModel):
                 raise TypeError(f"cameras: expected CameraModels, got {type(camera).__name__}")
@@ -157,13 +157,13 @@ class SfmModel:
             TypeError: No string.
             KeyError: No image of this name.
         """
-        place = self._places.get(check_name("name", name))
-        if place is None:
-            raise KeyError(f"name: no picture {shown(name)}{nearest_name(name, self.names)}")
-        return place
+        index = self._index_by_name.get(check_name("name", name))
+        if index is None:
+            raise KeyError(f"name: no image {shown(name)}{nearest_name(name, self.names)}")
+        return index
 
     @cached_property
-    def _places(self) -> dict[str, int]:
+    def _index_by_name(self) -> dict[str, int]:
         return {name: i for i, name in enumerate(self.names)}
 
     @returns_new
@@ -231,15 +231,15 @@ class SfmModel:
         """
         wanted = [check_name("names", name) for name in check_list("names", names, "names")]
         rows = np.array(sorted({self.index_of(name) for name in wanted}), np.int64)
-        place = np.full(len(self), -1)
-        place[rows] = np.arange(len(rows))
-        kept = place[self.observations[:, 0]] >= 0
-        observations = self.observations[kept]
+        new_index = np.full(len(self), -1)
+        new_index[rows] = np.arange(len(rows))
+        is_selected = new_index[self.observations[:, 0]] >= 0
+        observations = self.observations[is_selected]
         seen, columns = np.unique(observations[:, 1], return_inverse=True)
         return SfmModel(
             tuple(self.names[i] for i in rows), tuple(self.cameras[i] for i in rows), self.T_camera_world[rows],
             self.points[seen], self.colors[seen], self.errors[seen],
-            np.stack([place[observations[:, 0]], columns.reshape(-1)], axis=1), self.pixels[kept],
+            np.stack([new_index[observations[:, 0]], columns.reshape(-1)], axis=1), self.pixels[is_selected],
         )  # fmt: skip
 
     def trajectory(self, timestamps: ArrayLike | None = None) -> Trajectory:
@@ -267,9 +267,9 @@ class SfmModel:
 def _check_names(names: Sequence[str]) -> None:
     for name, following in itertools.pairwise(names):
         if name == following:
-            raise ValueError(f"names: {shown(name)} stands twice")
+            raise ValueError(f"names: {shown(name)} is duplicated")
     if names and not names[0]:
-        raise ValueError("names: expected a name for every picture, got an empty one")
+        raise ValueError("names: expected a name for every image, got an empty one")
 
 
 def _stacked(poses: Any) -> NDArray[Any]:
@@ -327,19 +327,21 @@ def _check_observations(
     if len(pairs) and pairs.dtype.kind not in "iu":
         raise TypeError(f"observations: expected whole numbers, got {pairs.dtype}")
     if pixels is None:
-        raise ValueError("pixels: expected one a row of observations, got None")
-    places = check_rows("pixels", pixels, 2).astype(np.float64)
-    if len(places) != len(pairs):
-        raise ValueError(f"pixels: expected shape [{len(pairs)}, 2], one a row of observations, got {len(places)} rows")
+        raise ValueError("pixels: expected one per row of observations, got None")
+    positions = check_rows("pixels", pixels, 2).astype(np.float64)
+    if len(positions) != len(pairs):
+        raise ValueError(
+            f"pixels: expected shape [{len(pairs)}, 2], one per row of observations, got {len(positions)} rows"
+        )
     wrong = np.flatnonzero(~((pairs >= 0) & (pairs < (pictures, points))).all(axis=1))
     if len(wrong):
         raise ValueError(
-            f"observations: row {wrong[0]} is {pairs[wrong[0]].tolist()}, but there are {pictures} pictures and "
+            f"observations: row {wrong[0]} is {pairs[wrong[0]].tolist()}, but there are {pictures} images and "
             f"{points} points"
         )
-    if not (np.abs(places) <= 1e100).all():
+    if not (np.abs(positions) <= 1e100).all():
         raise ValueError("pixels: expected finite numbers, got NaN or infinite ones")
-    return pairs.astype(np.int64), places
+    return pairs.astype(np.int64), positions
 
 
 def _sorted(

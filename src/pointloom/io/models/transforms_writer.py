@@ -51,7 +51,7 @@ def write_transforms(path: str | os.PathLike[str], model: SfmModel, *, pictures:
     if not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
     if not len(model):
-        raise ValueError("model: expected at least one picture, got none")
+        raise ValueError("model: expected at least one image, got none")
     if not isinstance(pictures, str) or pictures:
         check_name("pictures", pictures)
     write_content(path, model, pictures=pictures)
@@ -66,7 +66,7 @@ def write_content(
     more: Mapping[str, Any] | None = None,
 ) -> None:
     """`write_transforms` with validated arguments, mask files per image (`masks`) and further keys (`more`)."""
-    place = path_of(path)
+    file_path = path_of(path)
     lenses = [_lens(camera) for camera in model.cameras]
     frames: list[dict[str, Any]] = []
     for name, lens, T in zip(model.names, lenses, model.T_world_camera, strict=True):
@@ -77,22 +77,22 @@ def write_content(
     content: dict[str, Any] = {"camera_model": lenses[0]["camera_model"], **(more or {}), "frames": frames}
     if len(model.points):
         cloud = PointCloud(model.points, colors=model.colors)
-        write_point_cloud(place.with_name(POINTS), cloud)
+        write_point_cloud(file_path.with_name(POINTS), cloud)
         content["ply_file_path"] = POINTS
-    with atomic_write(place) as file:
+    with atomic_write(file_path) as file:
         file.write(json.dumps(content, indent=1, allow_nan=False).encode())
 
 
 def _lens(camera: CameraModel) -> dict[str, Any]:
     if camera.model not in WRITTEN:
         reason = f"model: transforms.json has no camera model {camera.model}"
-        raise ValueError(f"{reason}; straighten the pictures first, see loom.undistort_picture")
+        raise ValueError(f"{reason}; undistort the images first, see loom.undistort_picture")
     lens: dict[str, Any] = {}
     for name, value in zip(MODELS[camera.model].params.split(", "), camera.params, strict=True):
         for key in _SINGLE.get(name, (name,)):
             lens[key] = value
     if any(lens.pop(name, 0.0) for name in ("k4", "k5", "k6")) and camera.model == "FULL_OPENCV":
-        raise ValueError("model: transforms.json has no k4 to k6 of FULL_OPENCV; straighten the pictures first")
+        raise ValueError("model: transforms.json has no k4 to k6 of FULL_OPENCV; undistort the images first")
     kind = "OPENCV"
     if camera.model == "OPENCV_FISHEYE":
         kind, lens["k4"] = camera.model, camera.params[7]

@@ -27,7 +27,7 @@ from ...core.paths import path_of
 from ..npy_header import read_npy_header
 from ..optional_imports import foreign_errors
 from ..source import Source
-from .png_stream import PNG_MAGIC, parse_png_header, whole_png
+from .png_stream import PNG_MAGIC, checked_png, parse_png_header
 
 JPEG_MAGIC = b"\xff\xd8\xff"
 
@@ -62,42 +62,42 @@ class _Layout:
 
     def unit_count(self, components: list[int]) -> int:
         """Number of coded units of a scan: 8 x 8 blocks for one component, else groups of blocks."""
-        most = [max(values) for values in zip(*self.sampling.values(), strict=True)]
-        own = self.sampling[components[0]] if len(components) == 1 else (1, 1)
-        sides = zip((self.width, self.height), own, most, strict=True)
-        across, down = (-(-size * part // (8 * whole)) for size, part, whole in sides)
+        max_sampling = [max(values) for values in zip(*self.sampling.values(), strict=True)]
+        sampling = self.sampling[components[0]] if len(components) == 1 else (1, 1)
+        sides = zip((self.width, self.height), sampling, max_sampling, strict=True)
+        across, down = (-(-size * part // (8 * max_factor)) for size, part, max_factor in sides)
         return across * down
 
 
 def testable_jpegs(path: Any, data: bytes) -> list[bytes]:
     """The JPEG to decode, or two variants that must decode to the same pixels. Raises `FileError` if truncated."""
-    layout = _walk(path, data)
+    layout = _parse_segments(path, data)
     if not layout.scans or any(bits for left in layout.bits_left.values() for bits in left):
         raise FileError(path, "cut off: it ends before the scans of all its channels", remedy=_REMEDY)
     if len(layout.scans) == 1:
         return [data[: layout.scans[0][1]] + _LOOK_AHEAD]
-    places = [0, *(end for _, end in layout.scans), len(data)]
-    parts = [data[begin:end] for begin, end in itertools.pairwise(places)]
+    offsets = [0, *(end for _, end in layout.scans), len(data)]
+    parts = [data[begin:end] for begin, end in itertools.pairwise(offsets)]
     return [data, _NOISE.join(parts)]
 
 
-def _walk(path: Any, data: bytes) -> _Layout:
+def _parse_segments(path: Any, data: bytes) -> _Layout:
     """Parse the segments up to the end marker. Data after it is ignored."""
-    layout, place = _Layout(), 2
+    layout, offset = _Layout(), 2
     while True:
-        marker, place = _marker(path, data, place)
+        marker, offset = _marker(path, data, offset)
         if marker == _EOI:
             return layout
         if marker in _STANDALONE:
             continue
-        length = int.from_bytes(data[place : place + 2], "big")
-        segment, begin = data[place + 2 : place + length], place
-        place += length
-        if length < 2 or place > len(data):
+        length = int.from_bytes(data[offset : offset + 2], "big")
+        segment, begin = data[offset + 2 : offset + length], offset
+        offset += length
+        if length < 2 or offset > len(data):
             reason = f"cut off or damaged: a segment of {length} bytes, {len(data) - begin} are left"
             raise FileError(path, reason, where=f"byte {begin}", remedy=_REMEDY)
         if marker in _OTHER_FRAMES:
-            reason = f"its pixels are coded in a way (SOF{marker - 0xC0}) of which it cannot be told that all are there"
+            reason = f"its pixels are coded in a way (SOF{marker - 0xC0}) that cannot be checked for completeness"
             raise FileError(path, reason, where=f"byte {begin}", remedy="Store it as PNG, or as baseline JPEG")
         if marker in _HUFFMAN_FRAMES:
             _read_frame(path, segment, begin, layout)
@@ -106,37 +106,37 @@ def _walk(path: Any, data: bytes) -> _Layout:
             layout.restart_interval = int.from_bytes(segment[:2], "big")
         elif marker == _SOS:
             components = _read_scan(path, segment, begin, layout)
-            found = _SCAN_END.search(data, place)
-            if found is None:
+            scan_end = _SCAN_END.search(data, offset)
+            if scan_end is None:
                 reason = "cut off: the end of the JPEG is missing"
                 raise FileError(path, reason, where=f"byte {len(data)}", remedy=_REMEDY)
-            coded = data[place : found.start()].rstrip(b"\xff")  # a marker may have several bytes of 0xff before it
-            _check_scan(path, coded, place, layout, layout.unit_count(components))
-            layout.scans.append((place, place + len(coded)))
-            place += len(coded)
+            coded = data[offset : scan_end.start()].rstrip(b"\xff")  # a marker may have several bytes of 0xff before it
+            _check_scan(path, coded, offset, layout, layout.unit_count(components))
+            layout.scans.append((offset, offset + len(coded)))
+            offset += len(coded)
 
 
 def _check_scan(path: Any, coded: bytes, begin: int, layout: _Layout, units: int) -> None:
     if not layout.scans and units > 8 * len(coded):  # each takes at least one bit in a first scan
-        reason = f"{layout.width} x {layout.height} pixels cannot lie in {len(coded)} bytes"
+        reason = f"{layout.width} x {layout.height} pixels cannot fit into {len(coded)} bytes"
         raise FileError(path, f"cut off or damaged: {reason}", where=f"byte {begin}", remedy=_REMEDY)
     if layout.restart_interval:
-        expected, found = (units - 1) // layout.restart_interval, len(_RESTART.findall(coded))
-        if found < expected:
-            reason = f"cut off or damaged: a scan has {found} of {expected} restart marks"
+        expected, marker_count = (units - 1) // layout.restart_interval, len(_RESTART.findall(coded))
+        if marker_count < expected:
+            reason = f"cut off or damaged: a scan has {marker_count} of {expected} restart marks"
             raise FileError(path, reason, where=f"byte {begin}", remedy=_REMEDY)
 
 
-def _marker(path: Any, data: bytes, place: int) -> tuple[int, int]:
+def _marker(path: Any, data: bytes, offset: int) -> tuple[int, int]:
     """The marker at a byte, after fill bytes, and the position after it."""
-    if place >= len(data):
-        raise FileError(path, "cut off: the end of the JPEG is missing", where=f"byte {place}", remedy=_REMEDY)
-    start = place
-    while data[place : place + 1] == b"\xff":
-        place += 1
-    if place == start or place >= len(data) or not data[place]:
-        raise FileError(path, "damaged picture: no JPEG marker", where=f"byte {start}", remedy=_REMEDY)
-    return data[place], place + 1
+    if offset >= len(data):
+        raise FileError(path, "cut off: the end of the JPEG is missing", where=f"byte {offset}", remedy=_REMEDY)
+    start = offset
+    while data[offset : offset + 1] == b"\xff":
+        offset += 1
+    if offset == start or offset >= len(data) or not data[offset]:
+        raise FileError(path, "damaged image: no JPEG marker", where=f"byte {start}", remedy=_REMEDY)
+    return data[offset], offset + 1
 
 
 def _read_frame(path: Any, segment: bytes, begin: int, layout: _Layout) -> None:
@@ -275,21 +275,21 @@ def texture_size(path: str | os.PathLike[str], data: Source | memoryview) -> tup
 
 def check_depth_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
     if header.kind != "png" or header.channels != 1 or header.bits != 16:
-        found = f"{header.kind.upper()} with {header.channels} x {header.bits} bits a pixel"
-        remedy = "Store depth as 16-bit gray PNG (or float32 .npy); pictures colored for viewing hold no depth"
-        raise FileError(path, f"expected a depth map, got a {found}", remedy=remedy)
+        given = f"{header.kind.upper()} with {header.channels} x {header.bits} bits a pixel"
+        remedy = "Store depth as 16-bit gray PNG (or float32 .npy); images colored for viewing contain no depth"
+        raise FileError(path, f"expected a depth map, got a {given}", remedy=remedy)
 
 
 def check_color_header(path: str | os.PathLike[str], header: PictureHeader) -> None:
     if header.channels == 1 and header.bits == 16:
-        raise FileError(path, "expected a color picture, got 16-bit gray", remedy="Read depth maps with read_depth")
+        raise FileError(path, "expected a color image, got 16-bit gray", remedy="Read depth maps with read_depth")
 
 
 def write_png(path: str | os.PathLike[str], image: NDArray[np.uint8] | NDArray[np.uint16]) -> None:
     """Write uint8 (h, w) or (h, w, 3), or uint16 (h, w), as PNG atomically. No type is converted silently."""
     if not isinstance(image, np.ndarray) or image.dtype.newbyteorder("=") not in (np.uint8, np.uint16):
         kind = image.dtype if isinstance(image, np.ndarray) else type(image).__name__
-        remedy = "; loom.render(geometry) makes a picture" if hasattr(image, "transform") else ""
+        remedy = "; loom.render(geometry) creates an image" if hasattr(image, "transform") else ""
         raise TypeError(f"image: expected a NumPy array of uint8 or uint16, got {kind}{remedy}")
     shapes = "[h, w] or [h, w, 3]" if image.dtype == np.uint8 else "[h, w]"
     if not (image.ndim == 2 or (image.ndim == 3 and image.shape[2] == 3 and image.dtype == np.uint8)):
@@ -322,7 +322,7 @@ def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> PictureHeade
             header = PictureHeader("jpeg", *picture.size, len(picture.getbands()), 8)
     else:
         reason = "neither PNG nor JPEG" if start else "empty"
-        raise FileError(path, reason, where="byte 0", remedy="Convert it to PNG; .npy is for depth alone")
+        raise FileError(path, reason, where="byte 0", remedy="Convert it to PNG; .npy is only for depth")
     pixels = header.width * header.height
     if not 0 < pixels <= PIXEL_LIMIT:
         reason = f"expected 1 to {PIXEL_LIMIT} pixels, got {header.width} x {header.height}"
@@ -332,18 +332,18 @@ def _parse_header(path: str | os.PathLike[str], file: IO[bytes]) -> PictureHeade
 
 def _decode(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
     if header.kind == "png":
-        return _decode_pixels(path, whole_png(path, data), header, mode)
-    _check_whole(path)
+        return _decode_pixels(path, checked_png(path, data), header, mode)
+    _check_truncation_setting(path)
     pixels, *others = (_decode_pixels(path, part, header, mode) for part in testable_jpegs(path, data))
     if not all(np.array_equal(pixels, other) for other in others):
-        reason = "cut off or damaged: one of its scans ends before the picture does"
+        reason = "cut off or damaged: one of its scans ends before the image does"
         raise FileError(path, reason, remedy="Fetch or write the file again")
     return pixels
 
 
 def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHeader, mode: str) -> NDArray:
     plugin = PngImagePlugin.PngImageFile if header.kind == "png" else JpegImagePlugin.JpegImageFile
-    with _open_picture(path, io.BytesIO(data), plugin) as picture, foreign_errors(path, "damaged picture"):
+    with _open_picture(path, io.BytesIO(data), plugin) as picture, foreign_errors(path, "damaged image"):
         picture.load()
         if mode in ("RGB", "RGBA"):
             if mode == "RGB":
@@ -353,7 +353,7 @@ def _decode_pixels(path: str | os.PathLike[str], data: bytes, header: PictureHea
             pixels = np.array(picture).astype(np.uint16, copy=False)  # int32 in Pillow 10
     expected = (header.height, header.width, *({"RGB": (3,), "RGBA": (4,)}.get(mode, ())))
     if pixels.shape != expected:
-        raise FileError(path, f"damaged picture: decodes to shape {list(pixels.shape)}, expected {list(expected)}")
+        raise FileError(path, f"damaged image: decodes to shape {list(pixels.shape)}, expected {list(expected)}")
     return pixels
 
 
@@ -361,7 +361,7 @@ def _open_picture(
     path: str | os.PathLike[str], file: IO[bytes], plugin: type[ImageFile.ImageFile]
 ) -> ImageFile.ImageFile:
     """Open an image by its format class: `Image.open` would guess and warn of sizes that are allowed here."""
-    with foreign_errors(path, "damaged picture"):
+    with foreign_errors(path, "damaged image"):
         return plugin(file)
 
 
@@ -378,8 +378,8 @@ def _plugin_of(path: str | os.PathLike[str], data: Source | bytes | memoryview) 
 
 def _decode_other(path: str | os.PathLike[str], data: bytes, plugin: type[ImageFile.ImageFile]) -> NDArray[np.uint8]:
     texture_size(path, data)  # which bounds the memory
-    _check_whole(path)
-    with _open_picture(path, io.BytesIO(data), plugin) as picture, foreign_errors(path, "damaged picture"):
+    _check_truncation_setting(path)
+    with _open_picture(path, io.BytesIO(data), plugin) as picture, foreign_errors(path, "damaged image"):
         if picture.mode not in _TEXTURE_MODES:
             raise FileError(path, f"expected 8 bits of gray or color a channel, got {picture.mode}")
         picture.load()
@@ -387,11 +387,11 @@ def _decode_other(path: str | os.PathLike[str], data: bytes, plugin: type[ImageF
         return np.array(picture.convert("RGBA" if has_alpha else "RGB"))
 
 
-def _check_whole(path: str | os.PathLike[str]) -> None:
+def _check_truncation_setting(path: str | os.PathLike[str]) -> None:
     """Raise an error if Pillow fills in missing pixels."""
     if ImageFile.LOAD_TRUNCATED_IMAGES:
-        remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before pictures are read"
-        raise FileError(path, "somebody told Pillow to make up the pixels that a picture lacks", remedy=remedy)
+        remedy = "Set PIL.ImageFile.LOAD_TRUNCATED_IMAGES = False before reading images"
+        raise FileError(path, "Pillow is configured to fill in missing pixels", remedy=remedy)
 
 
 def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32]:
@@ -406,9 +406,9 @@ def _decode_npy(path: str | os.PathLike[str], data: bytes) -> NDArray[np.float32
     height, width = shape
     if height < 1 or width < 1 or height * width > PIXEL_LIMIT:
         raise FileError(path, f"expected 1 to {PIXEL_LIMIT} pixels, got {width} x {height}", where="header")
-    expected, found = 4 * height * width, len(data) - file.tell()
-    if found != expected:
-        raise FileError(path, f"cut off or too long: {found} bytes of data, {expected} announced")
+    expected, byte_count = 4 * height * width, len(data) - file.tell()
+    if byte_count != expected:
+        raise FileError(path, f"cut off or too long: {byte_count} bytes of data, {expected} declared")
     pixels = np.frombuffer(data, dtype, offset=file.tell())
     pixels = pixels.reshape(shape, order="F" if fortran_order else "C")
     return np.array(pixels, np.float32, order="C")
@@ -418,7 +418,7 @@ def resize_color(color: NDArray[np.uint8], size: tuple[int, int], name: str) -> 
     """Resize a color image by area averaging. Raises `ValueError` if the aspect ratio changes by more than a pixel."""
     height, width = color.shape[:2]
     if abs(width * size[0] - height * size[1]) > max(width, height, *size):
-        raise ValueError(f"{name}: is {width} x {height}, which is of another shape than {size[1]} x {size[0]}")
+        raise ValueError(f"{name}: is {width} x {height}, which has another shape than {size[1]} x {size[0]}")
     picture = Image.fromarray(np.ascontiguousarray(color))
     kind = Image.Resampling.BOX if height > size[0] else Image.Resampling.BILINEAR
     return np.array(picture.resize((size[1], size[0]), kind))

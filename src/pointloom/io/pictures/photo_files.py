@@ -29,14 +29,14 @@ _SIZES = {1: 1, 2: 1, 3: 2, 4: 4, 5: 8, 6: 1, 7: 1, 8: 2, 9: 4, 10: 8, 11: 4, 12
 _FORMS = {1: "B", 3: "H", 4: "I", 13: "I"}
 _PARTS = ((273, 279), (324, 325))  # offsets and lengths of strips, of tiles
 _SUB = 330  # directories below one
-_MOST = 64  # directories: a DNG has about five. More, or a cycle, is damage
+_MAX_DIRECTORIES = 64  # directories: a DNG has about five. More, or a cycle, is damage
 _AGAIN = "Fetch or write the file again"
 
 
 def check_extents(path: FilePath, data: bytes) -> None:
     order = _MAGIC.get(data[:4])
     if order is None:
-        raise FileError(path, "is no DNG", where="byte 0", remedy="Convert it to PNG or JPEG")
+        raise FileError(path, "is not a DNG file", where="byte 0", remedy="Convert it to PNG or JPEG")
     try:
         for entries in _directories(data, order):
             for offsets, lengths in _PARTS:
@@ -46,31 +46,31 @@ def check_extents(path: FilePath, data: bytes) -> None:
     except (struct.error, IndexError, ValueError) as error:
         if isinstance(error, FileError):
             raise
-        raise FileError(path, "cut off or damaged: its table of contents makes no sense", remedy=_AGAIN) from error
+        raise FileError(path, "cut off or damaged: its directory is invalid", remedy=_AGAIN) from error
 
 
 def _directories(data: bytes, order: str) -> Iterator[dict[int, tuple[int, ...]]]:
     waiting, seen = [struct.unpack_from(f"{order}I", data, 4)[0]], set[int]()
     while waiting:
-        place = waiting.pop()
-        if not place or place in seen:
+        offset = waiting.pop()
+        if not offset or offset in seen:
             continue
-        seen.add(place)
-        if len(seen) > _MOST:
+        seen.add(offset)
+        if len(seen) > _MAX_DIRECTORIES:
             raise ValueError("too many directories")
-        (count,) = struct.unpack_from(f"{order}H", data, place)
-        entries = dict(_entry(data, order, place + 2 + 12 * k) for k in range(count))
-        waiting += [*struct.unpack_from(f"{order}I", data, place + 2 + 12 * count), *entries.get(_SUB, ())]
+        (count,) = struct.unpack_from(f"{order}H", data, offset)
+        entries = dict(_entry(data, order, offset + 2 + 12 * k) for k in range(count))
+        waiting += [*struct.unpack_from(f"{order}I", data, offset + 2 + 12 * count), *entries.get(_SUB, ())]
         yield entries
 
 
-def _entry(data: bytes, order: str, place: int) -> tuple[int, tuple[int, ...]]:
+def _entry(data: bytes, order: str, offset: int) -> tuple[int, tuple[int, ...]]:
     """The tag of an entry and its integers. None for other types."""
-    tag, kind, count = struct.unpack_from(f"{order}HHI", data, place)
+    tag, kind, count = struct.unpack_from(f"{order}HHI", data, offset)
     if kind not in _FORMS or tag not in (_SUB, *(tag for pair in _PARTS for tag in pair)):
         return tag, ()
     size = _SIZES[kind] * count
-    where = place + 8 if size <= 4 else struct.unpack_from(f"{order}I", data, place + 8)[0]
+    where = offset + 8 if size <= 4 else struct.unpack_from(f"{order}I", data, offset + 8)[0]
     return tag, struct.unpack_from(f"{order}{count}{_FORMS[kind]}", data, where)
 
 
@@ -103,7 +103,7 @@ def read_photo(path: FilePath) -> tuple[NDArray[np.uint8] | NDArray[np.uint16], 
         return _develop(path), orientation_of(read_exif(path))
     with _opened(path, kind) as picture:
         _header_of(path, kind, picture)
-        with foreign_errors(path, "damaged picture"):
+        with foreign_errors(path, "damaged image"):
             picture.load()  # makes a TIFF upright and clears its orientation
         orientation = orientation_of(picture.getexif())
         if picture.mode in _DEEP_GRAY:
@@ -121,7 +121,7 @@ def read_alpha(path: FilePath) -> NDArray[np.uint8] | None:
         _header_of(path, kind, picture)
         if picture.mode not in ("RGBA", "LA", "PA"):
             return None
-        with foreign_errors(path, "damaged picture"):
+        with foreign_errors(path, "damaged image"):
             return np.array(picture.convert("RGBA"))[..., 3]
 
 
@@ -166,7 +166,7 @@ def plain_number(value: Any) -> str:
 
 def _header_of(path: FilePath, kind: str, picture: Image.Image) -> PictureHeader:
     if picture.mode in _NUMBERS:
-        reason = f"expected a picture of 8 or 16 bits, got one of kind {picture.mode}"
+        reason = f"expected an image of 8 or 16 bits, got one of mode {picture.mode}"
         raise FileError(path, reason, remedy="Convert it to PNG or JPEG")
     is_deep = picture.mode in _DEEP_GRAY
     channels = 1 if picture.mode in ("L", "1", *_DEEP_GRAY) else 3
@@ -184,7 +184,7 @@ def _opened(path: FilePath, kind: str) -> Any:
     """An image opened by its format class from bytes, for `with`."""
     plugins = {"tiff": TiffImagePlugin.TiffImageFile, "webp": WebPImagePlugin.WebPImageFile}
     plugin = plugins.get(kind) or _heif(path).HeifImageFile
-    with foreign_errors(path, "damaged picture, or none of its kind"):
+    with foreign_errors(path, "damaged image, or of another type"):
         return plugin(io.BytesIO(_bytes_of(path)))
 
 
@@ -209,11 +209,11 @@ def _opened_raw(path: FilePath) -> Any:
     rawpy = import_for(path, "rawpy", EXTRA)
     data = _bytes_of(path)
     check_extents(path, data)
-    with foreign_errors(path, "damaged picture, or none of its kind"):
+    with foreign_errors(path, "damaged image, or of another type"):
         return rawpy.imread(io.BytesIO(data))
 
 
 def _develop(path: FilePath) -> NDArray[np.uint8]:
     """A raw image as 8-bit colors with the camera's white balance, without auto-brightness, orientation as stored."""
-    with _opened_raw(path) as raw, foreign_errors(path, "damaged picture"):
+    with _opened_raw(path) as raw, foreign_errors(path, "damaged image"):
         return raw.postprocess(use_camera_wb=True, user_flip=0, no_auto_bright=True, output_bps=8)

@@ -65,7 +65,7 @@ def parse_png_header(path: Any, start: bytes) -> PngHeader:
     return PngHeader(width, height, bits, channels, bool(interlace))
 
 
-def whole_png(path: Any, data: bytes) -> bytes:
+def checked_png(path: Any, data: bytes) -> bytes:
     """The same image as a PNG with a stored stream. Raises `FileError` if truncated, damaged or animated."""
     header = parse_png_header(path, data[:33])
     chunks, stream = _split_chunks(path, data)
@@ -75,33 +75,33 @@ def whole_png(path: Any, data: bytes) -> bytes:
 
 def _split_chunks(path: Any, data: bytes) -> tuple[list[bytes], bytes]:
     """The chunks needed before the pixels, and the pixel stream, with checksums verified."""
-    view, place, kind, last = memoryview(data), len(PNG_MAGIC), b"", b""
+    view, offset, kind, last = memoryview(data), len(PNG_MAGIC), b"", b""
     needed, pixels = [], []
     while kind != b"IEND":
-        if place + 12 > len(data):
+        if offset + 12 > len(data):
             raise FileError(path, "cut off: the end of the PNG is missing", where=f"byte {len(data)}", remedy=_REMEDY)
-        length, kind = _uint32(data, place), data[place + 4 : place + 8]
-        end = place + 8 + length
+        length, kind = _uint32(data, offset), data[offset + 4 : offset + 8]
+        end = offset + 8 + length
         if end + 4 > len(data):
-            reason = f"cut off or damaged: {length} bytes announced, {len(data) - place - 12} there"
-            raise FileError(path, reason, where=f"byte {place}", remedy=_REMEDY)
-        if zlib.crc32(view[place + 4 : end]) != _uint32(data, end):
+            reason = f"cut off or damaged: {length} bytes declared, but {len(data) - offset - 12} present"
+            raise FileError(path, reason, where=f"byte {offset}", remedy=_REMEDY)
+        if zlib.crc32(view[offset + 4 : end]) != _uint32(data, end):
             reason = "damaged: a PNG checksum does not fit"
-            raise FileError(path, reason, where=f"bytes {place} to {end + 4}", remedy=_REMEDY)
+            raise FileError(path, reason, where=f"bytes {offset} to {end + 4}", remedy=_REMEDY)
         if kind == b"acTL":
-            raise FileError(path, "an animation", where=f"byte {place}", remedy="Store its frames one by one")
-        if kind == b"IHDR" and place > len(PNG_MAGIC):
-            raise FileError(path, "damaged: a second PNG header", where=f"byte {place}", remedy=_REMEDY)
+            raise FileError(path, "is an animation", where=f"byte {offset}", remedy="Store its frames one by one")
+        if kind == b"IHDR" and offset > len(PNG_MAGIC):
+            raise FileError(path, "damaged: a second PNG header", where=f"byte {offset}", remedy=_REMEDY)
         if kind == b"IDAT":
             if pixels and last != b"IDAT":
-                raise FileError(path, "damaged: its pixels are not in one run", where=f"byte {place}", remedy=_REMEDY)
-            pixels.append(view[place + 8 : end])
+                raise FileError(path, "damaged: its pixels are not in one run", where=f"byte {offset}", remedy=_REMEDY)
+            pixels.append(view[offset + 8 : end])
         elif kind in _NEEDED and not pixels:
-            needed.append(data[place : end + 4])
+            needed.append(data[offset : end + 4])
         elif kind[:1].isupper() and kind != b"IEND":
-            reason = f"damaged: a chunk {kind.decode('latin-1')!r} that is unknown, or behind the pixels"
-            raise FileError(path, reason, where=f"byte {place}", remedy=_REMEDY)
-        place, last = end + 4, kind
+            reason = f"damaged: a chunk {kind.decode('latin-1')!r} that is unknown, or after the pixels"
+            raise FileError(path, reason, where=f"byte {offset}", remedy=_REMEDY)
+        offset, last = end + 4, kind
     return needed, b"".join(pixels)
 
 
@@ -112,15 +112,19 @@ def _inflate(path: Any, stream: bytes, header: PngHeader) -> bytes:
     try:
         rows = inflate.decompress(stream, expected + 1)
     except zlib.error as error:
-        raise FileError(path, f"damaged: the stream of pixels is not zlib's ({error})", remedy=_REMEDY) from error
-    asked = f"{header.width} x {header.height} pixels of {header.channels} x {header.bits} bits take {expected} bytes"
+        raise FileError(
+            path, f"damaged: the stream of pixels is not a zlib stream ({error})", remedy=_REMEDY
+        ) from error
+    needed = f"{header.width} x {header.height} pixels of {header.channels} x {header.bits} bits take {expected} bytes"
     if len(rows) > expected:
-        raise FileError(path, f"damaged: {asked}, but its stream of pixels holds more", where="IDAT", remedy=_REMEDY)
+        raise FileError(
+            path, f"damaged: {needed}, but its stream of pixels contains more", where="IDAT", remedy=_REMEDY
+        )
     if len(rows) < expected:
-        reason = f"cut off or damaged: {asked}, but its stream of pixels holds {len(rows)}"
+        reason = f"cut off or damaged: {needed}, but its stream of pixels contains {len(rows)}"
         raise FileError(path, reason, where="IDAT", remedy=_REMEDY)
     if not inflate.eof or inflate.unused_data:
-        how = "goes on behind its end" if inflate.eof else "lacks its end and checksum"
+        how = "continues after its end" if inflate.eof else "lacks its end and checksum"
         raise FileError(path, f"damaged: the stream of pixels {how}", where="IDAT", remedy=_REMEDY)
     at = 0
     for height, length in header.passes():  # Pillow may be configured to continue after an invalid filter
@@ -134,5 +138,5 @@ def _chunk(kind: bytes, content: bytes) -> bytes:
     return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(content, zlib.crc32(kind)))
 
 
-def _uint32(data: bytes, place: int) -> int:
-    return int.from_bytes(data[place : place + 4], "big")
+def _uint32(data: bytes, offset: int) -> int:
+    return int.from_bytes(data[offset : offset + 4], "big")

@@ -23,7 +23,7 @@ from .image_files import decode_texture, encode_png, texture_size
 # Maximum pixels of a mesh's textures: 16 pages of 8192 x 8192, 3 GiB as RGB.
 TOTAL_PIXELS = 2**30
 
-OUTSIDE = "leads out of its folder (copy it there, or ask for outside_files=True)"
+OUTSIDE = "is outside of its folder (copy it there, or pass outside_files=True)"
 
 _Key = TypeVar("_Key")
 
@@ -44,35 +44,35 @@ def find_beside(path: str | os.PathLike[str], name: str, *, outside_files: bool 
     if not name or (leads_outside(name) and not outside_files):
         return None
     try:
-        found = path_of(path).parent / name.replace("\\", "/")
-        return found if found.is_file() else None
+        candidate = path_of(path).parent / name.replace("\\", "/")
+        return candidate if candidate.is_file() else None
     except (OSError, ValueError):  # too long, or with a zero byte
         return None
 
 
 def why_missing(name: str, *, outside_files: bool) -> str:
     """Why `find_beside` returned None, as the end of a sentence."""
-    return OUTSIDE if leads_outside(name) and not outside_files else "does not lie beside it"
+    return OUTSIDE if leads_outside(name) and not outside_files else "is not beside it"
 
 
 def read_textures(
     path: str | os.PathLike[str], names: list[str], *, outside_files: bool = False
 ) -> tuple[NDArray[np.uint8], ...]:
     """Read textures beside a mesh file, each once. None, with a warning, if one is unreadable or all are too large."""
-    places = [find_beside(path, name, outside_files=outside_files) for name in names]
-    missing = [name for name, place in zip(names, places, strict=True) if place is None]
+    texture_paths = [find_beside(path, name, outside_files=outside_files) for name in names]
+    missing = [name for name, texture_path in zip(names, texture_paths, strict=True) if texture_path is None]
     if missing:
         reason = why_missing(missing[0], outside_files=outside_files)
-        warn_left_behind(path, f"its picture {missing[0]!r} {reason}")
+        warn_left_behind(path, f"its image {missing[0]!r} {reason}")
         return ()
-    files = {place: place.resolve() for place in places if place is not None}
-    given = {file: (place, open_source(place)) for place, file in reversed(files.items())}
+    files = {texture_path: texture_path.resolve() for texture_path in texture_paths if texture_path is not None}
+    given = {file: (texture_path, open_source(texture_path)) for texture_path, file in reversed(files.items())}
     try:
         pictures = decode_textures(path, {file: given[file] for file in dict.fromkeys(files.values())})
     except FileError as error:
         warn_left_behind(path, str(error))
         return ()
-    return tuple(pictures[files[place]] for place in places if place is not None)
+    return tuple(pictures[files[texture_path]] for texture_path in texture_paths if texture_path is not None)
 
 
 def decode_textures(
@@ -82,8 +82,8 @@ def decode_textures(
     sizes = [texture_size(name, data) for name, data in given.values()]
     total = sum(width * height for width, height in sizes)
     if total > TOTAL_PIXELS:
-        reason = f"its {len(sizes)} pictures come to {total:,} pixels together, more than {TOTAL_PIXELS:,}"
-        raise FileError(path, reason, remedy="Write them smaller, or part the mesh into several files")
+        reason = f"its {len(sizes)} images have {total:,} pixels in total, more than {TOTAL_PIXELS:,}"
+        raise FileError(path, reason, remedy="Reduce them, or split the mesh into several files")
     pictures = {}
     for key, (name, data) in given.items():
         pictures[key] = decode_texture(name, bytes(data))
@@ -102,15 +102,15 @@ def drop_alpha(picture: NDArray[np.uint8], cutoff: float = 0.0) -> NDArray[np.ui
     """Drop alpha, or threshold it to 0 and 255 if a `cutoff` in 0..1 is given. Read-only."""
     alpha = picture[..., 3] if picture.shape[2] == 4 else np.full(picture.shape[:2], 255, np.uint8)
     shown = alpha / np.float32(255) >= cutoff
-    found = np.ascontiguousarray(picture[..., :3])
+    result = np.ascontiguousarray(picture[..., :3])
     if not shown.all():
-        found = np.dstack([found, np.where(shown, 255, 0).astype(np.uint8)])
-    found.flags.writeable = False
-    return found
+        result = np.dstack([result, np.where(shown, 255, 0).astype(np.uint8)])
+    result.flags.writeable = False
+    return result
 
 
 def warn_left_behind(path: Any, reason: str) -> None:
-    warnings.warn(escaped(f"{path}: the textures are left behind, since {reason}"), UserWarning, stacklevel=5)
+    warnings.warn(escaped(f"{path}: the textures are dropped, because {reason}"), UserWarning, stacklevel=5)
 
 
 def derived_name(path: str | os.PathLike[str], ending: str) -> str:

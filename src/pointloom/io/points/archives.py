@@ -40,7 +40,7 @@ def read_archive(
     """
     arrays = _read_members(path, what)
     if arrays.get("format", np.zeros(0)).tobytes() != form:
-        raise FileError(path, f"is no {form.decode()} file", remedy=f"Write one with {writer}")
+        raise FileError(path, f"is not a {form.decode()} file", remedy=f"Write one with {writer}")
     if reason := find_wrong_array(arrays, {"format": (np.uint8, (len(form),)), **expected_of(arrays)}):
         raise FileError(path, reason)
     if reason := find_fault(arrays):
@@ -52,11 +52,11 @@ def find_wrong_array(arrays: Arrays, expected: Expected) -> str:
     """The first missing, unknown or mistyped array, or ""."""
     if arrays.keys() != expected.keys():
         missing, extra = sorted(expected.keys() - arrays.keys()), sorted(arrays.keys() - expected.keys())
-        return f"lacks {', '.join(missing)}" if missing else f"holds unknown arrays {', '.join(extra)}"
+        return f"lacks {', '.join(missing)}" if missing else f"contains unknown arrays {', '.join(extra)}"
     for name, (dtype, shape) in expected.items():
-        found = arrays[name]
-        if found.dtype != dtype or found.shape != shape:
-            got = f"{found.dtype} {list(found.shape)}"
+        values = arrays[name]
+        if values.dtype != dtype or values.shape != shape:
+            got = f"{values.dtype} {list(values.shape)}"
             return f"{name}: expected {np.dtype(dtype)} {list(shape)}, got {got}"
     return ""
 
@@ -81,11 +81,11 @@ def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
         errors = foreign_errors(path, f"cannot be read as a {what}", remedy=remedy)
         with path_of(path).open("rb") as file, errors, zipfile.ZipFile(file) as archive:
             if min((info.header_offset for info in archive.infolist()), default=0) or not _ends_archive(file):
-                raise FileError(path, "bytes stand before or behind the archive", remedy="Copy the file again")
+                raise FileError(path, "there are bytes before or after the archive", remedy="Copy the file again")
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")
                 if name in arrays:
-                    raise FileError(path, f"member {name!r} is there twice")
+                    raise FileError(path, f"member {name!r} is duplicated")
                 arrays[name] = read_member(path, archive, info, name)
         return arrays
     except FileNotFoundError as error:
@@ -93,7 +93,7 @@ def _read_members(path: str | os.PathLike[str], what: str) -> Arrays:
     except OSError as error:
         raise FileError(path, f"cannot be read as a {what}: {error.strerror or error}", remedy=remedy) from error
     except MemoryError as error:
-        raise MemoryError(escaped(f"{path}: the memory does not hold the {what}")) from error
+        raise MemoryError(escaped(f"{path}: not enough memory for the {what}")) from error
 
 
 def _ends_archive(file: IO[bytes]) -> bool:

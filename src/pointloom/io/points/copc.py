@@ -86,7 +86,7 @@ class CopcFile:
         if not keep.all():
             columns = {name: values[keep] for name, values in columns.items()}
         if "colors" in columns:
-            scale_by(self.full, columns["colors"], self.path, "Read it whole")
+            scale_by(self.full, columns["colors"], self.path, "Read the complete file")
         return table_of(file, columns)
 
     def unpack(self, which: NDArray[np.int64]) -> bytes:
@@ -98,9 +98,9 @@ class CopcFile:
         source, record = self.file.source, header.find(*LASZIP) or b""
         begins, sizes, counts = (nodes[name].tolist() for name in ("begin", "size", "count"))
         chunks = [bytes(source[begin : begin + size]) for begin, size in zip(begins, sizes, strict=True)]
-        told = list(zip(counts, sizes, strict=True))
+        chunk_table = list(zip(counts, sizes, strict=True))
         with foreign_errors(self.path, "the compressed points are damaged"):
-            lazrs.decompress_points_with_chunk_table(b"".join(chunks), record, rows, told)
+            lazrs.decompress_points_with_chunk_table(b"".join(chunks), record, rows, chunk_table)
         return rows.tobytes()
 
 
@@ -116,20 +116,20 @@ def open_copc(path: str | os.PathLike[str]) -> CopcFile:
 def octree_of(file: LasFile, *, strict: bool = True) -> CopcFile:
     """The octree of an opened file. Not `strict` skips nodes that match no chunk."""
     if not is_copc(file):
-        raise FileError(file.path, "is no COPC file: it has no record that tells an octree", remedy="Read it whole")
+        raise FileError(file.path, "is not a COPC file: it has no octree record", remedy="Read the complete file")
     header, source = file.header, file.source
     if header.point_format not in POINT_FORMATS:
         raise FileError(
             file.path, f"COPC has point formats 6, 7 and 8, this is {header.point_format}", where="byte 104"
         )
-    told = header.find(*INFO) or b""
-    if len(told) != INFO_FIELDS.size:
-        raise FileError(file.path, f"the record of its octree has {len(told)} bytes, not {INFO_FIELDS.size}")
-    values = INFO_FIELDS.unpack(told)
+    record = header.find(*INFO) or b""
+    if len(record) != INFO_FIELDS.size:
+        raise FileError(file.path, f"the record of its octree has {len(record)} bytes, not {INFO_FIELDS.size}")
+    values = INFO_FIELDS.unpack(record)
     middle, half, spacing = np.array(values[:3]), values[3], values[4]
     if not (np.isfinite(middle).all() and 0 < half < np.inf and 0 < spacing < np.inf):
         reason = f"its octree has the middle {middle.tolist()}, half width {half} and spacing {spacing}"
-        raise FileError(file.path, reason, remedy="Write it anew from its points")
+        raise FileError(file.path, reason, remedy="Write it again from its points")
     nodes = _read_pages(file.path, source, values[5], values[6])
     nodes = _check_nodes(file, nodes, strict)
     return CopcFile(file, middle - half, 2 * half, spacing, (values[7], values[8]), nodes)
@@ -141,10 +141,10 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
     while wanted:
         begin, size = wanted.pop()
         if begin in read:
-            raise FileError(path, "pages of the octree lead to each other in a circle", where=f"byte {begin}")
+            raise FileError(path, "pages of the octree form a cycle", where=f"byte {begin}")
         read.add(begin)
         if size < 0 or size % ENTRY.itemsize or begin + size > len(source):
-            reason = f"a page of the octree should have {size} bytes, whole entries of {ENTRY.itemsize}"
+            reason = f"a page of the octree should have {size} bytes, a multiple of {ENTRY.itemsize}"
             raise FileError(path, f"{reason}; the file ends at byte {len(source)}", where=f"byte {begin}")
         page = np.frombuffer(source, ENTRY, size // ENTRY.itemsize, begin)
         further = page["count"] == IN_PAGE
@@ -153,13 +153,13 @@ def _read_pages(path: Path, source: Source, begin: int, size: int) -> NDArray[An
     nodes = np.concatenate(pages)
     levels, cells = nodes["level"].astype(np.int64), nodes["cell"].astype(np.int64)
     if (nodes["count"] < 0).any() or (levels < 0).any() or (levels >= _MAX_LEVELS).any():
-        raise FileError(path, "a node of the octree has a level or a count that cannot be", where=f"byte {begin}")
+        raise FileError(path, "a node of the octree has an invalid level or count", where=f"byte {begin}")
     if (cells < 0).any() or (cells >= (np.int64(1) << levels)[:, None]).any():
-        raise FileError(path, "a node of the octree lies outside its cube", where=f"byte {begin}")
+        raise FileError(path, "a node of the octree is outside its cube", where=f"byte {begin}")
     order = np.lexsort((*cells.T[::-1], levels))
     keys = np.column_stack([levels, cells])[order]
     if (keys[1:] == keys[:-1]).all(axis=1).any():
-        raise FileError(path, "a node of the octree is told twice", where=f"byte {begin}")
+        raise FileError(path, "a node of the octree is duplicated", where=f"byte {begin}")
     nodes = nodes[order]
     return nodes[nodes["count"] > 0]
 
@@ -170,11 +170,11 @@ def _check_nodes(file: LasFile, nodes: NDArray[Any], strict: bool) -> NDArray[An
     if header.point_count:
         with file.path.open("rb") as stream:
             chunks = chunks_at(file.path, stream, header.begin, header.find(*LASZIP) or b"")
-    told = np.column_stack([nodes["begin"].astype(np.int64), nodes["count"], nodes["size"]])
-    if np.array_equal(told[np.argsort(told[:, 0])], chunks):
+    listed = np.column_stack([nodes["begin"].astype(np.int64), nodes["count"], nodes["size"]])
+    if np.array_equal(listed[np.argsort(listed[:, 0])], chunks):
         return nodes
     if strict:
-        reason = f"its octree has {len(told)} nodes with points, which are not the {len(chunks)} chunks of the file"
-        raise FileError(file.path, reason, remedy="Read it whole, or write it anew")
+        reason = f"its octree has {len(listed)} nodes with points, which are not the {len(chunks)} chunks of the file"
+        raise FileError(file.path, reason, remedy="Read the complete file, or write it again")
     known = set(map(tuple, chunks.tolist()))
-    return nodes[np.array([tuple(row) in known for row in told.tolist()], bool)]
+    return nodes[np.array([tuple(row) in known for row in listed.tolist()], bool)]

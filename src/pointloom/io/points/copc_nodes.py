@@ -43,7 +43,7 @@ class CopcNodes:
         self._stamp = _stamp_of(self.path)
 
     @property
-    def held(self) -> int:
+    def memory_used(self) -> int:
         return self._rows.size
 
     def table(self, k: int, full: int) -> PointTable:
@@ -84,7 +84,7 @@ class CopcNodes:
         rows = np.empty(count, self.row)
         with foreign_errors(self.path, f"{what}, cannot be read"):
             if _stamp_of(self.path) != self._stamp:
-                raise FileError(self.path, "has changed since it was opened", remedy="Open it anew")
+                raise FileError(self.path, "has changed since it was opened", remedy="Open it again")
             with self.path.open("rb") as stream:
                 stream.seek(begin)
                 chunk = stream.read(size)
@@ -104,7 +104,7 @@ def _open(path: Path) -> CopcFile:
     return octree_of(open_las(path, layers_too=False), strict=False)
 
 
-def says_copc(path: str | os.PathLike[str], *, more_than: int = 0) -> bool:
+def declares_copc(path: str | os.PathLike[str], *, more_than: int = 0) -> bool:
     """True if the header of a LAZ file declares COPC and more than `more_than` points."""
     path = Path(path)
     header = parse_las_header(path, open_source(path))

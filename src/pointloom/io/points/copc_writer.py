@@ -33,7 +33,7 @@ from .laszip import RECORD as LASZIP
 from .laszip import chunks_at
 
 # Nodes with fewer points join their parent: smaller nodes compress worse, larger ones are slower to query.
-_LEAST = 8192
+_MIN_NODE_POINTS = 8192
 _BATCH = 1 << 20  # points compressed at a time, one node per core
 _EXTENDED_HEADER = 60  # bytes
 _PAGE_DEPTH = 5  # from this level on, branches of a large octree have their own pages
@@ -136,9 +136,9 @@ class CopcWriter:
             entries["level"], entries["cell"], entries["count"] = self._levels, self._cells, self._counts
             entries["begin"] = self._begin + 8 + np.cumsum(self._sizes) - self._sizes
             entries["size"] = self._sizes
-        told = set(zip(entries["level"].tolist(), *entries["cell"].T.tolist(), strict=True))
-        bare = {above for key in told for above in _ancestors(*key)} - told
-        without = np.zeros(len(bare) if told else 1, ENTRY)
+        stored = set(zip(entries["level"].tolist(), *entries["cell"].T.tolist(), strict=True))
+        bare = {above for key in stored for above in _ancestors(*key)} - stored
+        without = np.zeros(len(bare) if stored else 1, ENTRY)
         if bare:
             keys = np.array(sorted(bare))
             without["level"], without["cell"] = keys[:, 0], keys[:, 1:]
@@ -147,8 +147,8 @@ class CopcWriter:
     def _info(self, begin: int, size: int) -> Any:
         times = self._times if self._counts else (0.0, 0.0)
         spacing = self._side / 2**NODE_BITS
-        told = INFO_FIELDS.pack(*self._middle.tolist(), self._side / 2, spacing, begin, size, *times, *[0] * 11)
-        return self._laspy.VLR(*INFO, "", told)
+        record = INFO_FIELDS.pack(*self._middle.tolist(), self._side / 2, spacing, begin, size, *times, *[0] * 11)
+        return self._laspy.VLR(*INFO, "", record)
 
 
 def pack_chunks(path: str, record: bytes, rows: list[NDArray[Any]]) -> list[bytes]:
@@ -170,10 +170,10 @@ def _octree(layout: LasLayout, device: Any) -> tuple[NDArray[np.float64], float,
         offset, scale = header.offsets[axis], header.scales[axis]
         stored[:, axis] = np.rint((points[:, axis].astype(np.float64) - offset) / scale) * scale + offset
     corner = stored.min(axis=0) if len(points) else np.zeros(3)
-    reach = float((stored.max(axis=0) - corner).max()) if len(points) else 0.0
-    side = max(reach, float(header.scales.max()))
+    extent = float((stored.max(axis=0) - corner).max()) if len(points) else 0.0
+    side = max(extent, float(header.scales.max()))
     levels = find_levels(upload(stored, vec3d, device), corner, side)
-    return corner, side, make_nodes(*levels, max_points=len(points), min_points=_LEAST)
+    return corner, side, make_nodes(*levels, max_points=len(points), min_points=_MIN_NODE_POINTS)
 
 
 def _pages(entries: NDArray[Any], begin: int) -> tuple[bytes, int]:

@@ -107,16 +107,16 @@ def read_frames(path: str | os.PathLike[str]) -> tuple[list[ScanFrame], list[str
 def open_e57(path: str | os.PathLike[str]) -> Iterator[tuple[Any, list[Any]]]:
     source = open_source(path)
     if source[:8] != b"ASTM-E57":
-        raise FileError(path, "is no E57 file: its first eight bytes are not ASTM-E57", where="byte 0")
+        raise FileError(path, "is not an E57 file: its first eight bytes are not ASTM-E57", where="byte 0")
     libe57 = import_for(path, "pye57.libe57", "e57")
-    with foreign_errors(path, "is no intact E57 file"):
+    with foreign_errors(path, "is not an intact E57 file"):
         image = libe57.ImageFile(os.fspath(path), "r")
     try:
         with foreign_errors(path, "its list of scans is damaged"):
             data = image.root()["data3D"]
             scans = [data[k] for k in range(len(data))]
         if not scans:
-            raise FileError(path, "holds no scan of points")
+            raise FileError(path, "contains no scan of points")
         yield image, scans
     finally:
         image.close()
@@ -139,19 +139,19 @@ def _fields(scan: Any) -> dict[str, Any]:
 
 
 @quiet()
-def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> PointTable:
+def read_scan(path: Any, image: Any, scan: Any, *, in_world: bool = True) -> PointTable:
     """The points of a scan in world coordinates, or in scanner coordinates if not `placed`."""
     with foreign_errors(path, "a scan is damaged"):
         fields = _fields(scan)
-        R, translation = read_pose(path, scan) if placed else (np.eye(3), np.zeros(3))
-        place = next((names for names in (CARTESIAN, _SPHERICAL) if all(name in fields for name in names)), None)
-        if place is None:
+        R, translation = read_pose(path, scan) if in_world else (np.eye(3), np.zeros(3))
+        coordinates = next((names for names in (CARTESIAN, _SPHERICAL) if all(name in fields for name in names)), None)
+        if coordinates is None:
             raise FileError(path, f"a scan has no coordinates; its fields are {', '.join(fields)}")
-        wanted = {name: np.dtype(np.float64) for name in place}
+        wanted = {name: np.dtype(np.float64) for name in coordinates}
         wanted |= {name: _narrowest(fields[name]) for name in ATTRIBUTES if name in fields}
         for names in (COLORS, NORMALS):
             wanted |= dict.fromkeys(names, np.dtype(np.float32)) if all(name in fields for name in names) else {}
-        invalid = _INVALID[place is _SPHERICAL]
+        invalid = _INVALID[coordinates is _SPHERICAL]
         flags = [invalid, *(flag for name, flag in _FLAGS.items() if name in wanted)]
         flags += [_COLOR_FLAG] if COLORS[0] in wanted else []
         wanted |= {name: np.dtype(np.int8) for name in flags if name in fields}
@@ -163,7 +163,10 @@ def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> Point
     for name, flag in _FLAGS.items():
         if flag in columns and columns[flag].any():
             columns[name] = np.where(columns[flag] != 0, np.nan, columns[name].astype(_with_nan(columns[name].dtype)))
-    points = _to_cartesian(*(columns[name] for name in place), is_spherical=place is _SPHERICAL) @ R.T + translation
+    points = (
+        _to_cartesian(*(columns[name] for name in coordinates), is_spherical=coordinates is _SPHERICAL) @ R.T
+        + translation
+    )
     colors = normals = None
     if limits:
         channels = [(columns[name] - low) / (high - low) for name, (low, high) in zip(COLORS, limits, strict=True)]
@@ -173,7 +176,7 @@ def read_scan(path: Any, image: Any, scan: Any, *, placed: bool = True) -> Point
     if NORMALS[0] in columns:
         stored = np.stack([columns[name] for name in NORMALS], axis=1)
         normals = stack_normals(path, [*(stored @ R.T).T])
-    attributes = {ours: columns[name] for name, ours in ATTRIBUTES.items() if name in columns}
+    attributes = {attribute: columns[name] for name, attribute in ATTRIBUTES.items() if name in columns}
     attributes = {name: v.view(np.int64) if v.dtype == np.int64 else v for name, v in attributes.items()}
     return PointTable(points, normals, colors, attributes, unit=METRE)
 
@@ -206,15 +209,15 @@ def _read_columns(path: Any, image: Any, vector: Any, wanted: dict[str, np.dtype
     buffers = libe57.VectorSourceDestBuffer()
     for name, block in blocks.items():
         buffers.append(libe57.SourceDestBuffer(image, name, block, len(block), True, True))
-    reader, found = vector.reader(buffers), 0
+    reader, row_count = vector.reader(buffers), 0
     try:
         while added := reader.read():
             columns.append({name: block[:added] for name, block in blocks.items()})
-            found += added
+            row_count += added
     finally:
         reader.close()
-    if found != count:
-        raise FileError(path, f"truncated: a scan has {found} of {count} points")
+    if row_count != count:
+        raise FileError(path, f"truncated: a scan has {row_count} of {count} points")
     return columns.finish()
 
 
@@ -223,9 +226,9 @@ def _to_cartesian(
 ) -> NDArray[np.float64]:
     """Positions (n, 3); spherical input is range [m], azimuth and elevation [rad] (ASTM E2807-11, section 8.4.4)."""
     if is_spherical:
-        reach, azimuth, elevation = x, y, z
-        flat = reach * np.cos(elevation)
-        x, y, z = flat * np.cos(azimuth), flat * np.sin(azimuth), reach * np.sin(elevation)
+        distance, azimuth, elevation = x, y, z
+        flat = distance * np.cos(elevation)
+        x, y, z = flat * np.cos(azimuth), flat * np.sin(azimuth), distance * np.sin(elevation)
     return np.stack([x, y, z], axis=1)
 
 
@@ -238,7 +241,9 @@ def read_pose(path: Any, scan: Any) -> tuple[NDArray[np.float64], NDArray[np.flo
         translation = np.array([scan["pose"]["translation"][axis].value() for axis in "xyz"], np.float64)
     norm = np.linalg.norm(quaternion)
     if not (np.isfinite(translation).all() and np.isfinite(norm) and norm > 0):
-        raise FileError(path, f"a scan's pose is no motion: {np.roll(quaternion, 1).tolist()}, {translation.tolist()}")
+        raise FileError(
+            path, f"a scan's pose is not a rigid motion: {np.roll(quaternion, 1).tolist()}, {translation.tolist()}"
+        )
     return quaternions_to_rotations((quaternion / norm)[None])[0], translation
 
 

@@ -85,7 +85,7 @@ _Scans = tuple[list[PointTable], list[str], NDArray[np.float64], NDArray[np.bool
 
 def _e57_scans(path: str | os.PathLike[str]) -> _Scans:
     with open_e57(path) as (image, scans):
-        tables = [read_scan(path, image, node, placed=False) for node in scans]
+        tables = [read_scan(path, image, node, in_world=False) for node in scans]
         with foreign_errors(path, "its list of scans is damaged"):
             names = [node["name"].value() if node.isDefined("name") else "" for node in scans]
             posed = np.array([node.isDefined("pose") for node in scans], bool)
@@ -128,17 +128,17 @@ def write_stations(
         >>> loom.read_stations("two.e57").names
         ('hall', 'stairs')
     """
-    path, found = path_of(path), check_list("clouds", clouds, "point clouds")
-    for i, cloud in enumerate(found):
+    path, listed = path_of(path), check_list("clouds", clouds, "point clouds")
+    for i, cloud in enumerate(listed):
         check_cloud(f"clouds[{i}]", cloud)
     matrices = [check_rigid(f"poses[{i}]", T) for i, T in enumerate(check_list("poses", poses, "poses"))]
-    called = [f"Scan {i}" for i in range(len(found))] if names is None else check_list("names", names, "text")
-    if len(matrices) != len(found) or len(called) != len(found):
-        raise ValueError(f"poses, names: expected {len(found)}, one a cloud, got {len(matrices)} and {len(called)}")
+    called = [f"Scan {i}" for i in range(len(listed))] if names is None else check_list("names", names, "text")
+    if len(matrices) != len(listed) or len(called) != len(listed):
+        raise ValueError(f"poses, names: expected {len(listed)}, one per cloud, got {len(matrices)} and {len(called)}")
     path = check_writable(path, overwrite=overwrite)
-    if not found:
-        raise FileError(path, "would hold no scan", remedy="Give at least one cloud")
-    tables = [check_e57(path, table_of(cloud)) for cloud in found]
+    if not listed:
+        raise FileError(path, "would contain no scan", remedy="Give at least one cloud")
+    tables = [check_e57(path, table_of(cloud)) for cloud in listed]
     for table in tables:
         table.attributes.pop(SCAN_INDEX, None)
     scans = [(str(name), columns_of(path, table), T) for name, table, T in zip(called, tables, matrices, strict=True)]

@@ -46,8 +46,8 @@ def write_e57(
     for number, index in enumerate(indices if len(indices) else [0]):
         chosen = slice(None) if len(indices) <= 1 else scan_index == index
         name, pose = frames[int(index)] if 0 <= index < len(frames) else ScanFrame("", None)
-        own = {n: v[chosen] for n, v in columns.items()}
-        scans.append((name or f"Scan {number}", own if pose is None else _in_scan(own, pose), pose))
+        scan_columns = {n: v[chosen] for n, v in columns.items()}
+        scans.append((name or f"Scan {number}", scan_columns if pose is None else _in_scan(scan_columns, pose), pose))
     write_scans(path, scans, overwrite=overwrite)
 
 
@@ -81,7 +81,7 @@ def check_e57(path: Any, table: PointTable) -> PointTable:
     if lost:
         known = ", ".join([*ATTRIBUTES.values(), SCAN_INDEX])
         reason = f"attribute {lost[0]!r} cannot be stored in E57"
-        raise FileError(path, reason, remedy=f"It holds {known}, one number a point; drop the others")
+        raise FileError(path, reason, remedy=f"It stores {known}, one number per point; drop the others")
     if not np.isfinite(table.points).all():
         row = int(np.flatnonzero(~np.isfinite(table.points).all(axis=1))[0])
         raise FileError(path, f"point {row} is not finite", remedy="Call remove_non_finite_points() first")
@@ -109,9 +109,9 @@ def columns_of(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
         columns |= dict(zip(NORMALS, table.normals.T, strict=True))
     if table.colors is not None:
         columns |= dict(zip(COLORS, colors_to_bytes(path, table.colors).T, strict=True))
-    for name, ours in ATTRIBUTES.items():
-        if ours in table.attributes:
-            values = table.attributes[ours]
+    for name, attribute in ATTRIBUTES.items():
+        if attribute in table.attributes:
+            values = table.attributes[attribute]
             columns[name] = values if values.dtype.kind == "f" or values.dtype in NARROW else values.astype(WIDE)
     return columns
 

@@ -18,7 +18,7 @@ from . import las_writer, npz, pcd, ply
 from .copc_writer import write_copc
 from .e57 import ScanFrame, read_e57
 from .e57_writer import write_e57
-from .header_units import PCD, PLY, tells_unit, unit_comment, warn_of_lost_unit
+from .header_units import PCD, PLY, unit_comment, warn_of_lost_unit, with_header_unit
 from .kitti_bin import read_kitti_bin
 from .las import read_las
 from .las_header import LasHeader
@@ -27,7 +27,7 @@ from .text import read_text, write_text
 from .text_table import SUFFIXES, check_columns, read_text_table
 
 _READERS: dict[str, Callable[..., PointTable]] = {
-    ".ply": tells_unit(PLY)(ply.read_ply), ".pcd": tells_unit(PCD)(pcd.read_pcd), ".npz": npz.read_npz,
+    ".ply": with_header_unit(PLY)(ply.read_ply), ".pcd": with_header_unit(PCD)(pcd.read_pcd), ".npz": npz.read_npz,
     ".xyz": read_text, ".xyzn": read_text, ".xyzrgb": read_text, ".pts": read_text,
     ".csv": read_text_table, ".txt": read_text_table, ".asc": read_text_table, ".bin": read_kitti_bin,
     ".las": read_las, ".laz": read_las, ".e57": read_e57, ".ptx": read_ptx,
@@ -47,8 +47,8 @@ def columns_of(paths: Sequence[str | os.PathLike[str]], columns: Sequence[str] |
     """The column names for each file: `columns` if its format supports them, else None. Raises if none does."""
     takes = [Path(path).suffix.lower() in _NAMED_COLUMNS for path in paths]
     if columns is not None and not any(takes):
-        found = escaped(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
-        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {found}")
+        suffixes = escaped(", ".join(dict.fromkeys(Path(path).suffix for path in paths)))
+        raise ValueError(f"columns: only {', '.join(_NAMED_COLUMNS)} take them, got {suffixes}")
     return [columns if is_taken else None for is_taken in takes]
 
 

@@ -14,12 +14,12 @@ _PROJECTED_KEY, _GEOGRAPHIC_KEY = 3072, 2048
 
 def system_of(path: Any, header: LasHeader) -> Any:
     """The pyproj CRS of a file. None without a system on the Earth, such as a unit alone."""
-    told = _told(header)
-    if told is None:
+    declared = _declared_system(header)
+    if declared is None:
         return None
     pyproj = import_for(path, "pyproj", "geo")
     with foreign_errors(path, "its coordinate system cannot be read"):
-        system = pyproj.CRS.from_user_input(told)
+        system = pyproj.CRS.from_user_input(declared)
     return system if system.is_geographic or system.is_projected or system.is_compound else None
 
 
@@ -29,16 +29,16 @@ def system_named(name: str, value: Any) -> Any:
     try:
         return pyproj.CRS.from_user_input(value)
     except pyproj.exceptions.CRSError as error:
-        raise ValueError(f"{name}: no coordinate system: {shown(value)}") from error
+        raise ValueError(f"{name}: expected a coordinate system, got {shown(value)}") from error
 
 
-def _told(header: LasHeader) -> Any:
+def _declared_system(header: LasHeader) -> Any:
     text = find_text(header)
     if text:
         return text
     keys = find_keys(header)
     for key in (_PROJECTED_KEY, _GEOGRAPHIC_KEY):
-        place, _, code = keys.get(key, (1, 0, 0))
-        if place == 0 and 0 < code < 32767:
+        location, _, code = keys.get(key, (1, 0, 0))
+        if location == 0 and 0 < code < 32767:
             return code
     return None

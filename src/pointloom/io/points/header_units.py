@@ -25,7 +25,7 @@ def unit_comment(table: PointTable | MeshTable) -> list[str]:
     return [] if table.unit is None else [f"unit {text_of(table.unit)}"]
 
 
-def tells_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
+def with_header_unit(form: tuple[str, str]) -> Callable[[Callable[..., T]], Callable[..., T]]:
     """Decorator: the reader also reads the unit from the file's header."""
 
     def decorate(reader: Callable[..., T]) -> Callable[..., T]:
@@ -53,18 +53,18 @@ def unit_in_header(source: Source, form: tuple[str, str]) -> LengthUnit | None:
     mark, end = form
     head = bytes(source[:MAX_HEADER_BYTES])
     stop = head.find(f"\n{end}".encode())
-    told = set()
+    units = set()
     for line in head[: stop if stop >= 0 else head.find(end.encode())].decode("utf-8", "replace").splitlines():
         words = line.removeprefix(mark).strip() if line.startswith(mark) else ""
         if words.startswith("unit "):
-            told.add(words.removeprefix("unit ").strip())
-    return unit_of_text(told.pop()) if len(told) == 1 else None
+            units.add(words.removeprefix("unit ").strip())
+    return unit_of_text(units.pop()) if len(units) == 1 else None
 
 
 def warn_of_lost_unit(path: Any, table: PointTable | MeshTable) -> None:
     """Warn that a format cannot store a unit other than meters."""
     if not is_same(table.unit, METRE):
-        warn_of_units(f"{path}: has no place for the unit, so it does not tell that coordinates are in {table.unit}")
+        warn_of_units(f"{path}: the format cannot store the unit; coordinates are in {table.unit}")
 
 
 def in_metres(path: Any, table: T, format: str) -> T:
@@ -73,11 +73,11 @@ def in_metres(path: Any, table: T, format: str) -> T:
         return table
     if table.unit.meters is None:
         reason = f"lengths in {format} are meters by its standard, and x and y are degrees"
-        raise FileError(path, reason, remedy="Write project_to_utm(cloud), or set cloud.unit if it is told wrongly")
+        raise FileError(path, reason, remedy="Write project_to_utm(cloud), or set cloud.unit if it is wrong")
     factor = table.unit.meters
     warn_of_units(
-        f"{path}: lengths in {format} are meters by its standard, so coordinates in {table.unit} are written times "
-        f"{factor:.10g}; .to_unit('metre') does so beforehand"
+        f"{path}: lengths in {format} are meters by its standard, so coordinates in {table.unit} are multiplied by "
+        f"{factor:.10g}; .to_unit('metre') converts them beforehand"
     )
     if isinstance(table, MeshTable):
         return replace(table, vertices=table.vertices * factor, unit=METRE)

@@ -99,7 +99,7 @@ def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | No
         header = read_ply_header(path, source)
         if header.ascii or header.element(path, "vertex").has_lists:
             return None
-        columns = _held(path, ply.vertex_columns(path, source))
+        columns = _checked_columns(path, ply.vertex_columns(path, source))
         return RowsInParts(path, source, columns, ply.table_of, unit_in_header(source, PLY))
     header = read_pcd_header(path, source)
     pcd.warn_of_viewpoint(path, header.viewpoint)
@@ -109,7 +109,7 @@ def open_in_parts(path: str | os.PathLike[str]) -> RowsInParts | LasInParts | No
     return RowsInParts(path, source, fields, pcd.table_of, unit_in_header(source, PCD))
 
 
-def _held(path: Path, columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
+def _checked_columns(path: Path, columns: dict[str, NDArray[Any]]) -> dict[str, NDArray[Any]]:
     ply.table_of(path, {name: column[:0] for name, column in columns.items()})
     return columns
 

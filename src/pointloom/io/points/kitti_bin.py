@@ -43,7 +43,7 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
     source = open_source(path)
     step = len(names) * 4
     if len(source) % step:
-        reason = f"{len(source)} bytes are not a multiple of {step}: float32 {', '.join(names)} a point"
+        reason = f"{len(source)} bytes are not a multiple of {step}: float32 {', '.join(names)} per point"
         remedy = f"The file may be cut off, or have other columns{_fitting(len(source))}"
         raise FileError(path, reason, where=f"byte {len(source) // step * step}", remedy=remedy)
     rows = np.frombuffer(source, "<f4").reshape(-1, len(names)).astype(np.float32)
@@ -53,14 +53,14 @@ def read_kitti_bin(path: str | os.PathLike[str], columns: Sequence[str] | None =
     wild = np.isfinite(points) & (np.abs(points) > FARTHEST)
     tiny = np.abs(points[points != 0]) < NEAREST
     if tiny.sum() > tiny.size / 2:
-        reason = f"most coordinates are below {NEAREST:g}; this is no scan of float32 {', '.join(names)}"
-        raise FileError(path, reason, remedy="Numbers of another type, such as whole ones, have no reader here")
+        reason = f"most coordinates are below {NEAREST:g}; this is not a scan of float32 {', '.join(names)}"
+        raise FileError(path, reason, remedy="Other types of numbers, such as integers, are not supported")
     if len(points) and ((points[0] != 0) & (np.abs(points[0]) < SMALLEST_NORMAL)).any():
         reason = f"the first point is {points[0].tolist()}: small integers, as of a header, read as float32"
         raise FileError(path, reason, where="byte 0", remedy="Remove the header, or read the array with NumPy")
     if wild.any():
         row, axis = (int(v) for v in np.argwhere(wild)[0])
-        reason = f"point {row} has the coordinate {points[row, axis]}; this is no scan of float32 {', '.join(names)}"
+        reason = f"point {row} has the coordinate {points[row, axis]}; this is not a scan of float32 {', '.join(names)}"
         byte = row * step + 4 * names.index("xyz"[axis])
         raise FileError(path, reason, where=f"byte {byte}", remedy=f"Check the layout{_fitting(len(source))}")
     return table_of(Path(path), dict(zip(names, np.ascontiguousarray(rows.T), strict=True)))
@@ -80,15 +80,15 @@ def _check_layout(path: str | os.PathLike[str], rows: NDArray[np.float32]) -> No
     values = rows.ravel()
     explained = {width: _explained(values, width) for width in LAYOUTS if values.size % width == 0 and width != 8}
     gains = {width: float((part - explained[4]).max()) for width, part in explained.items()}
-    most = max(gains.values())
-    width = min(found for found, gain in gains.items() if gain >= 0.9 * most)  # multiples explain as much
+    max_gain = max(gains.values())
+    width = min(period for period, gain in gains.items() if gain >= 0.9 * max_gain)  # multiples explain as much
     if gains[width] <= PERIOD_MARGIN:
-        if values.size % 8 or not _has_whole_column(values.reshape(-1, 8)[:SAMPLE]):
+        if values.size % 8 or not _has_integer_column(values.reshape(-1, 8)[:SAMPLE]):
             return
         width = 8
     raise FileError(
         path,
-        f"is no scan of float32 x, y, z, intensity: its numbers repeat every {width}",
+        f"is not a scan of float32 x, y, z, intensity: its numbers repeat every {width}",
         remedy=f"Give columns= with the names of all {width}, such as {LAYOUTS[width]}",
     )
 
@@ -102,9 +102,9 @@ def _explained(values: NDArray[np.float32], width: int) -> NDArray[np.float64]:
     return np.divide(between, total, out=np.zeros(3), where=total > 1e-12)
 
 
-def _has_whole_column(rows: NDArray[np.float32]) -> bool:
+def _has_integer_column(rows: NDArray[np.float32]) -> bool:
     """True if, of 8 columns, one of columns 4 to 6 has only integers in 0..255 and columns 0 to 2 have other values."""
     with np.errstate(invalid="ignore"):
-        whole = (rows == np.floor(rows)) & (rows >= 0) & (rows <= 255)
+        is_integer = (rows == np.floor(rows)) & (rows >= 0) & (rows <= 255)
     varies = (rows != rows[0]).any(axis=0)
-    return bool((whole & varies).all(axis=0)[4:7].any() and not whole.all(axis=0)[:3].any())
+    return bool((is_integer & varies).all(axis=0)[4:7].any() and not is_integer.all(axis=0)[:3].any())

@@ -145,7 +145,7 @@ def iterate_las(file: LasFile, chunk_size: int) -> Iterator[PointTable]:
                 full = 255 if brightest <= 255 else 65535
             if brightest > (full or brightest):
                 reason = "colors look like 8 bits in one part and like 16 in a later one"
-                remedy = "Read it whole, or in larger parts"
+                remedy = "Read the complete file, or larger parts"
                 raise FileError(file.path, reason, where=f"points from {(number - 1) * chunk_size} on", remedy=remedy)
             block["colors"] /= np.float32(full or 65535)
         yield table_of(file, block)
@@ -173,9 +173,9 @@ def table_of(file: LasFile, arrays: dict[str, NDArray[Any]]) -> PointTable:
         if normals is None and all(name in attributes and attributes[name].dtype.kind == "f" for name in names):
             normals = stack_normals(file.path, [attributes.pop(name) for name in names])
     steps = np.array(file.header.scales, np.float64)
-    told, is_lonlat, units = arrays.get("colors"), is_geographic(file.header), units_of(file.header)
-    how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "warnings": failed(units.doubt)}
-    return PointTable(arrays["points"], normals, told, attributes, **how)
+    colors, is_lonlat, units = arrays.get("colors"), is_geographic(file.header), units_of(file.header)
+    how = {"steps": steps, "is_geographic": is_lonlat, "unit": units.plane, "warnings": failed(units.warning)}
+    return PointTable(arrays["points"], normals, colors, attributes, **how)
 
 
 def layout_of(path: Any, header: LasHeader) -> Any:

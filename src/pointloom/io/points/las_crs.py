@@ -32,19 +32,19 @@ def crs_name(header: LasHeader) -> str | None:
     """Name of the coordinate system, such as "NAD83 / UTM zone 10N" or "EPSG:26910", or None."""
     text = header.find(PROJECTION, WKT)
     if text:
-        found = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
-        if found and found[1] not in ("", NO_NAME):
-            return found[1]
+        match = re.match(r'\s*\w+\s*\[\s*"([^"]*)"', text.decode("utf-8", "replace"))
+        if match and match[1] not in ("", NO_NAME):
+            return match[1]
     keys = find_keys(header)
     letters = (header.find(PROJECTION, _ASCII) or b"").decode("ascii", "replace")
     for key in _CITATIONS:
-        place, length, begin = keys.get(key, (0, 0, 0))
-        name = letters[begin : begin + length].split("\0")[0].split("|")[0].strip() if place == _ASCII else ""
+        location, length, begin = keys.get(key, (0, 0, 0))
+        name = letters[begin : begin + length].split("\0")[0].split("|")[0].strip() if location == _ASCII else ""
         if name:
             return name
     for key in _TYPES:
-        place, _, code = keys.get(key, (0, 0, 0))
-        if key in keys and place == 0 and 0 < code < _USER_DEFINED:
+        location, _, code = keys.get(key, (0, 0, 0))
+        if key in keys and location == 0 and 0 < code < _USER_DEFINED:
             return f"EPSG:{code}"
     return None
 
@@ -64,8 +64,8 @@ def is_geographic(header: LasHeader) -> bool:
     text = find_text(header)
     if text:
         return bool(_GEOGRAPHIC_WORDS.search(text)) and not _PROJECTED_WORDS.search(text)
-    place, _, value = find_keys(header).get(_MODEL_TYPE, (0, 0, 0))
-    return place == 0 and value == _GEOGRAPHIC
+    location, _, value = find_keys(header).get(_MODEL_TYPE, (0, 0, 0))
+    return location == 0 and value == _GEOGRAPHIC
 
 
 def warn_of_degrees(path: Any, is_lonlat: bool, *, stacklevel: int) -> None:

@@ -39,19 +39,19 @@ def parameters_of(known: Any, data: bytes) -> list[Any]:
             dimension.scales = dimension.offsets = None
         elif described.options & _NO_DATA:
             kind = dimension.type.base
-            wide = np.frombuffer(bytes(described)[_NO_DATA_BYTES], _WIDE[kind.kind])[: described.num_elements()]
-            dimension.no_data = wide.astype(kind) if kind.kind == "f" else wide
+            no_data = np.frombuffer(bytes(described)[_NO_DATA_BYTES], _WIDE[kind.kind])[: described.num_elements()]
+            dimension.no_data = no_data.astype(kind) if kind.kind == "f" else no_data
     return parameters
 
 
 def _with_utf8(entry: bytes) -> bytes:
     """An entry with name and description in UTF-8. Other encodings are read as Latin-1."""
-    for place in _TEXTS:
-        text = entry[place].split(b"\0")[0]
+    for field in _TEXTS:
+        text = entry[field].split(b"\0")[0]
         try:
             text.decode()
         except UnicodeDecodeError:
-            entry = entry[: place.start] + _fitting(text.decode("latin-1")).ljust(32, b"\0") + entry[place.stop :]
+            entry = entry[: field.start] + _fitting(text.decode("latin-1")).ljust(32, b"\0") + entry[field.stop :]
     return entry
 
 
@@ -180,13 +180,13 @@ def join_ranges(records: Sequence[bytes]) -> bytes:
     joined = []
     for entries in zip(*([*_ENTRY.iter_unpack(record)] for record in records), strict=True):
         fields = [*entries[0]]
-        wide = np.dtype("<f8" if fields[1] > 8 else "<i8" if fields[1] % 2 == 0 else "<u8")
+        dtype = np.dtype("<f8" if fields[1] > 8 else "<i8" if fields[1] % 2 == 0 else "<u8")
         fields[2] &= ~(_MIN | _MAX)
-        for place, bit, end in ((6, _MIN, min), (7, _MAX, max)):
-            ends = [np.frombuffer(entry[place], wide)[0] for entry in entries if entry[2] & bit]
+        for index, bit, end in ((6, _MIN, min), (7, _MAX, max)):
+            ends = [np.frombuffer(entry[index], dtype)[0] for entry in entries if entry[2] & bit]
             if ends:
                 fields[2] |= bit
-                fields[place] = np.array([end(ends)]).tobytes()
+                fields[index] = np.array([end(ends)]).tobytes()
         joined.append(_ENTRY.pack(*fields))
     return b"".join(joined)
 

@@ -77,8 +77,8 @@ class LasHeader:
     created: date | None
 
     def find(self, user_id: str, record_id: int) -> bytes | None:
-        found = (record.data for record in self.records if (record.user_id, record.record_id) == (user_id, record_id))
-        data = next(found, None)
+        matches = (record.data for record in self.records if (record.user_id, record.record_id) == (user_id, record_id))
+        data = next(matches, None)
         return None if data is None else bytes(data)
 
 
@@ -123,34 +123,36 @@ def _day_of(day: int, year: int) -> date | None:
 
 def _unpack_header(path: Any, source: Source) -> tuple[Any, ...]:
     if source[:4] != b"LASF":
-        raise FileError(path, "is no LAS file: its first four bytes are not LASF", where="byte 0")
+        raise FileError(path, "is not a LAS file: its first four bytes are not LASF", where="byte 0")
     if len(source) < _HEADER.size:
         reason = f"truncated: {len(source)} bytes, but the shortest header has {_HEADER.size}"
         raise FileError(path, reason, where=f"byte {len(source)}")
     fields = _HEADER.unpack_from(source)
     major, minor, header_bytes = fields[4], fields[5], fields[10]
     if major != 1 or minor not in _HEADER_BYTES:
-        raise FileError(path, f"LAS {major}.{minor} is not supported", where="byte 24", remedy="Known are 1.0 to 1.4")
+        raise FileError(
+            path, f"LAS {major}.{minor} is not supported", where="byte 24", remedy="Supported are 1.0 to 1.4"
+        )
     if header_bytes < _HEADER_BYTES[minor] or len(source) < _HEADER_BYTES[minor]:
-        reason = f"LAS 1.{minor} has a header of {_HEADER_BYTES[minor]} bytes, but the file says {header_bytes}"
-        raise FileError(path, f"{reason} and holds {len(source)}", where="byte 94")
+        reason = f"LAS 1.{minor} has a header of {_HEADER_BYTES[minor]} bytes, but the file declares {header_bytes}"
+        raise FileError(path, f"{reason} and contains {len(source)}", where="byte 94")
     return fields
 
 
 def _check_counts(path: Any, legacy: int, count: int) -> None:
     if legacy and legacy != count:
-        reason = f"the header counts {count} points in one place and {legacy} in another"
+        reason = f"the header counts {count} points in one field and {legacy} in another"
         raise FileError(path, reason, where="byte 107", remedy="Repair it with the program that wrote it")
 
 
 def _check_format(path: Any, minor: int, point_format: int, length: int) -> None:
     if point_format not in _RECORD_BYTES:
-        raise FileError(path, f"unknown point format {point_format}", where="byte 104", remedy="Known are 0 to 10")
+        raise FileError(path, f"unknown point format {point_format}", where="byte 104", remedy="Supported are 0 to 10")
     if point_format >= _FIRST_NEW_FORMAT and minor < 4:
         raise FileError(path, f"point format {point_format} came with LAS 1.4, the file is 1.{minor}", where="byte 104")
     if length < _RECORD_BYTES[point_format]:
         reason = (
-            f"points of {length} bytes cannot hold format {point_format}, which takes {_RECORD_BYTES[point_format]}"
+            f"points of {length} bytes cannot store format {point_format}, which takes {_RECORD_BYTES[point_format]}"
         )
         raise FileError(path, reason, where="byte 105")
 
@@ -162,19 +164,19 @@ def _check_scaling(path: Any, values: tuple[float, ...]) -> tuple[Any, Any]:
     if not all(math.isfinite(offset) for offset in offsets):
         raise FileError(path, f"the offsets {list(offsets)} are not finite", where="byte 155")
     if max(abs(offset) + scale * 2**31 for scale, offset in zip(scales, offsets, strict=True)) > FLOAT32_MAX:
-        reason = f"the scales {list(scales)} and offsets {list(offsets)} lead beyond {FLOAT32_MAX:.3g}"
+        reason = f"the scales {list(scales)} and offsets {list(offsets)} exceed {FLOAT32_MAX:.3g}"
         raise FileError(path, reason, where="byte 131")
     return scales, offsets
 
 
 def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, has_trailer: bool) -> None:
     """Check the point count against the file size. Only known records may follow the points."""
-    held = (size - begin) // length
-    if held < count:
-        reason = f"truncated: the header counts {count} points, the file holds {held}"
-        raise FileError(path, reason, where=f"byte {begin + held * length}")
-    if held > count and not has_trailer:
-        reason = f"the header counts {count} points, but the file holds {held}"
+    stored = (size - begin) // length
+    if stored < count:
+        reason = f"truncated: the header counts {count} points, the file contains {stored}"
+        raise FileError(path, reason, where=f"byte {begin + stored * length}")
+    if stored > count and not has_trailer:
+        reason = f"the header counts {count} points, but the file contains {stored}"
         remedy = "Its writer may have been interrupted: repair the header"
         raise FileError(path, reason, where=f"byte {begin + count * length}", remedy=remedy)
 
@@ -182,7 +184,7 @@ def _check_extent(path: Any, size: int, begin: int, length: int, count: int, *, 
 def _read_records(path: Any, source: Source, form: struct.Struct, begin: int, end: int, count: int) -> list[LasRecord]:
     """The records from `begin`, none beyond `end`. Large extended records are views, except the coordinate system."""
     if count > (end - begin) // form.size:
-        reason = f"{count} records cannot lie in the {end - begin} bytes from byte {begin} to {end}"
+        reason = f"{count} records cannot fit into the {end - begin} bytes from byte {begin} to {end}"
         raise FileError(path, reason, where="byte 100" if form is _RECORD_HEADER else "byte 243")
     records, at = [], begin
     for number in range(count):

@@ -53,16 +53,16 @@ def _is_waveform(record: LasRecord) -> bool:
 
 
 def _carried(like: LasHeader) -> list[LasRecord]:
-    kept = [record for record in like.records if _key(record) not in (*_LAYOUT, _SPATIAL_INDEX)]
-    return [record for record in kept if not _is_waveform(record)]
+    records = [record for record in like.records if _key(record) not in (*_LAYOUT, _SPATIAL_INDEX)]
+    return [record for record in records if not _is_waveform(record)]
 
 
 def system_of(header: LasHeader) -> LasHeader:
     """A header with only coordinate system, steps and GPS time type, for points that are not from one file alone."""
     records = tuple(record for record in header.records if _is_projection(record))
     encoding = header.encoding & (GPS_TIME_BIT | WKT_BIT)
-    nobody = {"source_id": 0, "guid": bytes(16), "system": "", "software": "", "created": None}
-    return replace(header, records=records, encoding=encoding, **nobody)
+    no_origin = {"source_id": 0, "guid": bytes(16), "system": "", "software": "", "created": None}
+    return replace(header, records=records, encoding=encoding, **no_origin)
 
 
 def own_records(header: LasHeader) -> list[str]:
@@ -73,10 +73,10 @@ def own_records(header: LasHeader) -> list[str]:
 def for_tiles(header: LasHeader, layout: Any, *, is_only: bool) -> LasHeader:
     """The template header of tiles. Other records and identification are kept only if there `is_only` one file.
     Extra dimensions of `layout` keep their descriptions, in fixed types."""
-    kept = replace(header, encoding=header.encoding & ~_WAVEFORM_BITS) if is_only else system_of(header)
+    base = replace(header, encoding=header.encoding & ~_WAVEFORM_BITS) if is_only else system_of(header)
     content, size = value_record(layout)
     length = layout.size - layout.num_extra_bytes + size
-    return replace(kept, records=(*_carried(kept), LasRecord(*EXTRA_BYTES, content)), record_length=length)
+    return replace(base, records=(*_carried(base), LasRecord(*EXTRA_BYTES, content)), record_length=length)
 
 
 def left_out_of(like: LasHeader) -> list[str]:
@@ -87,10 +87,10 @@ def left_out_of(like: LasHeader) -> list[str]:
 
 def describe_together(laspy: Any, header: Any, headers: Iterable[LasHeader]) -> None:
     """Set the extra bytes record of files with equal dimensions, with joint ranges."""
-    records = [record for told in headers if (record := told.find(*EXTRA_BYTES)) is not None]
+    records = [record for one_header in headers if (record := one_header.find(*EXTRA_BYTES)) is not None]
     if records:
-        kept = [record for record in header.vlrs if (record.user_id, record.record_id) != EXTRA_BYTES]
-        header.vlrs[:] = [*kept, laspy.VLR(*EXTRA_BYTES, TITLE, join_ranges(records))]
+        other_records = [record for record in header.vlrs if (record.user_id, record.record_id) != EXTRA_BYTES]
+        header.vlrs[:] = [*other_records, laspy.VLR(*EXTRA_BYTES, TITLE, join_ranges(records))]
 
 
 def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
@@ -105,7 +105,7 @@ def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
         header.creation_date = like.created
     header.uuid = type(header.uuid)(bytes_le=like.guid)
     if lost := left_out_of(like):
-        warn_of_loss(path, f"{' and the '.join(lost)} of the source", "copies hold points and other records alone")
+        warn_of_loss(path, f"{' and the '.join(lost)} of the source", "copies contain only points and other records")
     extended, carried = laspy.vlrs.vlrlist.VLRList(), _carried(like)
     text = text_of_keys(path, like) if header.point_format.id >= FIRST_OF_1_4 else None
     if text is not None:
@@ -115,8 +115,8 @@ def take_over(laspy: Any, path: Any, header: Any, like: LasHeader) -> Any:
     for record in carried:
         is_extended = _is_extended(record)
         data = record.data if is_extended else bytes(record.data)
-        place = extended if is_extended else header.vlrs
-        place.append(laspy.VLR(_ascii(record.user_id), record.record_id, _ascii(record.description), data))
+        target = extended if is_extended else header.vlrs
+        target.append(laspy.VLR(_ascii(record.user_id), record.record_id, _ascii(record.description), data))
     return extended
 
 
@@ -128,11 +128,11 @@ def _ascii(text: str) -> str:
 def unit_record(laspy: Any, path: Any, unit: LengthUnit | None, like: LasHeader | None) -> Any:
     """The unit record, unless the coordinate system defines the unit. Warns if that differs."""
     if like is not None:
-        told = units_of(like).plane
-        if not is_same(unit, told):
+        declared = units_of(like).plane
+        if not is_same(unit, declared):
             warn_of_units(
-                f"{path}: coordinates in {unit} are written under the coordinate system of a file in {told}: "
-                f'cloud.to_unit("{told}") converts them'
+                f"{path}: coordinates in {unit} are written under the coordinate system of a file in {declared}: "
+                f'cloud.to_unit("{declared}") converts them'
             )
         return None
     if unit is None or unit.meters is None:

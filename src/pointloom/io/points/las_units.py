@@ -45,11 +45,11 @@ _PLANES = ("PROJCS", "PROJCRS", "PROJECTEDCRS", "GEOCCS", "LOCAL_CS", "ENGCRS", 
 
 @dataclass(frozen=True)
 class LasUnits:
-    """Units of a file: `plane` of x and y, `height` of z, and `doubt`, what contradicts a common unit, or None."""
+    """Units of a file: `plane` of x and y, `height` of z, and `warning` if they contradict each other, or None."""
 
     plane: LengthUnit | None = None
     height: LengthUnit | None = None
-    doubt: str | None = None
+    warning: str | None = None
 
 
 @dataclass
@@ -70,18 +70,18 @@ class _Node:
 def units_of(header: LasHeader) -> LasUnits:
     """The units in the records: WKT if present, else keys. If both differ, bit 4 of the encoding decides (LAS 1.4)."""
     text, keys = _units_of_text(find_text(header)), _units_of_keys(header)
-    says_text = bool(header.encoding & _WKT_BIT)
-    if says_text or not (text.plane and keys.plane):
-        found = text if says_text or text.plane else keys
-        return LasUnits(found.plane, found.height, _doubt_of(found))
+    is_text = bool(header.encoding & _WKT_BIT)
+    if is_text or not (text.plane and keys.plane):
+        declared = text if is_text or text.plane else keys
+        return LasUnits(declared.plane, declared.height, _warning_of(declared))
     if is_same(text.plane, keys.plane):
         both = LasUnits(text.plane, text.height or keys.height)
-        return LasUnits(both.plane, both.height, _doubt_of(both))
-    doubt = f"its GeoTIFF keys say that lengths are in {keys.plane}, its well-known text says {text.plane}"
-    return LasUnits(keys.plane, keys.height, f"{doubt}; the keys are used, else set cloud.unit")
+        return LasUnits(both.plane, both.height, _warning_of(both))
+    contradiction = f"its GeoTIFF keys declare lengths in {keys.plane}, its well-known text declares {text.plane}"
+    return LasUnits(keys.plane, keys.height, f"{contradiction}; the keys are used. Set cloud.unit if they are wrong")
 
 
-def _doubt_of(units: LasUnits) -> str | None:
+def _warning_of(units: LasUnits) -> str | None:
     plane, height = units.plane, units.height
     if plane is None or height is None or height.meters is None:
         return None
@@ -90,7 +90,7 @@ def _doubt_of(units: LasUnits) -> str | None:
         return None
     first = "" if plane.meters else "cloud = project_to_utm(cloud); "
     remedy = f"{first}points = cloud.points.copy(); points[:, 2] *= {factor:.10g}; cloud.points = points"
-    return f"x and y are in {plane}, z is in {height}, so that no length is right; to mend it: {remedy}"
+    return f"x and y are in {plane}, z is in {height}, so that lengths are wrong; to fix it: {remedy}"
 
 
 def _units_of_text(text: str) -> LasUnits:
@@ -108,26 +108,26 @@ def _units_of_text(text: str) -> LasUnits:
     if not planes:
         return LasUnits()
     axes = planes[0].named("AXIS")
-    own = [_unit_below(axis) for axis in axes]
+    axis_units = [_unit_below(axis) for axis in axes]
     shared = _unit_below(planes[0])
-    sides = [unit or shared for unit in own[:2]] or [shared]
+    sides = [unit or shared for unit in axis_units[:2]] or [shared]
     plane = sides[0] if all(side == sides[0] for side in sides) else None
     if heights:
         axis = heights[0].named("AXIS")
         height = _unit_below(heights[0]) or (_unit_below(axis[0]) if axis else None)
     else:
-        height = own[2] if len(own) > 2 else None
+        height = axis_units[2] if len(axis_units) > 2 else None
     return LasUnits(plane, height)
 
 
 def _unit_below(node: _Node) -> LengthUnit | None:
-    found = node.named("UNIT", "LENGTHUNIT", "ANGLEUNIT")
-    if len(found) != 1 or len(found[0].items) < 2:
+    nodes = node.named("UNIT", "LENGTHUNIT", "ANGLEUNIT")
+    if len(nodes) != 1 or len(nodes[0].items) < 2:
         return None
-    name, size = found[0].items[:2]
+    name, size = nodes[0].items[:2]
     if not isinstance(name, str) or not isinstance(size, float):
         return None
-    is_angle = found[0].keyword == "ANGLEUNIT" or (found[0].keyword == "UNIT" and node.keyword in _ANGLES)
+    is_angle = nodes[0].keyword == "ANGLEUNIT" or (nodes[0].keyword == "UNIT" and node.keyword in _ANGLES)
     if is_angle or (unit_by_name(name) is DEGREE and node.keyword not in _PLANES):
         return DEGREE if abs(size / math.radians(1) - 1) < 1e-6 else None
     return unit_by_length(name, size)
@@ -165,8 +165,8 @@ def _units_of_keys(header: LasHeader) -> LasUnits:
     keys = find_keys(header)
 
     def code(key: int) -> int | None:
-        place, _, value = keys.get(key, (-1, 0, 0))
-        return value if place == 0 else None
+        location, _, value = keys.get(key, (-1, 0, 0))
+        return value if location == 0 else None
 
     model = code(_MODEL_TYPE)
     height = _LENGTHS.get(code(_HEIGHT_UNIT) or 0)
@@ -175,9 +175,9 @@ def _units_of_keys(header: LasHeader) -> LasUnits:
     key = _GEOCENTRIC_UNIT if model == _GEOCENTRIC else _PLANE_UNIT
     if code(key) != _USER_DEFINED:
         return LasUnits(_LENGTHS.get(code(key) or 0), height)
-    place, _, index = keys.get(_PLANE_UNIT_SIZE, (0, 0, 0))
+    location, _, index = keys.get(_PLANE_UNIT_SIZE, (0, 0, 0))
     numbers = header.find(PROJECTION, _DOUBLES) or b""
-    if key != _PLANE_UNIT or place != _DOUBLES or 8 * (index + 1) > len(numbers):
+    if key != _PLANE_UNIT or location != _DOUBLES or 8 * (index + 1) > len(numbers):
         return LasUnits(None, height)
     size = struct.unpack_from("<d", numbers, 8 * index)[0]
     return LasUnits(unit_by_length("", size), height)

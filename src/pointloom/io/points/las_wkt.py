@@ -53,15 +53,18 @@ def text_of_keys(path: Any, header: LasHeader) -> bytes | None:
         heights: Any = _registered(pyproj, height) if height else None
     except ValueError as error:
         return _lost(header, str(error))
-    told, is_2d = units_of(header), heights is None
+    units, is_2d = units_of(header), heights is None
     if _is_user_defined(keys, _VERTICAL):
         return _lost(header, "its keys describe heights that the EPSG register does not name")
-    if system.is_projected and not _counts_in(system, told.plane):
-        return _lost(header, f"its keys say {told.plane}, EPSG:{code} counts in {system.axis_info[0].unit_name}")
-    if not (is_2d or _counts_in(heights, told.height)):
-        return _lost(header, f"its keys say heights in {told.height}, EPSG:{height} {heights.axis_info[0].unit_name}")
-    if is_2d and told.height not in (None, told.plane):
-        return _lost(header, f"its keys say heights in {told.height} and name no system of theirs")
+    if system.is_projected and not _counts_in(system, units.plane):
+        return _lost(header, f"its keys declare {units.plane}, but EPSG:{code} uses {system.axis_info[0].unit_name}")
+    if not (is_2d or _counts_in(heights, units.height)):
+        return _lost(
+            header,
+            f"its keys declare heights in {units.height}, but EPSG:{height} uses {heights.axis_info[0].unit_name}",
+        )
+    if is_2d and units.height not in (None, units.plane):
+        return _lost(header, f"its keys declare heights in {units.height} without a height system")
     if not is_2d:
         system = pyproj.crs.CompoundCRS(f"{system.name} + {heights.name}", [system, heights])
     return system.to_wkt("WKT1_GDAL").encode("utf-8") + b"\0"
@@ -71,7 +74,7 @@ def _registered(pyproj: Any, code: int) -> Any:
     try:
         return pyproj.CRS.from_epsg(code)
     except pyproj.exceptions.CRSError as error:
-        raise ValueError(f"pyproj does not know EPSG:{code}: {error}") from error
+        raise ValueError(f"pyproj does not contain EPSG:{code}: {error}") from error
 
 
 def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
@@ -80,14 +83,14 @@ def _counts_in(system: Any, unit: LengthUnit | None) -> bool:
 
 
 def with_system(header: LasHeader, text: str) -> LasHeader:
-    kept = tuple(record for record in header.records if record.user_id != PROJECTION)
+    other_records = tuple(record for record in header.records if record.user_id != PROJECTION)
     record = LasRecord(PROJECTION, WKT, text.encode("utf-8") + b"\0")
-    return replace(header, records=(*kept, record), encoding=header.encoding | _WKT_BIT)
+    return replace(header, records=(*other_records, record), encoding=header.encoding | _WKT_BIT)
 
 
 def _code(keys: dict[int, tuple[int, ...]], key: int) -> int:
-    place, _, code = keys.get(key, (1, 0, 0))
-    return code if place == 0 and 0 < code < _USER_DEFINED else 0
+    location, _, code = keys.get(key, (1, 0, 0))
+    return code if location == 0 and 0 < code < _USER_DEFINED else 0
 
 
 def _is_user_defined(keys: dict[int, tuple[int, ...]], key: int) -> bool:
@@ -96,5 +99,5 @@ def _is_user_defined(keys: dict[int, tuple[int, ...]], key: int) -> bool:
 
 def _lost(header: LasHeader, reason: str) -> None:
     name = crs_name(header) or "of its keys"
-    message = f"the coordinate system {name} is written as GeoTIFF keys alone, which many readers pass over in point "
+    message = f"the coordinate system {name} is written only as GeoTIFF keys, which many readers ignore in point "
     warnings.warn(escaped(f"{message}formats of LAS 1.4: {reason}"), LostSystemWarning, stacklevel=2)

@@ -115,8 +115,8 @@ def lay_out(
     if table.colors is not None:
         table.colors = stack_colors(path, [*table.colors.T])  # raises outside 0..1
     scales, offsets = _scaling(path, table.points, scale, offset, like)
-    told = unit_record(laspy, path, table.unit, like)
-    version = "1.4" if _is_new(table) or told or (like is not None and needs_1_4(like)) else "1.2"
+    unit_vlr = unit_record(laspy, path, table.unit, like)
+    version = "1.4" if _is_new(table) or unit_vlr or (like is not None and needs_1_4(like)) else "1.2"
     header = laspy.LasHeader(point_format=_point_format(table), version=version)
     columns = _extra_columns(table, {*header.point_format.dimension_names})
     extra = store_extra(columns, None if like is None else layout_of(path, like))
@@ -126,22 +126,22 @@ def lay_out(
         header.vlrs.extract("ExtraBytesVlr")  # laspy would write ranges of single points
         header.vlrs.append(laspy.VLR(*EXTRA_BYTES, TITLE, record_of(extra, with_ranges=not is_part)))
     extended = take_over(laspy, path, header, like) if like is not None else []
-    if told:
+    if unit_vlr:
         header.global_encoding.value |= WKT_BIT
-        header.vlrs.append(told)
+        header.vlrs.append(unit_vlr)
     return LasLayout(laspy, table, header, extra, extended)
 
 
 def unstorable_in_las(path: Any, table: PointTable) -> dict[str, str]:
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions}
-    lost, taken = {}, {*standard, *_TAKEN}
+    lost, used_names = {}, {*standard, *_TAKEN}
     for name, values in table.attributes.items():
         if name in standard and name not in _TAKEN:
             reason = _why_unfit(values, standard[name])
         else:
-            reason = _why_no_extra(name, values, taken)
-            taken |= {*_split(name, values)}
+            reason = _why_no_extra(name, values, used_names)
+            used_names |= {*_split(name, values)}
         if reason:
             lost[name] = reason
     return lost
@@ -151,15 +151,15 @@ def name_rules(path: Any, table: PointTable) -> NameRules:
     """Allowed names of dimensions. Standard names only if the values fit."""
     layout = import_for(path, "laspy", "las").PointFormat(_point_format(table))
     standard = {dimension.name: dimension for dimension in layout.dimensions if dimension.name not in _TAKEN}
-    held = {name: values for name, values in table.attributes.items() if name in standard}
-    unfit = {name: name + RENAMED for name, values in held.items() if _why_unfit(values, standard[name])}
-    used = {*_TAKEN, *standard} - {*held} | {*unfit}
+    standard_values = {name: values for name, values in table.attributes.items() if name in standard}
+    unfit = {name: name + RENAMED for name, values in standard_values.items() if _why_unfit(values, standard[name])}
+    used = {*_TAKEN, *standard} - {*standard_values} | {*unfit}
     return NameRules(str.isprintable, used, max_bytes=_MAX_NAME_BYTES, instead=unfit)
 
 
 def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
     if values.ndim != 1:
-        return f"has {values.shape[1]} components, LAS's dimension of that name one"
+        return f"has {values.shape[1]} components, but LAS's dimension of that name has one"
     with np.errstate(invalid="ignore", over="ignore"):
         if dimension.name == "gps_time":
             same = values.astype(np.float64).astype(values.dtype) == values
@@ -167,16 +167,16 @@ def _why_unfit(values: NDArray[Any], dimension: Any) -> str:
         fits = (values >= dimension.min) & (values <= dimension.max) & (np.trunc(values) == values)
     if fits.all():
         return ""
-    return f"holds {values[~fits][0]}, LAS's dimension of that name whole numbers {dimension.min}..{dimension.max}"
+    return f"contains {values[~fits][0]}, but LAS stores integers {dimension.min}..{dimension.max} there"
 
 
-def _why_no_extra(name: str, values: NDArray[Any], taken: set[str]) -> str:
+def _why_no_extra(name: str, values: NDArray[Any], used_names: set[str]) -> str:
     if f"{values.dtype.kind}{values.dtype.itemsize}" not in TYPES:
         return f"is of type {values.dtype}, which LAS does not have"
     if values.ndim == 2 and not values.shape[1]:
         return "has no components"
     for part in _split(name, values):
-        if part in taken:
+        if part in used_names:
             return f"cannot be stored: LAS uses the name {part!r} for something else"
         if not part.isprintable() or not 0 < len(part.encode()) <= _MAX_NAME_BYTES:
             return f"cannot be named in LAS, which takes {_MAX_NAME_BYTES} bytes of printable characters"
@@ -225,19 +225,19 @@ def _scaling(
     if len(points) and not np.isfinite(points).all():
         row = int(np.flatnonzero(~np.isfinite(points).all(axis=1))[0])
         raise FileError(
-            path, f"point {row} is not finite, which LAS cannot hold", remedy="Call remove_non_finite_points() first"
+            path, f"point {row} is not finite, which LAS cannot store", remedy="Call remove_non_finite_points() first"
         )
-    reach = np.maximum(high - offsets, offsets - low)
+    extents = np.maximum(high - offsets, offsets - low)
     if scale is None:
-        scale = _fitting_scales(points, reach)
+        scale = _fitting_scales(points, extents)
     steps = check_numeric("scale", scale)
     scales = check_shape("scale", steps if steps.ndim else np.full(3, check_positive("scale", scale)), (3,))
     if not (np.isfinite(scales).all() and (scales > 0).all()):
         raise ValueError(f"scale: expected finite numbers > 0, got {scale}")
     slack = np.spacing(np.maximum(np.abs(low), np.abs(high)).astype(points.dtype))  # rounding of the points' type
     if not fits_steps(low + slack, high - slack, scales, offsets):
-        needed = 10.0 ** math.ceil(math.log10((reach / _MAX_STEPS).max()))
-        reason = f"coordinates {reach.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
+        needed = 10.0 ** math.ceil(math.log10((extents / _MAX_STEPS).max()))
+        reason = f"coordinates {extents.max():.6g} from the offset take more than 2^31 steps of {scales.tolist()}"
         raise FileError(path, reason, remedy=f"Give a larger scale, such as scale={needed:g}, or a nearer offset")
     return scales, offsets
 
@@ -249,16 +249,16 @@ def fits_steps(low: Any, high: Any, scales: Any, offsets: Any) -> bool:
 
 
 @quiet()
-def _fitting_scales(points: NDArray[Any], reach: NDArray[np.float64]) -> list[float]:
+def _fitting_scales(points: NDArray[Any], extents: NDArray[np.float64]) -> list[float]:
     """A power of ten per axis, not finer than 32 bits and the points' type can resolve."""
     if not len(points):
         return [_COARSEST_SCALE] * 3
     sample = points[:: len(points) // _SAMPLE | 1]
     low, high = np.quantile(sample, (0.01, 0.99), axis=0)
-    told = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
+    resolution = np.spacing(np.abs(sample).max(axis=0)).astype(np.float64)
     scales = []
     for axis in range(3):
-        finest, extent = max(reach[axis] / _MAX_STEPS, told[axis], 1e-12), float(high[axis]) - float(low[axis])
+        finest, extent = max(extents[axis] / _MAX_STEPS, resolution[axis], 1e-12), float(high[axis]) - float(low[axis])
         if max(finest, extent / _STEPS_ACROSS) >= _COARSEST_SCALE:
             scales.append(_COARSEST_SCALE)
             continue

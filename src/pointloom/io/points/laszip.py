@@ -170,8 +170,10 @@ def _read_chunk_table(
     if min(size for _, size in chunks) < header.record_length or sum(size for _, size in chunks) > table - first:
         raise FileError(path, f"the chunks do not fit into the {table - first} bytes before", where=f"byte {table}")
     if chunk_size == _VARIABLE and sum(points for points, _ in chunks) != header.point_count:
-        held = sum(points for points, _ in chunks)
-        raise FileError(path, f"the header counts {header.point_count} points, its chunks {held}", where="byte 107")
+        chunk_points = sum(points for points, _ in chunks)
+        raise FileError(
+            path, f"the header counts {header.point_count} points, its chunks {chunk_points}", where="byte 107"
+        )
     return chunks
 
 

@@ -22,7 +22,7 @@ class LazChunks:
     def __init__(self, path: Path):
         file = open_las(path)
         if not file.header.is_compressed or not file.header.point_count:
-            raise FileError(path, "is no LAZ file with points")
+            raise FileError(path, "is not a LAZ file with points")
         self.path, self.header = path, file.header
         self.row: np.dtype[Any] = file.layout.dtype()
         self._record = file.header.find(*LASZIP) or b""
@@ -35,11 +35,11 @@ class LazChunks:
     def rows(self, which: NDArray[np.int64]) -> NDArray[Any]:
         lazrs = import_for(self.path, "lazrs", "las")
         out = np.empty(int(self.counts[which].sum()), self.row)
-        told = list(zip(self.counts[which].tolist(), self._sizes[which].tolist(), strict=True))
+        chunk_table = list(zip(self.counts[which].tolist(), self._sizes[which].tolist(), strict=True))
         with foreign_errors(self.path, "the compressed points cannot be read"):
             with self.path.open("rb") as stream:
                 packed = b"".join(_bytes_at(stream, int(self._begins[k]), int(self._sizes[k])) for k in which.tolist())
-            lazrs.decompress_points_with_chunk_table(packed, self._record, out.view(np.uint8), told)
+            lazrs.decompress_points_with_chunk_table(packed, self._record, out.view(np.uint8), chunk_table)
         return out
 
 

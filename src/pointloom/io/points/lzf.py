@@ -60,11 +60,11 @@ def decompress(stream: bytes, size: int) -> bytes:
                 else:  # overlapping copy: the last `distance` bytes repeat
                     out += (out[begin:] * (length // distance + 1))[:length]
             if len(out) > size:
-                raise LzfError(f"more than the declared {size} bytes come out", at)
+                raise LzfError(f"decompresses to more than the declared {size} bytes", at)
     except IndexError:
         raise LzfError("ends within a reference", at) from None
     if len(out) != size:
-        raise LzfError(f"{len(out)} bytes come out where {size} are declared", at)
+        raise LzfError(f"decompresses to {len(out)} bytes instead of the declared {size}", at)
     return bytes(out)
 
 

@@ -57,23 +57,23 @@ def read_arrays(path: Path, wanted: Collection[str] | None = None) -> dict[str, 
     source = open_source(path)
     if source[-_END_BYTES:][:4] != b"PK\5\6":
         where = f"byte {len(source)}"
-        raise FileError(path, "is no NPZ archive, or is truncated, or bytes follow its end", where=where)
+        raise FileError(path, "is not an NPZ archive, or is truncated, or bytes follow its end", where=where)
     try:
-        with foreign_errors(path, "is no intact NPZ archive"), zipfile.ZipFile(path) as archive:
+        with foreign_errors(path, "is not an intact NPZ archive"), zipfile.ZipFile(path) as archive:
             arrays = {}
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")
                 if name == info.filename or name in arrays:
-                    what = "is there twice" if name in arrays else "is no .npy array"
+                    what = "is duplicated" if name in arrays else "is not a .npy array"
                     raise FileError(path, f"member {info.filename!r} {what}")
                 if wanted is None or name in wanted:
                     arrays[name] = read_member(path, archive, info, name)
             begin = min((info.header_offset for info in archive.infolist()), default=0)
             if begin:
-                raise FileError(path, f"{begin} bytes stand before the archive", where="byte 0")
+                raise FileError(path, f"{begin} bytes precede the archive", where="byte 0")
     except MemoryError as error:
         raise MemoryError(
-            escaped(f"{path}: the memory does not hold its arrays; read it on a machine with more")
+            escaped(f"{path}: not enough memory for its arrays; read it on a machine with more")
         ) from error
     return arrays
 
@@ -122,13 +122,13 @@ def read_member(path: Any, archive: zipfile.ZipFile, info: zipfile.ZipInfo, name
         shape, fortran, dtype = _read_array_header(path, stream, name)
         is_unit = name == _UNIT and dtype.kind == "U" and shape == () and dtype.itemsize <= 4 * _LONGEST_UNIT
         if not is_unit and (dtype.kind not in "biuf" or dtype.itemsize > 8):
-            raise FileError(path, f"{name}: {_NOT_NUMERIC}, found {dtype}")
+            raise FileError(path, f"{name}: {_NOT_NUMERIC}, got {dtype}")
         if any(isinstance(extent, bool) for extent in shape):
             raise FileError(path, f"{name}: the array's header is damaged: its shape is {shape}")
         count = math.prod(shape)
         needed, left = count * dtype.itemsize, info.file_size - stream.tell()
         if needed != left or min(shape, default=0) < 0 or len(shape) > MAX_AXES:
-            reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, {left} are there"
+            reason = f"{name}: the header's shape {list(shape)} of {dtype} needs {needed} bytes, but has {left}"
             raise FileError(path, reason, where=f"byte {info.header_offset}")
         body = stream.read()
     if len(body) != needed:
@@ -145,7 +145,7 @@ def _read_array_header(path: Any, stream: IO[bytes], name: str) -> tuple[tuple[i
 def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
     if "points" not in arrays:
         names = ", ".join(sorted(arrays)[:10]) or "nothing"
-        raise FileError(path, f"there is no array 'points' (the archive holds: {names})")
+        raise FileError(path, f"there is no array 'points' (the archive contains: {names})")
     points = arrays.pop("points")
     _check_shape(path, "points", points, None)
     count = len(points)
@@ -158,7 +158,7 @@ def _table(path: Any, arrays: dict[str, NDArray[Any]]) -> PointTable:
     unit = _unit(path, arrays.pop(_UNIT)) if _UNIT in arrays and arrays[_UNIT].dtype.kind == "U" else None
     for name, values in arrays.items():
         if values.ndim not in (1, 2) or len(values) != count:
-            raise FileError(path, f"{name}: expected shape [{count}] or [{count}, c], found {list(values.shape)}")
+            raise FileError(path, f"{name}: expected shape [{count}] or [{count}, c], got {list(values.shape)}")
     return PointTable(
         points,
         None if normals is None else stack_normals(path, [*normals.T]),
@@ -178,7 +178,7 @@ def _check_shape(path: Any, name: str, values: NDArray[Any], count: int | None) 
     ):
         expected = "n" if count is None else count
         raise FileError(
-            path, f"{name}: expected numbers of shape [{expected}, 3], found {values.dtype} {list(values.shape)}"
+            path, f"{name}: expected numbers of shape [{expected}, 3], got {values.dtype} {list(values.shape)}"
         )
 
 
@@ -190,7 +190,7 @@ def _unit(path: Any, value: NDArray[Any]) -> LengthUnit:
     unit = unit_of_text(text)
     if unit is None:
         remedy = f"Use one of {', '.join(unit.name for unit in KNOWN)}, or 'name = 0.3048 m' for another one"
-        raise FileError(path, f"unit: expected the name of a unit, found {shown(text)}", remedy=remedy)
+        raise FileError(path, f"unit: expected the name of a unit, got {shown(text)}", remedy=remedy)
     return unit
 
 
@@ -199,4 +199,4 @@ def _grid(path: Any, values: NDArray[Any], count: int) -> tuple[int, int]:
         height, width = (int(extent) for extent in values)
         if height > 0 and width > 0 and height * width == count:
             return height, width
-    raise FileError(path, f"grid: expected height and width with a product of {count}, found {values.tolist()}")
+    raise FileError(path, f"grid: expected height and width with a product of {count}, got {values.tolist()}")

@@ -147,8 +147,8 @@ def _read_ascii(path: Any, source: Source, header: PcdHeader) -> dict[str, NDArr
 def _unmeasured(header: PcdHeader, table: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Mask of text points with NaN x, y and z, whose color is irrelevant."""
     ends = np.cumsum([field.count for field in header.fields])
-    places = [end - 1 for field, end in zip(header.fields, ends, strict=True) if field.name in ("x", "y", "z")]
-    return np.asarray(np.isnan(table[:, places]).all(axis=1))
+    columns = [end - 1 for field, end in zip(header.fields, ends, strict=True) if field.name in ("x", "y", "z")]
+    return np.asarray(np.isnan(table[:, columns]).all(axis=1))
 
 
 def _packed_floats(column: NDArray[np.float64], unmeasured: NDArray[np.bool_]) -> NDArray[np.float32] | None:
@@ -213,7 +213,7 @@ def table_of(path: Path, fields: dict[str, NDArray[Any]]) -> PointTable:
         colors, alpha = _unpack_colors(path, name, fields.pop(name))
         if name == "rgba":
             if "alpha" in fields:
-                raise FileError(path, "there is a field 'alpha' beside that of 'rgba'")
+                raise FileError(path, "the fields 'alpha' and 'rgba' conflict")
             fields["alpha"] = alpha
     elif "channels" in roles:
         colors = stack_colors(path, [fields.pop(name) for name in _CHANNELS])
@@ -245,7 +245,7 @@ def write_pcd(
     table = table.checked()
     fields = _fields(path, table)
     if encoding == "binary_compressed" and sum(values.nbytes for values in fields.values()) >= 2**32:
-        raise FileError(path, "a compressed PCD holds less than 4 GiB", remedy="Write encoding='binary'")
+        raise FileError(path, "a compressed PCD is limited to 4 GiB", remedy="Write encoding='binary'")
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(_header(table, fields, encoding))
         if encoding == "ascii":
@@ -287,7 +287,7 @@ def _role_names(names: Container[str], dims: dict[str, int]) -> dict[str, tuple[
 def _unpack_colors(path: Any, name: str, packed: NDArray[Any]) -> tuple[NDArray[np.float32], NDArray[np.uint8]]:
     """Colors (n, 3) and alpha (n,) from packed bytes 0xAARRGGBB."""
     if packed.dtype.itemsize != 4 or packed.ndim != 1:
-        raise FileError(path, f"field {name!r}: expected one value of 4 bytes, found {packed.dtype.name}")
+        raise FileError(path, f"field {name!r}: expected one value of 4 bytes, got {packed.dtype.name}")
     channels = np.ascontiguousarray(packed).astype(packed.dtype.newbyteorder("<"), copy=False).view(np.uint8)
     channels = channels.reshape(-1, 4)
     return stack_colors(path, [channels[:, 2], channels[:, 1], channels[:, 0]]), channels[:, 3]
@@ -323,9 +323,9 @@ def _fields(path: Any, table: PointTable) -> dict[str, NDArray[Any]]:
         if name in fields or name == "_":
             raise FileError(path, f"attribute {name!r}: the format uses this name itself", remedy="Rename it")
         fields[name] = values[:, 0] if values.ndim == 2 and values.shape[1] == 1 else values
-    found = _role_names(fields, {name: values.ndim for name, values in fields.items()})
-    if found != expected:
-        names: Sequence[str] = [name for key, names in found.items() if expected.get(key) != names for name in names]
+    roles = _role_names(fields, {name: values.ndim for name, values in fields.items()})
+    if roles != expected:
+        names: Sequence[str] = [name for key, names in roles.items() if expected.get(key) != names for name in names]
         reason = f"the attributes {', '.join(names)} would be read as normals or colors"
         raise FileError(path, reason, remedy="Rename one of them")
     return fields

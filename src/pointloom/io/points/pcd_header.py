@@ -14,7 +14,7 @@ import numpy as np
 
 from ...core.errors import FileError
 from ...core.escaped_text import escaped
-from ..source import MAX_HEADER_BYTES, Source, parse_whole
+from ..source import MAX_HEADER_BYTES, Source, parse_count
 
 STANDING = (0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0)  # a VIEWPOINT at the origin
 
@@ -71,12 +71,16 @@ def read_header(path: Any, source: Source) -> PcdHeader:
     words, line = lines["DATA"]
     if len(words) != 1 or words[0] not in ENCODINGS:
         raise FileError(
-            path, f"unknown encoding {' '.join(words)[:60]!r}; known are {', '.join(ENCODINGS)}", where=f"line {line}"
+            path,
+            f"unknown encoding {' '.join(words)[:60]!r}; supported are {', '.join(ENCODINGS)}",
+            where=f"line {line}",
         )
     encoding = words[0]
     words, line = lines.get("VERSION", (["0.7"], 0))
     if len(words) != 1 or words[0] not in _VERSIONS:
-        raise FileError(path, f"unknown version {' '.join(words)[:60]!r}; known are 0.5 to 0.7", where=f"line {line}")
+        raise FileError(
+            path, f"unknown version {' '.join(words)[:60]!r}; supported are 0.5 to 0.7", where=f"line {line}"
+        )
     viewpoint = _parse_viewpoint(path, lines)
     width, height = _parse_extent(path, lines)
     return PcdHeader(_parse_fields(path, lines), width, height, encoding, size, line_count, viewpoint)
@@ -94,8 +98,8 @@ def _header_lines(path: Any, source: Source) -> tuple[_Lines, int, int]:
         try:
             line = bytes(source[begin:stop]).decode("utf-8").strip()
         except UnicodeDecodeError as error:
-            place = f"{where}, byte {begin + error.start}"
-            raise FileError(path, "the header is not UTF-8 text (or this is no PCD file)", where=place) from error
+            location = f"{where}, byte {begin + error.start}"
+            raise FileError(path, "the header is not UTF-8 text (or this is not a PCD file)", where=location) from error
         if line and not line.startswith("#"):
             key, *words = line.split()
             key = "FIELDS" if key == "COLUMNS" else key
@@ -131,7 +135,7 @@ def _parse_fields(path: Any, lines: _Lines) -> list[Field]:
         if code not in _TYPES.get(columns["TYPE"][k], "").split():
             reason = f"field {name!r} has the unknown type {columns['TYPE'][k]!r} of size {columns['SIZE'][k]!r}"
             raise FileError(path, reason, where=f"line {numbers['TYPE']}")
-        count = parse_whole(
+        count = parse_count(
             path, columns["COUNT"][k], f"the COUNT of field {name!r}", numbers["COUNT"], maximum=_MAX_COMPONENTS
         )
         if count < 1:
@@ -164,8 +168,8 @@ def _parse_extent(path: Any, lines: _Lines) -> tuple[int, int]:
 def _parse_one(path: Any, lines: _Lines, key: str) -> int:
     words, line = lines[key]
     if len(words) != 1:
-        raise FileError(path, f"{key}: expected one number, found {' '.join(words)[:60]!r}", where=f"line {line}")
-    return parse_whole(path, words[0], key, line)
+        raise FileError(path, f"{key}: expected one number, got {' '.join(words)[:60]!r}", where=f"line {line}")
+    return parse_count(path, words[0], key, line)
 
 
 def _require(path: Any, lines: _Lines, key: str) -> tuple[list[str], int]:
@@ -183,5 +187,5 @@ def _parse_viewpoint(path: Any, lines: _Lines) -> tuple[float, ...] | None:
     except ValueError:
         numbers = ()
     if len(numbers) != 7 or not all(map(math.isfinite, numbers)):
-        raise FileError(path, f"VIEWPOINT: expected 7 numbers, found {' '.join(words)[:60]!r}", where=f"line {line}")
+        raise FileError(path, f"VIEWPOINT: expected 7 numbers, got {' '.join(words)[:60]!r}", where=f"line {line}")
     return None if numbers in (STANDING, (0.0,) * 7) else numbers

@@ -21,8 +21,8 @@ from ...core.errors import FileError
 from ..ascii_rows import CHUNK_ROWS, write_rows
 from ..attribute_names import NameRules, is_word
 from ..columns import (
+    check_extent,
     check_name,
-    check_reach,
     check_type,
     colors_or_loss,
     colors_to_bytes,
@@ -46,13 +46,13 @@ _AT_VERTICES = (("texture_u", "texture_v"), ("s", "t"), ("u", "v"))
 
 def texture_properties(path: Any, face: Element) -> list[Property]:
     """The texture properties of faces. Raises `FileError` if a list is a scalar or the reverse."""
-    found = [prop for prop in face.properties if prop.name in (_AT_CORNERS, _NUMBER)]
-    for prop in found:
+    properties = [prop for prop in face.properties if prop.name in (_AT_CORNERS, _NUMBER)]
+    for prop in properties:
         is_list = prop.count_type is not None
         if is_list != (prop.name == _AT_CORNERS) or (not is_list and prop.dtype.kind == "f"):
             expected = "a list of coordinates" if prop.name == _AT_CORNERS else "a whole number"
             raise FileError(path, f"the faces' property {prop.name!r} is not {expected}")
-    return found
+    return properties
 
 
 def pair_at_vertices(attributes: dict[str, NDArray[Any]]) -> tuple[str, str] | None:
@@ -82,7 +82,7 @@ def add_textures(
         assert not isinstance(numbers, ListColumn)
         bad = np.flatnonzero((numbers < 0) | (numbers >= len(named)))
         if len(bad):
-            reason = f"a face has the texture {numbers[bad[0]]}, but {len(named)} are named"
+            reason = f"a face refers to texture {numbers[bad[0]]}, but {len(named)} are listed"
             raise FileError(path, reason, where=f"face {int(bad[0])}")
         used, ids = np.unique(numbers, return_inverse=True)
     mesh.textures = read_textures(path, [named[number] for number in used], outside_files=outside_files)
@@ -174,7 +174,7 @@ def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) 
     if "face" not in by_name and STRIPS not in by_name:
         if "face" in (element.name for element in header.elements):
             _corner_property(path, header.element(path, "face"))
-        raise FileError(path, "holds no faces", remedy="Read it as a point cloud")
+        raise FileError(path, "contains no faces", remedy="Read it as a point cloud")
     taken: dict[str, list[Property]] = {}
     for name in ("face", STRIPS):
         if name in by_name:
@@ -188,7 +188,7 @@ def read_ply_mesh(path: str | os.PathLike[str], *, outside_files: bool = False) 
 
     columns = read_rows(path, source, header, wanted)
     vertices, normals, colors, attributes = _assign_roles(path, columns["vertex"], colors_or_loss)
-    check_reach(path, vertices)
+    check_extent(path, vertices)
     mesh = MeshTable(vertices, np.empty((0, 3), np.int64), normals, colors, attributes)
     if "face" in by_name:
         faces = columns["face"][taken["face"][0].name]
@@ -209,7 +209,7 @@ def _add_strips(path: Path, mesh: MeshTable, strips: Column) -> None:
     assert isinstance(strips, ListColumn)
     triangles = strip_triangles(path, strips, len(mesh.vertices))
     if not len(mesh.triangles) and not len(triangles):
-        raise FileError(path, "holds no faces: its strips have no triangle", remedy="Read it as a point cloud")
+        raise FileError(path, "contains no faces: its strips have no triangle", remedy="Read it as a point cloud")
     if mesh.triangle_uvs is not None or mesh.triangle_attributes:
         warn_of_loss(path, "textures and values of faces", "the strips beside them have none")
         mesh.triangle_uvs, mesh.triangle_material_ids, mesh.textures, mesh.triangle_attributes = None, None, (), {}
@@ -247,7 +247,7 @@ def write_ply_mesh(
     mesh = mesh.checked()
     if mesh.triangles.dtype != np.int32:
         raise FileError(
-            path, f"PLY's 32-bit indices cannot reach {len(mesh.vertices)} vertices", remedy="Split the mesh"
+            path, f"PLY's 32-bit indices cannot index {len(mesh.vertices)} vertices", remedy="Split the mesh"
         )
     columns = _vertex_columns(path, mesh.vertices, mesh.vertex_normals, mesh.vertex_colors, mesh.attributes)
     if mesh.triangle_uvs is None and (pair := pair_at_vertices(mesh.attributes)):
@@ -256,8 +256,8 @@ def write_ply_mesh(
     names = picture_names(path, len(mesh.textures))
     properties, values = face_columns(mesh)
     more, more_values = attribute_columns(path, mesh.triangle_attributes, _TYPES, _TYPE_REMEDY)
-    said = [*comments, *(f"TextureFile {name}" for name in names)]
-    head = _header(columns, len(mesh.vertices), ascii=ascii, comments=said)
+    all_comments = [*comments, *(f"TextureFile {name}" for name in names)]
+    head = _header(columns, len(mesh.vertices), ascii=ascii, comments=all_comments)
     head += ["element face " + str(len(mesh.triangles)), "property list uchar int vertex_indices"]
     head += [*properties, *more]
     with write_with(path, dict(zip(names, mesh.textures, strict=True)), overwrite=overwrite) as file:
@@ -278,7 +278,7 @@ def write_ply_mesh_parts(
     `parts` is called twice. Its triangles index the vertices of all parts. `counts` are all vertices and triangles."""
     path, (vertices, triangles) = check_writable(path, overwrite=overwrite), counts
     if vertices > np.iinfo(np.int32).max:
-        reason = f"PLY's 32-bit indices cannot reach {vertices:,} vertices"
+        reason = f"PLY's 32-bit indices cannot index {vertices:,} vertices"
         raise FileError(path, reason, remedy="Write the parts as files of a folder")
     with atomic_write(path, overwrite=overwrite) as file:
         for number, part in enumerate(parts()):
@@ -301,7 +301,7 @@ def _role_names(path: Any, names: Sequence[str] | Mapping[str, Any]) -> list[tup
     """The properties of positions, normals and colors. None for a missing role."""
     missing = [name for name in _POINTS if name not in names]
     if missing and _PACKED_SPLATS in names:
-        raise FileError(path, "holds compressed Gaussian splats (SuperSplat)", remedy="read_splats reads them")
+        raise FileError(path, "contains compressed Gaussian splats (SuperSplat)", remedy="read_splats reads them")
     if missing:
         raise FileError(path, f"element 'vertex' has no property {', '.join(missing)}")
     normals = _NORMALS if all(name in names for name in _NORMALS) else None
@@ -339,7 +339,7 @@ def _check_corners(path: Any, faces: ListColumn, vertex_count: int) -> NDArray[A
     if bad.any():
         k = int(np.flatnonzero(bad)[0])
         row = int(np.searchsorted(np.cumsum(faces.lengths), k, side="right"))
-        reason = f"a face names vertex {corners[k]}, but there are {vertex_count} vertices"
+        reason = f"a face refers to vertex {corners[k]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=f"face {row}")
     return corners.astype(np.int32 if vertex_count <= 2**31 else np.int64)
 
@@ -372,9 +372,9 @@ def _vertex_columns(
             raise FileError(path, f"attribute {name!r}: the property {clash[0]!r} exists already", remedy="Rename it")
         columns |= parts
     expected = [_POINTS, None if normals is None else _NORMALS, None if colors is None else _COLORS[0]]
-    for found, meant in zip(_role_names(path, columns), expected, strict=True):
-        if found != meant:
-            reason = f"the attributes {', '.join(found or ())} would be read as normals or colors"
+    for names, meant in zip(_role_names(path, columns), expected, strict=True):
+        if names != meant:
+            reason = f"the attributes {', '.join(names or ())} would be read as normals or colors"
             raise FileError(path, reason, remedy="Rename one of them")
     return columns
 

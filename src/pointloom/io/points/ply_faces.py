@@ -32,12 +32,12 @@ def strip_triangles(path: Any, strips: ListColumn, vertex_count: int) -> NDArray
     bad = np.flatnonzero((values < -1) | (values >= vertex_count))
     row_of = np.repeat(np.arange(len(strips.lengths)), strips.lengths)
     if len(bad):
-        reason = f"a strip names vertex {values[bad[0]]}, but there are {vertex_count} vertices"
+        reason = f"a strip refers to vertex {values[bad[0]]}, but there are {vertex_count} vertices"
         raise FileError(path, reason, where=f"strip {row_of[bad[0]]}")
-    places = np.arange(len(values))
+    index = np.arange(len(values))
     begins = np.ones(len(values), bool)
     begins[1:] = (row_of[1:] != row_of[:-1]) | (values[:-1] < 0)
-    within = places - np.maximum.accumulate(np.where(begins, places, 0))  # position within its strip
+    within = index - np.maximum.accumulate(np.where(begins, index, 0))  # position within its strip
     third = np.flatnonzero((within >= 2) & (values >= 0))
     rows = np.stack([values[third - 2], values[third - 1], values[third]], axis=1)
     odd = within[third] % 2 == 1
@@ -54,18 +54,18 @@ def triangle_attributes(
         for name, column in columns.items()
         if not isinstance(column, ListColumn) and name not in (*_CORNERS, *_TEXTURE)
     }
-    found: dict[str, NDArray[Any]] = {}
+    attributes: dict[str, NDArray[Any]] = {}
     if all(name in scalars for name in _COLORS):
         colors = colors_or_loss(path, _color_channels(scalars), what="colors of faces", stacklevel=4)
         if colors is not None:
-            found["colors"] = colors
+            attributes["colors"] = colors
     if "colors" in scalars:
-        warn_of_loss(path, "values 'colors' of faces", "a mesh calls something else so", stacklevel=4)
+        warn_of_loss(path, "values 'colors' of faces", "a mesh uses this name for something else", stacklevel=4)
         del scalars["colors"]
-    found |= {name: own(column) for name, column in scalars.items()}
+    attributes |= {name: own(column) for name, column in scalars.items()}
     if (lengths == 3).all():
-        return found
-    return {name: np.repeat(values, lengths - 2, axis=0) for name, values in found.items()}
+        return attributes
+    return {name: np.repeat(values, lengths - 2, axis=0) for name, values in attributes.items()}
 
 
 def _color_channels(scalars: dict[str, NDArray[Any]]) -> list[NDArray[Any]]:
@@ -86,12 +86,12 @@ def warn_of_rest(path: Any, header: PlyHeader, columns: Mapping[str, Mapping[str
         elif element.name != STRIPS:
             lost += [f"{element.name} {p.name!r}" for p in element.properties if p.name not in columns[element.name]]
     if lost:
-        warn_of_loss(path, "lists and elements", f"a mesh has no place for them: {', '.join(lost)}", stacklevel=4)
+        warn_of_loss(path, "lists and elements", f"a mesh cannot store them: {', '.join(lost)}", stacklevel=4)
 
 
 def face_name_rules(colors: NDArray[Any] | None) -> NameRules:
-    held = () if colors is None else (*_COLORS, _ALPHA) if colors.shape[1:] == (4,) else _COLORS
-    used = {*_CORNERS, *_TEXTURE, *held}
+    color_names = () if colors is None else (*_COLORS, _ALPHA) if colors.shape[1:] == (4,) else _COLORS
+    used = {*_CORNERS, *_TEXTURE, *color_names}
     return NameRules(is_word, used, [] if colors is not None else [_COLORS])
 
 

@@ -11,7 +11,7 @@ from typing import Any, Literal
 import numpy as np
 
 from ...core.errors import FileError
-from ..source import MAX_HEADER_BYTES, Source, parse_whole
+from ..source import MAX_HEADER_BYTES, Source, parse_count
 
 #: PLY's two families of type names, as NumPy codes without byte order.
 SCALAR_TYPES = {
@@ -49,7 +49,7 @@ class Element:
         return any(prop.count_type is not None for prop in self.properties)
 
     @property
-    def least_row_bytes(self) -> int:
+    def min_row_bytes(self) -> int:
         return sum((prop.count_type or prop.dtype).itemsize for prop in self.properties)
 
 
@@ -85,12 +85,12 @@ def read_header(path: Any, source: Source) -> PlyHeader:
         if words[0] == "format":
             byte_order = _parse_format(path, words, number, again=byte_order is not None)
         elif byte_order is None:
-            raise FileError(path, f"expected the format line, found {line[:60]!r}", where=f"line {number}")
+            raise FileError(path, f"expected the format line, got {line[:60]!r}", where=f"line {number}")
         elif words[0] == "element":
             elements.append(_parse_element(path, words, number, elements))
         elif words[0] == "property":
             if not elements:
-                raise FileError(path, "a property stands before any element", where=f"line {number}")
+                raise FileError(path, "a property precedes all elements", where=f"line {number}")
             elements[-1].properties.append(_parse_property(path, words, number, elements[-1], byte_order))
         else:
             raise FileError(path, f"unknown header line {line[:60]!r}", where=f"line {number}")
@@ -112,8 +112,8 @@ def _header_lines(path: Any, source: Source) -> tuple[list[str], int]:
         try:
             line = bytes(source[begin:stop]).decode("utf-8").strip()
         except UnicodeDecodeError as error:
-            place = f"line {len(lines) + 1}, byte {begin + error.start}"
-            raise FileError(path, "the header is not UTF-8 text", where=place) from error
+            location = f"line {len(lines) + 1}, byte {begin + error.start}"
+            raise FileError(path, "the header is not UTF-8 text", where=location) from error
         if line == "end_header":
             return lines, stop + (1 if end >= 0 else 0)
         if end < 0:
@@ -128,17 +128,19 @@ def _parse_format(path: Any, words: list[str], number: int, *, again: bool) -> B
         raise FileError(path, "a second format line", where=where)
     if len(words) != 3 or words[1] not in _BYTE_ORDERS or words[2] != "1.0":
         known = ", ".join(_BYTE_ORDERS)
-        raise FileError(path, f"unknown format {' '.join(words[1:])[:60]!r}; known are {known}, all 1.0", where=where)
+        raise FileError(
+            path, f"unknown format {' '.join(words[1:])[:60]!r}; supported are {known}, all 1.0", where=where
+        )
     return _BYTE_ORDERS[words[1]]
 
 
 def _parse_element(path: Any, words: list[str], number: int, elements: list[Element]) -> Element:
     where = f"line {number}"
     if len(words) != 3:
-        raise FileError(path, f"expected 'element <name> <count>', found {' '.join(words)[:60]!r}", where=where)
+        raise FileError(path, f"expected 'element <name> <count>', got {' '.join(words)[:60]!r}", where=where)
     if any(element.name == words[1] for element in elements):
         raise FileError(path, f"element {words[1]!r} is declared twice", where=where)
-    return Element(words[1], parse_whole(path, words[2], f"the count of element {words[1]!r}", number))
+    return Element(words[1], parse_count(path, words[2], f"the count of element {words[1]!r}", number))
 
 
 def _parse_property(path: Any, words: list[str], number: int, element: Element, byte_order: ByteOrder) -> Property:
@@ -146,7 +148,7 @@ def _parse_property(path: Any, words: list[str], number: int, element: Element, 
     is_list = len(words) == 5 and words[1] == "list"
     if not is_list and len(words) != 3:
         forms = "'property <type> <name>' or 'property list <type> <type> <name>'"
-        raise FileError(path, f"expected {forms}, found {' '.join(words)[:60]!r}", where=where)
+        raise FileError(path, f"expected {forms}, got {' '.join(words)[:60]!r}", where=where)
     name = words[-1]
     for word in words[2 if is_list else 1 : -1]:
         if word not in SCALAR_TYPES:
@@ -158,5 +160,5 @@ def _parse_property(path: Any, words: list[str], number: int, element: Element, 
         return Property(name, dtype)
     count_type = np.dtype(SCALAR_TYPES[words[2]]).newbyteorder(byte_order)
     if count_type.kind == "f":
-        raise FileError(path, f"the list {name!r} is counted in {words[2]}, which is no whole number", where=where)
+        raise FileError(path, f"the list {name!r} is counted in {words[2]}, which is not an integer type", where=where)
     return Property(name, dtype, count_type)

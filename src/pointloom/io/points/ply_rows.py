@@ -48,12 +48,12 @@ class _BinaryRows:
 
     def read(self, element: Element, wanted: Wanted) -> dict[str, Column]:
         available = len(self._source) - self._offset
-        needed = element.count * element.least_row_bytes
+        needed = element.count * element.min_row_bytes
         if needed > available:
-            least = "at least " if element.has_lists else ""
+            qualifier = "at least " if element.has_lists else ""
             raise FileError(
                 self._path,
-                f"truncated: {element.count} rows of element {element.name!r} need {least}{needed} bytes, "
+                f"truncated: {element.count} rows of element {element.name!r} need {qualifier}{needed} bytes, "
                 f"{available} are left ({needed - available} missing)",
                 where=f"byte {len(self._source)}",
             )
@@ -104,7 +104,7 @@ class _BinaryRows:
         return lengths
 
     def _view(self, element: Element, lengths: dict[str, int], wanted: Wanted) -> dict[str, Column]:
-        row_bytes = element.least_row_bytes + sum(
+        row_bytes = element.min_row_bytes + sum(
             lengths[prop.name] * prop.dtype.itemsize for prop in element.properties if prop.count_type is not None
         )
         columns: dict[str, Column] = {}
@@ -206,7 +206,7 @@ class _TextRows:
             return {prop.name: _empty(prop) for prop in element.properties if wanted(element, prop)}
         begin = self._claim(element)
         if element.has_lists:
-            return self._walk(element, begin, wanted)
+            return self._parse_lists(element, begin, wanted)
         width = len(element.properties)
         self._rows.check_width(begin, begin + element.count, width)
         first = self._rows.first[begin]
@@ -237,7 +237,7 @@ class _TextRows:
         self._next += element.count
         return begin
 
-    def _walk(self, element: Element, begin: int, wanted: Wanted) -> dict[str, Column]:
+    def _parse_lists(self, element: Element, begin: int, wanted: Wanted) -> dict[str, Column]:
         """Parse rows with lists, one property at a time for all rows."""
         rows = slice(begin, begin + element.count)
         at, end = self._rows.first[rows].copy(), self._rows.first[1:][rows]

@@ -191,16 +191,16 @@ def cloud_of(
     except FileError:
         raise
     except ValueError as error:
-        raise FileError(path, f"{error}", remedy="Drop the points that lie so far out") from error
+        raise FileError(path, f"{error}", remedy="Remove the distant points") from error
     if renamed := new_names(table.attributes, NameRules(lambda letter: True, VECTORS, in_parts=False)):
-        warn_of_names(path, "read under other names, since every cloud has arrays of these names", renamed)
+        warn_of_names(path, "read under other names, because every cloud has arrays of these names", renamed)
     for name, values in table.attributes.items():  # one by one: a file may call one "device" or "origin"
         cloud[renamed.get(name, name)] = values
-    cloud.grid, cloud.unit = table.grid, unit_told(table, path)
+    cloud.grid, cloud.unit = table.grid, unit_with_warnings(table, path)
     return cloud
 
 
-def unit_told(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
+def unit_with_warnings(table: PointTable, path: str | os.PathLike[str]) -> LengthUnit | None:
     """The unit of the coordinates. Warns if the file contradicts itself."""
     for warning in table.warnings:
         warn_of_units(f"{path}: {warning}")
@@ -299,7 +299,7 @@ def _extension(path: str | os.PathLike[str]) -> str:
     if extension not in READERS:
         if extension in (".obj", ".stl", ".off", ".glb", ".gltf"):
             raise FileError(
-                path, f"{extension} files hold meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
+                path, f"{extension} files contain meshes", remedy="Use read_triangle_mesh, write_triangle_mesh"
             )
         known = " ".join(READERS)
         if not extension and not path_of(path).exists():
@@ -307,6 +307,6 @@ def _extension(path: str | os.PathLike[str]) -> str:
         if path_of(path).is_dir():
             raise FileError(path, "is a folder", remedy=f"Give the name of a file: {known}")
         if extension in (".jpg", ".jpeg", ".png"):
-            raise FileError(path, "is a picture", remedy="Use read_color, or read_depth for depth maps")
+            raise FileError(path, "is an image", remedy="Use read_color, or read_depth for depth maps")
         raise FileError(path, f"unknown extension {extension!r}", remedy=f"Use one of {known}")
     return extension

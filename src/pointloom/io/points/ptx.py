@@ -22,7 +22,7 @@ from ...core.quaternions import nearest_rotations
 from ...core.units import METRE
 from ..ascii_rows import AsciiRows, is_number, unix_lines
 from ..columns import stack_colors
-from ..source import Source, open_source, parse_whole
+from ..source import Source, open_source, parse_count
 from ..table import PointTable
 from .e57 import SCAN_INDEX, ScanFrame, merge_scans
 
@@ -46,8 +46,8 @@ class _Lines:
         self.path = path
         self._body: Source = source if source.find(b"\n") >= 0 else unix_lines(bytes(source[:]))
         begins = range(0, len(self._body), _SEARCHED)
-        found = [np.flatnonzero(_bytes_of(self._body, begin) == ord("\n")) + begin for begin in begins]
-        ends = np.concatenate(found)
+        newlines = [np.flatnonzero(_bytes_of(self._body, begin) == ord("\n")) + begin for begin in begins]
+        ends = np.concatenate(newlines)
         is_open = not len(ends) or ends[-1] + 1 < len(self._body)
         self._ends = np.append(ends, len(self._body)) if is_open else ends
         self.count = len(self._ends)
@@ -56,16 +56,16 @@ class _Lines:
         first = int(self._ends[begin - 1]) + 1 if begin else 0
         return bytes(self._body[first : int(self._ends[end - 1])]) if end > begin else b""
 
-    def whole(self, line: int, what: str) -> int:
+    def integer(self, line: int, what: str) -> int:
         text = self.text(line, line + 1).strip().decode("ascii", "backslashreplace")
-        return parse_whole(self.path, text, what, line + 1)
+        return parse_count(self.path, text, what, line + 1)
 
     def numbers(self, line: int, width: int, what: str) -> list[float]:
         words = self.text(line, line + 1).split()
         values = [float(word) for word in words] if all(map(is_number, words)) else []
         if len(values) != width or not np.isfinite(values).all():
             shown = b" ".join(words)[:60].decode("ascii", "backslashreplace")
-            reason = f"{what}: expected {width} finite numbers, found {shown!r}"
+            reason = f"{what}: expected {width} finite numbers, got {shown!r}"
             raise FileError(self.path, reason, where=f"line {line + 1}")
         return values
 
@@ -90,7 +90,7 @@ def read_ptx(path: str | os.PathLike[str], *, scan: int | None = None) -> PointT
         if not 0 <= scan < len(scans):
             raise IndexError(f"scan: expected 0..{len(scans) - 1}, got {scan}")
         return _in_world(_read_scan(lines, scans[scan]), scans[scan].pose)
-    return merge_scans([*iterate_placed(path)])
+    return merge_scans([*iterate_world_scans(path)])
 
 
 def iterate_ptx(path: str | os.PathLike[str]) -> Iterator[tuple[PointTable, NDArray[np.float64]]]:
@@ -100,7 +100,7 @@ def iterate_ptx(path: str | os.PathLike[str]) -> Iterator[tuple[PointTable, NDAr
         yield _read_scan(lines, scan), scan.pose
 
 
-def iterate_placed(path: str | os.PathLike[str]) -> Iterator[PointTable]:
+def iterate_world_scans(path: str | os.PathLike[str]) -> Iterator[PointTable]:
     """Yield the points of each scan in world coordinates, with `scan_index`."""
     for number, (table, pose) in enumerate(iterate_ptx(path)):
         table.attributes[SCAN_INDEX] = np.full(len(table.points), number, np.int32)
@@ -129,16 +129,16 @@ def _open(path: str | os.PathLike[str]) -> tuple[_Lines, list[_Scan]]:
         columns, rows = scans[-1].shape
         at = scans[-1].first + columns * rows
     if not scans:
-        raise FileError(path, "holds no scan of points")
+        raise FileError(path, "contains no scan of points")
     return lines, scans
 
 
 def _read_header(lines: _Lines, at: int) -> _Scan:
-    columns = lines.whole(at, "the number of columns of a scan")
+    columns = lines.integer(at, "the number of columns of a scan")
     if lines.count - at < _HEADER_LINES:
         reason = f"truncated: the header of a scan has {lines.count - at} of {_HEADER_LINES} lines"
         raise FileError(lines.path, reason, where=f"line {lines.count}")
-    rows = lines.whole(at + 1, "the number of rows of a scan")
+    rows = lines.integer(at + 1, "the number of rows of a scan")
     for k, what in enumerate(("position of the scanner", "X axis", "Y axis", "Z axis")):
         lines.numbers(at + 2 + k, 3, what)
     matrix = np.array([lines.numbers(at + 6 + k, 4, "matrix of the scan") for k in range(4)])
@@ -151,21 +151,21 @@ def _read_header(lines: _Lines, at: int) -> _Scan:
     left = lines.count - at - _HEADER_LINES
     if columns * rows > left:
         expected = f"{columns} x {rows} = {columns * rows} lines of points"
-        reason = f"truncated: expected {expected} of a scan, found {left}"
+        reason = f"truncated: expected {expected} of a scan, got {left}"
         raise FileError(lines.path, reason, where=f"line {at + 1}", remedy="It was cut off, or the numbers are wrong")
     return _Scan((columns, rows), pose, at + _HEADER_LINES)
 
 
 def _read_scan(lines: _Lines, scan: _Scan) -> PointTable:
     count, width = scan.shape[0] * scan.shape[1], 0
-    kept, parts = [np.empty(0, np.int64)], [np.empty((0, 4))]
+    indices, parts = [np.empty(0, np.int64)], [np.empty((0, 4))]
     for begin in range(scan.first, scan.first + count, _BLOCK):
         end = min(begin + _BLOCK, scan.first + count)
         rows = lines.rows(begin, end)
         if not width:
             width = int(rows.widths()[0])
             if width not in _WIDTHS:
-                reason = f"expected 4 or 7 values (x y z intensity, then r g b), found {width}"
+                reason = f"expected 4 or 7 values (x y z intensity, then r g b), got {width}"
                 raise FileError(lines.path, reason, where=rows.where(0), remedy="Check the number of rows and columns")
             parts = [np.empty((0, width))]
         rows.check_width(0, rows.row_count, width)
@@ -173,9 +173,9 @@ def _read_scan(lines: _Lines, scan: _Scan) -> PointTable:
         for column in values[:, 4:].T:
             rows.cast(column, np.dtype(np.uint8), "color", 0)
         there = np.flatnonzero(np.isfinite(values[:, :3]).all(axis=1) & (values[:, :3] != 0).any(axis=1))
-        kept.append(there + (begin - scan.first))
+        indices.append(there + (begin - scan.first))
         parts.append(values[there])
-    table, index = np.concatenate(parts), np.concatenate(kept)
+    table, index = np.concatenate(parts), np.concatenate(indices)
     colors = stack_colors(lines.path, [*table[:, 4:].astype(np.uint8).T]) if width == 7 else None
     column_index, row_index = np.divmod(index, max(scan.shape[1], 1))
     attributes = {

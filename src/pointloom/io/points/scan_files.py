@@ -31,17 +31,21 @@ def list_scans(folder: str | os.PathLike[str]) -> list[Path]:
     Raises:
         FileError: No folder, no scan, or scans of several formats, whose order is unknown.
     """
-    place = path_of(folder, "folder")
-    restore_folder(place)
-    if not place.is_dir():
-        raise FileError(folder, "is no folder" if place.exists() else "does not exist", remedy="Give a folder of scans")
-    files = [path for path in place.iterdir() if path.suffix.lower() in READERS and path.is_file()]
+    root = path_of(folder, "folder")
+    restore_folder(root)
+    if not root.is_dir():
+        raise FileError(
+            folder, "is not a folder" if root.exists() else "does not exist", remedy="Give a folder of scans"
+        )
+    files = [path for path in root.iterdir() if path.suffix.lower() in READERS and path.is_file()]
     if not files:
-        raise FileError(folder, "holds no scan", remedy=f"Scans end in {' '.join(READERS)}")
+        raise FileError(folder, "contains no scan", remedy=f"Scans end in {' '.join(READERS)}")
     files = [path for path in files if path.suffix.lower() not in _TABLES] or files
     kinds = sorted({path.suffix.lower() for path in files})
     if len(kinds) > 1:
-        raise FileError(folder, f"holds files of several kinds: {', '.join(kinds)}", remedy="Give a list of the scans")
+        raise FileError(
+            folder, f"contains files of several types: {', '.join(kinds)}", remedy="Give a list of the scans"
+        )
     return sorted(files, key=natural_key)
 
 

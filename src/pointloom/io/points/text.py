@@ -18,7 +18,7 @@ from ...core.atomic import atomic_write, check_writable
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows, unix_lines, write_rows
 from ..columns import colors_to_bytes, stack_colors, stack_normals
-from ..source import open_source, parse_whole
+from ..source import open_source, parse_count
 from ..table import PointTable
 from .text_table import read_text_table
 
@@ -42,7 +42,7 @@ def read_text(path: str | os.PathLike[str]) -> PointTable:
     (width,) = _WIDTHS[kind]
     rows.check_width(0, rows.row_count, width)
     if not rows.row_count:
-        raise FileError(path, "holds no points")
+        raise FileError(path, "contains no points")
     table = rows.numbers().reshape(-1, width)
     points, extra = np.ascontiguousarray(table[:, :3]), [*table[:, 3:].T]
     if kind == ".xyzn":
@@ -71,7 +71,7 @@ def _kind(path: Path) -> str:
 
 def _read_pts(path: Path, body: bytes) -> PointTable:
     first, _, rest = body.partition(b"\n")
-    count = parse_whole(path, first.strip().decode("ascii", "backslashreplace"), "the number of points", 1)
+    count = parse_count(path, first.strip().decode("ascii", "backslashreplace"), "the number of points", 1)
     rows = AsciiRows(path, rest, 2)
     if rows.row_count < count:
         raise FileError(path, f"truncated: {rows.row_count} of {count} points", where=rows.where(rows.row_count))
@@ -83,7 +83,7 @@ def _read_pts(path: Path, body: bytes) -> PointTable:
         return PointTable(np.empty((0, 3)))
     width = int(rows.widths()[0])
     if width not in _WIDTHS[".pts"]:
-        raise FileError(path, f"expected 3, 4, 6 or 7 values, found {width}", where=rows.where(0))
+        raise FileError(path, f"expected 3, 4, 6 or 7 values, got {width}", where=rows.where(0))
     rows.check_width(0, count, width)
     table = rows.numbers().reshape(count, width)
     colors = None
@@ -106,7 +106,7 @@ def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:
     ):
         if values is None:
             if kind in holders and kind != ".pts":
-                raise FileError(path, f"{kind} needs {name}, and the cloud has none", remedy="Write .xyz or .ply")
+                raise FileError(path, f"{kind} needs {name}, but the cloud has none", remedy="Write .xyz or .ply")
         elif kind not in holders:
             lost.append(name)
         elif kind == ".pts":
@@ -114,8 +114,10 @@ def _columns(path: Path, kind: str, table: PointTable) -> list[NDArray[Any]]:
         else:
             columns += [*values.T]
     if lost:
-        remedy = "Write .ply, which holds them all, or drop them first"
-        raise FileError(path, f"{kind} cannot hold {', '.join(lost)}", remedy=remedy)
+        remedy = "Write .ply, which stores them all, or drop them first"
+        raise FileError(path, f"{kind} cannot store {', '.join(lost)}", remedy=remedy)
     if not len(table.points) and kind != ".pts":
-        raise FileError(path, f"{kind} cannot tell a cloud without points from an empty file", remedy="Write .ply")
+        raise FileError(
+            path, f"{kind} cannot distinguish a cloud without points from an empty file", remedy="Write .ply"
+        )
     return columns

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from ...core.errors import FileError
 from ..ascii_rows import AsciiRows, unix_lines
-from ..source import Source, open_source, parse_whole
+from ..source import Source, open_source, parse_count
 from ..table import PointTable
 from .text_table import (
     COLOR,
@@ -45,7 +45,7 @@ class TextInParts:
         first = unix_lines(bytes(source[begin : begin + _HEAD]))
         self._declared, self._delimiter, self._lines, full = -1, None, 0, None
         if self._kind == ".pts":
-            self._declared = parse_whole(
+            self._declared = parse_count(
                 path, first.partition(b"\n")[0].strip().decode("ascii", "backslashreplace"), "the number of points", 1
             )
             self._lines, self._names = 1, None
@@ -58,9 +58,9 @@ class TextInParts:
             self._names = tuple(names_of(self.path, head, head.width))
         self._begin = begin
         self._full = full or 1.0
-        self.count = self._look(is_told=full is not None)
+        self.count = self._look(range_is_given=full is not None)
 
-    def _look(self, *, is_told: bool) -> int:
+    def _look(self, *, range_is_given: bool) -> int:
         """The first pass: number of points and maximum color value."""
         count, seen = 0, []
         for names, rows in self._rows():
@@ -71,12 +71,12 @@ class TextInParts:
         if self._declared >= 0 and count != self._declared:
             raise wrong_count(self.path, self._declared, count)
         if not count and self._declared != 0:
-            raise FileError(self.path, "holds no points")
+            raise FileError(self.path, "contains no points")
         if seen and self._kind == ".pts":
             self._full = 255.0
-        elif seen and self._kind != ".xyzrgb" and not is_told:
-            low, high, whole = np.array(seen).T
-            self._full = color_range(self.path, float(low.min()), float(high.max()), whole=bool(whole.min()))
+        elif seen and self._kind != ".xyzrgb" and not range_is_given:
+            low, high, is_integer = np.array(seen).T
+            self._full = color_range(self.path, float(low.min()), float(high.max()), is_integer=bool(is_integer.min()))
         return count
 
     def parts(self, size: int) -> Iterator[PointTable]:
@@ -101,7 +101,7 @@ class TextInParts:
             if names is None and rows.row_count:
                 width = int(rows.widths()[0])
                 if width not in _PTS:
-                    raise FileError(self.path, f"expected 3, 4, 6 or 7 values, found {width}", where=rows.where(0))
+                    raise FileError(self.path, f"expected 3, 4, 6 or 7 values, got {width}", where=rows.where(0))
                 names = _PTS[width]
             if rows.row_count:
                 assert names is not None
@@ -119,11 +119,11 @@ def _blocks(source: Source, begin: int) -> Iterator[bytes]:
         block = left + bytes(source[at : at + BLOCK])
         is_last = at + BLOCK >= len(source)
         if not is_last and block.endswith(b"\r"):  # its LF may follow
-            block, kept = block[:-1], b"\r"
+            block, carried = block[:-1], b"\r"
         else:
-            kept = b""
+            carried = b""
         block = unix_lines(block)
         end = len(block) if is_last else block.rfind(b"\n") + 1
-        left = block[end:] + kept
+        left = block[end:] + carried
         if end:
             yield block[:end]

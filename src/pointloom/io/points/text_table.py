@@ -33,7 +33,7 @@ _NAMED |= {f"normal_{axis}": f"n{axis}" for axis in POSITION} | {"red": "r", "gr
 
 _COMMENT = re.compile(rb"^[ \t]*#[^\n]*", re.M)
 _MAX_DIGITS = 19  # digits of a point count
-_PARTED = "Values are parted by commas, semicolons or blanks, decimals by points"
+_PARTED = "Values are separated by commas, semicolons or blanks, decimals by points"
 
 
 class _Head(NamedTuple):
@@ -74,7 +74,7 @@ def read_text_table(path: str | os.PathLike[str], columns: Sequence[str] | None 
 
 
 def wrong_count(path: Any, declared: int | None, count: int) -> FileError:
-    reason = f"expected {declared} points, which a line above them declares, found {count}"
+    reason = f"expected {declared} points, which a line above them declares, got {count}"
     return FileError(path, reason, remedy="It was cut off, or the number is wrong")
 
 
@@ -112,10 +112,10 @@ def read_head(path: Path, body: bytes) -> _Head:
         elif names is not None:
             return _Head(*names[:2], number - 1, len(names[0]), delimiter, count)
         else:
-            told = _as_names(comment[0], delimiter, len(fields)) if comment[0] else None
-            return _Head(told, comment[1], number - 1, len(fields), delimiter, count)
+            names_in_comment = _as_names(comment[0], delimiter, len(fields)) if comment[0] else None
+            return _Head(names_in_comment, comment[1], number - 1, len(fields), delimiter, count)
     if names is None:
-        raise FileError(path, "holds no points")
+        raise FileError(path, "contains no points")
     return _Head(*names[:2], number, len(names[0]), names[2], count)
 
 
@@ -169,11 +169,11 @@ def names_of(path: Path, head: _Head, width: int) -> list[str]:
         known = {4: "x y z intensity", 6: "x y z nx ny nz, or x y z r g b", 7: "x y z intensity r g b"}
         remedy = f"Add a first line of names, such as {known.get(width, 'x y z time')}; or give columns="
         if width == 6:
-            remedy += "; without names, .xyzn holds normals and .xyzrgb colors in 0..1"
-        raise FileError(path, f"has {width} columns, and nothing says what they are", remedy=remedy)
+            remedy += "; without names, .xyzn stores normals and .xyzrgb colors in 0..1"
+        raise FileError(path, f"has {width} columns without names", remedy=remedy)
     names = [_canonical(name) for name in head.names]
     if reason := _why_wrong(names):
-        remedy = "Correct the names, or give columns= in their place"
+        remedy = "Correct the names, or give columns= instead"
         raise FileError(
             path, f"{reason}; the columns are {', '.join(head.names)}"[:300], where=f"line {head.line}", remedy=remedy
         )
@@ -192,7 +192,7 @@ def _why_wrong(names: Sequence[str]) -> str:
     for what, triple in (("normals", NORMAL), ("colors", COLOR)):
         there = [name for name in triple if name in names]
         if 0 < len(there) < 3:
-            return f"{what} need {', '.join(triple)}, and there is only {', '.join(there)}"
+            return f"{what} need {', '.join(triple)}, but there is only {', '.join(there)}"
     return ""
 
 
@@ -205,7 +205,7 @@ def _rows_of(path: Path, body: bytes, head: _Head) -> tuple[AsciiRows, bytes]:
     blank = text if head.delimiter is None else text.replace(head.delimiter, b" ")
     rows = AsciiRows(path, blank, head.lines + 1)
     if not rows.row_count:
-        raise FileError(path, "holds no points")
+        raise FileError(path, "contains no points")
     return rows, text
 
 
@@ -226,10 +226,10 @@ def check_fields(path: Path, rows: AsciiRows, text: bytes, delimiter: bytes | No
         if not line.strip():
             continue
         if len(fields) != width:
-            raise FileError(path, f"expected {width} values, found {len(fields)}", where=where, remedy=_PARTED)
+            raise FileError(path, f"expected {width} values, got {len(fields)}", where=where, remedy=_PARTED)
         for column, field in enumerate(fields, 1):
             if not field:
-                remedy = "Give it, as nan where it was not measured, or remove the line"
+                remedy = "Add it (nan if it was not measured), or remove the line"
                 raise FileError(path, f"column {column} has no value", where=where, remedy=remedy)
             if not is_number(field):
                 shown = field[:40].decode("ascii", "backslashreplace")
@@ -256,21 +256,21 @@ def table_of(path: Path, columns: dict[str, NDArray[Any]], full: float | None = 
 def _colors_of(path: Path, channels: list[NDArray[np.float64]], full: float | None) -> NDArray[np.float32]:
     """Colors, float32 (n, 3). If `full` is None it is derived from the range of values."""
     if full is None:
-        whole = all(bool((np.floor(channel) == channel).all()) for channel in channels)
+        is_integer = all(bool((np.floor(channel) == channel).all()) for channel in channels)
         low, high = min(float(channel.min()) for channel in channels), max(float(channel.max()) for channel in channels)
-        full = color_range(path, low, high, whole=whole)
+        full = color_range(path, low, high, is_integer=is_integer)
     kind = np.uint8 if full == 255 else np.float32
     return stack_colors(path, [channel.astype(kind) for channel in channels])
 
 
-def color_range(path: Path, low: float, high: float, *, whole: bool) -> float:
+def color_range(path: Path, low: float, high: float, *, is_integer: bool) -> float:
     """Derive the maximum color value (1 or 255) from the range of values. Raises `FileError` if it is ambiguous."""
-    if not whole or low < 0 or high > 255:
+    if not is_integer or low < 0 or high > 255:
         if high > 1:
-            reason = f"colors from {low:g} to {high:g} are neither parts in 0..1 nor whole numbers in 0..255"
+            reason = f"colors from {low:g} to {high:g} are neither fractions in 0..1 nor integers in 0..255"
             raise FileError(path, reason, remedy="Scale them to 0..1")
         return 1.0
     if high == 1:
-        reason = "all colors are 0 or 1, which may be parts of 1 or of 255"
-        raise FileError(path, reason, remedy="Write .xyzrgb for colors in 0..1, .pts for whole numbers in 0..255")
+        reason = "all colors are 0 or 1, which may be in 0..1 or in 0..255"
+        raise FileError(path, reason, remedy="Write .xyzrgb for colors in 0..1, .pts for integers in 0..255")
     return 255.0

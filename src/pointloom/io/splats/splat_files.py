@@ -110,10 +110,14 @@ def _only_sound(path: Any, table: PointTable, drop: bool) -> PointTable:
     if not count:
         return table
     first = int(np.argmin(sound))
-    told = f"{count:,} of {len(sound):,} splats have a NaN, an infinite number or a rotation of no length"
+    problem = f"{count:,} of {len(sound):,} splats have a NaN, an infinite number or a rotation of zero length"
     if not drop:
-        raise FileError(path, told, where=f"splat {first}", remedy="drop_invalid=True of read_splats leaves them out")
-    warnings.warn(escaped(f"{path}: {told}, the first is splat {first}; they are left out"), UserWarning, stacklevel=3)
+        raise FileError(
+            path, problem, where=f"splat {first}", remedy="Pass drop_invalid=True to read_splats to leave them out"
+        )
+    warnings.warn(
+        escaped(f"{path}: {problem}, the first is splat {first}; they are left out"), UserWarning, stacklevel=3
+    )
     attributes = {name: values[sound] for name, values in table.attributes.items()}
     return PointTable(table.points[sound], attributes=attributes)
 

@@ -72,20 +72,18 @@ def _read_elements(path: Path, source: Source, header: PlyHeader) -> dict[str, C
         return prop.count_type is None and element.name in ("chunk", "vertex", "sh")
 
     rows = read_rows(path, source, header, wanted)
-    found = {
+    elements = {
         name: {key: column for key, column in columns.items() if not isinstance(column, ListColumn)}
         for name, columns in rows.items()
         if name in ("chunk", "vertex", "sh")
     }
-    for element, names, code in (("vertex", PACKED, "u4"), ("sh", found.get("sh", {}), "u1")):
+    for element, names, code in (("vertex", PACKED, "u4"), ("sh", elements.get("sh", {}), "u1")):
         for name in names:
-            kind = found[element][name].dtype
+            kind = elements[element][name].dtype
             if f"{kind.kind}{kind.itemsize}" != code:
-                reason = (
-                    f"{name} of a compressed splat file: expected unsigned integers of {code[1]} bytes, found {kind}"
-                )
+                reason = f"{name} of a compressed splat file: expected unsigned integers of {code[1]} bytes, got {kind}"
                 raise FileError(path, reason)
-    return found
+    return elements
 
 
 def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
@@ -96,17 +94,17 @@ def _bounds_of(path: Path, chunks: Columns, count: int) -> Columns:
     colors = [f"{end}_{channel}" for end in ("min", "max") for channel in "rgb"]
     if 0 < sum(name in chunks for name in colors) < len(colors):
         raise FileError(path, f"element chunk of a compressed splat file: expected all of {', '.join(colors)}, or none")
-    found, expected = len(chunks["min_x"]), -(-count // _SPLATS)
-    if found != expected:
-        raise FileError(path, f"expected {expected} chunks of {_SPLATS} for {count} splats, found {found}")
+    chunk_count, expected = len(chunks["min_x"]), -(-count // _SPLATS)
+    if chunk_count != expected:
+        raise FileError(path, f"expected {expected} chunks of {_SPLATS} for {count} splats, got {chunk_count}")
     return {name: column.astype(np.float64) for name, column in chunks.items()}
 
 
-def _unpacked(values: NDArray[Any], places: Any) -> NDArray[np.float64]:
+def _unpacked(values: NDArray[Any], bit_fields: Any) -> NDArray[np.float64]:
     """Components of packed integers in 0..1, shape (n, parts). Each place is (lowest bit, number of bits)."""
     integers = values.astype(np.uint32)
-    parts = [(integers >> np.uint32(low)) & np.uint32((1 << bits) - 1) for low, bits in places]
-    return np.stack([part / ((1 << bits) - 1) for part, (_, bits) in zip(parts, places, strict=True)], axis=1)
+    parts = [(integers >> np.uint32(low)) & np.uint32((1 << bits) - 1) for low, bits in bit_fields]
+    return np.stack([part / ((1 << bits) - 1) for part, (_, bits) in zip(parts, bit_fields, strict=True)], axis=1)
 
 
 def _between(
@@ -132,10 +130,10 @@ def _harmonics(path: Path, columns: Columns, count: int) -> NDArray[np.float32]:
     names = [f"f_rest_{k}" for k in range(len(columns))]
     if len(columns) not in _COUNTS_OF_REST or {*columns} != {*names}:
         raise FileError(
-            path, f"element sh: expected 9, 24, 45 or 72 properties f_rest_i, found {', '.join(columns)}"[:300]
+            path, f"element sh: expected 9, 24, 45 or 72 properties f_rest_i, got {', '.join(columns)}"[:300]
         )
     if len(columns[names[0]]) != count:
-        raise FileError(path, f"element sh: expected {count} rows, one a splat, found {len(columns[names[0]])}")
+        raise FileError(path, f"element sh: expected {count} rows, one per splat, got {len(columns[names[0]])}")
     return np.stack([columns[name] * (8 / 255) - 4 for name in names], axis=1).astype(np.float32)
 
 
@@ -154,19 +152,19 @@ def read_splat_ply(path: str | os.PathLike[str]) -> PointTable:
     columns = vertex_columns(path, source)
     missing = [name for name in ("x", "y", "z", "opacity", "f_dc_0", "scale_0", "rot_0") if name not in columns]
     if missing:
-        reason = f"holds no Gaussian splats: vertices have no {', '.join(missing)}"
+        reason = f"contains no Gaussian splats: vertices have no {', '.join(missing)}"
         raise FileError(path, reason, remedy="read_point_cloud reads points")
     counts: dict[str, int] = {}
     for name in columns:
-        if found := _NUMBERED.fullmatch(name):
-            counts[found[1]] = counts.get(found[1], 0) + 1
+        if match := _NUMBERED.fullmatch(name):
+            counts[match[1]] = counts.get(match[1], 0) + 1
     for group, count in _GROUPS.items():
         if counts[group] != count:
             flat = "; splats of 2D Gaussian Splatting have 2" if (group, counts[group]) == ("scale", 2) else ""
-            raise FileError(path, f"expected {count} columns {group}_i, found {counts[group]}{flat}")
+            raise FileError(path, f"expected {count} columns {group}_i, got {counts[group]}{flat}")
     rest = counts.get("f_rest", 0)
     if rest % 3 or degree_of(rest // 3 + 1) is None:
-        raise FileError(path, f"expected 0, 9, 24, 45 or 72 columns f_rest_i, found {rest}")
+        raise FileError(path, f"expected 0, 9, 24, 45 or 72 columns f_rest_i, got {rest}")
     attributes = {group: _stacked(path, columns, group, count) for group, count in (_GROUPS | {"f_rest": rest}).items()}
     attributes["opacity"] = own(columns["opacity"]).astype(np.float32)
     if not rest:

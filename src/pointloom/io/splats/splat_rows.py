@@ -37,7 +37,7 @@ def read_splat(path: str | os.PathLike[str]) -> PointTable:
         wrong = ((sizes < 0) | (sizes > _LARGEST)).any(axis=1)
     if wrong.any():
         row = int(np.argmax(wrong))
-        reason = f"splat {row} has the scales {sizes[row].tolist()}; this is no .splat file"
+        reason = f"splat {row} has the scales {sizes[row].tolist()}; this is not a .splat file"
         raise FileError(path, reason, where=f"byte {row * _ROW.itemsize + 12}")
     colors = rows["color"].astype(np.float64) / 255
     with np.errstate(divide="ignore", invalid="ignore"):

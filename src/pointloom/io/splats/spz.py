@@ -44,9 +44,9 @@ class SpzHeader(NamedTuple):
 
     @property
     def columns(self) -> dict[str, int]:
-        turn = 3 if self.version == 2 else 4
+        rotation_bytes = 3 if self.version == 2 else 4
         rest = 3 * ((self.degree + 1) ** 2 - 1)
-        sizes = {"points": 9, "opacity": 1, "f_dc": 3, "scale": 3, "rot": turn, "f_rest": rest}
+        sizes = {"points": 9, "opacity": 1, "f_dc": 3, "scale": 3, "rot": rotation_bytes, "f_rest": rest}
         return {name: size for name, size in sizes.items() if size}
 
 
@@ -60,9 +60,11 @@ def read_spz(path: str | os.PathLike[str]) -> PointTable:
 
 def _check(path: Path, header: SpzHeader, versions: tuple[int, ...]) -> None:
     if header.magic != MAGIC:
-        raise FileError(path, "does not begin with SPZ's mark", where="byte 0")
+        raise FileError(path, "does not begin with the magic number of SPZ", where="byte 0")
     if header.version not in versions:
-        raise FileError(path, f"is SPZ of version {header.version}", where="byte 4", remedy="Versions 2 to 4 are read")
+        raise FileError(
+            path, f"is SPZ of version {header.version}", where="byte 4", remedy="Supported are versions 2 to 4"
+        )
     if header.degree > MAX_DEGREE:
         raise FileError(path, f"harmonics of degree {header.degree}, expected 0 to {MAX_DEGREE}", where="byte 12")
     if header.fractional_bits > 23:
@@ -80,14 +82,14 @@ def _of_gzip(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArray[n
     size = header.splats * sum(header.columns.values())
     # gzip's ratio is at most 1032, which bounds the memory of a false count
     if size > 1032 * len(source):
-        raise FileError(path, f"{header.splats:,} splats cannot be in {len(source):,} bytes", where="byte 8")
+        raise FileError(path, f"{header.splats:,} splats cannot fit into {len(source):,} bytes", where="byte 8")
     with foreign_errors(path, "gzip"):
         body = stream.decompress(stream.unconsumed_tail, size + 1)
     if len(body) < size:
         raise FileError(path, f"ends after {len(body):,} of {size:,} bytes of splats", remedy="The file is cut off")
     if not header.flags & HAS_EXTENSIONS:
         if len(body) > size:
-            raise FileError(path, f"goes on after its {header.splats:,} splats", where=f"byte {HEADER.size + size}")
+            raise FileError(path, f"continues after its {header.splats:,} splats", where=f"byte {HEADER.size + size}")
         if not stream.eof and (stream.decompress(stream.unconsumed_tail, 1) or not stream.eof):
             raise FileError(path, "ends before gzip's checksum", remedy="The file is cut off")
     data, start = {}, 0
@@ -102,18 +104,18 @@ def _of_streams(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArra
         raise FileError(path, f"has {len(source)} bytes, fewer than the header of SPZ", where="byte 0")
     header = SpzHeader(*HEADER.unpack(source[: HEADER.size]))
     _check(path, header, (4,))
-    (place,) = struct.unpack("<I", source[16:20])
+    (table_offset,) = struct.unpack("<I", source[16:20])
     if header.streams != len(header.columns):
         raise FileError(path, f"{header.streams} streams, expected {len(header.columns)}", where="byte 15")
-    start = place + header.streams * _ENTRY.size
-    if place < 32 or start > len(source):
-        raise FileError(path, f"a table at byte {place} of {len(source)}", where="byte 16")
+    start = table_offset + header.streams * _ENTRY.size
+    if table_offset < 32 or start > len(source):
+        raise FileError(path, f"a table at byte {table_offset} of {len(source)}", where="byte 16")
     total = header.splats * sum(header.columns.values())
     if total > max(_FREE_BYTES, _MAX_RATIO * len(source)):  # positions alone do not compress that well
-        raise FileError(path, f"{header.splats:,} splats cannot be in {len(source):,} bytes", where="byte 8")
+        raise FileError(path, f"{header.splats:,} splats cannot fit into {len(source):,} bytes", where="byte 8")
     data = {}
     for number, (name, width) in enumerate(header.columns.items()):
-        packed, size = _ENTRY.unpack_from(source, place + number * _ENTRY.size)
+        packed, size = _ENTRY.unpack_from(source, table_offset + number * _ENTRY.size)
         where = f"byte {start}"
         if size != header.splats * width:
             reason = f"the stream of {name} has {size:,} bytes, expected {header.splats * width:,}"
@@ -123,7 +125,9 @@ def _of_streams(path: Path, source: Source) -> tuple[SpzHeader, dict[str, NDArra
         data[name] = _unzstd(path, source[start : start + packed], size, where)
         start += packed
     if start != len(source):
-        raise FileError(path, f"goes on after its last stream, by {len(source) - start:,} bytes", where=f"byte {start}")
+        raise FileError(
+            path, f"continues after its last stream, by {len(source) - start:,} bytes", where=f"byte {start}"
+        )
     return header, data
 
 
@@ -132,9 +136,9 @@ def _unzstd(path: Path, packed: bytes, size: int, where: str) -> NDArray[np.uint
         return np.empty(0, np.uint8)
     zstandard = import_for(path, "zstandard", "splats")
     with foreign_errors(path, f"the stream at {where}"):
-        told = zstandard.frame_content_size(packed)
-        if told not in (-1, size):
-            raise FileError(path, f"a stream of {told:,} bytes, expected {size:,}", where=where)
+        declared_size = zstandard.frame_content_size(packed)
+        if declared_size not in (-1, size):
+            raise FileError(path, f"a stream of {declared_size:,} bytes, expected {size:,}", where=where)
         body = zstandard.ZstdDecompressor().decompress(packed, max_output_size=size, allow_extra_data=False)
     if len(body) != size:
         raise FileError(path, f"a stream of {len(body):,} bytes, expected {size:,}", where=where)
@@ -143,25 +147,25 @@ def _unzstd(path: Path, packed: bytes, size: int, where: str) -> NDArray[np.uint
 
 def _points(header: SpzHeader, data: NDArray[np.uint8]) -> NDArray[np.float32]:
     parts = data.reshape(-1, 3).astype(np.int32)
-    whole = parts[:, 0] | parts[:, 1] << 8 | parts[:, 2] << 16
-    whole -= (whole >> 23) << 24  # sign bit
-    return (whole.reshape(-1, 3) / 2.0**header.fractional_bits * FLIPS).astype(np.float32)
+    integers = parts[:, 0] | parts[:, 1] << 8 | parts[:, 2] << 16
+    integers -= (integers >> 23) << 24  # sign bit
+    return (integers.reshape(-1, 3) / 2.0**header.fractional_bits * FLIPS).astype(np.float32)
 
 
 def _attributes(header: SpzHeader, data: dict[str, NDArray[np.uint8]]) -> dict[str, NDArray[Any]]:
-    turns = _three_bytes if header.version == 2 else _smallest_three
+    decode_rotations = _three_bytes if header.version == 2 else _smallest_three
     flips = np.array([1.0, *FLIPS])  # a rotation by half a circle about x on both sides
-    found: dict[str, NDArray[Any]] = {
+    attributes: dict[str, NDArray[Any]] = {
         "f_dc": ((data["f_dc"].reshape(-1, 3) / 255 - 0.5) / COLOR_SCALE).astype(np.float32),
         "opacity": logits_of(data["opacity"] / 255),
         "scale": (data["scale"].reshape(-1, 3) / 16.0 - 10).astype(np.float32),
-        "rot": (turns(data["rot"]) * flips).astype(np.float32),
+        "rot": (decode_rotations(data["rot"]) * flips).astype(np.float32),
     }
     if header.degree:
         rest = (data["f_rest"].reshape(header.splats, -1, 3).astype(np.float32) - 128) / 128
         rest *= signs_of_flip(FLIPS, header.degree).astype(np.float32)[:, None]
-        found["f_rest"] = np.ascontiguousarray(rest.transpose(0, 2, 1)).reshape(header.splats, -1)
-    return found
+        attributes["f_rest"] = np.ascontiguousarray(rest.transpose(0, 2, 1)).reshape(header.splats, -1)
+    return attributes
 
 
 def _three_bytes(data: NDArray[np.uint8]) -> NDArray[np.float64]:

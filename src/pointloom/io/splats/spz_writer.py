@@ -29,15 +29,15 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
     degree = 0 if rest is None else round((rest.shape[1] / 3 + 1) ** 0.5) - 1
     bits = _fractional_bits(path, table.points)
     if len(table.points) > 0xFFFFFFFF:
-        raise FileError(path, f"SPZ counts to 2^32, not to {len(table.points):,} splats")
+        raise FileError(path, f"SPZ stores fewer than 2^32 splats, got {len(table.points):,}")
     header = SpzHeader(MAGIC, _VERSION, len(table.points), degree, bits, 0, 0)
-    turns = np.roll(unit_quaternions(columns["rot"]), -1, axis=1) * [*FLIPS, 1.0]
+    rotations = np.roll(unit_quaternions(columns["rot"]), -1, axis=1) * [*FLIPS, 1.0]
     parts = [
         _three_bytes(np.rint(table.points.astype(np.float64) * FLIPS * 2.0**bits).astype(np.int32)),
         to_bytes(shares_of(columns["opacity"]) * 255),
         to_bytes((columns["f_dc"].astype(np.float64) * COLOR_SCALE + 0.5) * 255),
         to_bytes((np.maximum(columns["scale"].astype(np.float64), -10.0) + 10) * 16),
-        _smallest_three(turns),
+        _smallest_three(rotations),
     ]
     if rest is not None:
         parts.append(_harmonics(rest, degree))
@@ -53,26 +53,26 @@ def write_spz(path: str | os.PathLike[str], table: PointTable, *, overwrite: boo
 
 
 def _fractional_bits(path: Any, points: NDArray[Any]) -> int:
-    reach = float(np.abs(points).max(initial=0.0))
+    max_coordinate = float(np.abs(points).max(initial=0.0))
     bits = _MAX_BITS
-    while bits > 0 and np.rint(reach * 2.0**bits) > 2**23 - 1:
+    while bits > 0 and np.rint(max_coordinate * 2.0**bits) > 2**23 - 1:
         bits -= 1
-    check_rounding(path, points, 0.5 / 2**bits if reach * 2.0**bits < 2**23 else np.inf)
+    check_rounding(path, points, 0.5 / 2**bits if max_coordinate * 2.0**bits < 2**23 else np.inf)
     return bits
 
 
-def _three_bytes(whole: NDArray[np.int32]) -> NDArray[np.uint8]:
-    return np.ascontiguousarray(whole.reshape(-1, 1).astype("<i4").view(np.uint8).reshape(-1, 4)[:, :3])
+def _three_bytes(integers: NDArray[np.int32]) -> NDArray[np.uint8]:
+    return np.ascontiguousarray(integers.reshape(-1, 1).astype("<i4").view(np.uint8).reshape(-1, 4)[:, :3])
 
 
-def _smallest_three(turns: NDArray[np.float64]) -> NDArray[np.uint32]:
+def _smallest_three(rotations: NDArray[np.float64]) -> NDArray[np.uint32]:
     """Unit quaternions (x, y, z, w) without the largest component, 10 bits for each other."""
-    largest = np.abs(turns).argmax(axis=1)
-    sign = np.where(turns[np.arange(len(turns)), largest] < 0, -1.0, 1.0)
+    largest = np.abs(rotations).argmax(axis=1)
+    sign = np.where(rotations[np.arange(len(rotations)), largest] < 0, -1.0, 1.0)
     packed = largest.astype(np.int64)
     for part in range(4):
         given = np.flatnonzero(largest != part)
-        values = (turns[given, part] * sign[given]) * np.sqrt(2)
+        values = (rotations[given, part] * sign[given]) * np.sqrt(2)
         bits = np.minimum(np.rint(np.abs(values) * 511), 511).astype(np.int64)
         packed[given] = packed[given] << 10 | (values < 0).astype(np.int64) << 9 | bits
     return packed.astype("<u4")

@@ -26,7 +26,7 @@ from ...io.frames.frames import (
 )
 from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import inv
-from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ..slam.model import Model
 from ..slam.volume_sizes import check_sizes
@@ -102,7 +102,7 @@ def fuse(
     fold = (_Refined if refine else _AsGiven)(frames, max_depth, sizes)
     check = PoseCheck(frames.intrinsic, frames.depth_scale, max_depth)
     poses, shares = _integrate_frames(frames, fold, check, ahead, report_progress, clock)
-    threshold = least_weight(len(poses)) if weight_threshold is None else weight_threshold
+    threshold = min_weight(len(poses)) if weight_threshold is None else weight_threshold
     report_progress("extract", 0, 0)
     mesh = fold.volume.extract_triangle_mesh(weight_threshold=threshold)
     clock.stop("extract")

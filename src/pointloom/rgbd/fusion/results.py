@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...core.reports import Assessed, Fields, failed, in_columns, quality, with_warnings
 from ...core.wording import format_bounds, format_bytes, format_share
-from ...io.frames.frames import why_out_of_reach
+from ...io.frames.frames import why_out_of_range
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_summary import describe_mesh
 from ...meshing.volume.tsdf import BLOCK_VOXELS, TSDFVolume
@@ -69,7 +69,7 @@ class FusionResult(Assessed):
 
     @property
     def _why_no_surface(self) -> str | None:
-        if reason := why_out_of_reach(self.depth_share, self.used_share, self.depth_max):
+        if reason := why_out_of_range(self.depth_share, self.used_share, self.depth_max):
             return reason
         if self.seen_extent and self.volume.voxel_size > COARSE * self.seen_extent:
             return self._why_coarse(self.seen_extent)

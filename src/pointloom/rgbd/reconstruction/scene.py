@@ -21,7 +21,7 @@ from ...kernels.linear_algebra import matmul
 from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.mesh.mesh_files import write_triangle_mesh
 from ...meshing.mesh.mesh_summary import describe_mesh
-from ...meshing.volume.surface_weights import least_weights
+from ...meshing.volume.surface_weights import min_weights
 from ...meshing.volume.tsdf import TSDFVolume
 from ...registration.trajectories.trajectory_error import evaluate_trajectory
 from .config import ReconstructionConfig
@@ -144,7 +144,7 @@ def poses_of(fragments: list[Fragment], placement: Placement) -> tuple[NDArray[n
 def extract_mesh(volume: TSDFVolume, threshold: float | None) -> tuple[TriangleMesh, float]:
     """The surface of a volume and its threshold: by default the first that gives any surface."""
     mesh, used = TriangleMesh(), 0.0
-    for used in least_weights(volume.frame_count) if threshold is None else [threshold]:
+    for used in min_weights(volume.frame_count) if threshold is None else [threshold]:
         mesh = volume.extract_triangle_mesh(used)
         if len(mesh):
             break

@@ -14,7 +14,7 @@ from ...cameras.depth_range import OPEN3D_DEPTH_MAX
 from ...cameras.images import RGBDImage
 from ...core.checks import check_positive, check_rigid
 from ...kernels.linear_algebra import inv, matmul
-from ...meshing.volume.surface_weights import least_weights
+from ...meshing.volume.surface_weights import min_weights
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.deformable.control_grid import ControlGrid
@@ -69,7 +69,7 @@ def fuse_frames(
 
 def cloud_of(volume: TSDFVolume) -> PointCloud:
     """The surface of a volume as points. With few frames, of all observed voxels."""
-    for threshold in least_weights(volume.frame_count):
+    for threshold in min_weights(volume.frame_count):
         cloud = volume.extract_point_cloud(threshold)
         if len(cloud):
             return cloud

@@ -13,7 +13,7 @@ from ...io.frames.frames import FrameSource
 from ...io.frames.rgbd_sources import RGBDSource
 from ...kernels.linear_algebra import norm
 from ...meshing.mesh.mesh import TriangleMesh
-from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from .submaps import FRAMES as SUBMAP_FRAMES
 from .tracked_path import TrackedPath
@@ -91,7 +91,7 @@ def model_by_slam(
     volume, account = _close_loops(slam, path, progress)
     clock.stop("loops")
     progress("extract", 0, 0)
-    mesh = volume.extract_triangle_mesh(weight_threshold=least_weight(len(path.trajectory)))
+    mesh = volume.extract_triangle_mesh(weight_threshold=min_weight(len(path.trajectory)))
     clock.stop("extract")
     return mesh, account
 

@@ -15,7 +15,7 @@ from ...cameras.depth_range import DEPTH_MAX, DEPTH_SCALE
 from ...cameras.images import integer_scale
 from ...core.checks import check_count, check_list, check_numeric, check_positive, check_rigid, check_share
 from ...kernels.linear_algebra import matmul, norm
-from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from ...registration.rigid import invert_pose, make_pose, nearest_rotation, rotation_vector
@@ -85,7 +85,7 @@ class Submap:
     @property
     def weight_threshold(self) -> float:
         """Weight above which voxels count as surface."""
-        return least_weight(self.volume.frame_count)
+        return min_weight(self.volume.frame_count)
 
     def cloud(self, voxel_size: float) -> PointCloud:
         """The surface as points in submap coordinates, one per voxel, with normals and colors.

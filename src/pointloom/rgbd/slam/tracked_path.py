@@ -14,7 +14,7 @@ from ...core.dropped_results import returns_new
 from ...core.number_ranges import some_frames
 from ...core.reports import Assessed, Fields, in_columns, quality
 from ...core.wording import format_share
-from ...io.frames.frames import why_out_of_reach
+from ...io.frames.frames import why_out_of_range
 from ...registration.trajectories.trajectory_error import TrajectoryError
 from .map_joins import MapJoin
 from .path_statistics import error_against_truth, path_length
@@ -78,7 +78,7 @@ class TrackedPath(Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        count, range_warning = self.frame_count, why_out_of_reach(self.depth_share, self.used_share, self.depth_max)
+        count, range_warning = self.frame_count, why_out_of_range(self.depth_share, self.used_share, self.depth_max)
         reasons = [reason for reason in (range_warning, self.stream) if reason is not None]
         if lost := self.lost:
             first = next(iter(lost.values()))

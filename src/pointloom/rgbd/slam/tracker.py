@@ -490,7 +490,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     here = np.zeros((1, 3))
     limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
     min_score = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
-    met = score_shifts(volume, points, coarse, weight_threshold=threshold, least=min_score, is_coarse=True)
+    met = score_shifts(volume, points, coarse, weight_threshold=threshold, min_score=min_score, is_coarse=True)
     order = np.argsort(-met, kind="stable")[:MAX_COARSE]
     order = order[met[order] >= min_score]
     if not len(order):
@@ -498,7 +498,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     fine = (coarse[order][:, None] + matmul(_steps() * FINE * volume.voxel_size, axes.T)).reshape(-1, 3)
     fine = fine[np.linalg.norm(fine, axis=1) > APART]
     min_score = ALIKE * float(score_shifts(volume, points, here, **limits)[0])
-    scores = score_shifts(volume, points, fine, weight_threshold=threshold, least=0.8 * min_score)
+    scores = score_shifts(volume, points, fine, weight_threshold=threshold, min_score=0.8 * min_score)
     return [_moved(pose, shift) for shift in _best_apart(fine, scores, min_score)]
 
 

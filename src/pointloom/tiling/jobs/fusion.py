@@ -28,7 +28,7 @@ from ...io.frames.datasets import Frame, RGBDDataset, open_frames
 from ...io.frames.frames import depth_unit, read_in_order
 from ...kernels.linear_algebra import inv
 from ...kernels.volumes.tsdf_blocks import SIDE, block_box
-from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.surface_weights import min_weight
 from ...meshing.volume.volume_part import BlockFinder, PartSurface, VolumePart
 from ..manifest import NAME, hash_of
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
@@ -99,8 +99,8 @@ class FusionJob(Job):
                 left_out.append(str(frame))
                 continue
             self._integrate(finder, frame)
-            cubes = np.floor_divide(finder.found, n)
-            lowest = finder.found % n == 0
+            cubes = np.floor_divide(finder.block_indices, n)
+            lowest = finder.block_indices % n == 0
             own = np.unique(cubes, axis=0)
             filled |= {_name(cube) for cube in own.tolist()}
             # a block at a lower side is in the layer of the next lower cube, one at a corner in that of seven
@@ -212,7 +212,7 @@ def plan_fusion(
     found = _open(told)
     if not len(found):
         raise FileError(frames, "holds no frames that can be fused")
-    threshold = least_weight(len(found)) if weight_threshold is None else weight_threshold
+    threshold = min_weight(len(found)) if weight_threshold is None else weight_threshold
     pose = np.array(found.frames[0].T_world_camera, np.float64)
     first = inv(inv(pose))[None, :3, 3]  # as in `integrate`
     told |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
@@ -270,12 +270,12 @@ def surface_path(folder: Path, name: str) -> Path:
 def write_surface(path: Path, surface: PartSurface, low: NDArray[np.int64], high: NDArray[np.int64]) -> None:
     """Write a cube's surface, with its vertices on the cube's sides, which other cubes share."""
     beyond = block_box(surface.blocks)
-    row, place = np.divmod(surface.places, 3 * SIDE)
+    row, place = np.divmod(surface.edge_slots, 3 * SIDE)
     axis, z = np.divmod(place, SIDE)
     voxel = np.stack([row // SIDE, row % SIDE, z], axis=1)
     lowest = (beyond == low) & (voxel == 0) & (axis[:, None] != np.arange(3))
     shared = np.flatnonzero(((beyond == high) | lowest).any(axis=1))
-    codes = {"shared": shared, "blocks": surface.blocks[shared], "places": surface.places[shared]}
+    codes = {"shared": shared, "blocks": surface.blocks[shared], "places": surface.edge_slots[shared]}
     arrays = {"vertices": surface.vertices, "triangles": surface.triangles, **codes}
     if surface.colors is not None:
         arrays["colors"] = surface.colors

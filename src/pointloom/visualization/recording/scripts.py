@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from ...core.units import symbol_of
 from ...kernels.memory import download
-from ...meshing.volume.surface_weights import least_weight
+from ...meshing.volume.surface_weights import min_weight
 from ...pcd.cloud import PointCloud
 from ...pcd.line_set import LineSet
 from ..render.coloring import label_color
@@ -319,7 +319,7 @@ class Fusion(Travel):
 
     def _draw_surface(self, share: int = 1) -> None:
         self._shown = self._count, share
-        mesh = self._volume.extract_triangle_mesh(least_weight(self._volume.frame_count))
+        mesh = self._volume.extract_triangle_mesh(min_weight(self._volume.frame_count))
         if len(mesh):
             self.stage.show("surface", mesh, share=share, back_faces=False)
 

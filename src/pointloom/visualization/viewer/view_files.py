@@ -20,7 +20,7 @@ from ...core.progress import ReportProgress
 from ...io.ascii_rows import is_number
 from ...io.bags.recording import is_recording, open_recording
 from ...io.meshes import tables
-from ...io.points.copc_nodes import says_copc
+from ...io.points.copc_nodes import declares_copc
 from ...io.points.in_parts import open_in_parts
 from ...io.points.point_cloud import read_point_cloud
 from ...kernels.lang import vec3
@@ -83,7 +83,7 @@ def read_scene(
 
 def open_octree(path: Path, max_points: int) -> CopcTree | None:
     """The octree of a COPC file with more points. None for other files."""
-    if path.suffix.lower() != ".laz" or not path.is_file() or not says_copc(path, more_than=max_points):
+    if path.suffix.lower() != ".laz" or not path.is_file() or not declares_copc(path, more_than=max_points):
         return None
     return CopcTree(path)
 
@@ -92,7 +92,7 @@ def first_looks(paths: list[Path], count: int, *, larger_than: int) -> list[Name
     """Read an even sample of up to `count` points from each large file, to show while it is being read."""
     samples: list[Named] = []
     for path, name in zip(paths, _names(paths), strict=True):
-        if path.suffix.lower() == ".laz" and path.is_file() and says_copc(path, more_than=larger_than):
+        if path.suffix.lower() == ".laz" and path.is_file() and declares_copc(path, more_than=larger_than):
             continue  # its coarse levels are available at once
         sample = sample_file(path, count) if _open_large(path, larger_than) is not None else None
         if sample is not None:
