@@ -177,7 +177,7 @@ def faults_of(
             warnings.simplefilter("always")
             ignore_true_warnings()
             warnings.filterwarnings("ignore", "geometries: nothing to draw")  # right of no points
-            warnings.filterwarnings("ignore", "hardly any depth is confirmed")  # right of a limit of next to nothing
+            warnings.filterwarnings("ignore", "almost no depth is confirmed")  # right of a limit of next to nothing
             try:
                 result = call(**(arguments | {name: value}))
                 if inspect.isgenerator(result):

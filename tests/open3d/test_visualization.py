@@ -222,7 +222,7 @@ def test_actions_of_draw_are_buttons_that_call_with_the_window(box, window):
         window.add_geometry("made", box)
     window.update_geometry("made", box)
     window.remove_geometry("box")
-    with pytest.raises(KeyError, match="no geometry 'box'; there are 'made'"):
+    with pytest.raises(KeyError, match="no geometry 'box'; expected one of 'made'"):
         window.show_geometry("box", True)
     assert viewer.items["made"].geometry.get_max_bound().tolist() == [1, 2, 3]
 
@@ -280,6 +280,6 @@ def test_a_polygon_crops_clouds_and_meshes(tmp_path, rng):
     assert np.allclose(volume.crop_point_cloud(cloud).points, np.asarray(cloud.points)[inside], atol=1e-6)
     sphere = o3d.geometry.TriangleMesh.create_sphere(0.6)
     assert volume.crop_triangle_mesh(sphere).get_max_bound().max() <= 0.5
-    volume._ours.to_json(tmp_path / "cropped.json")
+    volume._native.to_json(tmp_path / "cropped.json")
     again = o3d.visualization.read_selection_polygon_volume(tmp_path / "cropped.json")
     assert len(again.crop_point_cloud(cloud).points) == inside.sum()

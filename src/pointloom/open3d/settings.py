@@ -8,12 +8,12 @@ from typing import Any, Self
 
 import numpy as np
 
-from .held import Held, ours
+from .wrapper import Wrapper, unwrap
 
 
 @dataclasses.dataclass(eq=False, repr=False)
-class Settings(Held):
-    """A `Held` of plain fields: the pointloom object is made and validated from them on demand.
+class Settings(Wrapper):
+    """A `Wrapper` of plain fields: the pointloom object is made and validated from them on demand.
 
     Subclasses set `_kind` and are dataclasses with Open3D's fields and defaults under pointloom's names. An object of
     the class in place of the first field is copied.
@@ -30,15 +30,15 @@ class Settings(Held):
         super().__setattr__(name, value.copy() if isinstance(value, np.ndarray) else value)
 
     @property
-    def _ours(self) -> Any:
+    def _native(self) -> Any:
         return self._kind(**self._keywords())
 
     def _keywords(self) -> dict[str, Any]:
-        return {field.name: ours(getattr(self, field.name)) for field in dataclasses.fields(self)}
+        return {field.name: unwrap(getattr(self, field.name)) for field in dataclasses.fields(self)}
 
     @classmethod
-    def _of(cls, ours: Any) -> Self:
-        return cls(**{field.name: getattr(ours, field.name) for field in dataclasses.fields(cls)})
+    def _of(cls, native: Any) -> Self:
+        return cls(**{field.name: getattr(native, field.name) for field in dataclasses.fields(cls)})
 
     def __copy__(self) -> Self:
         return dataclasses.replace(self)

@@ -59,12 +59,12 @@ class Vector(HintedNames):
             raise TypeError(f"{kind}: expected numbers, got {rows.dtype}")
         if rows.shape[1:] != self._row or rows.ndim == 0:
             swapped = rows.ndim == 2 and rows.T.shape[1:] == self._row
-            remedy = "; array.T has it so" if swapped else ""
+            remedy = "; array.T has this shape" if swapped else ""
             raise ValueError(
                 f"{kind}: expected shape {['n', *self._row]}, got {list(rows.shape)}{remedy}".replace("'", "")
             )
         if not self._row and self._dtype == np.int32 and rows.dtype.kind == "f":
-            raise TypeError(f"{kind}: expected whole numbers, got {rows.dtype}")
+            raise TypeError(f"{kind}: expected integers, got {rows.dtype}")
         return rows.astype(self._dtype)
 
     def __array__(self, dtype: DTypeLike | None = None, copy: bool | None = None) -> NDArray[Any]:
@@ -81,10 +81,10 @@ class Vector(HintedNames):
         return iter(self._values if self._row else self._values.tolist())
 
     def __getitem__(self, index: Any) -> Any:
-        found = self._values[index]
+        values = self._values[index]
         if isinstance(index, slice):
-            return type(self)(found)
-        return found.item() if isinstance(found, np.generic) and not self._row else found
+            return type(self)(values)
+        return values.item() if isinstance(values, np.generic) and not self._row else values
 
     def __setitem__(self, index: Any, value: Any) -> None:
         row = np.asarray(value)
@@ -127,15 +127,15 @@ class Vector(HintedNames):
         self._array = np.insert(self._values, i, self._rows([x])[0], axis=0)
 
     def pop(self, i: int = -1) -> Any:
-        found = self[i]
+        value = self[i]
         del self[i]
-        return found
+        return value
 
     def remove(self, x: Any) -> None:
-        places = np.flatnonzero(self._equal(x))
-        if not len(places):
+        matches = np.flatnonzero(self._equal(x))
+        if not len(matches):
             raise ValueError(f"{type(self).__name__}.remove(x): x not in vector")
-        del self[int(places[0])]
+        del self[int(matches[0])]
 
     def count(self, x: Any) -> int:
         return int(self._equal(x).sum())

@@ -21,7 +21,7 @@ MAX_ANGLE = 60.0  # [degrees] above it, images hardly show the same side
 Array = NDArray[np.float64]
 
 
-def places_before(
+def sample_visibility(
     index: int, cameras: Sequence[PinholeCameraIntrinsic], poses: Array
 ) -> tuple[Array, NDArray[np.bool_], Array]:
     """Sample points [m, 3] of a camera, the mask [m, n] of cameras that see them, and the parallax [m, n] [degrees]."""
@@ -34,27 +34,27 @@ def places_before(
     nearest, farthest = float(elsewhere.min()) * NEAREST, float(elsewhere.max()) / np.radians(MIN_ANGLE)
     z = np.geomspace(nearest, max(farthest, 2 * nearest), DEPTHS)
     at = (_rays(cameras[index])[:, None] * z[:, None]).reshape(-1, 3)
-    places = (at - t[index]) @ R[index]
-    seen, angles = np.zeros((len(places), len(poses)), bool), np.zeros((len(places), len(poses)))
-    own = centers[index] - places
+    samples = (at - t[index]) @ R[index]
+    seen, angles = np.zeros((len(samples), len(poses)), bool), np.zeros((len(samples), len(poses)))
+    own = centers[index] - samples
     for j, camera in enumerate(cameras):
-        p = places @ R[j].T + t[j]
+        p = samples @ R[j].T + t[j]
         with np.errstate(divide="ignore", invalid="ignore"):
             u, v = (p[:, :2] / p[:, 2:]).T * ([camera.fx], [camera.fy]) + ([camera.cx], [camera.cy])
         inside = (p[:, 2] > 0) & (u > -0.5) & (v > -0.5) & (u < camera.width - 0.5) & (v < camera.height - 0.5)
-        other = centers[j] - places
+        other = centers[j] - samples
         cross = np.linalg.norm(np.cross(own, other), axis=1)
         angles[:, j] = np.degrees(np.arctan2(cross, (own * other).sum(axis=1)))
         seen[:, j] = inside & (angles[:, j] >= MIN_ANGLE) & (angles[:, j] <= MAX_ANGLE)
     seen[:, index] = False
-    return places, seen, angles
+    return samples, seen, angles
 
 
 def shares_in_view(cameras: Sequence[PinholeCameraIntrinsic], poses: Array) -> Array:
     """Fraction of each camera's sample points, weighted by visibility, that each other camera sees, [n, n]."""
     shares = np.zeros((len(poses), len(poses)))
     for i in range(len(poses)):
-        _, seen, _ = places_before(i, cameras, poses)
+        _, seen, _ = sample_visibility(i, cameras, poses)
         weights = seen.sum(axis=1).astype(float)
         if weights.any():
             shares[i] = weights @ seen / weights.sum()

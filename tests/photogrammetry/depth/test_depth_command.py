@@ -58,7 +58,7 @@ def test_a_map_without_references_says_that_its_unit_is_arbitrary(folder):
     assert result.exit_code == 0, result.stderr
     for part in (
         "units arbitrary: the nearest pixel is at 1; --align gives meters", "from assumed 60 degrees",
-        "shapes are stretched if the lens was another: give --intrinsic", "CPUExecutionProvider", "Apache-2.0",
+        "shapes are distorted if the camera differs: give --intrinsic", "CPUExecutionProvider", "Apache-2.0",
         "518 x 518, 518 x 518 for the network",
     ):  # fmt: skip
         assert part in result.stdout
@@ -71,14 +71,14 @@ def test_two_distances_are_told_to_be_unchecked(folder):
     (folder / "two.txt").write_text(f"100 500 {z[500, 100]}\n300 20 {z[20, 300]}\n")
     result = run(*words(folder, "--align", folder / "two.txt"))
     assert result.exit_code == 0
-    assert "from 2 distances without a check: one more would tell" in result.stdout
+    assert "from 2 distances, unchecked: one more distance allows a check" in result.stdout
 
 
 def test_references_that_do_not_agree_are_rejected_and_nothing_is_written(folder):
     before = names_in(folder)
     np.save(folder / "falling.npy", (8.0 - scene()).astype(np.float32))
     report = unreliable(*words(folder, "--align", folder / "falling.npy", "--picture", folder / "out.png"))
-    assert "check that they are of this picture" in str(report["warnings"])
+    assert "check that they belong to this image" in str(report["warnings"])
     assert "nothing was written" in str(report["warnings"])
     assert report["files"] == []
     assert names_in(folder) == sorted([*before, "falling.npy"])
@@ -90,7 +90,7 @@ def test_few_references_that_agree_are_unreliable(folder):
     sensor[rows < 0.8] *= np.random.default_rng(1).uniform(1.3, 9, (rows < 0.8).sum())
     np.save(folder / "noisy.npy", sensor.astype(np.float32))
     report = unreliable(*words(folder, "--align", folder / "noisy.npy"))
-    assert "references agree with the map within 10 %" in str(report["warnings"])
+    assert "references agree with the map within 10%" in str(report["warnings"])
     assert (folder / "out.ply").exists()
 
 
@@ -135,7 +135,7 @@ def test_a_folder_is_aligned_to_one_colmap_model(folder):
     (each,) = report["pictures"]
     assert (each["unit"], each["is_metric"], each["references"]) == ("the sparse model's", False, 120)
     assert "; ".join(report["warnings"]).startswith(
-        "1 of 2 pictures became nothing: align: 2 references lie in the picture"
+        "1 of 2 images failed: align: expected at least 20 references inside the image, got 2"
     )
     assert b"comment pointloom depth: in the unit of the sparse model" in (folder / "clouds" / "photo.ply").read_bytes()
 
@@ -148,7 +148,7 @@ def test_a_damaged_picture_of_a_folder_does_not_stop_the_others(folder):
     report = unreliable(*words(folder, picture="pictures", output="clouds"))
     assert names_in(folder / "clouds") == ["good.ply"]
     assert [each["picture"] for each in report["failures"]] == [str(pictures / "bad.png")]
-    assert "1 of 2 pictures became nothing" in str(report["warnings"])
+    assert "1 of 2 images failed" in str(report["warnings"])
     (pictures / "good.png").unlink()
     assert "neither PNG nor JPEG" in refusal(*words(folder, "--force", picture="pictures", output="clouds"))
 
@@ -164,7 +164,7 @@ def test_a_damaged_picture_of_a_folder_does_not_stop_the_others(folder):
         (["--depth-map", "depth.png"], "ends in .npy"),
         (["-o", "cloud.obj"], "clouds are not written to .obj"),
         (["-o", "no/out.ply"], "Make the folder first"),
-        (["--model", "camera.json"], "no ONNX model that can be used"),
+        (["--model", "camera.json"], "not a usable ONNX model"),
         (["--model", "none.onnx"], "none.onnx: does not exist"),
     ],
 )
@@ -178,14 +178,16 @@ def test_errors_name_the_file_and_leave_nothing(folder, monkeypatch, more, reaso
 def test_names_of_a_folder_that_would_meet_are_an_error(folder):
     pictures = folder / "pictures"
     pictures.mkdir()
-    assert "holds no pictures" in refusal(*words(folder, picture="pictures", output="clouds"))
+    assert "contains no images" in refusal(*words(folder, picture="pictures", output="clouds"))
     for name in ("a.png", "a.jpg"):
         Image.fromarray(PICTURE).save(pictures / name)
-    assert "another picture would become a.ply too" in refusal(*words(folder, picture="pictures", output="clouds"))
-    assert "is one cloud, for a folder" in refusal(*words(folder, picture="pictures"))
+    assert "another image would also be written to a.ply" in refusal(
+        *words(folder, picture="pictures", output="clouds")
+    )
+    assert "is a single cloud, but the source is a folder" in refusal(*words(folder, picture="pictures"))
     (pictures / "a.jpg").unlink()
     more = ["--picture", folder / "out.png"]
-    assert "--picture is for one picture" in refusal(*words(folder, *more, picture="pictures", output="clouds"))
+    assert "--picture requires a single image" in refusal(*words(folder, *more, picture="pictures", output="clouds"))
 
 
 @pytest.mark.parametrize(
@@ -234,7 +236,7 @@ def test_other_formats_and_existing_files(folder):
 
 
 def test_a_view_from_aside_still_looks_at_the_scene():
-    view = job.view_aside(CAMERA, 3.0)
+    view = job.oblique_view(CAMERA, 3.0)
     T = np.linalg.inv(view.T_world_camera)
     middle = T[:3, :3] @ [0, 0, 3.0] + T[:3, 3]
     np.testing.assert_allclose(middle, [0, 0, 3.3], atol=1e-12)  # what lay ahead at this distance lies ahead still

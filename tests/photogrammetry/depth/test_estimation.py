@@ -189,17 +189,21 @@ def test_depth_far_beyond_the_references_is_dropped(tmp_path):
 @pytest.mark.parametrize(
     ("align", "error", "reason"),
     [
-        ([(600, 3, 1.0), (3, 3, 2.0)], ValueError, r"pixel \(600, 3\) lies outside the picture of 518 x 518"),
+        ([(600, 3, 1.0), (3, 3, 2.0)], ValueError, r"pixel \(600, 3\) is outside the image of 518 x 518"),
         ([(6, 3, -1.0), (3, 3, 2.0)], ValueError, "distances above 0"),
-        ([(6, 3, 1.0)], ValueError, "1 distances, expected at least 2"),
-        (np.ones((480, 640)), ValueError, "the depth map is 640 x 480, of another shape"),
-        (np.zeros((518, 518)), ValueError, "0 references lie in the picture"),
+        ([(6, 3, 1.0)], ValueError, "expected at least 2 distances .*, got 1"),
+        (np.ones((480, 640)), ValueError, "expected the depth map with the aspect ratio of the image.*, got 640 x 480"),
+        (np.zeros((518, 518)), ValueError, "references inside the image, got 0"),
         (np.ones((2, 2, 2)), ValueError, r"of shape \[2, 2, 2\]"),
         ("none.txt", loom.FileError, "cannot be read"),
         ("none.ply", loom.FileError, "unknown extension '.ply'"),
-        (sparse_model(scene()), ValueError, "knows pictures by name"),
-        ((sparse_model(scene()), "x.png"), ValueError, "the model has no pictures 'x.png'; it has a/left.png"),
-        ((sparse_model(scene()), "left.png"), ValueError, "2 references lie in the picture"),
+        (sparse_model(scene()), ValueError, "identifies images by name"),
+        (
+            (sparse_model(scene()), "x.png"),
+            ValueError,
+            "expected one image 'x.png' in the model, got 0; it contains a/left.png",
+        ),
+        ((sparse_model(scene()), "left.png"), ValueError, "references inside the image, got 2"),
     ],
 )
 def test_references_that_do_not_fit_the_picture_are_refused(network, align, error, reason):
@@ -298,7 +302,7 @@ def test_tiles_bring_detail_on_the_scale_of_the_whole():
 
     whole = (0.3 + 0.5 * v / 240).astype(np.float32)
     told = []
-    found, used, count = refine_by_tiles(color, whole, 3, inverse, seed=0, say=lambda *each: told.append(each))
+    found, used, count = refine_by_tiles(color, whole, 3, inverse, seed=0, report=lambda *each: told.append(each))
     assert used == count == len(calls) >= 6
     assert told[-1] == (count, count)
     wave = found - whole
@@ -315,7 +319,9 @@ def test_tiles_that_differ_where_they_meet_leave_no_seam():
         u = np.linspace(-1, 1, part.shape[1], dtype=np.float32)
         return np.tile(u + (0.3 if len(calls) % 2 else -0.3) * u * u, (part.shape[0], 1))
 
-    found, used, count = refine_by_tiles(np.zeros((100, 400, 3), np.uint8), whole, 3, bent, seed=0, say=lambda *_: None)
+    found, used, count = refine_by_tiles(
+        np.zeros((100, 400, 3), np.uint8), whole, 3, bent, seed=0, report=lambda *_: None
+    )
     assert used == count == 3
     assert np.abs(found - whole).max() > 0.03  # they differ
     assert np.abs(np.diff(found, axis=1)).max() < 0.01  # and where they do, pixels side by side hardly
@@ -328,7 +334,7 @@ def test_tiles_that_say_something_else_are_left_out():
     def falling(part):
         return np.tile(np.linspace(2, 1, part.shape[1], dtype=np.float32), (part.shape[0], 1))
 
-    found, used, count = refine_by_tiles(color, whole, 2, falling, seed=0, say=lambda *_: None)
+    found, used, count = refine_by_tiles(color, whole, 2, falling, seed=0, report=lambda *_: None)
     assert (used, count) == (0, 4)
     np.testing.assert_allclose(found, whole, rtol=1e-6)
 

@@ -86,15 +86,15 @@ def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
 @pytest.mark.parametrize(
     ("name", "preset", "wanted"),
     [
-        ("dav2 indoor", "depth-anything-v2", "sigmoid times 20.*Take the preset depth-anything-v2-metric"),
-        ("dav2 indoor", "depth-anything-3-metric", "Take the preset depth-anything-v2-metric"),
-        ("dav2", "depth-anything-v2-metric", "ReLU, as networks of relative.*Take the preset depth-anything-v2"),
-        ("dav2", "depth-pro", "Take the preset depth-anything-v2"),
-        ("zoedepth", "dpt", "sum over bins.*Take the preset zoedepth"),
-        ("da3", "depth-anything-v2", "Take the preset depth-anything-3"),
-        ("moge-2", "depth-anything-v2", "Take the preset moge-2"),
-        ("unidepth", "depth-anything-v2", "Take the preset unidepth-v2"),
-        ("metric3d", "depth-anything-v2", "clamped.*Take the preset metric3d-v2"),
+        ("dav2 indoor", "depth-anything-v2", "sigmoid times 20.*Use the preset depth-anything-v2-metric"),
+        ("dav2 indoor", "depth-anything-3-metric", "Use the preset depth-anything-v2-metric"),
+        ("dav2", "depth-anything-v2-metric", "ReLU, typical of relative.*Use the preset depth-anything-v2"),
+        ("dav2", "depth-pro", "Use the preset depth-anything-v2"),
+        ("zoedepth", "dpt", "sum over depth bins.*Use the preset zoedepth"),
+        ("da3", "depth-anything-v2", "Use the preset depth-anything-3"),
+        ("moge-2", "depth-anything-v2", "Use the preset moge-2"),
+        ("unidepth", "depth-anything-v2", "Use the preset unidepth-v2"),
+        ("metric3d", "depth-anything-v2", "clamped.*Use the preset metric3d-v2"),
         ("metric3d convnext", "metric3d-v2", "metric3d-convnext has this size"),
     ],
 )
@@ -124,23 +124,20 @@ def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name
     assert found.shift == 0
     assert found.scale * 3 / canonical(name, picture) == pytest.approx(1, rel=0.01)
     assert found.inlier_share > 0.9
-    with pytest.raises(ValueError, match=r"^align:.*1.*3"):
+    with pytest.raises(ValueError, match=r"^align:.*3 distances.*got 1"):
         loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
 
 
 def test_of_depth_anything_3_the_file_does_not_say_whether_it_is_the_metric_one(files):
     assert (
-        "does not say that its depth is in meters"
+        "does not specify that its depth is in meters"
         in (loom.DepthModel(files["da3"], "depth-anything-3-metric").notes[0])
     )
 
 
 def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
-    for preset, meaning in (
-        ("depth-anything-v2", "more where something is nearer"),
-        ("depth-anything-v2-metric", "meters"),
-    ):
+    for preset, meaning in (("depth-anything-v2", "larger for nearer points"), ("depth-anything-v2-metric", "meters")):
         assert meaning in "".join(loom.DepthModel(path, preset).notes)
 
 
@@ -179,7 +176,7 @@ def test_a_wall_from_the_front_leaves_moge_without_metres_where_the_camera_is_un
 
 def test_metric3d_s_canvas_has_two_sizes_and_no_mixture(tmp_path):
     for size in ((616, 616), (1064, 1064), (616, 1216)):
-        with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*metric3d-v2.*616.*1064.*1064.*616"):
+        with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*616.*1064.*1064.*616.*metric3d-v2"):
             loom.DepthModel(linear(tmp_path / "m.onnx", size=size), "metric3d-v2")
 
 
@@ -218,7 +215,7 @@ def words(photo, model, *more):
 
 def test_the_command_refuses_a_metric_file_under_the_default_preset_and_writes_nothing(photo, files):
     said = refusal(*words(photo, files["dav2 indoor"]))
-    assert "Take the preset depth-anything-v2-metric" in said
+    assert "Use the preset depth-anything-v2-metric" in said
     assert names_in(photo.parent) == ["photo.png"]
 
 
@@ -226,12 +223,12 @@ def test_the_summary_says_that_a_camera_is_the_network_s(photo, files):
     result = run(*words(photo, files["unidepth"], "--preset", "unidepth-v2"))
     assert result.exit_code == 0
     assert "from the network" in result.stdout
-    assert "shapes are stretched" not in result.stdout
+    assert "shapes are distorted" not in result.stdout
 
 
 def test_what_a_file_does_not_say_is_said_once(photo, tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     result = run(*words(photo, path))
     assert result.exit_code == 0
-    assert result.stdout.count("the file does not say") == 1
-    assert "the file does not say" in answer(*words(photo, path, "--force"))["notes"][0]
+    assert result.stdout.count("the file does not specify") == 1
+    assert "the file does not specify" in answer(*words(photo, path, "--force"))["notes"][0]

@@ -39,7 +39,7 @@ def test_exif_turns_pictures_upright(tmp_path, orientation, suffix):
     Image.fromarray(stored).save(path, exif=exif(orientation=orientation), **options)
     photo = take_photo(path)
     np.testing.assert_allclose(photo.color.astype(int), RGB, atol=8 if suffix == "jpg" else 0)
-    assert photo.is_turned == (orientation > 4)
+    assert photo.is_rotated == (orientation > 4)
     with Image.open(path) as picture:
         from PIL import ImageOps
 

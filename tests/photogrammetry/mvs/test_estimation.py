@@ -167,12 +167,18 @@ def test_pictures_that_do_not_fit_are_told_by_number(tmp_path):
             loom.mvs.estimate_depth_maps(changed, cameras, sparse, sources=ALL)
 
     refused(pictures[:1], ValueError, "pictures: expected at least 2, got 1")
-    refused(pictures[:2], ValueError, "cameras: expected one for each of the 2 pictures, got 3")
-    refused([*pictures[:2], pictures[2][:-1]], ValueError, r"pictures\[2\]: is 48 x 35 pixels, and its camera 48 x 36")
+    refused(pictures[:2], ValueError, "cameras: expected one for each of the 2 images, got 3")
+    refused(
+        [*pictures[:2], pictures[2][:-1]],
+        ValueError,
+        r"pictures\[2\]: expected 48 x 36 pixels as of its camera, got 48 x 35",
+    )
     refused([*pictures[:2], pictures[2].astype(np.uint16)], TypeError, r"pictures\[2\]: expected uint8.*divide 16-bit")
     refused([*pictures[:2], np.zeros((36, 48, 4), np.uint8)], ValueError, r"pictures\[2\]: expected shape")
     Image.fromarray(pictures[2][:-1]).save(tmp_path / "small.png")
-    refused([*pictures[:2], tmp_path / "small.png"], loom.FileError, "is 48 x 35 pixels, and its camera 48 x 36")
+    refused(
+        [*pictures[:2], tmp_path / "small.png"], loom.FileError, "expected 48 x 36 pixels as of its camera, got 48 x 35"
+    )
     refused([*pictures[:2], tmp_path / "none.png"], loom.FileError, "cannot be read")
     Image.fromarray(pictures[2].astype(np.uint16) * 256).save(tmp_path / "deep.png")
     refused([*pictures[:2], tmp_path / "deep.png"], loom.FileError, "16-bit")

@@ -58,7 +58,7 @@ def test_poses_the_wrong_way_round_are_asked_for():
     sources = [(1, 2), (0, 2), (0, 1)]
     loom.mvs.filter_depth_maps(DepthMaps(posed, sources, given))  # right: nothing is said
     turned = [loom.mvs.PosedCamera(c.intrinsic, np.linalg.inv(c.T_camera_world)) for c in posed]
-    with pytest.warns(UserWarning, match="hardly any depth .* is T_camera_world the inverse of your poses"):
+    with pytest.warns(UserWarning, match="almost no depth .* check that T_camera_world is world to camera"):
         loom.mvs.filter_depth_maps(DepthMaps(turned, sources, given))
 
 
@@ -95,7 +95,7 @@ def test_grains_that_all_pictures_show_go_and_surfaces_two_pixels_wide_stay(devi
     np.testing.assert_allclose(kept, expected)
 
 
-@pytest.mark.filterwarnings("ignore:hardly any depth")
+@pytest.mark.filterwarnings("ignore:almost no depth")
 def test_slanted_surfaces_support_themselves_by_their_normals():
     """A floor that nears by 3 % a row: with the wrong normals no pixel is like those around it."""
     lens = loom.PinholeCameraIntrinsic(40, 30, 40.0, 40.0, 19.5, 5.0)
@@ -172,7 +172,7 @@ def test_maps_on_disk_give_the_same_bits_with_little_room_on_the_device(tmp_path
     maps = true_maps(4)
     expected = loom.mvs.filter_depth_maps(maps)
     stored = DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "raw")
-    monkeypatch.setattr(filtering, "KEPT_BYTES", 1)
+    monkeypatch.setattr(filtering, "CACHE_BYTES", 1)
     kept = loom.mvs.filter_depth_maps(stored, folder=tmp_path / "kept")
     assert same(kept, expected)
     assert same(DepthMaps.open(tmp_path / "kept"), expected)

@@ -98,7 +98,7 @@ def test_the_same_bits_with_maps_and_pictures_on_disk_and_no_room(tmp_path, monk
         Image.fromarray(picture).save(paths[-1])
     expected = loom.mvs.fuse(maps, pictures)
     stored = DepthMaps(maps.cameras, maps.sources, list(maps), folder=tmp_path / "maps")
-    monkeypatch.setattr(fusion, "KEPT_BYTES", 1)
+    monkeypatch.setattr(fusion, "CACHE_BYTES", 1)
     again = loom.mvs.fuse(stored, paths)
     for name in ("points", "normals", "colors", "confidence", "views"):
         np.testing.assert_array_equal(again[name], expected[name])

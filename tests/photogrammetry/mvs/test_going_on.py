@@ -19,8 +19,10 @@ def test_an_interrupted_search_goes_on_at_the_next_picture(tmp_path, monkeypatch
     cameras = three()
     pictures, sparse = scene(cameras)
     whole = bytes_of(loom.mvs.estimate_depth_maps(pictures, cameras, sparse))
-    steps, matched, match = [], [], plane_search._Walk.match
-    monkeypatch.setattr(plane_search._Walk, "match", lambda walk, i: matched.append((walk.number, i)) or match(walk, i))
+    steps, matched, match = [], [], plane_search._PhaseRun.match
+    monkeypatch.setattr(
+        plane_search._PhaseRun, "match", lambda walk, i: matched.append((walk.number, i)) or match(walk, i)
+    )
 
     def run(stop):
         matched.clear()

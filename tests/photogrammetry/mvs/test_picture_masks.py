@@ -51,10 +51,14 @@ def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
     pictures, sparse = scene(cameras)
     write_png(tmp_path / "m.png", masks[:-1])
     for wrong, error, said in [
-        ([masks], ValueError, "masks: expected one, or None, for each of the 3 pictures, got 1"),
+        ([masks], ValueError, "masks: expected one, or None, for each of the 3 images, got 1"),
         ([masks, masks, masks[1:]], ValueError, r"masks\[2\]: expected shape"),
         ([masks, masks, 1.0 * masks], TypeError, r"masks\[2\]: expected a path, or an array of bool or uint8"),
-        ([masks, masks, tmp_path / "m.png"], loom.FileError, "m.png: is 48 x 35, its picture 48 x 36"),
+        (
+            [masks, masks, tmp_path / "m.png"],
+            loom.FileError,
+            "m.png: expected a mask of 48 x 36 pixels as its image, got 48 x 35",
+        ),
     ]:
         with pytest.raises(error, match=said):
             loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=wrong)

@@ -27,8 +27,10 @@ def told(**figures: float) -> str:
 
 def test_a_given_camera_is_reported_with_both_numbers():
     said = told(given=600, found=526, error=0.85, freed_error=0.5)
-    assert "ask for a focal length of 526 px, 600 px were given (the error falls from 0.85 to 0.5 px)" in said
-    assert "600 px were given" in told(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
+    assert (
+        "given focal length is 600 px, but 526 px fits the images better (the error falls from 0.85 to 0.5 px)" in said
+    )
+    assert "given focal length is 600 px" in told(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
 
 
 @pytest.mark.parametrize(
@@ -47,29 +49,31 @@ def test_a_camera_that_fits_is_not_reported(figures):
 
 
 def test_a_focal_length_that_the_pictures_do_not_fix_is_told():
-    assert "the pictures do not fix the focal length (held 15 % off 663 px" in told(found=663, rise=0.0, error=0.4)
+    assert "the images do not determine the focal length (with a focal length 15% off 663 px" in told(
+        found=663, rise=0.0, error=0.4
+    )
     said = told(found=663, rise=0.026, spread=0.046, error=0.4)
-    assert (
-        "the error rises by 2.6 %, and parts of the pictures, or a lens with more distortion, ask for others, by 5 %"
-        in said
-    )
-    assert "EXIF says 525 px, with which they fit worse" in told(
-        found=663, rise=0, error=0.4, exif=525, freed_error=0.6
-    )
+    assert "the error rises by 2.6%, and subsets of the images" in said
+    assert "or a lens with more distortion, change the focal length by 5%" in said
+    assert "the 525 px of EXIF fit worse" in told(found=663, rise=0, error=0.4, exif=525, freed_error=0.6)
 
 
 def test_exif_settles_what_the_pictures_leave_open():
     check = CameraCheck(found=663, rise=0.0, error=0.4, exif=525, freed_error=0.401)
     assert check.reasons() == []
     (remark,) = check.notes()
-    assert "it is EXIF's, 525 px: lengths along and across the view may differ by 5 %" in remark
+    assert (
+        "EXIF's 525 px are used: the ratio of lengths along and across the viewing direction may be off by 5%" in remark
+    )
 
 
 def test_pictures_of_several_focal_lengths_are_told_or_have_cameras_of_their_own():
     figures = {"found": 600.0, "rise": 0.1, "error": 1.4, "own_error": 0.4}
-    assert "several focal lengths (with one for each the error falls from 1.4 to 0.4 px)" in told(**figures)
+    assert "several focal lengths (with one focal length per image the error falls from 1.4 to 0.4 px)" in told(
+        **figures
+    )
     parted = CameraCheck(**figures | {"parted": 2})
-    assert parted.reasons() == [] and "2 of other focal lengths do" in parted.notes()[0]
+    assert parted.reasons() == [] and "2 cameras with different focal lengths do" in parted.notes()[0]
     assert "several focal lengths" in told(given=525, freed_error=1.2, **figures)
 
 
@@ -93,13 +97,15 @@ def test_points_that_are_more_than_a_pixel_off_are_told(points):
         cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
         found = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
         said = assess_model(found, 4, focal=CameraCheck()).warnings
-        assert ("px off what the model shows" in str(said)) == refused
+        assert ("the reprojection error is" in str(said)) == refused
 
 
 def test_the_check_of_the_focal_length_makes_a_warning(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
     quality = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
-    assert not quality.reliable and "; ".join(quality.warnings).startswith("the pictures do not fix the focal length")
+    assert not quality.reliable and "; ".join(quality.warnings).startswith(
+        "the images do not determine the focal length"
+    )
     kept = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
     assert kept.reliable and kept.to_dict()["notes"] == list(kept.notes) != []
 

@@ -37,6 +37,8 @@ def test_a_gpu_that_was_asked_for_and_is_not_there_is_named(monkeypatch):
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_networks_that_are_not_built_in_are_a_named_error(walked, tmp_path):
     pictures = write_pictures(tmp_path / "p", walked[:2])
-    with pytest.raises(loom.FileError, match="ALIKED and LightGlue want a pycolmap built with ONNX, and their weights"):
+    with pytest.raises(
+        loom.FileError, match="ALIKED and LightGlue require a pycolmap built with ONNX, and their weights"
+    ):
         find_features(pictures, tmp_path / "f.db", kind="aliked")
     assert not (tmp_path / "f.db").exists()

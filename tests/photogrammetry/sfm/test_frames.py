@@ -157,7 +157,7 @@ def test_a_video_that_was_cut_off_says_how_many_frames_are_missing(make_video, p
     cut.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
     choice = loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
     assert 30 < choice.frame_count < 90 and choice.frames_promised == 120
-    assert f"the video is damaged or cut off: {choice.frame_count} of 120 frames came" in choice.notes[0]
+    assert f"the video is damaged or truncated: {choice.frame_count} of 120 frames were decoded" in choice.notes[0]
 
 
 @READERS
@@ -339,14 +339,14 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("view 0.png", "view 3.png")
     assert set(choice.left_out) == {"view 1.png", "view 2.png", "lens cap.png"}
-    assert "3 pictures cannot be used and left out" in choice.notes[0] and "wall.nef" in choice.notes[1]
+    assert "3 images left out, since unusable" in choice.notes[0] and "wall.nef" in choice.notes[1]
 
 
 def test_photographs_of_several_sizes_are_told(panned, tmp_path):
     source = write_pictures(tmp_path / "in", [panned[0], panned[1][:, :100], panned[2]])
     choice = loom.sfm.choose_frames(source, tmp_path / "out", max_size=80)
     assert choice.sizes == {(80, 60): 2, (67, 80): 1}
-    assert "pictures of 2 sizes, each taken for a camera of its own: 2 of 80 x 60, 1 of 67 x 80" in choice.notes
+    assert "images of 2 sizes, each treated as a separate camera: 2 of 80 x 60, 1 of 67 x 80" in choice.notes
 
 
 def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path):

@@ -13,7 +13,7 @@ from PIL import Image
 from PIL.TiffImagePlugin import IFDRational
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.exif_checks import doubt_of_focal
+from pointloom.photogrammetry.sfm.exif_checks import focal_problem
 from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.image_positions import Xmp, parse_xmp
 from pointloom.photogrammetry.sfm.picture_folder import read_orientation
@@ -50,10 +50,18 @@ FOCAL_LENGTHS = [
     ("negative", {FOCAL: IFDRational(-425, 100)}, None),
     ("film alone", {FILM: 26}, None),
     ("a telephoto", {FOCAL: 300.0, FILM: 300}, None),
-    ("a tenth of a metre for a millimetre", {FOCAL: 425.0, FILM: 2600}, "2600 mm on 35 mm film are"),
-    ("the focal length for that on film", {FOCAL: 4.25, FILM: 4}, "4 mm on 35 mm film are 11 px"),
-    ("film that says ten times the sensor's", GOOD | {FILM: 260}, "that on film says 693 px, that of the sensor 69 px"),
-    ("film of a whole crop too little", GOOD | {FILM: 13}, "that on film says 35 px, that of the sensor 69 px"),
+    ("a tenth of a metre for a millimetre", {FOCAL: 425.0, FILM: 2600}, "35 mm equivalent of 2600 mm is"),
+    ("the focal length for that on film", {FOCAL: 4.25, FILM: 4}, "35 mm equivalent of 4 mm is 11 px"),
+    (
+        "film that says ten times the sensor's",
+        GOOD | {FILM: 260},
+        "35 mm equivalent is 693 px, but by the sensor size it is 69 px",
+    ),
+    (
+        "film of a whole crop too little",
+        GOOD | {FILM: 13},
+        "35 mm equivalent is 35 px, but by the sensor size it is 69 px",
+    ),
     ("digital zoom", GOOD | {FILM: 78, ZOOM: 3.0}, None),
     (
         "centimeters for inches",
@@ -65,7 +73,11 @@ FOCAL_LENGTHS = [
         {FOCAL: 4.25, ACROSS: 0.67, UNIT: 2, WIDTH: 4000},
         "the sensor would be 1.52e+05 mm wide",
     ),
-    ("inches for centimeters beside film", GOOD | {UNIT: 3}, "that on film says 69 px, that of the sensor 175 px"),
+    (
+        "inches for centimeters beside film",
+        GOOD | {UNIT: 3},
+        "35 mm equivalent is 69 px, but by the sensor size it is 175 px",
+    ),
     ("a sensor that is none beside film", GOOD | {UNIT: 4}, None),
     ("a unit that there is not", {FOCAL: 4.25, ACROSS: 17136.0, UNIT: 77, WIDTH: 4000}, None),
     ("no width", GOOD | {WIDTH: 0, HEIGHT: 0}, None),
@@ -80,7 +92,7 @@ FOCAL_LENGTHS = [
 
 @pytest.mark.parametrize(("told", "expected"), [case[1:] for case in FOCAL_LENGTHS], ids=[c[0] for c in FOCAL_LENGTHS])
 def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, told, expected):
-    doubt = doubt_of_focal(shot(tmp_path / "a.jpg", told), SIZE)
+    doubt = focal_problem(shot(tmp_path / "a.jpg", told), SIZE)
     assert doubt is None if expected is None else doubt is not None and expected in doubt
 
 
@@ -116,7 +128,7 @@ def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_pat
     sign = b"\1" if meters < 0 else b"\0"
     places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(meters)})])
     assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": meters}
-    assert places.notes() == [f"the altitude of 1 picture is rejected: a.jpg ({meters:g} m)"]
+    assert places.notes() == [f"the altitude of 1 image is rejected: a.jpg ({meters:g} m)"]
     assert places.to_dict()["altitudes_refused"] == {"a.jpg": meters}
 
 
@@ -130,7 +142,7 @@ def test_an_orientation_that_there_is_not_is_as_stored_and_told(tmp_path, value)
         path.write_bytes(data.replace(entry, b"\x01\x12" + value + b"\0\0\0\1"))
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE: 1} and read_orientation(path) == 1
-    told = any("tells no way to lie that there is, taken as stored: a.jpg" in remark for remark in choice.notes)
+    told = any("an invalid orientation, so they are used as stored: a.jpg" in remark for remark in choice.notes)
     assert told == (value in (9, b"\0\2"))  # of the others Pillow says nothing at all
 
 
@@ -151,7 +163,7 @@ def test_an_orientation_that_the_told_size_contradicts_is_told(tmp_path):
     shot(source / "c.jpg", tags={0x0112: 6}, xmp=xmp)  # EXIF's word counts
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE[::-1]: 3}
-    (remark,) = [remark for remark in choice.notes if "turned before" in remark]
+    (remark,) = [remark for remark in choice.notes if "rotated before" in remark]
     assert remark.endswith(": a.jpg")
 
 

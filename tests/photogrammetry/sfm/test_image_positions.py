@@ -63,25 +63,25 @@ def test_attitudes_of_pictures_that_lie_on_their_side_are_left_out(tmp_path):
 @pytest.mark.parametrize(
     ("changed", "reason"),
     [
-        ({2: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0)}, "0, 0 is what cameras without a fix write"),
+        ({2: (0.0, 0.0, 0.0), 4: (0.0, 0.0, 0.0)}, "its position is 0, 0, as written without a fix"),
         ({2: (97.0, 0.0, 0.0)}, "its latitude is 97 degrees"),
         ({4: (181.0, 0.0, 0.0)}, "its longitude is 181 degrees"),
-        ({2: (47.0, 75.0, 0.0)}, "its latitude has 47 75 0 for degrees, minutes, seconds"),
+        ({2: (47.0, 75.0, 0.0)}, "its latitude has invalid degrees, minutes, seconds: 47 75 0"),
         ({2: (4751.0, 0.0, 0.0)}, "its latitude is 4751 degrees"),  # degrees and minutes in one number
-        ({1: ""}, "its latitude does not say N or S"),
-        ({3: "N"}, "its longitude does not say E or W"),
+        ({1: ""}, "its latitude lacks N or S"),
+        ({3: "N"}, "its longitude lacks E or W"),
         ({9: "V"}, "no fix"),
-        ({2: (IFDRational(0, 0), 0.0, 0.0)}, "its latitude is no number"),
-        ({4: (IFDRational(8, 0), 15.0, 0.0)}, "its longitude is no number"),
+        ({2: (IFDRational(0, 0), 0.0, 0.0)}, "its latitude is not a number"),
+        ({4: (IFDRational(8, 0), 15.0, 0.0)}, "its longitude is not a number"),
         ({4: (1e30, 0.0, 0.0)}, "its longitude is"),
-        ({2: (47.0,) * 5}, "its latitude is no number"),
+        ({2: (47.0,) * 5}, "its latitude is not a number"),
     ],
 )
 def test_what_makes_no_sense_is_refused_with_the_reason(tmp_path, changed, reason):
     places = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", GOOD | changed)])
     assert len(places) == 0
     assert reason in places.refused["a.jpg"]
-    assert places.notes() == [f"GPS of 1 picture is rejected: a.jpg ({places.refused['a.jpg']})"]
+    assert places.notes() == [f"GPS of 1 image is rejected: a.jpg ({places.refused['a.jpg']})"]
 
 
 def test_pictures_that_tell_nothing_are_neither_told_nor_refused(tmp_path):

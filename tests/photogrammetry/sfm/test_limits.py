@@ -27,8 +27,8 @@ from .conftest import write_pictures
 # What a worker does instead of its job, and what is then said.
 FAIL = 'print("{{\\"failed\\": \\"{}\\"}}")'
 DEATHS = {
-    "killed": ("os.kill(os.getpid(), signal.SIGKILL)", r"was ended by SIGKILL.*fewer or smaller pictures"),
-    "crashed": ("print('no', file=sys.stderr); os.abort()", r"was ended by SIGABRT; its last words: no"),
+    "killed": ("os.kill(os.getpid(), signal.SIGKILL)", r"was ended by SIGKILL.*fewer or smaller images"),
+    "crashed": ("print('no', file=sys.stderr); os.abort()", r"was ended by SIGABRT; its last output: no"),
     "hung": ("time.sleep(60)", r"was stopped after 1 s, its limit \(max_seconds\).*Give it more time"),
     "greedy": ("b = bytearray(10**9); time.sleep(60)", r"of memory; its limit \(max_memory\) is 200.0 MiB"),
     "out of memory": (FAIL.format("out of memory"), r"out of memory. Give it more memory"),
@@ -182,5 +182,5 @@ def test_what_is_no_database_is_refused(tmp_path):
 
 @pytest.mark.slow
 def test_a_database_without_matches_says_so(stages, tmp_path):
-    with pytest.raises(loom.FileError, match=r"holds no matches. sfm.match makes them"):
+    with pytest.raises(loom.FileError, match=r"contains no matches. sfm.match computes them"):
         map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")

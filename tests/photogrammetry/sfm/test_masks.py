@@ -28,7 +28,7 @@ def test_a_mask_is_found_under_the_names_that_are_usual(panned, tmp_path, name):
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=masks)
     found = masks_of(tmp_path / "out_masks")
     assert list(found) == ["a.jpg.png"] and np.array_equal(found["a.jpg.png"], left_half(SIZE))
-    assert choice.notes == ("1 picture without a mask, taken whole: b.jpg",)
+    assert choice.notes == ("1 image without a mask, used completely: b.jpg",)
 
 
 def test_masks_turn_and_shrink_with_their_pictures(panned, tmp_path):
@@ -69,7 +69,7 @@ def test_a_function_makes_masks_of_pixels_and_hides_whole_pictures(panned, tmp_p
 
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=mask_of)
     assert asked == [(name, (*SIZE, 3)) for name in ("a.jpg", "b.jpg", "c.jpg")]
-    assert choice.names == ("a.jpg", "c.jpg") and choice.left_out == {"b.jpg": "its mask hides all of it"}
+    assert choice.names == ("a.jpg", "c.jpg") and choice.left_out == {"b.jpg": "its mask excludes all pixels"}
     assert not (tmp_path / "out" / "b.jpg").exists() and list(masks_of(tmp_path / "out_masks")) == ["a.jpg.png"]
 
 

@@ -64,7 +64,7 @@ def test_a_camera_that_turned_is_refused_though_angles_are_wide(points):
     assert (
         quality.angle > 2
         and "the camera hardly moved" in str(quality.warnings)
-        and "move, do not only turn" in str(quality.warnings)
+        and "move instead of only rotating" in str(quality.warnings)
     )
 
 
@@ -93,7 +93,7 @@ def test_points_that_nobody_or_one_saw_have_no_angle():
     empty = loom.SfmModel([], [], np.zeros((0, 4, 4)))
     assert triangulation_angles(empty).tolist() == [] and np.isnan(parallax(empty))
     assert "only 0 points" in str(assess_model(empty, 0).warnings)
-    assert "only 1 of 5 pictures" in str(assess_model(model, 5).warnings)
+    assert "only 1 of 5 images" in str(assess_model(model, 5).warnings)
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
@@ -109,8 +109,8 @@ def test_the_quality_does_not_depend_on_the_unit_or_the_position(points, scale):
 def test_few_pictures_few_points_and_several_models_are_told(points):
     model = model_of(views(4, side=1.0, turn=0.3), points)
     assert assess_model(model, 4).reliable
-    assert "only 4 of 10 pictures could be placed" in str(assess_model(model, 10).warnings)
-    assert "the pictures fall into 2 models (4, 2 pictures)" in str(assess_model(model, 6, model_sizes=(4, 2)).warnings)
+    assert "only 4 of 10 images could be registered" in str(assess_model(model, 10).warnings)
+    assert "the images form 2 separate models (4, 2 images)" in str(assess_model(model, 6, model_sizes=(4, 2)).warnings)
     assert assess_model(model, 4, model_sizes=(4, 2)).reliable  # the same pictures again
     few = assess_model(model_of(views(4, side=1.0, turn=0.3), points[:30]), 4)
-    assert "only 30 points were found" in str(few.warnings)
+    assert "only 30 points were triangulated" in str(few.warnings)

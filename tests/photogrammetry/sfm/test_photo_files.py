@@ -183,7 +183,7 @@ def test_a_raw_file_beside_its_jpeg_is_the_same_photograph(tmp_path):
     (source / "Img_1.DNG").write_bytes(b"not even read")
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("IMG_1.jpg", "IMG_2.jpg") and choice.frame_count == 2
-    assert choice.notes == ("of photographs that lie there as JPEG or PNG as well: Img_1.DNG",)
+    assert choice.notes == ("left out, since the folder also contains a JPEG or PNG of them: Img_1.DNG",)
 
 
 def test_deep_gray_tiff_becomes_gray_of_8_bits(tmp_path):

@@ -130,7 +130,7 @@ def test_a_camera_that_only_turns_is_found_out(tmp_path):
     """COLMAP places all of them, with a focal length that makes up motion."""
     pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in walk(6, turn_only=True)])
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=500)
-    assert "move, do not only turn" in str(result.warnings)
+    assert "move instead of only rotating" in str(result.warnings)
 
 
 def test_blank_images_give_no_model_but_a_warning(tmp_path):
@@ -141,13 +141,13 @@ def test_blank_images_give_no_model_but_a_warning(tmp_path):
     assert matched.verified_count == 0 and len(matched.isolated) == 3
     result = map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
     assert result.model is None and len(result.missing) == 3
-    assert "none of the 3 pictures could be placed" in str(result.warnings)
+    assert "none of the 3 images could be registered" in str(result.warnings)
     for report in (found, matched, result):
         assert json.loads(json.dumps(report.to_dict(), allow_nan=False))
 
 
 @pytest.mark.parametrize(
-    ("name", "remedy"), [("empty.png", "empty"), ("gray.png", "16-bit gray"), ("side.jpg", "lies on its side")]
+    ("name", "remedy"), [("empty.png", "empty"), ("gray.png", "16-bit gray"), ("side.jpg", "is not upright")]
 )
 def test_pictures_that_colmap_would_take_for_others_are_refused(walked, tmp_path, name, remedy):
     pictures = write_pictures(tmp_path / "pictures", walked[:2])

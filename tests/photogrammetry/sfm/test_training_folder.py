@@ -159,7 +159,7 @@ def test_utm_comes_near_zero_and_is_told_or_stays_exact(tmp_path, shift):
     frames = np.array([frame["transform_matrix"] for frame in content["frames"]])
     np.testing.assert_allclose(frames[:, :3, 3] + told.origin, centers, atol=5e-9, rtol=0)
     if shift:
-        assert np.abs(found.centers).max() < 10 and "taken from all coordinates" in str(told)
+        assert np.abs(found.centers).max() < 10 and "subtracted from all coordinates" in str(told)
         applied = np.array(content["applied_transform"])
         np.testing.assert_array_equal(applied, np.column_stack([np.eye(3), -np.array(told.origin)]))
         assert content["applied_scale"] == 1

@@ -53,7 +53,7 @@ def quick(monkeypatch):
         kept = min(COUNT, max_frames)
         for number in range(0, 10 * kept, 10):
             (folder / motion.PICTURES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
-        return {"kept": kept, "frames": 80, "notes": ["the video is damaged: 80 of 90 frames came"]}
+        return {"kept": kept, "frames": 80, "notes": ["the video is damaged: 80 of 90 frames were decoded"]}
 
     @stage("features")
     def find_features(folder, say, *, frames, intrinsic, seed):

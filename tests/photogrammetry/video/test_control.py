@@ -55,7 +55,7 @@ def test_noise_leaves_what_the_fit_says():
         scale, tilt, far = errors(fit, MODEL, POSES)
         assert abs(scale) < 3.5 * fit.control.scale_sigma < 0.01
         assert tilt < 3.5 * fit.control.tilt_sigma < 0.5 and far < 0.3
-        assert 0.2 < fit.control.misfit < 2
+        assert 0.2 < fit.control.residual_ratio < 2
         off += [row(fit, name).residual / row(fit, name).sigma for name in ("E", "G")]
         expected += [row(fit, name).residual for name in "ABCDF"]
     assert 0.3 < np.std(off) < 1.5  # check points are as far off as they are told to be
@@ -75,7 +75,7 @@ def test_a_check_point_does_not_move_the_model():
 def test_a_gross_blunder_is_left_out_and_named_and_moves_nothing(wrong, meters):
     fit = settle(noise=0.3, wrong=[(wrong, meters)], seed=2)
     assert [point.name for point in fit.control.points if point.use == "unused"] == [wrong]
-    assert f"left out, {wrong} by " in str(fit.warnings) and "check their coordinates and marks" in str(fit.warnings)
+    assert f"excluded, {wrong} by " in str(fit.warnings) and "check their coordinates and marks" in str(fit.warnings)
     np.testing.assert_allclose(row(fit, wrong).residual, -np.array(meters), atol=0.15)
     assert errors(fit, MODEL, POSES)[2] < 0.2
 
@@ -90,15 +90,15 @@ def test_four_points_that_contradict_each_other_are_told_and_none_is_blamed():
     control = control_of(POSES, POINTS[:4], NAMES[:4], wrong=[("B", (3.0, 0, 0))])
     fit = fit_units(Units(control=control), MODEL)
     assert {point.use for point in fit.control.points} == {"control"}
-    assert "times farther off than they are told to be sure" in str(fit.warnings) and "5 or more points tell" in str(
+    assert "times the stated accuracy" in str(fit.warnings) and "with 5 or more points the wrong one" in str(
         fit.warnings
     )
 
 
 def test_points_that_are_somewhat_worse_than_told_are_said_to_be():
     fit = settle(noise=0.1, wrong=[(n, 0.12 * np.sin(k + np.arange(3))) for k, n in enumerate(NAMES)])
-    assert fit.reliable and 2 < fit.control.misfit < 5
-    assert "times farther off" in str(fit)
+    assert fit.reliable and 2 < fit.control.residual_ratio < 5
+    assert "times the stated accuracy" in str(fit)
 
 
 def test_a_mark_of_something_else_is_left_out_and_named():
@@ -115,7 +115,8 @@ def test_a_point_in_one_picture_alone_is_unused_and_says_why():
     marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), most=1)
     fit = settle(marks=marks)
     assert (
-        row(fit, "D").use == "unused" and "1 picture of the model shows it; mark it in two" in row(fit, "D").warnings[0]
+        row(fit, "D").use == "unused"
+        and "1 image of the model has a mark of it; mark it in two" in row(fit, "D").warnings[0]
     )
     assert fit.reliable
 
@@ -123,8 +124,8 @@ def test_a_point_in_one_picture_alone_is_unused_and_says_why():
 @pytest.mark.parametrize(
     ("points", "names", "reason"),
     [
-        (POINTS[:2], NAMES[:2], "2 control points: 3 or more that are not on a line"),
-        (np.outer(np.arange(1, 5), (4.0, 3.0, 0.0)), NAMES[:4], "A, B, C, D lie on a line"),
+        (POINTS[:2], NAMES[:2], "2 control points: 3 or more that are not collinear"),
+        (np.outer(np.arange(1, 5), (4.0, 3.0, 0.0)), NAMES[:4], "A, B, C, D are collinear"),
     ],
 )
 def test_points_that_settle_nothing_are_refused_before_the_work(points, names, reason):
@@ -136,7 +137,9 @@ def test_points_that_are_lost_leave_gps_and_say_so():
     marks = [m for m in marks_of(POSES, POINTS) if m.point in "AB"]
     fit = settle(told(POSES), marks=marks)
     assert (fit.by, fit.control) == ("exif", None)
-    assert "2 of 7 control points can be used (C: no picture shows it; mark it in two or more; D:" in str(fit.warnings)
+    assert "2 of 7 control points can be used (C: no image has a mark of it; mark it in two or more; D:" in str(
+        fit.warnings
+    )
     assert settle(marks=marks).units == "arbitrary"
 
 
@@ -147,7 +150,7 @@ def test_control_wins_over_gps_whose_gaps_are_told():
     assert errors(fit, MODEL, POSES)[2] < 1e-6
     assert len(fit.control.gps.names) == len(POSES)
     assert 0.4 < fit.control.gps.horizontal_rms < 1.1  # 0.71 is expected
-    assert "GPS of 24 pictures, not used" in str(fit)
+    assert "GPS of 24 images, not used" in str(fit)
 
 
 def test_another_zone_than_that_of_gps_is_reported():
@@ -155,7 +158,7 @@ def test_another_zone_than_that_of_gps_is_reported():
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, places, strict=True)]
     control = GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")
     fit = fit_units(Units(control=control, places=told(POSES)), MODEL)
-    assert "km from where GPS says" in str(fit.warnings) and "EPSG:32633" in str(fit.warnings)
+    assert "km from the GPS positions" in str(fit.warnings) and "EPSG:32633" in str(fit.warnings)
 
 
 @pytest.mark.parametrize(
@@ -208,7 +211,7 @@ def test_scale_bars_alone_set_the_scale_and_nothing_else():
 def test_a_wrong_bar_among_three_is_left_out_and_two_that_disagree_are_told():
     fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0), bar("D", "F"), noise=0.2)
     assert [each.use for each in fit.control.bars] == ["control", "unused", "control"]
-    assert "contradict the rest and were left out, C to E is" in str(fit.warnings)
+    assert "contradict the others and were excluded, C to E is" in str(fit.warnings)
     assert abs(errors(fit, MODEL, POSES)[0]) < 0.005
     fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0))
     assert "scale bars contradict each other" in str(fit.warnings) and {each.use for each in fit.control.bars} == {

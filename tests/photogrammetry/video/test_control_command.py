@@ -61,7 +61,7 @@ def test_control_is_told_in_report_and_summary_and_makes_the_mesh_alone_again(pi
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        (lambda text: text.replace(" 10 A", " 11 A"), "'11' is none of the pictures"),
+        (lambda text: text.replace(" 10 A", " 11 A"), "'11' matches no image"),
         (lambda text: text + "\n1 2 9 70 20 30 G", "outside of 30 of 64 x 48"),
     ],
 )

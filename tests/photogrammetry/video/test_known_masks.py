@@ -49,7 +49,7 @@ def test_masks_stay_as_their_pictures_are_stored(tmp_path, orientation):
     ending = "jpg" if orientation == 1 else "png"
     for name in ("a", "b"):
         np.testing.assert_array_equal(mask_in(folder, f"{name}.{ending}"), left_half(SIZE))
-    assert told["notes"] == ["1 picture without a mask, taken whole: c.jpg"]
+    assert told["notes"] == ["1 image without a mask, used completely: c.jpg"]
 
 
 def test_a_function_sees_pictures_as_they_are_stored_and_may_hide_them(tmp_path):
@@ -60,7 +60,7 @@ def test_a_function_sees_pictures_as_they_are_stored_and_may_hide_them(tmp_path)
     told, folder = take(tmp_path, mask_of, names=("a.jpg", "b.jpg", "c.jpg"), orientation=6)
     assert sorted(path.name for path in (folder / "pictures").iterdir()) == ["a.png", "b.png"]
     assert loom.read_colmap_model(folder / "cameras").names == ("a.png", "b.png")
-    assert told["kept"] == 2 and any("whose masks hide all: c.jpg" in remark for remark in told["notes"])
+    assert told["kept"] == 2 and any("since the mask excludes all pixels: c.jpg" in remark for remark in told["notes"])
 
 
 def test_masks_are_straightened_with_pictures_whose_lens_colmap_does_not_have(tmp_path):

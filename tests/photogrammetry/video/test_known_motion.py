@@ -65,7 +65,7 @@ def test_pictures_are_taken_with_the_cameras_of_their_names_and_the_rest_is_told
     told, model, pictures = take(tmp_path, source, xml)
     assert dict(zip(model.names, model.centers[:, 0], strict=True)) == {"a.png": 1.0, "b.png": 2.0, "c.png": 0.0}
     assert (told["kept"], told["missing"]) == (3, 1)
-    assert told["notes"] == ["1 pictures have no pose: extra.png", "1 poses have no picture: gone"]
+    assert told["notes"] == ["1 images have no pose: extra.png", "1 poses have no image: gone"]
     assert (pictures / "a.png").read_bytes() == (source / "a.png").read_bytes()
 
 
@@ -124,15 +124,13 @@ def test_the_unit_is_that_of_the_poses_unless_more_is_known():
 def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkeypatch):
     source = write_pictures(tmp_path / "in", noise(3), ["a.png", "b.png", "c.png"])
     xml = write_metashape(tmp_path / "c.xml", ["a", "b", "c"], steps(3), size=(64, 48), focal=60)
-    check = PoseCheck(500, 0.03, 1.0, "each pose is turned round", 0.9)
+    check = PoseCheck(500, 0.03, 1.0, "each pose is inverted", 0.9)
     nothing = SimpleNamespace(pairs=np.zeros((0, 2), int), firsts=np.zeros(1, int), matches=np.zeros((0, 2), int))
     monkeypatch.setattr(known_motion, "match_posed", lambda *_, **__: (nothing, check))
     monkeypatch.setitem(chain.KNOWN_STAGES, "features", lambda folder, say, *, frames, seed: {})
     report = unreliable("video", source, "-o", tmp_path / "mesh.ply", "--cloud", tmp_path / "c.ply", "--cameras", xml)
-    assert "only 3 % of the matches" in str(report["warnings"]) and "each pose is turned round" in str(
-        report["warnings"]
-    )
-    assert "move, do not only turn" not in str(report["warnings"])
+    assert "only 3% of the matches" in str(report["warnings"]) and "each pose is inverted" in str(report["warnings"])
+    assert "move instead of only rotating" not in str(report["warnings"])
     assert report["files"] == [] and not (tmp_path / "mesh.ply").exists() and not (tmp_path / "c.ply").exists()
 
 

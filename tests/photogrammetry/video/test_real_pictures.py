@@ -103,7 +103,7 @@ def test_the_call_from_python_gives_what_the_command_wrote(made, photos):
     report, folder = made
     settings = loom.video.Settings(max_size=SIZE)
     result = loom.video.reconstruct(photos, settings, work=folder / "work", resume=True, device="cpu")
-    assert all(stage.kept for name, stage in result.stages.items() if name != "mesh")
+    assert all(stage.is_reused for name, stage in result.stages.items() if name != "mesh")
     mesh = loom.read_triangle_mesh(folder / "work" / "mesh" / "mesh.ply")
     np.testing.assert_array_equal(result.mesh.vertices, mesh.vertices)
     assert len(result.cloud) == report["fused"]["points"]

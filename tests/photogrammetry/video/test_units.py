@@ -50,9 +50,9 @@ def test_the_distance_of_two_cameras_makes_metres(names):
 def test_known_places_turn_move_and_scale_the_model(tmp_path, called):
     names = [called.format(n, stem=n[:-4], number=int(n[6:12])) for n in NAMES]
     fit = fit_units(Units(align=write_places(tmp_path / "places.txt", names)), model_of())
-    assert (fit.places.count, fit.by, fit.reliable) == (5, "align", True)
+    assert (fit.known_positions.count, fit.by, fit.reliable) == (5, "align", True)
     assert fit.scale == pytest.approx(2.5, rel=1e-9)
-    assert fit.places.rms_m < 1e-8
+    assert fit.known_positions.rms_m < 1e-8
     np.testing.assert_allclose(fit.T_world_model, TRUE, atol=1e-8)
 
 
@@ -64,7 +64,7 @@ def test_poses_of_some_pictures_are_known_places_too(tmp_path, form):
     path = tmp_path / ("poses.log" if form == "log" else "poses.txt")
     loom.write_trajectory(path, loom.Trajectory(poses, **kept), format=form)
     fit = fit_units(Units(align=path), model_of())
-    assert fit.places.count == 4
+    assert fit.known_positions.count == 4
     np.testing.assert_allclose(fit.T_world_model, TRUE, atol=1e-6)
 
 
@@ -73,7 +73,7 @@ def test_a_place_that_contradicts_the_others_is_left_out_and_named(tmp_path):
     wrong[2] += 5
     fit = fit_units(Units(align=write_places(tmp_path / "places.txt", places=wrong)), model_of())
     assert fit.reliable
-    assert fit.places.left_out == (NAMES[2],)
+    assert fit.known_positions.left_out == (NAMES[2],)
     np.testing.assert_allclose(fit.T_world_model, TRUE, atol=1e-8)
 
 
@@ -91,7 +91,7 @@ def test_two_cameras_at_one_place_have_no_distance():
         Units(known=("7", "frame_000007", 1.0)).check_names(NAMES)
     with pytest.raises(ValueError, match=r"^known:"):
         Units(known=("7", "13", 1.0)).check_names(NAMES)
-    with pytest.raises(ValueError, match="is 2 pictures"):
+    with pytest.raises(ValueError, match="matches 2 images"):
         Units(known=("7", "12", 1.0)).check_names([*NAMES, "other_7.png"])
 
 
@@ -116,7 +116,7 @@ def test_what_makes_no_sense_is_refused(given, error):
         ("0 1 2 3\n7 1 2\n", "line 2.*a name and three numbers"),
         ("0 1 2 3\n7 1 2 nan\n", "line 2.*finite"),
         ("0 1 2 3\n0 1 2 4\n7 1 1 1\n", "'frame_000000.png' is duplicated"),
-        ("0 1 2 3\n7 3 2 1\n", "the places of 2 pictures in the model; 3 or more"),
+        ("0 1 2 3\n7 3 2 1\n", "the positions of 2 images in the model; 3 or more"),
         ("x 1 2 3\ny 2 2 3\nz 3 4 5\n", "contains no name of a picture of the model"),
         ("0 1 2 3\n7 2 4 6\n12 3 6 9\n", "on a line"),
     ],

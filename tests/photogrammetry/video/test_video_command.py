@@ -77,11 +77,11 @@ def test_the_summary_says_what_became_of_the_pictures(quick, film, output):
     result = run("video", film, "-o", output)
     assert result.exit_code == 0, result.stderr
     for text in (
-        "8 of 8 placed, chosen from 80, on ",
+        "8 of 8 registered, chosen from 80, on ",
         "60.0% confirmed",
         "arbitrary: give --scale",
         "depth 0.0, ",
-        "80 of 90 frames came",
+        "80 of 90 frames were decoded",
     ):
         assert text in result.stdout
 
@@ -161,9 +161,11 @@ def test_known_places_move_the_mesh_and_the_poses(quick, film, output, tmp_path)
 
 
 def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
-    quick.turned, quick.reasons = True, ["the camera hardly moved: move, do not only turn"]
+    quick.turned, quick.reasons = True, ["the camera hardly moved: move instead of only rotating"]
     report = unreliable("video", film, "-o", output, "--work", tmp_path / "work")
-    assert "; ".join(report["warnings"]) == "the camera hardly moved: move, do not only turn; nothing was written"
+    assert (
+        "; ".join(report["warnings"]) == "the camera hardly moved: move instead of only rotating; nothing was written"
+    )
     assert quick.ran == STAGES[:4]
     assert not output.exists()
     assert json.loads((tmp_path / "work" / "report.json").read_text())["warnings"] == report["warnings"]
@@ -173,7 +175,7 @@ def test_an_unreliable_mesh_is_written_and_the_remedy_told(quick, film, output):
     quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
     first, second = unreliable("video", film, "-o", output)["warnings"]
     assert first == "only 4 of 8 pictures could be placed: film more slowly"
-    assert "the depth of 15.0% of the pixels" in second
+    assert "the depth of only 15.0% of the pixels" in second
     assert output.exists()
 
 
@@ -252,8 +254,8 @@ def test_a_source_that_is_not_there_is_said(quick, output, tmp_path):
 
 
 def test_a_known_picture_that_is_not_there_is_said_after_the_frames(quick, film, output):
-    assert "'7' is no picture" in refusal("video", film, "-o", output, "--known", "7,10,1")
+    assert "'7' matches no image" in refusal("video", film, "-o", output, "--known", "7,10,1")
     assert quick.ran == ["frames"]
     quick.registered = 3
-    assert "'70' is no picture in the model" in refusal("video", film, "-o", output, "--known", "0,70,1")
+    assert "'70' matches no image in the model" in refusal("video", film, "-o", output, "--known", "0,70,1")
     assert quick.ran[-1] == "model"

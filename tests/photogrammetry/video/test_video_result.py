@@ -47,7 +47,7 @@ def test_the_command_prints_the_result_and_writes_its_report(quick, film, tmp_pa
     same = [line for line in shown.stdout.splitlines() if not line.startswith(("  seconds", "  memory"))]
     assert same == [line for line in str(result).splitlines() if not line.startswith(("  seconds", "  memory"))]
     assert json.loads((tmp_path / "work" / "report.json").read_text()) == json.loads(json.dumps(result.to_dict()))
-    assert all(stage.kept for stage in result.stages.values())
+    assert all(stage.is_reused for stage in result.stages.values())
 
 
 def test_a_result_that_is_read_again_from_its_records_is_the_same(quick, film, tmp_path):

@@ -9,10 +9,10 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...cameras import camera
 from ...core.checks import check_shape
-from ..held import Held
+from ..wrapper import Wrapper
 
 
-class PinholeCameraIntrinsic(Held):
+class PinholeCameraIntrinsic(Wrapper):
     """Camera from (width, height, fx, fy, cx, cy), (width, height, K), or PinholeCameraIntrinsicParameters.
 
     Without arguments the size is -1 x -1 (invalid).
@@ -31,7 +31,7 @@ class PinholeCameraIntrinsic(Held):
         *,
         intrinsic_matrix: Any = None,
     ):
-        self._out, self._size, self._matrix = {}, (-1, -1), np.eye(3)
+        self._shared, self._size, self._matrix = {}, (-1, -1), np.eye(3)
         if isinstance(width, PinholeCameraIntrinsic):
             self._size, self._matrix = width._size, width._matrix
         elif width is not None:
@@ -39,16 +39,16 @@ class PinholeCameraIntrinsic(Held):
             self._take(width if isinstance(width, self._kind) else self._kind(*(v for v in given if v is not None)))
 
     @classmethod
-    def _of(cls, ours: Any) -> Self:
+    def _of(cls, native: Any) -> Self:
         made = cls()
-        made._take(ours)
+        made._take(native)
         return made
 
-    def _take(self, ours: camera.PinholeCameraIntrinsic) -> None:
-        self._size, self._matrix = (ours.width, ours.height), ours.matrix
+    def _take(self, native: camera.PinholeCameraIntrinsic) -> None:
+        self._size, self._matrix = (native.width, native.height), native.matrix
 
     @property
-    def _ours(self) -> camera.PinholeCameraIntrinsic:
+    def _native(self) -> camera.PinholeCameraIntrinsic:
         return self._kind(*self._size, self._matrix)
 
     def __getstate__(self) -> dict[str, Any]:

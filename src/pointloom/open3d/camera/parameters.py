@@ -72,7 +72,7 @@ class PinholeCameraTrajectory(KnownNames):
         return made
 
     @property
-    def _ours(self) -> Trajectory:
+    def _native(self) -> Trajectory:
         """Poses, camera to world."""
         extrinsics = np.array([one._extrinsic for one in self._parameters], np.float64)
         poses: NDArray[np.float64] = np.linalg.inv(extrinsics.reshape(-1, 4, 4)).astype(np.float64)

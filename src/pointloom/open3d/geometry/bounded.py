@@ -16,8 +16,8 @@ class BoundedByBoxes(Geometry3D):
         It contains both the assigned float64 coordinates and the float32 ones, so that point indices within it and
         voxels starting at it include all points.
         """
-        box = self._ours.get_axis_aligned_bounding_box()
-        assigned = self._out.get(next(iter(self._arrays)))
+        box = self._native.get_axis_aligned_bounding_box()
+        assigned = self._shared.get(next(iter(self._arrays)))
         if assigned is not None:
             box = box + type(box).create_from_points(assigned.vector._values)
         return AxisAlignedBoundingBox._of(box)
@@ -30,7 +30,7 @@ class BoundedByBoxes(Geometry3D):
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes."""
-        return OrientedBoundingBox._of(self._ours.get_oriented_bounding_box(robust))
+        return OrientedBoundingBox._of(self._native.get_oriented_bounding_box(robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox._of(self._ours.get_minimal_oriented_bounding_box(robust))
+        return OrientedBoundingBox._of(self._native.get_minimal_oriented_bounding_box(robust))

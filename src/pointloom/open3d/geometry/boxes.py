@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.checks import check_shape
 from ...pcd import boxes
-from ..held import as_array, column, ours
 from ..vectors import Vector3dVector
+from ..wrapper import as_array, column, unwrap
 from .geometry import Geometry3D
 
 Row = NDArray[np.float64]
@@ -40,48 +40,49 @@ class BoundingBox(Geometry3D):
     color = Value(3)
 
     @property
-    def _ours(self) -> Any:
+    def _native(self) -> Any:
         if self._edited is not None:
             made = self._kind(*(self._edited[name] for name in self._fields))
             made.color = self._edited["color"]
-            self._held, self._edited = made, None
-        return self._held
+            self._wrapped, self._edited = made, None
+        return self._wrapped
 
     def _parts(self) -> dict[str, Row]:
-        return self._edited or {name: getattr(self._held, name) for name in (*self._fields, "color")}
+        return self._edited or {name: getattr(self._wrapped, name) for name in (*self._fields, "color")}
 
     def clear(self) -> Self:
         """Reset to an empty box at zero."""
-        self._held, self._edited = type(self)()._held, None
+        self._wrapped, self._edited = type(self)()._wrapped, None
         return self
 
     def transform(self, arg0: ArrayLike) -> Self:
         """Always raises RuntimeError, as in Open3D."""
         raise RuntimeError(
-            "a 4x4 matrix does not make a box of a box; box.rotate(R, center) and box.translate(t) move an "
+            "transform: a box cannot be transformed by a 4x4 matrix; box.rotate(R, center) and "
+            "box.translate(t) move an "
             "OrientedBoundingBox"
         )
 
     def get_box_points(self) -> Vector3dVector:
-        return Vector3dVector(self._ours.get_box_points())
+        return Vector3dVector(self._native.get_box_points())
 
     def get_extent(self) -> Row:
-        return self._ours.get_extent()
+        return self._native.get_extent()
 
     def get_point_indices_within_bounding_box(self, points: Any) -> list[int]:
-        return self._ours.get_point_indices_within_bounding_box(as_array(points)).tolist()
+        return self._native.get_point_indices_within_bounding_box(as_array(points)).tolist()
 
     def volume(self) -> float:
-        return self._ours.volume()
+        return self._native.volume()
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
-        return AxisAlignedBoundingBox._of(self._ours.get_axis_aligned_bounding_box())
+        return AxisAlignedBoundingBox._of(self._native.get_axis_aligned_bounding_box())
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox._of(self._ours.get_oriented_bounding_box(robust))
+        return OrientedBoundingBox._of(self._native.get_oriented_bounding_box(robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        return OrientedBoundingBox._of(self._ours.get_minimal_oriented_bounding_box(robust))
+        return OrientedBoundingBox._of(self._native.get_minimal_oriented_bounding_box(robust))
 
 
 class AxisAlignedBoundingBox(BoundingBox):
@@ -96,10 +97,10 @@ class AxisAlignedBoundingBox(BoundingBox):
     max_bound = Value(3)
 
     def __init__(self, min_bound: Any = (0, 0, 0), max_bound: ArrayLike = (0, 0, 0)):
-        given = ours(min_bound)
+        given = unwrap(min_bound)
         if not isinstance(given, self._kind):
             given = self._kind(*np.sort([column("min_bound", given), column("max_bound", max_bound)], axis=0))
-        self._held, self._out = given, {}
+        self._wrapped, self._shared = given, {}
 
     @classmethod
     def create_from_points(cls, points: Any) -> Self:
@@ -108,20 +109,20 @@ class AxisAlignedBoundingBox(BoundingBox):
     def rotate(self, R: ArrayLike, center: Any = None) -> Self:
         """Always raises RuntimeError, as in Open3D."""
         raise RuntimeError(
-            "a turned box is not aligned with the axes; box.get_oriented_bounding_box().rotate(R, center)"
+            "rotate: a rotated box is not axis-aligned; box.get_oriented_bounding_box().rotate(R, center)"
         )
 
     def get_half_extent(self) -> Row:
-        return self._ours.get_half_extent()
+        return self._native.get_half_extent()
 
     def get_max_extent(self) -> float:
-        return self._ours.get_max_extent()
+        return self._native.get_max_extent()
 
     def get_print_info(self) -> str:
-        return self._ours.get_print_info()
+        return self._native.get_print_info()
 
     def __iadd__(self, other: AxisAlignedBoundingBox) -> Self:
-        return self._become(self._ours + ours(other, AxisAlignedBoundingBox, "other"))
+        return self._become(self._native + unwrap(other, AxisAlignedBoundingBox, "other"))
 
     def __repr__(self) -> str:
         parts = self._parts()
@@ -138,15 +139,15 @@ class OrientedBoundingBox(BoundingBox):
     extent = Value(3)
 
     def __init__(self, center: Any = (0, 0, 0), R: Any = None, extent: ArrayLike = (0, 0, 0)):
-        given = ours(center)
+        given = unwrap(center)
         if not isinstance(given, self._kind):
             axes = np.eye(3) if R is None else R
             given = self._kind(column("center", given), axes, column("extent", extent))
-        self._held, self._out = given, {}
+        self._wrapped, self._shared = given, {}
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, aabox: Any) -> Self:
-        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(ours(aabox, AxisAlignedBoundingBox, "aabox")))
+        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(unwrap(aabox, AxisAlignedBoundingBox, "aabox")))
 
     @classmethod
     def create_from_points(cls, points: Any, robust: bool = False) -> Self:

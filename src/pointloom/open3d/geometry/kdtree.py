@@ -10,11 +10,11 @@ from scipy.spatial import KDTree
 
 from ...core.attribute_hints import HintedNames
 from ...core.checks import check_count, check_positive
-from ..held import Held
 from ..vectors import DoubleVector, IntVector
+from ..wrapper import Wrapper
 from .search_param import KDTreeSearchParam, keywords_of
 
-Found = tuple[int, IntVector, DoubleVector]
+SearchResult = tuple[int, IntVector, DoubleVector]
 
 
 class KDTreeFlann(HintedNames):
@@ -41,51 +41,51 @@ class KDTreeFlann(HintedNames):
     def _set(self, data: Any) -> bool:
         rows = _rows_of(data)
         if not len(rows):
-            raise ValueError("data: expected points to search among, got none")
+            raise ValueError("data: expected one or more points, got none")
         self._tree = KDTree(rows)
         return True
 
-    def search_knn_vector_3d(self, query: ArrayLike, knn: int) -> Found:
+    def search_knn_vector_3d(self, query: ArrayLike, knn: int) -> SearchResult:
         return self._nearest(query, check_count("knn", knn))
 
-    def search_radius_vector_3d(self, query: ArrayLike, radius: float) -> Found:
+    def search_radius_vector_3d(self, query: ArrayLike, radius: float) -> SearchResult:
         """All points within a radius, excluding those at exactly the radius, as in Open3D."""
-        tree, point = self._asked(query)
-        reach = check_positive("radius", radius, allow_zero=True, allow_infinite=True)
-        rows = np.array(tree.query_ball_point(point, reach), np.int64)
+        tree, point = self._tree_and_query(query)
+        max_distance = check_positive("radius", radius, allow_zero=True, allow_infinite=True)
+        rows = np.array(tree.query_ball_point(point, max_distance), np.int64)
         sqdists = ((tree.data[rows] - point) ** 2).sum(axis=1)
-        rows, sqdists = rows[sqdists < reach**2], sqdists[sqdists < reach**2]
+        rows, sqdists = rows[sqdists < max_distance**2], sqdists[sqdists < max_distance**2]
         order = np.lexsort((rows, sqdists))
         return len(rows), IntVector(rows[order]), DoubleVector(sqdists[order])
 
-    def search_hybrid_vector_3d(self, query: ArrayLike, radius: float, max_nn: int) -> Found:
+    def search_hybrid_vector_3d(self, query: ArrayLike, radius: float, max_nn: int) -> SearchResult:
         return self._nearest(
             query, check_count("max_nn", max_nn), check_positive("radius", radius, allow_zero=True, allow_infinite=True)
         )
 
-    def search_vector_3d(self, query: ArrayLike, search_param: KDTreeSearchParam) -> Found:
-        reach = keywords_of(search_param)
-        if reach["radius"] is None:
-            return self.search_knn_vector_3d(query, reach["max_nn"])
-        if reach["max_nn"] is None:
-            return self.search_radius_vector_3d(query, reach["radius"])
-        return self.search_hybrid_vector_3d(query, reach["radius"], reach["max_nn"])
+    def search_vector_3d(self, query: ArrayLike, search_param: KDTreeSearchParam) -> SearchResult:
+        limits = keywords_of(search_param)
+        if limits["radius"] is None:
+            return self.search_knn_vector_3d(query, limits["max_nn"])
+        if limits["max_nn"] is None:
+            return self.search_radius_vector_3d(query, limits["radius"])
+        return self.search_hybrid_vector_3d(query, limits["radius"], limits["max_nn"])
 
     search_knn_vector_xd = search_knn_vector_3d
     search_radius_vector_xd = search_radius_vector_3d
     search_hybrid_vector_xd = search_hybrid_vector_3d
     search_vector_xd = search_vector_3d
 
-    def _nearest(self, query: ArrayLike, count: int, radius: float = np.inf) -> Found:
-        tree, point = self._asked(query)
+    def _nearest(self, query: ArrayLike, count: int, radius: float = np.inf) -> SearchResult:
+        tree, point = self._tree_and_query(query)
         distances, rows = tree.query(point, min(count, tree.n), distance_upper_bound=radius)
         near = np.isfinite(np.atleast_1d(distances))
         rows = np.atleast_1d(rows)[near]
         return len(rows), IntVector(rows), DoubleVector(((tree.data[rows] - point) ** 2).sum(axis=1))
 
-    def _asked(self, query: ArrayLike) -> tuple[KDTree, NDArray[np.float64]]:
+    def _tree_and_query(self, query: ArrayLike) -> tuple[KDTree, NDArray[np.float64]]:
         if self._tree is None:
-            raise RuntimeError("nothing to search among; KDTreeFlann(cloud), or set_geometry(cloud)")
+            raise RuntimeError("the tree contains no points; use KDTreeFlann(cloud), or set_geometry(cloud)")
         point = np.asarray(query, np.float64).reshape(-1)
         if len(point) != self._tree.m or not np.isfinite(point).all():
             raise ValueError(f"query: expected {self._tree.m} finite numbers, got {np.asarray(query).tolist()}")
@@ -93,7 +93,7 @@ class KDTreeFlann(HintedNames):
 
 
 def _rows_of(data: Any) -> NDArray[np.float64]:
-    if isinstance(data, Held):
+    if isinstance(data, Wrapper):
         for name in ("points", "vertices"):
             if name in dir(type(data)):
                 return np.asarray(getattr(data, name)).copy()

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from ...pcd import keypoints
-from ..held import ours
+from ..wrapper import unwrap
 from .point_cloud import PointCloud
 
 
@@ -18,4 +18,4 @@ def compute_iss_keypoints(
     min_neighbors: int = 5,
 ) -> PointCloud:
     limits = salient_radius, non_max_radius, gamma_21, gamma_32, min_neighbors
-    return PointCloud._of(keypoints.compute_iss_keypoints(ours(input, PointCloud, "input"), *limits))
+    return PointCloud._of(keypoints.compute_iss_keypoints(unwrap(input, PointCloud, "input"), *limits))

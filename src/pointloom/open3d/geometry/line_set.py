@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...pcd import boxes, line_set
 from ...pcd.cloud import PointCloud as OurCloud
-from ..held import Rows, column, ours
 from ..indices import indices_of
 from ..vectors import Vector2iVector, Vector3dVector
+from ..wrapper import Rows, column, unwrap
 from .bounded import BoundedByBoxes
 from .boxes import AxisAlignedBoundingBox, OrientedBoundingBox
 from .point_cloud import PointCloud
@@ -28,21 +28,21 @@ class LineSet(BoundedByBoxes):
     colors = Rows(Vector3dVector)
 
     def __init__(self, points: Any = (), lines: Any = ()):
-        given = ours(points)
+        given = unwrap(points)
         empty = line_set.LineSet(np.zeros((0, 3)), np.zeros((0, 2), np.int32))
-        self._held, self._out = given if isinstance(given, self._kind) else empty, {}
+        self._wrapped, self._shared = given if isinstance(given, self._kind) else empty, {}
         if isinstance(points, LineSet):
-            self._out = points.__copy__()._out
-        elif given is not self._held:
+            self._shared = points.__copy__()._shared
+        elif given is not self._wrapped:
             self.points, self.lines = Vector3dVector(points), Vector2iVector(lines)
 
     def _read(self, name: str) -> NDArray[Any]:
-        found = getattr(self._held, name)
-        return np.zeros((0, 3)) if found is None else found
+        values = getattr(self._wrapped, name)
+        return np.zeros((0, 3)) if values is None else values
 
-    def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
-        found = getattr(ours, name)
-        return None if found is None else (found,)
+    def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
+        array = getattr(native, name)
+        return None if array is None else (array,)
 
     def _made(self, changed: list[str]) -> Any:
         colors = np.array(self.colors) if self._count("colors") == self._count("lines") > 0 else None
@@ -50,16 +50,16 @@ class LineSet(BoundedByBoxes):
 
     @classmethod
     def create_from_axis_aligned_bounding_box(cls, box: Any) -> Self:
-        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(ours(box, AxisAlignedBoundingBox, "box")))
+        return cls._of(cls._kind.create_from_axis_aligned_bounding_box(unwrap(box, AxisAlignedBoundingBox, "box")))
 
     @classmethod
     def create_from_oriented_bounding_box(cls, box: Any) -> Self:
-        return cls._of(cls._kind.create_from_oriented_bounding_box(ours(box, OrientedBoundingBox, "box")))
+        return cls._of(cls._kind.create_from_oriented_bounding_box(unwrap(box, OrientedBoundingBox, "box")))
 
     @classmethod
     def create_from_triangle_mesh(cls, mesh: Any) -> Self:
         """Unique edges of a mesh, in the order of their first triangles."""
-        surface = ours(mesh)
+        surface = unwrap(mesh)
         edges = surface.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)
         _, first = np.unique(np.sort(edges, axis=1), axis=0, return_index=True)
         return cls(Vector3dVector(surface.vertices), Vector2iVector(edges[np.sort(first)]))
@@ -69,7 +69,7 @@ class LineSet(BoundedByBoxes):
         """A line per correspondence. The points are those of `cloud0`, then `cloud1`."""
         pairs, ends, points = np.asarray(correspondences).reshape(-1, 2), [], []
         for i, name in enumerate(("cloud0", "cloud1")):
-            cloud = ours((cloud0, cloud1)[i], PointCloud, name)
+            cloud = unwrap((cloud0, cloud1)[i], PointCloud, name)
             points.append(cloud.points)
             ends.append(indices_of("correspondences", pairs[:, i], len(cloud), f"cloud of {len(cloud)} points, {name}"))
         lines = np.column_stack([ends[0], ends[1] + len(points[0])])
@@ -87,7 +87,7 @@ class LineSet(BoundedByBoxes):
             size = kwargs.pop("view_width_px"), kwargs.pop("view_height_px")
             kwargs["intrinsic"] = PinholeCameraIntrinsic(*size, kwargs["intrinsic"])
         return cls._of(
-            cls._kind.create_camera_visualization(*map(ours, args), **{k: ours(v) for k, v in kwargs.items()})
+            cls._kind.create_camera_visualization(*map(unwrap, args), **{k: unwrap(v) for k, v in kwargs.items()})
         )
 
     def has_points(self) -> bool:
@@ -103,24 +103,24 @@ class LineSet(BoundedByBoxes):
         return not self.has_points()
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        return self._become(self._ours.paint_uniform_color(column("color", color)))
+        return self._become(self._native.paint_uniform_color(column("color", color)))
 
     def get_line_coordinate(self, line_index: int) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-        return self._ours.get_line_coordinate(line_index)
+        return self._native.get_line_coordinate(line_index)
 
     def get_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
         """Box along the principal axes."""
-        return OrientedBoundingBox._of(boxes.OrientedBoundingBox.create_from_points(self._ours.points, robust))
+        return OrientedBoundingBox._of(boxes.OrientedBoundingBox.create_from_points(self._native.points, robust))
 
     def get_minimal_oriented_bounding_box(self, robust: bool = False) -> OrientedBoundingBox:
-        made = OurCloud(self._ours.points).get_minimal_oriented_bounding_box(robust)
+        made = OurCloud(self._native.points).get_minimal_oriented_bounding_box(robust)
         return OrientedBoundingBox._of(made)
 
     def __add__(self, other: Any) -> LineSet:
-        return LineSet._of(self._ours + ours(other, LineSet, "other"))
+        return LineSet._of(self._native + unwrap(other, LineSet, "other"))
 
     def __iadd__(self, other: Any) -> Self:
-        return self._become(self._ours + ours(other, LineSet, "other"))
+        return self._become(self._native + unwrap(other, LineSet, "other"))
 
     def __repr__(self) -> str:
         return f"LineSet with {self._count('lines')} lines."

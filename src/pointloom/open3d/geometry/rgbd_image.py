@@ -11,7 +11,7 @@ from ...cameras import images
 from ...core.devices import resolve_device
 from ...kernels.lang import float32, uint8
 from ...kernels.memory import upload
-from ..held import Rows
+from ..wrapper import Rows
 from .geometry import Geometry2D
 from .image import Image, below, depth_of, pixels_of
 
@@ -25,10 +25,10 @@ class RGBDImage(Geometry2D):
     depth = Rows(Image)
 
     def __init__(self):
-        self._held, self._out = None, {}
+        self._wrapped, self._shared = None, {}
 
     def _read(self, name: str) -> NDArray[Any]:
-        return np.zeros((0, 0), np.float32) if self._held is None else getattr(self._held, name)
+        return np.zeros((0, 0), np.float32) if self._wrapped is None else getattr(self._wrapped, name)
 
     def _made(self, changed: list[str]) -> Any:
         color, depth = np.asarray(self.color), np.asarray(self.depth)
@@ -92,7 +92,7 @@ class RGBDImage(Geometry2D):
         return self.color.is_empty() or self.depth.is_empty()
 
     def clear(self) -> Self:
-        self._held, self._out = None, {}
+        self._wrapped, self._shared = None, {}
         return self
 
     def get_min_bound(self) -> NDArray[np.float64]:

@@ -6,7 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 from scipy.spatial.transform import Rotation
 
-from ..held import column
+from ..wrapper import column
 
 Matrix = NDArray[np.float64]
 

@@ -8,8 +8,8 @@ import numpy as np
 
 from ...core.attribute_hints import KnownNames
 from ...meshing.mesh.mesh import TriangleMesh
-from ..held import ours
 from ..vectors import Vector3dVector, Vector4iVector
+from ..wrapper import unwrap
 from .point_cloud import PointCloud
 
 
@@ -25,7 +25,7 @@ class TetraMesh(KnownNames):
     @classmethod
     def create_from_point_cloud(cls, point_cloud: Any) -> tuple[TetraMesh, list[int]]:
         """Delaunay tetrahedra of a cloud, and the point index of each vertex."""
-        cloud = ours(point_cloud, PointCloud, "point_cloud")
+        cloud = unwrap(point_cloud, PointCloud, "point_cloud")
         _, tetrahedra, _ = TriangleMesh.create_from_point_cloud_alpha_shape(cloud, np.inf, return_tetrahedra=True)
         return cls(cloud.points, tetrahedra), list(range(len(cloud)))
 

@@ -11,10 +11,10 @@ from numpy.typing import ArrayLike, NDArray
 from ...kernels.linear_algebra import inv, matmul
 from ...meshing.mesh import mesh
 from .. import geometry
-from ..held import Rows, as_array, column, ours
 from ..indices import indices_of
 from ..seeds import next_seed
 from ..vectors import DoubleVector, IntVector, Vector2dVector, Vector2iVector, Vector3dVector, Vector3iVector
+from ..wrapper import Rows, as_array, column, unwrap
 from .bounded import BoundedByBoxes
 from .enums import DeformAsRigidAsPossibleEnergy, FilterScope, SimplificationContraction
 from .image import Image
@@ -39,18 +39,18 @@ class MeshBase(BoundedByBoxes):
         return not self.has_vertices()
 
     def paint_uniform_color(self, color: ArrayLike) -> Self:
-        return self._become(self._ours.paint_uniform_color(column("color", color)))
+        return self._become(self._native.paint_uniform_color(column("color", color)))
 
     def normalize_normals(self) -> Self:
-        return self._become(self._ours.normalize_normals())
+        return self._become(self._native.normalize_normals())
 
     def compute_convex_hull(self) -> tuple[Any, list[int]]:
         """Mesh of the hull, and the indices of its vertices."""
-        hull, rows = self._ours.compute_convex_hull()
+        hull, rows = self._native.compute_convex_hull()
         return geometry.TriangleMesh._of(hull), rows.tolist()
 
 
-Ours = mesh.TriangleMesh
+NativeMesh = mesh.TriangleMesh
 
 
 class MeshFactories(MeshBase):
@@ -64,24 +64,24 @@ class MeshFactories(MeshBase):
         map_texture_to_each_face: bool = False,
     ) -> Self:
         """A box with one corner at (0, 0, 0)."""
-        return cls._of(Ours.create_box(width, height, depth, create_uv_map, map_texture_to_each_face))
+        return cls._of(NativeMesh.create_box(width, height, depth, create_uv_map, map_texture_to_each_face))
 
     @classmethod
     def create_tetrahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
         """A tetrahedron centered at (0, 0, 0)."""
-        return cls._of(Ours.create_tetrahedron(radius, create_uv_map))
+        return cls._of(NativeMesh.create_tetrahedron(radius, create_uv_map))
 
     @classmethod
     def create_octahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        return cls._of(Ours.create_octahedron(radius, create_uv_map))
+        return cls._of(NativeMesh.create_octahedron(radius, create_uv_map))
 
     @classmethod
     def create_icosahedron(cls, radius: float = 1.0, create_uv_map: bool = False) -> Self:
-        return cls._of(Ours.create_icosahedron(radius, create_uv_map))
+        return cls._of(NativeMesh.create_icosahedron(radius, create_uv_map))
 
     @classmethod
     def create_sphere(cls, radius: float = 1.0, resolution: int = 20, create_uv_map: bool = False) -> Self:
-        return cls._of(Ours.create_sphere(radius, resolution, create_uv_map))
+        return cls._of(NativeMesh.create_sphere(radius, resolution, create_uv_map))
 
     @classmethod
     def create_ellipsoid(
@@ -92,21 +92,21 @@ class MeshFactories(MeshBase):
         resolution: int = 20,
         create_uv_map: bool = False,
     ) -> Self:
-        return cls._of(Ours.create_ellipsoid(radius_x, radius_y, radius_z, resolution, create_uv_map))
+        return cls._of(NativeMesh.create_ellipsoid(radius_x, radius_y, radius_z, resolution, create_uv_map))
 
     @classmethod
     def create_cylinder(
         cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 4, create_uv_map: bool = False
     ) -> Self:
         """A cylinder around the z axis."""
-        return cls._of(Ours.create_cylinder(radius, height, resolution, split, create_uv_map))
+        return cls._of(NativeMesh.create_cylinder(radius, height, resolution, split, create_uv_map))
 
     @classmethod
     def create_cone(
         cls, radius: float = 1.0, height: float = 2.0, resolution: int = 20, split: int = 1, create_uv_map: bool = False
     ) -> Self:
         """A cone on the xy plane."""
-        return cls._of(Ours.create_cone(radius, height, resolution, split, create_uv_map))
+        return cls._of(NativeMesh.create_cone(radius, height, resolution, split, create_uv_map))
 
     @classmethod
     def create_torus(
@@ -117,7 +117,7 @@ class MeshFactories(MeshBase):
         tubular_resolution: int = 20,
     ) -> Self:
         """A torus around the z axis."""
-        return cls._of(Ours.create_torus(torus_radius, tube_radius, radial_resolution, tubular_resolution))
+        return cls._of(NativeMesh.create_torus(torus_radius, tube_radius, radial_resolution, tubular_resolution))
 
     @classmethod
     def create_arrow(
@@ -132,12 +132,12 @@ class MeshFactories(MeshBase):
     ) -> Self:
         """An arrow along the z axis."""
         sizes = cylinder_radius, cone_radius, cylinder_height, cone_height
-        return cls._of(Ours.create_arrow(*sizes, resolution, cylinder_split, cone_split))
+        return cls._of(NativeMesh.create_arrow(*sizes, resolution, cylinder_split, cone_split))
 
     @classmethod
     def create_coordinate_frame(cls, size: float = 1.0, origin: ArrayLike = (0.0, 0.0, 0.0)) -> Self:
         """Arrows along x (red), y (green) and z (blue)."""
-        return cls._of(Ours.create_coordinate_frame(size, column("origin", origin)))
+        return cls._of(NativeMesh.create_coordinate_frame(size, column("origin", origin)))
 
     @classmethod
     def create_mobius(
@@ -150,17 +150,17 @@ class MeshFactories(MeshBase):
         width: float = 1,
         scale: float = 1,
     ) -> Self:
-        return cls._of(Ours.create_mobius(length_split, width_split, twists, radius, flatness, width, scale))
+        return cls._of(NativeMesh.create_mobius(length_split, width_split, twists, radius, flatness, width, scale))
 
     @classmethod
     def create_from_oriented_bounding_box(
         cls, obox: Any, scale: ArrayLike = (1.0, 1.0, 1.0), create_uv_map: bool = False
     ) -> Self:
         """A mesh of a box, scaled per axis."""
-        box = ours(obox)
+        box = unwrap(obox)
         extent = box.extent * np.asarray(scale, np.float64)
         width, height, depth = extent.tolist()
-        made = Ours.create_box(width, height, depth, create_uv_map).translate(-extent / 2)
+        made = NativeMesh.create_box(width, height, depth, create_uv_map).translate(-extent / 2)
         return cls._of(made.rotate(box.R, [0, 0, 0]).translate(box.center))
 
     @classmethod
@@ -168,11 +168,13 @@ class MeshFactories(MeshBase):
         cls, pcd: Any, alpha: float, tetra_mesh: Any = None, pt_map: Any = None
     ) -> Self:
         """Alpha shape of a cloud; given tetrahedra are ignored and computed again."""
-        return cls._of(Ours.create_from_point_cloud_alpha_shape(ours(pcd, PointCloud, "pcd"), alpha))
+        return cls._of(NativeMesh.create_from_point_cloud_alpha_shape(unwrap(pcd, PointCloud, "pcd"), alpha))
 
     @classmethod
     def create_from_point_cloud_ball_pivoting(cls, pcd: Any, radii: Any) -> Self:
-        return cls._of(Ours.create_from_point_cloud_ball_pivoting(ours(pcd, PointCloud, "pcd"), np.asarray(radii)))
+        return cls._of(
+            NativeMesh.create_from_point_cloud_ball_pivoting(unwrap(pcd, PointCloud, "pcd"), np.asarray(radii))
+        )
 
     @classmethod
     def create_from_point_cloud_poisson(
@@ -191,8 +193,8 @@ class MeshFactories(MeshBase):
 
         `n_threads` and `full_depth` have no effect.
         """
-        made, densities = Ours.create_from_point_cloud_poisson(
-            ours(pcd, PointCloud, "pcd"),
+        made, densities = NativeMesh.create_from_point_cloud_poisson(
+            unwrap(pcd, PointCloud, "pcd"),
             8 if width > 0 else depth,
             width,
             scale,
@@ -226,7 +228,7 @@ class TriangleNormals(MeshFactories):
 
     def _become(self, new: Any) -> Self:
         """Replace the mesh; computed normals become those of the new triangles, assigned ones are kept."""
-        before, old = self._faces, self._held
+        before, old = self._faces, self._wrapped
         super()._become(new)
         if before is not old:
             return self
@@ -243,7 +245,7 @@ class TriangleNormals(MeshFactories):
 
     def _show_faces(self) -> None:
         """Copy the normals into the borrowed vector."""
-        out = self._out.get("triangle_normals")
+        out = self._shared.get("triangle_normals")
         if out is not None:
             out.vector._fill(self._face_rows())
             out.keep()
@@ -254,13 +256,13 @@ class TriangleNormals(MeshFactories):
         if self._faces is None or self._faces is new:
             return self
         rows = self._face_rows()
-        turned = matmul(rows, inv(A))
-        lengths = [np.linalg.norm(part, axis=1, keepdims=True) for part in (rows, turned)]
-        return self._set_faces(turned * np.divide(lengths[0], lengths[1], where=lengths[1] > 0, out=lengths[1]))
+        rotated = matmul(rows, inv(A))
+        lengths = [np.linalg.norm(part, axis=1, keepdims=True) for part in (rows, rotated)]
+        return self._set_faces(rotated * np.divide(lengths[0], lengths[1], where=lengths[1] > 0, out=lengths[1]))
 
     def _selected(self, operation: Callable[[Any], Any]) -> tuple[Any, Any]:
         """The mesh that an operation makes by selecting triangles, and their normals."""
-        current = self._ours
+        current = self._native
         rows = self._face_rows()
         if self._faces is None or self._faces is current or len(rows) != len(current):
             made = operation(current)
@@ -280,7 +282,7 @@ class TriangleNormals(MeshFactories):
 
         Assigned normals are given to the corners of triangles that share no vertices.
         """
-        current = self._ours
+        current = self._native
         if use_triangle_normal and self._faces is None:
             self._set_faces(current)
         rows = self._face_rows() if use_triangle_normal and self._faces is not current else ()
@@ -308,14 +310,14 @@ class TriangleNormals(MeshFactories):
 
     def _joined(self, other: Any) -> tuple[Any, Any]:
         """Both meshes as one. Normals are kept if all triangles have them."""
-        parts = [(self._ours, self), (ours(other, type(self), "other"), other)]
+        parts = [(self._native, self), (unwrap(other, type(self), "other"), other)]
         made = parts[0][0] + parts[1][0]
-        held = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
-        if not held or any(faces is None for _, faces, _ in held):
+        nonempty = [(mesh, getattr(part, "_faces", None), part) for mesh, part in parts if len(mesh)]
+        if not nonempty or any(faces is None for _, faces, _ in nonempty):
             return made, None
-        if all(faces is mesh for mesh, faces, _ in held):
+        if all(faces is mesh for mesh, faces, _ in nonempty):
             return made, made
-        return made, np.concatenate([part._face_rows() for _, _, part in held])
+        return made, np.concatenate([part._face_rows() for _, _, part in nonempty])
 
     def __add__(self, other: Any) -> Any:
         made, faces = self._joined(other)
@@ -327,12 +329,12 @@ class TriangleNormals(MeshFactories):
 
     def compute_triangle_normals(self, normalized: bool = True) -> Self:
         """Compute triangle normals of length 1, or of twice the area."""
-        current = self._ours
+        current = self._native
         return self._set_faces(current if normalized else _area_vectors(current))
 
     def compute_vertex_normals(self, normalized: bool = True) -> Self:
         """Compute vertex normals (sums of area vectors) and triangle normals. Unit length unless `normalized=False`."""
-        current = self._ours
+        current = self._native
         if normalized:
             return self._become(current.compute_vertex_normals()).compute_triangle_normals()
         areas = _area_vectors(current)
@@ -343,7 +345,7 @@ class TriangleNormals(MeshFactories):
         return self._become(made)._set_faces(areas)
 
     def normalize_normals(self) -> Self:
-        self._become(self._ours.normalize_normals())
+        self._become(self._native.normalize_normals())
         if not isinstance(self._faces, np.ndarray):
             return self
         lengths = np.linalg.norm(self._faces, axis=1, keepdims=True)
@@ -373,11 +375,11 @@ class TriangleMesh(TriangleNormals):
     triangle_material_ids = Rows(IntVector)
 
     def __init__(self, vertices: Any = (), triangles: Any = ()):
-        given = ours(vertices)
-        self._held, self._out = given if isinstance(given, self._kind) else mesh.TriangleMesh(), {}
+        given = unwrap(vertices)
+        self._wrapped, self._shared = given if isinstance(given, self._kind) else mesh.TriangleMesh(), {}
         if isinstance(vertices, TriangleMesh):
             vars(self).update(vars(vertices.__copy__()))
-        elif given is not self._held:
+        elif given is not self._wrapped:
             self.vertices, self.triangles = Vector3dVector(vertices), Vector3iVector(triangles)
 
     def __copy__(self) -> Self:
@@ -391,35 +393,35 @@ class TriangleMesh(TriangleNormals):
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         super().__setstate__(state)
-        self._faces = self._held if state["faces"] is True else state["faces"]
+        self._faces = self._wrapped if state["faces"] is True else state["faces"]
 
     def _read(self, name: str) -> NDArray[Any]:
-        found = self._face_rows() if name == "triangle_normals" else getattr(self._held, name)
+        values = self._face_rows() if name == "triangle_normals" else getattr(self._wrapped, name)
         kind = getattr(type(self), name).kind
-        return np.zeros((0, *kind._row), kind._dtype) if found is None else found
+        return np.zeros((0, *kind._row), kind._dtype) if values is None else values
 
-    def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
-        arrays = ours._device_arrays
+    def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
+        arrays = native._device_arrays
         if name == "triangle_normals":  # TriangleNormals fills that vector
             return ()
         if name not in arrays:
             return None
-        return arrays[name], ours.origin.tobytes() if name == "vertices" else b""
+        return arrays[name], native.origin.tobytes() if name == "vertices" else b""
 
     def _made(self, changed: list[str]) -> Any:
         if "triangle_normals" in changed:
             self._faces = np.array(self.triangle_normals) if self._count("triangle_normals") else None
-        held, is_moved = self._held, bool({"vertices", "triangles"} & set(changed))
+        current, is_moved = self._wrapped, bool({"vertices", "triangles"} & set(changed))
         counts = {name: self._count(name) for name in ("vertices", "triangles")}
-        if counts["vertices"] != len(held.vertices) or counts["triangles"] != len(held):
+        if counts["vertices"] != len(current.vertices) or counts["triangles"] != len(current):
             for name in ("vertices", "triangles", *PARTS):
                 self._vector(name)  # of the old mesh
             changed = [*PARTS]
             made = mesh.TriangleMesh(
-                *map(np.array, (self.vertices, self.triangles)), textures=held.textures, device=held.device
+                *map(np.array, (self.vertices, self.triangles)), textures=current.textures, device=current.device
             )
         else:
-            made = held.copy()
+            made = current.copy()
             for name in ("vertices", "triangles"):
                 if name in changed:
                     setattr(made, name, np.array(self._vector(name)))
@@ -431,7 +433,7 @@ class TriangleMesh(TriangleNormals):
                 setattr(made, name, np.asarray(self._vector(name)))
             elif name in made._device_arrays:
                 made = made._with_arrays(**{name: None})
-        if self._faces is held and not is_moved:
+        if self._faces is current and not is_moved:
             self._faces = made
         return made
 
@@ -445,11 +447,11 @@ class TriangleMesh(TriangleNormals):
     @property
     def textures(self) -> list[Image]:
         """Images, lowest row first as in Open3D. Assign a list, changes in the list have no effect."""
-        return [Image(np.flipud(texture)) for texture in self._held.textures]
+        return [Image(np.flipud(texture)) for texture in self._wrapped.textures]
 
     @textures.setter
     def textures(self, values: Any) -> None:
-        made = self._ours.copy()
+        made = self._native.copy()
         made.textures = [np.flipud(as_array(value)) for value in values]
         self._become(made)
 
@@ -458,7 +460,7 @@ class TriangleMesh(TriangleNormals):
         """Neighbors of each vertex, after `compute_adjacency_list`."""
         if not self._has_adjacency:
             return []
-        starts, neighbors = self._ours.compute_adjacency_list()
+        starts, neighbors = self._native.compute_adjacency_list()
         return [set(part.tolist()) for part in np.split(neighbors, starts[1:-1])]
 
     def clear(self) -> Self:
@@ -481,7 +483,7 @@ class TriangleMesh(TriangleNormals):
         return 0 < self._count("triangles") == self._count("triangle_material_ids")
 
     def has_textures(self) -> bool:
-        return len(self._held.textures) > 0
+        return len(self._wrapped.textures) > 0
 
     def compute_adjacency_list(self) -> Self:
         self._has_adjacency = True
@@ -495,18 +497,18 @@ class TriangleMesh(TriangleNormals):
         return self._keep(lambda mesh: mesh.remove_duplicated_triangles())
 
     def remove_duplicated_vertices(self) -> Self:
-        return self._become(self._ours.remove_duplicated_vertices())
+        return self._become(self._native.remove_duplicated_vertices())
 
     def remove_non_manifold_edges(self) -> Self:
         """Remove the smallest triangles at edges with more than two."""
         return self._keep(lambda mesh: mesh.remove_non_manifold_edges())
 
     def remove_unreferenced_vertices(self) -> Self:
-        return self._become(self._ours.remove_unreferenced_vertices())
+        return self._become(self._native.remove_unreferenced_vertices())
 
     def merge_close_vertices(self, eps: float) -> Self:
         """Merge vertices closer than `eps`."""
-        made = self._ours.merge_close_vertices(eps)
+        made = self._native.merge_close_vertices(eps)
         return self._become(made)._set_faces(None if self._faces is None else made)
 
     def remove_triangles_by_index(self, triangle_indices: Any) -> None:
@@ -525,8 +527,8 @@ class TriangleMesh(TriangleNormals):
 
     def orient_triangles(self) -> bool:
         """Orient triangles consistently. True if possible."""
-        turned, is_orientable = self._ours.orient_triangles()
-        self._become(turned)
+        oriented, is_orientable = self._native.orient_triangles()
+        self._become(oriented)
         return is_orientable
 
     def select_by_index(self, indices: Any, cleanup: bool = True) -> TriangleMesh:
@@ -535,42 +537,42 @@ class TriangleMesh(TriangleNormals):
         return self._new(made, faces=faces)
 
     def crop(self, bounding_box: Any) -> TriangleMesh:
-        made, faces = self._selected(lambda mesh: mesh.crop(ours(bounding_box)))
+        made, faces = self._selected(lambda mesh: mesh.crop(unwrap(bounding_box)))
         return self._new(made, faces=faces)
 
     def subdivide_midpoint(self, number_of_iterations: int = 1) -> TriangleMesh:
-        return self._recomputed(self._ours.subdivide_midpoint(number_of_iterations))
+        return self._recomputed(self._native.subdivide_midpoint(number_of_iterations))
 
     def subdivide_loop(self, number_of_iterations: int = 1) -> TriangleMesh:
-        return self._recomputed(self._ours.subdivide_loop(number_of_iterations))
+        return self._recomputed(self._native.subdivide_loop(number_of_iterations))
 
     def simplify_vertex_clustering(
         self, voxel_size: float, contraction: SimplificationContraction = SimplificationContraction.Average
     ) -> TriangleMesh:
-        return self._recomputed(self._ours.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
+        return self._recomputed(self._native.simplify_vertex_clustering(voxel_size, contraction.name.lower()))
 
     def simplify_quadric_decimation(
         self, target_number_of_triangles: int, maximum_error: float = np.inf, boundary_weight: float = 1.0
     ) -> TriangleMesh:
         limits = target_number_of_triangles, maximum_error, boundary_weight
-        return self._recomputed(self._ours.simplify_quadric_decimation(*limits))
+        return self._recomputed(self._native.simplify_quadric_decimation(*limits))
 
     def filter_sharpen(
         self, number_of_iterations: int = 1, strength: float = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self._ours.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
+        made = self._native.filter_sharpen(number_of_iterations, strength, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_simple(
         self, number_of_iterations: int = 1, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self._ours.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
+        made = self._native.filter_smooth_simple(number_of_iterations, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_laplacian(
         self, number_of_iterations: int = 1, lambda_filter: float = 0.5, filter_scope: FilterScope = FilterScope.All
     ) -> TriangleMesh:
-        made = self._ours.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
+        made = self._native.filter_smooth_laplacian(number_of_iterations, lambda_filter, filter_scope.name.lower())
         return self._new(made)
 
     def filter_smooth_taubin(
@@ -580,7 +582,7 @@ class TriangleMesh(TriangleNormals):
         mu: float = -0.53,
         filter_scope: FilterScope = FilterScope.All,
     ) -> TriangleMesh:
-        made = self._ours.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
+        made = self._native.filter_smooth_taubin(number_of_iterations, lambda_filter, mu, filter_scope.name.lower())
         return self._new(made)
 
     def deform_as_rigid_as_possible(
@@ -591,7 +593,7 @@ class TriangleMesh(TriangleNormals):
         energy: DeformAsRigidAsPossibleEnergy = DeformAsRigidAsPossibleEnergy.Spokes,
         smoothed_alpha: float = 0.01,
     ) -> TriangleMesh:
-        made = self._ours.deform_as_rigid_as_possible(
+        made = self._native.deform_as_rigid_as_possible(
             np.asarray(constraint_vertex_indices),
             np.asarray(constraint_vertex_positions),
             max_iter,
@@ -609,57 +611,57 @@ class TriangleMesh(TriangleNormals):
         self, number_of_points: int, init_factor: float = 5, pcl: Any = None, use_triangle_normal: bool = False
     ) -> PointCloud:
         """Random points on the surface with a minimum distance, seeded by `o3d.utility.random.seed`."""
-        given = None if pcl is None else ours(pcl, PointCloud, "pcl")
+        given = None if pcl is None else unwrap(pcl, PointCloud, "pcl")
         surface, is_own = self._sampled(use_triangle_normal)
         made = surface.sample_points_poisson_disk(number_of_points, int(init_factor), given, is_own, next_seed())
         return PointCloud._of(made)
 
     def cluster_connected_triangles(self) -> tuple[IntVector, list[int], DoubleVector]:
         """Cluster of each triangle, and number of triangles and area of each cluster."""
-        labels, counts, areas = self._ours.cluster_connected_triangles()
+        labels, counts, areas = self._native.cluster_connected_triangles()
         return IntVector(labels), counts.tolist(), DoubleVector(areas)
 
     def get_surface_area(self) -> float:
-        return self._ours.get_surface_area()
+        return self._native.get_surface_area()
 
     def get_volume(self) -> float:
-        return self._ours.get_volume()
+        return self._native.get_volume()
 
     def euler_poincare_characteristic(self) -> int:
         """V - E + F; unreferenced vertices count, as in Open3D."""
-        mesh = self._ours
+        mesh = self._native
         unused = len(mesh.vertices) - len(np.unique(mesh.triangles))
         return mesh.euler_poincare_characteristic() + unused
 
     def is_edge_manifold(self, allow_boundary_edges: bool = True) -> bool:
         """True if no edge has more than two triangles."""
-        return self._ours.is_edge_manifold(allow_boundary_edges)
+        return self._native.is_edge_manifold(allow_boundary_edges)
 
     def is_vertex_manifold(self) -> bool:
         """True if the triangles at each vertex form one fan."""
-        return self._ours.is_vertex_manifold()
+        return self._native.is_vertex_manifold()
 
     def is_orientable(self) -> bool:
-        return self._ours.is_orientable()
+        return self._native.is_orientable()
 
     def is_watertight(self) -> bool:
         """True if each edge has two triangles."""
-        return self._ours.is_watertight()
+        return self._native.is_watertight()
 
     def is_self_intersecting(self) -> bool:
-        return self._ours.is_self_intersecting()
+        return self._native.is_self_intersecting()
 
     def is_intersecting(self, arg0: Any) -> bool:
-        return self._ours.is_intersecting(ours(arg0, TriangleMesh, "other"))
+        return self._native.is_intersecting(unwrap(arg0, TriangleMesh, "other"))
 
     def get_non_manifold_edges(self, allow_boundary_edges: bool = True) -> Vector2iVector:
         """Edges with more than two triangles."""
-        return Vector2iVector(self._ours.get_non_manifold_edges(allow_boundary_edges))
+        return Vector2iVector(self._native.get_non_manifold_edges(allow_boundary_edges))
 
     def get_non_manifold_vertices(self) -> IntVector:
         """Vertices whose triangles do not form one fan."""
-        return IntVector(self._ours.get_non_manifold_vertices())
+        return IntVector(self._native.get_non_manifold_vertices())
 
     def get_self_intersecting_triangles(self) -> Vector2iVector:
         """Pairs of intersecting triangles."""
-        return Vector2iVector(self._ours.get_self_intersecting_triangles())
+        return Vector2iVector(self._native.get_self_intersecting_triangles())

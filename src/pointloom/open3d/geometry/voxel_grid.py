@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from ...core.attribute_hints import KnownNames
 from ...meshing.mesh import voxel_grid
-from ..held import as_array, column, ours
 from ..vectors import Vector3dVector
+from ..wrapper import as_array, column, unwrap
 from .boxes import AxisAlignedBoundingBox
 from .enums import VoxelPoolingMode
 from .geometry import Geometry
@@ -41,7 +41,7 @@ class VoxelGrid(Geometry):
 
     def __init__(self, grid: VoxelGrid | None = None):
         empty = voxel_grid.VoxelGrid(np.zeros(3), 0.0, (0, 0, 0), np.zeros((0, 3), np.int32))
-        self._held, self._out = empty if grid is None else grid._held, {}
+        self._wrapped, self._shared = empty if grid is None else grid._wrapped, {}
         self._colors = np.zeros((0, 3)) if grid is None else grid._colors
 
     @classmethod
@@ -52,14 +52,14 @@ class VoxelGrid(Geometry):
 
     @classmethod
     def create_from_triangle_mesh(cls, input: Any, voxel_size: float) -> VoxelGrid:
-        return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size))
+        return cls._around(unwrap(input, TriangleMesh, "input").voxelize(voxel_size))
 
     @classmethod
     def create_from_triangle_mesh_within_bounds(
         cls, input: Any, voxel_size: float, min_bound: ArrayLike, max_bound: ArrayLike
     ) -> VoxelGrid:
         corners = column("min_bound", min_bound), column("max_bound", max_bound)
-        return cls._around(ours(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
+        return cls._around(unwrap(input, TriangleMesh, "input").voxelize(voxel_size, *corners))
 
     @classmethod
     def create_from_point_cloud(
@@ -68,7 +68,7 @@ class VoxelGrid(Geometry):
         """Voxels of a cloud with mean colors."""
         if pooling_mode is not VoxelPoolingMode.AVG:
             raise ValueError(f"pooling_mode: expected AVG, got {pooling_mode.name}: a voxel has its points' mean color")
-        cloud = ours(input, PointCloud, "input")
+        cloud = unwrap(input, PointCloud, "input")
         means = cloud.voxel_down_sample(voxel_size)
         origin = cloud.get_min_bound() - voxel_size / 2
         cells = np.floor((means.points - origin) / voxel_size).astype(np.int32)
@@ -80,23 +80,23 @@ class VoxelGrid(Geometry):
     @property
     def origin(self) -> NDArray[np.float64]:
         """Corner of voxel (0, 0, 0)."""
-        return self._held.origin
+        return self._wrapped.origin
 
     @property
     def voxel_size(self) -> float:
-        return float(self._held.voxel_size)
+        return float(self._wrapped.voxel_size)
 
     def get_voxels(self) -> list[Voxel]:
-        return [Voxel(*both) for both in zip(self._held.coordinates, self._colors, strict=True)]
+        return [Voxel(*both) for both in zip(self._wrapped.coordinates, self._colors, strict=True)]
 
     def get_voxel(self, point: ArrayLike) -> NDArray[np.int32]:
         """Index of the voxel of a point, occupied or not."""
-        return self._held.get_voxel(column("point", point)).astype(np.int32)
+        return self._wrapped.get_voxel(column("point", point)).astype(np.int32)
 
     def get_voxel_center_coordinate(self, idx: ArrayLike) -> NDArray[np.float64]:
         """Center of an occupied voxel. Zero for others."""
         index = column("idx", idx)
-        is_there = bool((self._held.coordinates == index).all(axis=1).any())
+        is_there = bool((self._wrapped.coordinates == index).all(axis=1).any())
         return self.origin + (index + 0.5) * self.voxel_size if is_there else np.zeros(3)
 
     def get_voxel_bounding_points(self, index: ArrayLike) -> Vector3dVector:
@@ -105,10 +105,10 @@ class VoxelGrid(Geometry):
 
     def check_if_included(self, queries: Any) -> list[bool]:
         """For each point, True if it is in an occupied voxel."""
-        return self._held.check_if_included(as_array(queries)).tolist()
+        return self._wrapped.check_if_included(as_array(queries)).tolist()
 
     def has_voxels(self) -> bool:
-        return len(self._held) > 0
+        return len(self._wrapped) > 0
 
     def has_colors(self) -> bool:
         """Always True, as in Open3D: voxels without colors are black."""
@@ -118,19 +118,19 @@ class VoxelGrid(Geometry):
         return not self.has_voxels()
 
     def get_min_bound(self) -> NDArray[np.float64]:
-        low = self._held.coordinates.min(axis=0) if self.has_voxels() else 0
+        low = self._wrapped.coordinates.min(axis=0) if self.has_voxels() else 0
         return self.origin + low * self.voxel_size
 
     def get_max_bound(self) -> NDArray[np.float64]:
-        high = self._held.coordinates.max(axis=0) + 1 if self.has_voxels() else 0
+        high = self._wrapped.coordinates.max(axis=0) + 1 if self.has_voxels() else 0
         return self.origin + high * self.voxel_size
 
     def get_center(self) -> NDArray[np.float64]:
         """Mean of the voxel centers."""
-        return self._held.centers.mean(axis=0) if self.has_voxels() else np.zeros(3)
+        return self._wrapped.centers.mean(axis=0) if self.has_voxels() else np.zeros(3)
 
     def get_axis_aligned_bounding_box(self) -> AxisAlignedBoundingBox:
         return AxisAlignedBoundingBox(self.get_min_bound(), self.get_max_bound())
 
     def __repr__(self) -> str:
-        return f"VoxelGrid with {len(self._held)} voxels."
+        return f"VoxelGrid with {len(self._wrapped)} voxels."

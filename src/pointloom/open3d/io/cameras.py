@@ -13,7 +13,7 @@ from ...core.errors import FileError
 from ...core.json_files import check_keys, read_json_object
 from ..camera.intrinsic import PinholeCameraIntrinsic
 from ..camera.parameters import PinholeCameraParameters, PinholeCameraTrajectory
-from ..held import ours
+from ..wrapper import unwrap
 
 FilePath = str | os.PathLike[str]
 VERSION = {"version_major": 1, "version_minor": 0}
@@ -24,7 +24,7 @@ def read_pinhole_camera_intrinsic(filename: FilePath) -> PinholeCameraIntrinsic:
 
 
 def write_pinhole_camera_intrinsic(filename: FilePath, intrinsic: Any) -> bool:
-    camera.write_pinhole_camera_intrinsic(filename, ours(intrinsic, PinholeCameraIntrinsic, "intrinsic"))
+    camera.write_pinhole_camera_intrinsic(filename, unwrap(intrinsic, PinholeCameraIntrinsic, "intrinsic"))
     return True
 
 
@@ -61,23 +61,23 @@ def write_pinhole_camera_trajectory(filename: FilePath, trajectory: PinholeCamer
 
 def _write_poses(filename: FilePath, cameras: PinholeCameraTrajectory) -> bool:
     format = "tum" if Path(filename).suffix.lower() == ".txt" else None
-    trajectory.write_trajectory(filename, cameras._ours, format=format)
+    trajectory.write_trajectory(filename, cameras._native, format=format)
     return True
 
 
 def _intrinsic_of(filename: FilePath, content: dict[str, Any], where: str) -> PinholeCameraIntrinsic:
-    found = content.get("intrinsic")
-    if not isinstance(found, dict) or not {"width", "height", "intrinsic_matrix"} <= found.keys():
+    record = content.get("intrinsic")
+    if not isinstance(record, dict) or not {"width", "height", "intrinsic_matrix"} <= record.keys():
         raise FileError(filename, "expected width, height and intrinsic_matrix", where=where)
-    K = camera.read_json_matrix(filename, found["intrinsic_matrix"], 3, where=where)
-    return PinholeCameraIntrinsic(found["width"], found["height"], K)
+    K = camera.read_json_matrix(filename, record["intrinsic_matrix"], 3, where=where)
+    return PinholeCameraIntrinsic(record["width"], record["height"], K)
 
 
 def _parameters_to_json(parameters: PinholeCameraParameters) -> dict[str, Any]:
     return {
         "class_name": "PinholeCameraParameters",
         "extrinsic": parameters.extrinsic.T.ravel().tolist(),
-        "intrinsic": camera.intrinsic_to_json(ours(parameters.intrinsic)),
+        "intrinsic": camera.intrinsic_to_json(unwrap(parameters.intrinsic)),
         **VERSION,
     }
 

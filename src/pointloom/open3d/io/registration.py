@@ -11,8 +11,8 @@ import numpy as np
 from ...core.atomic import atomic_write
 from ...core.errors import FileError
 from ...registration.pose_graphs import pose_graph_files
-from ..held import ours
 from ..pipelines.registration import Feature, PoseGraph
+from ..wrapper import unwrap
 
 FilePath = str | os.PathLike[str]
 HEAD = 8  # bytes: two int32, dimension and points
@@ -26,7 +26,7 @@ def read_feature(filename: FilePath) -> Feature:
         raise FileError(filename, f"cannot be read: {error.strerror or error}") from error
     dimension, count = np.frombuffer(data[:HEAD], "<i4") if len(data) >= HEAD else (-1, -1)
     if min(dimension, count) < 0 or len(data) != HEAD + 8 * int(dimension) * int(count):
-        raise FileError(filename, f"{len(data)} bytes are no features of {dimension} numbers of {count} points")
+        raise FileError(filename, f"expected {dimension} numbers for each of {count} points, got {len(data)} bytes")
     made = Feature()
     made.data = np.frombuffer(data[HEAD:], "<f8").reshape(count, dimension).T
     return made
@@ -45,4 +45,4 @@ def read_pose_graph(filename: FilePath) -> PoseGraph:
 
 
 def write_pose_graph(filename: FilePath, pose_graph: Any) -> None:
-    pose_graph_files.write_pose_graph(filename, ours(pose_graph, PoseGraph, "pose_graph"))
+    pose_graph_files.write_pose_graph(filename, unwrap(pose_graph, PoseGraph, "pose_graph"))

@@ -10,7 +10,7 @@ from ...io.points import point_cloud
 from ...meshing.mesh import mesh_files
 from ..geometry.point_cloud import PointCloud
 from ..geometry.triangle_mesh import TriangleMesh
-from ..held import ours
+from ..wrapper import unwrap
 
 FilePath = str | os.PathLike[str]
 
@@ -18,7 +18,7 @@ FilePath = str | os.PathLike[str]
 COLUMNS = {"xyz": ("x", "y", "z"), "xyzn": ("x", "y", "z", "nx", "ny", "nz"), "xyzrgb": ("x", "y", "z", "r", "g", "b")}
 
 # Columns of Open3D's text formats besides the points. Other data of a cloud is not written.
-HELD = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
+TEXT_COLUMNS = {".xyz": (), ".xyzn": ("normals",), ".xyzrgb": ("colors",), ".pts": ("colors", "intensity")}
 
 
 def read_point_cloud(
@@ -51,9 +51,9 @@ def write_point_cloud(
 ) -> bool:
     """Like `loom.write_point_cloud`. The suffix defines the format, and text formats write the columns they have."""
     _check_format(filename, format)
-    cloud = ours(pointcloud, PointCloud, "pointcloud")
-    held = HELD.get(Path(filename).suffix.lower())
-    left_out = [] if held is None else [name for name in cloud._device_arrays if name not in ("points", *held)]
+    cloud = unwrap(pointcloud, PointCloud, "pointcloud")
+    columns = TEXT_COLUMNS.get(Path(filename).suffix.lower())
+    left_out = [] if columns is None else [name for name in cloud._device_arrays if name not in ("points", *columns)]
     point_cloud.write_point_cloud(filename, cloud.without(*left_out), ascii=write_ascii)
     return True
 
@@ -76,7 +76,7 @@ def write_triangle_mesh(
 ) -> bool:
     mesh_files.write_triangle_mesh(
         filename,
-        ours(mesh, TriangleMesh, "mesh"),
+        unwrap(mesh, TriangleMesh, "mesh"),
         ascii=write_ascii,
         write_vertex_normals=write_vertex_normals,
         write_vertex_colors=write_vertex_colors,

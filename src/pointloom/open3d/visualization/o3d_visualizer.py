@@ -78,7 +78,7 @@ class O3DVisualizer(KnownNames):
             self.add_geometry(**{key: value for key, value in name.items() if key in known})
             return
         if check_name("name", name) in self._objects:
-            raise ValueError(f"name: {name!r} is shown already; remove_geometry({name!r}) takes it out")
+            raise ValueError(f"name: {name!r} is already displayed; remove_geometry({name!r}) removes it")
         one = DrawObject(name, geometry, check_name("group", group), check_number("time", time), bool(is_visible))
         shape, viewer = drawn(geometry), self._window._viewer
         self._objects[name] = one
@@ -117,7 +117,9 @@ class O3DVisualizer(KnownNames):
     def get_geometry(self, name: str) -> DrawObject:
         """Properties of a geometry. Raises KeyError for an unknown name."""
         if name not in self._objects:
-            raise KeyError(f"name: no geometry {name!r}; there are {', '.join(map(repr, self._objects)) or 'none'}")
+            raise KeyError(
+                f"name: no geometry {name!r}; expected one of {', '.join(map(repr, self._objects)) or 'none'}"
+            )
         return self._objects[name]
 
     def _play_times(self) -> None:
@@ -245,7 +247,7 @@ class O3DVisualizer(KnownNames):
 
     def set_background(self, bg_color: Any, bg_image: Any = None) -> None:
         if bg_image is not None:
-            raise PointloomError("bg_image: pages have a color behind the scene, no picture")
+            raise PointloomError("bg_image: the background of a page is a color, not an image; use bg_color")
         self._window.get_render_option().background_color = np.asarray(bg_color, np.float64)[:3]
         self.post_redraw()
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ...meshing.mesh.mesh import TriangleMesh
 from ..geometry import Geometry, Image, RGBDImage
-from ..held import Held, ours
+from ..wrapper import Wrapper, unwrap
 
 Entry = dict[str, Any]
 
@@ -19,9 +19,9 @@ def drawn(geometry: Any) -> Any:
         geometry = geometry.color
     if isinstance(geometry, Image):
         return _picture_on_a_surface(np.asarray(geometry))
-    if not isinstance(geometry, Held) and type(geometry).__module__.startswith("open3d."):
+    if not isinstance(geometry, Wrapper) and type(geometry).__module__.startswith("open3d."):
         raise TypeError(f"geometry: expected one of pointloom.open3d's, got Open3D's own {type(geometry).__name__}")
-    return ours(geometry)
+    return unwrap(geometry)
 
 
 def checked(geometry_list: Any) -> list[Any]:

@@ -14,16 +14,16 @@ from ...core.checks import check_direction, check_number, check_shape
 from ...visualization.render.open3d_parameters import FIELD_OF_VIEW, MAX_ZOOM, MIN_ZOOM, ZOOM
 from ...visualization.render.view import View
 from ..camera import PinholeCameraIntrinsic, PinholeCameraParameters
-from ..held import ours
+from ..wrapper import unwrap
 
-TURN = 0.003  # [rad] per pixel, as in Open3D
+RADIANS_PER_PIXEL = 0.003  # [rad] per pixel, as in Open3D
 ZOOM_STEP = 0.02  # per wheel click
 ANGLE_STEP, MIN_ANGLE, MAX_ANGLE = 5.0, 5.0, 90.0  # [degrees]
 NOWHERE = (np.full(3, -1.0), np.full(3, 1.0))  # bounds of an empty scene
 log = logging.getLogger("pointloom.viewer")
 
 
-def _nobody() -> View | None:
+def _no_view() -> View | None:
     return None
 
 
@@ -35,7 +35,7 @@ class ViewControl(HintedNames):
     """
 
     def __init__(self):
-        self._size, self._seen = (1920, 1080), _nobody
+        self._size, self._seen = (1920, 1080), _no_view
         self._reset(NOWHERE)
 
     def _reset(self, bounds: tuple[Any, Any]) -> None:
@@ -46,9 +46,9 @@ class ViewControl(HintedNames):
         self._moved = True  # since the window was last updated
 
     def _view(self) -> View:
-        return self._seen() or self._told()
+        return self._seen() or self._configured_view()
 
-    def _told(self) -> View:
+    def _configured_view(self) -> View:
         if self._given is not None:
             return self._given
         options: dict[str, Any] = {"zoom": self._zoom, "front": self._front, "lookat": self._lookat, "up": self._up}
@@ -67,7 +67,7 @@ class ViewControl(HintedNames):
     def rotate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
         """Rotate about `lookat` like a mouse drag [px]."""
         right, up, front = self._axes()
-        a, b = TURN * x, TURN * y
+        a, b = RADIANS_PER_PIXEL * x, RADIANS_PER_PIXEL * y
         front = check_direction("front", front * math.cos(a) - right * math.sin(a))
         right = check_direction("up", np.cross(up, front))
         self._front = check_direction("front", front * math.cos(b) + up * math.sin(b))
@@ -77,8 +77,8 @@ class ViewControl(HintedNames):
     def translate(self, x: float, y: float, xo: float = 0.0, yo: float = 0.0) -> None:
         """Translate like a mouse drag [px]."""
         right, up, _ = self._axes()
-        reach = 2 * self._zoom * (float(np.max(self._bounds[1] - self._bounds[0])) or 1.0)
-        self._lookat = self._lookat + reach * (up * y - right * x) / self._size[1]
+        extent = 2 * self._zoom * (float(np.max(self._bounds[1] - self._bounds[0])) or 1.0)
+        self._lookat = self._lookat + extent * (up * y - right * x) / self._size[1]
         self._changed()
 
     def scale(self, scale: float) -> None:
@@ -124,20 +124,24 @@ class ViewControl(HintedNames):
 
     def convert_to_pinhole_camera_parameters(self) -> PinholeCameraParameters:
         """Camera and extrinsic (world to camera)."""
-        view, found = self._view(), PinholeCameraParameters()
-        found.intrinsic = PinholeCameraIntrinsic._of(view.intrinsic)
-        found.extrinsic = np.linalg.inv(view.T_world_camera)
-        return found
+        view, parameters = self._view(), PinholeCameraParameters()
+        parameters.intrinsic = PinholeCameraIntrinsic._of(view.intrinsic)
+        parameters.extrinsic = np.linalg.inv(view.T_world_camera)
+        return parameters
 
     def convert_from_pinhole_camera_parameters(self, parameter: Any, allow_arbitrary: bool = False) -> bool:
         """Set the camera. False if unsupported: other size, pixels not square, principal point not centered.
 
         `allow_arbitrary` accepts all cameras.
         """
-        view = View(ours(parameter.intrinsic), np.linalg.inv(parameter.extrinsic))
+        view = View(unwrap(parameter.intrinsic), np.linalg.inv(parameter.extrinsic))
         if not allow_arbitrary and (view.intrinsic.width, view.intrinsic.height) != self._size:
             have = f"{view.intrinsic.width} x {view.intrinsic.height}"
-            log.warning("parameter: a camera of %s pixels, but the window has %d x %d", have, *self._size)
+            log.warning(
+                "parameter: expected a camera of the size of the window, got %s pixels instead of %d x %d",
+                have,
+                *self._size,
+            )
             return False
         try:
             self._look_from(view)
@@ -150,9 +154,9 @@ class ViewControl(HintedNames):
 
     def _look_from(self, view: View) -> None:
         """Set a view. Raises ValueError unless pixels are square and the principal point is centered."""
-        found = view.to_open3d(self._bounds)
-        self._zoom, self._angle = found["zoom"], found["field_of_view"]
-        self._front, self._lookat, self._up = (np.array(found[name]) for name in ("front", "lookat", "up"))
+        fields = view.to_open3d(self._bounds)
+        self._zoom, self._angle = fields["zoom"], fields["field_of_view"]
+        self._front, self._lookat, self._up = (np.array(fields[name]) for name in ("front", "lookat", "up"))
         self._changed()
 
     def __repr__(self) -> str:

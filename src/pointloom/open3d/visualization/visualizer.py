@@ -33,7 +33,7 @@ FilePath = str | os.PathLike[str]
 Callback = Callable[["Visualizer"], Any]
 
 FRAMES = 60  # one second of a screen: lifetime of an unattended window
-TURN = 1 / 30  # [s] between two animation callbacks
+CALLBACK_INTERVAL = 1 / 30  # [s] between two animation callbacks
 FRAME = "coordinate frame"
 KEYS = {
     32: "space", 256: "escape", 257: "enter", 258: "tab", 259: "backspace", 260: "insert", 261: "delete",
@@ -213,14 +213,14 @@ class Visualizer(KnownNames):
         self._show_options()
         if self._control._moved:
             self._control._moved = False
-            self._viewer.set_view(self._control._told())
+            self._viewer.set_view(self._control._configured_view())
 
     def run(self) -> None:
         """Wait until the window is closed, running animation and key callbacks."""
         while not self._closed and (self._viewer is not None or self._animation is not None):
             if self._animation is not None and self._animation(self):
                 self.update_geometry()
-            if not self.poll_events() or (self._viewer is not None and self._viewer.wait(TURN)):
+            if not self.poll_events() or (self._viewer is not None and self._viewer.wait(CALLBACK_INTERVAL)):
                 return
 
     def register_animation_callback(self, callback_func: Callback | None) -> None:
@@ -305,7 +305,7 @@ class VisualizerWithKeyCallback(Visualizer):
         """
         if key not in KEYS:
             raise ValueError(
-                f"key: pages tell of letters, digits and {', '.join(list(KEYS.values())[:15])}; got {key!r}"
+                f"key: expected a letter, a digit or one of {', '.join(list(KEYS.values())[:15])}, got {key!r}"
             )
         self._callbacks[KEYS[key]] = check_callback("callback_func", callback_func)
         self._listen(KEYS[key])

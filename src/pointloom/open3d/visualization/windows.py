@@ -104,9 +104,9 @@ def draw(
 
     Callbacks of `actions` and animations run in a thread of the page and may add and change geometries.
     """
-    asked = [name for name, value in others.items() if value is not None and value is not False]
-    if asked:
-        raise PointloomError(f"{asked[0]}: pages have no such thing{hint(row_of(asked[0], ('draw',)))}")
+    unsupported = [name for name, value in others.items() if value is not None and value is not False]
+    if unsupported:
+        raise PointloomError(f"{unsupported[0]}: not supported by pages{hint(row_of(unsupported[0], ('draw',)))}")
     window = O3DVisualizer(title, width, height)
     try:
         window.point_size = window.point_size if point_size is None else point_size

@@ -43,31 +43,33 @@ class Alignment:
 def align_inverse_depth(d: Numbers, y: Numbers, *, seed: int = 0, with_shift: bool = True) -> Alignment:
     """Scale and shift from many references y = 1 / z [n] with outliers. AlignmentError if fewer than 20 agree."""
     if len(d) < MIN_INLIERS:
-        raise AlignmentError(f"align: {len(d)} references lie in the picture, expected at least {MIN_INLIERS}")
+        raise AlignmentError(f"align: expected at least {MIN_INLIERS} references inside the image, got {len(d)}")
     rng = np.random.default_rng(seed)
     rows = np.arange(len(d)) if len(d) <= SCORED else rng.choice(len(d), SCORED, replace=False)
     hypotheses = _draw(d[rows], y[rows], rng, with_shift)
     scale, shift = _best(hypotheses, d[rows], y[rows])
     scale, shift, inliers = _refit(scale, shift, d, y, with_shift)
     if scale <= 0 and inliers.sum() >= MIN_INLIERS:
-        raise AlignmentError(f"align: the references agree only where nearer means farther; {REMEDY}")
+        raise AlignmentError(
+            f"align: the references only agree with an inverted map, where nearer is farther; {REMEDY}"
+        )
     if inliers.sum() < MIN_INLIERS:
         raise AlignmentError(
-            f"align: {int(inliers.sum())} of {len(d)} references agree with one scale and shift, expected at least "
-            f"{MIN_INLIERS}; {REMEDY}"
+            f"align: expected at least {MIN_INLIERS} references that agree with one scale and shift, got "
+            f"{int(inliers.sum())} of {len(d)}; {REMEDY}"
         )
     return Alignment(scale, shift, float(inliers.mean()), len(d), float(1 / y[inliers].min()))
 
 
-REMEDY = "check that they are of this picture, and that the preset is the model's"
+REMEDY = "check that they belong to this image, and that the preset matches the model"
 
 
 def align_to_distances(d: Numbers, y: Numbers, *, with_shift: bool = True) -> Alignment:
     """Scale and shift from a few distances, by all pairs; above the minimum number more than half must agree."""
     unknowns = 2 if with_shift else 1
     if len(d) < unknowns:
-        why = "a scale and a shift are unknown" if with_shift else "a scale is unknown"
-        raise AlignmentError(f"align: {len(d)} distances, expected at least {unknowns}: {why}")
+        why = "scale and shift are unknown" if with_shift else "the scale is unknown"
+        raise AlignmentError(f"align: expected at least {unknowns} distances since {why}, got {len(d)}")
     first, second = np.triu_indices(len(d), 1)
     hypotheses = _lines(d, y, first, second) if with_shift else _scales(d, y)
     scale, shift = _best(hypotheses, d, y)
@@ -77,8 +79,8 @@ def align_to_distances(d: Numbers, y: Numbers, *, with_shift: bool = True) -> Al
     agreeing = int(inliers.sum())
     if scale <= 0 or agreeing <= unknowns or 2 * agreeing <= len(d):
         raise AlignmentError(
-            f"align: {agreeing} of {len(d)} distances agree with one scale and shift, expected more than half and "
-            f"at least {unknowns + 1}; measure again, or {REMEDY}"
+            f"align: expected more than half of the {len(d)} distances, and at least {unknowns + 1}, to agree with one "
+            f"scale and shift, got {agreeing}; measure again, or {REMEDY}"
         )
     return Alignment(scale, shift, float(inliers.mean()), len(d), float(1 / y[inliers].min()))
 
@@ -106,7 +108,9 @@ def _scales(d: Numbers, y: Numbers) -> Numbers:
 def _best(hypotheses: Numbers, d: Numbers, y: Numbers) -> tuple[float, float]:
     hypotheses = hypotheses[np.isfinite(hypotheses).all(1) & (hypotheses[:, 0] > 0)]
     if not len(hypotheses):
-        raise AlignmentError(f"align: where the references are nearer, the network says farther or the same; {REMEDY}")
+        raise AlignmentError(
+            f"align: where the references are nearer, the depth of the network is equal or larger; {REMEDY}"
+        )
     costs = [np.minimum(_residuals(scale, shift, d, y), TOLERANCE).sum() for scale, shift in hypotheses]
     scale, shift = hypotheses[int(np.argmin(costs))]
     return float(scale), float(shift)

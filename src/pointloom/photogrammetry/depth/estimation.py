@@ -98,7 +98,7 @@ def read_distances(path: str | os.PathLike[str]) -> NDArray[np.float64]:
         if len(rows[-1]) != 3:
             raise FileError(path, f"expected u v meters, got {line[:60]!r}", where=f"line {number}")
     if not rows:
-        raise FileError(path, "holds no distances", remedy="Write a line of u v meters for each")
+        raise FileError(path, "contains no distances", remedy="Write one line `u v meters` for each distance")
     return np.array(rows)
 
 
@@ -115,7 +115,7 @@ def _of_distances(array: NDArray[Any], size: tuple[int, int]) -> References:
     outside = ~_inside(rows[:, :2], size)
     if outside.any():
         u, v, _ = rows[outside][0]
-        raise ValueError(f"align: pixel ({u:g}, {v:g}) lies outside the picture of {size[1]} x {size[0]}")
+        raise ValueError(f"align: pixel ({u:g}, {v:g}) is outside the image of {size[1]} x {size[0]}")
     return References(rows[:, :2], rows[:, 2], are_few=True)
 
 
@@ -132,17 +132,19 @@ def _of_sensor(array: NDArray[Any], size: tuple[int, int], depth_scale: float) -
 
 def _of_model(model: SfmModel, name: str | None, size: tuple[int, int]) -> References:
     if name is None:
-        raise ValueError("align: a sparse model knows pictures by name; give the picture's path, or (model, name)")
+        raise ValueError(
+            "align: a sparse model identifies images by name; give the path of the image, or (model, name)"
+        )
     number = _number_of(model, name)
     camera, T = model.cameras[number], model.T_camera_world[number]
-    _check_shape("the model's picture", camera.width, camera.height, size)
+    _check_shape("the image of the model", camera.width, camera.height, size)
     seen = np.unique(model.observations[model.observations[:, 0] == number, 1])
     points = model.points[seen] @ T[:3, :3].T + T[:3, 3]
     pixels = _scaled(camera.project(points), camera.width, camera.height, size)
-    kept = np.isfinite(pixels).all(1) & _inside(pixels, size)
+    valid = np.isfinite(pixels).all(1) & _inside(pixels, size)
     source = SPARSE if camera.is_pinhole else f"{SPARSE}, its distortion left out"
     return References(
-        pixels[kept], points[kept, 2], unit=f"{SPARSE}'s", camera=_pinhole_of(camera, size), source=source
+        pixels[valid], points[valid, 2], unit=f"{SPARSE}'s", camera=_pinhole_of(camera, size), source=source
     )
 
 
@@ -152,7 +154,8 @@ def _number_of(model: SfmModel, name: str) -> int:
     matches = [number for number, other in enumerate(model.names) if Path(other).name == name]
     if len(matches) != 1:
         raise ValueError(
-            f"align: the model has {len(matches) or 'no'} pictures {name!r}; it has {few_of(model.names, 3) or 'none'}"
+            f"align: expected one image {name!r} in the model, got {len(matches)}; it contains "
+            f"{few_of(model.names, 3) or 'none'}"
         )
     return matches[0]
 
@@ -172,10 +175,11 @@ def _pinhole_of(camera: CameraModel, size: tuple[int, int]) -> PinholeCameraIntr
 
 def _check_shape(what: str, width: int, height: int, size: tuple[int, int]) -> None:
     if abs(width * size[0] - height * size[1]) > max(width, height, *size):
-        is_turned = (width - height) * (size[1] - size[0]) < 0
-        turned = "; if EXIF turned the picture upright, turn this too" if is_turned else ""
+        is_rotated = (width - height) * (size[1] - size[0]) < 0
+        hint = "; if EXIF rotated the image upright, rotate this too" if is_rotated else ""
         raise ValueError(
-            f"align: {what} is {width} x {height}, of another shape than the picture, {size[1]} x {size[0]}{turned}"
+            f"align: expected {what} with the aspect ratio of the image, {size[1]} x {size[0]}, got {width} x "
+            f"{height}{hint}"
         )
 
 
@@ -204,7 +208,7 @@ DEEPEST = (
 )
 FLYING_JUMP = 0.03  # minimum relative inverse depth difference of a flying pixel to both surfaces
 BLUR = 3  # network pixels of the transition between two surfaces
-MAX_REACH = 32  # [px] 512 loads per pixel
+MAX_RADIUS = 32  # [px] 512 loads per pixel
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
@@ -271,9 +275,9 @@ class DepthEstimate:
         step = check_count("stride", stride)
         image = RGBDImage(self.color, self.depth, depth_trunc=np.inf, device=resolve_device(device))
         if not keep_edges:
-            reach = min(max(round(BLUR * self.enlargement), BLUR), MAX_REACH)
-            kept = drop_flying(image.depth_array, image.width, image.height, reach, FLYING_JUMP)
-            image = RGBDImage._from_device_arrays(image.color_array, kept, image.height, image.width)
+            radius = min(max(round(BLUR * self.enlargement), BLUR), MAX_RADIUS)
+            filtered = drop_flying(image.depth_array, image.width, image.height, radius, FLYING_JUMP)
+            image = RGBDImage._from_device_arrays(image.color_array, filtered, image.height, image.width)
         return PointCloud.create_from_rgbd_image(image, self.intrinsic, stride=step)
 
 
@@ -340,8 +344,8 @@ def estimate_depth(
     """
     if intrinsic is not None and not isinstance(intrinsic, PinholeCameraIntrinsic):
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, got {type(intrinsic).__name__}")
-    count = check_count("tiles", tiles, maximum=MAX_TILES, because="a tile shows too little")
-    seed, say = check_seed(seed), check_progress(progress)
+    count = check_count("tiles", tiles, maximum=MAX_TILES, because="smaller tiles lack context")
+    seed, report = check_seed(seed), check_progress(progress)
     photo = take_photo(picture)
     references = None if align is None else find_references(align, photo.name, photo.color.shape[:2], depth_scale)
     camera, source = _camera(photo, intrinsic, references)
@@ -354,17 +358,17 @@ def estimate_depth(
     if count > 1:
         inverse, *tiled = refine_by_tiles(
             photo.color, inverse, count, _of_parts(network, camera, source),
-            seed=seed, say=lambda done, total: say("tiles", done, total),
+            seed=seed, report=lambda done, total: report("tiles", done, total),
         )  # fmt: skip
-    found = None if references is None else _align(inverse, references, kind, seed)
-    scale, shift, farthest = _default_units(inverse, kind) if found is None else _units_of(found)
+    alignment = None if references is None else _align(inverse, references, kind, seed)
+    scale, shift, farthest = _default_units(inverse, kind) if alignment is None else _units_of(alignment)
     unit = _unit(kind, references, source, reading.is_metric)
     return DepthEstimate(
         depth=_depth(inverse, scale, shift, farthest),
         is_metric=unit == "m",
         scale=scale,
         shift=shift,
-        inlier_share=None if found is None else found.inlier_share,
+        inlier_share=None if alignment is None else alignment.inlier_share,
         provider=network.provider,
         unit=unit,
         color=photo.color,
@@ -372,7 +376,7 @@ def estimate_depth(
         intrinsic_source=source,
         input_size=(reading.placement.rows, reading.placement.columns),
         enlargement=max(1 / factor for factor in reading.placement.scale),
-        references=0 if found is None else found.references,
+        references=0 if alignment is None else alignment.references,
         tiles=None if tiled is None else (tiled[0], tiled[1]),
     )
 
@@ -389,9 +393,9 @@ def _is_known(camera_source: str) -> bool:
     return not camera_source.startswith("assumed")
 
 
-def _own_camera(found: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
+def _own_camera(estimated: OwnCamera, photo: Photo) -> PinholeCameraIntrinsic:
     height, width = photo.color.shape[:2]
-    return PinholeCameraIntrinsic(width, height, found.fx, found.fy, found.cx, found.cy)
+    return PinholeCameraIntrinsic(width, height, estimated.fx, estimated.fy, estimated.cx, estimated.cy)
 
 
 def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
@@ -400,9 +404,12 @@ def _network(model: Any, preset: str | None, device: Any) -> DepthModel:
             raise TypeError(f"model: expected the path of an .onnx file or a DepthModel, got {shown(model)}")
         return DepthModel(model, DEFAULT if preset is None else preset, device=device)
     if preset is not None and find_preset(preset).name != model.preset:
-        raise ValueError(f"preset: {preset!r}, but the model was opened as {model.preset!r}")
+        raise ValueError(f"preset: expected {model.preset!r}, with which the model was opened, got {preset!r}")
     if device is not None:
-        raise ValueError(f"device: {shown(device)}, but the model is open on {model.provider}; say it there")
+        raise ValueError(
+            f"device: expected {model.provider}, on which the model was opened, got {shown(device)}; pass "
+            "device to DepthModel"
+        )
     return model
 
 
@@ -412,10 +419,10 @@ def _camera(photo: Photo, intrinsic: Any, references: References | None) -> tupl
         return references.camera, references.source
     if intrinsic is None:
         return camera_of(photo)
-    if photo.is_turned and (intrinsic.height, intrinsic.width) == (width, height) and height != width:
+    if photo.is_rotated and (intrinsic.height, intrinsic.width) == (width, height) and height != width:
         raise ValueError(
-            f"intrinsic: made for {intrinsic.width} x {intrinsic.height} pixels, but EXIF turns the picture upright to "
-            f"{width} x {height}; turn the camera too"
+            f"intrinsic: expected {width} x {height} pixels, since EXIF rotates the image upright, got "
+            f"{intrinsic.width} x {intrinsic.height}; rotate the camera too"
         )
     return check_intrinsic(intrinsic, width, height), "given"
 
@@ -433,8 +440,8 @@ def _inverse_depth(reading: Reading, network: DepthModel, camera: PinholeCameraI
         inverse = np.float32(1) / values
     inverse = np.where((values > 0) & np.isfinite(inverse), inverse, np.float32(np.nan)).astype(np.float32)
     if not np.isfinite(inverse).any():
-        reason = "gave no depth above 0, for no pixel"
-        raise FileError(network.path, reason, remedy="Check that the file is the model that the preset names")
+        reason = "returned no depth above 0 for any pixel"
+        raise FileError(network.path, reason, remedy="Check that the preset matches the model")
     return inverse
 
 
@@ -451,8 +458,8 @@ def _align(inverse: Map, references: References, kind: Preset, seed: int) -> Ali
     return align_inverse_depth(d, y, seed=seed, with_shift=not kind.gives_scale)
 
 
-def _units_of(found: Alignment) -> tuple[float, float, float]:
-    return found.scale, found.shift, DEEPEST * found.farthest
+def _units_of(alignment: Alignment) -> tuple[float, float, float]:
+    return alignment.scale, alignment.shift, DEEPEST * alignment.farthest
 
 
 def _default_units(inverse: Map, kind: Preset) -> tuple[float, float, float]:

@@ -54,12 +54,14 @@ def evaluate_depth(depth: ArrayLike, truth: ArrayLike, *, depth_scale: float = D
         0.05
     """
     scale = check_positive("depth_scale", depth_scale)
-    found, true = _metres("depth", depth, scale), _metres("truth", truth, scale)
-    if found.shape != true.shape:
-        raise ValueError(f"depth: has shape {list(found.shape)}, but truth has {list(true.shape)}; resize one")
+    estimate, true = _metres("depth", depth, scale), _metres("truth", truth, scale)
+    if estimate.shape != true.shape:
+        raise ValueError(
+            f"depth: expected shape {list(true.shape)} as of truth, got {list(estimate.shape)}; resize one"
+        )
     known = true > 0
-    both = known & (found > 0)
-    z, t = found[both], true[both]
+    both = known & (estimate > 0)
+    z, t = estimate[both], true[both]
     if not len(z):
         return DepthErrors(np.nan, np.nan, np.nan, 0.0, 0)
     with np.errstate(over="ignore"):

@@ -13,8 +13,8 @@ from ...core.paths import plain_name
 from ...io.optional_imports import foreign_errors, import_for
 
 NUMBER_TYPES = ("FLOAT", "FLOAT16", "DOUBLE", "INT32", "INT64")
-NO_MODEL = "no ONNX model that can be used"
-WEIGHTS_REMEDY = "Put the file of its weights (often NAME.onnx_data) beside it, under its old name"
+NO_MODEL = "not a usable ONNX model"
+WEIGHTS_REMEDY = "Put its weight file (often NAME.onnx_data) into the same folder, under its original name"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,7 +42,7 @@ class Graph:
 def load_graph(path: str) -> Graph:
     """Read a model's graph without external files. FileError if invalid or if onnx is missing."""
     onnx = import_for(path, "onnx", "depth")
-    with foreign_errors(path, NO_MODEL, remedy="Fetch or export the file again"):
+    with foreign_errors(path, NO_MODEL, remedy="Download or export the file again"):
         model = onnx.load(path, format="protobuf", load_external_data=False)
         for name in _external_files(model):
             _check_external_file(Path(path), name)
@@ -111,9 +111,9 @@ def _external_files(model: Any) -> Iterator[str]:
 
 def _check_external_file(path: Path, name: str) -> None:
     """Check that a weight file is in the model's folder (or that of a link's target)."""
-    file = path.parent / plain_name(path, name, remedy="Export the model with its weights beside it")
+    file = path.parent / plain_name(path, name, remedy="Export the model with its weights in the same folder")
     if not file.is_file():
         raise FileError(path, f"its weights are in {name}, which does not exist", remedy=WEIGHTS_REMEDY)
     if file.resolve().parent not in (path.parent.resolve(), path.resolve().parent):
         reason = f"its weights are in {name}, a symbolic link to another folder"
-        raise FileError(path, reason, remedy="Replace it by the file that it links to")
+        raise FileError(path, reason, remedy="Replace the link with the file")

@@ -41,14 +41,14 @@ UNKNOWN = Head()
 
 
 @dataclasses.dataclass(frozen=True)
-class _Place:
+class _ValueRef:
     """A value, its graph, and the stack of function calls."""
 
     value: str
     graph: Graph
     calls: tuple[tuple[Graph, Node], ...] = ()
 
-    def producer(self) -> tuple[Node | None, _Place]:
+    def producer(self) -> tuple[Node | None, _ValueRef]:
         """The node that computes the value, across function boundaries. None for a model input."""
         here = self
         for _ in range(MAX_STEPS):
@@ -60,7 +60,7 @@ class _Place:
                 position = here.graph.inputs.index(here.value)
                 if position >= len(call.inputs):
                     return None, here
-                here = _Place(call.inputs[position], outer, here.calls[:-1])
+                here = _ValueRef(call.inputs[position], outer, here.calls[:-1])
                 continue
             function = _functions(here).get((node.domain, node.operation))
             if function is None:
@@ -68,10 +68,10 @@ class _Place:
             position = node.outputs.index(here.value)
             if position >= len(function.outputs):
                 return None, here
-            here = _Place(function.outputs[position], function, (*here.calls, (here.graph, node)))
+            here = _ValueRef(function.outputs[position], function, (*here.calls, (here.graph, node)))
         return None, here
 
-    def input(self, node: Node, position: int = 0) -> _Place:
+    def input(self, node: Node, position: int = 0) -> _ValueRef:
         value = node.inputs[position] if position < len(node.inputs) else ""
         return dataclasses.replace(self, value=value)
 
@@ -87,34 +87,34 @@ class _Place:
         return None
 
 
-def _functions(place: _Place) -> dict[tuple[str, str], Graph]:
-    return (place.calls[0][0] if place.calls else place.graph).functions
+def _functions(ref: _ValueRef) -> dict[tuple[str, str], Graph]:
+    return (ref.calls[0][0] if ref.calls else ref.graph).functions
 
 
 def find_head(graph: Graph, output: str) -> Head:
-    place, factor, is_inverted = _Place(output, graph), 1.0, False
+    ref, factor, is_inverted = _ValueRef(output, graph), 1.0, False
     for _ in range(MAX_STEPS):
-        node, place = place.producer()
+        node, ref = ref.producer()
         if node is None:
             return UNKNOWN
-        kind = _decides(node, place)
+        kind = _decides(node, ref)
         if kind is not None:
             return _head(kind, factor, is_inverted)
         if node.operation in _PASSING and not node.domain:
-            place = place.input(node)
+            ref = ref.input(node)
         elif node.operation == "Reciprocal":
-            place, factor, is_inverted = place.input(node), 1.0, not is_inverted
+            ref, factor, is_inverted = ref.input(node), 1.0, not is_inverted
         elif node.operation in ("Mul", "Div"):
-            first, second = (place.input(node, k).constant() for k in (0, 1))
+            first, second = (ref.input(node, k).constant() for k in (0, 1))
             if second:
                 factor = factor * second if node.operation == "Mul" else factor / second
-                place = place.input(node)
+                ref = ref.input(node)
             elif first and node.operation == "Mul":
-                factor, place = factor * first, place.input(node, 1)
+                factor, ref = factor * first, ref.input(node, 1)
             elif first:
-                place, factor, is_inverted = place.input(node, 1), 1.0, not is_inverted
+                ref, factor, is_inverted = ref.input(node, 1), 1.0, not is_inverted
             elif is_inverted and node.operation == "Mul":  # Depth Pro's focal length, from another output
-                place = place.input(node, _map_of(node, place))
+                ref = ref.input(node, _map_of(node, ref))
             else:
                 return UNKNOWN
         else:
@@ -132,54 +132,54 @@ def _head(kind: str, factor: float, is_inverted: bool) -> Head:
     return Head(kind, factor)
 
 
-def _decides(node: Node, place: _Place) -> str | None:
+def _decides(node: Node, ref: _ValueRef) -> str | None:
     """The kind of map that a node produces, or None if it only passes values on."""
     if node.operation == "Relu" or node.attributes.get("activation") == "Relu":
         return INVERSE
-    if node.operation == "Clip" and place.input(node, 1).constant() == 0 and place.input(node, 2).constant() is None:
+    if node.operation == "Clip" and ref.input(node, 1).constant() == 0 and ref.input(node, 2).constant() is None:
         return INVERSE
-    if node.operation == "Max" and len(node.inputs) == 2 and 0.0 in (place.input(node, k).constant() for k in (0, 1)):
+    if node.operation == "Max" and len(node.inputs) == 2 and 0.0 in (ref.input(node, k).constant() for k in (0, 1)):
         return INVERSE
     if node.operation == "Sigmoid" or node.attributes.get("activation") == "Sigmoid":
         return SIGMOID
     if node.operation == "Exp":
         return EXP
-    if node.operation == "ReduceSum" and _sums_bins(node, place):
+    if node.operation == "ReduceSum" and _sums_bins(node, ref):
         return BINS
-    if node.operation == "Sub" and _clamps(node, place):
+    if node.operation == "Sub" and _clamps(node, ref):
         return CLAMPED
     return None
 
 
-def _through(place: _Place) -> tuple[Node | None, _Place]:
+def _through(ref: _ValueRef) -> tuple[Node | None, _ValueRef]:
     """The node that computes a value, skipping pass-through nodes."""
     for _ in range(MAX_STEPS):
-        node, place = place.producer()
+        node, ref = ref.producer()
         if node is None or node.operation not in _PASSING or node.domain:
-            return node, place
-        place = place.input(node)
-    return None, place
+            return node, ref
+        ref = ref.input(node)
+    return None, ref
 
 
-def _sums_bins(node: Node, place: _Place) -> bool:
-    product, there = _through(place.input(node))
+def _sums_bins(node: Node, ref: _ValueRef) -> bool:
+    product, there = _through(ref.input(node))
     if product is None or product.operation != "Mul":
         return False
     factors = (_through(there.input(product, k))[0] for k in (0, 1))
     return any(each is not None and each.operation == "Softmax" for each in factors)
 
 
-def _clamps(node: Node, place: _Place) -> bool:
+def _clamps(node: Node, ref: _ValueRef) -> bool:
     """True for a - ReLU(a - x)."""
-    limit = place.input(node).constant()
-    inner, there = _through(place.input(node, 1))
+    limit = ref.input(node).constant()
+    inner, there = _through(ref.input(node, 1))
     if limit is None or inner is None or inner.operation != "Relu":
         return False
     last, there = _through(there.input(inner))
     return last is not None and last.operation == "Sub" and there.input(last).constant() == limit
 
 
-def _map_of(node: Node, place: _Place) -> int:
+def _map_of(node: Node, ref: _ValueRef) -> int:
     """Which factor of a product comes from a ReLU: the map, not a scalar."""
-    second, _ = _through(place.input(node, 1))
+    second, _ = _through(ref.input(node, 1))
     return 1 if second is not None and second.operation == "Relu" else 0

@@ -38,7 +38,7 @@ class Placement:
         return self.used[1] / (self.width + 2 * self.border[1]), self.used[0] / (self.height + 2 * self.border[0])
 
 
-def place(preset: Preset, height: int, width: int, fixed: tuple[int | None, int | None]) -> Placement:
+def placement_of(preset: Preset, height: int, width: int, fixed: tuple[int | None, int | None]) -> Placement:
     """Placement of an image in an input with these fixed rows and columns (None: dynamic)."""
     border = (0, 0)
     if preset.reflects and not any(fixed):
@@ -66,18 +66,18 @@ def prepare(preset: Preset, picture: NDArray[np.uint8], placement: Placement) ->
     if used == (placement.rows, placement.columns):
         return values
     filling = (np.array([0.485, 0.456, 0.406]) * preset.levels - np.array(preset.mean)) / np.array(preset.std)
-    whole = np.empty((3, placement.rows, placement.columns), np.float32)
-    whole[:] = filling.astype(np.float32)[:, None, None]
+    padded = np.empty((3, placement.rows, placement.columns), np.float32)
+    padded[:] = filling.astype(np.float32)[:, None, None]
     inside = slice(placement.top, placement.top + used[0]), slice(placement.left, placement.left + used[1])
-    whole[:, *inside] = values
-    return whole
+    padded[:, *inside] = values
+    return padded
 
 
 def bring_back(values: Map, placement: Placement) -> Map:
     top, left, used, (down, across) = placement.top, placement.left, placement.used, placement.border
     size = placement.height + 2 * down, placement.width + 2 * across
-    whole = resize(values[top : top + used[0], left : left + used[1]], size)
-    return whole[down : size[0] - down, across : size[1] - across]
+    resized = resize(values[top : top + used[0], left : left + used[1]], size)
+    return resized[down : size[0] - down, across : size[1] - across]
 
 
 def resize(values: Map, size: tuple[int, int], kind: Image.Resampling = Image.Resampling.BILINEAR) -> Map:

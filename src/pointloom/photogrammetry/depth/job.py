@@ -26,7 +26,7 @@ from ...pcd.cloud import PointCloud
 from ...visualization.render.picture_files import check_picture, save_picture
 from ...visualization.render.render import render
 from ...visualization.render.view import View
-from ..sfm.picture_folder import check_place
+from ..sfm.picture_folder import check_path
 from .alignment import AlignmentError
 from .estimation import ARBITRARY, DepthEstimate, estimate_depth
 from .network import DepthModel
@@ -37,7 +37,7 @@ from .settings import DepthSettings
 
 REFERENCES = (".npy", ".png", ".txt", ".csv")  # with the image's name
 SHOWN_SIDE = 1280  # [px] longer side of the rendered cloud
-ASIDE = math.radians(14), math.radians(9)  # viewpoint right of and above the camera
+VIEW_ANGLES = math.radians(14), math.radians(9)  # viewpoint right of and above the camera
 
 
 def depth_of_pictures(
@@ -81,28 +81,28 @@ def depth_of_pictures(
         pointloom.core.errors.FileError: cloud.mp3: clouds are not written to .mp3. Give a name that ends in one of ...
     """
     settings = _checked(settings)
-    say, clock = check_progress(progress), Clock()
-    place = check_place("source", source)
-    folder = place if place.is_dir() else None
-    jobs = _jobs(place, check_place("output", output), folder, overwrite)
+    report, clock = check_progress(progress), Clock()
+    source_path = check_path("source", source)
+    folder = source_path if source_path.is_dir() else None
+    jobs = _jobs(source_path, check_path("output", output), folder, overwrite)
     extras = _Extras(folder, depth_map, picture, overwrite)
     where = resolve_device(device)
     options = settings.of_each_picture()
-    network = DepthModel(check_place("model", model), settings.preset, device=device)
+    network = DepthModel(check_path("model", model), settings.preset, device=device)
     clock.stop("open")
     references = _AlignTo(settings.align, jobs, is_folder=folder is not None)
     pictures, failures = [], []
     first: Exception | None = None
     for done, (path, target) in enumerate(jobs):
         if folder is not None:
-            say("pictures", done, len(jobs))
+            report("pictures", done, len(jobs))
         try:
-            found = estimate_depth(path, network, align=references(path), progress=say, **options)
+            estimate = estimate_depth(path, network, align=references(path), progress=report, **options)
             clock.stop("depth")
-            cloud = found.to_point_cloud(keep_edges=settings.keep_edges, device=where)
+            cloud = estimate.to_point_cloud(keep_edges=settings.keep_edges, device=where)
             clock.stop("cloud")
-            files = extras.write(found, cloud, target, clock)
-            pictures.append(PictureDepth.of(found, os.fspath(path), len(cloud), files))
+            files = extras.write(estimate, cloud, target, clock)
+            pictures.append(PictureDepth.of(estimate, os.fspath(path), len(cloud), files))
         except AlignmentError as error:
             clock.stop("depth")
             failures.append(DepthFailure(os.fspath(path), str(error), refused=True))
@@ -114,7 +114,7 @@ def depth_of_pictures(
     if first is not None and len(pictures) == 0 and not any(failure.refused for failure in failures):
         raise first
     if folder is not None:
-        say("pictures", len(jobs), len(jobs))
+        report("pictures", len(jobs), len(jobs))
     license, provider = PRESETS[network.preset].license, network.provider
     run = network.path, network.preset, license, provider, str(where), tuple(pictures), tuple(failures)
     return DepthReport(os.fspath(source), folder is not None, *run, clock.seconds, peak_bytes(), network.notes)
@@ -133,18 +133,24 @@ def _jobs(source: Path, output: Path, folder: Path | None, overwrite: bool) -> l
         return [(source, output)]
     pictures = sorted(path for path in folder.iterdir() if path.suffix.lower() in SUFFIXES and path.is_file())
     if not pictures:
-        raise FileError(folder, f"holds no pictures ({' '.join(SUFFIXES)})", remedy="Give another folder")
+        raise FileError(folder, f"contains no images ({' '.join(SUFFIXES)})", remedy="Give another folder")
     if output.suffix.lower() in WRITTEN:
-        raise FileError(output, "is one cloud, for a folder of pictures", remedy="Give the name of a folder")
+        raise FileError(
+            output, "is a single cloud, but the source is a folder of images", remedy="Give the name of a folder"
+        )
     jobs = [(path, output / f"{path.stem}.ply") for path in pictures]
     names = [target.name for _, target in jobs]
     for (path, target), name in zip(jobs, names, strict=True):
         if names.count(name) > 1:
-            raise FileError(path, f"another picture would become {target.name} too", remedy="Rename one of them")
+            raise FileError(
+                path, f"another image would also be written to {target.name}", remedy="Rename one of the images"
+            )
     try:
         output.mkdir(exist_ok=True)
     except OSError as error:
-        raise FileError(output, f"cannot be made: {error.strerror or error}", remedy="Make its parent first") from error
+        raise FileError(
+            output, f"cannot be created: {error.strerror or error}", remedy="Create its parent folder first"
+        ) from error
     for _, target in jobs:
         check_writable(target, overwrite=overwrite)
     return jobs
@@ -165,7 +171,7 @@ class _AlignTo:
         if own := self._own(picture):
             return own
         names = " or ".join(picture.stem + suffix for suffix in REFERENCES)
-        raise FileError(self._folder, f"holds no {names}", remedy="Each picture wants its own")
+        raise FileError(self._folder, f"contains no {names}", remedy="Each image needs its own file")
 
     def _own(self, picture: Path) -> Path | None:
         assert self._folder is not None
@@ -179,10 +185,10 @@ class _Extras:
     def __init__(self, folder: Path | None, depth_map: FilePath | None, picture: FilePath | None, overwrite: bool):
         for name, path in (("depth_map", depth_map), ("picture", picture)):
             if path is not None:
-                check_place(name, path)
+                check_path(name, path)
         for name, path in (("--depth-map", depth_map), ("--picture", picture)):
             if folder is not None and path is not None:
-                raise FileError(path, f"{name} is for one picture", remedy="Give one picture in place of the folder")
+                raise FileError(path, f"{name} requires a single image", remedy="Give one image instead of the folder")
         if picture is not None:
             check_picture(picture, overwrite=overwrite)
         if depth_map is not None:
@@ -191,47 +197,49 @@ class _Extras:
             check_writable(depth_map, overwrite=overwrite)
         self._depth_map, self._picture, self._overwrite = depth_map, picture, overwrite
 
-    def write(self, found: DepthEstimate, cloud: PointCloud, target: Path, clock: Clock) -> tuple[str, ...]:
+    def write(self, estimate: DepthEstimate, cloud: PointCloud, target: Path, clock: Clock) -> tuple[str, ...]:
         files = []
         if len(cloud):
             if target.suffix.lower() == ".ply":
-                write_ply(target, table_of(cloud), overwrite=self._overwrite, comments=[_unit_comment(found)])
+                write_ply(target, table_of(cloud), overwrite=self._overwrite, comments=[_unit_comment(estimate)])
             else:
                 write_point_cloud(target, cloud, overwrite=self._overwrite)
             files.append(os.fspath(target))
         if (path := self._depth_map) is not None:
             with atomic_write(path, overwrite=self._overwrite) as file:
-                np.save(file, found.depth)
+                np.save(file, estimate.depth)
             files.append(os.fspath(path))
         clock.stop("write")
         if (path := self._picture) is not None and len(cloud):
-            image = render(cloud, view_aside(found.intrinsic, float(np.median(found.depth[found.depth > 0]))))
+            image = render(
+                cloud, oblique_view(estimate.intrinsic, float(np.median(estimate.depth[estimate.depth > 0])))
+            )
             save_picture(path, image, overwrite=self._overwrite)
             files.append(os.fspath(path))
             clock.stop("picture")
         return tuple(files)
 
 
-def _unit_comment(found: DepthEstimate) -> str:
-    if found.unit == ARBITRARY:
+def _unit_comment(estimate: DepthEstimate) -> str:
+    if estimate.unit == ARBITRARY:
         return "pointloom depth: units arbitrary, the nearest point at depth 1; align to get meters"
-    if found.unit == "m":
+    if estimate.unit == "m":
         return "pointloom depth: meters"
     return "pointloom depth: in the unit of the sparse model"
 
 
-def view_aside(intrinsic: PinholeCameraIntrinsic, distance: float) -> View:
+def oblique_view(intrinsic: PinholeCameraIntrinsic, distance: float) -> View:
     """The camera's view from slightly right and above, rotated about a point at this distance."""
     camera = intrinsic.scaled(min(1.0, SHOWN_SIDE / max(intrinsic.width, intrinsic.height)))
-    yaw, pitch = ASIDE
-    back = _turn(1, -yaw) @ _turn(0, -pitch)
+    yaw, pitch = VIEW_ANGLES
+    back = _rotation(1, -yaw) @ _rotation(0, -pitch)
     T_world_camera = np.eye(4)
     T_world_camera[:3, :3] = back
     T_world_camera[:3, 3] = np.array([0, 0, distance]) - back @ np.array([0, 0, 1.1 * distance])
     return View(camera, T_world_camera)
 
 
-def _turn(axis: int, angle: float) -> NDArray[np.float64]:
+def _rotation(axis: int, angle: float) -> NDArray[np.float64]:
     """Rotation about x (0) or y (1)."""
     c, s = math.cos(angle), math.sin(angle)
     return np.array([[1, 0, 0], [0, c, -s], [0, s, c]] if axis == 0 else [[c, 0, s], [0, 1, 0], [-s, 0, c]])

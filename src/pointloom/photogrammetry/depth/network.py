@@ -24,17 +24,17 @@ from ...io.optional_imports import import_for
 from ...io.source import content_errors, open_source
 from .graph import NO_MODEL, WEIGHTS_REMEDY, Graph, load_graph
 from .heads import BINS, BROKEN, CLAMPED, EXP, INVERSE, RECIPROCAL, SIGMOID, Head, find_head
-from .inputs import Map, Placement, place, prepare
+from .inputs import Map, Placement, placement_of, prepare
 from .network_outputs import Reading, ReadingError, read_outputs
 from .photos import Photo, camera_of, take_photo
 from .presets import DEFAULT, PRESETS, Preset, find_preset
 
 TYPES = {"tensor(float)": np.float32, "tensor(float16)": np.float16}
-WHOLE = ("tensor(int64)",)
-NOT_THE_MODEL = "Check that the file is the model that the preset names"
+INTEGER_TYPES = ("tensor(int64)",)
+NOT_THE_MODEL = "Check that the preset matches the model"
 
 # Names of inputs and outputs that one network's exports alone have.
-_TELLING = {
+_FAMILY_BY_NAME = {
     "num_tokens": "moge-2", "metric_scale": "moge-2",
     "focallength_px": "depth-pro", "field_of_view": "depth-pro", "fov_deg": "depth-pro",
     "canonical_inverse_depth": "depth-pro",
@@ -44,18 +44,18 @@ _TELLING = {
 }  # fmt: skip
 
 _HEADS = {
-    INVERSE: ("a ReLU, as networks of relative inverse depth do", ("depth-anything-v2", "dpt", "midas-v2.1")),
-    SIGMOID: ("a sigmoid times {factor:g}, as networks of depth up to {factor:g} m do", ("depth-anything-v2-metric",)),
-    BINS: ("a sum over bins of depth, as networks of metric depth do", ("zoedepth", "metric3d-convnext")),
-    RECIPROCAL: ("one over an inverse depth, so it gives depth", ("depth-pro",)),
-    EXP: ("an exponential, as networks of depth do", ("depth-anything-3", "depth-anything-3-metric")),
-    CLAMPED: ("depth that is clamped to a range", ("metric3d-v2", "metric3d-convnext")),
+    INVERSE: ("a ReLU, typical of relative inverse depth", ("depth-anything-v2", "dpt", "midas-v2.1")),
+    SIGMOID: ("a sigmoid times {factor:g}, typical of depth up to {factor:g} m", ("depth-anything-v2-metric",)),
+    BINS: ("a sum over depth bins, typical of metric depth", ("zoedepth", "metric3d-convnext")),
+    RECIPROCAL: ("the reciprocal of an inverse depth, so its output is depth", ("depth-pro",)),
+    EXP: ("an exponential, typical of depth", ("depth-anything-3", "depth-anything-3-metric")),
+    CLAMPED: ("depth clamped to a range", ("metric3d-v2", "metric3d-convnext")),
 }
 
 _MEANINGS = {
-    "inverse": "more where something is nearer",
-    "depth": "more where something is farther",
-    "metric": "meters, more where something is farther",
+    "inverse": "inverse depth, larger for nearer points",
+    "depth": "depth, larger for farther points",
+    "metric": "depth in meters, larger for farther points",
 }
 
 
@@ -82,23 +82,23 @@ def check_head(path: str, graph: Graph, signature: Signature, preset: Preset) ->
     head = find_head(graph, signature.outputs["depth"])
     if head.kind == BROKEN:
         reason = (
-            f"ends in a ReLU times {head.factor:g}: a metric network that was exported with the last function of the "
-            "relative one, so its depth is 0 or far too large"
+            f"ends in a ReLU times {head.factor:g}: a metric network that was exported with the output function of the "
+            "relative network, so its depth is 0 or far too large"
         )
-        raise FileError(path, reason, remedy="Take an export made since October 2024, which ends in a sigmoid")
+        raise FileError(path, reason, remedy="Use an export made since October 2024, which ends in a sigmoid")
     if head.kind is None:
         _check_canvas(path, signature, preset)
         return _by_outputs(path, signature) if preset.reading == "canonical" else head
     if preset.heads and head.kind not in preset.heads:
         words, presets = _HEADS[head.kind]
         is_contrary = (preset.output == "inverse") != (head.kind == INVERSE)
-        own = f"gives {_MEANINGS[preset.output]}" if is_contrary else "does not"
+        own = f"outputs {_MEANINGS[preset.output]}" if is_contrary else "does not"
         reason = f"ends in {words.format(factor=head.factor)}; {preset.name} {own}"
-        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+        raise FileError(path, reason, remedy=f"Use the preset {' or '.join(presets)}")
     if preset.reading == "canonical" and head.kind == INVERSE and not _is_canonical(signature, preset):
         words, presets = _HEADS[INVERSE]
-        reason = f"ends in {words}, and neither its size nor its outputs are those of {preset.name}"
-        raise FileError(path, reason, remedy=f"Take the preset {' or '.join(presets)}")
+        reason = f"ends in {words}, but its size and its outputs do not match {preset.name}"
+        raise FileError(path, reason, remedy=f"Use the preset {' or '.join(presets)}")
     return head
 
 
@@ -117,8 +117,8 @@ def _check_canvas(path: str, signature: Signature, preset: Preset) -> None:
     canvas = next((each for each in PRESETS.values() if each.levels > 1 and signature.fixed in each.fixed), None)
     if canvas is not None and preset.levels == 1:
         rows, columns = signature.fixed
-        reason = f"takes {rows} x {columns} pixels, as {canvas.name} does, and says nothing of {preset.name}"
-        raise FileError(path, reason, remedy=f"Take the preset {canvas.name}")
+        reason = f"has an input of {rows} x {columns} pixels, the size of {canvas.name}, not of {preset.name}"
+        raise FileError(path, reason, remedy=f"Use the preset {canvas.name}")
 
 
 def _by_outputs(path: str, signature: Signature) -> Head:
@@ -127,44 +127,47 @@ def _by_outputs(path: str, signature: Signature) -> Head:
         return Head(RECIPROCAL)
     if "view" in signature.outputs or signature.outputs["depth"] == "canonical_inverse_depth":
         return Head(INVERSE)
-    reason = "does not say whether it gives meters or canonical inverse depth"
-    raise FileError(path, reason, remedy="Export it with its focal length or its field of view")
+    reason = "does not specify whether its output is depth in meters or canonical inverse depth"
+    raise FileError(path, reason, remedy="Export it with the focal length or field of view as an output")
 
 
 def note_on(head: Head, preset: Preset) -> str | None:
     if head.kind is None and preset.heads:
         return (
-            f"the file does not say that its map is {_MEANINGS[preset.output]}, {preset.name} does: look whether near "
-            "is near, or align, which refuses the contrary"
+            f"the file does not specify that its map is {_MEANINGS[preset.output]}, as {preset.name} assumes: check "
+            "that near points are near, or align, which rejects an inverted map"
         )
     if preset.output == "metric" and preset.reading == "map":
         twins = (each for each in PRESETS.values() if each.output != "metric" and head.kind in each.heads)
         if (twin := next(twins, None)) is not None:
-            return f"the file does not say that its depth is in meters, {preset.name} does: {twin.name} ends as it does"
+            return (
+                f"the file does not specify that its depth is in meters, as {preset.name} assumes: "
+                f"{twin.name} has the same head"
+            )
     return None
 
 
 def _check_names(path: str, session: Any, preset: Preset) -> None:
     names = [each.name for each in (*session.get_inputs(), *session.get_outputs())]
-    told = {_TELLING[name]: name for name in names if name in _TELLING}
+    families = {_FAMILY_BY_NAME[name]: name for name in names if name in _FAMILY_BY_NAME}
     family = "metric3d-v2" if preset.name == "metric3d-convnext" else preset.name
-    if told and family not in told:
-        other, name = next(iter(told.items()))
-        reason = f"has {name!r}, as {other} does and {preset.name} does not"
-        raise FileError(path, reason, remedy=f"Take the preset {other}")
+    if families and family not in families:
+        other, name = next(iter(families.items()))
+        reason = f"contains {name!r}, which {other} has and {preset.name} does not"
+        raise FileError(path, reason, remedy=f"Use the preset {other}")
 
 
 def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tuple[int | None, int | None], Any]:
     numbers = [each for each in session.get_inputs() if each.name in preset.numbers]
     inputs = [each for each in session.get_inputs() if each.name not in preset.numbers]
     for each in numbers:
-        if each.type not in WHOLE or any(side != 1 for side in each.shape or []):
-            reason = f"is {each.type} {each.shape}; {preset.name} takes one whole number"
+        if each.type not in INTEGER_TYPES or any(side != 1 for side in each.shape or []):
+            reason = f"expected one integer for {preset.name}, got {each.type} {each.shape}"
             raise FileError(path, reason, where=f"input {each.name!r}", remedy=NOT_THE_MODEL)
     if len(inputs) != 1:
         names = ", ".join(each.name for each in inputs) or "none"
-        reason = f"has the inputs {names}; {preset.name} has one, the picture"
-        raise FileError(path, reason, remedy="Export it without the others, or give another preset")
+        reason = f"expected one input for {preset.name}, the image, got {names}"
+        raise FileError(path, reason, remedy="Export it without the other inputs, or give another preset")
     wanted = "[1, 3, h, w]" + (" or [1, 1, 3, h, w]" if preset.takes_views else "")
     the_input = inputs[0]
     shape, where = list(the_input.shape or []), f"input {the_input.name!r}"
@@ -172,10 +175,12 @@ def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tu
     heads = [1, 1, 3] if views else [1, 3]
     is_picture = len(shape) == len(heads) + 2 and shape[-1] != 3  # otherwise the colors are last
     if not is_picture or any(isinstance(a, int) and a != b for a, b in zip(shape, heads, strict=False)):
-        reason = f"is {the_input.type} {shape}; {preset.name} takes {wanted}"
+        reason = f"expected {wanted} for {preset.name}, got {the_input.type} {shape}"
         raise FileError(path, reason, where=where, remedy=NOT_THE_MODEL)
     if the_input.type not in TYPES:
-        raise FileError(path, f"is {the_input.type}; {preset.name} takes floats", where=where, remedy=NOT_THE_MODEL)
+        raise FileError(
+            path, f"expected floats for {preset.name}, got {the_input.type}", where=where, remedy=NOT_THE_MODEL
+        )
     rows, columns = (side if isinstance(side, int) and side > 0 else None for side in shape[-2:])
     _check_fixed(path, where, preset, rows, columns)
     given = tuple((each.name, preset.numbers[each.name], tuple(each.shape or ())) for each in numbers)
@@ -185,14 +190,14 @@ def _check_input(path: str, session: Any, preset: Preset) -> tuple[Any, bool, tu
 def _check_fixed(path: str, where: str, preset: Preset, rows: int | None, columns: int | None) -> None:
     if preset.fixed and not any(rows in (None, size[0]) and columns in (None, size[1]) for size in preset.fixed):
         sizes = " or ".join(f"{height} x {width}" for height, width in preset.fixed)
-        reason = f"has {rows or 'any'} rows and {columns or 'any'} columns; {preset.name} has {sizes}"
+        reason = f"expected {sizes} for {preset.name}, got {rows or 'any'} rows and {columns or 'any'} columns"
         other = next((each.name for each in PRESETS.values() if (rows, columns) in each.fixed), None)
         remedy = NOT_THE_MODEL if other is None else f"{NOT_THE_MODEL}; {other} has this size"
         raise FileError(path, reason, where=where, remedy=remedy)
     for side in (rows, columns):
         if side is not None and side % preset.multiple:
-            reason = f"has a side of {side}, which is no multiple of {preset.multiple} as {preset.name} needs"
-            remedy = f"Export it with sides of a multiple of {preset.multiple}; its map would lack rows or columns"
+            reason = f"expected sides that are multiples of {preset.multiple} for {preset.name}, got {side}"
+            remedy = "Export it with such sides; otherwise its map lacks rows or columns"
             remedy += f" ({preset.name} is the default; another network: --preset)" if preset.name == DEFAULT else ""
             raise FileError(path, reason, where=where, remedy=remedy)
 
@@ -203,23 +208,23 @@ def _check_outputs(path: str, session: Any, preset: Preset) -> dict[str, str]:
     is_alone = len(names) == 1 and not preset.needed
     name = next((name for name in preset.outputs if name in names), names[0] if is_alone else None)
     if name is None:
-        reason = f"has the outputs {', '.join(names)}; {preset.name} has {' or '.join(preset.outputs)}"
+        reason = f"expected the output {' or '.join(preset.outputs)} for {preset.name}, got {', '.join(names)}"
         raise FileError(path, reason, remedy=NOT_THE_MODEL)
     output = outputs[names.index(name)]
     shape = output.shape
     if output.type not in TYPES or (shape and not 3 <= len(shape) <= 5):
-        reason = f"is {output.type} {shape}; {preset.name} gives a map, [1, h, w] or [1, 1, h, w] of floats"
+        reason = f"expected [1, h, w] or [1, 1, h, w] of floats for {preset.name}, got {output.type} {shape}"
         raise FileError(path, reason, where=f"output {name!r}", remedy=NOT_THE_MODEL)
-    found = {"depth": name}
-    for held, known in preset.others.items():
+    selected = {"depth": name}
+    for kind, known in preset.others.items():
         for each in names:
             if each in known and each != name:
-                found[held] = each
-    for held in preset.needed:
-        if held not in found:
-            reason = f"has the outputs {', '.join(names)}, and no {preset.others[held][0]}, as {preset.name} has"
+                selected[kind] = each
+    for kind in preset.needed:
+        if kind not in selected:
+            reason = f"expected the output {preset.others[kind][0]} for {preset.name}, got {', '.join(names)}"
             raise FileError(path, reason, remedy=NOT_THE_MODEL)
-    return found
+    return selected
 
 
 CUDA, CPU = "CUDAExecutionProvider", "CPUExecutionProvider"
@@ -230,7 +235,7 @@ _REMEDIES = (
     ("External data", WEIGHTS_REMEDY),
     ("IR version", "Update onnxruntime, or export the model with an older version of ONNX"),
     ("opset", "Update onnxruntime, or export the model with an older opset"),
-    ("No Op registered", "The model uses operations that this onnxruntime lacks; update it"),
+    ("No Op registered", "The model uses operations that this onnxruntime does not support; update it"),
 )
 
 
@@ -299,12 +304,12 @@ class DepthModel:
             FileError: The network fails, or outputs a wrong size, NaN, infinity or a constant.
             TypeError, ValueError: Not an image, or one that is too narrow for the network.
         """
-        return self._run_placed(take_photo(picture).color)[0]
+        return self._run_with_placement(take_photo(picture).color)[0]
 
     def _placement(self, height: int, width: int) -> Placement:
-        return place(self._preset, height, width, self._signature.fixed)
+        return placement_of(self._preset, height, width, self._signature.fixed)
 
-    def _run_placed(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
+    def _run_with_placement(self, picture: NDArray[np.uint8]) -> tuple[Map, Placement]:
         camera, _ = camera_of(Photo(picture))
         reading = self._read(picture, camera, is_known=False)
         return reading.values, reading.placement
@@ -350,12 +355,12 @@ def _open_session(path: str, device: Any, threads: int) -> Any:
         if (stopped := signal_exception(error, handled)) is not None:
             raise stopped from None
         text = str(error)
-        remedy = next((remedy for part, remedy in _REMEDIES if part in text), "Fetch or export the file again")
+        remedy = next((remedy for part, remedy in _REMEDIES if part in text), "Download or export the file again")
         raise FileError(path, f"{NO_MODEL}: {_first_line(error)}", remedy=remedy) from error
     if wants_cuda(device) and session.get_providers()[0] != CUDA:
         raise DeviceError(
-            f"device: {shown(str(device))} was asked for, but onnxruntime could not start CUDA and fell back to the "
-            'CPU; install the CUDA libraries that onnxruntime-gpu names, or take "cpu"'
+            f"device: {shown(str(device))} was requested, but onnxruntime could not start CUDA and fell back to the "
+            'CPU; install the CUDA libraries that onnxruntime-gpu requires, or use "cpu"'
         )
     return session
 
@@ -378,8 +383,8 @@ def _providers(ort: Any, device: Any) -> list[Any]:
     has_cuda = CUDA in ort.get_available_providers()
     if wants_cuda(device) and not has_cuda:
         raise DeviceError(
-            f"device: {shown(str(device))} was asked for, but this onnxruntime has no CUDA: install onnxruntime-gpu in "
-            'its place, or take "cpu"'
+            f"device: {shown(str(device))} was requested, but this onnxruntime has no CUDA; install onnxruntime-gpu "
+            'instead, or use "cpu"'
         )
     where = resolve_device(device)
     if where.is_cuda and has_cuda:

@@ -54,17 +54,17 @@ def recover_pinhole(points: Numbers, valid: NDArray[np.bool_], focal: tuple[floa
         return None
     x, y, z = (points[grid][seen][:, k].astype(np.float64) for k in range(3))
     near = float(np.percentile(z, NEAREST))
-    kept = z >= near
-    sample = _Sample(x[kept], y[kept], z[kept] - near, u[seen][kept], v[seen][kept])
+    far_enough = z >= near
+    sample = _Sample(x[far_enough], y[far_enough], z[far_enough] - near, u[seen][far_enough], v[seen][far_enough])
     if focal is not None:
         nearest, cost = sample.search(focal)
         return Pinhole(focal, nearest - near, cost**0.5)
     nearest, cost = sample.search(None)
-    found = sample.focal(nearest)
-    others = (found * OTHER_FOCAL, found / OTHER_FOCAL)
-    least = MIN_RISE**2 * cost + MIN_MISS**2 * float((sample.u**2 + sample.v**2).max())
-    is_fixed = found > 0 and all(sample.search((other, other))[1] > least for other in others)
-    return Pinhole((found, found) if is_fixed else None, nearest - near, cost**0.5)
+    best_focal = sample.focal(nearest)
+    others = (best_focal * OTHER_FOCAL, best_focal / OTHER_FOCAL)
+    min_rise = MIN_RISE**2 * cost + MIN_MISS**2 * float((sample.u**2 + sample.v**2).max())
+    is_fixed = best_focal > 0 and all(sample.search((other, other))[1] > min_rise for other in others)
+    return Pinhole((best_focal, best_focal) if is_fixed else None, nearest - near, cost**0.5)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -176,15 +176,15 @@ def _own_focal(given: dict[str, Any], placement: Placement) -> float | None:
     """Depth Pro's focal length along x [image px]."""
     if "focal" in given:
         focal = _number(given["focal"]) * placement.width / placement.columns
-        said = f"a focal length of {focal:g} px for {placement.width} columns"
+        description = f"a focal length of {focal:g} px for {placement.width} columns"
     elif "view" in given:
         view = _number(given["view"])
         focal = placement.width / 2 / max(math.tan(math.radians(view) / 2), 1e-9) if 0 < view < 180 else 0.0
-        said = f"a field of view of {view:g} degrees"
+        description = f"a field of view of {view:g} degrees"
     else:
         return None
     if not FOCALS[0] < focal / placement.width < FOCALS[1]:
-        raise ReadingError(f"gave {said}, which no lens has")
+        raise ReadingError(f"returned {description}, which no lens has")
     return focal
 
 
@@ -193,53 +193,51 @@ def _read_points(given: dict[str, Any], placement: Placement, focal: tuple[float
     rows, columns = placement.rows, placement.columns
     points = np.asarray(given["depth"], np.float64)
     if points.shape != (1, rows, columns, 3):
-        raise ReadingError(f"gave points of {list(points.shape)}, expected [1, {rows}, {columns}, 3]")
+        raise ReadingError(f"expected points of shape [1, {rows}, {columns}, 3], got {list(points.shape)}")
     valid = np.isfinite(points[0]).all(-1)
     if "mask" in given:
         mask = np.asarray(given["mask"], np.float32)
         if mask.size != rows * columns:
-            raise ReadingError(f"gave a mask of {list(mask.shape)}, expected [1, {rows}, {columns}]")
+            raise ReadingError(f"expected a mask of shape [1, {rows}, {columns}], got {list(mask.shape)}")
         valid &= mask.reshape(rows, columns) > MIN_MASK
     scale = _number(given["scale"])
     if not scale > 0:
-        raise ReadingError(f"gave a scale of {scale:g}")
+        raise ReadingError(f"expected a scale > 0, got {scale:g}")
     inside = np.zeros((rows, columns), bool)
     inside[_inside(placement)] = True
     across, down = placement.scale
     of_map = focal[0] * across, focal[1] * down
-    found = recover_pinhole(points[0], valid & inside, of_map if is_known else None)
-    fixed = found is not None and found.focal is not None
-    if found is not None and not fixed:
-        found = recover_pinhole(points[0], valid & inside, of_map)
-    if found is None or found.focal is None:
-        raise ReadingError("gave hardly a point that is not sky")
-    error = found.error / math.hypot(*placement.used) * 2
+    pinhole = recover_pinhole(points[0], valid & inside, of_map if is_known else None)
+    fixed = pinhole is not None and pinhole.focal is not None
+    if pinhole is not None and not fixed:
+        pinhole = recover_pinhole(points[0], valid & inside, of_map)
+    if pinhole is None or pinhole.focal is None:
+        raise ReadingError("returned almost no points outside the sky")
+    error = pinhole.error / math.hypot(*placement.used) * 2
     if error > MAX_ERROR:
-        camera, remedy = ("the camera given", "Check the camera") if is_known else ("any focal length", None)
-        reason = (
-            f"gave points that do not lie where their pixels are, by {error:.0%} of half the diagonal, with {camera}"
-        )
+        camera, remedy = ("the given camera", "Check the camera") if is_known else ("any focal length", None)
+        reason = f"returned points that project {error:.0%} of half the diagonal away from their pixels, with {camera}"
         raise ReadingError(reason, remedy)
-    z = np.where(valid, scale * (points[0, ..., 2] + found.shift), np.nan).astype(np.float32)
+    z = np.where(valid, scale * (points[0, ..., 2] + pinhole.shift), np.nan).astype(np.float32)
     middle = (placement.width - 1) / 2, (placement.height - 1) / 2
-    own = OwnCamera(found.focal[0] / across, found.focal[1] / down, *middle) if fixed and not is_known else None
+    own = OwnCamera(pinhole.focal[0] / across, pinhole.focal[1] / down, *middle) if fixed and not is_known else None
     return Reading(bring_back(z, placement), placement, own, is_metric=fixed)
 
 
 def _read_with_camera(given: dict[str, Any], placement: Placement) -> Reading:
-    found = np.asarray(given["depth"], np.float32)
-    if found.shape == (1, 3, placement.rows, placement.columns):
-        found = found[:, 2]
-    depth = bring_back(_with_range(_plane(found, placement)), placement)
+    maps = np.asarray(given["depth"], np.float32)
+    if maps.shape == (1, 3, placement.rows, placement.columns):
+        maps = maps[:, 2]
+    depth = bring_back(_with_range(_plane(maps, placement)), placement)
     if "camera" not in given:
         return Reading(depth, placement)
     matrix = np.asarray(given["camera"], np.float64)
     if matrix.size != 9 or not np.isfinite(matrix).all():
-        raise ReadingError(f"gave a camera of {list(matrix.shape)}, expected [1, 3, 3]")
+        raise ReadingError(f"expected a finite camera of shape [1, 3, 3], got {list(matrix.shape)}")
     (fx, _, cx), (_, fy, cy), _ = matrix.reshape(3, 3)
     across, down = placement.scale
     if not all(FOCALS[0] < focal / placement.used[1] < FOCALS[1] for focal in (fx, fy)):
-        raise ReadingError(f"gave focal lengths of {fx:g} and {fy:g} px, which no lens has")
+        raise ReadingError(f"returned focal lengths of {fx:g} and {fy:g} px, which no lens has")
     # UniDepth's pixel centers are at half integers
     middle = (cx - placement.left) / across - 0.5, (cy - placement.top) / down - 0.5
     return Reading(depth, placement, OwnCamera(fx / across, fy / down, *middle))
@@ -247,19 +245,19 @@ def _read_with_camera(given: dict[str, Any], placement: Placement) -> Reading:
 
 def _plane(given: Any, placement: Placement) -> Map:
     size = (placement.rows, placement.columns)
-    found = list(np.shape(given))
-    if len(found) < 3 or tuple(found[-2:]) != size or any(extent != 1 for extent in found[:-2]):
-        raise ReadingError(f"gave {found} for an input of {size[0]} x {size[1]}, expected [1, {size[0]}, {size[1]}]")
+    shape = list(np.shape(given))
+    if len(shape) < 3 or tuple(shape[-2:]) != size or any(extent != 1 for extent in shape[:-2]):
+        raise ReadingError(f"expected [1, {size[0]}, {size[1]}] for an input of {size[0]} x {size[1]}, got {shape}")
     values = np.asarray(given, np.float32).reshape(size)
     if not np.isfinite(values).all():
         share = 1 - np.isfinite(values).mean()
-        raise ReadingError(f"{share:.1%} of what it gave is NaN or infinite", "Take a float32 export of it")
+        raise ReadingError(f"{share:.1%} of the output is NaN or infinite", "Use a float32 export of the model")
     return values
 
 
 def _with_range(values: Map) -> Map:
     if values.size > 1 and np.nanmax(values) == np.nanmin(values):
-        raise ReadingError(f"gave {np.nanmax(values):g} for every pixel, so no depth was seen")
+        raise ReadingError(f"returned {np.nanmax(values):g} for every pixel, so there is no depth")
     return values
 
 
@@ -271,5 +269,5 @@ def _inside(placement: Placement) -> tuple[slice, slice]:
 def _number(given: Any) -> float:
     array: NDArray[Any] = np.asarray(given)
     if array.size != 1 or not np.isfinite(array).all():
-        raise ReadingError(f"gave {list(array.shape)} where one number was expected")
+        raise ReadingError(f"expected one number, got shape {list(array.shape)}")
     return float(array.reshape(-1)[0])

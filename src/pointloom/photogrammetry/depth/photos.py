@@ -27,17 +27,17 @@ _DIAGONAL_35MM = math.hypot(36.0, 24.0)  # [mm] 35 mm film, for equivalent focal
 _MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # unit of focal plane resolutions
 
 # EXIF orientations as (mirror left to right, quarter turns).
-_TURNS = {2: (True, 0), 3: (False, 2), 4: (True, 2), 5: (True, 1), 6: (False, 3), 7: (True, 3), 8: (False, 1)}
+_ROTATIONS = {2: (True, 0), 3: (False, 2), 4: (True, 2), 5: (True, 1), 6: (False, 3), 7: (True, 3), 8: (False, 1)}
 
 
 @dataclasses.dataclass(frozen=True, eq=False)
 class Photo:
-    """An upright image, uint8 [h, w, 3], with its EXIF focal length [px]; `is_turned`: rows and columns swapped."""
+    """An upright image, uint8 [h, w, 3], with its EXIF focal length [px]; `is_rotated`: rows and columns swapped."""
 
     color: NDArray[np.uint8]
     name: str | None = None
     focal: float | None = None
-    is_turned: bool = False
+    is_rotated: bool = False
 
 
 def take_photo(picture: Any) -> Photo:
@@ -72,11 +72,11 @@ def _read_photo(path: str | os.PathLike[str]) -> Photo:
     is_deep_gray = header.channels == 1 and header.bits == 16
     color = _three_colors(read_depth(path)) if is_deep_gray else read_color(path)
     tags = _exif_tags(path, header.kind)
-    mirror, turns = _TURNS.get(tags.get(_ORIENTATION, 1), (False, 0))
+    mirror, rotations = _ROTATIONS.get(tags.get(_ORIENTATION, 1), (False, 0))
     height, width = color.shape[:2]
-    upright = np.rot90(color[:, ::-1] if mirror else color, turns)
+    upright = np.rot90(color[:, ::-1] if mirror else color, rotations)
     focal = _exif_focal(tags, width, height)
-    return Photo(np.ascontiguousarray(upright), Path(path).name, focal, turns % 2 == 1)
+    return Photo(np.ascontiguousarray(upright), Path(path).name, focal, rotations % 2 == 1)
 
 
 def _exif_tags(path: Any, kind: str) -> dict[int, Any]:

@@ -17,7 +17,7 @@ FEW_POINTS = 0.2  # fraction of the pixels
 
 @dataclass(frozen=True, eq=False)
 class PictureDepth(Assessed):
-    """Figures of one image as in `DepthEstimate`. Sizes are (width, height), `reach` is the depth range or None."""
+    """Figures of one image as in `DepthEstimate`. Sizes are (width, height), `depth_range` may be None."""
 
     picture: str
     size: tuple[int, int]
@@ -29,7 +29,7 @@ class PictureDepth(Assessed):
     references: int
     inlier_share: float | None
     tiles: tuple[int, int] | None
-    reach: tuple[float, float] | None
+    depth_range: tuple[float, float] | None
     intrinsic: PinholeCameraIntrinsic
     intrinsic_source: str
     point_count: int
@@ -37,30 +37,30 @@ class PictureDepth(Assessed):
     files: tuple[str, ...]
 
     @classmethod
-    def of(cls, found: DepthEstimate, picture: str, point_count: int, files: tuple[str, ...]) -> PictureDepth:
-        height, width = found.depth.shape
-        seen = found.depth[found.depth > 0]
+    def of(cls, estimate: DepthEstimate, picture: str, point_count: int, files: tuple[str, ...]) -> PictureDepth:
+        height, width = estimate.depth.shape
+        seen = estimate.depth[estimate.depth > 0]
         return cls(
             picture=picture,
             size=(width, height),
-            input_size=(found.input_size[1], found.input_size[0]),
-            unit=found.unit,
-            is_metric=found.is_metric,
-            scale=found.scale,
-            shift=found.shift,
-            references=found.references,
-            inlier_share=found.inlier_share,
-            tiles=found.tiles,
-            reach=(float(seen.min()), float(seen.max())) if len(seen) else None,
-            intrinsic=found.intrinsic,
-            intrinsic_source=found.intrinsic_source,
+            input_size=(estimate.input_size[1], estimate.input_size[0]),
+            unit=estimate.unit,
+            is_metric=estimate.is_metric,
+            scale=estimate.scale,
+            shift=estimate.shift,
+            references=estimate.references,
+            inlier_share=estimate.inlier_share,
+            tiles=estimate.tiles,
+            depth_range=(float(seen.min()), float(seen.max())) if len(seen) else None,
+            intrinsic=estimate.intrinsic,
+            intrinsic_source=estimate.intrinsic_source,
             point_count=point_count,
-            depth_share=len(seen) / found.depth.size,
+            depth_share=len(seen) / estimate.depth.size,
             files=files,
         )
 
     @property
-    def kept_share(self) -> float:
+    def point_share(self) -> float:
         return self.point_count / (self.size[0] * self.size[1])
 
     @property
@@ -68,15 +68,15 @@ class PictureDepth(Assessed):
         reasons, share = [], self.inlier_share
         if share is not None and share < FEW_INLIERS:
             reasons.append(
-                f"only {share:.0%} of the {self.references} references agree with the map within 10 %: check that they "
-                "are of this picture, and that the preset is the model's"
+                f"only {share:.0%} of the {self.references} references agree with the map within 10%: check that they "
+                "belong to this image, and that the preset matches the model"
             )
-        if self.kept_share < FEW_POINTS:
-            reasons.append(f"only {self.kept_share:.1%} of the pixels became points; keep edges, or align")
+        if self.point_share < FEW_POINTS:
+            reasons.append(f"only {self.point_share:.1%} of the pixels became points: keep edges, or align")
         return tuple(reasons)
 
     def to_dict(self) -> dict[str, Any]:
-        camera, (nearest, farthest) = self.intrinsic, self.reach or (None, None)
+        camera, (nearest, farthest) = self.intrinsic, self.depth_range or (None, None)
         return {
             "width": self.size[0],
             "height": self.size[1],
@@ -96,7 +96,7 @@ class PictureDepth(Assessed):
             },
             "points": self.point_count,
             "depth_share": self.depth_share,
-            "kept_share": self.kept_share,
+            "kept_share": self.point_share,
             "files": list(self.files),
             "picture": self.picture,
         }
@@ -105,11 +105,11 @@ class PictureDepth(Assessed):
         camera = self.intrinsic
         seen = f"{camera.width} x {camera.height}, f {camera.fx:.6g} {camera.fy:.6g}, from {self.intrinsic_source}"
         if self.intrinsic_source.startswith("assumed"):
-            seen += "\nshapes are stretched if the lens was another: give --intrinsic"
+            seen += "\nshapes are distorted if the camera differs: give --intrinsic"
         size = "{} x {}, {} x {} for the network".format(*self.size, *self.input_size)
         if self.tiles is not None:
-            size += "\n{} of {} tiles agree with the whole".format(*self.tiles)
-        points = f"{self.point_count:,}, {format_share(self.kept_share)} of the pixels"
+            size += "\n{} of {} tiles agree with the map of the complete image".format(*self.tiles)
+        points = f"{self.point_count:,}, {format_share(self.point_share)} of the pixels"
         return [("picture", size), ("camera", seen), ("depth", self._depth_line()), ("points", points)]
 
     def __str__(self) -> str:
@@ -117,21 +117,21 @@ class PictureDepth(Assessed):
         return f"{line}; {self._agreement()}" if self.references else line
 
     def _depth_line(self) -> str:
-        reach = "none" if self.reach is None else "{:.4g} to {:.4g}".format(*self.reach)
+        line_range = "none" if self.depth_range is None else "{:.4g} to {:.4g}".format(*self.depth_range)
         if self.unit == "m":
-            line = f"{reach} m"
+            line = f"{line_range} m"
         elif self.unit == ARBITRARY:
-            line = f"{reach}, units arbitrary: the nearest pixel is at 1; --align gives meters"
+            line = f"{line_range}, units arbitrary: the nearest pixel is at 1; --align gives meters"
         else:
-            line = f"{reach} in the unit of the sparse model"
+            line = f"{line_range} in the unit of the sparse model"
         if self.references:
             line += f"\n1 / z = {self.scale:.6g} d + {self.shift:.6g}, {self._agreement()}"
         return line
 
     def _agreement(self) -> str:
         if self.inlier_share is None:
-            return f"from {self.references} distances without a check: one more would tell"
-        return f"{format_share(self.inlier_share)} of {self.references:,} references agree within 10 %"
+            return f"from {self.references} distances, unchecked: one more distance allows a check"
+        return f"{format_share(self.inlier_share)} of {self.references:,} references agree within 10%"
 
 
 @dataclass(frozen=True)
@@ -183,7 +183,7 @@ class DepthReport(Assessed):
         reasons = []
         if self.failures:
             first = self.failures[0].reason
-            many = f"{len(self.failures)} of {len(self.failures) + len(self.pictures)} pictures became nothing: "
+            many = f"{len(self.failures)} of {len(self.failures) + len(self.pictures)} images failed: "
             where = " for them" if self.is_folder else ""
             reasons.append(f"{many if self.is_folder else ''}{first}; nothing was written{where}")
         for each in self.pictures:

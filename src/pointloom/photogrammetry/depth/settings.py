@@ -10,7 +10,7 @@ from ...cameras.camera import PinholeCameraIntrinsic, read_pinhole_camera_intrin
 from ...cameras.depth_range import DEPTH_SCALE
 from ...core.checks import check_count, check_positive, check_seed
 from ...core.errors import FilePath
-from ..sfm.picture_folder import check_place
+from ..sfm.picture_folder import check_path
 from .presets import DEFAULT, find_preset
 from .tiles import MAX_TILES
 
@@ -49,11 +49,11 @@ class DepthSettings:
     def __post_init__(self):
         find_preset(self.preset)
         if not isinstance(self.intrinsic, PinholeCameraIntrinsic | None):
-            check_place("intrinsic", self.intrinsic)
+            check_path("intrinsic", self.intrinsic)
         if self.align is not None:
-            check_place("align", self.align)
+            check_path("align", self.align)
         check_positive("depth_scale", self.depth_scale)
-        check_count("tiles", self.tiles, maximum=MAX_TILES, because="a tile shows too little")
+        check_count("tiles", self.tiles, maximum=MAX_TILES, because="smaller tiles lack context")
         check_seed(self.seed)
 
     def of_each_picture(self) -> dict[str, Any]:

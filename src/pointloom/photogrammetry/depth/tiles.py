@@ -35,40 +35,40 @@ def side_of(height: int, width: int, tiles: int) -> int:
 
 
 def refine_by_tiles(
-    color: NDArray[np.uint8], whole: Map, tiles: int, inverse: Inverse, *, seed: int, say: Callable[[int, int], None]
+    color: NDArray[np.uint8], full: Map, tiles: int, inverse: Inverse, *, seed: int, report: Callable[[int, int], None]
 ) -> tuple[Map, int, int]:
-    """Refine inverse depth `whole` [h, w] by tiles. Returns the map, and the numbers of accepted and of all tiles."""
-    height, width = whole.shape
+    """Refine inverse depth `full` [h, w] by tiles. Returns the map, and the numbers of accepted and of all tiles."""
+    height, width = full.shape
     side = side_of(height, width, tiles)
-    places = [(top, left) for top in starts_of(height, side) for left in starts_of(width, side)]
-    total, weights, used = np.zeros_like(whole), np.zeros_like(whole), 0
-    for done, (top, left) in enumerate(places):
+    corners = [(top, left) for top in starts_of(height, side) for left in starts_of(width, side)]
+    total, weights, used = np.zeros_like(full), np.zeros_like(full), 0
+    for done, (top, left) in enumerate(corners):
         part = np.s_[top : top + side, left : left + side]
-        found = _aligned(inverse(np.ascontiguousarray(color[part])), whole[part], seed)
-        used += found is not None
-        values = whole[part] if found is None else found
+        aligned = _aligned(inverse(np.ascontiguousarray(color[part])), full[part], seed)
+        used += aligned is not None
+        values = full[part] if aligned is None else aligned
         window = np.where(np.isfinite(values), _window(values.shape), np.float32(0))
         total[part] += window * np.where(window > 0, values, np.float32(0))
         weights[part] += window
-        say(done + 1, len(places))
-    blended = np.where(weights > 0, total / np.where(weights > 0, weights, np.float32(1)), whole)
-    return blended.astype(np.float32), used, len(places)
+        report(done + 1, len(corners))
+    blended = np.where(weights > 0, total / np.where(weights > 0, weights, np.float32(1)), full)
+    return blended.astype(np.float32), used, len(corners)
 
 
-def _aligned(tile: Map, whole: Map, seed: int) -> Map | None:
+def _aligned(tile: Map, full: Map, seed: int) -> Map | None:
     """The tile aligned to the complete map by cell means, which lack its detail. None if they do not agree."""
     size = min(tile.shape[0], CELLS), min(tile.shape[1], CELLS)
-    small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, whole))  # NaN if any pixel is
+    small, coarse = (resize(each, size, Image.Resampling.BOX) for each in (tile, full))  # NaN if any pixel is
     seen = np.isfinite(small) & np.isfinite(coarse)
     d, y = small[seen].astype(np.float64), coarse[seen].astype(np.float64)
     if not len(y) or np.ptp(y) == 0:
         return None
     lift = np.ptp(y) / 9 - y.min()
     try:
-        found = align_inverse_depth(d, y + lift, seed=seed)
+        alignment = align_inverse_depth(d, y + lift, seed=seed)
     except AlignmentError:
         return None
-    return (found.scale * tile + (found.shift - lift)).astype(np.float32)
+    return (alignment.scale * tile + (alignment.shift - lift)).astype(np.float32)
 
 
 def _window(shape: tuple[int, ...]) -> Map:

@@ -48,7 +48,7 @@ LAYOUTS = {  # per layout: identifying arrays, and array names
     "VGGT": {"depth": "depth", "T": "extrinsic", "K": "intrinsic", "confidence": "depth_conf", "picture": "images"},
 }
 OPTIONAL = {"Depth Anything 3": ("conf", "image"), "MapAnything": ("images",), "VGGT": ("images",)}
-TURN = 1e-2  # maximum deviation from a rotation: networks use half precision
+ROTATION_TOLERANCE = 1e-2  # maximum deviation from a rotation: networks use half precision
 MAX_RELATIVE = 0.03  # maximum relative depth difference of two images
 MIN_CONFIRMED = 0.05  # fraction of confirmed depth below which poses and depths contradict
 
@@ -112,18 +112,18 @@ class DepthBundle:
         Raises:
             ValueError: Less than 5% of the depth is confirmed by another image; or as `fuse`.
         """
-        least = check_share("min_confidence", min_confidence)
+        threshold = check_share("min_confidence", min_confidence)
         maps = self.maps
         if len(maps) > 1:
             with without_warnings(UserWarning):  # an error follows
                 maps = filter_depth_maps(
-                    self.maps, min_views=1, max_relative=max_relative, min_confidence=least, device=device
+                    self.maps, min_views=1, max_relative=max_relative, min_confidence=threshold, device=device
                 )
-            before = sum(int((each.confidence >= max(least, 1e-9)).sum()) for each in self.maps)
+            before = sum(int((each.confidence >= max(threshold, 1e-9)).sum()) for each in self.maps)
             share = sum(int((each.depth > 0).sum()) for each in maps) / max(before, 1)
             if share < MIN_CONFIRMED:
-                told = f"{share:.1%} of the depth of {len(maps)} pictures is confirmed by another"
-                reason = f"{told} within {max_relative:g}; is the bundle's pose world to camera?"
+                confirmed = f"{share:.1%} of the depth of {len(maps)} images is confirmed by another image"
+                reason = f"{confirmed} within {max_relative:g}; check that the poses are world to camera"
                 raise ValueError(f"poses and depths of {self.layout} contradict each other: {reason}")
         options: dict[str, Any] = {"to": to, "voxel_size": voxel_size, "max_relative": max_relative}
         return fuse(maps, self.pictures, min_views=1, device=device, progress=progress, **options)
@@ -154,21 +154,21 @@ def read_depth_bundle(path: FilePath, *, names: Sequence[str] | None = None, dev
         >>> loom.mvs.read_depth_bundle("results.npz")
         DepthBundle(2 pictures of 64 x 48, Depth Anything 3)
     """
-    place = path_of(path)
+    file = path_of(path)
     known = {name for names_of in LAYOUTS.values() for name in names_of.values()}
-    arrays = read_arrays(place, known)
-    layout = _layout_of(place, arrays)
-    found = {kind: arrays[name] for kind, name in LAYOUTS[layout].items() if name in arrays}
-    depth = _depths(place, found["depth"])
+    arrays = read_arrays(file, known)
+    layout = _layout_of(file, arrays)
+    by_kind = {kind: arrays[name] for kind, name in LAYOUTS[layout].items() if name in arrays}
+    depth = _depths(file, by_kind["depth"])
     count, height, width = depth.shape
-    cameras = _cameras(place, LAYOUTS[layout], found, (count, height, width))
-    confidence = _confidences(place, LAYOUTS[layout], found, depth)
-    pictures = _pictures(place, found.get("picture"), depth.shape)
+    cameras = _cameras(file, LAYOUTS[layout], by_kind, (count, height, width))
+    confidence = _confidences(file, LAYOUTS[layout], by_kind, depth)
+    pictures = _pictures(file, by_kind.get("picture"), depth.shape)
     given = [str(i) for i in range(count)] if names is None else check_list("names", names, "names")
     given = [check_name("names", name) for name in given]
     if len(given) != count or len(set(given)) != count:
         raise ValueError(
-            f"names: expected {count} different ones, got {len(given)}, {len(set(given))} of them different"
+            f"names: expected {count} unique names, got {len(given)}, of which {len(set(given))} are unique"
         )
     where = resolve_device(device)
     maps = []
@@ -189,40 +189,40 @@ def _layout_of(path: Path, arrays: dict[str, NDArray[Any]]) -> str:
         f"{layout} has {', '.join(n for n in names.values() if n not in OPTIONAL[layout])}"
         for layout, names in LAYOUTS.items()
     )
-    has = ", ".join(arrays) or "none of their arrays"
-    raise FileError(path, f"is no bundle of poses and depth: it has {has}", remedy=wanted)
+    has = ", ".join(arrays) or "no known array"
+    raise FileError(path, f"expected a bundle of poses and depth, got {has}", remedy=wanted)
 
 
 def _depths(path: Path, values: NDArray[Any]) -> NDArray[np.float32]:
     if values.ndim == 4 and values.shape[3] == 1:
         values = values[:, :, :, 0]
     if values.ndim != 3 or not values.size or values.dtype.kind not in "fiu":
-        raise FileError(path, f"depth: expected numbers of shape [n, h, w], found {values.dtype} {list(values.shape)}")
+        raise FileError(path, f"depth: expected numbers of shape [n, h, w], got {values.dtype} {list(values.shape)}")
     with np.errstate(over="ignore", invalid="ignore"):
         depth = values.astype(np.float32)
     depth[~np.isfinite(depth) | (depth <= 0)] = 0
     if not depth.any():
-        raise FileError(path, "depth: no pixel has any")
+        raise FileError(path, "depth: expected depth in some pixels, got none")
     return depth
 
 
 def _cameras(
-    path: Path, names: dict[str, str], found: dict[str, NDArray[Any]], size: tuple[int, int, int]
+    path: Path, names: dict[str, str], arrays: dict[str, NDArray[Any]], size: tuple[int, int, int]
 ) -> list[PosedCamera]:
     count, height, width = size
-    T, K = found["T"], found["K"]
+    T, K = arrays["T"], arrays["K"]
     if T.shape not in ((count, 3, 4), (count, 4, 4)) or K.shape != (count, 3, 3):
         shapes = f"{names['T']} {list(T.shape)} and {names['K']} {list(K.shape)}"
-        raise FileError(path, f"expected poses [{count}, 3, 4] and cameras [{count}, 3, 3], found {shapes}")
+        raise FileError(path, f"expected poses [{count}, 3, 4] and cameras [{count}, 3, 3], got {shapes}")
     cameras = []
     for i in range(count):
         where = f"picture {i}"
         pose, k = T[i].astype(np.float64), K[i].astype(np.float64)
         if not (np.isfinite(pose).all() and np.isfinite(k).all()):
-            raise FileError(path, "a pose or a camera that is not finite", where=where)
+            raise FileError(path, "expected finite poses and cameras, got NaN or infinity", where=where)
         R = pose[:3, :3]
-        if np.abs(R).max() > 2 or np.abs(R @ R.T - np.eye(3)).max() > TURN or np.linalg.det(R) < 0:
-            raise FileError(path, f"{names['T']}: the rotation is none", where=where)
+        if np.abs(R).max() > 2 or np.abs(R @ R.T - np.eye(3)).max() > ROTATION_TOLERANCE or np.linalg.det(R) < 0:
+            raise FileError(path, f"{names['T']}: expected rotation matrices, got others", where=where)
         rigid = np.eye(4)
         rigid[:3, :3], rigid[:3, 3] = nearest_rotation(R), pose[:3, 3]
         if k[0, 0] <= 0 or k[1, 1] <= 0 or np.abs(k[[0, 1, 2, 2], [1, 0, 0, 1]]).max() > 1e-3 * k[0, 0]:
@@ -234,21 +234,21 @@ def _cameras(
 
 
 def _confidences(
-    path: Path, names: dict[str, str], found: dict[str, NDArray[Any]], depth: NDArray[np.float32]
+    path: Path, names: dict[str, str], arrays: dict[str, NDArray[Any]], depth: NDArray[np.float32]
 ) -> NDArray[np.float32]:
-    kind = next((kind for kind in ("confidence", "mask") if kind in found), None)
+    kind = next((kind for kind in ("confidence", "mask") if kind in arrays), None)
     if kind is None:
         return (depth > 0).astype(np.float32)
-    values = found[kind]
+    values = arrays[kind]
     values = values[:, :, :, 0] if values.ndim == 4 and values.shape[3] == 1 else values
     if values.shape != depth.shape:
-        raise FileError(path, f"{names[kind]}: expected shape {list(depth.shape)}, found {list(values.shape)}")
+        raise FileError(path, f"{names[kind]}: expected shape {list(depth.shape)}, got {list(values.shape)}")
     seen = depth > 0
     with np.errstate(divide="ignore", invalid="ignore"):
         c = values.astype(np.float32)
         low, high = (float(c[seen].min()), float(c[seen].max())) if np.isfinite(c[seen]).all() else (-1.0, -1.0)
         if low < 0 or (low < 1 < high):
-            raise FileError(path, f"{names[kind]}: expected finite numbers of 1 and more, or 0 to 1")
+            raise FileError(path, f"{names[kind]}: expected finite numbers >= 1, or from 0 to 1")
         shares = c if (high <= 1 and kind == "mask") or low < 1 else 1 - 1 / c
     return np.where(seen, shares, 0).astype(np.float32)
 
@@ -260,9 +260,9 @@ def _pictures(path: Path, values: NDArray[Any] | None, shape: tuple[int, ...]) -
     if values.shape == (count, 3, height, width):
         values = values.transpose(0, 2, 3, 1)
     if values.shape != (count, height, width, 3):
-        raise FileError(path, f"pictures: expected [{count}, {height}, {width}, 3], found {list(values.shape)}")
+        raise FileError(path, f"pictures: expected [{count}, {height}, {width}, 3], got {list(values.shape)}")
     if values.dtype != np.uint8:
         if not (np.isfinite(values).all() and values.min() >= -1e-3 and values.max() <= 1 + 1e-3):
-            raise FileError(path, "pictures: expected bytes, or numbers of 0 to 1")
+            raise FileError(path, "pictures: expected uint8, or numbers from 0 to 1")
         values = np.floor(np.clip(values, 0, 1) * 255 + 0.5).astype(np.uint8)
     return tuple(np.ascontiguousarray(picture) for picture in values)

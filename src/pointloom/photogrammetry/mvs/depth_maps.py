@@ -118,18 +118,18 @@ class DepthMaps(Sequence[DepthMap]):
         self.cameras = check_cameras("cameras", cameras)
         self.sources = check_sources("sources", sources, len(self.cameras))
         self.folder = None if folder is None else made_folder(folder)
-        self._kept: list[DepthMap] = []
+        self._in_memory: list[DepthMap] = []
         if isinstance(maps, str | bytes | dict):
-            raise TypeError(f"maps: expected several DepthMap, got {type(maps).__name__}")
+            raise TypeError(f"maps: expected an iterable of DepthMap, got {type(maps).__name__}")
         try:
             several = iter(maps)
         except TypeError as error:
-            raise TypeError(f"maps: expected several DepthMap, got {type(maps).__name__}") from error
+            raise TypeError(f"maps: expected an iterable of DepthMap, got {type(maps).__name__}") from error
         count = 0
         for i, each in enumerate(several):
             self._check(i, each)
             if self.folder is None:
-                self._kept.append(each)
+                self._in_memory.append(each)
             else:
                 _write_map(self.folder / _file_name(i), each)
             count += 1
@@ -146,7 +146,7 @@ class DepthMaps(Sequence[DepthMap]):
             FileError: Not a complete folder of depth maps, or a damaged one.
         """
         maps = object.__new__(cls)
-        maps.folder, maps._kept = path_of(folder, "folder"), []
+        maps.folder, maps._in_memory = path_of(folder, "folder"), []
         maps.cameras, maps.sources = _read_index(maps.folder / INDEX)
         for i in range(len(maps.cameras)):
             if not (maps.folder / _file_name(i)).is_file():
@@ -165,15 +165,15 @@ class DepthMaps(Sequence[DepthMap]):
     @overload
     def __getitem__(self, index: slice) -> list[DepthMap]: ...
     def __getitem__(self, index: int | slice) -> DepthMap | list[DepthMap]:
-        places = range(len(self))[index]
-        return self._read(places) if isinstance(places, int) else [self._read(i) for i in places]
+        selected = range(len(self))[index]
+        return self._read(selected) if isinstance(selected, int) else [self._read(i) for i in selected]
 
     def __iter__(self) -> Iterator[DepthMap]:
         return (self._read(i) for i in range(len(self)))
 
     def _read(self, index: int) -> DepthMap:
         if self.folder is None:
-            return self._kept[index]
+            return self._in_memory[index]
         return _read_map(self.folder / _file_name(index), self.cameras[index].intrinsic)
 
     def _check(self, index: int, each: Any) -> None:
@@ -183,8 +183,8 @@ class DepthMaps(Sequence[DepthMap]):
             intrinsic = self.cameras[index].intrinsic
             if each.depth.shape != (intrinsic.height, intrinsic.width):
                 size = f"{intrinsic.width} x {intrinsic.height}"
-                found = f"{each.depth.shape[1]} x {each.depth.shape[0]}"
-                raise ValueError(f"maps[{index}]: expected {size} pixels as its camera has, got {found}")
+                given = f"{each.depth.shape[1]} x {each.depth.shape[0]}"
+                raise ValueError(f"maps[{index}]: expected {size} pixels as its camera has, got {given}")
 
 
 def _float32(name: str, values: ArrayLike) -> NDArray[np.float32]:
@@ -207,7 +207,7 @@ def made_folder(folder: FilePath) -> Path:
         path.mkdir(parents=True, exist_ok=True)
         (path / INDEX).unlink(missing_ok=True)
     except OSError as error:
-        raise FileError(path, f"no folder can be made here: {error.strerror or error}") from error
+        raise FileError(path, f"no folder can be created here: {error.strerror or error}") from error
     return path
 
 
@@ -229,12 +229,12 @@ def _read_map(path: Path, intrinsic: PinholeCameraIntrinsic) -> DepthMap:
     try:
         with (
             path.open("rb") as file,
-            foreign_errors(path, "is no intact archive", remedy=AGAIN),
+            foreign_errors(path, "is not an intact archive", remedy=AGAIN),
             zipfile.ZipFile(file) as archive,
         ):
             names = [info.filename for info in archive.infolist()]
             if names != [f"{name}.npy" for name in _MEMBERS]:
-                raise FileError(path, f"expected the arrays {', '.join(_MEMBERS)}, found {names}", remedy=AGAIN)
+                raise FileError(path, f"expected the arrays {', '.join(_MEMBERS)}, got {names}", remedy=AGAIN)
             for info in archive.infolist():
                 name = info.filename.removesuffix(".npy")
                 arrays[name] = read_member(path, archive, info, name)
@@ -244,7 +244,7 @@ def _read_map(path: Path, intrinsic: PinholeCameraIntrinsic) -> DepthMap:
     shapes = (size, (size[0] * size[1], 3), size)
     for (name, values), shape in zip(arrays.items(), shapes, strict=True):
         if values.shape != shape or values.dtype != np.float32:
-            reason = f"{name}: expected float32 {list(shape)}, found {values.dtype} {list(values.shape)}"
+            reason = f"{name}: expected float32 {list(shape)}, got {values.dtype} {list(values.shape)}"
             raise FileError(path, reason, remedy=AGAIN)
     try:
         return DepthMap(arrays["depth"], arrays["normals"].reshape(*size, 3), arrays["confidence"])
@@ -264,11 +264,11 @@ def _write_index(path: Path, cameras: Sequence[PosedCamera], sources: Sequence[S
 
 def _read_index(path: Path) -> tuple[tuple[PosedCamera, ...], tuple[tuple[int, ...], ...]]:
     if path.parent.is_dir() and not path.exists():
-        raise FileError(path.parent, f"holds no finished depth maps: there is no {INDEX}", remedy=AGAIN)
+        raise FileError(path.parent, f"contains no finished depth maps: {INDEX} is missing", remedy=AGAIN)
     content = read_json_object(path)
     check_keys(path, content, required={"version", "cameras", "sources"})
     if content["version"] != VERSION:
-        raise FileError(path, f"expected version {VERSION}, found {content['version']!r}", where="key version")
+        raise FileError(path, f"expected version {VERSION}, got {content['version']!r}", where="key version")
     if not isinstance(content["cameras"], list):
         raise FileError(path, "expected a list", where="key cameras")
     cameras = tuple(_read_camera(path, each, f"cameras[{i}].") for i, each in enumerate(content["cameras"]))

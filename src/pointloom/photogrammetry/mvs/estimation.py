@@ -23,21 +23,24 @@ from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sour
 from .sources import choose_sources, depth_in_view
 
 Mask = str | os.PathLike[str] | NDArray[np.bool_] | NDArray[np.uint8] | None
-KEPT = 128  # brightness threshold of masks
+MASK_THRESHOLD = 128  # brightness threshold of masks
 
 
 def check_picture_masks(masks: Any, cameras: Sequence[PosedCamera]) -> list[Path | NDArray[np.bool_] | None]:
     given = check_list("masks", masks, "masks")
     if len(given) != len(cameras):
-        raise ValueError(f"masks: expected one, or None, for each of the {len(cameras)} pictures, got {len(given)}")
+        raise ValueError(f"masks: expected one, or None, for each of the {len(cameras)} images, got {len(given)}")
     out: list[Path | NDArray[np.bool_] | None] = []
     for i, (each, camera) in enumerate(zip(given, cameras, strict=True)):
         lens = camera.intrinsic
         if isinstance(each, str | os.PathLike):
             header = read_picture_header(each)
             if (header.width, header.height) != (lens.width, lens.height):
-                reason = f"is {header.width} x {header.height}, its picture {lens.width} x {lens.height} pixels"
-                raise FileError(each, reason, remedy="Make masks of the size of their pictures")
+                reason = (
+                    f"expected a mask of {lens.width} x {lens.height} pixels as its image, got "
+                    f"{header.width} x {header.height}"
+                )
+                raise FileError(each, reason, remedy="Create masks of the size of their images")
             out.append(Path(each))
         else:
             out.append(None if each is None else _checked(f"masks[{i}]", each, (lens.height, lens.width)))
@@ -49,8 +52,8 @@ def _checked(name: str, mask: Any, size: tuple[int, int]) -> NDArray[np.bool_]:
         kind = mask.dtype if isinstance(mask, np.ndarray) else type(mask).__name__
         raise TypeError(f"{name}: expected a path, or an array of bool or uint8, got {kind}")
     if mask.shape != size:
-        raise ValueError(f"{name}: expected shape {list(size)} as of its picture, got {list(mask.shape)}")
-    return mask.copy() if mask.dtype == np.bool_ else mask >= KEPT
+        raise ValueError(f"{name}: expected shape {list(size)} as of its image, got {list(mask.shape)}")
+    return mask.copy() if mask.dtype == np.bool_ else mask >= MASK_THRESHOLD
 
 
 def emptied(
@@ -60,11 +63,13 @@ def emptied(
         if mask is None:
             yield each
             continue
-        kept = read_color(mask).max(axis=2) >= KEPT if isinstance(mask, Path) else mask
-        if kept.shape != (camera.intrinsic.height, camera.intrinsic.width):
-            raise FileError(str(mask), "was changed while depth was sought", remedy="Begin again")
-        wide = np.where(kept[..., None], each.normals, np.float32(0))
-        yield DepthMap(np.where(kept, each.depth, np.float32(0)), wide, np.where(kept, each.confidence, np.float32(0)))
+        visible = read_color(mask).max(axis=2) >= MASK_THRESHOLD if isinstance(mask, Path) else mask
+        if visible.shape != (camera.intrinsic.height, camera.intrinsic.width):
+            raise FileError(str(mask), "was changed during the estimation", remedy="Begin again")
+        normals = np.where(visible[..., None], each.normals, np.float32(0))
+        yield DepthMap(
+            np.where(visible, each.depth, np.float32(0)), normals, np.where(visible, each.confidence, np.float32(0))
+        )
 
 
 MIN_PICTURE = 8  # [px] minimum side
@@ -75,7 +80,7 @@ NEARER, FARTHER = 0.7, 1.5  # margin of the depth range
 MIN_MOTION = 1.0  # [px] minimum image motion over the depth range in a useful source
 DEVICE_BYTES = 2**30
 NO_POINTS = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
-REMEDY = "move the camera between pictures, do not only turn it"
+REMEDY = "move the camera between images, instead of only rotating it"
 
 
 def estimate_depth_maps(
@@ -155,21 +160,21 @@ def estimate_depth_maps(
         wanted = check_sources("sources", sources, len(posed))
         for i, each in enumerate(wanted):
             if len(each) > MAX_SOURCES:
-                raise ValueError(f"sources[{i}]: expected up to {MAX_SOURCES} pictures, got {len(each)}")
+                raise ValueError(f"sources[{i}]: expected up to {MAX_SOURCES} images, got {len(each)}")
     check_seed(seed)
-    say = check_progress(progress)
-    check_count("device_bytes", device_bytes, minimum=0, maximum=2**40, because="no device has more")
+    report = check_progress(progress)
+    check_count("device_bytes", device_bytes, minimum=0, maximum=2**40, because="no device has more memory")
     target = resolve_device(device)
-    kept = _telling(wanted, posed, ranges)
-    if not any(kept):
-        raise ValueError(f"cameras: no picture has a source that was taken from elsewhere; {REMEDY}")
-    place = None if folder is None else made_folder(folder)
+    informative = _informative_sources(wanted, posed, ranges)
+    if not any(informative):
+        raise ValueError(f"cameras: no image has a source image from another position; {REMEDY}")
+    output = None if folder is None else made_folder(folder)
     known = [each or (1.0, 2.0) for each in ranges]
     hidden = [None] * len(posed) if masks is None else check_picture_masks(masks, posed)
-    setting = Setting(given, posed, kept, known, seed, target, device_bytes)
+    setting = Setting(given, posed, informative, known, seed, target, device_bytes)
     so_far = None if going is None else _folder_for(going)
-    maps = emptied(find_depth(setting, place, say, so_far), hidden, posed)
-    return DepthMaps(posed, kept, maps, folder=place)
+    maps = emptied(find_depth(setting, output, report, so_far), hidden, posed)
+    return DepthMaps(posed, informative, maps, folder=output)
 
 
 def _folder_for(going: Any) -> Path:
@@ -177,16 +182,16 @@ def _folder_for(going: Any) -> Path:
     try:
         folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FileError(folder, f"no folder can be made here: {error.strerror or error}") from error
+        raise FileError(folder, f"no folder can be created here: {error.strerror or error}") from error
     return folder
 
 
 def _checked_pictures(pictures: Any, cameras: Sequence[PosedCamera]) -> list[Picture]:
     given = check_list("pictures", pictures, "pictures")
     if len(given) < 2:
-        raise ValueError(f"pictures: expected at least 2, got {len(given)}; one picture alone has no depth to compare")
+        raise ValueError(f"pictures: expected at least 2, got {len(given)}; depth is estimated by comparing images")
     if len(given) != len(cameras):
-        raise ValueError(f"cameras: expected one for each of the {len(given)} pictures, got {len(cameras)}")
+        raise ValueError(f"cameras: expected one for each of the {len(given)} images, got {len(cameras)}")
     out: list[Picture] = []
     for i, (picture, camera) in enumerate(zip(given, cameras, strict=True)):
         size = (camera.intrinsic.height, camera.intrinsic.width)
@@ -207,7 +212,7 @@ def _check_file(path: Path, size: tuple[int, int]) -> None:
     check_color_header(path, header)
     if (header.height, header.width) != size:
         reason = other_size("", (header.height, header.width), size)
-        raise FileError(path, reason, remedy="Give the camera of this very picture")
+        raise FileError(path, reason, remedy="Give the camera of this image")
 
 
 def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.uint8]:
@@ -215,7 +220,7 @@ def _check_array(name: str, picture: Any, size: tuple[int, int]) -> NDArray[np.u
     if array.ndim not in (2, 3) or (array.ndim == 3 and array.shape[2] != 3):
         raise ValueError(f"{name}: expected shape [h, w] or [h, w, 3], got {list(array.shape)}")
     if array.dtype != np.uint8:
-        remedy = "; divide 16-bit pictures by 256 first" if array.dtype == np.uint16 else ""
+        remedy = "; divide 16-bit images by 256 first" if array.dtype == np.uint16 else ""
         raise TypeError(f"{name}: expected uint8, got {array.dtype}{remedy}")
     if array.shape[:2] != size:
         raise ValueError(other_size(f"{name}: ", array.shape, size))
@@ -234,12 +239,12 @@ def _depth_range(sparse: SparsePoints, index: int, cameras: tuple[PosedCamera, .
     return None if span is None else (span[0] * NEARER, span[1] * FARTHER)
 
 
-def _telling(
+def _informative_sources(
     sources: Sequence[Sequence[int]], cameras: Sequence[PosedCamera], ranges: Sequence[tuple[float, float] | None]
 ) -> tuple[tuple[int, ...], ...]:
     """The sources with parallax. None for images without a depth range."""
     out = []
     for i, (numbers, span) in enumerate(zip(sources, ranges, strict=True)):
-        reach = 0.0 if span is None else 1 / span[0] - 1 / span[1]
-        out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * reach >= MIN_MOTION))
+        inverse_range = 0.0 if span is None else 1 / span[0] - 1 / span[1]
+        out.append(tuple(j for j in numbers if motion_of(cameras[i], cameras[j]) * inverse_range >= MIN_MOTION))
     return tuple(out)

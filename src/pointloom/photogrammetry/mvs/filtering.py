@@ -29,7 +29,7 @@ MAX_RELATIVE = 0.01  # effect: see docs/mvs.md
 MIN_SUPPORT = 0.25  # surfaces two pixels wide have 9 of the 24 neighbors
 SUPPORT_RELATIVE = 0.5  # of max_relative: neighbors in one image agree better than images do
 DEPTH_BYTES = 4  # per pixel
-KEPT_BYTES = 2**30  # depth cached on the device
+CACHE_BYTES = 2**30  # depth cached on the device
 
 
 def filter_depth_maps(
@@ -93,29 +93,29 @@ def filter_depth_maps(
         (2.0, 0.0)
     """
     check_maps("maps", maps)
-    least = check_count("min_views", min_views)
+    required_views = check_count("min_views", min_views)
     limits = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
     surest = check_share("min_confidence", min_confidence)
     support = math.ceil(check_share("min_support", min_support) * NEIGHBORS)
-    where, say = resolve_device(device), check_progress(progress)
+    where, report = resolve_device(device), check_progress(progress)
     if folder is not None and maps.folder is not None and maps.folder.resolve() == type(maps.folder)(folder).resolve():
-        raise FileError(folder, "holds the maps that are to be filtered", remedy="Name another folder")
+        raise FileError(folder, "contains the maps to be filtered", remedy="Give another folder")
     counts = np.zeros(2, np.int64)
-    filtered = _filtered(maps, least, limits, surest, support, where, say, counts)
-    found = DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
+    filtered = _filtered(maps, required_views, limits, surest, support, where, report, counts)
+    result = DepthMaps(maps.cameras, maps.sources, filtered, folder=folder)
     if len(maps) > 1 and counts[1] < MIN_CONFIRMED * counts[0]:
         share = f"{counts[1] / counts[0]:.1%} of {counts[0]} pixels"
         within = f"max_pixels {limits[0]:g} and max_relative {limits[1]:g}"
         message = (
-            f"hardly any depth is confirmed ({share}) within {within}; is T_camera_world the inverse of your poses?"
+            f"almost no depth is confirmed ({share}) within {within}: check that T_camera_world is world to camera"
         )
         warn_of_units(message, UserWarning)
-    return found
+    return result
 
 
 def check_maps(name: str, maps: Any) -> None:
     if not isinstance(maps, DepthMaps):
-        raise TypeError(f"{name}: expected DepthMaps, got {type(maps).__name__}; DepthMaps.open reads a folder of them")
+        raise TypeError(f"{name}: expected DepthMaps, got {type(maps).__name__}; DepthMaps.open reads a folder of maps")
 
 
 def pair_of(reference: PosedCamera, source: PosedCamera) -> Pair:
@@ -128,15 +128,15 @@ def pixel_count(camera: PosedCamera) -> int:
 
 
 class _DepthsOnDevice:
-    """LRU cache of float32 depth on a device, up to KEPT_BYTES."""
+    """LRU cache of float32 depth on a device, up to CACHE_BYTES."""
 
     def __init__(self, maps: DepthMaps, device: Any):
         self._maps, self._device = maps, device
-        self._kept: LruCache[wp.array] = LruCache(KEPT_BYTES)
+        self._cache: LruCache[wp.array] = LruCache(CACHE_BYTES)
 
     def get(self, i: int, each: DepthMap | None = None, *, beside: int | None = None) -> wp.array:
         size = DEPTH_BYTES * pixel_count(self._maps.cameras[i])
-        return self._kept.get(i, size, lambda: self._uploaded(each or self._maps[i]), beside=beside)
+        return self._cache.get(i, size, lambda: self._uploaded(each or self._maps[i]), beside=beside)
 
     def _uploaded(self, each: DepthMap) -> wp.array:
         return upload(each.depth.reshape(-1), float32, self._device)
@@ -144,29 +144,30 @@ class _DepthsOnDevice:
 
 def _filtered(
     maps: DepthMaps,
-    least: int,
+    min_views: int,
     limits: tuple[float, float],
     surest: float,
     support: int,
     device: Any,
-    say: ReportProgress,
+    report: ReportProgress,
     counts: NDArray[np.int64],
 ) -> Iterator[DepthMap]:
     """Yield the filtered maps; `counts` accumulates pixels with depth, and kept ones."""
     depths = _DepthsOnDevice(maps, device)
-    say("filter", 0, len(maps))
+    report("filter", 0, len(maps))
     for i, sources in enumerate(maps.sources):
         given = maps[i]
         checks = DepthChecks(depths.get(i, given), *limits)
         for j in sources:
             checks.compare(depths.get(j, beside=i), pair_of(maps.cameras[i], maps.cameras[j]))
         confidence = upload(given.confidence.reshape(-1), float32, device)
-        kept = checks.mean(min(least, len(sources)) or 1, confidence, surest)  # without sources nothing is confirmed
+        needed = min(min_views, len(sources)) or 1  # without sources nothing is confirmed
+        filtered = checks.mean(needed, confidence, surest)
         if support:
             normals, tolerance = upload(given.normals.reshape(-1, 3), vec3, device), SUPPORT_RELATIVE * limits[1]
-            kept = support_depth(kept, normals, maps.cameras[i].intrinsic, tolerance, support)
-        depth = download(kept).reshape(given.depth.shape).copy()
+            filtered = support_depth(filtered, normals, maps.cameras[i].intrinsic, tolerance, support)
+        depth = download(filtered).reshape(given.depth.shape).copy()
         has = depth > 0
         counts += np.count_nonzero((given.depth > 0) & (given.confidence >= surest)), np.count_nonzero(has)
         yield DepthMap(depth, np.where(has[..., None], given.normals, 0), np.where(has, given.confidence, 0))
-        say("filter", i + 1, len(maps))
+        report("filter", i + 1, len(maps))

@@ -25,7 +25,7 @@ from ...meshing.mesh.mesh import TriangleMesh
 from ...meshing.volume.tsdf import TSDFVolume
 from ...pcd.cloud import PointCloud
 from .depth_maps import DepthMaps
-from .filtering import KEPT_BYTES, check_maps, pair_of, pixel_count
+from .filtering import CACHE_BYTES, check_maps, pair_of, pixel_count
 from .posed_pictures import PosedCamera
 
 KINDS = ("points", "tsdf", "poisson")
@@ -107,21 +107,21 @@ def fuse(
     voxel = None if voxel_size is None else check_positive("voxel_size", voxel_size)
     views = check_count("min_views", min_views)
     angle = check_positive("max_angle", max_angle, allow_zero=True, maximum=180.0)
-    reach, relative = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
-    limits = Agreement(reach, relative, math.cos(math.radians(angle)))
+    max_offset, relative = check_positive("max_pixels", max_pixels), check_share("max_relative", max_relative)
+    limits = Agreement(max_offset, relative, math.cos(math.radians(angle)))
     colors = Colors(pictures, maps)
-    where, say = resolve_device(device), check_progress(progress)
+    where, report = resolve_device(device), check_progress(progress)
     if to == "tsdf":
-        return _fuse_volume(maps, colors, voxel, views, where, say)
-    cloud = _fuse_points(maps, colors, limits, views, where, say)
+        return _fuse_volume(maps, colors, voxel, views, where, report)
+    cloud = _fuse_points(maps, colors, limits, views, where, report)
     if to == "points":
         return cloud if voxel is None or not len(cloud) else cloud.voxel_down_sample(voxel)
-    return _fuse_poisson(maps, cloud, voxel, say)
+    return _fuse_poisson(maps, cloud, voxel, report)
 
 
 class Colors:
     def __init__(self, pictures: Any, maps: DepthMaps):
-        self._pictures = None if pictures is None else check_list("pictures", pictures, "paths or pictures")
+        self._pictures = None if pictures is None else check_list("pictures", pictures, "paths or images")
         self._cameras = maps.cameras
         if self._pictures is not None and len(self._pictures) != len(maps):
             raise ValueError(f"pictures: expected one for each of the {len(maps)} maps, got {len(self._pictures)}")
@@ -153,15 +153,15 @@ class Colors:
 
 
 class _MapsOnDevice:
-    """LRU cache of maps with colors on a device, up to KEPT_BYTES."""
+    """LRU cache of maps with colors on a device, up to CACHE_BYTES."""
 
     def __init__(self, maps: DepthMaps, colors: Colors, device: Any):
         self._maps, self._colors, self._device = maps, colors, device
-        self._kept: LruCache[DepthPixels] = LruCache(KEPT_BYTES)
+        self._cache: LruCache[DepthPixels] = LruCache(CACHE_BYTES)
 
     def get(self, i: int, *, beside: int | None = None) -> DepthPixels:
         size = PIXEL_BYTES * pixel_count(self._maps.cameras[i])
-        return self._kept.get(i, size, lambda: self._uploaded(i), beside=beside)
+        return self._cache.get(i, size, lambda: self._uploaded(i), beside=beside)
 
     def _uploaded(self, i: int) -> DepthPixels:
         each, color = self._maps[i], self._colors[i]
@@ -176,13 +176,13 @@ class _MapsOnDevice:
 
 
 def _fuse_points(
-    maps: DepthMaps, colors: Colors, limits: Agreement, min_views: int, device: Any, say: ReportProgress
+    maps: DepthMaps, colors: Colors, limits: Agreement, min_views: int, device: Any, report: ReportProgress
 ) -> PointCloud:
     overlaps = _overlaps(maps)
     origin = choose_origin(np.array([camera.center for camera in maps.cameras]).reshape(-1, 3))
     pixels = _MapsOnDevice(maps, colors, device)
     parts: list[list[wp.array]] = []
-    say("fuse", 0, len(maps))
+    report("fuse", 0, len(maps))
     for i, camera in enumerate(maps.cameras):
         own: Any = pixels.get(i)
         gathered = Gathered(own.depth.size, device)
@@ -190,10 +190,10 @@ def _fuse_points(
             gather_pixels(own, pixels.get(j, beside=i), pair_of(camera, maps.cameras[j]), limits, j < i, gathered)
         T = np.linalg.inv(camera.T_camera_world)
         T[:3, 3] -= origin
-        arrays, kept = make_points(own, camera.intrinsic, T, min_views, gathered)
-        rows = positions_of(kept)
+        arrays, valid = make_points(own, camera.intrinsic, T, min_views, gathered)
+        rows = positions_of(valid)
         parts.append([gather_rows(values, rows) for values in arrays])
-        say("fuse", i + 1, len(maps))
+        report("fuse", i + 1, len(maps))
     names = ("points", "normals", "colors", "confidence", "views")
     if not parts:
         parts = [[empty(0, kind, device) for kind in (vec3, vec3, vec3, float32, int32)]]
@@ -246,27 +246,27 @@ def _typical_pixel(maps: DepthMaps) -> float:
 
 
 def _fuse_volume(
-    maps: DepthMaps, colors: Colors, voxel: float | None, min_views: int, device: Any, say: ReportProgress
+    maps: DepthMaps, colors: Colors, voxel: float | None, min_views: int, device: Any, report: ReportProgress
 ) -> TriangleMesh:
     edge = voxel or TSDF_VOXEL * _typical_pixel(maps)
     if not edge:
         return TriangleMesh([], [], device=device)
     truncation = TSDF_TRUNCATION * edge
     volume = TSDFVolume(voxel_size=edge, truncation=truncation, color=bool(colors), device=device)
-    say("fuse", 0, len(maps))
+    report("fuse", 0, len(maps))
     for i, camera in enumerate(maps.cameras):
         depth = maps[i].depth
         if depth.any():
             volume.integrate(depth, camera.intrinsic, camera.T_camera_world, colors[i], depth_max=math.inf)
-        say("fuse", i + 1, len(maps))
-    say("mesh", 0, 0)
+        report("fuse", i + 1, len(maps))
+    report("mesh", 0, 0)
     return volume.extract_triangle_mesh(weight_threshold=min_views - 1)
 
 
-def _fuse_poisson(maps: DepthMaps, cloud: PointCloud, voxel: float | None, say: ReportProgress) -> TriangleMesh:
+def _fuse_poisson(maps: DepthMaps, cloud: PointCloud, voxel: float | None, report: ReportProgress) -> TriangleMesh:
     if len(cloud) < 2:
         return TriangleMesh([], [], device=cloud.device)
-    say("mesh", 0, 0)
+    report("mesh", 0, 0)
     width = voxel or POISSON_VOXEL * _typical_pixel(maps)
     mesh, _ = TriangleMesh.create_from_point_cloud_poisson(cloud, width=width)
     if not len(mesh):

@@ -29,12 +29,12 @@ def read_picture(name: str, picture: Picture, camera: PosedCamera) -> NDArray[np
 
     pixels = read_color(picture)
     if pixels.shape[:2] != size:
-        raise FileError(picture, other_size("", pixels.shape, size), remedy="Give the camera of this very picture")
+        raise FileError(picture, other_size("", pixels.shape, size), remedy="Give the camera of this image")
     return pixels
 
 
 def other_size(name: str, shape: Sequence[int], size: tuple[int, int]) -> str:
-    return f"{name}is {shape[1]} x {shape[0]} pixels, and its camera {size[1]} x {size[0]}"
+    return f"{name}expected {size[1]} x {size[0]} pixels as of its camera, got {shape[1]} x {shape[0]}"
 
 
 class Slots:
@@ -44,7 +44,7 @@ class Slots:
         self.size = size
         self.values = empty(count * size, dtype, device)
         self._free = list(range(count))
-        self._places: LruCache[int] = LruCache(count, on_evict=self._free.append)
+        self._slots: LruCache[int] = LruCache(count, on_evict=self._free.append)
 
     def first_of(self, key: Any, load: Callable[[int], None]) -> int:
         """Offset of the slot with this key; `load(first)` fills it if missing."""
@@ -53,7 +53,7 @@ class Slots:
             load(self._free[0] * self.size)
             return self._free.pop(0)
 
-        return self._places.get(key, 1, loaded) * self.size
+        return self._slots.get(key, 1, loaded) * self.size
 
 
 def put_brightness(slots: Slots, first: int, pixels: NDArray[np.uint8], width: int, height: int) -> None:

@@ -30,7 +30,7 @@ from .posed_pictures import PosedCamera
 
 
 @dataclasses.dataclass(frozen=True)
-class Found:
+class StoredPlanes:
     """Current planes of an image: vec4 [pixels] on the device, or float32 [pixels, 4] in memory or a file."""
 
     planes: Array1[vec4] | NDArray[np.float32] | Path
@@ -54,34 +54,34 @@ class PlaneFiles:
     def write(self, phase: int, index: int, planes: Any) -> None:
         if self.folder is not None:
             values = np.array(download(planes)).reshape(-1, 4)  # sync
-            with atomic_write(self._place(phase, index)) as file:
+            with atomic_write(self._path(phase, index)) as file:
                 np.lib.format.write_array(file, values, allow_pickle=False)
 
-    def read(self, phase: int, index: int, camera: PinholeCameraIntrinsic) -> Found | None:
+    def read(self, phase: int, index: int, camera: PinholeCameraIntrinsic) -> StoredPlanes | None:
         if self.folder is None:
             return None
-        place = self._place(phase, index)
+        path = self._path(phase, index)
         try:
-            kept = np.load(place, mmap_mode="r", allow_pickle=False)
+            planes = np.load(path, mmap_mode="r", allow_pickle=False)
         except (OSError, ValueError, EOFError):
             return None
-        fits = kept.shape == (camera.width * camera.height, 4) and kept.dtype == np.float32
-        return Found(place, camera) if fits else None
+        fits = planes.shape == (camera.width * camera.height, 4) and planes.dtype == np.float32
+        return StoredPlanes(path, camera) if fits else None
 
-    def last_whole(
+    def last_complete(
         self, scales: Sequence[float], cameras: Sequence[PosedCamera], sources: Sequence[Sequence[int]]
-    ) -> tuple[int, list[Found | None]]:
+    ) -> tuple[int, list[StoredPlanes | None]]:
         """The phase to continue with, and the previous results of all images with sources."""
         for number in range(len(scales) - 2, -1, -1) if self.folder is not None else ():
-            found = [
+            results = [
                 self.read(number, i, camera.intrinsic.scaled(scales[number])) if sources[i] else None
                 for i, camera in enumerate(cameras)
             ]
-            if all(each is not None for each, mine in zip(found, sources, strict=True) if mine):
-                return number + 1, found
+            if all(each is not None for each, mine in zip(results, sources, strict=True) if mine):
+                return number + 1, results
         return 0, [None] * len(cameras)
 
-    def _place(self, phase: int, index: int) -> Path:
+    def _path(self, phase: int, index: int) -> Path:
         assert self.folder is not None
         return self.folder / f"{phase}-{index:06d}.npy"
 
@@ -113,7 +113,7 @@ class Phase:
     """One pass over all images at a scale; `spread` [px in the sources] is the plane perturbation, halved each time."""
 
     scale: float
-    turns: int
+    iterations: int
     spread: float
     patch: NDArray[np.int64]
     regions: int = 8
@@ -126,11 +126,11 @@ class Phase:
 # iteration. Priors need consistent depth: after the first such phase, and again after the second, since noisy patches
 # led pixels away.
 PLAN = (
-    Phase(0.25, turns=4, spread=1.0, patch=LARGE),
-    Phase(0.5, turns=2, spread=0.6, patch=LARGE),
-    Phase(1.0, turns=1, spread=0.6, patch=MIDDLE),
-    Phase(1.0, turns=1, spread=0.25, patch=SMALL, regions=4, geometric=0.1, prior=True),
-    Phase(1.0, turns=1, spread=0.1, patch=DENSE, regions=4, geometric=0.1, prior=True),
+    Phase(0.25, iterations=4, spread=1.0, patch=LARGE),
+    Phase(0.5, iterations=2, spread=0.6, patch=LARGE),
+    Phase(1.0, iterations=1, spread=0.6, patch=MIDDLE),
+    Phase(1.0, iterations=1, spread=0.25, patch=SMALL, regions=4, geometric=0.1, prior=True),
+    Phase(1.0, iterations=1, spread=0.1, patch=DENSE, regions=4, geometric=0.1, prior=True),
 )
 TRIALS = 4  # perturbed planes per iteration
 CHOSEN = 3  # sources per pixel
@@ -151,37 +151,41 @@ class Setting:
 
 
 def plan_for(cameras: Sequence[PosedCamera]) -> tuple[Phase, ...]:
-    least = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
-    return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(least * phase.scale) >= MIN_SIDE)
+    shortest_side = min(min(each.intrinsic.width, each.intrinsic.height) for each in cameras)
+    return tuple(phase for phase in PLAN if phase.scale == 1.0 or round(shortest_side * phase.scale) >= MIN_SIDE)
 
 
-def find_depth(setting: Setting, folder: Path | None, say: Any, going: Path | None = None) -> Iterator[DepthMap]:
-    """Yield the depth maps in order; `folder` buffers planes beyond device memory, `going` holds checkpoints."""
-    plan, stay = plan_for(setting.cameras), going is None and _stay_on_device(setting)
-    count, kept = len(setting.cameras), PlaneFiles(going)
-    first, found = kept.last_whole([phase.scale for phase in plan], setting.cameras, setting.sources)
-    folder = None if stay or going else folder
-    with tempfile.TemporaryDirectory(prefix=".planes-", dir=folder) if folder else contextlib.nullcontext() as place:
+def find_depth(
+    setting: Setting, folder: Path | None, report: Any, checkpoints: Path | None = None
+) -> Iterator[DepthMap]:
+    """Yield the depth maps in order; `folder` buffers planes beyond device memory, `checkpoints` keeps phases."""
+    plan, stay = plan_for(setting.cameras), checkpoints is None and _stay_on_device(setting)
+    count, files = len(setting.cameras), PlaneFiles(checkpoints)
+    first, previous = files.last_complete([phase.scale for phase in plan], setting.cameras, setting.sources)
+    folder = None if stay or checkpoints else folder
+    with tempfile.TemporaryDirectory(prefix=".planes-", dir=folder) if folder else contextlib.nullcontext() as scratch:
         for number, phase in enumerate(plan[first:], first):
-            walk = _Walk(setting, number, phase, found)
-            fresh: list[Found | None] = [None] * count
+            run = _PhaseRun(setting, number, phase, previous)
+            fresh: list[StoredPlanes | None] = [None] * count
             for i in range(count):
-                camera = walk.cameras[i]
+                camera = run.cameras[i]
                 planes = None
                 if setting.sources[i]:
-                    before = kept.read(number, i, camera)
-                    planes = walk.match(i) if before is None else before.on(setting.device)
+                    before = files.read(number, i, camera)
+                    planes = run.match(i) if before is None else before.on(setting.device)
                     if before is None:
-                        kept.write(number, i, planes)
-                say("depth", number * count + i + 1, len(plan) * count)
+                        files.write(number, i, planes)
+                report("depth", number * count + i + 1, len(plan) * count)
                 if number == len(plan) - 1:
-                    yield _no_depth(setting.cameras[i]) if planes is None else walk.result(i, planes)
+                    yield _no_depth(setting.cameras[i]) if planes is None else run.result(i, planes)
                 elif planes is not None:
-                    fresh[i] = kept.read(number, i, camera)
+                    fresh[i] = files.read(number, i, camera)
                     if fresh[i] is None:
-                        fresh[i] = Found(planes, camera) if stay else _kept(planes, camera, place, number, i)
-            _drop(found)
-            found = fresh
+                        fresh[i] = (
+                            StoredPlanes(planes, camera) if stay else _store_planes(planes, camera, scratch, number, i)
+                        )
+            _drop(previous)
+            previous = fresh
 
 
 def _stay_on_device(setting: Setting) -> bool:
@@ -190,17 +194,19 @@ def _stay_on_device(setting: Setting) -> bool:
     return (SLOT_BYTES + 2 * PLANE_BYTES) * size <= setting.device_bytes
 
 
-def _kept(planes: Any, camera: PinholeCameraIntrinsic, place: str | None, number: int, index: int) -> Found:
+def _store_planes(
+    planes: Any, camera: PinholeCameraIntrinsic, folder: str | None, number: int, index: int
+) -> StoredPlanes:
     values = np.array(download(planes)).reshape(-1, 4)
-    if place is None:
-        return Found(values, camera)
-    path = Path(place) / f"{number}-{index}.npy"
+    if folder is None:
+        return StoredPlanes(values, camera)
+    path = Path(folder) / f"{number}-{index}.npy"
     np.save(path, values)
-    return Found(path, camera)
+    return StoredPlanes(path, camera)
 
 
-def _drop(found: Sequence[Found | None]) -> None:
-    for each in found:
+def _drop(stored: Sequence[StoredPlanes | None]) -> None:
+    for each in stored:
         if each is not None and isinstance(each.planes, Path):
             each.planes.unlink()
 
@@ -216,16 +222,16 @@ def projection(source: PinholeCameraIntrinsic, reference: PinholeCameraIntrinsic
     return np.column_stack([rotation, K @ T_source_reference[:3, 3]])
 
 
-class _Walk:
+class _PhaseRun:
     """One phase: the scaled images on the device, and the maps of the previous phase."""
 
-    def __init__(self, setting: Setting, number: int, phase: Phase, found: Sequence[Found | None]):
-        self.setting, self.number, self.phase, self.found = setting, number, phase, found
+    def __init__(self, setting: Setting, number: int, phase: Phase, previous: Sequence[StoredPlanes | None]):
+        self.setting, self.number, self.phase, self.previous = setting, number, phase, previous
         self.patch = patch_on(phase.patch, setting.device)
         self.cameras = [camera.intrinsic.scaled(phase.scale) for camera in setting.cameras]
         largest = max(each.width * each.height for each in self.cameras)
-        least = 1 + max(len(each) for each in setting.sources)
-        count = min(max(setting.device_bytes // (SLOT_BYTES * largest), least), len(setting.cameras))
+        min_slots = 1 + max(len(each) for each in setting.sources)
+        count = min(max(setting.device_bytes // (SLOT_BYTES * largest), min_slots), len(setting.cameras))
         self.brightness = picture_slots(count, largest, setting.device)
         self.maps: Slots = plane_slots(
             count if phase.geometric else 1, largest if phase.geometric else 1, setting.device
@@ -235,7 +241,7 @@ class _Walk:
     def match(self, index: int) -> Any:
         reference, sources = self.views(index)
         phase, device = self.phase, self.setting.device
-        before, size = self.found[index], reference.width * reference.height
+        before, size = self.previous[index], reference.width * reference.height
         chosen = min(CHOSEN, sources.count)
         seed = (self.setting.seed + SEED_STEP * (self.number * len(self.cameras) + index)) & MAX_SEED
         if before is None:
@@ -249,18 +255,18 @@ class _Walk:
         costs = start_planes(
             reference, sources, planes, seed=seed, is_given=before is not None, geometric=phase.geometric, chosen=chosen
         )
-        for number in range(phase.turns):
+        for number in range(phase.iterations):
             for color in (0, 1):
-                turn = HalfIteration(
+                iteration = HalfIteration(
                     seed=seed, number=number, color=color, regions=phase.regions, trials=TRIALS, chosen=chosen,
                     spread=phase.spread * 0.5**number, geometric=phase.geometric, good=GOOD,
                 )  # fmt: skip
-                spread_planes(turn, reference, sources, planes, costs)
+                spread_planes(iteration, reference, sources, planes, costs)
         if phase.prior:
             judged = judge_pixels(reference, sources, planes)
-            places = find_regions(judged, reference.width)
-            if places is not None:
-                priors = plane_priors(places, judged, planes, TOLERANCE / reference.pixels_per, seed)
+            supports = find_regions(judged, reference.width)
+            if supports is not None:
+                priors = plane_priors(supports, judged, planes, TOLERANCE / reference.pixels_per, seed)
                 take_priors(chosen, phase.geometric, reference, sources, priors, planes, costs)
         return planes
 
@@ -290,7 +296,7 @@ class _Walk:
         return reference, sources
 
     def _source(self, index: int, other: int) -> tuple[Any, ...]:
-        mine, theirs, old = self.cameras[index], self.cameras[other], self.found[other]
+        mine, theirs, old = self.cameras[index], self.cameras[other], self.previous[other]
         T = self.setting.cameras[other].T_camera_world @ invert_pose(self.setting.cameras[index].T_camera_world)
         layout = (theirs.width, theirs.height, self._picture(other))
         there = projection(theirs, mine, T)

@@ -73,20 +73,20 @@ class SparsePoints:
     observations: NDArray[np.int64]
 
     def __init__(self, points: ArrayLike, observations: ArrayLike):
-        kept = check_finite("points", check_rows("points", points, 3, dtype=np.float64)).copy()
+        checked = check_finite("points", check_rows("points", points, 3, dtype=np.float64)).copy()
         pairs = check_numeric("observations", observations)
         if pairs.size and pairs.dtype.kind not in "iu":
-            raise TypeError(f"observations: expected whole numbers, got {pairs.dtype}")
+            raise TypeError(f"observations: expected integers, got {pairs.dtype}")
         pairs = check_rows("observations", pairs, 2)
-        if pairs.size and (pairs.min() < 0 or pairs[:, 1].max() >= len(kept)):
+        if pairs.size and (pairs.min() < 0 or pairs[:, 1].max() >= len(checked)):
             raise ValueError(
-                f"observations: expected pairs (picture, point) with points 0 to {len(kept) - 1}, "
+                f"observations: expected pairs (image, point) with points 0 to {len(checked) - 1}, "
                 f"got numbers {pairs.min()} to {pairs.max()}"
             )
         pairs = np.unique(pairs.astype(np.int64), axis=0).reshape(-1, 2)
-        for array in (kept, pairs):
+        for array in (checked, pairs):
             array.flags.writeable = False
-        object.__setattr__(self, "points", kept)
+        object.__setattr__(self, "points", checked)
         object.__setattr__(self, "observations", pairs)
 
     def seen_by(self, picture: int) -> NDArray[np.int64]:
@@ -116,15 +116,15 @@ def check_cameras(name: str, values: Any) -> tuple[PosedCamera, ...]:
 
 def check_sources(name: str, values: Any, count: int) -> tuple[tuple[int, ...], ...]:
     """Check the source numbers of `count` images: existing, unique, not the image itself."""
-    lists = check_list(name, values, "lists of picture numbers")
+    lists = check_list(name, values, "lists of image numbers")
     if len(lists) != count:
-        raise ValueError(f"{name}: expected a list for each of the {count} pictures, got {len(lists)}")
+        raise ValueError(f"{name}: expected a list for each of the {count} images, got {len(lists)}")
     out = []
     for i, numbers in enumerate(lists):
         where = f"{name}[{i}]"
-        kept = [check_count(where, n, minimum=0) for n in check_list(where, numbers, "picture numbers")]
-        wrong = [n for n in kept if n >= count or n == i or kept.count(n) > 1]
+        sources = [check_count(where, n, minimum=0) for n in check_list(where, numbers, "image numbers")]
+        wrong = [n for n in sources if n >= count or n == i or sources.count(n) > 1]
         if wrong:
-            raise ValueError(f"{where}: expected other pictures, 0 to {count - 1}, each once, got {kept}")
-        out.append(tuple(kept))
+            raise ValueError(f"{where}: expected other images, 0 to {count - 1}, each once, got {sources}")
+        out.append(tuple(sources))
     return tuple(out)

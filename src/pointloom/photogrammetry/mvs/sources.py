@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ...core.checks import check_count
-from ..frusta import places_before
+from ..frusta import sample_visibility
 from .posed_pictures import PosedCamera, SparsePoints, check_cameras, check_sparse
 
 COUNT = 8
@@ -57,19 +57,19 @@ def choose_sources(cameras: Any, sparse: Any, *, count: int = COUNT) -> tuple[tu
         ((1, 2), (0, 2), (1, 0), (2, 1))
     """
     posed = check_cameras("cameras", cameras)
-    most = check_count("count", count, maximum=MAX_SOURCES, because="each takes its share of the time")
+    max_count = check_count("count", count, maximum=MAX_SOURCES, because="each one adds computation time")
     points = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), np.int64))
     if sparse is not None:
         points = check_sparse("sparse", sparse)
     seen = points.observations
     if seen.size and seen[:, 0].max() >= len(posed):
-        raise ValueError(f"sparse: pictures up to {seen[:, 0].max()} see points, but there are {len(posed)} cameras")
+        raise ValueError(f"sparse: expected image numbers below the {len(posed)} cameras, got {seen[:, 0].max()}")
     centers = np.array([camera.center for camera in posed]).reshape(-1, 3)
     tracks = _Tracks(seen, len(points.points))
     step, out = _step(centers), []
     for i in range(len(posed)):
-        chosen = _by_cover(i, points, tracks, centers, most)
-        out.append(chosen or _by_frusta(i, posed, most) or _by_camera(i, posed, centers, step, most))
+        chosen = _by_cover(i, points, tracks, centers, max_count)
+        out.append(chosen or _by_frusta(i, posed, max_count) or _by_camera(i, posed, centers, step, max_count))
     return tuple(out)
 
 
@@ -83,31 +83,31 @@ class _Tracks:
 
     def of(self, points: NDArray[np.int64]) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
         first, lengths = self.starts[points], np.diff(self.starts)[points]
-        places = np.repeat(np.arange(len(points)), lengths)
-        inside = np.arange(len(places)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
-        return places, self.pictures[np.repeat(first, lengths) + inside]
+        rows = np.repeat(np.arange(len(points)), lengths)
+        inside = np.arange(len(rows)) - np.repeat(np.cumsum(lengths) - lengths, lengths)
+        return rows, self.pictures[np.repeat(first, lengths) + inside]
 
 
 def _by_cover(
-    i: int, sparse: SparsePoints, tracks: _Tracks, centers: NDArray[np.float64], most: int
+    i: int, sparse: SparsePoints, tracks: _Tracks, centers: NDArray[np.float64], max_count: int
 ) -> tuple[int, ...]:
     """Sources by points shared with image i. None without such points."""
     mine = sparse.seen_by(i)
-    places, pictures = tracks.of(mine)
+    rows, pictures = tracks.of(mine)
     others = pictures != i
-    places, pictures = places[others], pictures[others]
-    at = sparse.points[mine[places]]
+    rows, pictures = rows[others], pictures[others]
+    at = sparse.points[mine[rows]]
     weights = _worth(at - centers[i], at - centers[pictures])
     wanted, chosen = np.full(len(mine), ENOUGH), []
-    for _ in range(most):
-        gain = np.bincount(pictures, np.minimum(weights, wanted[places]), minlength=len(centers))
+    for _ in range(max_count):
+        gain = np.bincount(pictures, np.minimum(weights, wanted[rows]), minlength=len(centers))
         gain[chosen] = 0.0
         best = int(gain.argmax())
         if not gain[best] > 0:
             break
         chosen.append(best)
         its = pictures == best
-        wanted[places[its]] = np.maximum(wanted[places[its]] - weights[its], 0.0)
+        wanted[rows[its]] = np.maximum(wanted[rows[its]] - weights[its], 0.0)
     return tuple(chosen)
 
 
@@ -121,14 +121,14 @@ def _worth_of(angle: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.clip(angle / NARROW, 0, 1) * np.exp(-np.maximum(angle - WIDE, 0) / FALLOFF)
 
 
-def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int, ...]:
+def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], max_count: int) -> tuple[int, ...]:
     """Sources by common sample points. None if no camera sees them from aside."""
     poses = np.array([camera.T_camera_world for camera in cameras])
-    places, seen, angles = places_before(i, [camera.intrinsic for camera in cameras], poses)
+    samples, seen, angles = sample_visibility(i, [camera.intrinsic for camera in cameras], poses)
     weights = _worth_of(angles) * seen
     often = seen.sum(axis=1) / max(1, len(cameras) - 1)
-    wanted, chosen = np.full(len(places), ENOUGH), []
-    for _ in range(most):
+    wanted, chosen = np.full(len(samples), ENOUGH), []
+    for _ in range(max_count):
         gain = often @ np.minimum(weights, wanted[:, None])
         gain[chosen] = 0.0
         best = int(gain.argmax())
@@ -142,11 +142,11 @@ def _by_frusta(i: int, cameras: tuple[PosedCamera, ...], most: int) -> tuple[int
 def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: float) -> tuple[float, float] | None:
     """Depth range of image i that others may see, by quantiles `low`, `high` of sample points. None if empty."""
     poses = np.array([camera.T_camera_world for camera in cameras])
-    places, seen, _ = places_before(i, [camera.intrinsic for camera in cameras], poses)
+    samples, seen, _ = sample_visibility(i, [camera.intrinsic for camera in cameras], poses)
     weights = seen.sum(axis=1)
     if not weights.any():
         return None
-    z = places @ poses[i, 2, :3] + poses[i, 2, 3]
+    z = samples @ poses[i, 2, :3] + poses[i, 2, 3]
     order = np.argsort(z, kind="stable")
     below = np.cumsum(weights[order]) / weights.sum()
     nearest, farthest = (float(z[order[int(np.searchsorted(below, share))]]) for share in (low, high - 1e-9))
@@ -154,7 +154,7 @@ def depth_in_view(i: int, cameras: tuple[PosedCamera, ...], low: float, high: fl
 
 
 def _by_camera(
-    i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.float64], step: float, most: int
+    i: int, cameras: tuple[PosedCamera, ...], centers: NDArray[np.float64], step: float, max_count: int
 ) -> tuple[int, ...]:
     if len(cameras) < 2:
         return ()
@@ -163,7 +163,7 @@ def _by_camera(
     steps = np.linalg.norm(centers - centers[i], axis=1) / max(step, np.finfo(float).tiny)
     worth = alike * np.minimum(steps, 1.0) * np.exp(-np.maximum(steps / WITHOUT_POINTS - 1.0, 0.0))
     worth[i] = 0.0
-    order = np.argsort(-worth, kind="stable")[:most]
+    order = np.argsort(-worth, kind="stable")[:max_count]
     return tuple(int(j) for j in order if worth[j] > 0)
 
 

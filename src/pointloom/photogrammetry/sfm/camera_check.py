@@ -12,7 +12,7 @@ from .colmap_cameras import FLAT, GIVEN_WORSE, LEVEL, MAX_SPREAD, MUCH_BETTER, i
 GIVEN_OFF = 1.02  # factor: calibrations of one lens differ by less
 EXIF_OFF = 0.05  # error of EXIF's focal length: rounded 35 mm equivalents
 
-_REMEDY = "give the camera (intrinsic), or take pictures with the camera turned and tilted, from several sides"
+_REMEDY = "give the camera (intrinsic), or take images with the camera rotated and tilted, from several sides"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -42,8 +42,8 @@ class CameraCheck:
     parted: int = 0
 
     @classmethod
-    def from_json(cls, told: Mapping[str, Any]) -> CameraCheck:
-        known = {field.name: told.get(field.name) for field in dataclasses.fields(cls)}
+    def from_json(cls, record: Mapping[str, Any]) -> CameraCheck:
+        known = {field.name: record.get(field.name) for field in dataclasses.fields(cls)}
         return cls(**{name: value for name, value in known.items() if value is not None})
 
     def to_dict(self) -> dict[str, Any]:
@@ -54,7 +54,7 @@ class CameraCheck:
         return math.isnan(self.given) and is_open(self.rise, self.spread)
 
     @property
-    def is_exif_kept(self) -> bool:
+    def uses_exif(self) -> bool:
         return self.is_open and not math.isnan(self.exif) and self.freed_error < (1 + FLAT) * self.error
 
     @property
@@ -67,29 +67,31 @@ class CameraCheck:
     def reasons(self) -> list[str]:
         best = self.error if math.isnan(self.given) else min(self.error, self.freed_error)
         if self.own_error < MUCH_BETTER * best and not self.parted:
-            off = f"with one for each the error falls from {best:.2g} to {self.own_error:.2g} px"
-            return [f"the pictures were taken with several focal lengths ({off}): do not zoom, and keep to one lens"]
+            off = f"with one focal length per image the error falls from {best:.2g} to {self.own_error:.2g} px"
+            return [f"the images were taken with several focal lengths ({off}): do not zoom, and use one lens"]
         if self.is_given_wrong:
             off = f"the error falls from {self.error:.2g} to {self.freed_error:.2g} px"
-            said = f"the pictures ask for a focal length of {self.found:.4g} px, {self.given:.4g} px were given ({off})"
-            return [f"{said}: check the camera that was given, or leave it out"]
-        if not self.is_open or self.is_exif_kept:
+            message = (
+                f"the given focal length is {self.given:.4g} px, but {self.found:.4g} px fits the images better ({off})"
+            )
+            return [f"{message}: check the given camera, or leave it out"]
+        if not self.is_open or self.uses_exif:
             return []
         if not math.isnan(self.exif):
-            off = f"EXIF says {self.exif:.4g} px, with which they fit worse"
-            return [f"the pictures do not fix the focal length, and {off} than with {self.found:.4g} px: {_REMEDY}"]
-        rises = f"held 15 % off {self.found:.4g} px, the error rises by {100 * max(self.rise, 0):.1f} %"
+            off = f"the {self.exif:.4g} px of EXIF fit worse"
+            return [f"the images do not determine the focal length, and {off} than {self.found:.4g} px: {_REMEDY}"]
+        rises = f"with a focal length 15% off {self.found:.4g} px, the error rises by {100 * max(self.rise, 0):.1f}%"
         if not self.rise < LEVEL:
-            others = "parts of the pictures, or a lens with more distortion, ask for others"
-            rises += f", and {others}, by {100 * self.spread:.0f} %"
-        off = "lengths along and across the view may be off by as much, one against the other"
-        return [f"the pictures do not fix the focal length ({rises}), so that {off}: {_REMEDY}"]
+            others = "subsets of the images, or a lens with more distortion, change the focal length"
+            rises += f", and {others} by {100 * self.spread:.0f}%"
+        off = "the ratio of lengths along and across the viewing direction may be off by as much"
+        return [f"the images do not determine the focal length ({rises}), so {off}: {_REMEDY}"]
 
     def notes(self) -> list[str]:
-        said = []
+        lines = []
         if self.parted:
-            said.append(f"one camera does not explain the pictures, {self.parted} of other focal lengths do")
-        if self.is_exif_kept:
-            off = f"lengths along and across the view may differ by {100 * EXIF_OFF:.0f} %"
-            said.append(f"the pictures do not fix the focal length; it is EXIF's, {self.exif:.4g} px: {off}")
-        return said
+            lines.append(f"one camera does not fit the images, {self.parted} cameras with different focal lengths do")
+        if self.uses_exif:
+            off = f"the ratio of lengths along and across the viewing direction may be off by {100 * EXIF_OFF:.0f}%"
+            lines.append(f"the images do not determine the focal length; EXIF's {self.exif:.4g} px are used: {off}")
+        return lines

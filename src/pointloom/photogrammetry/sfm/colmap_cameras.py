@@ -15,7 +15,7 @@ from typing import Any
 import numpy as np
 
 # Test factors of the focal length: 15% too short a flight over ground makes heights 15% too small.
-HELD = (0.85, 1.18)
+FIXED_FACTORS = (0.85, 1.18)
 
 # Minimum relative error decrease with one camera per image to try several cameras, as slow as the first mapping. Images
 # of one camera have 1 to 4%.
@@ -75,10 +75,12 @@ def thinned(pycolmap: Any, model: Any) -> Any:
     for number in [number for number in copy.point3D_ids() if copy.point3D(number).track.length() < 2]:
         copy.delete_point3D(number)
     numbers = sorted(copy.point3D_ids())
-    most = max(_MAX_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
-    kept = {numbers[k] for k in np.linspace(0, len(numbers) - 1, most).round().astype(int)} if numbers else set()
+    max_points = max(_MAX_POINTS, _POINTS_A_PICTURE * copy.num_reg_images())
+    selected = (
+        {numbers[k] for k in np.linspace(0, len(numbers) - 1, max_points).round().astype(int)} if numbers else set()
+    )
     for number in numbers:
-        if number not in kept:
+        if number not in selected:
             copy.delete_point3D(number)
     return copy
 
@@ -99,7 +101,7 @@ def scale_focal_lengths(model: Any, factors: dict[int, float]) -> None:
         camera.params = params
 
 
-def settle_cameras(
+def resolve_cameras(
     pycolmap: Any, job: dict[str, Any], models: list[Any], map_again: Callable[[], list[Any]]
 ) -> tuple[list[Any], dict[str, Any]]:
     """Check the cameras of the largest model. Returns the models and the values of `camera_check.CameraCheck`."""
@@ -108,12 +110,14 @@ def settle_cameras(
     if job["fixed_camera"]:
         return models, judge_given(pycolmap, models[0])
     known = _known_focal_lengths(pycolmap, job["database"])
-    models, told = split_cameras(pycolmap, job, models, map_again)
-    told |= profile(pycolmap, models[0])
-    if is_open(told["rise"], told.get("spread", 0.0)) and any(number in known for number in used_cameras(models[0])):
-        first, held = hold_at_exif(pycolmap, models[0], known)
-        return [first, *models[1:]], told | held
-    return models, told
+    models, record = split_cameras(pycolmap, job, models, map_again)
+    record |= profile(pycolmap, models[0])
+    if is_open(record["rise"], record.get("spread", 0.0)) and any(
+        number in known for number in used_cameras(models[0])
+    ):
+        first, exif_record = fix_at_exif(pycolmap, models[0], known)
+        return [first, *models[1:]], record | exif_record
+    return models, record
 
 
 def is_open(rise: float, spread: float) -> bool:
@@ -135,8 +139,8 @@ def with_own_cameras(pycolmap: Any, model: Any) -> Any:
         camera = pycolmap.Camera(image.camera.todict())
         camera.camera_id = number
         made.add_camera_with_trivial_rig(camera)
-        places = np.array([point.xy for point in image.points2D]).reshape(-1, 2)
-        copy = pycolmap.Image(name=image.name, keypoints=places, camera_id=number, image_id=number)
+        pixels = np.array([point.xy for point in image.points2D]).reshape(-1, 2)
+        copy = pycolmap.Image(name=image.name, keypoints=pixels, camera_id=number, image_id=number)
         made.add_image_with_trivial_frame(copy, image.cam_from_world())
     for number in sorted(model.point3D_ids()):
         point, track = model.point3D(number), pycolmap.Track()
@@ -160,13 +164,13 @@ def own_focal_lengths(pycolmap: Any, model: Any) -> tuple[float, float, dict[int
 def clusters(lengths: dict[int, float]) -> list[list[int]]:
     """Group images by focal length, split where neighbors differ by more than one lens does."""
     order = sorted(lengths, key=lambda number: (lengths[number], number))
-    found: list[list[int]] = []
+    groups: list[list[int]] = []
     for number in order:
-        if found and lengths[number] <= SAME_LENS * lengths[found[-1][-1]]:
-            found[-1].append(number)
+        if groups and lengths[number] <= SAME_LENS * lengths[groups[-1][-1]]:
+            groups[-1].append(number)
         else:
-            found.append([number])
-    return found
+            groups.append([number])
+    return groups
 
 
 def part_cameras(pycolmap: Any, database: str, groups: list[list[int]], lengths: dict[int, float]) -> None:
@@ -195,22 +199,22 @@ def split_cameras(
 ) -> tuple[list[Any], dict[str, Any]]:
     """Use several cameras if they reduce the error by a third; refined cameras that agree are merged again."""
     shared, alone, lengths = own_focal_lengths(pycolmap, models[0])
-    told: dict[str, Any] = {"own_error": alone}
+    record: dict[str, Any] = {"own_error": alone}
     groups = clusters(lengths)
     if not alone < (1 - WORTH_TRYING) * shared or len(groups) < 2:
-        return models, told
+        return models, record
     if len(groups) > len(lengths) // 2:  # a continuous zoom, or a rough first model
         groups = [[number] for number in sorted(lengths)]
-    most = MUCH_BETTER * rms_error(models[0])
-    kept = _parted(pycolmap, job, models, groups, lengths, map_again, most)
-    if kept is models:
-        return models, told
-    first = kept[0]
+    max_error = MUCH_BETTER * rms_error(models[0])
+    selected = _parted(pycolmap, job, models, groups, lengths, map_again, max_error)
+    if selected is models:
+        return models, record
+    first = selected[0]
     lengths |= {number: focal_length(first.image(number).camera) for number in first.reg_image_ids()}
     joined = clusters(lengths)
     if len(joined) < len(groups):
-        kept = _parted(pycolmap, job, kept, joined, lengths, map_again, _AS_GOOD * rms_error(first))
-    return kept, told | {"parted": len(used_cameras(kept[0]))}
+        selected = _parted(pycolmap, job, selected, joined, lengths, map_again, _AS_GOOD * rms_error(first))
+    return selected, record | {"parted": len(used_cameras(selected[0]))}
 
 
 def _parted(
@@ -220,14 +224,14 @@ def _parted(
     groups: list[list[int]],
     lengths: dict[int, float],
     map_again: Callable[[], list[Any]],
-    most_error: float,
+    max_error: float,
 ) -> list[Any]:
     """Models with a camera per group. The previous ones if those place fewer images or have larger errors."""
     part_cameras(pycolmap, job["database"], groups, lengths)
     others = map_again()
     if not others or others[0].num_reg_images() < models[0].num_reg_images():
         return models
-    return others if rms_error(others[0]) <= most_error else models
+    return others if rms_error(others[0]) <= max_error else models
 
 
 def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
@@ -238,12 +242,12 @@ def judge_given(pycolmap: Any, model: Any) -> dict[str, Any]:
     given = focal_length(few.camera(first))
     error = adjusted(pycolmap, few, focal=False, lens=False)
     freed = adjusted(pycolmap, few, focal=True)
-    found = focal_length(few.camera(first))
-    told = {"given": given, "error": error, "found": found, "freed_error": freed}
-    told |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
+    estimated = focal_length(few.camera(first))
+    record = {"given": given, "error": error, "found": estimated, "freed_error": freed}
+    record |= {"own_error": own_focal_lengths(pycolmap, few)[1]}
     # with a small decrease, parts of the images have to agree
-    is_off = abs(math.log(found / given)) > 2 * MAX_SPREAD and error > (1 + FLAT) * freed
-    return told | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
+    is_off = abs(math.log(estimated / given)) > 2 * MAX_SPREAD and error > (1 + FLAT) * freed
+    return record | ({"spread": spread_of_parts(pycolmap, few)} if is_off and freed > GIVEN_WORSE * error else {})
 
 
 def _tie_focal_lengths(pycolmap: Any, model: Any) -> None:
@@ -262,12 +266,12 @@ def profile(pycolmap: Any, model: Any) -> dict[str, Any]:
     few = thinned(pycolmap, model)
     error = adjusted(pycolmap, few, focal=True)
     cameras, rises = used_cameras(few), []
-    for factor in HELD:
-        held = pycolmap.Reconstruction(few)
-        scale_focal_lengths(held, dict.fromkeys(cameras, factor))
-        rises.append(adjusted(pycolmap, held, focal=False) / error - 1 if error > 0 else 0.0)
-    told = {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
-    return told | ({"spread": spread_of_parts(pycolmap, few)} if LEVEL <= told["rise"] < STEEP else {})
+    for factor in FIXED_FACTORS:
+        fixed = pycolmap.Reconstruction(few)
+        scale_focal_lengths(fixed, dict.fromkeys(cameras, factor))
+        rises.append(adjusted(pycolmap, fixed, focal=False) / error - 1 if error > 0 else 0.0)
+    record = {"found": focal_length(few.camera(cameras[0])), "error": error, "rise": min(rises)}
+    return record | ({"spread": spread_of_parts(pycolmap, few)} if LEVEL <= record["rise"] < STEEP else {})
 
 
 def spread_of_parts(pycolmap: Any, model: Any) -> float:
@@ -286,8 +290,8 @@ def _cell(xy: Any, size: tuple[int, int]) -> int:
 
 
 def _jackknife(logs: list[float]) -> float:
-    found = np.array(logs)
-    return math.sqrt((len(found) - 1) / len(found) * float(((found - found.mean()) ** 2).sum()))
+    values = np.array(logs)
+    return math.sqrt((len(values) - 1) / len(values) * float(((values - values.mean()) ** 2).sum()))
 
 
 def _log_focal(model: Any) -> float:
@@ -322,14 +326,14 @@ def _focal_without(pycolmap: Any, model: Any, is_left_out: Callable[..., bool]) 
     return _log_focal(part)
 
 
-def hold_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
+def fix_at_exif(pycolmap: Any, model: Any, known: dict[int, float]) -> tuple[Any, dict[str, Any]]:
     """The model with EXIF's focal lengths if they fit as well. Cameras without move along."""
     cameras = used_cameras(model)
     factors = {number: known[number] / focal_length(model.camera(number)) for number in cameras if number in known}
     usual = float(np.median(list(factors.values())))
-    held, error = pycolmap.Reconstruction(model), rms_error(model)
-    scale_focal_lengths(held, {number: factors.get(number, usual) for number in cameras})
-    after = adjusted(pycolmap, held, focal=False)
-    held.update_point_3d_errors()
-    told = {"exif": known[min(factors)], "error": error, "freed_error": after}
-    return held if after < (1 + FLAT) * error else model, told
+    fixed, error = pycolmap.Reconstruction(model), rms_error(model)
+    scale_focal_lengths(fixed, {number: factors.get(number, usual) for number in cameras})
+    after = adjusted(pycolmap, fixed, focal=False)
+    fixed.update_point_3d_errors()
+    record = {"exif": known[min(factors)], "error": error, "freed_error": after}
+    return fixed if after < (1 + FLAT) * error else model, record

@@ -33,12 +33,12 @@ Report = Callable[[dict[str, Any]], None]
 
 def run_job(
     job: dict[str, Any],
-    place: Path,
+    path: Path,
     *,
     max_seconds: float,
     max_memory: int | None,
     poll: Callable[[], None] | None = None,
-    tell: Report | None = None,
+    report: Report | None = None,
 ) -> tuple[dict[str, Any], int]:
     """Run a COLMAP job. Returns its result and peak memory [B]. FileError if it fails or passes a limit."""
     command = [sys.executable, "-P", str(_WORKER)]
@@ -46,14 +46,14 @@ def run_job(
     with LimitedProcess(command, max_seconds=max_seconds, max_memory=max_memory, stdin=json.dumps(job)) as process:
         for message in _messages(process, poll):
             last = message
-            if tell is not None and not message.keys() & {"done", "failed", "missing"}:
-                tell(message)
+            if report is not None and not message.keys() & {"done", "failed", "missing"}:
+                report(message)
         if "done" in last and process.wait() == 0:
             if poll is not None:
                 poll()
             return last["done"], process.peak_bytes
         reason, remedy = _what_failed(job["stage"], last, process, Path(job["database"]).parent.parent)
-    raise FileError(place, reason, remedy=remedy)
+    raise FileError(path, reason, remedy=remedy)
 
 
 def _messages(process: LimitedProcess, poll: Callable[[], None] | None) -> Iterator[dict[str, Any]]:
@@ -83,36 +83,36 @@ def _what_failed(stage: str, last: dict[str, Any], process: LimitedProcess, fold
     if "missing" in last:
         return "structure from motion needs the package pycolmap", 'pip install "pointloom[sfm]"'
     words = " / ".join(filter(None, (str(last.get("failed", "")), process.last_words())))
-    said = f"; its last words: {words}" if words else ""
+    output = f"; its last output: {words}" if words else ""
     if process.killed_for == "time":
-        return f"{noun} {process.why_ended()}{said}", "Give it more time, or fewer or smaller pictures"
+        return f"{noun} {process.why_ended()}{output}", "Give it more time, or fewer or smaller images"
     if process.killed_for == "memory" or "out of memory" in words:
-        return f"{noun} {process.why_ended()}{said}", "Give it more memory, or fewer or smaller pictures"
+        return f"{noun} {process.why_ended()}{output}", "Give it more memory, or fewer or smaller images"
     free = os.statvfs(folder)
     free_bytes = free.f_bavail * free.f_frsize
     if free_bytes < _LITTLE_SPACE or any(text in words for text in _FULL_DISK):
-        reason = f"{noun} failed with {format_bytes(free_bytes)} free on the disk of {folder}{said}"
+        reason = f"{noun} failed with {format_bytes(free_bytes)} free on the disk of {folder}{output}"
         return reason, _SPACE
     if "failed" in last:
         return f"{noun} failed: {words}", ""
-    remedy = "Run it again; SIGKILL is what the system sends where memory runs out: fewer or smaller pictures need less"
-    return f"{noun} {process.why_ended()}{said}", remedy
+    remedy = "Run it again; the system sends SIGKILL if memory runs out: fewer or smaller images need less"
+    return f"{noun} {process.why_ended()}{output}", remedy
 
 
 @contextlib.contextmanager
 def open_database(path: Path) -> Iterator[sqlite3.Connection]:
     """Open COLMAP's database for reading, even while COLMAP writes to it."""
     if not path.is_file():
-        reason = "is no database of COLMAP" if path.exists() else "does not exist"
-        raise FileError(path, reason, remedy="sfm.find_features makes one")
+        reason = "is not a COLMAP database" if path.exists() else "does not exist"
+        raise FileError(path, reason, remedy="sfm.find_features creates one")
     try:
         with contextlib.closing(sqlite3.connect(f"file:{quote(os.fspath(path))}?mode=ro", uri=True)) as database:
             protect(database, path)
-            check_no_code(database, path, remedy="sfm.find_features makes one")
+            check_no_code(database, path, remedy="sfm.find_features creates one")
             yield database
     except sqlite3.Error as error:
-        reason = f"cannot be read as a database of COLMAP: {error}"
-        raise FileError(path, reason, remedy="sfm.find_features makes one") from error
+        reason = f"cannot be read as a COLMAP database: {error}"
+        raise FileError(path, reason, remedy="sfm.find_features creates one") from error
 
 
 def count_rows(path: Path, table: str) -> int:

@@ -28,8 +28,8 @@ FISHEYE_FACTOR = 0.45
 
 NO_CUDA = "this pycolmap was built without CUDA; pip uninstall pycolmap, then pip install pycolmap-cuda12"
 NO_NETWORKS = (
-    "ALIKED and LightGlue want a pycolmap built with ONNX, and their weights; that of PyPI has neither. "
-    'Build COLMAP with ONNX_ENABLED, or take kind="sift"'
+    "ALIKED and LightGlue require a pycolmap built with ONNX, and their weights; PyPI's has neither. "
+    'Build COLMAP with ONNX_ENABLED, or use kind="sift"'
 )
 
 _PR_SET_PDEATHSIG = 1  # Linux <sys/prctl.h>
@@ -132,23 +132,23 @@ def _choose_kind(pycolmap: Any, options: Any, kind: str) -> None:
 
 
 def match(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[str, Any]:
-    with _guesses_told(pycolmap, job):
+    with _guesses_as_priors(pycolmap, job):
         return _match(pycolmap, job)
 
 
 @contextlib.contextmanager
-def _guesses_told(pycolmap: Any, job: dict[str, Any]) -> Iterator[None]:
+def _guesses_as_priors(pycolmap: Any, job: dict[str, Any]) -> Iterator[None]:
     """Mark initial fisheye focal lengths as known: COLMAP 4.2 drops pairs and images of fisheyes without one."""
     with pycolmap.Database.open(job["database"]) as database:
         cameras = database.read_all_cameras()
     guessed = [camera for camera in cameras if is_fisheye(camera.model.name) and not camera.has_prior_focal_length]
-    for told in (True, False):
+    for is_known in (True, False):
         if guessed:
             with pycolmap.Database.open(job["database"]) as database:
                 for camera in guessed:
-                    camera.has_prior_focal_length = told
+                    camera.has_prior_focal_length = is_known
                     database.update_camera(camera)
-        if told:
+        if is_known:
             yield
 
 
@@ -184,19 +184,19 @@ def map_pictures(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[s
     models = _mapped(pycolmap, job, answers)
     done: dict[str, Any] = {"sizes": [model.num_reg_images() for model in models], "cameras": {}}
     if models:
-        settle = runpy.run_path(os.fspath(Path(__file__).with_name("colmap_cameras.py")))["settle_cameras"]
+        resolve = runpy.run_path(os.fspath(Path(__file__).with_name("colmap_cameras.py")))["resolve_cameras"]
         again = lambda: _mapped(pycolmap, job, answers)  # noqa: E731
-        models, done["cameras"] = settle(pycolmap, job, models, again)
+        models, done["cameras"] = resolve(pycolmap, job, models, again)
         done["sizes"] = [model.num_reg_images() for model in models]
         models[0].write(job["model"])
     return done
 
 
 def _mapped(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> list[Any]:
-    with _guesses_told(pycolmap, job):
-        found = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
+    with _guesses_as_priors(pycolmap, job):
+        models = (_map_globally if job["mapper"] == "global" else _map_incrementally)(pycolmap, job, answers)
     # The model number breaks ties of equal size.
-    return [model for _, model in sorted(found.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
+    return [model for _, model in sorted(models.items(), key=lambda item: (-item[1].num_reg_images(), item[0]))]
 
 
 def _map_globally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[int, Any]:
@@ -222,12 +222,12 @@ def _map_incrementally(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> 
     def begin() -> None:
         nonlocal registered
         registered = 2
-        _say(answers, {"registered": registered})
+        _send(answers, {"registered": registered})
 
     def proceed() -> None:
         nonlocal registered
         registered += 1
-        _say(answers, {"registered": registered})
+        _send(answers, {"registered": registered})
 
     return pycolmap.incremental_mapping(
         job["database"],
@@ -257,11 +257,11 @@ def triangulate(pycolmap: Any, job: dict[str, Any], answers: IO[str]) -> dict[st
     options.triangulation.merge_max_reproj_error = options.triangulation.complete_max_reproj_error = job["error"]
     options.mapper.filter_max_reproj_error = job["error"]
     options.triangulation.create_max_angle_error = options.triangulation.continue_max_angle_error = job["angle_error"]
-    found = pycolmap.triangulate_points(model, job["database"], job["scratch"], job["scratch"], options=options)
-    points = [found.points3D[number] for number in sorted(found.points3D)]
+    result = pycolmap.triangulate_points(model, job["database"], job["scratch"], job["scratch"], options=options)
+    points = [result.points3D[number] for number in sorted(result.points3D)]
     seen = [(e.image_id - 1, e.point2D_idx, k) for k, point in enumerate(points) for e in point.track.elements]
-    places = np.array([point.xyz for point in points], np.float64).reshape(-1, 3)
-    np.savez(job["found"], points=places, seen=np.array(seen, np.int64).reshape(-1, 3))
+    positions = np.array([point.xyz for point in points], np.float64).reshape(-1, 3)
+    np.savez(job["found"], points=positions, seen=np.array(seen, np.int64).reshape(-1, 3))
     return {"points": len(points)}
 
 
@@ -271,8 +271,8 @@ def _write_posed(pycolmap: Any, np: Any, model: Any, database: Any, given: dict[
         params = [given["focals"][i], given["focals"][i], 0.5, 0.5]
         camera = pycolmap.Camera(model="PINHOLE", width=width, height=height, params=params, camera_id=i + 1)
         model.add_camera_with_trivial_rig(camera)
-        places = given["places"][given["firsts"][i] : given["firsts"][i + 1]] + 0.5
-        image = pycolmap.Image(name=f"{i:06d}", keypoints=places, camera_id=i + 1, image_id=i + 1)
+        pixels = given["places"][given["firsts"][i] : given["firsts"][i + 1]] + 0.5
+        image = pycolmap.Image(name=f"{i:06d}", keypoints=pixels, camera_id=i + 1, image_id=i + 1)
         model.add_image_with_trivial_frame(image, pycolmap.Rigid3d(pycolmap.Rotation3d(pose[:, :3]), pose[:, 3]))
     for camera in model.cameras.values():
         database.write_camera(camera, use_camera_id=True)
@@ -282,14 +282,14 @@ def _write_posed(pycolmap: Any, np: Any, model: Any, database: Any, given: dict[
         database.write_frame(frame, use_frame_id=True)
     for number, image in model.images.items():
         database.write_image(image, use_image_id=True)
-        places = given["places"][given["firsts"][number - 1] : given["firsts"][number]] + 0.5
-        database.write_keypoints(number, places.astype(np.float32))
+        pixels = given["places"][given["firsts"][number - 1] : given["firsts"][number]] + 0.5
+        database.write_keypoints(number, pixels.astype(np.float32))
     for (a, b), first, last in zip(given["pairs"], given["starts"], given["starts"][1:], strict=False):
-        found = pycolmap.TwoViewGeometry()
-        found.config = pycolmap.TwoViewGeometryConfiguration.CALIBRATED
-        found.inlier_matches = given["matches"][first:last].astype(np.uint32)
-        database.write_matches(int(a) + 1, int(b) + 1, found.inlier_matches)
-        database.write_two_view_geometry(int(a) + 1, int(b) + 1, found)
+        geometry = pycolmap.TwoViewGeometry()
+        geometry.config = pycolmap.TwoViewGeometryConfiguration.CALIBRATED
+        geometry.inlier_matches = given["matches"][first:last].astype(np.uint32)
+        database.write_matches(int(a) + 1, int(b) + 1, geometry.inlier_matches)
+        database.write_two_view_geometry(int(a) + 1, int(b) + 1, geometry)
 
 
 def _own_output() -> IO[str]:
@@ -299,13 +299,13 @@ def _own_output() -> IO[str]:
     return answers
 
 
-def _say(answers: IO[str], message: dict[str, Any]) -> None:
+def _send(answers: IO[str], message: dict[str, Any]) -> None:
     answers.write(json.dumps(message) + "\n")
     answers.flush()
 
 
 def _end(answers: IO[str], message: dict[str, Any]) -> int:
-    _say(answers, message)
+    _send(answers, message)
     return 0 if "done" in message else 1
 
 

@@ -23,10 +23,10 @@ FILM_DIAGONAL = math.hypot(36.0, 24.0)  # [mm]
 _EXIF, _FOCAL, _FILM, _ZOOM = 0x8769, 0x920A, 0xA405, 0xA404
 _ACROSS, _UNIT, _WIDTH, _HEIGHT = 0xA20E, 0xA210, 0xA002, 0xA003
 _MILLIMETRES = {2: 25.4, 3: 10.0, 4: 1.0, 5: 0.001}  # resolution units: inch, cm, mm, um
-_TURNED = range(5, 9)  # orientations that swap width and height
+_ROTATED = range(5, 9)  # orientations that swap width and height
 
 
-def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
+def focal_problem(path: FilePath, size: tuple[int, int]) -> str | None:
     """Why EXIF's focal length is rejected for an image of this size [px]. None if accepted or missing."""
     inner = _inner(path)
     focal, film, zoom = (_number(inner, tag) for tag in (_FOCAL, _FILM, _ZOOM))
@@ -34,7 +34,7 @@ def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
     by_film = None if film is None else film / FILM_DIAGONAL * diagonal
     sensor = _sensor_of(inner)
     if by_film is not None and not SHORTEST <= by_film / longer <= LONGEST:
-        return f"{film:g} mm on 35 mm film are {by_film:.0f} px, which no lens has"
+        return f"its 35 mm equivalent of {film:g} mm is {by_film:.0f} px, which no lens has"
     if focal is None or sensor is None:
         return None
     is_sensor = SMALLEST_SENSOR <= sensor <= LARGEST_SENSOR
@@ -45,7 +45,7 @@ def doubt_of_focal(path: FilePath, size: tuple[int, int]) -> str | None:
         return None if SHORTEST <= by_sensor / longer <= LONGEST else f"{focal:g} mm over a sensor of {sensor:.3g} mm"
     apart = by_film / (by_sensor * max(zoom or 1.0, 1.0))
     if not 1 / MAX_APART <= apart <= MAX_APART:
-        return f"that on film says {by_film:.0f} px, that of the sensor {by_sensor:.0f} px"
+        return f"its 35 mm equivalent is {by_film:.0f} px, but by the sensor size it is {by_sensor:.0f} px"
     return None
 
 
@@ -55,26 +55,26 @@ def _sensor_of(inner: dict[int, Any]) -> float | None:
     return None if across is None or width is None or step is None else width / across * step
 
 
-def doubts_of_orientation(paths: Iterable[Path]) -> list[str]:
+def orientation_warnings(paths: Iterable[Path]) -> list[str]:
     unknown, swapped = [], []
     for path in paths:
         exif = read_exif(path)
         value: Any = exif.get(ORIENTATION, 1)
         if not isinstance(value, int) or not 0 <= value <= 8:
             unknown.append(path.name)
-        elif value in _TURNED:
+        elif value in _ROTATED:
             with ignored_errors():
                 inner, header = _inner(path), read_header(path)
-                told = _number(inner, _WIDTH), _number(inner, _HEIGHT)
-                if told == (header.height, header.width) and header.width != header.height:
+                stated_size = _number(inner, _WIDTH), _number(inner, _HEIGHT)
+                if stated_size == (header.height, header.width) and header.width != header.height:
                     swapped.append(path.name)
     notes = []
     if unknown:
-        said = f"EXIF of {counted(len(unknown), 'picture')} tells no way to lie that there is"
-        notes.append(f"{said}, taken as stored: {some_of(unknown)}")
+        message = f"EXIF of {counted(len(unknown), 'image')} contains an invalid orientation"
+        notes.append(f"{message}, so they are used as stored: {some_of(unknown)}")
     if swapped:
-        said = "turned as EXIF says, though by the size that it tells they were turned before"
-        notes.append(f"{counted(len(swapped), 'picture')} {said}: {some_of(swapped)}")
+        message = "rotated as stated by EXIF, although its image size suggests that they were rotated before"
+        notes.append(f"{counted(len(swapped), 'image')} {message}: {some_of(swapped)}")
     return notes
 
 

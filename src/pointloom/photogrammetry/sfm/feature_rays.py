@@ -37,12 +37,12 @@ def read_feature_rays(database: Path, names: Sequence[str], cameras: Sequence[Ca
         numbers = dict(connection.execute("SELECT name, image_id FROM images").fetchall())
         for name in names:
             if name not in numbers:
-                raise FileError(database, f"has no picture {name}", remedy="sfm.find_features makes one")
+                raise FileError(database, f"contains no image {name}", remedy="sfm.find_features creates one")
             pixels.append(table_of(connection, "keypoints", numbers[name], np.float32, database)[:, :2])
             descriptors.append(table_of(connection, "descriptors", numbers[name], np.uint8, database))
-    for places, kinds in zip(pixels, descriptors, strict=True):
-        if len(places) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR):
-            raise FileError(database, "holds features that are not SIFT's", remedy="sfm.find_features makes one")
+    for keypoints, kinds in zip(pixels, descriptors, strict=True):
+        if len(keypoints) != len(kinds) or (len(kinds) and kinds.shape[1] != DESCRIPTOR):
+            raise FileError(database, "contains features other than SIFT", remedy="sfm.find_features creates one")
     firsts = np.concatenate([[0], np.cumsum([len(each) for each in pixels])]).astype(np.int64)
     at = [each.astype(np.float64) - 0.5 for each in pixels]  # COLMAP's first pixel center is at 0.5
     rays = [camera.unproject(each)[:, :2] for camera, each in zip(cameras, at, strict=True)]
@@ -59,7 +59,7 @@ def table_of(connection, name: str, number: int, kind: type, database: Path) -> 
     if not rows:
         return np.zeros((0, 2), kind)
     if len(data) != rows * columns * np.dtype(kind).itemsize:
-        raise FileError(database, f"is damaged: {name} of picture {number}", remedy="sfm.find_features makes one")
+        raise FileError(database, f"is damaged: {name} of image {number}", remedy="sfm.find_features creates one")
     return np.frombuffer(data, kind).reshape(rows, columns)
 
 

@@ -18,11 +18,11 @@ from ...core.progress import ReportProgress
 from ...core.timing import Clock
 from ...io.pictures.image_files import read_picture_header
 from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_database, run_job
-from .exif_checks import doubt_of_focal
+from .exif_checks import focal_problem
 from .frames import check_option
 from .limited_process import check_limits, free_memory
 from .masks import check_mask_files, complete_masks
-from .picture_folder import UPRIGHT, check_place, is_gray_16, list_pictures, read_lens, read_orientation, scaled_size
+from .picture_folder import UPRIGHT, check_path, is_gray_16, list_pictures, read_lens, read_orientation, scaled_size
 
 CAMERA_MODELS = (
     *("SIMPLE_PINHOLE", "PINHOLE", "SIMPLE_RADIAL", "RADIAL", "OPENCV", "OPENCV_FISHEYE", "FULL_OPENCV", "FOV"),
@@ -130,7 +130,7 @@ def find_features(
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
-    clock, say = Clock(), check_progress(progress)
+    clock, report = Clock(), check_progress(progress)
     check_camera_model(camera_model)
     check_count("max_size", max_size, minimum=64, maximum=_LONGEST_SIDE, because="no camera has more pixels")
     check_max_features(max_features)
@@ -139,40 +139,40 @@ def find_features(
     check_seed(seed)
     _check_intrinsic(intrinsic)
     limits = check_limits(max_seconds, max_memory)
-    folder, target = check_place("pictures", pictures), check_writable(check_place("database", database))
+    folder, target = check_path("pictures", pictures), check_writable(check_path("database", database))
     groups = _groups(folder, by_lens=intrinsic is None)
-    doubts = {} if intrinsic is not None else _doubts(folder, groups)
-    job = _job_of(folder, groups, camera_model, intrinsic, doubts) | {"seed": int(seed), "kind": kind}
+    problems = {} if intrinsic is not None else _focal_problems(folder, groups)
+    job = _job_of(folder, groups, camera_model, intrinsic, problems) | {"seed": int(seed), "kind": kind}
     job |= {"threads": threads_for([size for size, _ in groups], max_size, limits["max_memory"] or free_memory())}
     job |= {"max_size": int(max_size), "max_features": int(max_features), "gpu": use_gpu}
-    found = None if masks is None else _checked_masks(masks, folder)
+    mask_files = None if masks is None else _checked_masks(masks, folder)
     count = sum(len(names) for names in groups.values())
     with database_in_the_making(target) as part:
-        say("features", 0, count)
-        poll = lambda: say("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
-        job |= {"masks": None if found is None else _masks_beside(part, folder, found)}
+        report("features", 0, count)
+        poll = lambda: report("features", min(count_rows(part, "keypoints"), count), count)  # noqa: E731
+        job |= {"masks": None if mask_files is None else _masks_beside(part, folder, mask_files)}
         done, peak = run_job(job | {"database": os.fspath(part)}, folder, poll=poll, **limits)
         names, counts = _features_of(part)
-    say("features", count, count)
+    report("features", count, count)
     clock.stop("features")
-    told = clock.seconds["features"], peak, len(groups), done["gpu"], _told_doubts(doubts)
-    return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *told)
+    stats = clock.seconds["features"], peak, len(groups), done["gpu"], _focal_warnings(problems)
+    return FeatureReport(os.fspath(target), names, counts, _counted_sizes(groups), *stats)
 
 
-def _told_doubts(doubts: dict[str, str]) -> tuple[str, ...]:
-    return tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in doubts.items())
+def _focal_warnings(problems: dict[str, str]) -> tuple[str, ...]:
+    return tuple(f"EXIF's focal length of {name} is rejected: {reason}" for name, reason in problems.items())
 
 
-def _doubts(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
-    found = {names[0]: doubt_of_focal(folder / names[0], size) for (size, _), names in groups.items()}
-    return {name: reason for name, reason in found.items() if reason is not None}
+def _focal_problems(folder: Path, groups: dict[Group, list[str]]) -> dict[str, str]:
+    problems = {names[0]: focal_problem(folder / names[0], size) for (size, _), names in groups.items()}
+    return {name: reason for name, reason in problems.items() if reason is not None}
 
 
 def _job_of(
-    folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any, doubts: dict[str, str]
+    folder: Path, groups: dict[Group, list[str]], camera_model: str, intrinsic: Any, problems: dict[str, str]
 ) -> dict[str, Any]:
     cameras = [
-        _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in doubts}
+        _group(size, names, camera_model, intrinsic) | {"doubted": names[0] in problems}
         for (size, _), names in groups.items()
     ]
     return {"stage": "features", "pictures": os.fspath(folder.resolve()), "groups": cameras}
@@ -202,14 +202,22 @@ def check_use_gpu(use_gpu: Any) -> None:
 
 
 def check_max_features(max_features: Any) -> None:
-    check_count("max_features", max_features, minimum=64, maximum=_MAX_FEATURES, because="matching takes its square")
+    check_count(
+        "max_features",
+        max_features,
+        minimum=64,
+        maximum=_MAX_FEATURES,
+        because="the matching time grows with its square",
+    )
 
 
 def _checked_masks(masks: Any, folder: Path) -> dict[str, Path]:
-    place = check_place("masks", masks)
-    if not place.is_dir():
-        raise DatasetError(place, "is no folder", remedy="Give the folder of the masks, IMG_1.jpg.png of IMG_1.jpg")
-    return check_mask_files(list_pictures(folder), place)
+    path = check_path("masks", masks)
+    if not path.is_dir():
+        raise DatasetError(
+            path, "is not a folder", remedy="Give the folder of the masks, with IMG_1.jpg.png for IMG_1.jpg"
+        )
+    return check_mask_files(list_pictures(folder), path)
 
 
 def usable_cores() -> int:
@@ -226,7 +234,7 @@ def _check_intrinsic(intrinsic: Any) -> None:
         kind = type(intrinsic).__name__
         raise TypeError(f"intrinsic: expected a PinholeCameraIntrinsic, a CameraModel or None, got {kind}")
     if isinstance(intrinsic, CameraModel) and intrinsic.model.startswith("METASHAPE"):
-        raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the pictures first")
+        raise ValueError(f"intrinsic: COLMAP has no model {intrinsic.model}; undistort the images first")
 
 
 Group = tuple[tuple[int, int], tuple[str, ...]]
@@ -236,15 +244,17 @@ def _groups(folder: Path, *, by_lens: bool) -> dict[Group, list[str]]:
     """Image names by size and EXIF lens, the group of the first image first. FileError if unsuitable for COLMAP."""
     paths = sorted(list_pictures(folder), key=lambda path: path.name)
     if len(paths) < 2:
-        raise DatasetError(folder, "holds one picture; structure from motion needs two", remedy="Give another folder")
+        raise DatasetError(
+            folder, "contains only one image; structure from motion needs two", remedy="Give another folder"
+        )
     groups: dict[Group, list[str]] = {}
     for path in paths:
         header = read_picture_header(path)
         fault = "is 16-bit gray" if is_gray_16(header) else ""
         if read_orientation(path) != UPRIGHT:
-            fault = "lies on its side, as its EXIF data say"
+            fault = "has an EXIF orientation that is not upright"
         if fault:
-            raise FileError(path, fault, remedy="sfm.choose_frames makes upright 8-bit pictures of a folder")
+            raise FileError(path, fault, remedy="sfm.choose_frames writes upright 8-bit images of a folder")
         lens = read_lens(path) if by_lens else ()
         groups.setdefault(((header.width, header.height), lens), []).append(path.name)
     return groups
@@ -260,8 +270,8 @@ def _group(
         scaled = (round(intrinsic.width * factor), round(intrinsic.height * factor))
         if abs(scaled[1] - size[1]) > 1 or isinstance(intrinsic, CameraModel):
             raise ValueError(
-                f"intrinsic: is of pictures of {intrinsic.width} x {intrinsic.height}, "
-                f"but {escaped(names[0])} is {size[0]} x {size[1]}"
+                f"intrinsic: expected {size[0]} x {size[1]} pixels as of {escaped(names[0])}, "
+                f"got {intrinsic.width} x {intrinsic.height}"
             )
         intrinsic = intrinsic.scaled(factor)
     camera = intrinsic if isinstance(intrinsic, CameraModel) else CameraModel.from_intrinsic(intrinsic)

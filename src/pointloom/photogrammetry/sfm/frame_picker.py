@@ -29,7 +29,7 @@ _BLOCK = 8  # [px] of a thumbnail
 _BLACK = 16  # brightness exceeded by 5% of the pixels unless the frame is black
 _BLANK = 2.0  # standard deviation of a uniform frame
 _BRIGHT = 95  # percentile
-_LEAST = 1e-12
+_EPSILON = 1e-12
 
 
 def sharpness(gray: NDArray[np.uint8]) -> float:
@@ -59,7 +59,7 @@ def movement(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> float:
     window = np.outer(np.hanning(height + 2)[1:-1], np.hanning(width + 2)[1:-1])
     spectra = [np.fft.rfft2((small - small.mean(dtype=np.float64)) * window) for small in (first, second)]
     cross = spectra[0] * spectra[1].conj()
-    surface = np.fft.irfft2(cross / np.maximum(np.abs(cross), _LEAST), s=(height, width))
+    surface = np.fft.irfft2(cross / np.maximum(np.abs(cross), _EPSILON), s=(height, width))
     row, column = np.unravel_index(int(np.argmax(surface)), surface.shape)
     dy = _peak(surface[:, column], int(row))
     dx = _peak(surface[row], int(column))
@@ -86,13 +86,13 @@ def is_still(first: NDArray[np.uint8], second: NDArray[np.uint8]) -> bool:
     return bool(np.median(difference[seen] / contrast[seen]) < _SAME)
 
 
-def _peak(values: NDArray[np.float64], place: int) -> float:
+def _peak(values: NDArray[np.float64], index: int) -> float:
     """Subpixel peak position; negative beyond the half."""
     count = len(values)
-    left, middle, right = values[place - 1], values[place], values[(place + 1) % count]
+    left, middle, right = values[index - 1], values[index], values[(index + 1) % count]
     bend = left - 2 * middle + right
-    offset = 0.5 * (left - right) / bend if bend < -_LEAST else 0.0
-    shift = place + min(max(offset, -0.5), 0.5)
+    offset = 0.5 * (left - right) / bend if bend < -_EPSILON else 0.0
+    shift = index + min(max(offset, -0.5), 0.5)
     return shift if shift <= count / 2 else shift - count
 
 
@@ -137,24 +137,24 @@ class FramePicker:
             self._judge()
 
     def _judge(self) -> None:
-        place = self._judged
+        index = self._judged
         self._judged += 1
-        if self._is_blurred(place):
+        if self._is_blurred(index):
             self.blurred += 1
         last = self.chosen[-1] if self.chosen else -1
-        if place <= last or math.isnan(self._sharpness[place]):
+        if index <= last or math.isnan(self._sharpness[index]):
             return
-        moved = 0.0 if self._last is None else movement(self._last, self._thumbnail(place))
+        moved = 0.0 if self._last is None else movement(self._last, self._thumbnail(index))
         if self._last is not None and moved < self._min_movement:
-            due = place - last - self._skipped >= self.max_gap
-            if due and is_still(self._last, self._thumbnail(place)):
+            due = index - last - self._skipped >= self.max_gap
+            if due and is_still(self._last, self._thumbnail(index)):
                 self.still += 1
-                self._skipped = place - last
+                self._skipped = index - last
                 due = False
             if not due:
                 return
-        reach = NEAR if moved < FAST * self._min_movement else 0
-        near = range(max(place - reach, last + 1), min(place + reach + 1, len(self._sharpness)))
+        radius = NEAR if moved < FAST * self._min_movement else 0
+        near = range(max(index - radius, last + 1), min(index + radius + 1, len(self._sharpness)))
         sharp = [n for n in near if not math.isnan(self._sharpness[n]) and not self._is_blurred(n)]
         if sharp:
             best = max(sharp, key=lambda n: self._sharpness[n])
@@ -177,4 +177,4 @@ def spaced(numbers: list[int], count: int) -> list[int]:
         return numbers
     if count == 1:
         return numbers[:1]
-    return [numbers[round(place)] for place in np.linspace(0, len(numbers) - 1, count)]
+    return [numbers[round(position)] for position in np.linspace(0, len(numbers) - 1, count)]

@@ -17,7 +17,7 @@ from .frame_picker import ANALYSIS_SIZE, FramePicker, spaced
 from .limited_process import check_limits
 from .masks import MakeMask, check_masks, mask_folder, write_masks
 from .picture_choice import choose_pictures
-from .picture_folder import check_place
+from .picture_folder import check_path
 from .picture_writing import KINDS, Wanted, counted, new_folder, some_of, write_picture
 from .video_files import READERS, VideoFile, VideoFrames, open_video
 
@@ -25,14 +25,14 @@ _DIGITS = 6
 
 
 def choose_video_frames(
-    video: VideoFile, picker: FramePicker, wanted: Wanted, limits: dict[str, Any], say: ReportProgress
+    video: VideoFile, picker: FramePicker, wanted: Wanted, limits: dict[str, Any], report: ReportProgress
 ) -> FrameChoice:
-    count, said, peak = _look(video, picker, limits, say)
+    count, decoder_message, peak = _look(video, picker, limits, report)
     numbers = spaced(picker.chosen, wanted.max_count)
     if not numbers:
-        reason = f"none of {counted(count, 'frame')} shows anything: {len(picker.blank)} are black or blank"
+        reason = f"none of {counted(count, 'frame')} has content: {len(picker.blank)} are black or blank"
         raise FileError(video.path, reason, remedy="Give another video")
-    names, sizes, peak_of_writing = _write(video, numbers, wanted, limits, say)
+    names, sizes, peak_of_writing = _write(video, numbers, wanted, limits, report)
     return FrameChoice(
         source=os.fspath(video.path),
         kind="video",
@@ -43,24 +43,26 @@ def choose_video_frames(
         frame_count=count,
         frames_promised=video.promised,
         blurred_count=picker.blurred,
-        left_out={str(number): "black, or all of one brightness" for number in picker.blank},
-        notes=tuple(_notes(video, picker, count, len(numbers), said)),
+        left_out={str(number): "black, or of one brightness" for number in picker.blank},
+        notes=tuple(_notes(video, picker, count, len(numbers), decoder_message)),
         peak_bytes=max(peak, peak_of_writing),
     )
 
 
-def _look(video: VideoFile, picker: FramePicker, limits: dict[str, Any], say: ReportProgress) -> tuple[int, str, int]:
+def _look(
+    video: VideoFile, picker: FramePicker, limits: dict[str, Any], report: ReportProgress
+) -> tuple[int, str, int]:
     """Feed all frames to the picker. Returns their number, the decoder's messages, and its memory [B]."""
     with VideoFrames(video, max_size=ANALYSIS_SIZE, gray=True, **limits) as frames:
         for gray in frames:
             picker.add(gray)
-            say("look", frames.count, max(video.promised or 0, frames.count))
+            report("look", frames.count, max(video.promised or 0, frames.count))
         picker.end()
-        return frames.count, frames.said, frames.peak_bytes
+        return frames.count, frames.message, frames.peak_bytes
 
 
 def _write(
-    video: VideoFile, numbers: list[int], wanted: Wanted, limits: dict[str, Any], say: ReportProgress
+    video: VideoFile, numbers: list[int], wanted: Wanted, limits: dict[str, Any], report: ReportProgress
 ) -> tuple[list[str], Counter[tuple[int, int]], int]:
     names, sizes = [], Counter[tuple[int, int]]()
     with VideoFrames(video, max_size=wanted.max_size, numbers=numbers, **limits) as frames:
@@ -68,30 +70,33 @@ def _write(
             names.append(f"frame_{number:0{_DIGITS}d}.{wanted.kind}")
             write_picture(wanted.folder / names[-1], pixels)
             sizes[pixels.shape[1], pixels.shape[0]] += 1
-            say("write", len(names), len(numbers))
+            report("write", len(names), len(numbers))
         if len(names) < len(numbers):
-            reason = f"frame {numbers[len(names)]} came once and not again: {frames.said or 'the file was changed'}"
-            raise FileError(video.path, reason, remedy="See that nobody writes to the video meanwhile")
+            reason = (
+                f"frame {numbers[len(names)]} was decoded once, but not again: "
+                f"{frames.message or 'the file was changed'}"
+            )
+            raise FileError(video.path, reason, remedy="Make sure that no other program writes to the video")
         return names, sizes, frames.peak_bytes
 
 
-def _notes(video: VideoFile, picker: FramePicker, count: int, chosen: int, said: str) -> list[str]:
-    notes, said = [], said.split(" / ")[0]
+def _notes(video: VideoFile, picker: FramePicker, count: int, chosen: int, decoder_message: str) -> list[str]:
+    notes, decoder_message = [], decoder_message.split(" / ")[0]
     promised = video.promised or 0
     # Duration times mean rate is off by a frame or two in intact videos.
     if count < promised - (0 if video.is_counted else 2):
-        complaint = f" ({said})" if said else ""
-        notes.append(f"the video is damaged or cut off: {count} of {promised} frames came{complaint}")
-    elif said:
-        notes.append(f"the video is damaged: {said}")
+        complaint = f" ({decoder_message})" if decoder_message else ""
+        notes.append(f"the video is damaged or truncated: {count} of {promised} frames were decoded{complaint}")
+    elif decoder_message:
+        notes.append(f"the video is damaged: {decoder_message}")
     if picker.blank:
         numbers = some_of([str(number) for number in picker.blank])
         notes.append(f"{counted(len(picker.blank), 'frame')} black or blank and left out: {numbers}")
     if picker.still:
-        told = f"the camera stood still for some {picker.still * picker.max_gap} frames, which show nothing new"
-        notes.append(f"{told}; they are left out")
+        message = f"the camera was stationary for about {picker.still * picker.max_gap} frames, which show nothing new"
+        notes.append(f"{message}; they are left out")
     if len(picker.chosen) > chosen:
-        notes.append(f"{chosen} of {len(picker.chosen)} frames that are worth it are taken, evenly (max_frames)")
+        notes.append(f"{chosen} of {len(picker.chosen)} suitable frames are used, evenly spaced (max_frames)")
     return notes
 
 
@@ -161,7 +166,7 @@ def choose_frames(
         >>> choice.names, choice.sizes
         (('0000_1.png', '0001_2.png', '0002_10.png'), {(32, 24): 3})
     """
-    clock, say = Clock(), check_progress(progress)
+    clock, report = Clock(), check_progress(progress)
     check_count("max_frames", max_frames)
     if max_size is not None:
         check_count("max_size", max_size, minimum=16, maximum=_LONGEST_SIDE, because="no camera has more pixels")
@@ -170,22 +175,22 @@ def choose_frames(
     check_option("kind", kind, KINDS)
     check_option("reader", reader, READERS)
     limits = check_limits(max_seconds, max_memory)
-    place, target = check_place("source", source), check_place("folder", folder)
+    source_path, target = check_path("source", source), check_path("folder", folder)
     given = check_masks(masks)
     wanted = Wanted(target, max_frames, max_size, kind)
     with contextlib.ExitStack() as undo:
         if given is not None:
             undo.enter_context(new_folder(mask_folder(target)))
         undo.enter_context(new_folder(target))
-        if place.is_dir():
-            found = choose_pictures(place, wanted, say)
+        if source_path.is_dir():
+            choice = choose_pictures(source_path, wanted, report)
         else:
             picker = FramePicker(min_movement=float(min_movement), max_gap=max_gap)
-            found = choose_video_frames(open_video(place, reader=reader), picker, wanted, limits, say)
+            choice = choose_video_frames(open_video(source_path, reader=reader), picker, wanted, limits, report)
         if given is not None:
-            found = write_masks(found, place, target, given)
+            choice = write_masks(choice, source_path, target, given)
     clock.stop("frames")
-    return dataclasses.replace(found, seconds=clock.seconds["frames"])
+    return dataclasses.replace(choice, seconds=clock.seconds["frames"])
 
 
 def check_option(name: str, value: Any, known: tuple[str, ...]) -> str:

@@ -59,7 +59,7 @@ def match_guided(
     """Mutual nearest features within `distance` [px] of the epipolar lines in both images, with a ratio test."""
     on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)
     limits = np.array([(distance / focal_of(camera)) ** 2 for camera in model.cameras])
-    found: list[NDArray[np.int64]] = []
+    matches: list[NDArray[np.int64]] = []
     for start in range(0, len(pairs), PAIRS_AT_ONCE):
         progress("matches", start, len(pairs))
         some = pairs[start : start + PAIRS_AT_ONCE]
@@ -69,9 +69,9 @@ def match_guided(
         essential = essential_of(model.T_camera_world, both)
         searches = LineSearches(starts, both, essential.reshape(-1, 9), limits[both], device)
         nearest = match_along_lines(searches, on_device, int(starts[-1]))
-        found += _mutual(nearest, starts, len(some))
+        matches += _mutual(nearest, starts, len(some))
     progress("matches", len(pairs), len(pairs))
-    return PairMatches.of_lists(pairs, found)
+    return PairMatches.of_lists(pairs, matches)
 
 
 def essential_of(poses: NDArray[np.float64], pairs: Pairs) -> NDArray[np.float64]:

@@ -23,7 +23,7 @@ from ...core.checks import check_list
 from ...core.errors import FileError, FilePath
 from ...io.optional_imports import ignored_errors
 from ...pcd.geodesy import WorldFrame
-from .picture_folder import ORIENTATION, UPRIGHT, check_place, list_pictures
+from .picture_folder import ORIENTATION, UPRIGHT, check_path, list_pictures
 from .picture_writing import counted, some_of
 
 MAX_BYTES = 1 << 20  # searched part of XMP
@@ -52,14 +52,14 @@ def parse_xmp(data: bytes | str | None) -> Xmp:
     if not data:
         return Xmp()
     text = data if isinstance(data, str) else data[:MAX_BYTES].decode("utf-8", "replace")
-    found: dict[str, float] = {}
+    fields: dict[str, float] = {}
     for match in _ENTRY.finditer(text[:MAX_BYTES]):
         number = _NUMBER.match((match["a"] or match["b"]).strip())
         space = _PREFIX.match(match[0])
         assert space is not None
         if number is not None and math.isfinite(float(number[0])):
-            found.setdefault(f"{space[1]}:{match['name']}", float(number[0]))
-    dji = {key.partition(":")[2]: value for key, value in found.items() if key.startswith("drone-dji:")}
+            fields.setdefault(f"{space[1]}:{match['name']}", float(number[0]))
+    dji = {key.partition(":")[2]: value for key, value in fields.items() if key.startswith("drone-dji:")}
     flag = dji.get("RtkFlag")
     return Xmp(
         altitude=dji.get("AbsoluteAltitude"),
@@ -67,25 +67,25 @@ def parse_xmp(data: bytes | str | None) -> Xmp:
         horizontal_sigma=_sigma(*(dji.get(name) for name in ("RtkStdLon", "RtkStdLat"))),
         vertical_sigma=_sigma(dji.get("RtkStdHgt")),
         rtk=None if flag is None else _RTK.get(int(flag), "none"),
-        attitude=_attitude(found),
+        attitude=_attitude(fields),
         heading=dji.get("FlightYawDegree"),
     )
 
 
 def _sigma(*values: float | None) -> float | None:
     """The largest standard deviation if all are given and positive."""
-    kept = [value for value in values if value is not None and 0 < value < 1e4]
-    return max(kept) if len(kept) == len(values) else None
+    valid = [value for value in values if value is not None and 0 < value < 1e4]
+    return max(valid) if len(valid) == len(values) else None
 
 
-def _attitude(found: dict[str, float]) -> tuple[float, float, float] | None:
+def _attitude(values: dict[str, float]) -> tuple[float, float, float] | None:
     for names, down in (
         ([f"drone-dji:Gimbal{what}Degree" for what in ("Yaw", "Pitch", "Roll")], 0.0),
         ([f"drone-parrot:Camera{what}Degree" for what in ("Yaw", "Pitch", "Roll")], 0.0),
         ([f"Camera:{what}" for what in ("Yaw", "Pitch", "Roll")], 90.0),
     ):
-        if all(name in found for name in names):
-            yaw, pitch, roll = (found[name] for name in names)
+        if all(name in values for name in names):
+            yaw, pitch, roll = (values[name] for name in names)
             pitch -= down
             if all(abs(angle) <= 360 for angle in (yaw, pitch, roll)):
                 return yaw, pitch, roll
@@ -160,24 +160,24 @@ class PicturePlaces:
     def frame(self) -> WorldFrame:
         """Local frame [m] at the median position and the median known altitude. Raises ValueError without positions."""
         if not self.places:
-            raise ValueError("places: no picture says where it was taken")
-        turns = _unwrapped([place.longitude for place in self.places])
-        altitudes = [place.altitude for place in self.places if place.altitude is not None]
-        longitude = (float(np.median(turns)) + 180) % 360 - 180
-        latitude = float(np.median([place.latitude for place in self.places]))
+            raise ValueError("places: no image has a GPS position")
+        longitudes = _unwrapped([position.longitude for position in self.places])
+        altitudes = [position.altitude for position in self.places if position.altitude is not None]
+        longitude = (float(np.median(longitudes)) + 180) % 360 - 180
+        latitude = float(np.median([position.latitude for position in self.places]))
         return WorldFrame(latitude, longitude, float(np.median(altitudes)) if altitudes else 0.0)
 
     def notes(self) -> list[str]:
-        said = [f"{name} ({reason})" for name, reason in self.refused.items()]
-        notes = [f"GPS of {counted(len(said), 'picture')} is rejected: {some_of(said)}"] if said else []
-        said = [f"{name} ({meters:g} m)" for name, meters in self.altitudes_refused.items()]
-        if said:
-            notes.append(f"the altitude of {counted(len(said), 'picture')} is rejected: {some_of(said)}")
+        parts = [f"{name} ({reason})" for name, reason in self.refused.items()]
+        notes = [f"GPS of {counted(len(parts), 'image')} is rejected: {some_of(parts)}"] if parts else []
+        parts = [f"{name} ({meters:g} m)" for name, meters in self.altitudes_refused.items()]
+        if parts:
+            notes.append(f"the altitude of {counted(len(parts), 'image')} is rejected: {some_of(parts)}")
         return notes
 
     def to_dict(self) -> dict[str, Any]:
         return {
-            "places": [asdict(place) for place in self.places],
+            "places": [asdict(position) for position in self.places],
             "attitudes": {name: list(angles) for name, angles in self.attitudes.items()},
             "refused": dict(self.refused),
             "picture_count": self.picture_count,
@@ -208,31 +208,31 @@ def read_picture_places(source: FilePath | Iterable[FilePath]) -> PicturePlaces:
         >>> exif = Image.Exif()
         >>> exif.get_ifd(0x8825).update({1: "N", 2: (47.0, 30.0, 0.0), 3: "E", 4: (8.0, 15.0, 0.0), 6: 430.0})
         >>> Image.new("RGB", (8, 8)).save("a.jpg", exif=exif)
-        >>> place = loom.sfm.read_picture_places(["a.jpg"]).places[0]
-        >>> place.latitude, place.longitude, place.altitude
+        >>> position = loom.sfm.read_picture_places(["a.jpg"]).places[0]
+        >>> position.latitude, position.longitude, position.altitude
         (47.5, 8.25, 430.0)
     """
     if isinstance(source, str | os.PathLike):
-        paths = list_pictures(check_place("source", source))
+        paths = list_pictures(check_path("source", source))
     else:
-        paths = [check_place(f"source[{k}]", path) for k, path in enumerate(check_list("source", source, "paths"))]
-    places, attitudes, refused, heights = [], {}, {}, {}
+        paths = [check_path(f"source[{k}]", path) for k, path in enumerate(check_list("source", source, "paths"))]
+    positions, attitudes, refused, heights = [], {}, {}, {}
     for path in paths:
-        gps, xmp, turned = _read_head(path)
-        if xmp.attitude is not None and not turned:
+        gps, xmp, is_rotated = _read_head(path)
+        if xmp.attitude is not None and not is_rotated:
             attitudes[path.name] = xmp.attitude
         try:
-            place = _place_of(path.name, gps, xmp, turned=turned)
+            position = _position_of(path.name, gps, xmp, is_rotated=is_rotated)
         except ValueError as error:
             refused[path.name] = str(error)
             continue
-        if place is not None:
-            if place.altitude is not None and not LOWEST <= place.altitude <= HIGHEST:
-                heights[path.name] = place.altitude
-                place = replace(place, altitude=None)
-            places.append(place)
-    kept = _without_far(places, refused)
-    return PicturePlaces(tuple(kept), attitudes, refused, len(paths), heights)
+        if position is not None:
+            if position.altitude is not None and not LOWEST <= position.altitude <= HIGHEST:
+                heights[path.name] = position.altitude
+                position = replace(position, altitude=None)
+            positions.append(position)
+    remaining = _without_far(positions, refused)
+    return PicturePlaces(tuple(remaining), attitudes, refused, len(paths), heights)
 
 
 def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
@@ -249,15 +249,15 @@ def _read_head(path: Path) -> tuple[dict[int, Any], Xmp, bool]:
     return {}, Xmp(), False
 
 
-def _place_of(name: str, gps: dict[int, Any], xmp: Xmp, *, turned: bool) -> PicturePlace | None:
+def _position_of(name: str, gps: dict[int, Any], xmp: Xmp, *, is_rotated: bool) -> PicturePlace | None:
     if _LATITUDE not in gps and _LONGITUDE not in gps:
         return None
     if _text(gps.get(_STATUS)) == _NO_FIX:
-        raise ValueError("GPSStatus says that there was no fix")
+        raise ValueError("GPSStatus reports no fix")
     latitude = _degrees(gps, _LATITUDE, _NS, "NS", "latitude", 90.0)
     longitude = _degrees(gps, _LONGITUDE, _EW, "EW", "longitude", 180.0)
     if latitude == 0 and longitude == 0:
-        raise ValueError("0, 0 is what cameras without a fix write")
+        raise ValueError("its position is 0, 0, as written without a fix")
     direction = _number(gps.get(_DIRECTION)) if _text(gps.get(_DIRECTION_FROM, "T")) == "T" else None
     error = xmp.horizontal_sigma or _number(gps.get(_ERROR))
     return PicturePlace(
@@ -269,27 +269,29 @@ def _place_of(name: str, gps: dict[int, Any], xmp: Xmp, *, turned: bool) -> Pict
         horizontal_sigma=error if error is not None and 0 < error <= WORST_SIGMA else None,
         vertical_sigma=xmp.vertical_sigma,
         rtk=xmp.rtk,
-        attitude=None if turned else xmp.attitude,
+        attitude=None if is_rotated else xmp.attitude,
         direction=direction if direction is not None and 0 <= direction <= 360 else None,
         heading=xmp.heading,
     )
 
 
-def _degrees(gps: dict[int, Any], tag: int, sign_tag: int, signs: str, what: str, most: float) -> float:
+def _degrees(gps: dict[int, Any], tag: int, sign_tag: int, signs: str, what: str, maximum: float) -> float:
     raw = gps.get(tag)
     parts = list(raw) if isinstance(raw, tuple | list) else [raw]
     numbers = [_number(part) for part in parts]
     if raw is None or not 1 <= len(numbers) <= 3 or any(number is None for number in numbers):
-        raise ValueError(f"its {what} is no number")
-    whole = [number for number in numbers if number is not None]
-    if any(number < 0 for number in whole) or any(number > 60 for number in whole[1:]):
-        raise ValueError(f"its {what} has {' '.join(f'{number:g}' for number in whole)} for degrees, minutes, seconds")
-    value = sum(number / 60**k for k, number in enumerate(whole))
-    if value > most:
+        raise ValueError(f"its {what} is not a number")
+    valid = [number for number in numbers if number is not None]
+    if any(number < 0 for number in valid) or any(number > 60 for number in valid[1:]):
+        raise ValueError(
+            f"its {what} has invalid degrees, minutes, seconds: {' '.join(f'{number:g}' for number in valid)}"
+        )
+    value = sum(number / 60**k for k, number in enumerate(valid))
+    if value > maximum:
         raise ValueError(f"its {what} is {value:g} degrees")
     sign = _text(gps.get(sign_tag))
     if sign not in signs:
-        raise ValueError(f"its {what} does not say {signs[0]} or {signs[1]}")
+        raise ValueError(f"its {what} lacks {signs[0]} or {signs[1]}")
     return -value if sign == signs[1] else value
 
 
@@ -317,20 +319,20 @@ def _text(value: Any) -> str:
     return text.strip("\0 ").upper()[:1] or "?"
 
 
-def _without_far(places: list[PicturePlace], refused: dict[str, str]) -> list[PicturePlace]:
-    if len(places) < 3:
-        return places
-    meters = meters_about_median(places)
+def _without_far(positions: list[PicturePlace], refused: dict[str, str]) -> list[PicturePlace]:
+    if len(positions) < 3:
+        return positions
+    meters = meters_about_median(positions)
     far = np.linalg.norm(meters, axis=1)
-    for place, distance in zip(places, far.tolist(), strict=True):
+    for position, distance in zip(positions, far.tolist(), strict=True):
         if distance > FARTHEST:
-            refused[place.name] = f"lies {distance / 1000:,.0f} km from the median of the others"
-    return [place for place in places if place.name not in refused]
+            refused[position.name] = f"is {distance / 1000:,.0f} km from the median of the others"
+    return [position for position in positions if position.name not in refused]
 
 
-def meters_about_median(places: list[PicturePlace]) -> NDArray[np.float64]:
+def meters_about_median(positions: list[PicturePlace]) -> NDArray[np.float64]:
     """Approximate positions about their median, [n, 2] [m]."""
-    degrees = np.array([[place.latitude, place.longitude] for place in places])
+    degrees = np.array([[position.latitude, position.longitude] for position in positions])
     degrees[:, 1] = _unwrapped(degrees[:, 1].tolist())
     middle = np.median(degrees, axis=0)
     across = math.cos(math.radians(float(middle[0])))

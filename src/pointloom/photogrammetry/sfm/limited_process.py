@@ -33,7 +33,7 @@ _KIBIBYTE = 1024
 def check_limits(max_seconds: Any, max_memory: Any) -> dict[str, Any]:
     seconds = float("inf") if max_seconds is None else check_positive("max_seconds", max_seconds, allow_infinite=True)
     if max_memory is not None:
-        check_count("max_memory", max_memory, minimum=2**20, maximum=2**60, because="no machine has more")
+        check_count("max_memory", max_memory, minimum=2**20, maximum=2**60, because="no machine has more memory")
     return {"max_seconds": seconds, "max_memory": max_memory}
 
 
@@ -62,9 +62,9 @@ class LimitedProcess:
             given = self._files.enter_context(tempfile.TemporaryFile())
             given.write(self._stdin.encode())
             given.seek(0)
-            self._said = self._files.enter_context(tempfile.TemporaryFile())
+            self._stderr = self._files.enter_context(tempfile.TemporaryFile())
             self._process = subprocess.Popen(
-                self._command, stdin=given, stdout=subprocess.PIPE, stderr=self._said, start_new_session=True
+                self._command, stdin=given, stdout=subprocess.PIPE, stderr=self._stderr, start_new_session=True
             )
             self.stdout = self._process.stdout
             self._watcher = threading.Thread(target=self._watch, daemon=True)
@@ -82,8 +82,8 @@ class LimitedProcess:
         return self._process.wait()
 
     def last_words(self) -> str:
-        size = os.fstat(self._said.fileno()).st_size
-        text = os.pread(self._said.fileno(), _LAST_BYTES, max(size - _LAST_BYTES, 0)).decode(errors="replace")
+        size = os.fstat(self._stderr.fileno()).st_size
+        text = os.pread(self._stderr.fileno(), _LAST_BYTES, max(size - _LAST_BYTES, 0)).decode(errors="replace")
         lines = [line.strip()[:_LINE_LENGTH] for line in text.splitlines() if not _ADDRESS.match(line)]
         return " / ".join(lines[-_LAST_LINES:])
 
@@ -107,9 +107,9 @@ class LimitedProcess:
         assert self._process is not None
         end = time.monotonic() + min(self.max_seconds, threading.TIMEOUT_MAX)
         while not self._over.wait(_WATCH_INTERVAL) and self._process.poll() is None:
-            held = _memory_of(self._process.pid)
-            self.peak_bytes = max(self.peak_bytes, held)
-            reason = "time" if time.monotonic() > end else "memory" if held > self.max_memory else ""
+            memory = _memory_of(self._process.pid)
+            self.peak_bytes = max(self.peak_bytes, memory)
+            reason = "time" if time.monotonic() > end else "memory" if memory > self.max_memory else ""
             if reason:
                 self.killed_for = reason
                 self._kill()

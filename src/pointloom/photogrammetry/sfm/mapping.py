@@ -20,7 +20,7 @@ from .colmap_jobs import MAX_SECONDS, open_database, run_job, scratch_beside
 from .frames import check_option
 from .limited_process import check_limits
 from .model_quality import ModelQuality, assess_model
-from .picture_folder import check_place
+from .picture_folder import check_path
 from .picture_writing import new_folder
 
 MAPPERS = ("auto", "incremental", "global")
@@ -100,26 +100,26 @@ def map_pictures(
         Traceback (most recent call last):
         pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features makes one
     """
-    clock, say = Clock(), check_progress(progress)
+    clock, report = Clock(), check_progress(progress)
     if not isinstance(fix_intrinsic, bool):
         raise TypeError(f"fix_intrinsic: expected True or False, got {type(fix_intrinsic).__name__}")
     check_option("mapper", mapper, MAPPERS)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
-    source, database = check_place("pictures", pictures), check_place("matches", matches)
-    target = check_place("folder", folder)
+    source, database = check_path("pictures", pictures), check_path("matches", matches)
+    target = check_path("folder", folder)
     if not source.is_dir():
-        raise DatasetError(pictures, "is no folder", remedy="Give the folder of the pictures")
+        raise DatasetError(pictures, "is not a folder", remedy="Give the folder of the images")
     names = _names_of(database)
     job: dict[str, Any] = {"stage": "model", "pictures": os.fspath(source.resolve()), "seed": int(seed), "threads": 1}
     chosen = mapper if mapper != "auto" else choose_mapper(len(names))
     job |= {"fixed_camera": fix_intrinsic, "mapper": chosen}
-    say("model", 0, len(names))
+    report("model", 0, len(names))
     with new_folder(target):
-        done, peak = _map(job, database, target, names, say, limits)
+        done, peak = _map(job, database, target, names, report, limits)
     model = read_colmap_model(target) if done["sizes"] else None
-    told = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
-    assessed = assess_model(model, len(names), fix_intrinsic=fix_intrinsic, **told)
+    checks = {"model_sizes": done["sizes"] or None, "focal": CameraCheck.from_json(done["cameras"])}
+    assessed = assess_model(model, len(names), fix_intrinsic=fix_intrinsic, **checks)
     missing = tuple(sorted(set(names) - set(model.names if model else ())))
     clock.stop("model")
     return SfmResult(model, os.fspath(target), assessed, missing, clock.seconds, {"model": peak})
@@ -134,24 +134,24 @@ def _names_of(database: Path) -> list[str]:
         names = [name for (name,) in connection.execute("SELECT name FROM images")]
         (tried,) = connection.execute("SELECT count(*) FROM two_view_geometries").fetchone()
     if not tried and len(names) > 1:
-        raise FileError(database, "holds no matches", remedy="sfm.match makes them")
+        raise FileError(database, "contains no matches", remedy="sfm.match computes them")
     return names
 
 
 def _map(
-    job: dict[str, Any], database: Path, target: Path, names: list[str], say: ReportProgress, limits: dict[str, Any]
+    job: dict[str, Any], database: Path, target: Path, names: list[str], report: ReportProgress, limits: dict[str, Any]
 ) -> tuple[dict[str, Any], int]:
-    with scratch_beside(target) as place:
-        copy, scratch, model = (place / name for name in ("database.db", "scratch", "model"))
+    with scratch_beside(target) as folder:
+        copy, scratch, model = (folder / name for name in ("database.db", "scratch", "model"))
         shutil.copyfile(database, copy)  # COLMAP writes to databases that it opens
         scratch.mkdir()
         model.mkdir()
         job |= {"database": os.fspath(copy), "scratch": os.fspath(scratch), "model": os.fspath(model)}
 
-        def tell(message: dict[str, Any]) -> None:
-            say("model", min(int(message.get("registered", 0)), len(names)), len(names))
+        def report_registered(message: dict[str, Any]) -> None:
+            report("model", min(int(message.get("registered", 0)), len(names)), len(names))
 
-        done, peak = run_job(job, database, tell=tell, **limits)
+        done, peak = run_job(job, database, report=report_registered, **limits)
         for path in sorted(model.iterdir()):
             path.replace(target / path.name)
     return done, peak

@@ -24,8 +24,8 @@ ALPHA = "alpha"
 FOLDER = "_masks"  # appended to the image folder's name
 
 MakeMask = Callable[[NDArray[np.uint8], str], Any]
-KEPT = 128  # brightness threshold of masks
-_LEAST = 0.001  # minimum unmasked fraction of an image
+MASK_THRESHOLD = 128  # brightness threshold of masks
+_MIN_VISIBLE = 0.001  # minimum unmasked fraction of an image
 _ENDINGS = (".png", ".jpg", ".jpeg")
 _BACK = {6: 8, 8: 6}  # inverse EXIF orientations. The others are self-inverse
 
@@ -36,7 +36,9 @@ def check_masks(masks: Any) -> FilePath | MakeMask | None:
     if not isinstance(masks, str | os.PathLike):
         raise TypeError(f'masks: expected a folder, "alpha" or a function, got {type(masks).__name__}')
     if masks != ALPHA and not Path(masks).is_dir():
-        raise DatasetError(masks, "is no folder", remedy="Give the folder of the masks, IMG_1.jpg.png of IMG_1.jpg")
+        raise DatasetError(
+            masks, "is not a folder", remedy="Give the folder of the masks, with IMG_1.jpg.png for IMG_1.jpg"
+        )
     return masks
 
 
@@ -49,81 +51,82 @@ def mask_file(folder: Path, name: str) -> Path:
 
 
 def masks_in(folder: Path, names: Iterable[str]) -> list[Path | None]:
-    places = (mask_file(folder, name) for name in names)
-    return [place if place.is_file() else None for place in places]
+    paths = (mask_file(folder, name) for name in names)
+    return [path if path.is_file() else None for path in paths]
 
 
-def write_mask(folder: Path, name: str, kept: NDArray[np.bool_]) -> None:
-    write_png(mask_file(folder, name), np.where(kept, 255, 0).astype(np.uint8))
+def write_mask(folder: Path, name: str, mask: NDArray[np.bool_]) -> None:
+    write_png(mask_file(folder, name), np.where(mask, 255, 0).astype(np.uint8))
 
 
 def read_mask(path: FilePath, size: tuple[int, int]) -> NDArray[np.bool_]:
     header = read_picture_header(path)
     if (header.width, header.height) != size:
-        reason = f"is {header.width} x {header.height}, its picture {size[0]} x {size[1]} pixels"
-        raise FileError(path, reason, remedy="Make masks of the size of their pictures")
-    return read_color(path).max(axis=2) >= KEPT
+        reason = f"expected a mask of {size[0]} x {size[1]} pixels as its image, got {header.width} x {header.height}"
+        raise FileError(path, reason, remedy="Create masks of the size of their images")
+    return read_color(path).max(axis=2) >= MASK_THRESHOLD
 
 
 def write_masks(choice: FrameChoice, source: Path, pictures: Path, masks: FilePath | MakeMask) -> FrameChoice:
     """Write the masks of the selected images, and remove images that are completely masked."""
     folder = mask_folder(pictures)
-    places = list_photographs(source)[0] if source.is_dir() else []
-    kept, hidden, missing = [], {}, []
+    originals = list_photographs(source)[0] if source.is_dir() else []
+    selected, hidden, missing = [], {}, []
     for k, (name, number) in enumerate(zip(choice.names, choice.numbers, strict=True)):
-        origin = places[number] if places else None
+        origin = originals[number] if originals else None
         header = read_picture_header(pictures / name)
         mask = _mask_of(masks, pictures / name, origin, (header.width, header.height))
         if mask is None:
             missing.append(name)
         elif hides_all(mask):
-            hidden[name if origin is None else origin.name] = "its mask hides all of it"
+            hidden[name if origin is None else origin.name] = "its mask excludes all pixels"
             (pictures / name).unlink()
             continue
         else:
             write_mask(folder, name, mask)
-        kept.append(k)
-    return _without_hidden(choice, source, masks, kept, hidden, missing)
+        selected.append(k)
+    return _without_hidden(choice, source, masks, selected, hidden, missing)
 
 
 def _without_hidden(
-    choice: FrameChoice, source: Path, masks: Any, kept: list[int], hidden: dict[str, str], missing: list[str]
+    choice: FrameChoice, source: Path, masks: Any, selected: list[int], hidden: dict[str, str], missing: list[str]
 ) -> FrameChoice:
-    check_some_left(source, masks, list(hidden), missing, len(kept))
+    check_some_left(source, masks, list(hidden), missing, len(selected))
     return dataclasses.replace(
         choice,
-        names=tuple(choice.names[k] for k in kept),
-        numbers=tuple(choice.numbers[k] for k in kept),
+        names=tuple(choice.names[k] for k in selected),
+        numbers=tuple(choice.numbers[k] for k in selected),
         left_out=choice.left_out | hidden,
-        notes=(*choice.notes, *told_of_masks(list(hidden), missing)),
+        notes=(*choice.notes, *mask_notes(list(hidden), missing)),
     )
 
 
-def _check_found(source: Path, masks: Any, missing: list[str], count: int) -> None:
+def _check_any_mask(source: Path, masks: Any, missing: list[str], count: int) -> None:
     if len(missing) == count:
-        where = "their masks would be" if masks == ALPHA or callable(masks) else f"there is no mask in {masks}"
-        reason = "no picture has a channel of transparency" if masks == ALPHA else f"{where}, as {missing[0]}.png"
-        reason = "the function gave no mask of any picture" if callable(masks) else reason
-        raise DatasetError(source, reason, remedy="Name masks as their pictures: IMG_1.jpg.png, or IMG_1.png")
+        reason = (
+            "no image has an alpha channel" if masks == ALPHA else f"{masks} contains no mask such as {missing[0]}.png"
+        )
+        reason = "the function returned no mask for any image" if callable(masks) else reason
+        raise DatasetError(source, reason, remedy="Name masks like their images: IMG_1.jpg.png, or IMG_1.png")
 
 
-def told_of_masks(hidden: list[str], missing: list[str]) -> list[str]:
+def mask_notes(hidden: list[str], missing: list[str]) -> list[str]:
     notes = []
     if hidden:
-        notes.append(f"{counted(len(hidden), 'picture')} left out, whose masks hide all: {some_of(hidden)}")
+        notes.append(f"{counted(len(hidden), 'image')} left out, since the mask excludes all pixels: {some_of(hidden)}")
     if missing:
-        notes.append(f"{counted(len(missing), 'picture')} without a mask, taken whole: {some_of(missing)}")
+        notes.append(f"{counted(len(missing), 'image')} without a mask, used completely: {some_of(missing)}")
     return notes
 
 
 def hides_all(mask: NDArray[np.bool_]) -> bool:
-    return bool(mask.mean() < _LEAST)
+    return bool(mask.mean() < _MIN_VISIBLE)
 
 
-def check_some_left(source: Path, masks: Any, hidden: list[str], missing: list[str], kept: int) -> None:
-    if not kept:
-        raise FileError(source, f"none of {counted(len(hidden), 'picture')} is left: masks hide all of them")
-    _check_found(source, masks, missing, kept)
+def check_some_left(source: Path, masks: Any, hidden: list[str], missing: list[str], count: int) -> None:
+    if not count:
+        raise FileError(source, f"none of {counted(len(hidden), 'image')} is left: the masks exclude all pixels")
+    _check_any_mask(source, masks, missing, count)
 
 
 def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_] | None:
@@ -132,9 +135,9 @@ def _mask_of(masks: Any, picture: Path, origin: Path | None, size: tuple[int, in
         return _of_function(masks, read_color(picture), picture.name if origin is None else origin.name, size)
     if masks == ALPHA:
         alpha = None if origin is None else _alpha_of(origin)
-        return None if origin is None or alpha is None else _fitted(origin, alpha >= KEPT, origin, size)
-    place = _place_of(masks, (*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem))
-    return None if place is None else _fitted(place, read_color(place).max(axis=2) >= KEPT, origin, size)
+        return None if origin is None or alpha is None else _fitted(origin, alpha >= MASK_THRESHOLD, origin, size)
+    path = _mask_path(masks, (*(() if origin is None else (origin.name, origin.stem)), picture.name, picture.stem))
+    return None if path is None else _fitted(path, read_color(path).max(axis=2) >= MASK_THRESHOLD, origin, size)
 
 
 def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, int]) -> NDArray[np.bool_] | None:
@@ -143,19 +146,19 @@ def mask_as_stored(masks: FilePath | MakeMask, picture: Path, size: tuple[int, i
         return _of_function(masks, read_stored(picture), picture.name, size)
     if masks == ALPHA:
         alpha = _alpha_of(picture)
-        return None if alpha is None else _fitted(picture, alpha >= KEPT, None, size)
-    place = _place_of(masks, (picture.name, picture.stem))
-    if place is None:
+        return None if alpha is None else _fitted(picture, alpha >= MASK_THRESHOLD, None, size)
+    path = _mask_path(masks, (picture.name, picture.stem))
+    if path is None:
         return None
-    mask = read_color(place).max(axis=2) >= KEPT
+    mask = read_color(path).max(axis=2) >= MASK_THRESHOLD
     if (mask.shape[1], mask.shape[0]) != size:  # drawn on the upright image
-        mask = upright(mask, _BACK.get(turn := read_orientation(picture), turn))
-    return _fitted(place, mask, None, size)
+        mask = upright(mask, _BACK.get(orientation := read_orientation(picture), orientation))
+    return _fitted(path, mask, None, size)
 
 
-def _place_of(masks: FilePath, names: Sequence[str]) -> Path | None:
-    places = (Path(masks) / f"{name}{ending}" for name in dict.fromkeys(names) for ending in _ENDINGS)
-    return next((place for place in places if place.is_file()), None)
+def _mask_path(masks: FilePath, names: Sequence[str]) -> Path | None:
+    paths = (Path(masks) / f"{name}{ending}" for name in dict.fromkeys(names) for ending in _ENDINGS)
+    return next((path for path in paths if path.is_file()), None)
 
 
 def _of_function(
@@ -172,7 +175,7 @@ def _of_function(
         raise TypeError(f"masks({name}): expected bool or uint8 [h, w], got {mask.dtype} {list(mask.shape)}")
     if mask.shape != (size[1], size[0]):
         raise ValueError(f"masks({name}): expected shape {[size[1], size[0]]}, got {list(mask.shape)}")
-    return mask if mask.dtype == np.bool_ else mask >= KEPT
+    return mask if mask.dtype == np.bool_ else mask >= MASK_THRESHOLD
 
 
 def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
@@ -184,44 +187,44 @@ def _alpha_of(path: Path) -> NDArray[np.uint8] | None:
     return decode_texture(path, path.read_bytes())[..., 3]
 
 
-def _fitted(place: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
+def _fitted(path: Path, mask: NDArray[np.bool_], origin: Path | None, size: tuple[int, int]) -> NDArray[np.bool_]:
     """Rotate and scale a mask like its image. One that only fits the upright shape is taken as upright."""
     orientation = UPRIGHT if origin is None else read_orientation(origin)
-    turned = upright(mask, orientation)
-    for each in (turned, mask):
+    rotated = upright(mask, orientation)
+    for each in (rotated, mask):
         height, width = each.shape
         if abs(width * size[1] - height * size[0]) <= max(width, height) and width >= size[0]:
             if (width, height) == size:
                 return np.ascontiguousarray(each)
             gray = Image.fromarray(np.where(each, 255, 0).astype(np.uint8))
-            return np.asarray(gray.resize(size, Image.Resampling.BOX)) >= KEPT
-    reason = f"is a mask of {mask.shape[1]} x {mask.shape[0]}, its picture {size[0]} x {size[1]} pixels"
-    raise FileError(place, reason, remedy="Make masks of the size of their pictures")
+            return np.asarray(gray.resize(size, Image.Resampling.BOX)) >= MASK_THRESHOLD
+    reason = f"expected a mask of {size[0]} x {size[1]} pixels as its image, got {mask.shape[1]} x {mask.shape[0]}"
+    raise FileError(path, reason, remedy="Create masks of the size of their images")
 
 
 def check_mask_files(pictures: Sequence[Path], folder: Path) -> dict[str, Path]:
-    found: dict[str, Path] = {}
+    result: dict[str, Path] = {}
     for path in pictures:
-        place = mask_file(folder, path.name)
-        if not place.is_file():
+        mask_path = mask_file(folder, path.name)
+        if not mask_path.is_file():
             continue
         header = read_picture_header(path)
-        if read_mask(place, (header.width, header.height)).mean() < _LEAST:
-            raise FileError(place, "hides all of its picture", remedy=f"Leave out {path.name}, or its mask")
-        found[path.name] = place
-    if not found:
-        reason = f"holds no mask of a picture, such as {pictures[0].name}.png"
-        raise DatasetError(folder, reason, remedy="Name masks as their pictures, with .png behind")
-    return found
+        if read_mask(mask_path, (header.width, header.height)).mean() < _MIN_VISIBLE:
+            raise FileError(mask_path, "excludes all pixels of its image", remedy=f"Leave out {path.name}, or its mask")
+        result[path.name] = mask_path
+    if not result:
+        reason = f"contains no mask of an image, such as {pictures[0].name}.png"
+        raise DatasetError(folder, reason, remedy="Name masks like their images, with .png appended")
+    return result
 
 
 def complete_masks(pictures: Sequence[Path], masks: dict[str, Path], folder: Path) -> None:
     """Write a white mask for each image without one, since COLMAP ignores images without masks."""
     folder.mkdir()
     for path in pictures:
-        place = mask_file(folder, path.name)
+        mask_path = mask_file(folder, path.name)
         if path.name in masks:
-            place.write_bytes(masks[path.name].read_bytes())
+            mask_path.write_bytes(masks[path.name].read_bytes())
         else:
             header = read_picture_header(path)
-            write_png(place, np.full((header.height, header.width), 255, np.uint8))
+            write_png(mask_path, np.full((header.height, header.width), 255, np.uint8))

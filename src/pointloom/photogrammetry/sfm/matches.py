@@ -27,13 +27,13 @@ from .colmap_jobs import MAX_SECONDS, count_rows, database_in_the_making, open_d
 from .features import check_use_gpu, usable_cores
 from .frames import check_option
 from .limited_process import check_limits
-from .picture_folder import check_place
+from .picture_folder import check_path
 
 Descriptors = NDArray[np.uint8]
 WORDS = 64
 NEIGHBORS = 10  # partners per image
 LENGTH = 128  # length of a SIFT descriptor
-TURNS = 12  # k-means iterations: words then move by less than one integer step
+MAX_ITERATIONS = 12  # k-means iterations: words then move by less than one integer step
 SAMPLE = 30_000  # descriptors for k-means over all images
 AT_ONCE = 1 << 15  # descriptors per distance block
 FINE = 4095  # quantization steps of a description
@@ -53,11 +53,11 @@ def nearest_words(descriptors: Descriptors, words: Descriptors) -> NDArray[np.in
     """The nearest word of each descriptor, the first of ties. Exact."""
     w = words.astype(np.float32)
     lengths = (w * w).sum(axis=1, dtype=np.float32)
-    found = [
+    indices = [
         np.argmin(lengths - 2 * (descriptors[first : first + AT_ONCE].astype(np.float32) @ w.T), axis=1)
         for first in range(0, len(descriptors), AT_ONCE)
     ]
-    return np.concatenate(found) if found else np.zeros(0, np.int64)
+    return np.concatenate(indices) if indices else np.zeros(0, np.int64)
 
 
 def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descriptors:
@@ -68,7 +68,7 @@ def learn_words(sets: Sequence[Descriptors], count: int, seed: int) -> Descripto
     sample = np.concatenate(taken)
     different = np.unique(sample, axis=0)
     words = different[np.sort(rng.permutation(len(different))[:count])]
-    for _ in range(TURNS if len(words) else 0):
+    for _ in range(MAX_ITERATIONS if len(words) else 0):
         mine = nearest_words(sample, words)
         sums = _sums(sample, mine, len(words))
         sizes = np.bincount(mine, minlength=len(words))
@@ -102,9 +102,9 @@ def alike_pictures(sets: Sequence[Descriptors], neighbors: int, *, seed: int, wo
 
 
 def pairs_that_look_alike(database: Path, neighbors: int, *, seed: int) -> list[tuple[int, int]]:
-    found = read_descriptors(database)
-    numbers = list(found)
-    alike = alike_pictures(list(found.values()), neighbors, seed=seed)
+    descriptors = read_descriptors(database)
+    numbers = list(descriptors)
+    alike = alike_pictures(list(descriptors.values()), neighbors, seed=seed)
     both = [(numbers[i], numbers[j]) for i, row in enumerate(alike) for j in row]
     return sorted({(min(pair), max(pair)) for pair in both})
 
@@ -203,18 +203,18 @@ def match(
         Traceback (most recent call last):
         pointloom.core.errors.FileError: features.db: does not exist. sfm.find_features makes one
     """
-    clock, say = Clock(), check_progress(progress)
+    clock, report = Clock(), check_progress(progress)
     check_option("pairs", pairs, PAIRS)
-    check_count("overlap", overlap, maximum=_MAX_OVERLAP, because='pairs="exhaustive" takes all')
-    check_count("neighbors", neighbors, maximum=_MAX_NEIGHBORS, because='pairs="exhaustive" takes all')
+    check_count("overlap", overlap, maximum=_MAX_OVERLAP, because='pairs="exhaustive" matches all')
+    check_count("neighbors", neighbors, maximum=_MAX_NEIGHBORS, because='pairs="exhaustive" matches all')
     check_use_gpu(use_gpu)
     check_seed(seed)
     limits = check_limits(max_seconds, max_memory)
-    source, target = check_place("database", database), check_writable(check_place("matches", matches))
+    source, target = check_path("database", database), check_writable(check_path("matches", matches))
     with open_database(source) as connection:
         (count,) = connection.execute("SELECT count(*) FROM images").fetchone()
     kind = _kind_of(source)
-    pairs = _settled(pairs, kind, count)
+    pairs = _resolved_pairs(pairs, kind, count)
     job: dict[str, Any] = {"stage": "matches", "pairs": pairs, "overlap": int(overlap), "seed": int(seed)}
     job |= {"threads": usable_cores(), "gpu": use_gpu, "kind": kind}
     with database_in_the_making(target) as part:
@@ -224,24 +224,24 @@ def match(
             job |= {"list": os.fspath(part.with_name("pairs.txt"))}
             Path(job["list"]).write_text("".join(f"{a} {b}\n" for a, b in listed), encoding="ascii")
         pair_count = len(listed)
-        say("pairs", 0, pair_count)
-        poll = lambda: say("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
+        report("pairs", 0, pair_count)
+        poll = lambda: report("pairs", min(count_rows(part, "two_view_geometries"), pair_count), pair_count)  # noqa: E731
         with _named_by_numbers(part) if "list" in job else contextlib.nullcontext():
             _, peak = run_job(job | {"database": os.fspath(part)}, source, poll=poll, **limits)
         verified, match_count, isolated = _verified_pairs(part)
-    say("pairs", pair_count, pair_count)
+    report("pairs", pair_count, pair_count)
     clock.stop("pairs")
     seconds = clock.seconds["pairs"]
     return MatchReport(os.fspath(target), pairs, pair_count, verified, match_count, isolated, seconds, peak)
 
 
-def _settled(pairs: str, kind: str, count: int) -> str:
+def _resolved_pairs(pairs: str, kind: str, count: int) -> str:
     if pairs == "auto" and count <= FEW_PICTURES:
         return "exhaustive"
     if pairs == "auto":
         return MIXED if kind == "sift" else "sequential"
     if pairs == "retrieval" and kind != "sift":
-        raise ValueError(f"pairs: retrieval goes by SIFT features, and these are {kind}; take sequential or exhaustive")
+        raise ValueError(f"pairs: retrieval requires SIFT features, got {kind}; use sequential or exhaustive")
     return pairs
 
 

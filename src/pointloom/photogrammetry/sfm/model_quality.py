@@ -59,15 +59,15 @@ def parallax(model: SfmModel, *, fixed: bool = False) -> float:
     focal = float(np.median([camera.params[0] for camera in model.cameras]))
     if fixed:
         return float(focal * _turning_error(first, second, weights, 1.0, 0.0))
-    center, reach = [0.0, 0.0], (_LOG_FACTORS[1], _MAX_DISTORTION)
+    center, half_range = [0.0, 0.0], (_LOG_FACTORS[1], _MAX_DISTORTION)
     best = float("inf")
     for _ in range(_ROUNDS):
-        logs = np.clip(np.linspace(center[0] - reach[0], center[0] + reach[0], _STEPS), *_LOG_FACTORS)
-        bends = np.linspace(center[1] - reach[1], center[1] + reach[1], _STEPS)
+        logs = np.clip(np.linspace(center[0] - half_range[0], center[0] + half_range[0], _STEPS), *_LOG_FACTORS)
+        bends = np.linspace(center[1] - half_range[1], center[1] + half_range[1], _STEPS)
         tried = [(_turning_error(first, second, weights, np.exp(a), b), a, b) for a in logs for b in bends]
         error, *center = min(tried)
         best = min(best, error)
-        reach = (reach[0] / _NARROWING, reach[1] / _NARROWING)
+        half_range = (half_range[0] / _NARROWING, half_range[1] / _NARROWING)
     return float(focal * best)
 
 
@@ -113,8 +113,8 @@ def _turning_error(first: Array, second: Array, weights: Array, factor: float, d
     u, _, vt = np.linalg.svd(products)
     flip = np.ones((len(u), 3))
     flip[:, 2] = np.sign(np.linalg.det(u @ vt))
-    turned = np.einsum("pij,psj->psi", (u * flip[:, None]) @ vt, a)
-    off = turned[..., :2] / np.maximum(turned[..., 2:], 1e-3) - b[..., :2]
+    rotated = np.einsum("pij,psj->psi", (u * flip[:, None]) @ vt, a)
+    off = rotated[..., :2] / np.maximum(rotated[..., 2:], 1e-3) - b[..., :2]
     count = np.maximum(weights.sum(axis=1), 1)
     return float(np.median(np.sqrt((weights * (off**2).sum(axis=2)).sum(axis=1) / count))) / factor
 
@@ -130,7 +130,7 @@ def _length(rays: Array) -> Array:
 
 
 MIN_REGISTERED = 0.6  # fraction of the images
-WHOLE = 0.95  # fraction in the largest model above which others are ignored: they overlap
+MIN_LARGEST_SHARE = 0.95  # fraction in the largest model above which others are ignored: they overlap
 MIN_ANGLE = 2.0  # [degrees] gives point depth within a few per cent
 MIN_PARALLAX = 0.002  # relative to the longer side: a few pixels, several times the feature error
 MAX_ERROR = 1.0  # [px] at feature extraction size. A correct lens gives 0.1 to 0.6
@@ -138,7 +138,7 @@ FINDING_SIZE = 1600  # [px] longer side for feature extraction
 MIN_POINTS = 100
 MIN_POINTS_A_PICTURE = 20
 
-_MOVE = "move, do not only turn: walk sideways around what you film"
+_MOVE = "move instead of only rotating: walk sideways around the scene"
 
 
 @dataclasses.dataclass(frozen=True)
@@ -178,21 +178,21 @@ class ModelQuality(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         fields = dataclasses.asdict(self) | {"model_sizes": list(self.model_sizes), **quality(self)}
-        asked = {"focal": self.focal, "poses": self.poses}
-        fields |= {name: None if check is None else check.to_dict() for name, check in asked.items()}
+        checks = {"focal": self.focal, "poses": self.poses}
+        fields |= {name: None if check is None else check.to_dict() for name, check in checks.items()}
         fields |= {"notes": list(self.notes)}
         numbers = {key: value for key, value in fields.items() if isinstance(value, float)}
         return fields | {key: None if math.isnan(value) else value for key, value in numbers.items()}
 
     @classmethod
-    def from_json(cls, told: Mapping[str, Any]) -> ModelQuality:
+    def from_json(cls, record: Mapping[str, Any]) -> ModelQuality:
         names = [field.name for field in dataclasses.fields(cls) if field.name not in ("focal", "poses")]
-        found: dict[str, Any] = {name: told[name] for name in names}
-        found |= {name: math.nan if found[name] is None else found[name] for name in ("angle", "parallax", "error")}
-        found |= {name: tuple(found[name]) for name in ("model_sizes", "warnings")}
-        focal, poses = told.get("focal"), told.get("poses")  # missing in older records
-        found["focal"] = None if focal is None else CameraCheck.from_json(focal)
-        return cls(**found, poses=None if poses is None else PoseCheck.from_json(poses))
+        fields: dict[str, Any] = {name: record[name] for name in names}
+        fields |= {name: math.nan if fields[name] is None else fields[name] for name in ("angle", "parallax", "error")}
+        fields |= {name: tuple(fields[name]) for name in ("model_sizes", "warnings")}
+        focal, poses = record.get("focal"), record.get("poses")  # missing in older records
+        fields["focal"] = None if focal is None else CameraCheck.from_json(focal)
+        return cls(**fields, poses=None if poses is None else PoseCheck.from_json(poses))
 
 
 def assess_model(
@@ -241,14 +241,14 @@ def assess_model(
     sizes = tuple(check_count("model_sizes", size, minimum=0) for size in given if model is not None)
     if model is None:
         nothing = (
-            f"none of the {picture_count} pictures could be placed: no two of them show enough of the same from places "
-            "far enough apart. See that they overlap by two thirds, are sharp and show something with a pattern; "
+            f"none of the {picture_count} images could be registered: no two of them share enough of the scene from "
+            "positions far enough apart. Make sure that they overlap by two thirds, are sharp and show texture; "
             + _MOVE
         )
         return ModelQuality(picture_count, 0, (), 0, 0.0, math.nan, math.nan, math.nan, (nothing,))
     seen = np.bincount(model.observations[:, 0], minlength=registered)
     errors = model.errors[np.isfinite(model.errors)]
-    found = ModelQuality(
+    quality = ModelQuality(
         picture_count,
         registered,
         sizes,
@@ -262,39 +262,41 @@ def assess_model(
         poses,
     )
     longer = max((max(camera.width, camera.height) for camera in model.cameras), default=1)
-    return dataclasses.replace(found, warnings=tuple(_warnings(found, longer)))
+    return dataclasses.replace(quality, warnings=tuple(_warnings(quality, longer)))
 
 
-def _warnings(found: ModelQuality, longer_side: int) -> list[str]:
-    reasons = [] if found.poses is None else found.poses.reasons(found.registered_count)
-    count, registered = found.picture_count, found.registered_count
-    if found.poses is not None and found.poses.are_wrong:
+def _warnings(quality: ModelQuality, longer_side: int) -> list[str]:
+    reasons = [] if quality.poses is None else quality.poses.reasons(quality.registered_count)
+    count, registered = quality.picture_count, quality.registered_count
+    if quality.poses is not None and quality.poses.are_wrong:
         return reasons
-    if registered < MIN_REGISTERED * count and found.poses is not None:
-        reasons.append(f"only {registered} of {count} pictures have a pose: give those of the others too")
+    if registered < MIN_REGISTERED * count and quality.poses is not None:
+        reasons.append(f"only {registered} of {count} images have a pose: give the poses of the others too")
     elif registered < MIN_REGISTERED * count:
-        remedy = "film more slowly, or take pictures that overlap by two thirds"
-        reasons.append(f"only {registered} of {count} pictures could be placed: {remedy}")
-    if registered < WHOLE * count and len(found.model_sizes) > 1:
-        sizes = ", ".join(map(str, found.model_sizes))
-        remedy = "take pictures that join them"
-        reasons.append(f"the pictures fall into {len(found.model_sizes)} models ({sizes} pictures): {remedy}")
-    if found.parallax < MIN_PARALLAX * longer_side:
-        off = f"a camera that only turned would see the points within {found.parallax:.2g} px of where they are"
-        reasons.append(f"the camera hardly moved ({off}), so that depth is unknown: {_MOVE}")
-    elif found.angle < MIN_ANGLE:
-        reasons.append(f"points are seen under {found.angle:.2g} degrees (median), so that depth is uncertain: {_MOVE}")
-    reasons += (asked := [] if found.focal is None else found.focal.reasons())
-    if not asked and found.error > (most := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
-        off = f"points are {found.error:.2g} px off what the model shows (median), more than {most:.2g}"
-        remedy = "do not zoom, hold still what is seen, and give camera_model where the lens bends much"
-        what = f"no lens that was tried fits the pictures; {remedy}"
-        if found.poses is not None:
-            what = "the poses and cameras that were given are no better than that; without them they are found anew"
+        remedy = "film more slowly, or take images that overlap by two thirds"
+        reasons.append(f"only {registered} of {count} images could be registered: {remedy}")
+    if registered < MIN_LARGEST_SHARE * count and len(quality.model_sizes) > 1:
+        sizes = ", ".join(map(str, quality.model_sizes))
+        remedy = "take images that connect them"
+        reasons.append(f"the images form {len(quality.model_sizes)} separate models ({sizes} images): {remedy}")
+    if quality.parallax < MIN_PARALLAX * longer_side:
+        off = f"a pure rotation explains the points to within {quality.parallax:.2g} px"
+        reasons.append(f"the camera hardly moved ({off}), so depth is unknown: {_MOVE}")
+    elif quality.angle < MIN_ANGLE:
+        reasons.append(
+            f"the triangulation angle is only {quality.angle:.2g} degrees (median), so depth is uncertain: {_MOVE}"
+        )
+    reasons += (focal_reasons := [] if quality.focal is None else quality.focal.reasons())
+    if not focal_reasons and quality.error > (max_error := MAX_ERROR * max(1.0, longer_side / FINDING_SIZE)):
+        off = f"the reprojection error is {quality.error:.2g} px (median), more than {max_error:.2g} px"
+        remedy = "do not zoom, keep the scene static, and give camera_model for a lens with strong distortion"
+        what = f"no camera model fits the images; {remedy}"
+        if quality.poses is not None:
+            what = "the given poses and cameras are not more accurate; without them they are estimated"
         reasons.append(f"{off}: {what}")
-    if found.point_count < MIN_POINTS or found.points_a_picture < MIN_POINTS_A_PICTURE:
-        each = f"{found.points_a_picture:.0f} a picture"
-        remedy = "take sharp pictures of something with a pattern"
+    if quality.point_count < MIN_POINTS or quality.points_a_picture < MIN_POINTS_A_PICTURE:
+        each = f"{quality.points_a_picture:.0f} per image"
+        remedy = "take sharp images of a scene with texture"
         also = "" if reasons and reasons[-1].endswith(_MOVE) else f"; {_MOVE}"
-        reasons.append(f"only {found.point_count} points were found, {each} (median): {remedy}{also}")
+        reasons.append(f"only {quality.point_count} points were triangulated, {each} (median): {remedy}{also}")
     return reasons

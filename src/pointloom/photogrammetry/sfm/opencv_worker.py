@@ -31,8 +31,8 @@ def main() -> int:
         return 1
     if job.get("probe"):
         names = {"width": "WIDTH", "height": "HEIGHT", "frames": "COUNT"}
-        found = {name: int(video.get(getattr(cv2, f"CAP_PROP_FRAME_{key}"))) for name, key in names.items()}
-        print(json.dumps(found | {"fps": video.get(cv2.CAP_PROP_FPS)}))
+        properties = {name: int(video.get(getattr(cv2, f"CAP_PROP_FRAME_{key}"))) for name, key in names.items()}
+        print(json.dumps(properties | {"fps": video.get(cv2.CAP_PROP_FPS)}))
         return 0
     write_frames(cv2, video, job)
     return 0

@@ -15,7 +15,7 @@ from ...core.progress import ReportProgress
 from ...io.optional_imports import ignored_errors
 from ...io.pictures.image_files import PictureHeader
 from ...io.pictures.photo_files import is_photo, read_exif
-from .exif_checks import doubts_of_orientation
+from .exif_checks import orientation_warnings
 from .frame_choice import FrameChoice
 from .frame_picker import is_blank, spaced, thumbnail
 from .picture_folder import (
@@ -36,12 +36,12 @@ from .picture_writing import Wanted, counted, some_of, write_bytes, write_pictur
 _GRAY = np.array([77, 150, 29], np.uint32)  # BT.601 weights, in 256ths
 _BITS = 8
 _TABLES = (0x8769, 0x8825)  # EXIF tables of lens and GPS
-_TOLD = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
+_COPIED_TAGS = (0x010F, 0x0110, 0x0132, *_TABLES)  # make, model, time
 _LONGEST_EXIF = 65_000  # bytes. A JPEG segment holds 65533
 _SUFFIXES = {"jpeg": ".jpg", "png": ".png"}
 
 
-def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameChoice:
+def choose_pictures(source: Path, wanted: Wanted, report: ReportProgress) -> FrameChoice:
     paths, second = list_photographs(source)
     chosen = spaced(list(range(len(paths))), wanted.max_count)
     headers, left_out = _headers(paths, chosen)
@@ -50,23 +50,23 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
     names, numbers, sizes = [], [], Counter[tuple[int, int]]()
     stems = dict(zip(usable, ordered_names([paths[n] for n in usable]), strict=True))
     for done, number in enumerate(usable):
-        say("write", done, len(usable))
+        report("write", done, len(usable))
         try:
             pixels = read_picture(paths[number], headers[number], white=white)
         except FileError as error:
             left_out[paths[number].name] = error.reason
             continue
         if is_blank(thumbnail(_gray(pixels))):
-            left_out[paths[number].name] = "black, or all of one brightness"
+            left_out[paths[number].name] = "black, or of one brightness"
             continue
         name, size = _write(paths[number], headers[number], pixels, stems[number], wanted)
         names.append(name)
         numbers.append(number)
         sizes[size] += 1
-    say("write", len(usable), len(usable))
+    report("write", len(usable), len(usable))
     if not names:
         first, reason = next(iter(left_out.items()))
-        raise FileError(source, f"none of {counted(len(paths), 'picture')} can be used: {first}: {reason}")
+        raise FileError(source, f"none of {counted(len(paths), 'image')} can be used: {first}: {reason}")
     return FrameChoice(
         source=os.fspath(source),
         kind="pictures",
@@ -78,9 +78,9 @@ def choose_pictures(source: Path, wanted: Wanted, say: ReportProgress) -> FrameC
         left_out=left_out,
         notes=tuple(
             _notes(source, len(paths), len(chosen), left_out, sizes)
-            + told_twice(second)
+            + duplicate_notes(second)
             + _lenses([paths[n] for n in numbers])
-            + doubts_of_orientation([paths[n] for n in numbers])
+            + orientation_warnings([paths[n] for n in numbers])
         ),
     )
 
@@ -121,20 +121,22 @@ def _write(
 
 def _exif_upright(path: Path) -> bytes:
     """EXIF data (with the focal length) without the orientation."""
-    exif, kept = read_exif(path), Image.Exif()
+    exif, copied = read_exif(path), Image.Exif()
     exif.pop(ORIENTATION, None)
-    for tag in (tag for tag in exif if tag in _TOLD or not is_photo(path)):  # other DNG tags describe the pixel layout
-        kept[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
+    for tag in (
+        tag for tag in exif if tag in _COPIED_TAGS or not is_photo(path)
+    ):  # other DNG tags describe the pixel layout
+        copied[tag] = exif.get_ifd(tag) if tag in _TABLES else exif[tag]
     with ignored_errors():  # invalid EXIF is ignored
-        told = kept.tobytes() if len(kept) else b""
-        return told if len(told) <= _LONGEST_EXIF else b""
+        data = copied.tobytes() if len(copied) else b""
+        return data if len(data) <= _LONGEST_EXIF else b""
     return b""
 
 
-def told_twice(paths: list[Path]) -> list[str]:
+def duplicate_notes(paths: list[Path]) -> list[str]:
     if not paths:
         return []
-    return [f"of photographs that lie there as JPEG or PNG as well: {some_of([path.name for path in paths])}"]
+    return [f"left out, since the folder also contains a JPEG or PNG of them: {some_of([path.name for path in paths])}"]
 
 
 def _notes(
@@ -142,18 +144,18 @@ def _notes(
 ) -> list[str]:
     notes = []
     if chosen < count:
-        notes.append(f"{chosen} of {count} pictures are taken, evenly in the order of their names (max_frames)")
+        notes.append(f"{chosen} of {count} images are used, evenly spaced in the order of their names (max_frames)")
     if left_out:
-        said = [f"{name} ({reason})" for name, reason in left_out.items()]
-        notes.append(f"{counted(len(left_out), 'picture')} cannot be used and left out: {some_of(said)}")
+        parts = [f"{name} ({reason})" for name, reason in left_out.items()]
+        notes.append(f"{counted(len(left_out), 'image')} left out, since unusable: {some_of(parts)}")
     if others := unread_pictures(source):
-        notes.append(f"of kinds that are not read, convert them to PNG or JPEG: {some_of(others)}")
+        notes.append(f"left out, since the format is not supported, convert to PNG or JPEG: {some_of(others)}")
     if len(sizes) > 1:
-        said = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
-        notes.append(f"pictures of {len(sizes)} sizes, each taken for a camera of its own: {some_of(said)}")
+        parts = [f"{number} of {width} x {height}" for (width, height), number in sizes.most_common()]
+        notes.append(f"images of {len(sizes)} sizes, each treated as a separate camera: {some_of(parts)}")
     return notes
 
 
 def _lenses(paths: list[Path]) -> list[str]:
     count = len({read_lens(path) for path in paths})
-    return [f"EXIF tells of {count} cameras or focal lengths, each taken for a camera of its own"] if count > 1 else []
+    return [f"EXIF contains {count} cameras or focal lengths, each treated as a separate camera"] if count > 1 else []

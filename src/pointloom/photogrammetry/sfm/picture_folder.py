@@ -42,7 +42,7 @@ _LARGEST_12_BIT = 4095
 _LARGEST_8_BIT = 255
 
 
-def check_place(name: str, value: Any) -> Path:
+def check_path(name: str, value: Any) -> Path:
     path = path_of(value, name)
     if not os.fspath(value) or "\0" in str(path):
         raise ValueError(f"{name}: expected the path of a file or folder, got {shown(value)}")
@@ -50,19 +50,19 @@ def check_place(name: str, value: Any) -> Path:
 
 
 def list_pictures(folder: FilePath, suffixes: Sequence[str] = SUFFIXES) -> list[Path]:
-    place = path_of(folder, "folder")
-    restore_folder(place)
-    if not place.is_dir():
-        reason = "is no folder" if place.exists() else "does not exist"
-        raise DatasetError(folder, reason, remedy="Give a folder of pictures")
-    files = [path for path in place.iterdir() if not path.name.startswith(".") and path.is_file()]
+    directory = path_of(folder, "folder")
+    restore_folder(directory)
+    if not directory.is_dir():
+        reason = "is not a folder" if directory.exists() else "does not exist"
+        raise DatasetError(folder, reason, remedy="Give a folder of images")
+    files = [path for path in directory.iterdir() if not path.name.startswith(".") and path.is_file()]
     pictures = [path for path in files if path.suffix.lower() in suffixes]
     if not pictures:
         others = Counter(path.suffix.lower() for path in files if path.suffix.lower() in (*KINDS, *OTHER_SUFFIXES))
-        found = f"; there are {_counted(others)}, which are not read" if others else ""
+        others_note = f"; it contains {_counted(others)}, which are not read" if others else ""
         converted = "; sfm.choose_frames does that" if suffixes == SUFFIXES and set(others) & set(KINDS) else ""
         remedy = f"Convert them to {', '.join(SUFFIXES)}{converted}"
-        raise DatasetError(folder, f"holds no picture{found}", remedy=remedy)
+        raise DatasetError(folder, f"contains no image{others_note}", remedy=remedy)
     return sorted(pictures, key=natural_key)
 
 
@@ -102,9 +102,9 @@ def read_lens(path: FilePath) -> tuple[str, ...]:
 
 
 def upright(pixels: NDArray, orientation: int) -> NDArray:
-    turns = {3: 2, 4: 2, 5: 3, 6: 3, 7: 1, 8: 1}.get(orientation, 0)  # quarter turns to the left
-    turned = np.rot90(pixels, turns)
-    return np.ascontiguousarray(turned[:, ::-1] if orientation in (2, 4, 5, 7) else turned)
+    rotations = {3: 2, 4: 2, 5: 3, 6: 3, 7: 1, 8: 1}.get(orientation, 0)  # quarter turns to the left
+    rotated = np.rot90(pixels, rotations)
+    return np.ascontiguousarray(rotated[:, ::-1] if orientation in (2, 4, 5, 7) else rotated)
 
 
 def is_gray_16(header: PictureHeader) -> bool:
@@ -129,18 +129,18 @@ def read_stored(path: FilePath) -> NDArray[np.uint8]:
         return read_color(path)
     pixels, _ = read_photo(path)
     if pixels.dtype != np.uint8:
-        raise FileError(path, "expected a color picture, got 16-bit gray", remedy="Convert it to 8 bits")
+        raise FileError(path, "expected a color image, got 16-bit gray", remedy="Convert it to 8 bits")
     return np.asarray(pixels, np.uint8)
 
 
 def white_of(paths: Sequence[Path], headers: Sequence[PictureHeader]) -> int:
     """White level of a set of 16-bit gray images: that of 12 bits if none is brighter."""
-    most = 0
+    max_value = 0
     for path, header in zip(paths, headers, strict=True):
         if is_gray_16(header):
             with contextlib.suppress(FileError):  # reported when the file is read
-                most = max(most, int((read_photo(path)[0] if is_photo(path) else read_depth(path)).max()))
-    return _LARGEST_12_BIT if 0 < most <= _LARGEST_12_BIT else 65535
+                max_value = max(max_value, int((read_photo(path)[0] if is_photo(path) else read_depth(path)).max()))
+    return _LARGEST_12_BIT if 0 < max_value <= _LARGEST_12_BIT else 65535
 
 
 def scaled_size(size: tuple[int, int], max_size: int | None) -> tuple[int, int]:

@@ -40,7 +40,7 @@ def new_folder(folder: Path) -> Iterator[None]:
         if any(folder.iterdir()):
             raise FileError(folder, "is not empty", remedy="Give a new folder, or an empty one")
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
     try:
         yield
     except BaseException:

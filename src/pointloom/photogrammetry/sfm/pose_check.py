@@ -26,7 +26,7 @@ MAX_PAIRS = 40  # overlapping pairs, and as many neighbors by name
 MAX_FEATURES = 1000  # features per image
 MAX_MATCHES = 200  # matches per pair, for equal influence
 MIN_MATCHES = 12  # minimum per pair
-FEWEST = 60  # minimum in total
+MIN_TOTAL = 60  # minimum in total
 NEAR = 0.004  # epipolar distance relative to the longer side, for rough poses
 FITTING = 0.4  # minimum fraction for correct poses: 0.6 in a room, a fountain, a temple
 PLAINLY = 2.0  # ratio of fitting matches with a corrected error
@@ -34,14 +34,14 @@ PLAINLY = 2.0  # ratio of fitting matches with a corrected error
 AXES = {
     "": (1, 1, 1),
     "the cameras' axes are x right, y up, z back (OpenGL, ARKit), not x right, y down, z forward": (1, -1, -1),
-    "the pictures are turned by 180 degrees": (-1, -1, 1),
+    "the images are rotated by 180 degrees": (-1, -1, 1),
     "the cameras' axes are x left, y down, z back": (-1, 1, -1),
 }
 QUARTERS = {
-    "the pictures are turned by 90 degrees to the left": np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]]),
-    "the pictures are turned by 90 degrees to the right": np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]),
+    "the images are rotated by 90 degrees to the left": np.array([[0.0, 1, 0], [-1, 0, 0], [0, 0, 1]]),
+    "the images are rotated by 90 degrees to the right": np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]]),
 }
-FOCAL_REACH, FOCAL_STEPS = math.log(2.0), 41
+FOCAL_RANGE, FOCAL_STEPS = math.log(2.0), 41
 FOCAL_OFF = 0.02  # relative difference of calibrations of one lens
 FOCAL_BETTER = 0.8  # cost ratio of a clearly better focal length
 
@@ -75,43 +75,43 @@ class PoseCheck:
         return {key: None if value != value else value for key, value in fields.items()}
 
     @classmethod
-    def from_json(cls, told: Mapping[str, Any]) -> PoseCheck:
-        found: dict[str, Any] = {key: math.nan if value is None else value for key, value in told.items()}
-        found["strays"] = tuple(told["strays"])
-        return cls(**found)
+    def from_json(cls, record: Mapping[str, Any]) -> PoseCheck:
+        fields: dict[str, Any] = {key: math.nan if value is None else value for key, value in record.items()}
+        fields["strays"] = tuple(record["strays"])
+        return cls(**fields)
 
     @property
     def are_wrong(self) -> bool:
-        return self.match_count < FEWEST or not self.share >= FITTING
+        return self.match_count < MIN_TOTAL or not self.share >= FITTING
 
     @property
     def is_focal_wrong(self) -> bool:
         return abs(math.log(self.focal)) > FOCAL_OFF if self.focal == self.focal else False
 
     def reasons(self, picture_count: int) -> list[str]:
-        if self.match_count < FEWEST:
+        if self.match_count < MIN_TOTAL:
             return [
-                f"no two pictures that overlap by the poses, or follow one another, show the same ({self.match_count} "
-                "matches): the poses are of other pictures, or the pictures too few, blurred or plain"
+                f"no images that overlap by their poses, or are consecutive, have matches ({self.match_count} "
+                "matches): the poses belong to other images, or the images are too few, blurred or without texture"
             ]
-        fits = f"{100 * self.share:.0f} % of the matches between pictures fit the poses"
+        fits = f"{100 * self.share:.0f}% of the matches between images fit the poses"
         if self.are_wrong or (self.cause and self.cause_share > PLAINLY * self.share):
             if self.cause:
-                return [f"only {fits}, {100 * self.cause_share:.0f} % would if {self.cause}: mend the poses"]
+                return [f"only {fits}, {100 * self.cause_share:.0f}% would fit if {self.cause}: correct the poses"]
             if self.is_focal_wrong:
-                return [f"only {fits}, more would with {self.focal:.3g} times the focal length: check the cameras"]
-            why = "they are of other pictures, in another order, in another convention, or too rough"
-            return [f"only {fits}: {why}; give the poses of these very pictures, each by its name"]
+                return [f"only {fits}, more would fit with {self.focal:.3g} times the focal length: check the cameras"]
+            why = "they belong to other images, have another order or convention, or are too inaccurate"
+            return [f"only {fits}: {why}; give the poses of these images, each by its name"]
         reasons = []
         if self.is_focal_wrong:
             reasons.append(
-                f"the pictures ask for {self.focal:.4g} times the focal length that was given, with the poses as they "
-                "are: check the cameras and the size of the pictures"
+                f"with the given poses, {self.focal:.4g} times the given focal length fits the images better: "
+                "check the cameras and the size of the images"
             )
         if len(self.strays) > max(1, 0.1 * picture_count):
             reasons.append(
-                f"the poses of {len(self.strays)} of {picture_count} pictures do not fit the others "
-                f"({few_of(self.strays, 4)}): they may be of other pictures"
+                f"the poses of {len(self.strays)} of {picture_count} images do not fit the others "
+                f"({few_of(self.strays, 4)}): they may belong to other images"
             )
         return reasons
 
@@ -122,14 +122,14 @@ class PoseCheck:
 
 
 def check_poses(features: FeatureRays, model: SfmModel, pairs: Pairs) -> PoseCheck:
-    found = match_by_looks(features, _sample(pairs, model))
-    matches = _Matches.of(features, model, found)
-    if len(matches.first) < FEWEST:
+    pair_matches = match_by_looks(features, _sample(pairs, model))
+    matches = _Matches.of(features, model, pair_matches)
+    if len(matches.first) < MIN_TOTAL:
         return PoseCheck(len(matches.first), 0.0, math.nan)
     poses = model.T_camera_world
     fits, off = matches.fits(poses)
-    share, kept = matches.share(fits), off[fits]
-    distance = float(np.median(kept)) if len(kept) else math.nan
+    share, inlier_distances = matches.share(fits), off[fits]
+    distance = float(np.median(inlier_distances)) if len(inlier_distances) else math.nan
     cause, cause_share = _likely_cause(matches, model, share)
     focal = matches.focal(poses) if not cause else math.nan
     strays = () if share < FITTING else tuple(model.names[i] for i in matches.strays(fits, len(model)))
@@ -159,12 +159,12 @@ def match_by_looks(features: FeatureRays, pairs: Pairs) -> PairMatches:
             tables[picture] = rows, features.descriptors[features.of(picture)][rows].astype(np.float32)
         return tables[picture]
 
-    found = []
+    matches = []
     for a, b in pairs.tolist():
         (mine, p), (theirs, q) = table(a), table(b)
         chosen = np.unique(np.linspace(0, len(mine) - 1, MAX_FEATURES).round().astype(int)) if len(mine) else []
-        found.append(_nearest_mutual(p, q, np.asarray(chosen, np.int64), mine, theirs))
-    return PairMatches.of_lists(pairs, found)
+        matches.append(_nearest_mutual(p, q, np.asarray(chosen, np.int64), mine, theirs))
+    return PairMatches.of_lists(pairs, matches)
 
 
 def _nearest_mutual(p: Any, q: Any, chosen: Any, mine: Any, theirs: Any) -> NDArray[np.int64]:
@@ -173,9 +173,9 @@ def _nearest_mutual(p: Any, q: Any, chosen: Any, mine: Any, theirs: Any) -> NDAr
     sqdists = (p[chosen] ** 2).sum(axis=1)[:, None] + (q**2).sum(axis=1) - 2 * (p[chosen] @ q.T)
     best = sqdists.argmin(axis=1)
     rows = np.arange(len(chosen))
-    least = sqdists[rows, best]
+    min_sqdist = sqdists[rows, best]
     sqdists[rows, best] = np.inf
-    clear = (least < RATIO**2 * sqdists.min(axis=1)) & (least <= MAX_SQDIST)
+    clear = (min_sqdist < RATIO**2 * sqdists.min(axis=1)) & (min_sqdist <= MAX_SQDIST)
     rows, best = rows[clear], best[clear]
     back = ((p**2).sum(axis=1)[:, None] - 2 * (p @ q[best].T)).argmin(axis=0)
     mutual = back == chosen[rows]
@@ -194,20 +194,20 @@ class _Matches:
     near: float
 
     @classmethod
-    def of(cls, features: FeatureRays, model: SfmModel, found: PairMatches) -> _Matches:
-        kept = [k for k in range(len(found.pairs)) if len(found.of(k)) >= MIN_MATCHES]
+    def of(cls, features: FeatureRays, model: SfmModel, pair_matches: PairMatches) -> _Matches:
+        selected = [k for k in range(len(pair_matches.pairs)) if len(pair_matches.of(k)) >= MIN_MATCHES]
         rays: list[list[Array]] = [[np.zeros((0, 2))], [np.zeros((0, 2))]]
         pair = [np.zeros(0, np.int64)]
-        for number, k in enumerate(kept):
-            matches = found.of(k)
+        for number, k in enumerate(selected):
+            matches = pair_matches.of(k)
             some = matches[np.unique(np.linspace(0, len(matches) - 1, MAX_MATCHES).round().astype(int))]
             for side in (0, 1):
-                rays[side].append(features.rays[features.of(int(found.pairs[k, side]))][some[:, side]])
+                rays[side].append(features.rays[features.of(int(pair_matches.pairs[k, side]))][some[:, side]])
             pair.append(np.full(len(some), number))
         focals = np.array([focal_of(camera) for camera in model.cameras])
         longer = max(max(camera.width, camera.height) for camera in model.cameras)
         first, second = (np.concatenate(each) for each in rays)
-        return cls(np.concatenate(pair), found.pairs[kept], first, second, focals, NEAR * longer)
+        return cls(np.concatenate(pair), pair_matches.pairs[selected], first, second, focals, NEAR * longer)
 
     def off(self, poses: Array, factor: float = 1.0) -> tuple[Array, NDArray[np.bool_]]:
         """Epipolar distances [px], the larger of both, and the mask of matches before both cameras."""
@@ -246,12 +246,12 @@ class _Matches:
 
     def focal(self, poses: Array) -> float:
         cost = lambda log: float(np.minimum(self.off(poses, math.exp(log))[0] / self.near, 1.0).mean())  # noqa: E731
-        logs = np.linspace(-FOCAL_REACH, FOCAL_REACH, FOCAL_STEPS)
+        logs = np.linspace(-FOCAL_RANGE, FOCAL_RANGE, FOCAL_STEPS)
         costs = [cost(log) for log in logs]
-        middle, reach = float(logs[int(np.argmin(costs))]), float(logs[1] - logs[0])
+        middle, step = float(logs[int(np.argmin(costs))]), float(logs[1] - logs[0])
         for _ in range(4):
-            around = np.linspace(middle - reach, middle + reach, 7)
-            middle, reach = float(around[int(np.argmin([cost(log) for log in around]))]), reach / 3
+            around = np.linspace(middle - step, middle + step, 7)
+            middle, step = float(around[int(np.argmin([cost(log) for log in around]))]), step / 3
         return math.exp(middle) if cost(middle) < FOCAL_BETTER * cost(0.0) else 1.0
 
 
@@ -272,44 +272,44 @@ def _before_both(poses: Array, x: Array, y: Array) -> NDArray[np.bool_]:
 
 
 def _likely_cause(matches: _Matches, model: SfmModel, share: float) -> tuple[str, float]:
-    best, most = "", max(PLAINLY * share, FITTING)
-    for said, poses in itertools.chain(_other_conventions(model), _other_orders(model)):
-        found = matches.share(matches.fits(poses)[0])
-        if found > most:
-            best, most = said, found
-    return best, most if best else math.nan
+    best, best_share = "", max(PLAINLY * share, FITTING)
+    for name, poses in itertools.chain(_other_conventions(model), _other_orders(model)):
+        fraction = matches.share(matches.fits(poses)[0])
+        if fraction > best_share:
+            best, best_share = name, fraction
+    return best, best_share if best else math.nan
 
 
 def _other_conventions(model: SfmModel) -> Iterator[tuple[str, Array]]:
     """The poses under common misreadings, with their names."""
     T = model.T_world_camera
     R, t = T[:, :3, :3], T[:, :3, 3]
-    turned, back = R.transpose(0, 2, 1), -np.einsum("nji,nj->ni", R, t)
+    inverse, back = R.transpose(0, 2, 1), -np.einsum("nji,nj->ni", R, t)
     forms: dict[str, tuple[Array, Array]] = {
         "": (R, t),
-        "each pose is turned round (world to camera for camera to world, or the reverse)": (turned, back),
-        "each rotation is turned round, and the position right": (turned, t),
-        "each position is that of the world before the camera, and the rotation right": (R, back),
+        "each pose is inverted (world to camera instead of camera to world, or the reverse)": (inverse, back),
+        "each rotation is inverted, and the position is correct": (inverse, t),
+        "each position is that of the world in the camera frame, and the rotation is correct": (R, back),
     }
-    axes = {said: np.diag(signs).astype(float) for said, signs in AXES.items()} | QUARTERS
-    for (form, (rotation, center)), (said, flip) in itertools.product(forms.items(), axes.items()):
-        if form or said:
-            yield " and ".join(filter(None, (form, said))), _posed(rotation @ flip, center)
+    axes = {name: np.diag(signs).astype(float) for name, signs in AXES.items()} | QUARTERS
+    for (form, (rotation, center)), (name, flip) in itertools.product(forms.items(), axes.items()):
+        if form or name:
+            yield " and ".join(filter(None, (form, name))), _posed(rotation @ flip, center)
 
 
 def _other_orders(model: SfmModel) -> Iterator[tuple[str, Array]]:
     natural = _natural_order(model)
     T, count = model.T_camera_world, len(model)
-    place = np.empty(count, int)
-    place[natural] = np.arange(count)
+    rank = np.empty(count, int)
+    rank[natural] = np.arange(count)
     in_order = T[natural]
-    yield "the pictures are in the reverse order", in_order[::-1][place]
-    yield "the pictures were sorted as text where numbers count, or the reverse", T[place]
-    yield "the pictures were sorted as numbers where text counts, or the reverse", T[np.argsort(place)]
+    yield "the images are in reverse order", in_order[::-1][rank]
+    yield "the images were sorted as text instead of by number", T[rank]
+    yield "the images were sorted by number instead of as text", T[np.argsort(rank)]
     for step in (1, -1, 2, -2, 3, -3):
         if count > 2 * abs(step):
-            who = f"each picture has the pose of the one {abs(step)} {'before' if step > 0 else 'after'} it"
-            yield who, np.roll(in_order, -step, axis=0)[place]
+            who = f"each image has the pose of the one {abs(step)} {'before' if step > 0 else 'after'} it"
+            yield who, np.roll(in_order, -step, axis=0)[rank]
 
 
 def _posed(R: Array, center: Array) -> Array:

@@ -13,7 +13,7 @@ from ...core.wording import few_of
 from ...io.models.sfm_model import SfmModel
 from .picture_folder import OTHER_SUFFIXES, PHOTO_SUFFIXES, read_header
 
-FEWEST = 2
+MIN_PICTURES = 2
 
 
 @dataclasses.dataclass(frozen=True)
@@ -28,37 +28,36 @@ class PosedPictures:
 
     @property
     def notes(self) -> tuple[str, ...]:
-        said = []
-        for names, what in (
-            (self.without_pose, "pictures have no pose"),
-            (self.without_picture, "poses have no picture"),
-        ):
+        lines = []
+        for names, what in ((self.without_pose, "images have no pose"), (self.without_picture, "poses have no image")):
             if names:
-                said.append(f"{len(names)} {what}: {few_of(names, 4)}")
-        return tuple(said)
+                lines.append(f"{len(names)} {what}: {few_of(names, 4)}")
+        return tuple(lines)
 
 
 def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> PosedPictures:
     """Match cameras to images by name, with or without folders and extension; ambiguous names never match."""
     chosen: dict[int, Path] = {}
     missing = []
-    by_name, by_stem = _places(paths, "name"), _places(paths, "stem")
+    by_name, by_stem = _paths_by(paths, "name"), _paths_by(paths, "stem")
     for i, name in enumerate(cameras.names):
-        found = by_name.get(Path(name).name) or by_stem.get(_stem(name)) or by_stem.get(Path(name).name) or []
-        if len(found) > 1 or (found and found[0] in chosen.values()):
-            several = ", ".join(path.name for path in found)
-            remedy = "Name each picture and camera differently, and leave one of them"
-            raise FileError(folder, f"camera {name!r} may be of {several}, or of one that another is of", remedy=remedy)
-        if found:
-            chosen[i] = found[0]
+        candidates = by_name.get(Path(name).name) or by_stem.get(_stem(name)) or by_stem.get(Path(name).name) or []
+        if len(candidates) > 1 or (candidates and candidates[0] in chosen.values()):
+            several = ", ".join(path.name for path in candidates)
+            remedy = "Give each image and each camera a unique name, and remove duplicates"
+            raise FileError(folder, f"camera {name!r} matches {several}, or an image of another camera", remedy=remedy)
+        if candidates:
+            chosen[i] = candidates[0]
         else:
             missing.append(name)
-    if len(chosen) < FEWEST:
+    if len(chosen) < MIN_PICTURES:
         reason = (
-            f"{len(chosen)} of its {len(paths)} pictures ({paths[0].name}, ...) are named as cameras are "
+            f"{len(chosen)} of its {len(paths)} images ({paths[0].name}, ...) have the name of a camera "
             f"({cameras.names[0] if len(cameras) else 'none'}, ...)"
         )
-        raise DatasetError(folder, reason, remedy="Name the pictures as the cameras are, or give the cameras of these")
+        raise DatasetError(
+            folder, reason, remedy="Name the images like the cameras, or give the cameras of these images"
+        )
     rows = np.array(sorted(chosen))
     model = SfmModel(
         tuple(chosen[i].name for i in rows),
@@ -71,8 +70,11 @@ def with_poses(folder: FilePath, paths: Sequence[Path], cameras: SfmModel) -> Po
     for path, camera in zip(in_order, model.cameras, strict=True):
         header = read_header(path)
         if (header.width, header.height) != (camera.width, camera.height):
-            reason = f"is {header.width} x {header.height}, its camera {camera.width} x {camera.height} pixels"
-            raise FileError(path, reason, remedy="Give the pictures in the size that the cameras were found in")
+            reason = (
+                f"expected {camera.width} x {camera.height} pixels as of its camera, got {header.width} x "
+                f"{header.height}"
+            )
+            raise FileError(path, reason, remedy="Give the images in the size for which the cameras were estimated")
     left = tuple(path.name for path in paths if path.name not in taken)
     return PosedPictures(model, in_order, len(paths), left, tuple(missing))
 
@@ -82,8 +84,8 @@ def _stem(name: str) -> str:
     return path.stem if path.suffix.lower() in (*PHOTO_SUFFIXES, *OTHER_SUFFIXES) else path.name
 
 
-def _places(paths: Sequence[Path], part: str) -> dict[str, list[Path]]:
-    found: dict[str, list[Path]] = {}
+def _paths_by(paths: Sequence[Path], part: str) -> dict[str, list[Path]]:
+    groups: dict[str, list[Path]] = {}
     for path in paths:
-        found.setdefault(getattr(path, part), []).append(path)
-    return found
+        groups.setdefault(getattr(path, part), []).append(path)
+    return groups

@@ -13,7 +13,7 @@ from .colmap_jobs import MAX_SECONDS
 from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .mapping import SfmResult, map_pictures
 from .matches import OVERLAP, match
-from .picture_folder import check_place
+from .picture_folder import check_path
 
 
 def reconstruct(
@@ -69,21 +69,21 @@ def reconstruct(
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
-    check_place("pictures", pictures)
-    place = check_place("work", work)
+    check_path("pictures", pictures)
+    folder = check_path("work", work)
     common: dict[str, Any] = {"seed": seed, "max_seconds": max_seconds, "max_memory": max_memory, "progress": progress}
     try:
-        place.mkdir(parents=True, exist_ok=True)
+        folder.mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FileError(work, f"cannot be made: {error.strerror or error}") from error
-    features_db, matches_db, sparse = place / "features.db", place / "matches.db", place / "sparse"
+        raise FileError(work, f"cannot be created: {error.strerror or error}") from error
+    features_db, matches_db, sparse = folder / "features.db", folder / "matches.db", folder / "sparse"
     if sparse.is_dir() and any(sparse.iterdir()):
         raise FileError(sparse, "is not empty", remedy="Give a new folder to work in")
     options = {"camera_model": camera_model, "intrinsic": intrinsic, "max_size": max_size, "max_features": max_features}
     options |= {"masks": masks, "kind": kind, "use_gpu": use_gpu}
-    found = find_features(pictures, features_db, **options, **common)
+    feature_report = find_features(pictures, features_db, **options, **common)
     matched = match(features_db, matches_db, pairs=pairs, overlap=overlap, use_gpu=use_gpu, **common)
     result = map_pictures(pictures, matches_db, sparse, fix_intrinsic=intrinsic is not None, mapper=mapper, **common)
-    seconds = {"features": found.seconds, "pairs": matched.seconds} | result.seconds
-    peak = {"features": found.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes
+    seconds = {"features": feature_report.seconds, "pairs": matched.seconds} | result.seconds
+    peak = {"features": feature_report.peak_bytes, "pairs": matched.peak_bytes} | result.peak_bytes
     return dataclasses.replace(result, seconds=seconds, peak_bytes=peak)

@@ -19,7 +19,7 @@ from .picture_writing import write_picture
 
 
 def cut_spheres(
-    spheres: Path, names: Sequence[str], pictures: Path, masks: tuple[Path, Path] | None, say: ReportProgress
+    spheres: Path, names: Sequence[str], pictures: Path, masks: tuple[Path, Path] | None, report: ReportProgress
 ) -> list[str]:
     """Write the cube faces (IMG_1_front.jpg and so on) of panoramas and masks without blank ones. Their names."""
     pictures.mkdir()
@@ -28,13 +28,15 @@ def cut_spheres(
     cutters: dict[tuple[int, int], Panorama] = {}
     written = []
     for done, name in enumerate(names):
-        say("faces", done, len(names))
+        report("faces", done, len(names))
         header = read_picture_header(spheres / name)
         size = header.width, header.height
         try:
             cutter = cutters.get(size) or cutters.setdefault(size, Panorama(*size))
         except ValueError as error:
-            raise FileError(spheres / name, str(error), remedy="Leave out --panorama for pictures of a lens") from error
+            raise FileError(
+                spheres / name, str(error), remedy="Leave out --panorama for images of a normal lens"
+            ) from error
         given = None if masks is None else mask_file(masks[0], name)
         hidden = cutter.apply(read_color(given)[..., 0]) if given is not None and given.is_file() else None
         for k, face in enumerate(cutter.apply(read_color(spheres / name))):
@@ -42,13 +44,13 @@ def cut_spheres(
                 continue
             written.append(f"{Path(name).stem}_{cutter.names[k]}.jpg")
             if hidden is not None and masks is not None:
-                kept = hidden[k] >= 128
-                if not kept.any():
+                visible = hidden[k] >= 128
+                if not visible.any():
                     written.pop()
                     continue
-                write_png(mask_file(masks[1], written[-1]), np.where(kept, 255, 0).astype(np.uint8))
+                write_png(mask_file(masks[1], written[-1]), np.where(visible, 255, 0).astype(np.uint8))
             write_picture(pictures / written[-1], face)
-    say("faces", len(names), len(names))
+    report("faces", len(names), len(names))
     return written
 
 
@@ -58,8 +60,8 @@ def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, lis
     best: dict[str, int] = {}
     for k in np.argsort(-counts, kind="stable").tolist():
         best.setdefault(_sphere_and_face(model.names[k])[0], k)
-    placed = set(model.names)
-    added = [name for name in names if name not in placed and _sphere_and_face(name)[0] in best]
+    registered = set(model.names)
+    added = [name for name in names if name not in registered and _sphere_and_face(name)[0] in best]
     poses = []
     for name in added:
         sphere, face = _sphere_and_face(name)
@@ -73,13 +75,13 @@ def with_all_faces(model: SfmModel, names: Sequence[str]) -> tuple[SfmModel, lis
     if not added:
         return model, []
     cameras = [model.cameras[best[_sphere_and_face(name)[0]]] for name in added]
-    whole = replace(
+    complete = replace(
         model,
         names=(*model.names, *added),
         cameras=(*model.cameras, *cameras),
         T_camera_world=np.concatenate([model.T_camera_world, poses]),
     )
-    return whole, added
+    return complete, added
 
 
 def _sphere_and_face(name: str) -> tuple[str, int]:

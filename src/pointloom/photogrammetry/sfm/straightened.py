@@ -20,5 +20,5 @@ def straightened_model(model: SfmModel, names: Sequence[str], cameras: Sequence[
         pixels[mine] = rays[:, :2] * (after.fx, after.fy) + (after.cx, after.cy)
     seen = np.isfinite(pixels).all(axis=1)  # a lens fitted to few points may not be invertible near the border
     pinholes = tuple(CameraModel.from_intrinsic(camera) for camera in cameras)
-    kept = {"observations": model.observations[seen], "pixels": pixels[seen]}
-    return replace(model, names=tuple(names), cameras=pinholes, **kept)
+    fields = {"observations": model.observations[seen], "pixels": pixels[seen]}
+    return replace(model, names=tuple(names), cameras=pinholes, **fields)

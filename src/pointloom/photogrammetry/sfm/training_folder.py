@@ -27,8 +27,8 @@ from ...io.models.sfm_model import SfmModel
 from ...io.models.transforms_writer import write_content
 from ...io.pictures.image_files import write_png
 from ...io.pictures.photo_files import is_photo
-from .masks import KEPT, masks_in, read_mask, write_mask
-from .picture_folder import UPRIGHT, check_place, is_gray_16, read_header, read_orientation, read_stored
+from .masks import MASK_THRESHOLD, masks_in, read_mask, write_mask
+from .picture_folder import UPRIGHT, check_path, is_gray_16, read_header, read_orientation, read_stored
 from .picture_writing import write_bytes
 from .straightened import straightened_model
 
@@ -40,29 +40,29 @@ Pixels = NDArray[np.uint8]
 
 def find_pictures(pictures: Any, model: SfmModel) -> list[Path | Pixels]:
     if isinstance(pictures, str | os.PathLike):
-        folder = check_place("pictures", pictures)
+        folder = check_path("pictures", pictures)
         given: list[Any] = [folder / name for name in model.names]
     else:
-        given = check_list("pictures", pictures, "paths or pictures")
+        given = check_list("pictures", pictures, "paths or images")
     if len(given) != len(model):
-        raise ValueError(f"pictures: expected one for each of the {len(model)} of the model, got {len(given)}")
-    found: list[Path | Pixels] = []
+        raise ValueError(f"pictures: expected one for each of the {len(model)} images of the model, got {len(given)}")
+    result: list[Path | Pixels] = []
     for k, (each, camera) in enumerate(zip(given, model.cameras, strict=True)):
         size = camera.width, camera.height
         if not isinstance(each, str | os.PathLike):
-            found.append(_checked_array(f"pictures[{k}]", each, size))
+            result.append(_checked_array(f"pictures[{k}]", each, size))
             continue
-        path = check_place(f"pictures[{k}]", each)
+        path = check_path(f"pictures[{k}]", each)
         if not path.is_file():
-            raise FileError(path, "does not exist", remedy="Give the folder that the model's names are of")
+            raise FileError(path, "does not exist", remedy="Give the folder that contains the images of the model")
         header = read_header(path)
         if (header.width, header.height) != size:
-            reason = f"is {header.width} x {header.height}, its camera {size[0]} x {size[1]} pixels"
-            raise FileError(path, reason, remedy="Give the pictures in the size that the cameras were found in")
+            reason = f"expected {size[0]} x {size[1]} pixels as of its camera, got {header.width} x {header.height}"
+            raise FileError(path, reason, remedy="Give the images in the size for which the cameras were estimated")
         if is_gray_16(header):
-            raise FileError(path, "expected a picture of 8 bits, got 16-bit gray", remedy="Convert it to 8 bits")
-        found.append(path)
-    return found
+            raise FileError(path, "expected an 8-bit image, got 16-bit gray", remedy="Convert it to 8 bits")
+        result.append(path)
+    return result
 
 
 def _checked_array(name: str, value: Any, size: tuple[int, int]) -> Pixels:
@@ -78,27 +78,27 @@ def find_masks(masks: Any, model: SfmModel) -> list[NDArray[np.bool_] | Path | N
     if masks is None:
         return [None] * len(model)
     if isinstance(masks, str | os.PathLike):
-        folder = check_place("masks", masks)
-        places = masks_in(folder, model.names)
-        if not any(places):
-            reason = f"holds no mask of a picture, such as {model.names[0]}.png"
-            raise FileError(folder, reason, remedy="Name masks as their pictures, with .png behind")
-        return [*places]
+        folder = check_path("masks", masks)
+        paths = masks_in(folder, model.names)
+        if not any(paths):
+            reason = f"contains no mask of an image, such as {model.names[0]}.png"
+            raise FileError(folder, reason, remedy="Name masks like their images, with .png appended")
+        return [*paths]
     given = check_list("masks", masks, "masks")
     if len(given) != len(model):
-        raise ValueError(f"masks: expected one, or None, for each of the {len(model)} pictures, got {len(given)}")
-    found: list[NDArray[np.bool_] | Path | None] = []
+        raise ValueError(f"masks: expected one, or None, for each of the {len(model)} images, got {len(given)}")
+    result: list[NDArray[np.bool_] | Path | None] = []
     for k, (each, camera) in enumerate(zip(given, model.cameras, strict=True)):
         if each is None or isinstance(each, str | os.PathLike):
-            found.append(None if each is None else check_place(f"masks[{k}]", each))
+            result.append(None if each is None else check_path(f"masks[{k}]", each))
             continue
         array = np.asarray(each)
         if array.dtype not in (np.bool_, np.uint8):
             raise TypeError(f"masks[{k}]: expected a path, or an array of bool or uint8, got {array.dtype}")
         if array.shape != (camera.height, camera.width):
             raise ValueError(f"masks[{k}]: expected shape {[camera.height, camera.width]}, got {list(array.shape)}")
-        found.append(array if array.dtype == np.bool_ else array >= KEPT)
-    return found
+        result.append(array if array.dtype == np.bool_ else array >= MASK_THRESHOLD)
+    return result
 
 
 def is_straight(camera: CameraModel, lens: Undistortion) -> bool:
@@ -117,9 +117,9 @@ def is_copied(picture: Path | Pixels, camera: CameraModel, lens: Undistortion) -
 def new_names(names: Sequence[str], copied: Sequence[bool]) -> list[str]:
     """Unique image names, without folders if possible, with .png unless copied."""
     plain = [PurePosixPath(name.replace(os.sep, "/")) for name in names]
-    bare = [path.name if kept else f"{path.stem}.png" for path, kept in zip(plain, copied, strict=True)]
+    bare = [path.name if is_copy else f"{path.stem}.png" for path, is_copy in zip(plain, copied, strict=True)]
     if max(Counter(name.casefold() for name in bare).values()) > 1:
-        bare = ["_".join(path.parts) + ("" if kept else ".png") for path, kept in zip(plain, copied, strict=True)]
+        bare = ["_".join(path.parts) + ("" if is_copy else ".png") for path, is_copy in zip(plain, copied, strict=True)]
     if max(Counter(name.casefold() for name in bare).values()) > 1:
         digits = len(str(len(names)))
         bare = [f"{k:0{digits}d}_{name}" for k, name in enumerate(bare)]
@@ -142,12 +142,12 @@ def straight_mask(
     if isinstance(mask, Path):
         mask = read_mask(mask, (lens.camera.width, lens.camera.height))
     if mask is None:
-        kept = np.ones((lens.intrinsic.height, lens.intrinsic.width), bool)
+        valid = np.ones((lens.intrinsic.height, lens.intrinsic.width), bool)
     elif is_straight(lens.camera, lens):
-        kept = mask
+        valid = mask
     else:
-        kept = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= KEPT
-    return kept if unseen is None else kept & ~unseen
+        valid = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= MASK_THRESHOLD
+    return valid if unseen is None else valid & ~unseen
 
 
 def unseen_of(lens: Undistortion) -> NDArray[np.bool_] | None:
@@ -195,7 +195,9 @@ class TrainingFolder(Report):
         rows = [("pictures", f"{self.picture_count} of {sizes}{straight}{masks}")]
         rows.append(("points", f"{self.point_count:,}"))
         if any(self.origin):
-            rows.append(("origin", f"{' '.join(f'{value:.0f}' for value in self.origin)}, taken from all coordinates"))
+            rows.append(
+                ("origin", f"{' '.join(f'{value:.0f}' for value in self.origin)}, subtracted from all coordinates")
+            )
         rows.append(("principal", f"points up to {self.off_center:.1f} px off the middle"))
         return rows
 
@@ -251,11 +253,11 @@ def write_training_folder(
         >>> written.sizes, loom.read_colmap_model("scene/sparse/0").cameras[0].model
         (((65, 48),), 'PINHOLE')
     """
-    place = check_place("folder", folder)
+    path = check_path("folder", folder)
     _check_given(model, shift=shift, overwrite=overwrite)
     if max_size is not None:
         check_count("max_size", max_size, minimum=16, maximum=2**16, because="no camera has more pixels")
-    target, say = resolve_device(device), check_progress(progress)
+    target, report = resolve_device(device), check_progress(progress)
     given, hidden = find_pictures(pictures, model), find_masks(masks, model)
     known = {camera: Undistortion(camera, max_size=max_size, device=target) for camera in dict.fromkeys(model.cameras)}
     unseen = {camera: unseen_of(lens) for camera, lens in known.items()}
@@ -263,20 +265,20 @@ def write_training_folder(
     copied = [is_copied(picture, lens.camera, lens) for picture, lens in zip(given, lenses, strict=True)]
     with_masks = any(each is not None for each in (*hidden, *unseen.values()))  # all or none, as nerfstudio requires
     names = new_names(model.names, copied)
-    with atomic_folder(place, TRANSFORMS, overwrite=overwrite) as part:
+    with atomic_folder(path, TRANSFORMS, overwrite=overwrite) as part:
         for name in (IMAGES, *([MASKS] if with_masks else [])):
             (part / name).mkdir()
         for k, lens in enumerate(lenses):
-            say("pictures", k, len(lenses))
+            report("pictures", k, len(lenses))
             write_straight(part / IMAGES / names[k], given[k], lens, copied=copied[k])
             if with_masks:
                 write_mask(part / MASKS, names[k], straight_mask(hidden[k], lens, unseen[lens.camera]))
-        say("pictures", len(lenses), len(lenses))
+        report("pictures", len(lenses), len(lenses))
         straight = [lens.intrinsic for lens in lenses]
         origin = _origin_of(model) if shift else np.zeros(3)
         _write_models(part, model, names, straight, origin, with_masks=with_masks)
     return TrainingFolder(
-        folder=os.fspath(place),
+        folder=os.fspath(path),
         picture_count=len(model),
         straightened_count=len(copied) - sum(copied),
         sizes=tuple(dict.fromkeys((camera.width, camera.height) for camera in straight)),
@@ -291,7 +293,7 @@ def _check_given(model: Any, **flags: Any) -> None:
     if not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel, got {type(model).__name__}")
     if not len(model):
-        raise ValueError("model: expected at least one picture, got none")
+        raise ValueError("model: expected at least one image, got none")
     for name, value in flags.items():
         if not isinstance(value, bool):
             raise TypeError(f"{name}: expected True or False, got {type(value).__name__}")
@@ -316,10 +318,10 @@ def _write_models(
         T[:3, 3] = -origin
         model = model.transform(T)
         more = {"applied_transform": T[:3].tolist(), "applied_scale": 1.0}
-    whole = _as_seen(straightened_model(model, names, cameras))
-    write_colmap_model(folder / SPARSE, whole)
-    masks = [f"{MASKS}/{name}.png" for name in whole.names] if with_masks else None
-    write_content(folder / TRANSFORMS, whole, pictures=IMAGES, masks=masks, more=more)
+    undistorted = _as_seen(straightened_model(model, names, cameras))
+    write_colmap_model(folder / SPARSE, undistorted)
+    masks = [f"{MASKS}/{name}.png" for name in undistorted.names] if with_masks else None
+    write_content(folder / TRANSFORMS, undistorted, pictures=IMAGES, masks=masks, more=more)
 
 
 def _as_seen(model: SfmModel) -> SfmModel:

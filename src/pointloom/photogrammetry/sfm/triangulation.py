@@ -25,7 +25,7 @@ from .features import MAX_FEATURES, MAX_SIZE, find_features
 from .guided_matches import PairMatches, match_guided, pairs_in_view
 from .limited_process import check_limits
 from .model_quality import FINDING_SIZE, ModelQuality, assess_model
-from .picture_folder import check_place, list_pictures
+from .picture_folder import check_path, list_pictures
 from .pose_check import NEAR, PoseCheck, check_poses
 from .posed_pictures import with_poses
 
@@ -62,8 +62,8 @@ class TriangulationResult(Assessed):
 
     def to_dict(self) -> dict[str, Any]:
         names = {"without_pose": list(self.without_pose), "without_picture": list(self.without_picture)}
-        told = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return names | told | {"quality": self.quality.to_dict(), **quality(self)}
+        stats = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
+        return names | stats | {"quality": self.quality.to_dict(), **quality(self)}
 
 
 def triangulate(
@@ -117,7 +117,7 @@ def triangulate(
         Traceback (most recent call last):
         pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
     """
-    clock, say, folder = Clock(), check_progress(progress), check_place("pictures", pictures)
+    clock, report, folder = Clock(), check_progress(progress), check_path("pictures", pictures)
     if not isinstance(cameras, SfmModel):
         raise TypeError(f"cameras: expected an SfmModel, got {type(cameras).__name__}")
     check_seed(seed)
@@ -128,15 +128,17 @@ def triangulate(
     with tempfile.TemporaryDirectory(prefix="pointloom-") as scratch:
         database = Path(scratch) / "features.db"
         options = {"max_size": max_size, "max_features": max_features, "seed": seed, "progress": progress}
-        found = find_features(folder, database, **options, **limits)
+        features = find_features(folder, database, **options, **limits)
         clock.stop("features")
-        matches, check = match_posed(database, posed.model, device=target, progress=say)
+        matches, check = match_posed(database, posed.model, device=target, progress=report)
         clock.stop("matches")
         model, peak = points_of(database, posed.model, matches, check, folder, seed=seed, **limits)
     clock.stop("points")
     assessed = assess_model(model, posed.picture_count, fix_intrinsic=True, poses=check)
     missing = posed.without_pose, posed.without_picture
-    return TriangulationResult(model, assessed, *missing, clock.seconds, {"features": found.peak_bytes, "points": peak})
+    return TriangulationResult(
+        model, assessed, *missing, clock.seconds, {"features": features.peak_bytes, "points": peak}
+    )
 
 
 def match_posed(
@@ -154,8 +156,8 @@ def match_posed(
 def admitted_distance(model: SfmModel, check: PoseCheck) -> float:
     """Maximum epipolar distance of a match [px], by the accuracy of the poses."""
     longer = max(max(camera.width, camera.height) for camera in model.cameras)
-    least = MIN_DISTANCE * max(1.0, longer / FINDING_SIZE)
-    return float(min(max(least, DISTANCES * check.distance), max(least, 1.5 * NEAR * longer)))
+    minimum = MIN_DISTANCE * max(1.0, longer / FINDING_SIZE)
+    return float(min(max(minimum, DISTANCES * check.distance), max(minimum, 1.5 * NEAR * longer)))
 
 
 def points_of(
@@ -176,33 +178,33 @@ def points_of(
     focals = np.array([focal_of(camera) for camera in model.cameras])
     error = admitted_distance(model, check)
     with tempfile.TemporaryDirectory(prefix="pointloom-") as scratch:
-        place = Path(scratch)
-        arrays, found = place / "arrays.npz", place / "found.npz"
+        folder = Path(scratch)
+        arrays, output = folder / "arrays.npz", folder / "found.npz"
         np.savez(arrays, **_arrays_of(model, features, matches, focals))
         job = {"stage": "points", "seed": int(seed), "fewest": MIN_MATCHES, "error": error, "angle": MIN_ANGLE}
         job |= {"angle_error": float(np.degrees(2 * error / np.median(focals))), "scratch": scratch}
-        job |= {"database": os.fspath(place / "points.db"), "arrays": os.fspath(arrays), "found": os.fspath(found)}
+        job |= {"database": os.fspath(folder / "points.db"), "arrays": os.fspath(arrays), "found": os.fspath(output)}
         _, peak = run_job(job, database, **check_limits(max_seconds, max_memory))
-        with np.load(found) as read:
+        with np.load(output) as read:
             points, seen = _often_seen(read["points"], read["seen"], min(MIN_VIEWS, len(model)))
     rows = features.firsts[seen[:, 0]] + seen[:, 1]
     errors, colors = (
         _errors(model, points, seen, features.pixels[rows]),
         _colors(pictures, model, seen, features, len(points)),
     )
-    whole = dataclasses.replace(
+    complete = dataclasses.replace(
         bare, points=points, colors=colors, errors=errors, observations=seen[:, [0, 2]], pixels=features.pixels[rows]
     )
-    return whole, peak
+    return complete, peak
 
 
 def _often_seen(
-    points: NDArray[np.float64], seen: NDArray[np.int64], fewest: int
+    points: NDArray[np.float64], seen: NDArray[np.int64], min_count: int
 ) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
     pairs = np.unique(seen[:, [2, 0]], axis=0)
-    kept = np.bincount(pairs[:, 0], minlength=len(points)) >= fewest
-    place, seen = np.cumsum(kept) - 1, seen[kept[seen[:, 2]]]
-    return points[kept], np.column_stack([seen[:, :2], place[seen[:, 2]]])
+    selected = np.bincount(pairs[:, 0], minlength=len(points)) >= min_count
+    new_index, seen = np.cumsum(selected) - 1, seen[selected[seen[:, 2]]]
+    return points[selected], np.column_stack([seen[:, :2], new_index[seen[:, 2]]])
 
 
 def _arrays_of(

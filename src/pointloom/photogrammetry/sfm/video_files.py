@@ -91,7 +91,7 @@ _OPENCV = Path(__file__).with_name("opencv_worker.py")
 _PROBE_SECONDS = 120.0  # for headers, or complete files without an index on slow disks
 _MISSING = 3  # exit code of opencv_worker
 _INSTALL = "Install the program ffmpeg (with ffprobe), or pip install opencv-python-headless"
-_NO_CONTAINER = "its first bytes are those of no known container of videos"
+_NO_CONTAINER = "its first bytes match no known video container"
 _CONVERT = "Convert it to MP4 or MKV. Playlists are not followed: give the video itself"
 _FIRST_FPS_MODE = (5, 1)  # first ffmpeg with -fps_mode
 _MAX_PIXELS = 2**28
@@ -111,17 +111,17 @@ class VideoFile:
 
 
 def open_video(path: str | os.PathLike[str], *, reader: str = "auto") -> VideoFile:
-    place = path_of(path)
-    if not place.is_file():
-        reason = "is no file" if place.exists() else "does not exist"
-        raise FileError(path, reason, remedy="Give a video, or a folder of pictures")
+    file = path_of(path)
+    if not file.is_file():
+        reason = "is not a file" if file.exists() else "does not exist"
+        raise FileError(path, reason, remedy="Give a video, or a folder of images")
     if reader == "auto":
         reader = "ffmpeg" if _ffmpeg() else "opencv"
     if reader == "ffmpeg":
         if not _ffmpeg():
             raise FileError(path, "the programs ffmpeg and ffprobe are not on the path", remedy=_INSTALL)
-        return _probe_ffmpeg(place, find_container(place))
-    return _probe_opencv(place, find_container(place))
+        return _probe_ffmpeg(file, find_container(file))
+    return _probe_opencv(file, find_container(file))
 
 
 def _ffmpeg() -> bool:
@@ -134,15 +134,15 @@ def _probe_ffmpeg(path: Path, container: str) -> VideoFile:
     stream = "nb_frames,avg_frame_rate,duration,sample_aspect_ratio"
     entries = f"stream={stream}:format=duration"
     command = ["ffprobe", "-v", "error", "-select_streams", "v:0", "-show_entries", entries, "-of", "json"]
-    said, words = _answer(path, [*command, *_input(path, container)])
+    output, words = _answer(path, [*command, *_input(path, container)])
     try:
-        content = json.loads(said)
+        content = json.loads(output)
         head = (content.get("streams") or [{}])[0]
     except ValueError:
         content, head = {}, {}
     if not head:
-        reason = f"no video can be read: {_without_address(words) or 'it holds no pictures'}"
-        remedy = "A recording that was cut off may lack its index: repair it, or give a folder of pictures"
+        reason = f"no video can be read: {_without_address(words) or 'it contains no images'}"
+        remedy = "A truncated recording may lack its index: repair it, or give a folder of images"
         raise FileError(path, reason, remedy=remedy)
     counted, fps = _number(head.get("nb_frames")), _number(head.get("avg_frame_rate"))
     seconds = _number(head.get("duration")) or _number(content.get("format", {}).get("duration"))
@@ -153,13 +153,13 @@ def _probe_ffmpeg(path: Path, container: str) -> VideoFile:
 
 def _probe_opencv(path: Path, container: str) -> VideoFile:
     command = [sys.executable, "-P", str(_OPENCV)]
-    said, words = _answer(
+    output, words = _answer(
         path, command, stdin=json.dumps({"path": os.fspath(path), "container": container, "probe": True})
     )
     try:
-        head = json.loads(said)
+        head = json.loads(output)
     except ValueError as error:
-        words = (words or "OpenCV says nothing") if container else _NO_CONTAINER
+        words = (words or "OpenCV gives no reason") if container else _NO_CONTAINER
         raise FileError(path, f"no video can be read: {words}", remedy="" if container else _CONVERT) from error
     promised = head["frames"] if head["frames"] > 0 else None
     return VideoFile(path, "opencv", container, promised, True, _number(head["fps"]))
@@ -168,13 +168,13 @@ def _probe_opencv(path: Path, container: str) -> VideoFile:
 def _answer(path: Path, command: Sequence[str], *, stdin: str = "") -> tuple[str, str]:
     with LimitedProcess(command, max_seconds=_PROBE_SECONDS, stdin=stdin) as process:
         assert process.stdout is not None
-        said = process.stdout.read().decode(errors="replace")
+        output = process.stdout.read().decode(errors="replace")
         status = process.wait()
         if status == _MISSING and command[-1] == str(_OPENCV):
-            raise FileError(path, "there is nothing to read videos with", remedy=_INSTALL)
+            raise FileError(path, "no program for reading videos is installed", remedy=_INSTALL)
         if status < 0:
             raise FileError(path, f"reading the video {process.why_ended()}", remedy="The file may be damaged")
-        return said, process.last_words()
+        return output, process.last_words()
 
 
 def _number(text: Any) -> float:
@@ -202,7 +202,7 @@ class VideoFrames:
         max_seconds: float = float("inf"),
         max_memory: int | None = None,
     ):
-        self._video, self.count, self.said = video, 0, ""
+        self._video, self.count, self.message = video, 0, ""
         if video.reader == "ffmpeg":
             command, stdin = _ffmpeg_command(video, max_size, gray, numbers), ""
         else:
@@ -230,13 +230,13 @@ class VideoFrames:
             self.count += 1
             yield frame
         status = self._process.wait()
-        self.said = _without_address(self._process.last_words())
+        self.message = _without_address(self._process.last_words())
         if self._process.killed_for or status < 0:
             reason = f"decoding {self._process.why_ended()} after {self.count} frames"
-            raise FileError(self._video.path, reason, remedy="Give it more, or a shorter video")
+            raise FileError(self._video.path, reason, remedy="Raise the limit, or give a shorter video")
         if not self.count:
-            reason = f"no frame can be decoded: {self.said or f'{self._video.reader} says nothing'}"
-            raise FileError(self._video.path, reason, remedy="The file may be damaged, or of a kind that is not known")
+            reason = f"no frame can be decoded: {self.message or f'{self._video.reader} gives no reason'}"
+            raise FileError(self._video.path, reason, remedy="The file may be damaged, or of an unknown format")
 
 
 def _ffmpeg_command(video: VideoFile, max_size: int | None, gray: bool, numbers: Sequence[int] | None) -> list[str]:
@@ -246,8 +246,8 @@ def _ffmpeg_command(video: VideoFile, max_size: int | None, gray: bool, numbers:
     if abs(video.pixel_aspect - 1.0) > 1e-3:
         filters.append("scale='round(iw*max(1,sar))':'round(ih*max(1,1/sar))',setsar=1")
     if max_size is not None:
-        most = f"w='min({max_size},iw)':h='min({max_size},ih)'"
-        filters.append(f"scale={most}:force_original_aspect_ratio=decrease:flags=area")
+        limits = f"w='min({max_size},iw)':h='min({max_size},ih)'"
+        filters.append(f"scale={limits}:force_original_aspect_ratio=decrease:flags=area")
     # frames as stored: no duplicates, none dropped
     rate = ["-fps_mode" if _ffmpeg_version() >= _FIRST_FPS_MODE else "-vsync", "passthrough"]
     command = ["ffmpeg", "-nostdin", "-hide_banner", "-v", "error"]
@@ -276,15 +276,15 @@ def _any_of(numbers: list[int]) -> str:
 @cache
 def _ffmpeg_version() -> tuple[int, ...]:
     """(5, 1) of "ffmpeg version 5.1.9-0+deb12u1"; builds with only a date count as newest."""
-    said = subprocess.run(["ffmpeg", "-version"], capture_output=True, text=True, check=False, timeout=60).stdout
-    found = re.match(r"ffmpeg version n?(\d+)\.(\d+)", said)
-    return (int(found[1]), int(found[2])) if found else (99,)
+    output = subprocess.run(["ffmpeg", "-version"], capture_output=True, text=True, check=False, timeout=60).stdout
+    match = re.match(r"ffmpeg version n?(\d+)\.(\d+)", output)
+    return (int(match[1]), int(match[2])) if match else (99,)
 
 
 def _read_netpbm(stream: IO[bytes]) -> NDArray[np.uint8] | None:
     """The next image of a PGM and PPM stream. None at its end or if truncated."""
-    kind, size, most = (stream.readline(40) for _ in range(3))
-    if kind not in (b"P5\n", b"P6\n") or most != b"255\n":
+    kind, size, max_value = (stream.readline(40) for _ in range(3))
+    if kind not in (b"P5\n", b"P6\n") or max_value != b"255\n":
         return None
     width, height = (int(text) for text in size.split())
     if not 0 < width * height <= _MAX_PIXELS:

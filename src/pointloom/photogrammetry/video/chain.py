@@ -88,9 +88,9 @@ def run_to(
 def stage_of(
     name: str, make: Callable[..., Mapping[str, Any]], made: Mapping[str, StageResult], given: Mapping[str, Given]
 ) -> Stage:
-    _folder, _say, *wanted = inspect.signature(make).parameters
-    goes_on = "going" in wanted
-    wanted = [each for each in wanted if each != "going"]
+    _folder, _report, *wanted = inspect.signature(make).parameters
+    goes_on = "checkpoints" in wanted
+    wanted = [each for each in wanted if each != "checkpoints"]
     files = {each: made[each] for each in wanted if each in made}
     settings = {each: given[each] for each in wanted if each not in made}
     recorded = {key: value for each in settings.values() for key, value in each.recorded.items()}

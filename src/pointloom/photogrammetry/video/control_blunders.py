@@ -14,42 +14,42 @@ from numpy.typing import NDArray
 
 from ...registration.rigid import fit_pose
 from ...registration.trajectories.weighted_similarity import Rows, UndeterminedError, WeightedFit, fit_rows
-from .ground_control import FEWEST, is_straight
+from .ground_control import MIN_POINTS, is_straight
 
 Array = NDArray[np.float64]
 
 TRIPLES = 300  # random triples if there are more
-TURNS = 10
-AS_TOLD = 1.25  # ratio of actual to stated errors of the inliers
+MAX_ITERATIONS = 10
+CONSISTENT_RATIO = 1.25  # ratio of actual to stated errors of the inliers
 ROUGH = 5.0  # standard deviations of an outlier
-MIN_TO_TELL = 5  # minimum points to identify a wrong one
+MIN_TO_IDENTIFY = 5  # minimum points to identify a wrong one
 
 
 def agreeing(source: Array, target: Array, sigma: Array, *, seed: int = 0) -> NDArray[np.bool_]:
     """Mask [n] of the inliers among model and world positions [n, 3] [m] with standard deviations `sigma` [m]."""
     count = len(source)
-    kept = np.ones(count, bool)
-    if count < MIN_TO_TELL:
-        return kept
-    most = count - (count - FEWEST) // 2
+    inliers = np.ones(count, bool)
+    if count < MIN_TO_IDENTIFY:
+        return inliers
+    inlier_count = count - (count - MIN_POINTS) // 2
     best, left = math.inf, None
     for rows in _triples(count, seed):
-        found = _concentrated(source, target, sigma, rows, most)
-        if found is not None and found[0] < best:
-            best, left = found
+        candidate = _concentrated(source, target, sigma, rows, inlier_count)
+        if candidate is not None and candidate[0] < best:
+            best, left = candidate
     if left is None:
-        return kept
+        return inliers
     try:
         fit = fit_rows(
             Rows(source[left], target[left], sigma[left]), fit_pose(source[left], target[left], with_scaling=True)
         )
     except UndeterminedError:
-        return kept
-    spread = math.sqrt(best / max(3 * most - 7, 1))
-    if spread > AS_TOLD:  # the model is deformed, or the stated sigmas are too small
-        spread *= 1 + MIN_TO_TELL / (count - FEWEST)
-    kept = deviations(fit, source, target, sigma) <= ROUGH * max(1.0, spread)
-    return kept if kept.sum() > FEWEST and not is_straight(target[kept]) else np.ones(count, bool)
+        return inliers
+    spread = math.sqrt(best / max(3 * inlier_count - 7, 1))
+    if spread > CONSISTENT_RATIO:  # the model is deformed, or the stated sigmas are too small
+        spread *= 1 + MIN_TO_IDENTIFY / (count - MIN_POINTS)
+    inliers = deviations(fit, source, target, sigma) <= ROUGH * max(1.0, spread)
+    return inliers if inliers.sum() > MIN_POINTS and not is_straight(target[inliers]) else np.ones(count, bool)
 
 
 def deviations(fit: WeightedFit, source: Array, target: Array, sigma: Array) -> Array:
@@ -59,7 +59,7 @@ def deviations(fit: WeightedFit, source: Array, target: Array, sigma: Array) -> 
     return np.sqrt(np.einsum("ni,ni->n", gaps, np.linalg.solve(spread, gaps[:, :, None])[:, :, 0]))
 
 
-def misfit(fit: WeightedFit, source: Array, target: Array, sigma: Array) -> float:
+def residual_ratio(fit: WeightedFit, source: Array, target: Array, sigma: Array) -> float:
     """Ratio of actual to stated errors: 1 is expected."""
     freedom = max(3 * len(source) - 7, 1)
     return math.sqrt(float((((fit.of(source) - target) / sigma) ** 2).sum()) / freedom)
@@ -73,17 +73,17 @@ def _triples(count: int, seed: int) -> list[NDArray[np.int64]]:
 
 
 def _concentrated(
-    source: Array, target: Array, sigma: Array, rows: NDArray[np.int64], most: int
+    source: Array, target: Array, sigma: Array, rows: NDArray[np.int64], count: int
 ) -> tuple[float, NDArray[np.int64]] | None:
     """Cost and indices of the best points from a triple. None if collinear."""
     off = np.zeros(len(source))
-    for _ in range(TURNS):
+    for _ in range(MAX_ITERATIONS):
         if is_straight(target[rows]) or is_straight(source[rows]):
             return None
         weights = 1 / (sigma[rows] ** 2).sum(axis=1)
         T = fit_pose(source[rows], target[rows], weights=weights, with_scaling=True)
         off = ((source @ T[:3, :3].T + T[:3, 3] - target) ** 2 / sigma**2).sum(axis=1)
-        nearest = np.sort(np.argsort(off, kind="stable")[:most])
+        nearest = np.sort(np.argsort(off, kind="stable")[:count])
         if len(nearest) == len(rows) and (nearest == rows).all():
             break
         rows = nearest

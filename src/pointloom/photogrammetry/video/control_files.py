@@ -17,7 +17,7 @@ from typing import Any
 from ...core.errors import FileError, FilePath
 from ...core.paths import path_of
 from ...registration.stations.observations import ControlPoint
-from ..sfm.picture_folder import check_place
+from ..sfm.picture_folder import check_path
 from .ground_control import ControlMark, GroundControl, ScaleBar
 
 CONTROL_SIGMA = 0.02  # [m] default
@@ -28,7 +28,9 @@ LOCAL = ("", "local", "none")
 
 _CHECK = re.compile(r"(check|chk)(?![a-z])", re.IGNORECASE)
 _COLUMNS = ("name", "picture", "column", "row")
-_FORM = "Lines are `x y z column row picture [name]`, after a first one with the coordinate system, such as EPSG:32632"
+_FORM = (
+    "Write lines `x y z column row picture [name]` after a first line with the coordinate system, such as EPSG:32632"
+)
 
 
 def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = None) -> GroundControl:
@@ -53,12 +55,12 @@ def read_ground_control(path: FilePath | None, *, scale_bars: FilePath | None = 
     """
     if path is None and scale_bars is None:
         raise ValueError("path: expected a file of control points or of scale bars, got None")
-    found = _Found()
+    parser = _Parser()
     for each, is_bars in ((path, False), (scale_bars, True)):
         if each is not None:
-            found.path = path_of(each)
-            _read(found, is_bars=is_bars)
-    return found.control()
+            parser.path = path_of(each)
+            _read(parser, is_bars=is_bars)
+    return parser.control()
 
 
 def ground_of(control: Any, scale_bars: Any) -> GroundControl | None:
@@ -66,52 +68,52 @@ def ground_of(control: Any, scale_bars: Any) -> GroundControl | None:
         return None
     if isinstance(control, GroundControl):
         if scale_bars is not None:
-            raise ValueError("scale_bars: goes with the file of control; GroundControl has bars of its own")
-        found, path = control, None
+            raise ValueError("scale_bars: expected None with a GroundControl, which contains its own bars")
+        ground, path = control, None
     else:
         for name, value in (("control", control), ("scale_bars", scale_bars)):
             if value is not None:
-                check_place(name, value)
-        found, path = read_ground_control(control, scale_bars=scale_bars), control
-    if not found.bars and (why := found.why_open()):
+                check_path(name, value)
+        ground, path = read_ground_control(control, scale_bars=scale_bars), control
+    if not ground.bars and (why := ground.why_open()):
         raise ValueError(f"control: {why}") if path is None else FileError(path, f"holds {why}")
-    return found
+    return ground
 
 
-def _read(found: _Found, *, is_bars: bool) -> None:
-    lines = _lines_of(found.path)
+def _read(parser: _Parser, *, is_bars: bool) -> None:
+    lines = _lines_of(parser.path)
     content = [(number, line) for number, line in lines if line and not line.startswith("#")]
     if not content:
-        raise FileError(found.path, "has no line", remedy=_FORM)
+        raise FileError(parser.path, "contains no lines", remedy=_FORM)
     head = [word.strip().lower() for word in content[0][1].split(",")]
-    before = len(found.bars)
+    before = len(parser.bars)
     if "name" in head and "picture" in head:
-        _parse_csv(found, lines)
+        _parse_csv(parser, lines)
     else:
-        _parse_words(found, content)
-    if is_bars and len(found.bars) == before:
-        raise FileError(found.path, "holds no scale bar", remedy="Write lines `bar A B meters [sigma]`")
+        _parse_words(parser, content)
+    if is_bars and len(parser.bars) == before:
+        raise FileError(parser.path, "contains no scale bar", remedy="Write lines `bar A B meters [sigma]`")
 
 
-def _lines_of(place: Path) -> list[tuple[int, str]]:
+def _lines_of(path: Path) -> list[tuple[int, str]]:
     try:
-        if place.stat().st_size > MAX_BYTES:
-            raise FileError(place, f"is larger than {MAX_BYTES >> 20} MiB, which no list of control points is")
-        text = place.read_text(encoding="utf-8-sig")
+        if path.stat().st_size > MAX_BYTES:
+            raise FileError(path, f"is larger than {MAX_BYTES >> 20} MiB, too large for a list of control points")
+        text = path.read_text(encoding="utf-8-sig")
     except OSError as error:
         reason = "does not exist" if isinstance(error, FileNotFoundError) else error.strerror or "cannot be read"
-        raise FileError(place, reason) from None
+        raise FileError(path, reason) from None
     except UnicodeDecodeError:
-        raise FileError(place, "is no text in UTF-8", remedy="Save the list as text") from None
+        raise FileError(path, "is not UTF-8 text", remedy="Save the list as text") from None
     return [(number, line.strip()) for number, line in enumerate(text.splitlines(), start=1)]
 
 
-class _Found:
+class _Parser:
     path: Path
 
     def __init__(self):
         self.crs: str | None = None
-        self.places: dict[str, tuple[float, ...]] = {}
+        self.positions: dict[str, tuple[float, ...]] = {}
         self.sigmas: dict[str, tuple[float, float, float]] = {}
         self.checks: dict[str, bool] = {}
         self.marks: dict[tuple[str, str], ControlMark] = {}
@@ -129,10 +131,10 @@ class _Found:
             raise self.fail(line, f"expected {what}, got {' '.join(words)[:60]!r}", remedy)
         return values
 
-    def add_place(self, line: int, name: str, words: list[str], remedy: str = "") -> None:
-        place = tuple(self.numbers(line, words, "x, y and z", remedy))
-        if self.places.setdefault(name, place) != place:
-            raise self.fail(line, f"the point {name!r} stands at two places", "Give each point a name of its own")
+    def add_position(self, line: int, name: str, words: list[str], remedy: str = "") -> None:
+        position = tuple(self.numbers(line, words, "x, y and z", remedy))
+        if self.positions.setdefault(name, position) != position:
+            raise self.fail(line, f"the point {name!r} has two positions", "Give each point a unique name")
 
     def add_sigma(self, line: int, name: str, plan: str, height: str) -> None:
         values = self.numbers(line, [plan or height, height or plan], "standard deviations [m]")
@@ -150,7 +152,7 @@ class _Found:
         if (name, picture) in self.marks:
             raise self.fail(line, f"{name!r} is marked twice in {picture}", "Keep one of the marks")
         if max(abs(column), abs(row)) >= 1e6 or not picture:
-            raise self.fail(line, f"expected a picture, column and row [px], got {picture!r}, {column:g}, {row:g}")
+            raise self.fail(line, f"expected an image, column and row [px], got {picture!r}, {column:g}, {row:g}")
         pixel = column - HALF_PIXEL, row - HALF_PIXEL
         where = f"{self.path} (line {line})"
         self.marks[name, picture] = ControlMark(name, picture, pixel, where)  # pyright: ignore[reportArgumentType]
@@ -174,12 +176,12 @@ class _Found:
 
     def control(self) -> GroundControl:
         if not self.marks:
-            raise FileError(self.path, "marks no point in a picture", remedy=_FORM)
+            raise FileError(self.path, "contains no marks of points in images", remedy=_FORM)
         points = [
-            ControlPoint(name, place, self.sigmas.get(name, (CONTROL_SIGMA,) * 3))
-            for name, place in self.places.items()
+            ControlPoint(name, position, self.sigmas.get(name, (CONTROL_SIGMA,) * 3))
+            for name, position in self.positions.items()
         ]
-        checks = [name for name in self.places if self.checks.get(name, bool(_CHECK.match(name)))]
+        checks = [name for name in self.positions if self.checks.get(name, bool(_CHECK.match(name)))]
         crs = self.crs or ""
         try:
             crs = "" if crs.lower() in LOCAL else crs
@@ -190,61 +192,61 @@ class _Found:
             raise FileError(self.path, str(error)) from None
 
 
-def _parse_words(found: _Found, lines: list[tuple[int, str]]) -> None:
+def _parse_words(parser: _Parser, lines: list[tuple[int, str]]) -> None:
     crs = None
     names: dict[tuple[str, ...], str] = {}
     for number, line in lines:
         words = line.split()
-        if found.add_word_line(number, words):
+        if parser.add_word_line(number, words):
             continue
         if crs is None:
             if len(words) >= 6 and _are_numbers(words[:5]):
-                raise found.fail(number, "is a mark, and no line before it tells the coordinate system", _FORM)
+                raise parser.fail(number, "is a mark, but no line before it contains the coordinate system", _FORM)
             crs = line
-            found.crs = crs
+            parser.crs = crs
             continue
         if len(words) < 6:
-            raise found.fail(number, f"expected 6 words or more, got {len(words)}", _FORM)
+            raise parser.fail(number, f"expected 6 words or more, got {len(words)}", _FORM)
         name = words[6] if len(words) > 6 else names.setdefault(tuple(words[:3]), f"point {len(names) + 1}")
-        found.add_place(number, name, words[:3], _FORM)
-        found.add_mark(number, name, words[5], words[3:5])
+        parser.add_position(number, name, words[:3], _FORM)
+        parser.add_mark(number, name, words[5], words[3:5])
 
 
 def _are_numbers(words: list[str]) -> bool:
     return all(re.fullmatch(r"[-+.\deE]+", word) for word in words)
 
 
-def _parse_csv(found: _Found, lines: list[tuple[int, str]]) -> None:
+def _parse_csv(parser: _Parser, lines: list[tuple[int, str]]) -> None:
     head: list[str] | None = None
     for number, line in lines:
         if match := re.match(r"#\s*crs\b[\s:=]*(.*)", line, re.IGNORECASE):
-            found.crs = match[1].strip()
+            parser.crs = match[1].strip()
         if not line or line.startswith("#"):
             continue
         words = [word.strip() for word in next(csv.reader([line]))]
         if head is None:
             head = [word.lower() for word in words]
             if missing := [name for name in _COLUMNS if name not in head]:
-                raise found.fail(number, f"the head lacks {', '.join(missing)}")
+                raise parser.fail(number, f"the header lacks {', '.join(missing)}")
             continue
         parts = [word for word in words if word] if len(words) > 1 else line.split()
-        if parts and found.add_word_line(number, parts):
+        if parts and parser.add_word_line(number, parts):
             continue
         row = dict(zip(head, words, strict=False))
         name = row.get("name", "")
         if len(words) > len(head) or not name:
-            raise found.fail(
+            raise parser.fail(
                 number, f"expected {len(head)} fields and a name among them, got {len(words)}: {line[:60]!r}"
             )
-        _add_row(found, number, name, row)
+        _add_row(parser, number, name, row)
 
 
-def _add_row(found: _Found, number: int, name: str, row: dict[str, str]) -> None:
+def _add_row(parser: _Parser, number: int, name: str, row: dict[str, str]) -> None:
     if any(row.get(axis) for axis in "xyz"):
-        found.add_place(number, name, [row.get(axis, "") for axis in "xyz"])
+        parser.add_position(number, name, [row.get(axis, "") for axis in "xyz"])
     if row.get("sigma") or row.get("sigma_z"):
-        found.add_sigma(number, name, row.get("sigma", ""), row.get("sigma_z", ""))
+        parser.add_sigma(number, name, row.get("sigma", ""), row.get("sigma_z", ""))
     if row.get("use"):
-        found.add_use(number, name, row["use"])
+        parser.add_use(number, name, row["use"])
     if row.get("picture"):
-        found.add_mark(number, name, row["picture"], [row.get("column", ""), row.get("row", "")])
+        parser.add_mark(number, name, row["picture"], [row.get("column", ""), row.get("row", "")])

@@ -58,7 +58,7 @@ class ControlResidual:
             return f"{self.name}: {self.use}, {'; '.join(self.warnings)}"
         gap = " ".join(f"{value:+.3f}" for value in self.residual)
         more = "".join(f"; {warning}" for warning in self.warnings)
-        return f"{self.name}: {self.use}, {gap} m, {self.pixels:.2f} px in {self.views} pictures{more}"
+        return f"{self.name}: {self.use}, {gap} m, {self.pixels:.2f} px in {self.views} images{more}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,28 +67,28 @@ class BarResidual:
 
     Attributes:
         bar: The bar.
-        found: Estimated length [m]. NaN if an end is not triangulated.
+        estimated: Estimated length [m]. NaN if an end is not triangulated.
         sigma: Standard deviation of estimated minus known length [m].
         use: "control", "check", or "unused".
         warnings: Why it is unused.
     """
 
     bar: ScaleBar
-    found: float
+    estimated: float
     sigma: float
     use: str
     warnings: tuple[str, ...] = ()
 
     @property
     def error(self) -> float:
-        return self.found - self.bar.meters
+        return self.estimated - self.bar.meters
 
     def to_dict(self) -> dict[str, Any]:
         return {
             "a": self.bar.a,
             "b": self.bar.b,
             "meters": self.bar.meters,
-            "found_m": number_or_none(self.found),
+            "found_m": number_or_none(self.estimated),
             "error_m": number_or_none(self.error),
             "sigma_m": number_or_none(self.sigma),
             "use": self.use,
@@ -97,7 +97,7 @@ class BarResidual:
 
     def __str__(self) -> str:
         more = "".join(f"; {warning}" for warning in self.warnings)
-        off = f", {1000 * self.error:+.1f} mm" if math.isfinite(self.found) else ""
+        off = f", {1000 * self.error:+.1f} mm" if math.isfinite(self.estimated) else ""
         return f"{self.bar}: {self.use}, {self.bar.meters:g} m{off}{more}"
 
 
@@ -130,7 +130,7 @@ class GpsGaps:
     def __str__(self) -> str:
         shift = " ".join("?" if math.isnan(value) else f"{value:+.2f}" for value in self.shift)
         plan = f"{self.horizontal_rms:.3g} m off in plan (rms), {shift} m (median)"
-        return f"GPS of {len(self.names)} pictures, not used: {plan}"
+        return f"GPS of {len(self.names)} images, not used: {plan}"
 
 
 @dataclass(frozen=True, eq=False)
@@ -145,9 +145,9 @@ class ControlFit(Assessed):
         scale: Meters per model unit.
         scale_sigma: Relative standard deviation of the scale.
         tilt_sigma, yaw_sigma: Standard deviations of up and north [degrees]. NaN with lengths only.
-        misfit: Ratio of actual to expected control residuals. NaN with lengths only.
+        residual_ratio: Ratio of actual to expected control residuals. NaN with lengths only.
         points, bars: The residuals.
-        is_placed: True if the frame is that of the points. With lengths only it is the model's.
+        is_georeferenced: True if the frame is that of the points. With lengths only it is the model's.
         gps: Residuals of the unused image positions.
         warnings: Failed quality checks, each with its remedy. Empty if the fit is reliable.
         notes: Remarks.
@@ -161,10 +161,10 @@ class ControlFit(Assessed):
     scale_sigma: float
     tilt_sigma: float
     yaw_sigma: float
-    misfit: float
+    residual_ratio: float
     points: tuple[ControlResidual, ...]
     bars: tuple[BarResidual, ...]
-    is_placed: bool
+    is_georeferenced: bool
     gps: GpsGaps | None = None
     warnings: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
@@ -180,7 +180,7 @@ class ControlFit(Assessed):
             "local_origin_m": self.origin.tolist(),
             "control_rms_m": number_or_none(self.rms(CONTROL)),
             "check_rms_m": number_or_none(self.rms(CHECK)),
-            "misfit": number_or_none(self.misfit),
+            "misfit": number_or_none(self.residual_ratio),
             "scale_sigma": self.scale_sigma,
             "tilt_sigma_degrees": number_or_none(self.tilt_sigma),
             "yaw_sigma_degrees": number_or_none(self.yaw_sigma),
@@ -201,7 +201,7 @@ class ControlFit(Assessed):
         if bars := sum(bar.use == CONTROL for bar in self.bars):
             counts.append(f"{bars} scale bar{'s' * (bars != 1)}")
         sure = f"size to {100 * self.scale_sigma:.2g} %"
-        sure += f", up to {self.tilt_sigma:.2g} degrees, north to {self.yaw_sigma:.2g}" if self.is_placed else ""
+        sure += f", up to {self.tilt_sigma:.2g} degrees, north to {self.yaw_sigma:.2g}" if self.is_georeferenced else ""
         lines = [f"meters by {', '.join(counts)}; {sure}"]
         lines += [f"  {row}" for row in (*self.points, *self.bars)]
         if self.gps is not None:
@@ -209,7 +209,7 @@ class ControlFit(Assessed):
         lines += self.notes
         if self.frame is not None:
             lines.append(f"{self.frame}" + (f"; points in {self.crs}" if self.crs != f"EPSG:{self.frame.epsg}" else ""))
-        elif self.is_placed:
+        elif self.is_georeferenced:
             lines.append(
                 "in the points' own coordinates" + (f" less {self.origin.tolist()}" if self.origin.any() else "")
             )

@@ -26,39 +26,39 @@ _ZONE = re.compile(r"\bUTM\s*(?:zone\s*)?(\d{1,2})\s*([NS])?\b", re.IGNORECASE)
 _PROJ_ZONE = re.compile(r"\+zone=(\d{1,2})\b")
 
 
-def to_geodetic(places: Array, crs: str, path: str) -> Array:
+def to_geodetic(positions: Array, crs: str, path: str) -> Array:
     """Latitude, longitude [degrees], height [m], [n, 3]; `crs`: EPSG code, ODM's "WGS84 UTM 32N", or PROJ text."""
-    if (np.abs(places[:, 2]) > HIGHEST).any():
-        raise ValueError(f"crs: expected heights below {HIGHEST:g} m, got {places[:, 2].max():g}")
+    if (np.abs(positions[:, 2]) > HIGHEST).any():
+        raise ValueError(f"crs: expected heights below {HIGHEST:g} m, got {positions[:, 2].max():g}")
     if (code := utm_code(crs)) is not None:
-        return from_utm(_checked(places, crs), code)
+        return from_utm(_checked(positions, crs), code)
     if _is_degrees(crs):
-        degrees = places[:, [1, 0, 2]]
+        degrees = positions[:, [1, 0, 2]]
         if (wrong := (np.abs(degrees[:, :2]) > (90.0, 180.0)).any(axis=1)).any():
-            found = places[np.flatnonzero(wrong)[0], :2].tolist()
-            raise ValueError(f"crs: {escaped(crs)} is in degrees, x the longitude and y the latitude; got {found}")
+            result = positions[np.flatnonzero(wrong)[0], :2].tolist()
+            raise ValueError(f"crs: {escaped(crs)} is in degrees, x the longitude and y the latitude; got {result}")
         return degrees
     pyproj: Any = import_for(path, "pyproj", "geo")
     system = system_named("crs", crs)
     _check_unit(system, crs)
     with foreign_errors(path, "its coordinates cannot be transformed"):
         way = pyproj.Transformer.from_crs(system, "EPSG:4326", always_xy=True)
-        longitude, latitude = way.transform(places[:, 0], places[:, 1], errcheck=True)
-    found = np.column_stack([latitude, longitude, places[:, 2]])
-    if not np.isfinite(found).all():
-        raise ValueError(f"crs: the places lie outside of {escaped(crs)}, such as {places[0, :2].tolist()}")
-    return found
+        longitude, latitude = way.transform(positions[:, 0], positions[:, 1], errcheck=True)
+    result = np.column_stack([latitude, longitude, positions[:, 2]])
+    if not np.isfinite(result).all():
+        raise ValueError(f"crs: the positions are outside of {escaped(crs)}, such as {positions[0, :2].tolist()}")
+    return result
 
 
-def _checked(places: Array, crs: str) -> Array:
-    for k, what, (least, most) in ((0, "x", EASTINGS), (1, "y", NORTHINGS)):
-        wrong = np.flatnonzero(~((places[:, k] >= least) & (places[:, k] <= most)))
+def _checked(positions: Array, crs: str) -> Array:
+    for k, what, (low, high) in ((0, "x", EASTINGS), (1, "y", NORTHINGS)):
+        wrong = np.flatnonzero(~((positions[:, k] >= low) & (positions[:, k] <= high)))
         if len(wrong):
             raise ValueError(
-                f"crs: {what} is {places[wrong[0], k]:.10g}, and {crs} has {least:g}..{most:g} m there: x is the "
+                f"crs: {what} is {positions[wrong[0], k]:.10g}, and {crs} has {low:g}..{high:g} m there: x is the "
                 "easting and y the northing of the zone; degrees are EPSG:4326"
             )
-    return places
+    return positions
 
 
 def utm_code(crs: str) -> int | None:
@@ -91,4 +91,4 @@ def _check_unit(system: Any, crs: str) -> None:
         raise ValueError(f"crs: expected meters of a map or EPSG:4326, got {shown(crs)}, {system.type_name}")
     units = {axis.unit_name for axis in system.axis_info}
     if units - {"metre"}:
-        raise ValueError(f"crs: {escaped(crs)} is in {min(units - {'metre'})}; convert places and heights to meters")
+        raise ValueError(f"crs: {escaped(crs)} is in {min(units - {'metre'})}; convert positions and heights to meters")

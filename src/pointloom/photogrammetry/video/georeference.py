@@ -24,7 +24,7 @@ from ..sfm.image_positions import PicturePlace, PicturePlaces
 
 Array = NDArray[np.float64]
 
-FEWEST = 3  # positions
+MIN_POSITIONS = 3  # positions
 SIGMA, HEIGHT_FACTOR = 3.0, 2.0  # [m] default GNSS sigma, and the factor for heights
 MIN_SIGMA = 0.005  # [m] lower bound
 MIN_EXTENT = 3.0  # minimum extent of the positions, in sigmas
@@ -33,7 +33,7 @@ DOUBTED = 0.05  # maximum RMS residual relative to the extent
 MAX_WRONG = 1 / 3  # maximum outlier fraction
 NO_HEIGHT = 1e4  # [m] standard deviation of unknown heights
 CUT = 3.5  # normalized residual of an outlier
-TURNS = 12
+MAX_ITERATIONS = 12
 ENOUGH = 8  # minimum positions to estimate their accuracy
 _MEDIAN_PLAN, _MEDIAN_HEIGHT = 1.1774, 0.6745  # medians of 2D and 1D normal errors, in sigmas
 
@@ -81,8 +81,8 @@ class PlacesFit:
         if not (self.horizontal_rms > DOUBTED * self.extent or wrong > MAX_WRONG * len(self.names)):
             return None
         return (
-            f"the places that pictures tell and those found differ by {self.horizontal_rms:.3g} m in plan over "
-            f"{self.extent:.3g} m, without {wrong} of {len(self.names)} that do not fit at all"
+            f"the GPS and the estimated positions of the images differ by {self.horizontal_rms:.3g} m in plan over "
+            f"{self.extent:.3g} m, without {wrong} outliers of {len(self.names)}"
         )
 
     def to_dict(self) -> dict[str, Any]:
@@ -101,36 +101,40 @@ class PlacesFit:
         }
 
 
-def places_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, PicturePlace]:
-    found: dict[str, PicturePlace] = {}
-    for place in places.places:
-        meant = matching_pictures(place.name, names)
+def positions_by_image(image_positions: PicturePlaces, names: tuple[str, ...]) -> dict[str, PicturePlace]:
+    result: dict[str, PicturePlace] = {}
+    for position in image_positions.places:
+        meant = matching_pictures(position.name, names)
         if len(meant) == 1:
-            found[names[meant[0]]] = place
-    return found
+            result[names[meant[0]]] = position
+    return result
 
 
-def attitudes_of(places: PicturePlaces, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
-    found: dict[str, tuple[float, float, float]] = {}
-    for name, angles in places.attitudes.items():
+def attitudes_of(image_positions: PicturePlaces, names: tuple[str, ...]) -> dict[str, tuple[float, float, float]]:
+    result: dict[str, tuple[float, float, float]] = {}
+    for name, angles in image_positions.attitudes.items():
         meant = matching_pictures(name, names)
         if len(meant) == 1:
-            found[names[meant[0]]] = angles
-    return found
+            result[names[meant[0]]] = angles
+    return result
 
 
-def fit_places(model: SfmModel, places: PicturePlaces, up: UpDirection) -> PlacesFit:
-    told = places_of(places, model.names)
-    if len(told) < FEWEST:
-        raise NotSettledError(f"{len(told)} pictures of the model tell where they were taken; {FEWEST} or more settle")
-    frame = places.frame
-    names = tuple(name for name in model.names if name in told)
-    target, sigma = _targets(frame, [told[name] for name in names])
+def fit_image_positions(model: SfmModel, image_positions: PicturePlaces, up: UpDirection) -> PlacesFit:
+    by_name = positions_by_image(image_positions, model.names)
+    if len(by_name) < MIN_POSITIONS:
+        raise NotSettledError(
+            f"{len(by_name)} images of the model have a GPS position; {MIN_POSITIONS} or more are needed"
+        )
+    frame = image_positions.frame
+    names = tuple(name for name in model.names if name in by_name)
+    target, sigma = _targets(frame, [by_name[name] for name in names])
     source = model.centers[[model.index_of(name) for name in names]]
     extent = float(np.linalg.norm(np.ptp(target[:, :2], axis=0)))
-    least = MIN_EXTENT * float(np.median(sigma[:, 0]))
-    if not extent > least:
-        raise NotSettledError(f"the places cover {extent:.3g} m, and are {least / MIN_EXTENT:.3g} m sure each")
+    min_extent = MIN_EXTENT * float(np.median(sigma[:, 0]))
+    if not extent > min_extent:
+        raise NotSettledError(
+            f"the GPS positions cover only {extent:.3g} m, at an accuracy of {min_extent / MIN_EXTENT:.3g} m each"
+        )
     try:
         T = _first(model, names, source, target, up)
         fit, inliers = _refined(source, target, sigma, up, T)
@@ -140,23 +144,24 @@ def fit_places(model: SfmModel, places: PicturePlaces, up: UpDirection) -> Place
     plan = float(np.sqrt((gaps[inliers, :2] ** 2).sum(axis=1).mean()))
     heights = gaps[inliers, 2][np.isfinite(gaps[inliers, 2])]
     vertical = math.sqrt(float((heights**2).mean())) if len(heights) else math.nan
-    found = PlacesFit(
+    result = PlacesFit(
         frame, fit.T, fit.scale, names, gaps, inliers, plan, vertical, extent,
         fit.scale_sigma, fit.tilt_sigma, fit.yaw_sigma,
     )  # fmt: skip
     if fit.scale_sigma > WORST_SCALE or fit.tilt_sigma > WORST_TILT or fit.yaw_sigma > WORST_YAW:
         raise NotSettledError(
-            f"the places leave the size open to {100 * fit.scale_sigma:.2g} %, up to {fit.tilt_sigma:.2g} degrees and "
-            f"north to {fit.yaw_sigma:.2g}: they lie too near to each other, or on a line, for how sure they are"
+            f"the GPS positions determine the scale to only {100 * fit.scale_sigma:.2g}%, up to "
+            f"{fit.tilt_sigma:.2g} degrees and "
+            f"north to {fit.yaw_sigma:.2g}: for their accuracy they are too close together, or collinear"
         )
-    return found
+    return result
 
 
-def enu_of(frame: WorldFrame, places: Sequence[PicturePlace]) -> Array:
+def enu_of(frame: WorldFrame, positions: Sequence[PicturePlace]) -> Array:
     """East, north and up of image positions, NaN for unknown heights, [n, 3] [m]."""
-    rows = [[p.latitude, p.longitude, frame.altitude if p.altitude is None else p.altitude] for p in places]
+    rows = [[p.latitude, p.longitude, frame.altitude if p.altitude is None else p.altitude] for p in positions]
     target = frame.to_enu(np.array(rows))
-    target[[p.altitude is None for p in places], 2] = np.nan
+    target[[p.altitude is None for p in positions], 2] = np.nan
     return target
 
 
@@ -165,13 +170,13 @@ def frame_to_dict(frame: WorldFrame) -> dict[str, Any]:
     return {"origin": origin, "epsg": frame.epsg}
 
 
-def _targets(frame: WorldFrame, places: list[PicturePlace]) -> tuple[Array, Array]:
-    target = enu_of(frame, places)
+def _targets(frame: WorldFrame, positions: list[PicturePlace]) -> tuple[Array, Array]:
+    target = enu_of(frame, positions)
     sigma = np.empty_like(target)
-    for k, place in enumerate(places):
-        plan = max(place.horizontal_sigma or SIGMA, MIN_SIGMA)
-        sigma[k] = plan, plan, max(place.vertical_sigma or HEIGHT_FACTOR * plan, MIN_SIGMA)
-        if place.altitude is None:
+    for k, position in enumerate(positions):
+        plan = max(position.horizontal_sigma or SIGMA, MIN_SIGMA)
+        sigma[k] = plan, plan, max(position.vertical_sigma or HEIGHT_FACTOR * plan, MIN_SIGMA)
+        if position.altitude is None:
             sigma[k, 2] = np.inf
     return target, sigma
 
@@ -181,9 +186,9 @@ def _first(model: SfmModel, names: tuple[str, ...], source: Array, target: Array
     if up.direction is not None:
         level = fit_level(source, target, up.direction)
     known = np.isfinite(target[:, 2])
-    if known.sum() < FEWEST:
+    if known.sum() < MIN_POSITIONS:
         if level is None:
-            raise UndeterminedError("no altitudes are told, and the cameras do not tell what is up")
+            raise UndeterminedError("no altitudes are given, and the cameras do not determine the up direction")
         return level
     if level is not None:
         return level
@@ -202,11 +207,11 @@ def _refined(
         sigma = np.where(np.isfinite(sigma), sigma, NO_HEIGHT)  # to get a numeric height
     known = {"up": up.direction, "up_sigma": math.radians(up.sigma)} if up.direction is not None else {}
     fit, inliers = None, np.zeros(len(source), bool)
-    for _ in range(TURNS):
+    for _ in range(MAX_ITERATIONS):
         gaps = source @ T[:3, :3].T + T[:3, 3] - target
         agree, factors = _agreeing(gaps, sigma, inliers)
-        if agree.sum() < FEWEST:
-            raise UndeterminedError(f"only {agree.sum()} of {len(source)} places agree with the model")
+        if agree.sum() < MIN_POSITIONS:
+            raise UndeterminedError(f"only {agree.sum()} of {len(source)} GPS positions agree with the model")
         fit = fit_rows(Rows(source[agree], filled[agree], (sigma * factors)[agree], **known), T)
         T = fit.T
         if (agree == inliers).all():
@@ -219,15 +224,16 @@ def _refined(
 def _agreeing(gaps: Array, sigma: Array, before: NDArray[np.bool_]) -> tuple[NDArray[np.bool_], Array]:
     """Mask of the inliers, and the ratio of actual to stated errors along each axis."""
     count = len(gaps)
-    slack = 1.0 + 5.0 / max(count - FEWEST, 1)  # small sample correction of the median (Rousseeuw and Leroy 1987)
+    # small sample correction of the median (Rousseeuw and Leroy 1987)
+    slack = 1.0 + 5.0 / max(count - MIN_POSITIONS, 1)
     plan = np.linalg.norm(gaps[:, :2], axis=1) / sigma[:, 0]
     height = np.abs(gaps[:, 2]) / sigma[:, 2]
     known = np.isfinite(height) & np.isfinite(sigma[:, 2])
-    told = before if before.sum() > FEWEST else np.ones(count, bool)
+    reference = before if before.sum() > MIN_POSITIONS else np.ones(count, bool)
     worse = np.ones(3)
     limits = [CUT * slack * float(np.median(plan)) / _MEDIAN_PLAN, math.inf]
-    if (known & told).any():
-        limits[1] = CUT * slack * float(np.median(height[known & told])) / _MEDIAN_HEIGHT
+    if (known & reference).any():
+        limits[1] = CUT * slack * float(np.median(height[known & reference])) / _MEDIAN_HEIGHT
     limits = [max(limit, 0.1) for limit in limits]  # lower bound, in stated sigmas
     agree = (plan <= limits[0]) & (~known | (height <= limits[1]))
     if agree.sum() >= ENOUGH:

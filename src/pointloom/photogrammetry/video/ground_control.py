@@ -17,7 +17,7 @@ from .control_systems import to_geodetic
 Array = NDArray[np.float64]
 
 BAR_SIGMA = 0.002  # [m] default
-FEWEST = 3  # minimum points
+MIN_POINTS = 3  # minimum points
 STRAIGHT = 0.02  # ratio of lateral extent below which points are collinear
 
 
@@ -140,11 +140,11 @@ class GroundControl:
         _check_once("marks", [f"{mark.point} in {mark.picture}" for mark in self.marks])
         _check_once("bars", ["{} to {}".format(*sorted((bar.a, bar.b))) for bar in self.bars])
         if missing := [name for name in self.checks if name not in names]:
-            raise ValueError(f"checks: {missing[0]!r} is none of the points")
+            raise ValueError(f"checks: expected names of points, got {missing[0]!r}")
         shown_names = {mark.point for mark in self.marks}
         for bar in self.bars:
             if missing := [end for end in (bar.a, bar.b) if end not in shown_names]:
-                raise ValueError(f"bars: {bar}: no picture shows {missing[0]!r}; mark it in two or more")
+                raise ValueError(f"bars: {bar}: no image has a mark of {missing[0]!r}; mark it in two or more")
         if self.crs and self.points:
             to_geodetic(self.positions, self.crs, self.path)
 
@@ -165,30 +165,31 @@ class GroundControl:
 
     def digest(self) -> str:
         """Digest of everything that affects the result."""
-        told: list[Any] = [self.crs, sorted(self.checks)]
-        told += [[p.name, np.asarray(p.position).tolist(), np.asarray(p.sigma).tolist()] for p in self.points]
-        told += [[m.point, m.picture, m.pixel.tolist()] for m in self.marks]
-        told += [[bar.a, bar.b, bar.meters, bar.sigma] for bar in self.bars]
-        return digest_of(told)
+        content: list[Any] = [self.crs, sorted(self.checks)]
+        content += [[p.name, np.asarray(p.position).tolist(), np.asarray(p.sigma).tolist()] for p in self.points]
+        content += [[m.point, m.picture, m.pixel.tolist()] for m in self.marks]
+        content += [[bar.a, bar.b, bar.meters, bar.sigma] for bar in self.bars]
+        return digest_of(content)
 
     def why_open(self) -> str:
         """Why the points do not determine a similarity; "" if they do."""
         fitted = self.fitted
-        if len(fitted) < FEWEST:
+        if len(fitted) < MIN_POINTS:
             checks = f" and {len(self.checks)} check points" if self.checks else ""
             return (
-                f"{len(fitted)} control points{checks}: {FEWEST} or more that are not on a line settle size, turn and "
-                "place; add some, or scale bars for the size alone"
+                f"{len(fitted)} control points{checks}: {MIN_POINTS} or more that are not collinear determine "
+                "scale, rotation "
+                "and position; add some, or scale bars for the scale only"
             )
         if is_straight(np.array([point.position for point in fitted])):
             names = ", ".join(point.name for point in fitted[:5])
-            return f"the control points {names} lie on a line and leave a turn about it open; add one beside it"
+            return f"the control points {names} are collinear, so a rotation is undetermined; add one off the line"
         return ""
 
 
 def is_straight(points: Array) -> bool:
     """True if points are identical or nearly collinear, which leaves a rotation undetermined."""
-    if len(points) < FEWEST:
+    if len(points) < MIN_POINTS:
         return True
     spread = np.linalg.svd(points - points.mean(axis=0), compute_uv=False)
     return not (math.isfinite(float(spread[0])) and spread[1] > STRAIGHT * spread[0])
@@ -198,5 +199,5 @@ def _check_once(name: str, values: list[str]) -> None:
     seen: set[str] = set()
     for value in values:
         if value in seen:
-            raise ValueError(f"{name}: {value!r} stands twice")
+            raise ValueError(f"{name}: {value!r} is duplicated")
         seen.add(value)

@@ -25,7 +25,7 @@ from ...io.pictures.image_files import read_picture_header
 from ...io.points.point_cloud import read_point_cloud
 from ...meshing.mesh.mesh_files import read_triangle_mesh
 from ..sfm.image_positions import read_picture_places
-from ..sfm.picture_folder import check_place
+from ..sfm.picture_folder import check_path
 from . import motion, surface
 from .chain import KNOWN_STAGES, STAGES, Given, run_to, settings_of_stages
 from .ground_control import ControlMark, GroundControl
@@ -39,8 +39,8 @@ from .units import NONE, fit_as_given, fit_units
 def check_control(control: GroundControl | None, frames: StageResult, source: FilePath) -> None:
     if control is None:
         return
-    place = Path(source)
-    offered = sorted(path.name for path in place.iterdir()) if place.is_dir() else []
+    source_path = Path(source)
+    offered = sorted(path.name for path in source_path.iterdir()) if source_path.is_dir() else []
     names = picture_names(frames)
     marked = {k for mark in control.marks for k in matching_pictures(mark.picture, names)}
     headers = {names[k]: read_picture_header(frames.folder / PICTURES / names[k]) for k in sorted(marked)}
@@ -56,15 +56,15 @@ def check_marks(
         if not meant and matching_pictures(mark.picture, offered):
             continue
         if len(meant) != 1:
-            what = "is none of the pictures" if not meant else f"may mean {len(meant)} pictures"
+            what = "matches no image" if not meant else f"matches {len(meant)} images"
             near = nearest_name(mark.picture, names).removeprefix("; ")
             some = few_of(names, 3)
-            raise _error(control, mark, f"{mark.picture!r} {what}", f"{near} " * bool(near) + f"They are called {some}")
+            raise _error(control, mark, f"{mark.picture!r} {what}", f"{near} " * bool(near) + f"The images are {some}")
         width, height = sizes[names[meant[0]]]
         column, row = (mark.pixel + 0.5).tolist()
         if not (0 <= column <= width and 0 <= row <= height):
             reason = f"{mark.point!r} is marked at {column:g}, {row:g}, outside of {mark.picture} of {width} x {height}"
-            remedy = "Columns come first, and count in the picture as it was taken: not turned, not made smaller"
+            remedy = "Give column, row of the image as it was taken: not rotated, not resized"
             raise _error(control, mark, reason, remedy)
 
 
@@ -124,16 +124,16 @@ def reconstruct(
     """
     settings, outputs = _checked(settings, outputs)
     outputs.check(overwrite=overwrite)
-    where, say = resolve_device(device), check_progress(progress)
+    where, report = resolve_device(device), check_progress(progress)
     content = motion.digest_of_source(source)
-    settings = _with_places(settings, source)
+    settings = _with_image_positions(settings, source)
     outputs.check_units(settings.units)
     if resume and work is None:
-        raise ValueError("resume: goes with work, the folder of the earlier run")
+        raise ValueError("resume: expected work, the folder of the earlier run, got None")
     with _work_folder(work, outputs, resume=resume, overwrite=overwrite) as root:
         _write_json(root / MARKER, {"command": "video", "source": os.fspath(source)})
         (root / REPORT).unlink(missing_ok=True)  # from an earlier run, outdated
-        chain = Chain(root, tuple(STAGES), resume=resume, progress=say)
+        chain = Chain(root, tuple(STAGES), resume=resume, progress=report)
         given = settings_of_stages(source, content, settings, where)
         result = _run(chain, given, settings, outputs, source=os.fspath(source), work=work, device=where)
         if result.mesh is not None:
@@ -155,12 +155,12 @@ def _checked(settings: Any, outputs: Any) -> tuple[Settings, Outputs]:
     return settings, outputs
 
 
-def _with_places(settings: Settings, source: FilePath) -> Settings:
-    units, place = settings.units, Path(source)
+def _with_image_positions(settings: Settings, source: FilePath) -> Settings:
+    units, path = settings.units, Path(source)
     if settings.cameras is not None and units.align is None:
         return replace(settings, units=replace(units, align=NONE))
-    if units.places is None and place.is_dir() and units.file is None and units.align != NONE:
-        return replace(settings, units=replace(units, places=read_picture_places(place)))
+    if units.places is None and path.is_dir() and units.file is None and units.align != NONE:
+        return replace(settings, units=replace(units, places=read_picture_places(path)))
     return settings
 
 
@@ -178,12 +178,12 @@ def _run(
     frames = run_to("frames", chain, given, stages)
     settings.units.check_names(motion.picture_names(frames))
     check_control(settings.units.ground, frames, source)
-    found = run_to("model", chain, given, stages)
+    model_stage = run_to("model", chain, given, stages)
     mesh = cloud = model = fit = None
     figures = VideoFigures.of_stages(chain.made)
     reasons = figures.model_warnings()
     if not figures.is_hopeless:
-        model = motion.read_model(found)
+        model = motion.read_model(model_stage)
         fit = fit_units(settings.units, model)  # fail before the long work
         fit = fit if settings.cameras is None else fit_as_given(fit)
         reasons += fit.warnings
@@ -196,7 +196,7 @@ def _run(
         if figures.triangle_count:
             mesh = read_triangle_mesh(surface_made.folder / surface.MESH, device=device)
         else:
-            reasons.append("the mesh is empty, and nothing was written; take more pictures")
+            reasons.append("the mesh is empty, and nothing was written; take more images")
     return VideoResult(
         source=source,
         device=str(device),
@@ -220,11 +220,11 @@ def _report_of(made: StageResult | None) -> StageReport | None:
 @contextlib.contextmanager
 def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overwrite: bool) -> Iterator[Path]:
     if work is not None:
-        folder = check_work_folder(check_place("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
+        folder = check_work_folder(check_path("work", work), marker=MARKER, resume=resume, overwrite=overwrite)
         try:
             folder.mkdir(exist_ok=True)
         except OSError as error:
-            raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+            raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
         with locked(folder):
             yield folder
         return
@@ -232,8 +232,8 @@ def _work_folder(work: FilePath | None, outputs: Outputs, *, resume: bool, overw
     try:
         folder = tempfile.TemporaryDirectory(prefix=f".{beside.stem}-video-", dir=beside.parent)
     except OSError as error:
-        reason = f"no folder can be made in it: {error.strerror or error}"
-        raise FileError(beside.parent, reason, remedy="Give the name of one that can be made as work") from error
+        reason = f"no folder can be created in it: {error.strerror or error}"
+        raise FileError(beside.parent, reason, remedy="Give a folder that can be created as work") from error
     with folder as name:
         yield Path(name)
 

@@ -20,15 +20,15 @@ from ..sfm import features
 from ..sfm.colmap_jobs import MAX_SECONDS
 from ..sfm.frame_picker import spaced
 from ..sfm.guided_matches import read_matches, write_matches
-from ..sfm.masks import KEPT, MakeMask, check_some_left, hides_all, mask_as_stored, told_of_masks, write_mask
+from ..sfm.masks import MASK_THRESHOLD, MakeMask, check_some_left, hides_all, mask_as_stored, mask_notes, write_mask
 from ..sfm.model_quality import assess_model
-from ..sfm.picture_choice import told_twice
+from ..sfm.picture_choice import duplicate_notes
 from ..sfm.picture_folder import UPRIGHT, list_photographs, read_header, read_orientation, read_stored
 from ..sfm.picture_writing import write_bytes, write_picture
 from ..sfm.pose_check import PoseCheck
 from ..sfm.posed_pictures import with_poses
 from ..sfm.triangulation import match_posed, points_of
-from .motion import DATABASE, MASKS, MODEL, PICTURES, described, masks_of, only_turned
+from .motion import DATABASE, MASKS, MODEL, PICTURES, described, masks_of, only_rotated
 from .settings import Settings
 
 CAMERAS, MATCHES = "cameras", "matches.npz"
@@ -36,7 +36,7 @@ CAMERAS, MATCHES = "cameras", "matches.npz"
 
 def take_pictures(
     folder: Path,
-    say: ReportProgress,
+    report: ReportProgress,
     *,
     source: FilePath,
     max_frames: int,
@@ -45,19 +45,19 @@ def take_pictures(
 ) -> dict[str, Any]:
     """Copy the images with a pose in stored orientation, to which the lenses refer."""
     if not Path(source).is_dir():
-        raise DatasetError(source, "is no folder", remedy="Cameras with poses are of pictures: give their folder")
+        raise DatasetError(source, "is not a folder", remedy="Cameras with poses require the folder of their images")
     paths, second = list_photographs(source)
     given = posed.read_posed([path.name for path in paths])
     assert given is not None
-    found = with_poses(source, paths, given)
-    chosen = spaced(list(range(len(found.paths))), max_frames)
+    with_pose = with_poses(source, paths, given)
+    chosen = spaced(list(range(len(with_pose.paths))), max_frames)
     pictures = folder / PICTURES
     pictures.mkdir()
-    names, cameras, kept, lenses = [], [], [], {}
+    names, cameras, selected, lenses = [], [], [], {}
     hides = _Masks(Path(source), folder / MASKS, masks)
     for done, k in enumerate(chosen):
-        say("write", done, len(chosen))
-        path, lens = found.paths[k], found.model.cameras[k]
+        report("write", done, len(chosen))
+        path, lens = with_pose.paths[k], with_pose.model.cameras[k]
         mask = hides.mask_of(path, (lens.width, lens.height))
         if mask is not None and hides_all(mask):
             continue
@@ -66,18 +66,20 @@ def take_pictures(
             hides.write(name, mask, lenses.get(lens))
         names.append(name)
         cameras.append(camera)
-        kept.append(k)
-    say("write", len(chosen), len(chosen))
+        selected.append(k)
+    report("write", len(chosen), len(chosen))
     hides.check(len(names))
     if len({Path(name).stem for name in names}) < len(names):
-        raise DatasetError(source, "holds pictures whose names differ by their ending alone", remedy="Rename them")
-    model = SfmModel(tuple(names), tuple(cameras), found.model.T_camera_world[kept])
+        raise DatasetError(source, "contains images whose names differ only in the extension", remedy="Rename them")
+    model = SfmModel(tuple(names), tuple(cameras), with_pose.model.T_camera_world[selected])
     write_colmap_model(folder / CAMERAS, model)
-    notes = [*found.notes, *hides.notes]
-    if len(chosen) < len(found.paths):
-        notes.append(f"{len(chosen)} of {len(found.paths)} pictures are taken, evenly by their names (max_frames)")
-    notes += [f"not used, {line}" for line in given.left_out[:4]] + told_twice(second)
-    missing = len(found.without_pose) * len(names) // len(found.paths)
+    notes = [*with_pose.notes, *hides.notes]
+    if len(chosen) < len(with_pose.paths):
+        notes.append(
+            f"{len(chosen)} of {len(with_pose.paths)} images are used, evenly spaced by their names (max_frames)"
+        )
+    notes += [f"not used, {line}" for line in given.left_out[:4]] + duplicate_notes(second)
+    missing = len(with_pose.without_pose) * len(names) // len(with_pose.paths)
     return {"kept": len(names), "frames": len(paths), "notes": notes, "missing": missing}
 
 
@@ -100,16 +102,16 @@ class _Masks:
     def write(self, name: str, mask: NDArray[np.bool_], lens: Undistortion | None) -> None:
         self.folder.mkdir(exist_ok=True)
         if lens is not None:
-            mask = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= KEPT
+            mask = lens.apply(np.where(mask, 255, 0).astype(np.uint8)) >= MASK_THRESHOLD
         write_mask(self.folder, name, mask)
 
-    def check(self, kept: int) -> None:
+    def check(self, count: int) -> None:
         if self.masks is not None:
-            check_some_left(self.source, self.masks, self.hidden, self.missing, kept)
+            check_some_left(self.source, self.masks, self.hidden, self.missing, count)
 
     @property
     def notes(self) -> list[str]:
-        return told_of_masks(self.hidden, self.missing)
+        return mask_notes(self.hidden, self.missing)
 
 
 def _write(
@@ -129,32 +131,32 @@ def _write(
 
 
 def find_features(
-    folder: Path, say: ReportProgress, *, frames: StageResult, max_features: int, seed: int
+    folder: Path, report: ReportProgress, *, frames: StageResult, max_features: int, seed: int
 ) -> dict[str, Any]:
     pictures, database = frames.folder / PICTURES, folder / DATABASE
     options = {"max_features": max_features, "masks": masks_of(frames.folder)}
-    return features.find_features(pictures, database, seed=seed, progress=say, **options).to_dict()
+    return features.find_features(pictures, database, seed=seed, progress=report, **options).to_dict()
 
 
 def match(
-    folder: Path, say: ReportProgress, *, frames: StageResult, features: StageResult, device: Any
+    folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, device: Any
 ) -> dict[str, Any]:
     model = read_colmap_model(frames.folder / CAMERAS)
-    found, check = match_posed(features.folder / DATABASE, model, device=device, progress=say)
-    write_matches(folder / MATCHES, found)
-    return {"pair_count": len(found.pairs), "match_count": len(found.matches), "poses": check.to_dict()}
+    pair_matches, check = match_posed(features.folder / DATABASE, model, device=device, progress=report)
+    write_matches(folder / MATCHES, pair_matches)
+    return {"pair_count": len(pair_matches.pairs), "match_count": len(pair_matches.matches), "poses": check.to_dict()}
 
 
 def triangulate(
-    folder: Path, say: ReportProgress, *, frames: StageResult, features: StageResult, matches: StageResult, seed: int
+    folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, matches: StageResult, seed: int
 ) -> dict[str, Any]:
     model = read_colmap_model(frames.folder / CAMERAS)
     check = PoseCheck.from_json(matches.report["poses"])
-    found = read_matches(matches.folder / MATCHES)
-    where = features.folder / DATABASE, model, found, check, frames.folder / PICTURES
-    whole, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
-    assessed = assess_model(whole, len(model) + frames.report["missing"], fix_intrinsic=True, poses=check)
-    write_colmap_model(folder / MODEL, whole)
-    cameras = tuple(dict.fromkeys(whole.cameras))
-    told = {"missing": [], "cameras": [described(camera) for camera in cameras]}
-    return assessed.to_dict() | told | {"turned": only_turned(assessed, cameras)}
+    pair_matches = read_matches(matches.folder / MATCHES)
+    where = features.folder / DATABASE, model, pair_matches, check, frames.folder / PICTURES
+    complete, _ = points_of(*where, seed=seed, max_seconds=MAX_SECONDS, max_memory=None)
+    assessed = assess_model(complete, len(model) + frames.report["missing"], fix_intrinsic=True, poses=check)
+    write_colmap_model(folder / MODEL, complete)
+    cameras = tuple(dict.fromkeys(complete.cameras))
+    record = {"missing": [], "cameras": [described(camera) for camera in cameras]}
+    return assessed.to_dict() | record | {"turned": only_rotated(assessed, cameras)}

@@ -19,7 +19,7 @@ from .ground_control import ControlMark
 
 Array = NDArray[np.float64]
 
-TURNS = 20
+MAX_ITERATIONS = 20
 MARK_SIGMA = 0.5  # [px] standard deviation of a mark
 STEP = 1e-6  # relative step of numeric derivatives
 WORST = 15.0  # [px] maximum error of a mark
@@ -30,10 +30,10 @@ MIN_ANGLE = math.radians(0.5)  # minimum angle between two rays
 
 @dataclass(frozen=True, eq=False)
 class MarkedPoint:
-    """A triangulated point: `place` [3] with `covariance`, or None with a `reason`. Mark `errors` [px] by image."""
+    """A triangulated point: `position` [3] with `covariance`, or None with a `reason`. Mark `errors` [px] by image."""
 
     name: str
-    place: Array | None
+    position: Array | None
     covariance: Array
     errors: dict[str, float]
     left_out: tuple[str, ...] = ()
@@ -58,23 +58,27 @@ def _located(model: SfmModel, name: str, seen: list[tuple[int, Array]]) -> Marke
     while True:
         nowhere = MarkedPoint(name, None, np.full((3, 3), np.inf), {}, tuple(left))
         if len({k for k, _ in seen}) < 2:
-            count = f"{len(seen)} picture{'s' * (len(seen) != 1)} of the model show{'s' * (len(seen) == 1)} it"
-            return _because(nowhere, f"{count}; mark it in two or more that are placed")
+            count = (
+                f"{len(seen)} image{'s' * (len(seen) != 1)} of the model "
+                f"ha{'s' if len(seen) == 1 else 've'} a mark of it"
+            )
+            return _because(nowhere, f"{count}; mark it in two or more registered images")
         rays = _rays(model, seen)
         if not np.isfinite(rays).all():
-            return _because(nowhere, "a mark lies outside of what its lens shows")
+            return _because(nowhere, "a mark is outside the field of view of its lens")
         if _widest(rays) < MIN_ANGLE:
-            return _because(nowhere, "all pictures show it from one side: their rays do not cross")
-        place, covariance = _adjusted(model, seen, _meeting(model, seen, rays))
-        if place is None:
-            return _because(nowhere, "the rays of its marks do not meet before the cameras")
-        errors = np.linalg.norm(_gaps(model, seen, place), axis=1)
-        told = {model.names[k]: float(e) for (k, _), e in zip(seen, errors, strict=True)}
+            return _because(nowhere, "all images show it from one direction: the rays do not intersect")
+        position, covariance = _adjusted(model, seen, _meeting(model, seen, rays))
+        if position is None:
+            return _because(nowhere, "the rays of its marks do not intersect in front of the cameras")
+        errors = np.linalg.norm(_gaps(model, seen, position), axis=1)
+        errors_by_image = {model.names[k]: float(e) for (k, _), e in zip(seen, errors, strict=True)}
         if not errors.max() > WORST:
-            return MarkedPoint(name, place, covariance, told, tuple(left))
+            return MarkedPoint(name, position, covariance, errors_by_image, tuple(left))
         wrong = _odd_one(model, seen, math.sqrt(float((errors**2).mean()))) if len(seen) > 2 else None
         if wrong is None and len(seen) > 3:
-            return MarkedPoint(name, place, covariance, told, tuple(left))  # all somewhat off: the model is deformed
+            # all somewhat off: the model is deformed
+            return MarkedPoint(name, position, covariance, errors_by_image, tuple(left))
         if wrong is None:
             which = ", ".join(model.names[k] for k, _ in seen)
             return _because(nowhere, f"its marks in {which} contradict each other by {errors.max():.0f} px; check them")
@@ -88,8 +92,8 @@ def _odd_one(model: SfmModel, seen: list[tuple[int, Array]], rms: float) -> int 
         rest = seen[:k] + seen[k + 1 :]
         rays = _rays(model, rest)
         if _widest(rays) >= MIN_ANGLE:
-            place, _ = _adjusted(model, rest, _meeting(model, rest, rays))
-            left[k] = np.inf if place is None else np.sqrt((_gaps(model, rest, place) ** 2).sum(axis=1).mean())
+            position, _ = _adjusted(model, rest, _meeting(model, rest, rays))
+            left[k] = np.inf if position is None else np.sqrt((_gaps(model, rest, position) ** 2).sum(axis=1).mean())
     first, second = np.argsort(left, kind="stable")[:2].tolist()
     if len(seen) == 3:  # any two nearly agree, so the third must be far worse
         return first if CLEARLY * max(left[first], MARK_SIGMA) < left[second] else None
@@ -102,8 +106,8 @@ def _because(point: MarkedPoint, reason: str) -> MarkedPoint:
 
 def _rays(model: SfmModel, seen: list[tuple[int, Array]]) -> Array:
     rays = np.array([model.cameras[k].unproject(pixel[None])[0] for k, pixel in seen])
-    turned = np.array([model.T_camera_world[k, :3, :3].T @ ray for (k, _), ray in zip(seen, rays, strict=True)])
-    return turned / np.linalg.norm(turned, axis=1, keepdims=True)
+    rotated = np.array([model.T_camera_world[k, :3, :3].T @ ray for (k, _), ray in zip(seen, rays, strict=True)])
+    return rotated / np.linalg.norm(rotated, axis=1, keepdims=True)
 
 
 def _widest(rays: Array) -> float:
@@ -117,15 +121,16 @@ def _meeting(model: SfmModel, seen: list[tuple[int, Array]], rays: Array) -> Arr
     return np.linalg.lstsq(squares.sum(axis=0), np.einsum("nij,nj->i", squares, centers), rcond=None)[0]
 
 
-def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> tuple[Array | None, Array]:
+def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], position: Array) -> tuple[Array | None, Array]:
     normal = np.eye(3)
-    for _ in range(TURNS):
-        gaps = _gaps(model, seen, place)
+    for _ in range(MAX_ITERATIONS):
+        gaps = _gaps(model, seen, position)
         if not np.isfinite(gaps).all():
             return None, normal
-        far = STEP * float(np.median(np.linalg.norm(model.centers[[k for k, _ in seen]] - place, axis=1)))
+        far = STEP * float(np.median(np.linalg.norm(model.centers[[k for k, _ in seen]] - position, axis=1)))
         columns = [
-            (_gaps(model, seen, place + far * axis) - _gaps(model, seen, place - far * axis)).reshape(-1) / (2 * far)
+            (_gaps(model, seen, position + far * axis) - _gaps(model, seen, position - far * axis)).reshape(-1)
+            / (2 * far)
             for axis in np.eye(3)
         ]
         J = np.stack(columns, axis=1)
@@ -133,22 +138,22 @@ def _adjusted(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> t
             return None, normal
         normal = J.T @ J
         step = np.linalg.lstsq(normal, J.T @ gaps.reshape(-1), rcond=None)[0]
-        place = place - step
+        position = position - step
         if np.linalg.norm(step) < far * 1e-3:
             break
-    gaps = _gaps(model, seen, place)
+    gaps = _gaps(model, seen, position)
     spread = math.sqrt(float((gaps**2).sum()) / max(2 * len(seen) - 3, 1))
     if not np.isfinite(spread):
         return None, normal
     covariance = max(spread, MARK_SIGMA) ** 2 * np.linalg.pinv(normal)
-    return place, covariance.astype(np.float64)
+    return position, covariance.astype(np.float64)
 
 
-def _gaps(model: SfmModel, seen: list[tuple[int, Array]], place: Array) -> Array:
+def _gaps(model: SfmModel, seen: list[tuple[int, Array]], position: Array) -> Array:
     """Reprojection errors [px]. NaN behind a camera."""
-    found = []
+    errors = []
     for k, pixel in seen:
         T = model.T_camera_world[k]
-        inside = T[:3, :3] @ place + T[:3, 3]
-        found.append(model.cameras[k].project(inside[None])[0] - pixel if inside[2] > 0 else np.full(2, np.nan))
-    return np.array(found)
+        inside = T[:3, :3] @ position + T[:3, 3]
+        errors.append(model.cameras[k].project(inside[None])[0] - pixel if inside[2] > 0 else np.full(2, np.nan))
+    return np.array(errors)

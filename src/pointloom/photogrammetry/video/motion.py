@@ -22,18 +22,18 @@ from ..sfm import matches as matches_module
 from ..sfm.frames import choose_frames
 from ..sfm.masks import FOLDER, MakeMask, mask_folder
 from ..sfm.model_quality import MIN_ANGLE, MIN_PARALLAX, ModelQuality
-from ..sfm.picture_folder import check_place
+from ..sfm.picture_folder import check_path
 from ..sfm.picture_writing import counted, some_of
 from ..sfm.sphere_pictures import cut_spheres, with_all_faces
 
 PICTURES, DATABASE, MODEL = "pictures", "database.db", "sparse"
 MASKS, SPHERES = PICTURES + FOLDER, "spheres"
 
-FEWEST = 2  # minimum images of a model
+MIN_IMAGES = 2  # minimum images of a model
 
 
 def digest_of_source(source: FilePath) -> str:
-    path = check_place("source", source)
+    path = check_path("source", source)
     try:
         if not path.is_dir():
             return digest_of_file(path)
@@ -41,7 +41,7 @@ def digest_of_source(source: FilePath) -> str:
         return digest_of([[file.name, digest_of_file(file)] for file in files])
     except OSError as error:
         reason = "does not exist" if not path.exists() else f"cannot be read: {error.strerror or error}"
-        raise FileError(path, reason, remedy="Give a video, or a folder of pictures") from error
+        raise FileError(path, reason, remedy="Give a video, or a folder of images") from error
 
 
 def read_model(model: StageResult) -> SfmModel:
@@ -54,26 +54,26 @@ def picture_names(frames: StageResult) -> list[str]:
 
 def take_frames(
     folder: Path,
-    say: ReportProgress,
+    report: ReportProgress,
     *,
     source: FilePath,
     max_frames: int,
     masks: FilePath | MakeMask | None,
     panorama: bool,
 ) -> dict[str, Any]:
-    place = folder / (SPHERES if panorama else PICTURES)
-    choice = choose_frames(source, place, max_frames=max_frames, masks=masks, progress=say)
-    told = choice.to_dict()
+    target = folder / (SPHERES if panorama else PICTURES)
+    choice = choose_frames(source, target, max_frames=max_frames, masks=masks, progress=report)
+    record = choice.to_dict()
     if panorama:
-        hidden = None if masks is None else (mask_folder(place), folder / MASKS)
-        faces = cut_spheres(place, choice.names, folder / PICTURES, hidden, say)
-        for each in (place, mask_folder(place)):
+        hidden = None if masks is None else (mask_folder(target), folder / MASKS)
+        faces = cut_spheres(target, choice.names, folder / PICTURES, hidden, report)
+        for each in (target, mask_folder(target)):
             shutil.rmtree(each, ignore_errors=True)
-        return told | {"kept": len(faces), "frames": choice.frame_count, "names": faces}
-    if len(choice.names) < FEWEST:
-        reason = f"gives {len(choice.names)} picture that can be used, and a mesh wants several, from several places"
-        raise FileError(source, reason, remedy="Move while you film, or take more pictures")
-    return {"kept": len(choice.names), "frames": choice.frame_count} | told
+        return record | {"kept": len(faces), "frames": choice.frame_count, "names": faces}
+    if len(choice.names) < MIN_IMAGES:
+        reason = f"expected several usable images from different positions, got {len(choice.names)}"
+        raise FileError(source, reason, remedy="Move while you film, or take more images")
+    return {"kept": len(choice.names), "frames": choice.frame_count} | record
 
 
 def masks_of(frames: Path) -> Path | None:
@@ -83,7 +83,7 @@ def masks_of(frames: Path) -> Path | None:
 
 def find_features(
     folder: Path,
-    say: ReportProgress,
+    report: ReportProgress,
     *,
     frames: StageResult,
     intrinsic: PinholeCameraIntrinsic | None,
@@ -97,21 +97,21 @@ def find_features(
         side = read_picture_header(pictures / picture_names(frames)[0]).width
         intrinsic = PinholeCameraIntrinsic(side, side, side / 2, side / 2, (side - 1) / 2, (side - 1) / 2)
     options = {"camera_model": camera_model, "max_features": max_features, "masks": masks_of(frames.folder)}
-    options |= {"intrinsic": intrinsic, "seed": seed, "progress": say}
-    found = features_module.find_features(pictures, folder / DATABASE, **options)
-    return found.to_dict()
+    options |= {"intrinsic": intrinsic, "seed": seed, "progress": report}
+    features = features_module.find_features(pictures, folder / DATABASE, **options)
+    return features.to_dict()
 
 
 def match(
-    folder: Path, say: ReportProgress, *, frames: StageResult, features: StageResult, pairs: str, seed: int
+    folder: Path, report: ReportProgress, *, frames: StageResult, features: StageResult, pairs: str, seed: int
 ) -> dict[str, Any]:
-    options = {"pairs": pairs, "seed": seed, "progress": say}
+    options = {"pairs": pairs, "seed": seed, "progress": report}
     return matches_module.match(features.folder / DATABASE, folder / DATABASE, **options).to_dict()
 
 
 def map_pictures(
     folder: Path,
-    say: ReportProgress,
+    report: ReportProgress,
     *,
     frames: StageResult,
     matches: StageResult,
@@ -120,21 +120,21 @@ def map_pictures(
     panorama: bool,
     seed: int,
 ) -> dict[str, Any]:
-    given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": say}
-    found = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
-    cameras = () if found.model is None else tuple(dict.fromkeys(found.model.cameras))
-    missing, notes = list(found.missing), []
-    if panorama and found.model is not None:
-        whole, added = with_all_faces(found.model, picture_names(frames))
+    given = {"fix_intrinsic": fixed_camera, "mapper": mapper, "seed": seed, "progress": report}
+    result = mapping.map_pictures(frames.folder / PICTURES, matches.folder / DATABASE, folder / MODEL, **given)
+    cameras = () if result.model is None else tuple(dict.fromkeys(result.model.cameras))
+    missing, notes = list(result.missing), []
+    if panorama and result.model is not None:
+        complete, added = with_all_faces(result.model, picture_names(frames))
         if added:
-            write_colmap_model(folder / MODEL, whole)
+            write_colmap_model(folder / MODEL, complete)
             missing = [name for name in missing if name not in set(added)]
-            notes.append(f"{counted(len(added), 'face')} placed by others of the same picture: {some_of(added)}")
-    told = {"missing": missing, "cameras": [described(camera) for camera in cameras], "notes": notes}
-    return found.quality.to_dict() | told | {"turned": only_turned(found.quality, cameras)}
+            notes.append(f"{counted(len(added), 'face')} registered by other faces of the same image: {some_of(added)}")
+    record = {"missing": missing, "cameras": [described(camera) for camera in cameras], "notes": notes}
+    return result.quality.to_dict() | record | {"turned": only_rotated(result.quality, cameras)}
 
 
-def only_turned(quality: ModelQuality, cameras: Sequence[CameraModel]) -> bool:
+def only_rotated(quality: ModelQuality, cameras: Sequence[CameraModel]) -> bool:
     longer = max((max(camera.width, camera.height) for camera in cameras), default=1)
     return not (quality.angle >= MIN_ANGLE and quality.parallax >= MIN_PARALLAX * longer)
 

@@ -27,7 +27,7 @@ from ...pcd.cloud import PointCloud
 from ...pcd.geotiff import check_geotiff
 from ...visualization.render.picture_files import check_picture
 from ...visualization.render.scene_view import draw_scene
-from ..sfm.picture_folder import check_place
+from ..sfm.picture_folder import check_path
 from ..sfm.training_folder import TRANSFORMS, TrainingFolder, write_training_folder
 from .motion import PICTURES, masks_of
 from .result import VideoResult
@@ -70,13 +70,13 @@ class Outputs:
     def __post_init__(self):
         for field in fields(self):
             if field.name != "cell" and getattr(self, field.name) is not None:
-                check_place(field.name, getattr(self, field.name))
+                check_path(field.name, getattr(self, field.name))
         if self.cell is not None:
             object.__setattr__(self, "cell", check_positive("cell", self.cell))
         if self._maps and self.cell is None:
-            raise ValueError("cell: goes with ortho and dem, whose cells have some side [m]; give it")
+            raise ValueError("cell: expected the cell size [m] of ortho and dem, got None")
         if self.cell is not None and not self._maps:
-            raise ValueError("cell: goes with ortho or dem; give one of them, or leave it out")
+            raise ValueError("cell: only used with ortho or dem; give one of them, or leave it out")
 
     def check(self, *, overwrite: bool) -> None:
         """Check before any work that all files can be written.
@@ -99,7 +99,7 @@ class Outputs:
         taken: set[Path] = set()
         for path in self._all():
             if Path(path).resolve() in taken:
-                raise FileError(path, "is given for two outputs", remedy="Give each a name of its own")
+                raise FileError(path, "is given for two outputs", remedy="Give each output its own name")
             taken.add(Path(path).resolve())
 
     def check_units(self, units: Units) -> None:
@@ -109,7 +109,7 @@ class Outputs:
             FileError: They cannot.
         """
         if self._maps and not units.may_place:
-            raise self._no_place("nothing will tell where the model lies on the Earth")
+            raise self._not_georeferenced("no input determines the position of the model on the Earth")
 
     def check_fit(self, fit: Fit, points: NDArray[np.float64]) -> None:
         """Check that maps can be made, before the mesh is computed.
@@ -122,14 +122,14 @@ class Outputs:
             FileError, ValueError: The model is not georeferenced, or the maps would have too many cells.
         """
         if self._maps and fit.frame is None:
-            raise self._no_place("what is known does not settle where the model lies on the Earth")
+            raise self._not_georeferenced("the given data do not determine the position of the model on the Earth")
         if self.cell is not None and len(points):
             low, high = np.percentile(points[:, :2], (5, 95), axis=0)  # ignores outliers
             grid_over(low, high, np.zeros(2), self.cell)
 
-    def _no_place(self, reason: str) -> FileError:
+    def _not_georeferenced(self, reason: str) -> FileError:
         remedy = "Give a folder of photographs with GPS, or --control in a known system; or leave --ortho and --dem out"
-        return FileError(self._maps[0], f"is a map, and {reason}", remedy=remedy)
+        return FileError(self._maps[0], f"is a map, but {reason}", remedy=remedy)
 
     def write(self, result: VideoResult, *, overwrite: bool) -> tuple[str, ...]:
         """Write the outputs of a result with a mesh. Returns the file names.

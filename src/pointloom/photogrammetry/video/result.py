@@ -16,7 +16,7 @@ from ..sfm.model_quality import ModelQuality
 from ..sfm.training_folder import TrainingFolder
 from .units import ARBITRARY, UNKNOWN, Fit
 
-MIN_KEPT = 0.2  # minimum fraction of confirmed pixels
+MIN_CONFIRMED = 0.2  # minimum fraction of confirmed pixels
 
 
 @dataclass(frozen=True)
@@ -29,7 +29,7 @@ class VideoFigures:
         notes: Hints for better recordings.
         quality: Quality of the SfM model.
         cameras: The estimated lenses, in words.
-        only_turned: True if the camera only rotated, so that depth is undetermined.
+        only_rotated: True if the camera only rotated, so that depth is undetermined.
         picture_size: Width and height of the first depth map [px].
         confirmed_share: Fraction of pixels with confirmed depth.
         point_count: Fused points.
@@ -43,7 +43,7 @@ class VideoFigures:
     notes: tuple[str, ...]
     quality: ModelQuality
     cameras: tuple[str, ...]
-    only_turned: bool
+    only_rotated: bool
     picture_size: tuple[int, int] | None = None
     confirmed_share: float | None = None
     point_count: int | None = None
@@ -62,44 +62,44 @@ class VideoFigures:
             frames["kept"],
             (*frames["notes"], *features, *model.get("notes", ()), *quality.notes),
         )
-        placed = quality, tuple(model["cameras"]), model["turned"]
+        model_fields = quality, tuple(model["cameras"]), model["turned"]
         if "mesh" not in made:
-            return cls(*taken, *placed)
+            return cls(*taken, *model_fields)
         width, height = made["undistorted"].report["sizes"][0]
         fused, mesh = made["fused"].report, made["mesh"].report
         depth = (width, height), fused["share"], fused["points"]
-        return cls(*taken, *placed, *depth, mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"])
+        return cls(*taken, *model_fields, *depth, mesh["vertices"], mesh["triangles"], mesh["floaters"], mesh["bounds"])
 
     @property
     def is_hopeless(self) -> bool:
-        return not self.quality.registered_count or self.only_turned
+        return not self.quality.registered_count or self.only_rotated
 
     def model_warnings(self) -> list[str]:
         reasons = [*self.quality.warnings]
         if self.is_hopeless:
             wrong = self.quality.poses is not None and self.quality.poses.are_wrong
-            if not wrong and not any("only turn" in reason for reason in reasons):
-                reasons.append("nothing is known of depth: move, do not only turn")
+            if not wrong and not any("only rotating" in reason for reason in reasons):
+                reasons.append("depth is unknown: move instead of only rotating")
             reasons.append("nothing was written")
         return reasons
 
     def depth_warnings(self) -> list[str]:
         share = self.confirmed_share
-        if share is None or share >= MIN_KEPT:
+        if share is None or share >= MIN_CONFIRMED:
             return []
         return [
-            f"other pictures confirm the depth of {format_share(share)} of the pixels: surfaces without texture, or "
-            "that shine, cannot be matched; move closer, take more pictures, or put texture on what is plain"
+            f"other images confirm the depth of only {format_share(share)} of the pixels: surfaces without texture, "
+            "or with reflections, cannot be matched; move closer, take more images, or add texture"
         ]
 
 
 @dataclass(frozen=True)
 class StageReport:
-    """Record of a stage: `kept` from an earlier run, `cost`, `told` (JSON types), and `outdated` versions if redone."""
+    """Report of a stage: `is_reused` from an earlier run, `cost`, `record` (JSON), `outdated` versions if run again."""
 
-    kept: bool
+    is_reused: bool
     cost: Mapping[str, float]
-    told: Mapping[str, Any]
+    record: Mapping[str, Any]
     outdated: str = ""
 
 
@@ -152,10 +152,14 @@ class VideoResult(Assessed):
             "source": self.source,
             "device": self.device,
             "stages": {
-                name: {"kept": stage.kept, **stage.cost, **({"outdated": stage.outdated} if stage.outdated else {})}
+                name: {
+                    "kept": stage.is_reused,
+                    **stage.cost,
+                    **({"outdated": stage.outdated} if stage.outdated else {}),
+                }
                 for name, stage in self.reached.items()
             },
-            **{name: None if stage is None else dict(stage.told) for name, stage in self.stages.items()},
+            **{name: None if stage is None else dict(stage.record) for name, stage in self.stages.items()},
             "units": self.units,
             "fit": None if self.fit is None else self.fit.to_dict(),
             "files": list(self.files),
@@ -166,14 +170,14 @@ class VideoResult(Assessed):
         }
 
     def fields(self) -> Fields:
-        found = self.figures
+        figures = self.figures
         return [
-            ("pictures", "\n".join([self._pictures_line(), *found.notes])),
-            *([("camera", _camera_line(found))] if found.quality.point_count else []),
-            *([("depth", _depth_line(found))] if found.picture_size else []),
-            *([("mesh", _mesh_line(found))] if found.vertex_count is not None else []),
+            ("pictures", "\n".join([self._pictures_line(), *figures.notes])),
+            *([("camera", _camera_line(figures))] if figures.quality.point_count else []),
+            *([("depth", _depth_line(figures))] if figures.picture_size else []),
+            *([("mesh", _mesh_line(figures))] if figures.vertex_count is not None else []),
             ("units", UNKNOWN if self.fit is None else str(self.fit)),
-            *([("bounds", format_bounds(found.bounds))] if found.vertex_count is not None else []),
+            *([("bounds", format_bounds(figures.bounds))] if figures.vertex_count is not None else []),
             *([("made again", again)] if (again := self._again_line()) else []),
             ("seconds", self._seconds_line()),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
@@ -186,7 +190,7 @@ class VideoResult(Assessed):
 
     def _pictures_line(self) -> str:
         chosen = f"chosen from {self.figures.frame_count:,}, on {self.device}"
-        return f"{self.figures.quality.registered_count} of {self.figures.picture_count} placed, {chosen}"
+        return f"{self.figures.quality.registered_count} of {self.figures.picture_count} registered, {chosen}"
 
     def _again_line(self) -> str:
         whys: dict[str, list[str]] = {}
@@ -197,22 +201,22 @@ class VideoResult(Assessed):
 
     def _seconds_line(self) -> str:
         stages = self.reached
-        parts = [f"{name} kept" if s.kept else f"{name} {s.cost['seconds']:.1f}" for name, s in stages.items()]
-        return ", ".join([*parts, f"all {sum(s.cost['seconds'] for s in stages.values() if not s.kept):.1f}"])
+        parts = [f"{name} kept" if s.is_reused else f"{name} {s.cost['seconds']:.1f}" for name, s in stages.items()]
+        return ", ".join([*parts, f"all {sum(s.cost['seconds'] for s in stages.values() if not s.is_reused):.1f}"])
 
 
-def _camera_line(found: VideoFigures) -> str:
-    quality = found.quality
+def _camera_line(figures: VideoFigures) -> str:
+    quality = figures.quality
     seen = f"seen under {quality.angle:.1f} degrees (median)"
-    return f"{'; '.join(found.cameras)}\n{quality.point_count:,} points to {quality.error:.2f} px, {seen}"
+    return f"{'; '.join(figures.cameras)}\n{quality.point_count:,} points to {quality.error:.2f} px, {seen}"
 
 
-def _depth_line(found: VideoFigures) -> str:
-    assert found.picture_size is not None and found.confirmed_share is not None
-    size, kept = "{} x {}".format(*found.picture_size), format_share(found.confirmed_share)
-    return f"of {size} pixels, {kept} confirmed by others; {found.point_count:,} points"
+def _depth_line(figures: VideoFigures) -> str:
+    assert figures.picture_size is not None and figures.confirmed_share is not None
+    size, confirmed = "{} x {}".format(*figures.picture_size), format_share(figures.confirmed_share)
+    return f"of {size} pixels, {confirmed} confirmed by others; {figures.point_count:,} points"
 
 
-def _mesh_line(found: VideoFigures) -> str:
-    loose = f", {found.floater_count:,} in small parts left out" if found.floater_count else ""
-    return f"{found.vertex_count:,} vertices, {found.triangle_count:,} triangles{loose}"
+def _mesh_line(figures: VideoFigures) -> str:
+    loose = f", {figures.floater_count:,} in small parts left out" if figures.floater_count else ""
+    return f"{figures.vertex_count:,} vertices, {figures.triangle_count:,} triangles{loose}"

@@ -18,7 +18,7 @@ from .marked_points import MarkedPoint
 Array = NDArray[np.float64]
 
 DOUBTED = 0.01  # relative error that is never an outlier
-MIN_TO_TELL = 3  # minimum bars to identify a wrong one
+MIN_TO_IDENTIFY = 3  # minimum bars to identify a wrong one
 
 
 @dataclass(frozen=True, eq=False)
@@ -32,9 +32,9 @@ class Bars:
     reasons: tuple[str, ...]
 
     @classmethod
-    def of(cls, control: GroundControl, found: dict[str, MarkedPoint]) -> Bars:
-        pairs = [(found[bar.a], found[bar.b]) for bar in control.bars]
-        reasons = ["; ".join(f"{p.name}: {p.reason}" for p in pair if p.place is None) for pair in pairs]
+    def of(cls, control: GroundControl, located: dict[str, MarkedPoint]) -> Bars:
+        pairs = [(located[bar.a], located[bar.b]) for bar in control.bars]
+        reasons = ["; ".join(f"{p.name}: {p.reason}" for p in pair if p.position is None) for pair in pairs]
         ends = tuple(None if reason else pair for pair, reason in zip(pairs, reasons, strict=True))
         checks = tuple(bar.a in control.checks or bar.b in control.checks for bar in control.bars)
         return cls(control.bars, ends, checks, (False,) * len(ends), tuple(reasons))
@@ -50,15 +50,15 @@ class Bars:
 
     def length(self, k: int) -> float:
         pair = self.ends[k]
-        if pair is None or pair[0].place is None or pair[1].place is None:
+        if pair is None or pair[0].position is None or pair[1].position is None:
             return math.nan
-        return float(np.linalg.norm(pair[1].place - pair[0].place))
+        return float(np.linalg.norm(pair[1].position - pair[0].position))
 
     def sigma(self, k: int, T: Array) -> float:
         pair = self.ends[k]
-        if pair is None or pair[0].place is None or pair[1].place is None:
+        if pair is None or pair[0].position is None or pair[1].position is None:
             return math.nan
-        along = (pair[1].place - pair[0].place) / self.length(k)
+        along = (pair[1].position - pair[0].position) / self.length(k)
         scale = scale_of(T)
         of_marks = scale**2 * float(along @ (pair[0].covariance + pair[1].covariance) @ along)
         return math.sqrt(self.bars[k].sigma ** 2 + of_marks)
@@ -75,7 +75,7 @@ class Bars:
         rows = []
         for k, bar in enumerate(self.bars):
             use = CHECK if self.checks[k] else UNUSED if self.wrong[k] else CONTROL
-            warning = self.reasons[k] or "contradicts the rest" * self.wrong[k]
+            warning = self.reasons[k] or "contradicts the others" * self.wrong[k]
             use = UNUSED if self.reasons[k] else use
             rows.append(BarResidual(bar, scale * self.length(k), self.sigma(k, T), use, failed(warning)))
         return tuple(rows)
@@ -83,14 +83,18 @@ class Bars:
     def problem(self, T: Array) -> str:
         scale = scale_of(T)
 
-        def told(rows: list[int]) -> str:
-            found = [f"{self.bars[k]} is {scale * self.length(k):.4g} m, told {self.bars[k].meters:g} m" for k in rows]
-            return ", ".join(found)
+        def details(rows: list[int]) -> str:
+            parts = [
+                f"{self.bars[k]} is {scale * self.length(k):.4g} m, given as {self.bars[k].meters:g} m" for k in rows
+            ]
+            return ", ".join(parts)
 
         if wrong := [k for k, is_wrong in enumerate(self.wrong) if is_wrong]:
-            return f"scale bars contradict the rest and were left out, {told(wrong)}: check their lengths and marks"
+            return (
+                f"scale bars contradict the others and were excluded, {details(wrong)}: check their lengths and marks"
+            )
         if off := [k for k in self.used if self._is_far(k, T)]:
-            return f"scale bars contradict each other, {told(off)}: check their lengths and marks"
+            return f"scale bars contradict each other, {details(off)}: check their lengths and marks"
         return ""
 
     def _is_far(self, k: int, T: Array) -> bool:
@@ -103,13 +107,13 @@ def fit_bars(bars: Bars) -> tuple[Array, float, Bars]:
     """The scale as a similarity, its relative standard deviation, and the inlier bars."""
     scales = [bars.bars[k].meters / bars.length(k) for k in bars.used]
     T = _scaled(float(np.median(scales)))
-    if len(scales) >= MIN_TO_TELL:
+    if len(scales) >= MIN_TO_IDENTIFY:
         agree = bars.agreeing(T)
         bars = agree if 2 * len(agree.used) > len(scales) else bars
-    found, meters, sigma = bars.rows(T).T
-    T = _scaled(float((found * meters / sigma**2).sum() / (found**2 / sigma**2).sum()))
-    found, meters, sigma = bars.rows(T).T
-    return T, 1 / math.sqrt(float(((T[0, 0] * found / sigma) ** 2).sum())), bars
+    lengths, meters, sigma = bars.rows(T).T
+    T = _scaled(float((lengths * meters / sigma**2).sum() / (lengths**2 / sigma**2).sum()))
+    lengths, meters, sigma = bars.rows(T).T
+    return T, 1 / math.sqrt(float(((T[0, 0] * lengths / sigma) ** 2).sum())), bars
 
 
 def _scaled(scale: float) -> Array:

@@ -79,7 +79,7 @@ class Settings:
         if not isinstance(self.cameras, str | os.PathLike | SfmModel | None):
             raise TypeError(f"cameras: expected a path or an SfmModel, got {type(self.cameras).__name__}")
         if isinstance(self.cameras, SfmModel) and self.intrinsic is not None:
-            raise ValueError("intrinsic: the cameras that are given have lenses; leave it out")
+            raise ValueError("intrinsic: the given cameras include the lens; leave it out")
         self._check_placing()
         self.read_camera()
 
@@ -92,9 +92,7 @@ class Settings:
         if not isinstance(self.panorama, bool):
             raise TypeError(f"panorama: expected True or False, got {type(self.panorama).__name__}")
         if self.panorama and (self.intrinsic is not None or self.camera_model != "SIMPLE_RADIAL"):
-            raise ValueError(
-                "panorama: faces of a cube have a lens that is known; leave out intrinsic and camera_model"
-            )
+            raise ValueError("panorama: the camera of cube faces is known; leave out intrinsic and camera_model")
         if self.cameras is None:
             return
         for name, usual in (
@@ -104,7 +102,7 @@ class Settings:
             ("mapper", "auto"),
         ):
             if getattr(self, name) != usual:
-                raise ValueError(f"{name}: goes with pictures whose poses are to be found, and cameras tells them")
+                raise ValueError(f"{name}: only used to estimate poses, but cameras gives them; leave it out")
 
     def digest_of_masks(self) -> dict[str, str]:
         """Digest of the masks for records. Unique for functions, which cannot be compared."""

@@ -27,7 +27,7 @@ from ..mvs.estimation import estimate_depth_maps
 from ..mvs.filtering import filter_depth_maps
 from ..mvs.fusion import fuse
 from ..mvs.posed_pictures import PosedCamera
-from ..sfm.masks import KEPT, mask_file, masks_in, write_mask
+from ..sfm.masks import MASK_THRESHOLD, mask_file, masks_in, write_mask
 from ..sfm.straightened import straightened_model
 from . import motion
 from .units import Units, fit_units
@@ -41,43 +41,45 @@ FLOATER = 0.005  # smaller parts are removed, relative to the largest area
 
 
 def straighten(
-    folder: Path, say: ReportProgress, *, frames: StageResult, model: StageResult, max_size: int, device: Any
+    folder: Path, report: ReportProgress, *, frames: StageResult, model: StageResult, max_size: int, device: Any
 ) -> dict[str, Any]:
-    found, images = motion.read_model(model), folder / IMAGES
+    sparse, images = motion.read_model(model), folder / IMAGES
     images.mkdir()
-    names = [f"{Path(name).stem}.png" for name in found.names]
-    lenses = {camera: Undistortion(camera, max_size=max_size, device=device) for camera in dict.fromkeys(found.cameras)}
-    for k, (name, camera) in enumerate(zip(found.names, found.cameras, strict=True)):
-        say("pictures", k, len(names))
+    names = [f"{Path(name).stem}.png" for name in sparse.names]
+    lenses = {
+        camera: Undistortion(camera, max_size=max_size, device=device) for camera in dict.fromkeys(sparse.cameras)
+    }
+    for k, (name, camera) in enumerate(zip(sparse.names, sparse.cameras, strict=True)):
+        report("pictures", k, len(names))
         color = read_color(frames.folder / motion.PICTURES / name)
         write_png(images / names[k], lenses[camera].apply(color))
         mask = mask_file(frames.folder / motion.MASKS, name)
         if mask.is_file():
             (folder / MASKS).mkdir(exist_ok=True)
             straightened = lenses[camera].apply(read_color(mask)[..., 0])
-            write_mask(folder / MASKS, names[k], straightened >= KEPT)
-    say("pictures", len(names), len(names))
-    straight = [lenses[camera].intrinsic for camera in found.cameras]
-    write_colmap_model(folder / SPARSE, straightened_model(found, names, straight))
+            write_mask(folder / MASKS, names[k], straightened >= MASK_THRESHOLD)
+    report("pictures", len(names), len(names))
+    straight = [lenses[camera].intrinsic for camera in sparse.cameras]
+    write_colmap_model(folder / SPARSE, straightened_model(sparse, names, straight))
     sizes = dict.fromkeys((camera.width, camera.height) for camera in straight)
     return {"pictures": len(names), "sizes": [list(size) for size in sizes]}
 
 
 def estimate(
-    folder: Path, say: ReportProgress, going: Path, *, undistorted: StageResult, seed: int, device: Any
+    folder: Path, report: ReportProgress, checkpoints: Path, *, undistorted: StageResult, seed: int, device: Any
 ) -> dict[str, Any]:
     model, pictures, cameras = open_straightened(undistorted)
     masks = masks_in(undistorted.folder / MASKS, [path.name for path in pictures])
-    where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": going, "progress": say}
+    where = {"device": device, "folder": folder / MAPS, "masks": masks, "going": checkpoints, "progress": report}
     maps = estimate_depth_maps(pictures, cameras, model, seed=seed, **where)
     return {"pictures": len(maps), "share": mean_share(maps, masks)}
 
 
 def fuse_points(
-    folder: Path, say: ReportProgress, *, undistorted: StageResult, depth: StageResult, device: Any
+    folder: Path, report: ReportProgress, *, undistorted: StageResult, depth: StageResult, device: Any
 ) -> dict[str, Any]:
     _, pictures, _ = open_straightened(undistorted)
-    where = {"device": device, "progress": say}
+    where = {"device": device, "progress": report}
     maps = filter_depth_maps(DepthMaps.open(depth.folder / MAPS), folder=folder / MAPS, **where)
     cloud = fuse(maps, pictures, to="points", **where)
     assert isinstance(cloud, PointCloud)
@@ -88,7 +90,7 @@ def fuse_points(
 
 def make_mesh(
     folder: Path,
-    say: ReportProgress,
+    report: ReportProgress,
     *,
     model: StageResult,
     undistorted: StageResult,
@@ -97,26 +99,26 @@ def make_mesh(
     device: Any,
 ) -> dict[str, Any]:
     straight, pictures, _ = open_straightened(undistorted)
-    where = {"device": device, "progress": say}
-    whole = fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
-    assert isinstance(whole, TriangleMesh)
-    kept, fit = without_floaters(whole), fit_units(units, motion.read_model(model))
-    mesh = kept.transform(fit.T_world_model)
-    placed = straight.transform(fit.T_world_model)
+    where = {"device": device, "progress": report}
+    full = fuse(DepthMaps.open(fused.folder / MAPS), pictures, to="tsdf", **where)
+    assert isinstance(full, TriangleMesh)
+    cleaned, fit = without_floaters(full), fit_units(units, motion.read_model(model))
+    mesh = cleaned.transform(fit.T_world_model)
+    transformed = straight.transform(fit.T_world_model)
     write_triangle_mesh(folder / MESH, mesh)
-    write_colmap_model(folder / SPARSE, placed)
+    write_colmap_model(folder / SPARSE, transformed)
     for name, form in ((POSES_LOG, "log"), (POSES_TUM, "tum")):
-        write_trajectory(folder / name, poses_of(placed), format=form)
-    return {**describe_mesh(mesh).to_dict(), "floaters": len(whole) - len(mesh)}
+        write_trajectory(folder / name, poses_of(transformed), format=form)
+    return {**describe_mesh(mesh).to_dict(), "floaters": len(full) - len(mesh)}
 
 
 def poses_of(model: SfmModel) -> Trajectory:
     numbers = [number_of(name) for name in model.names]
-    kept = [number for number in numbers if number is not None]
-    if len(set(kept)) < len(model):
-        kept = list(range(len(model)))
-    order = np.argsort(kept, kind="stable")
-    return trajectory_of(model.T_world_camera[order], [kept[k] for k in order], [None] * len(kept))
+    frame_numbers = [number for number in numbers if number is not None]
+    if len(set(frame_numbers)) < len(model):
+        frame_numbers = list(range(len(model)))
+    order = np.argsort(frame_numbers, kind="stable")
+    return trajectory_of(model.T_world_camera[order], [frame_numbers[k] for k in order], [None] * len(frame_numbers))
 
 
 def open_straightened(undistorted: StageResult) -> tuple[SfmModel, list[Path], list[PosedCamera]]:
@@ -137,6 +139,6 @@ def without_floaters(mesh: TriangleMesh) -> TriangleMesh:
 def mean_share(maps: Iterable[DepthMap], masks: Sequence[Path | None]) -> float:
     shares = []
     for each, mask in zip(maps, masks, strict=True):
-        left = 1.0 if mask is None else float((read_color(mask)[..., 0] >= KEPT).mean())
+        left = 1.0 if mask is None else float((read_color(mask)[..., 0] >= MASK_THRESHOLD).mean())
         shares.append(each.share / left if left else 0.0)
     return float(np.mean(shares)) if shares else 0.0

@@ -25,10 +25,10 @@ from ..sfm.image_positions import PicturePlaces
 from .control import fit_control
 from .control_files import ground_of
 from .control_report import ControlFit
-from .georeference import NotSettledError, PlacesFit, attitudes_of, fit_places, places_of
+from .georeference import NotSettledError, PlacesFit, attitudes_of, fit_image_positions, positions_by_image
 from .ground_control import GroundControl
 
-FEWEST = 3  # minimum positions for a similarity
+MIN_POSITIONS = 3  # minimum positions for a similarity
 DOUBTED = 0.05  # maximum RMS residual relative to the extent
 MAX_WRONG = 1 / 3  # maximum outlier fraction: near 1/2 RANSAC fails
 
@@ -81,7 +81,7 @@ class Units:
         given = [name for name in given if name != "scale_bars" or "control" not in given]
         given = [name for name in given if name != "align" or self._word != NONE]
         if len(given) > 1:
-            raise ValueError(f"{given[1]}: {given[0]} is given too, and each of them settles the unit; give one")
+            raise ValueError(f"{given[1]}: {given[0]} is also given, but each of them determines the unit; give one")
         if self.scale is not None:
             object.__setattr__(self, "scale", check_positive("scale", self.scale))
         if self.known is not None:
@@ -112,16 +112,16 @@ class Units:
         """True if image positions may georeference the model."""
         if self.ground is not None:
             return bool(self.ground.crs) and not self.ground.why_open()
-        return self.uses_places and self.places is not None and len(self.places.places) >= FEWEST
+        return self.uses_places and self.places is not None and len(self.places.places) >= MIN_POSITIONS
 
     @property
     def settings(self) -> dict[str, Any]:
         """The settings that affect the result, as JSON types."""
         align = self._word if self.file is None else digest_of_file(self.file)
-        told = {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
+        record = {"scale": self.scale, "known": None if self.known is None else list(self.known), "align": align}
         if self.places is not None and (self.places.places or self.places.attitudes) and align in (None, EXIF):
-            told["places"] = digest_of(self.places.to_dict())
-        return told if self.ground is None else told | {"control": self.ground.digest()}
+            record["places"] = digest_of(self.places.to_dict())
+        return record if self.ground is None else record | {"control": self.ground.digest()}
 
     def check_names(self, names: Sequence[str]) -> None:
         """Check that the images named by `known` and `align` exist.
@@ -133,13 +133,13 @@ class Units:
         if self.file is not None:
             _positions(self.file, names, "that were taken")
         if self._word == EXIF:
-            _check_told(self.places, names)
+            _check_image_positions(self.places, names)
         if self.known is None:
             return
         first, second = (picture_named(name, names) for name in self.known[:2])
         if first == second:
             raise ValueError(
-                f"known: {shown(self.known[0])} and {shown(self.known[1])} are the same picture, {shown(names[first])}"
+                f"known: {shown(self.known[0])} and {shown(self.known[1])} are the same image, {shown(names[first])}"
             )
 
 
@@ -162,7 +162,7 @@ class Fit(Assessed):
         units: "meters", "arbitrary", or "of the poses given".
         scale: Meters per model unit. 1 if unknown.
         by: Source: "scale", "known", "align", "exif", "control", "scale_bars", "cameras", or None.
-        places: Agreement with the positions of `align`.
+        known_positions: Agreement with the positions of `align`.
         warnings: Failed quality checks. Empty if the fit is reliable.
         gps: Agreement with the image positions if used.
         up: The up direction if estimated.
@@ -174,7 +174,7 @@ class Fit(Assessed):
     units: str
     scale: float
     by: str | None
-    places: KnownPlaces | None = None
+    known_positions: KnownPlaces | None = None
     warnings: tuple[str, ...] = ()
     gps: PlacesFit | None = None
     up: UpDirection | None = None
@@ -189,7 +189,7 @@ class Fit(Assessed):
 
     @property
     def is_upright(self) -> bool:
-        if self.control is not None and self.control.is_placed:
+        if self.control is not None and self.control.is_georeferenced:
             return True
         return self.gps is not None or (self.up is not None and self.up.direction is not None)
 
@@ -201,19 +201,19 @@ class Fit(Assessed):
         return lines
 
     def to_dict(self) -> dict[str, Any]:
-        told: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
+        record: dict[str, Any] = {"units": self.units, "scale": self.scale, "by": self.by}
         if self.gps is not None:
-            told["gps"] = self.gps.to_dict()
+            record["gps"] = self.gps.to_dict()
         if self.control is not None:
-            told["control"] = self.control.to_dict()
+            record["control"] = self.control.to_dict()
         if self.up is not None and self.up.direction is not None:
-            told["up"] = {"by": self.up.by, "sigma_degrees": self.up.sigma}
+            record["up"] = {"by": self.up.by, "sigma_degrees": self.up.sigma}
         if self.notes:
-            told["notes"] = list(self.notes)
-        if (known := self.places) is not None:
-            told |= {"places": known.count, "left_out": list(known.left_out)}
-            told |= {"rms_m": known.rms_m, "extent_m": known.extent_m}
-        return told
+            record["notes"] = list(self.notes)
+        if (known := self.known_positions) is not None:
+            record |= {"places": known.count, "left_out": list(known.left_out)}
+            record |= {"rms_m": known.rms_m, "extent_m": known.extent_m}
+        return record
 
     def __str__(self) -> str:
         first, *more = self._line().split("\n")
@@ -227,14 +227,14 @@ class Fit(Assessed):
         if self.control is not None:
             return str(self.control)
         if (gps := self.gps) is not None:
-            line = f"meters by GPS of {len(gps.names)} pictures, {gps.horizontal_rms:.3g} m off in plan"
+            line = f"meters by GPS of {len(gps.names)} images, {gps.horizontal_rms:.3g} m off in plan"
             line += "" if math.isnan(gps.vertical_rms) else f" and {gps.vertical_rms:.3g} m in height"
             line += f" (rms); size to {100 * gps.scale_sigma:.2g} %, up to {gps.tilt_sigma:.2g} degrees"
             line += f"; without {', '.join(gps.left_out)}" if gps.left_out else ""
             return f"{line}\n{gps.frame}"
         line = f"meters by --{self.by}: {self.scale:.6g} m a unit of the model"
-        if (known := self.places) is not None:
-            line += f"; {known.count} places, {known.rms_m:.3g} m off (rms)"
+        if (known := self.known_positions) is not None:
+            line += f"; {known.count} positions, {known.rms_m:.3g} m off (rms)"
             line += f", without {', '.join(known.left_out)}" if known.left_out else ""
         return line
 
@@ -250,7 +250,7 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
     up = up_direction(model, attitudes)
     if units.uses_places and units.places is not None and len(units.places):
         try:
-            gps = fit_places(model, units.places, up)
+            gps = fit_image_positions(model, units.places, up)
             problem = gps.problem()
         except NotSettledError as error:
             gps, problem = None, str(error)
@@ -258,23 +258,23 @@ def fit_units(units: Units, model: SfmModel) -> Fit:
         if gps is not None and (problem is None or units.align == EXIF):
             known: dict[str, Any] = {"warnings": failed(problem), "gps": gps, "up": up, "notes": notes}
             return Fit(gps.T_world_model, METRES, gps.scale, EXIF, **known)
-        told = f"GPS of the images is not used: {problem}"
-        warnings = (told,) if units.align == EXIF else ()
-        return _upright(replace(_of_lengths(units, model), warnings=warnings, notes=(*notes, told)), up)
+        note = f"GPS of the images is not used: {problem}"
+        warnings = (note,) if units.align == EXIF else ()
+        return _upright(replace(_of_lengths(units, model), warnings=warnings, notes=(*notes, note)), up)
     return _upright(_of_lengths(units, model), up)
 
 
 def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
     """Fit by control points or scale bars. If insufficient, by other data and unreliable."""
     try:
-        found = fit_control(model, ground, units.places)
+        control_fit = fit_control(model, ground, units.places)
     except NotSettledError as error:
         without = fit_units(replace(units, control=None, scale_bars=None), model)
         return replace(without, warnings=(f"ground control is not used: {error}", *without.warnings))
-    by = "control" if found.is_placed else "scale_bars"
-    fit = Fit(found.T_world_model, METRES, found.scale, by, warnings=found.warnings)
-    fit = replace(fit, control=found)
-    if found.is_placed or units.align == NONE:
+    by = "control" if control_fit.is_georeferenced else "scale_bars"
+    fit = Fit(control_fit.T_world_model, METRES, control_fit.scale, by, warnings=control_fit.warnings)
+    fit = replace(fit, control=control_fit)
+    if control_fit.is_georeferenced or units.align == NONE:
         return fit
     return _upright(fit, up_direction(model, {} if units.places is None else attitudes_of(units.places, model.names)))
 
@@ -282,9 +282,9 @@ def _by_ground(units: Units, ground: GroundControl, model: SfmModel) -> Fit:
 def _upright(fit: Fit, up: UpDirection) -> Fit:
     if up.direction is None:
         return replace(fit, up=up)
-    turn = np.eye(4)
-    turn[:3, :3] = upright_rotation(up.direction)
-    return replace(fit, T_world_model=turn @ fit.T_world_model, up=up)
+    rotation = np.eye(4)
+    rotation[:3, :3] = upright_rotation(up.direction)
+    return replace(fit, T_world_model=rotation @ fit.T_world_model, up=up)
 
 
 def _of_lengths(units: Units, model: SfmModel) -> Fit:
@@ -295,7 +295,7 @@ def _of_lengths(units: Units, model: SfmModel) -> Fit:
             return _scaled(scale_from_known(model, a, b, meters), "known", METRES)
         except ValueError:
             pair = f"{shown(first)} and {shown(second)}"
-            raise ValueError(f"known: {pair} were taken at one place; give two that lie apart") from None
+            raise ValueError(f"known: {pair} have the same position; give two images that are apart") from None
     if units.scale is not None:
         return _scaled(units.scale, "scale", METRES)
     return _scaled(1.0, None, ARBITRARY)
@@ -306,19 +306,19 @@ def fit_as_given(fit: Fit) -> Fit:
     return replace(fit, units=OF_POSES, by="cameras") if fit.units == ARBITRARY else fit
 
 
-def picture_named(said: str, names: Sequence[str], where: str = "") -> int:
-    found = matching_pictures(said, names)
-    if len(found) != 1:
-        what = "is no picture" if not found else f"is {len(found)} pictures"
+def picture_named(name: str, names: Sequence[str], where: str = "") -> int:
+    matches = matching_pictures(name, names)
+    if len(matches) != 1:
+        what = "matches no image" if not matches else f"matches {len(matches)} images"
         some = few_of(names, 3)
-        raise ValueError(f"known: {said!r} {what}{where}; expected the name or number of one of {some}")
-    return found[0]
+        raise ValueError(f"known: {name!r} {what}{where}; expected the name or number of one of {some}")
+    return matches[0]
 
 
 def _check_known(known: Any) -> tuple[str, str, Any]:
     parts = known if isinstance(known, tuple | list) else ()
     if len(parts) != 3 or not all(isinstance(part, str | int) for part in parts[:2]):
-        raise TypeError(f"known: expected (picture, picture, meters), got {shown(known)}")
+        raise TypeError(f"known: expected (image, image, meters), got {shown(known)}")
     return str(parts[0]), str(parts[1]), parts[2]
 
 
@@ -329,40 +329,47 @@ def _scaled(scale: float, by: str | None, units: str) -> Fit:
 def _aligned(path: FilePath, model: SfmModel) -> Fit:
     positions = _positions(path, model.names, "in the model")
     try:
-        found = fit_to_positions(model, positions)
+        alignment = fit_to_positions(model, positions)
     except ValueError as error:
-        raise FileError(path, str(error), remedy="Add places beside them, or use --known or --scale") from None
-    known = np.array([positions[name] for name in found.names])
-    left_out = tuple(name for name, fits in zip(found.names, found.inliers, strict=True) if not fits)
-    places = KnownPlaces(len(found.names), left_out, found.rmse, float(np.linalg.norm(np.ptp(known, axis=0))))
-    problem = _problem(places, path)
-    return Fit(found.transformation, METRES, found.scale, "align", places, failed(problem))
+        raise FileError(path, str(error), remedy="Add positions off the line, or use --known or --scale") from None
+    known = np.array([positions[name] for name in alignment.names])
+    left_out = tuple(name for name, fits in zip(alignment.names, alignment.inliers, strict=True) if not fits)
+    agreement = KnownPlaces(
+        len(alignment.names), left_out, alignment.rmse, float(np.linalg.norm(np.ptp(known, axis=0)))
+    )
+    problem = _problem(agreement, path)
+    return Fit(alignment.transformation, METRES, alignment.scale, "align", agreement, failed(problem))
 
 
-def _problem(places: KnownPlaces, path: FilePath) -> str | None:
-    if not (places.rms_m > DOUBTED * places.extent_m or len(places.left_out) > MAX_WRONG * places.count):
+def _problem(agreement: KnownPlaces, path: FilePath) -> str | None:
+    if not (agreement.rms_m > DOUBTED * agreement.extent_m or len(agreement.left_out) > MAX_WRONG * agreement.count):
         return None
     return (
-        f"the known places and those found differ by {places.rms_m:.3g} m over {places.extent_m:.3g} m, without "
-        f"{len(places.left_out)} of {places.count} that do not fit at all; check {path}"
+        f"the known and the estimated positions differ by {agreement.rms_m:.3g} m over "
+        f"{agreement.extent_m:.3g} m, without "
+        f"{len(agreement.left_out)} outliers of {agreement.count}; check {path}"
     )
 
 
 def _positions(path: FilePath, names: Sequence[str], where: str) -> dict[str, NDArray[np.float64]]:
     positions = read_positions(path, tuple(names))
-    if len(positions) < FEWEST:
-        reason = f"gives the places of {len(positions)} pictures {where}; {FEWEST} or more settle size and position"
-        raise FileError(path, reason, remedy=f"Name pictures as they are named, such as {names[0]}")
+    if len(positions) < MIN_POSITIONS:
+        reason = (
+            f"contains the positions of {len(positions)} images {where}; {MIN_POSITIONS} or more "
+            "determine scale and position"
+        )
+        raise FileError(path, reason, remedy=f"Use the names of the images, such as {names[0]}")
     return positions
 
 
-def _check_told(places: PicturePlaces | None, names: Sequence[str]) -> None:
-    if places is None:
-        raise ValueError('align: "exif" is of the photographs in a folder; a video tells no places')
-    count = len(places_of(places, tuple(names)))
-    if count < FEWEST:
-        refused = "; ".join(places.notes())
+def _check_image_positions(image_positions: PicturePlaces | None, names: Sequence[str]) -> None:
+    if image_positions is None:
+        raise ValueError('align: "exif" requires a folder of photographs; a video has no GPS positions')
+    count = len(positions_by_image(image_positions, tuple(names)))
+    if count < MIN_POSITIONS:
+        refused = "; ".join(image_positions.notes())
         raise ValueError(
-            f'align: "exif": {count} of {len(names)} pictures tell where they were taken; {FEWEST} or more settle size '
+            f'align: "exif": {count} of {len(names)} images have a GPS position; {MIN_POSITIONS} or more '
+            "determine scale "
             f"and position{'. ' + refused if refused else ''}"
         )

@@ -12,8 +12,8 @@ from ....cameras.trajectory import Trajectory
 from ....meshing.color_map import optimizers, options
 from ...camera import PinholeCameraParameters, PinholeCameraTrajectory
 from ...geometry import RGBDImage, TriangleMesh
-from ...held import ours
 from ...settings import Settings
+from ...wrapper import unwrap
 
 
 @dataclass(eq=False, repr=False)
@@ -33,7 +33,7 @@ class RigidOptimizerOption(Settings):
     def _keywords(self) -> dict[str, Any]:
         values = super()._keywords()
         if values.pop("debug_output_dir"):
-            raise ValueError("debug_output_dir: nothing is written between the steps; leave it empty")
+            raise ValueError("debug_output_dir: intermediate results are not written; leave it empty")
         return values
 
 
@@ -60,7 +60,7 @@ def run_rigid_optimizer(
     mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     """Color a mesh with optimized poses. Returns the mesh and the cameras."""
-    chosen = ours(option, RigidOptimizerOption, "option")
+    chosen = unwrap(option, RigidOptimizerOption, "option")
     return _run(optimizers.run_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
 
 
@@ -68,7 +68,7 @@ def run_non_rigid_optimizer(
     mesh: Any, images_rgbd: Any, camera_trajectory: Any, option: Any
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     """Like `run_rigid_optimizer`, with image deformation."""
-    chosen = ours(option, NonRigidOptimizerOption, "option")
+    chosen = unwrap(option, NonRigidOptimizerOption, "option")
     return _run(optimizers.run_non_rigid_optimizer, mesh, images_rgbd, camera_trajectory, chosen)
 
 
@@ -77,14 +77,14 @@ def _run(
 ) -> tuple[TriangleMesh, PinholeCameraTrajectory]:
     parameters = list(cameras.parameters)
     poses = Trajectory(np.array([np.linalg.inv(one.extrinsic) for one in parameters]).reshape(-1, 4, 4))
-    pictures = [ours(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
-    intrinsics = [ours(one.intrinsic) for one in parameters]
-    colored, moved = run(ours(mesh, TriangleMesh, "mesh"), pictures, poses, option, intrinsic=intrinsics)
-    found = PinholeCameraTrajectory()
-    found.parameters = [
+    pictures = [unwrap(image, RGBDImage, f"images_rgbd[{i}]") for i, image in enumerate(images)]
+    intrinsics = [unwrap(one.intrinsic) for one in parameters]
+    colored, moved = run(unwrap(mesh, TriangleMesh, "mesh"), pictures, poses, option, intrinsic=intrinsics)
+    optimized = PinholeCameraTrajectory()
+    optimized.parameters = [
         _parameters(one, np.linalg.inv(pose)) for one, pose in zip(parameters, moved.poses, strict=True)
     ]
-    return TriangleMesh._of(colored), found
+    return TriangleMesh._of(colored), optimized
 
 
 def _parameters(given: PinholeCameraParameters, extrinsic: Any) -> PinholeCameraParameters:

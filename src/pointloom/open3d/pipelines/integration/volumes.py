@@ -14,7 +14,7 @@ from ....meshing.volume import tsdf
 from ....pcd import boxes
 from ...camera import PinholeCameraIntrinsic
 from ...geometry import PointCloud, RGBDImage, TriangleMesh
-from ...held import Held, column, ours
+from ...wrapper import Wrapper, column, unwrap
 
 SEEN = 0.0  # a voxel seen by one frame is enough
 
@@ -25,7 +25,7 @@ class TSDFVolumeColorType(enum.Enum):
     Gray32 = 2
 
 
-class TSDFVolume(Held):
+class TSDFVolume(Wrapper):
     """Base class of both TSDF volumes."""
 
     _kind = tsdf.TSDFVolume
@@ -34,31 +34,31 @@ class TSDFVolume(Held):
         if not isinstance(color_type, TSDFVolumeColorType):
             raise TypeError(f"color_type: expected a TSDFVolumeColorType, got {type(color_type).__name__}")
         if color_type is TSDFVolumeColorType.Gray32:
-            raise ValueError("color_type: brightness is not kept; take TSDFVolumeColorType.RGB8 or NoColor")
+            raise ValueError("color_type: expected TSDFVolumeColorType.RGB8 or NoColor, got Gray32")
         self._color_type, self._sdf_trunc = color_type, check_positive("sdf_trunc", sdf_trunc)
         self._voxel_length = check_positive("voxel_length", voxel_length)
-        self._out = {}
+        self._shared = {}
         self.reset()
 
-    color_type = property(lambda self: self._color_type, doc="What it keeps of colors.")
-    sdf_trunc = property(lambda self: self._sdf_trunc, doc="Distance at which signed distances are cut [m].")
-    voxel_length = property(lambda self: self._voxel_length, doc="Edge of a voxel [m].")
+    color_type = property(lambda self: self._color_type, doc="Type of the stored colors.")
+    sdf_trunc = property(lambda self: self._sdf_trunc, doc="Truncation distance [m].")
+    voxel_length = property(lambda self: self._voxel_length, doc="Edge length of a voxel [m].")
 
     def reset(self) -> None:
         colored = self._color_type is TSDFVolumeColorType.RGB8
-        self._held = tsdf.TSDFVolume(voxel_size=self._voxel_length, truncation=self._sdf_trunc, color=colored)
+        self._wrapped = tsdf.TSDFVolume(voxel_size=self._voxel_length, truncation=self._sdf_trunc, color=colored)
 
     def integrate(self, image: Any, intrinsic: Any, extrinsic: ArrayLike) -> None:
         """Integrate an RGBDImage; `extrinsic` is world to camera."""
-        frame = ours(image, RGBDImage, "image"), ours(intrinsic, PinholeCameraIntrinsic, "intrinsic")
-        self._held.integrate(*frame, extrinsic)
+        frame = unwrap(image, RGBDImage, "image"), unwrap(intrinsic, PinholeCameraIntrinsic, "intrinsic")
+        self._wrapped.integrate(*frame, extrinsic)
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        return TriangleMesh._of(self._held.extract_triangle_mesh(SEEN))
+        return TriangleMesh._of(self._wrapped.extract_triangle_mesh(SEEN))
 
     def extract_point_cloud(self) -> PointCloud:
         """The surface as points with normals."""
-        return PointCloud._of(self._held.extract_point_cloud(SEEN))
+        return PointCloud._of(self._wrapped.extract_point_cloud(SEEN))
 
     def __copy__(self) -> Any:
         made = type(self).__new__(type(self))
@@ -115,14 +115,14 @@ class UniformTSDFVolume(TSDFVolume):
         self._corner = column("origin", origin).copy()
         super().__init__(self._length / self._resolution, sdf_trunc, color_type)
 
-    length = property(lambda self: self._length, doc="Edge of the cube [m].")
-    resolution = property(lambda self: self._resolution, doc="Voxels an edge.")
+    length = property(lambda self: self._length, doc="Edge length of the cube [m].")
+    resolution = property(lambda self: self._resolution, doc="Number of voxels per edge.")
 
     def extract_triangle_mesh(self) -> TriangleMesh:
-        return TriangleMesh._of(self._held.extract_triangle_mesh(SEEN).crop(self._cube()))
+        return TriangleMesh._of(self._wrapped.extract_triangle_mesh(SEEN).crop(self._cube()))
 
     def extract_point_cloud(self) -> PointCloud:
-        return PointCloud._of(self._held.extract_point_cloud(SEEN).crop(self._cube()))
+        return PointCloud._of(self._wrapped.extract_point_cloud(SEEN).crop(self._cube()))
 
     def _cube(self) -> boxes.AxisAlignedBoundingBox:
         return boxes.AxisAlignedBoundingBox(self._corner, self._corner + np.full(3, self._length))

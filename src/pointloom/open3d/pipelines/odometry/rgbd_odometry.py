@@ -11,9 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 from ....rgbd.odometry import options, rgbd_odometry
 from ...camera import PinholeCameraIntrinsic
 from ...geometry import RGBDImage
-from ...held import ours
 from ...settings import Settings
 from ...vectors import IntVector
+from ...wrapper import unwrap
 
 IDENTITY = np.eye(4)
 
@@ -78,12 +78,12 @@ def compute_rgbd_odometry(
     chosen = OdometryOption() if option is None else option
     return tuple(
         rgbd_odometry.compute_rgbd_odometry(
-            ours(rgbd_source, RGBDImage, "rgbd_source"),
-            ours(rgbd_target, RGBDImage, "rgbd_target"),
-            ours(camera, PinholeCameraIntrinsic, "pinhole_camera_intrinsic"),
+            unwrap(rgbd_source, RGBDImage, "rgbd_source"),
+            unwrap(rgbd_target, RGBDImage, "rgbd_target"),
+            unwrap(camera, PinholeCameraIntrinsic, "pinhole_camera_intrinsic"),
             odo_init,
-            ours(term, RGBDOdometryJacobian, "jacobian"),
-            ours(chosen, OdometryOption, "option"),
+            unwrap(term, RGBDOdometryJacobian, "jacobian"),
+            unwrap(chosen, OdometryOption, "option"),
             weights="open3d",
         )
     )

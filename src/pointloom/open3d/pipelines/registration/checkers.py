@@ -7,8 +7,8 @@ from typing import Any
 
 from ....registration.globally import checkers
 from ...geometry import PointCloud
-from ...held import as_array, column, ours
 from ...settings import Settings
+from ...wrapper import as_array, column, unwrap
 
 
 class CorrespondenceChecker(Settings):
@@ -17,8 +17,8 @@ class CorrespondenceChecker(Settings):
 
     def Check(self, source: Any, target: Any, corres: Any, transformation: Any) -> bool:
         """True if correspondences and pose pass."""
-        clouds = ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
-        return self._ours.Check(*clouds, as_array(corres), transformation)
+        clouds = unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
+        return self._native.Check(*clouds, as_array(corres), transformation)
 
 
 @dataclass(eq=False, repr=False)

@@ -17,11 +17,11 @@ from ....registration.globally import fast_global, ransac
 from ....registration.icp import estimation, evaluation, icp
 from ...geometry import PointCloud
 from ...geometry.search_param import keywords_of
-from ...held import Held, as_array, ours
 from ...indices import flagged
 from ...seeds import next_seed
 from ...settings import Settings
 from ...vectors import Vector2iVector
+from ...wrapper import Wrapper, as_array, unwrap
 
 
 @dataclass(eq=False, repr=False)
@@ -74,7 +74,7 @@ def registration_ransac_based_on_feature_matching(
     checkers: Sequence[Any] = (),
     criteria: Any = None,
 ) -> RegistrationResult:
-    found = ransac.registration_ransac_based_on_feature_matching(
+    result = ransac.registration_ransac_based_on_feature_matching(
         *clouds_of(source, target),
         rows_of(source_feature, "source_feature"),
         rows_of(target_feature, "target_feature"),
@@ -83,7 +83,7 @@ def registration_ransac_based_on_feature_matching(
         *_rules(estimation_method, ransac_n, checkers, criteria),
         seed=next_seed(),
     )
-    return RegistrationResult._of(found)
+    return RegistrationResult._of(result)
 
 
 def registration_ransac_based_on_correspondence(
@@ -96,36 +96,36 @@ def registration_ransac_based_on_correspondence(
     checkers: Sequence[Any] = (),
     criteria: Any = None,
 ) -> RegistrationResult:
-    found = ransac.registration_ransac_based_on_correspondence(
+    result = ransac.registration_ransac_based_on_correspondence(
         *clouds_of(source, target),
         as_array(corres),
         max_correspondence_distance,
         *_rules(estimation_method, ransac_n, checkers, criteria),
         seed=next_seed(),
     )
-    return RegistrationResult._of(found)
+    return RegistrationResult._of(result)
 
 
 def registration_fgr_based_on_feature_matching(
     source: Any, target: Any, source_feature: Any, target_feature: Any, option: Any = None
 ) -> RegistrationResult:
-    found = fast_global.registration_fgr_based_on_feature_matching(
+    result = fast_global.registration_fgr_based_on_feature_matching(
         *clouds_of(source, target),
         rows_of(source_feature, "source_feature"),
         rows_of(target_feature, "target_feature"),
         _option(option),
         seed=next_seed(),
     )
-    return RegistrationResult._of(found)
+    return RegistrationResult._of(result)
 
 
 def registration_fgr_based_on_correspondence(
     source: Any, target: Any, corres: Any, option: Any = None
 ) -> RegistrationResult:
-    found = fast_global.registration_fgr_based_on_correspondence(
+    result = fast_global.registration_fgr_based_on_correspondence(
         *clouds_of(source, target), as_array(corres), _option(option), seed=next_seed()
     )
-    return RegistrationResult._of(found)
+    return RegistrationResult._of(result)
 
 
 def _as_confidence(value: Any) -> float:
@@ -134,13 +134,13 @@ def _as_confidence(value: Any) -> float:
 
 def _option(option: Any) -> Any:
     chosen = FastGlobalRegistrationOption(decrease_mu=True) if option is None else option
-    return ours(chosen, FastGlobalRegistrationOption, "option")
+    return unwrap(chosen, FastGlobalRegistrationOption, "option")
 
 
 def _rules(method: Any, ransac_n: int, checkers: Sequence[Any], criteria: Any) -> tuple[Any, int, Any, Any]:
     method = TransformationEstimationPointToPoint() if method is None else method
     criteria = RANSACConvergenceCriteria() if criteria is None else criteria
-    return ours(method), ransac_n, ours(list(checkers)), ours(criteria, RANSACConvergenceCriteria, "criteria")
+    return unwrap(method), ransac_n, unwrap(list(checkers)), unwrap(criteria, RANSACConvergenceCriteria, "criteria")
 
 
 IDENTITY = np.eye(4)
@@ -232,7 +232,7 @@ def get_information_matrix_from_point_clouds(
 
 def clouds_of(source: Any, target: Any) -> tuple[Any, Any]:
     """The two pointloom clouds."""
-    return ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
+    return unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
 
 
 def _register(
@@ -245,14 +245,14 @@ def _register(
     kind: type[TransformationEstimation],
 ) -> RegistrationResult:
     rules = ICPConvergenceCriteria() if criteria is None else criteria
-    found = icp.registration_icp(
+    result = icp.registration_icp(
         *clouds_of(source, target),
         distance,
         init,
-        ours(method, kind, "estimation_method"),
-        ours(rules, ICPConvergenceCriteria, "criteria"),
+        unwrap(method, kind, "estimation_method"),
+        unwrap(rules, ICPConvergenceCriteria, "criteria"),
     )
-    return RegistrationResult._of(found)
+    return RegistrationResult._of(result)
 
 
 class Feature(KnownNames):
@@ -311,7 +311,7 @@ def rows_of(feature: Any, name: str) -> NDArray[np.float32]:
 
 def compute_fpfh_feature(input: Any, search_param: Any, indices: Any = None) -> Feature:
     """FPFH with 33 numbers per point. Requires normals. With `indices`, for these points only, each once."""
-    rows = np.asarray(features.compute_fpfh_feature(ours(input, PointCloud, "input"), **keywords_of(search_param)))
+    rows = np.asarray(features.compute_fpfh_feature(unwrap(input, PointCloud, "input"), **keywords_of(search_param)))
     made = Feature._of_rows(rows)
     return made if indices is None else made.select_by_index(indices)
 
@@ -330,7 +330,7 @@ class RobustKernel(Settings):
     _kind = robust_kernels.RobustKernel
 
     def weight(self, residual: float) -> float:
-        return float(self._ours.weight(residual))
+        return float(self._native.weight(residual))
 
     def __repr__(self) -> str:
         scale = "".join(f" with k={value:f}" for value in self._keywords().values())
@@ -452,13 +452,13 @@ class TransformationEstimationForGeneralizedICP(TransformationEstimation):
         return f"TransformationEstimationForGeneralizedICP(epsilon={self.epsilon:g})"
 
 
-class RegistrationResult(Held):
+class RegistrationResult(Wrapper):
     """Result of a registration. Fields are assignable, as in Open3D."""
 
     _kind = result.RegistrationResult
 
     def __init__(self, other: Any = None):
-        given = ours(other, RegistrationResult, "arg0") if other is not None else self._none()
+        given = unwrap(other, RegistrationResult, "arg0") if other is not None else self._none()
         vars(self).update(vars(self._of(given)))
 
     @staticmethod
@@ -468,37 +468,37 @@ class RegistrationResult(Held):
     @property
     def transformation(self) -> NDArray[np.float64]:
         """T_target_source, shape (4, 4)."""
-        return self._held.transformation
+        return self._wrapped.transformation
 
     @transformation.setter
     def transformation(self, T: Any) -> None:
-        self._held.transformation = np.array(T, np.float64)
+        self._wrapped.transformation = np.array(T, np.float64)
 
     @property
     def fitness(self) -> float:
         """Fraction of source points with a correspondence."""
-        return self._held.fitness
+        return self._wrapped.fitness
 
     @fitness.setter
     def fitness(self, share: float) -> None:
-        self._held.fitness = float(share)
+        self._wrapped.fitness = float(share)
 
     @property
     def inlier_rmse(self) -> float:
         """RMSE of the correspondences."""
-        return self._held.inlier_rmse
+        return self._wrapped.inlier_rmse
 
     @inlier_rmse.setter
     def inlier_rmse(self, rmse: float) -> None:
-        self._held.inlier_rmse = float(rmse)
+        self._wrapped.inlier_rmse = float(rmse)
 
     @property
     def correspondence_set(self) -> Vector2iVector:
-        return Vector2iVector(np.asarray(self._held.correspondence_set))
+        return Vector2iVector(np.asarray(self._wrapped.correspondence_set))
 
     @correspondence_set.setter
     def correspondence_set(self, pairs: Any) -> None:
-        vars(self._held)["correspondence_set"] = as_array(Vector2iVector(pairs))
+        vars(self._wrapped)["correspondence_set"] = as_array(Vector2iVector(pairs))
 
     def __copy__(self) -> RegistrationResult:
         made = self._none()
@@ -509,7 +509,7 @@ class RegistrationResult(Held):
 
     def __repr__(self) -> str:
         numbers = f"fitness={self.fitness:e}, inlier_rmse={self.inlier_rmse:e}"
-        count = len(self._held.correspondence_set)
+        count = len(self._wrapped.correspondence_set)
         return (
             f"RegistrationResult with {numbers}, and correspondence_set size of {count}\n"
             "Access transformation to get result."
@@ -518,5 +518,5 @@ class RegistrationResult(Held):
 
 def _pairs(source: Any, target: Any, corres: Any) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     pairs = as_array(Vector2iVector(corres))
-    clouds = ours(source, PointCloud, "source"), ours(target, PointCloud, "target")
+    clouds = unwrap(source, PointCloud, "source"), unwrap(target, PointCloud, "target")
     return clouds[0].points[pairs[:, 0]], clouds[1].points[pairs[:, 1]]

@@ -10,8 +10,8 @@ from typing import Any, ClassVar, SupportsIndex
 import numpy as np
 
 from ....registration.pose_graphs import pose_graph, pose_graph_files, pose_graph_optimization
-from ...held import Held, ours
 from ...settings import Settings
+from ...wrapper import Wrapper, unwrap
 
 
 @dataclass(eq=False, repr=False)
@@ -76,7 +76,7 @@ class PoseGraphEdgeVector(_CopyingList):
     _element = PoseGraphEdge
 
 
-class PoseGraph(Held):
+class PoseGraph(Wrapper):
     """Nodes and edges: `graph.nodes.append(node)`, `graph.edges.append(edge)`."""
 
     _kind = pose_graph.PoseGraph
@@ -84,12 +84,12 @@ class PoseGraph(Held):
     _edges: PoseGraphEdgeVector
 
     def __init__(self, other: Any = None):
-        self._take(pose_graph.PoseGraph() if other is None else ours(other, PoseGraph, "arg0"))
+        self._take(pose_graph.PoseGraph() if other is None else unwrap(other, PoseGraph, "arg0"))
 
     @classmethod
-    def _of(cls, ours: Any) -> PoseGraph:
+    def _of(cls, native: Any) -> PoseGraph:
         made = cls.__new__(cls)
-        made._take(ours)
+        made._take(native)
         return made
 
     def _take(self, graph: pose_graph.PoseGraph) -> None:
@@ -97,8 +97,8 @@ class PoseGraph(Held):
         self._edges = PoseGraphEdgeVector(map(PoseGraphEdge._of, graph.edges))
 
     @property
-    def _ours(self) -> pose_graph.PoseGraph:
-        return pose_graph.PoseGraph(ours(list(self._nodes)), ours(list(self._edges)))
+    def _native(self) -> pose_graph.PoseGraph:
+        return pose_graph.PoseGraph(unwrap(list(self._nodes)), unwrap(list(self._edges)))
 
     @property
     def nodes(self) -> PoseGraphNodeVector:
@@ -120,7 +120,7 @@ class PoseGraph(Held):
         return PoseGraph(self)
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"ours": self._ours}
+        return {"ours": self._native}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
         self._take(state["ours"])
@@ -189,10 +189,10 @@ class GlobalOptimizationLevenbergMarquardt(GlobalOptimizationMethod):
 def global_optimization(pose_graph: PoseGraph, method: Any, criteria: Any, option: Any) -> None:
     """Optimize the nodes in place and remove contradicting edges."""
     solved = pose_graph_optimization.global_optimization(
-        ours(pose_graph, PoseGraph, "pose_graph"),
-        ours(method, GlobalOptimizationMethod, "method"),
-        ours(criteria, GlobalOptimizationConvergenceCriteria, "criteria"),
-        ours(option, GlobalOptimizationOption, "option"),
+        unwrap(pose_graph, PoseGraph, "pose_graph"),
+        unwrap(method, GlobalOptimizationMethod, "method"),
+        unwrap(criteria, GlobalOptimizationConvergenceCriteria, "criteria"),
+        unwrap(option, GlobalOptimizationOption, "option"),
     )
     for node, moved in zip(pose_graph.nodes, solved.nodes, strict=True):
         node.pose = moved.pose
@@ -204,7 +204,7 @@ def read_pose_graph(filename: Any) -> PoseGraph:
 
 
 def write_pose_graph(filename: Any, pose_graph: PoseGraph) -> bool:
-    pose_graph_files.write_pose_graph(filename, ours(pose_graph, PoseGraph, "pose_graph"))
+    pose_graph_files.write_pose_graph(filename, unwrap(pose_graph, PoseGraph, "pose_graph"))
     return True
 
 

@@ -45,12 +45,12 @@ def test_arrays_follow_operations_in_place(cloud):
 
 def test_the_tree_stays_while_no_array_is_written_to(cloud):
     cloud.estimate_normals()
-    tree = cloud._ours._known_search_tree
+    tree = cloud._native._known_search_tree
     np.asarray(cloud.points)
     np.asarray(cloud.normals)
-    assert tree is not None and cloud._ours._known_search_tree is tree
+    assert tree is not None and cloud._native._known_search_tree is tree
     np.asarray(cloud.points)[0] += 1
-    assert cloud._ours._known_search_tree is not tree
+    assert cloud._native._known_search_tree is not tree
 
 
 def test_points_that_were_assigned_keep_their_digits(cloud):
@@ -66,20 +66,20 @@ def test_points_that_were_assigned_keep_their_digits(cloud):
 def test_ours_shares_no_memory_with_vectors(cloud):
     cloud.colors = V(np.full((50, 3), 0.5))
     cloud.covariances = o3d.utility.Matrix3dVector(np.tile(np.eye(3), (50, 1, 1)))
-    before = cloud._ours
+    before = cloud._native
     kept = [np.array(values) for values in (before.points, before.colors, before.covariances)]
     for vector in (cloud.points, cloud.colors, cloud.covariances):
         np.asarray(vector)[:] = 0
     for values, now in zip(kept, (before.points, before.colors, before.covariances), strict=True):
         assert (values == now).all()
-    assert not cloud._ours.covariances.any()
+    assert not cloud._native.covariances.any()
 
 
 def test_arrays_of_other_lengths_wait_for_each_other(cloud):
     cloud.colors = V(np.full((20, 3), 0.5))
-    assert not cloud.has_colors() and not cloud._ours.has_colors()
+    assert not cloud.has_colors() and not cloud._native.has_colors()
     cloud.points = V(np.asarray(cloud.points)[:20])
-    assert cloud.has_colors() and cloud._ours.has_colors()
+    assert cloud.has_colors() and cloud._native.has_colors()
 
 
 @pytest.mark.parametrize(
@@ -124,7 +124,7 @@ def test_textures_begin_with_their_lowest_row():
     mesh = o3d.geometry.TriangleMesh.create_box(create_uv_map=True)
     picture = np.arange(48, dtype=np.uint8).reshape(4, 4, 3)
     mesh.textures = [o3d.geometry.Image(picture)]
-    assert (np.asarray(mesh.textures[0]) == picture).all() and (mesh._ours.textures[0] == picture[::-1]).all()
+    assert (np.asarray(mesh.textures[0]) == picture).all() and (mesh._native.textures[0] == picture[::-1]).all()
 
 
 def test_random_operations_follow_one_seed():
@@ -163,7 +163,7 @@ def test_vectors_grow_like_lists():
         (lambda: setattr(o3d.geometry.PointCloud(), "color", 1), AttributeError, "color"),
         (lambda: setattr(o3d.geometry.PointCloud(), "points", [[0, 0, 0]]), TypeError, "Vector3dVector"),
         (lambda: V(np.zeros((3, 4))), ValueError, "array.T"),
-        (lambda: o3d.utility.IntVector([0.5]), TypeError, "whole numbers"),
+        (lambda: o3d.utility.IntVector([0.5]), TypeError, "expected integers"),
         (lambda: o3d.geometry.PointCloud() + loom, TypeError, "expected a PointCloud, got module"),
         (lambda: o3d.geometry.TriangleMesh() + loom, TypeError, "expected a TriangleMesh, got module"),
         (lambda: o3d.geometry.PointCloud().estimate_normals(0.1), TypeError, "KDTreeSearchParamHybrid"),

@@ -1,4 +1,4 @@
-"""Mutable Open3D objects over immutable pointloom objects, with `Held` as base class.
+"""Mutable Open3D objects over immutable pointloom objects, with `Wrapper` as base class.
 
 Until an array has been handed out, the pointloom object is authoritative and its caches (search trees) are kept. A
 handed out or assigned vector may be written to at any time, so before each operation it is compared with its last known
@@ -6,7 +6,8 @@ content, and a new pointloom object is made if it differs. In-place operations w
 as Open3D's arrays follow its objects.
 
 To write a class: set `_kind`, declare arrays as `Rows`, and implement `_read`, `_made` and `_token`. Mutating methods
-return `self._become(self._ours.method(...))`, others `Class._of(self._ours.method(...))`. Arguments go through `ours`.
+return `self._become(self._native.method(...))`, others `Class._of(self._native.method(...))`. Arguments go through
+`unwrap`.
 """
 
 from __future__ import annotations
@@ -23,7 +24,7 @@ from .vectors import Vector
 
 
 class Rows:
-    """A vector or image attribute of a `Held`: the same object at each access."""
+    """A vector or image attribute of a `Wrapper`: the same object at each access."""
 
     def __init__(self, kind: Any):
         self.kind = kind
@@ -31,21 +32,21 @@ class Rows:
     def __set_name__(self, owner: type, name: str) -> None:
         self.name = name
 
-    def __get__(self, held: Any, owner: type) -> Any:
-        return self if held is None else held._vector(self.name)
+    def __get__(self, instance: Any, owner: type) -> Any:
+        return self if instance is None else instance._vector(self.name)
 
-    def __set__(self, held: Held, values: Any) -> None:
+    def __set__(self, instance: Wrapper, values: Any) -> None:
         if not isinstance(values, self.kind | np.ndarray):
             module = "utility" if issubclass(self.kind, Vector) else "geometry"
             wanted = f"{module}.{self.kind.__name__}"
             raise TypeError(
                 f"{self.name}: expected a {wanted}, got {type(values).__name__}; o3d.{wanted}(values) makes one"
             )
-        held._assign(self.name, self.kind(values))
+        instance._assign(self.name, self.kind(values))
 
 
 @dataclasses.dataclass
-class _HandedOut:
+class _SharedVector:
     """A vector that others may write to, and its last known content."""
 
     vector: Any  # a Vector or an Image
@@ -59,100 +60,100 @@ class _HandedOut:
         self.was = self.vector._values.copy()
 
 
-class Held(KnownNames):
+class Wrapper(KnownNames):
     """An Open3D object around a pointloom object."""
 
     _kind: ClassVar[Any] = None  # the pointloom class
-    _held: Any
-    _out: dict[str, _HandedOut]
+    _wrapped: Any
+    _shared: dict[str, _SharedVector]
 
     @classmethod
-    def _of(cls, ours: Any) -> Self:
+    def _of(cls, native: Any) -> Self:
         """Wrap a pointloom object without a copy."""
         made = cls.__new__(cls)
-        made._held, made._out = ours, {}
+        made._wrapped, made._shared = native, {}
         return made
 
     @property
-    def _ours(self) -> Any:
+    def _native(self) -> Any:
         """The pointloom object, updated from the vectors."""
-        changed = [name for name, out in self._out.items() if out.changed()]
+        changed = [name for name, shared in self._shared.items() if shared.changed()]
         if changed:
-            self._held = self._made(changed)
+            self._wrapped = self._made(changed)
             for name in changed:
-                self._out[name].keep()
-        return self._held
+                self._shared[name].keep()
+        return self._wrapped
 
     def _become(self, new: Any) -> Self:
         """Replace the object by a result and update the handed out vectors."""
-        old, self._held = self._held, new
-        for name, out in self._out.items():
+        old, self._wrapped = self._wrapped, new
+        for name, shared in self._shared.items():
             before, after = self._token(old, name), self._token(new, name)
             if after is None and before is not None:
-                out.vector._fill(out.was[:0])
+                shared.vector._fill(shared.was[:0])
             elif after is not None and (before is None or not _same(before, after)):
-                out.vector._fill(self._read(name))
+                shared.vector._fill(self._read(name))
             else:
                 continue
-            out.keep()
+            shared.keep()
         return self
 
     def _read(self, name: str) -> NDArray[Any]:
-        """Values of an array of `_held`. Empty if it has none."""
+        """Values of an array of `_wrapped`. Empty if it has none."""
         raise NotImplementedError
 
     def _made(self, changed: list[str]) -> Any:
         """A new object with the vectors `changed`."""
         raise NotImplementedError
 
-    def _token(self, ours: Any, name: str) -> tuple[Any, ...] | None:
+    def _token(self, native: Any, name: str) -> tuple[Any, ...] | None:
         """Identity (objects or bytes) of an array for comparison. None if there is none."""
         raise NotImplementedError
 
     def _vector(self, name: str) -> Any:
-        if name not in self._out:
+        if name not in self._shared:
             kind = getattr(type(self), name).kind
             vector = kind._around(np.array(self._read(name), kind._dtype))
-            self._out[name] = _HandedOut(vector, vector._values.copy())
-        return self._out[name].vector
+            self._shared[name] = _SharedVector(vector, vector._values.copy())
+        return self._shared[name].vector
 
     def _assign(self, name: str, vector: Any) -> None:
         self._vector(name)._fill(vector._values)
 
     def _count(self, name: str) -> int:
         """Number of rows of an array, without an update."""
-        return len(self._out[name].vector) if name in self._out else len(self._read(name))
+        return len(self._shared[name].vector) if name in self._shared else len(self._read(name))
 
     def __copy__(self) -> Self:
-        made = self._of(self._ours)
-        made._out = {name: _HandedOut(type(o.vector)(o.vector), o.was.copy()) for name, o in self._out.items()}
+        made = self._of(self._native)
+        made._shared = {name: _SharedVector(type(o.vector)(o.vector), o.was.copy()) for name, o in self._shared.items()}
         return made
 
     def __deepcopy__(self, memo: dict[int, Any]) -> Self:
         return self.__copy__()
 
     def __getstate__(self) -> dict[str, Any]:
-        return {"ours": self._ours, "out": {name: out.vector for name, out in self._out.items()}}
+        return {"ours": self._native, "out": {name: shared.vector for name, shared in self._shared.items()}}
 
     def __setstate__(self, state: dict[str, Any]) -> None:
-        self._held = state["ours"]
-        self._out = {name: _HandedOut(vector, vector._values.copy()) for name, vector in state["out"].items()}
+        self._wrapped = state["ours"]
+        self._shared = {name: _SharedVector(vector, vector._values.copy()) for name, vector in state["out"].items()}
 
 
-def ours(value: Any, kind: type[Held] | None = None, name: str = "") -> Any:
-    """Unwrap a `Held`, or a list of them; pointloom objects and arrays are returned unchanged.
+def unwrap(value: Any, kind: type[Wrapper] | None = None, name: str = "") -> Any:
+    """Unwrap a `Wrapper`, or a list of them; pointloom objects and arrays are returned unchanged.
 
     Raises TypeError if it is not of type `kind`; `name` is the argument's name for the message.
     """
     if kind is not None and not isinstance(value, kind) and not isinstance(value, kind._kind or ()):
-        said = f"{name}: " if name else ""
+        prefix = f"{name}: " if name else ""
         module = type(value).__module__
-        found = f"{module}.{type(value).__name__}" if module.startswith("open3d") else type(value).__name__
-        raise TypeError(f"{said}expected a {kind.__name__}, got {found}")
-    if isinstance(value, Held):
-        return value._ours
-    if isinstance(value, list | tuple) and any(isinstance(part, Held) for part in value):
-        return [ours(part) for part in value]
+        given = f"{module}.{type(value).__name__}" if module.startswith("open3d") else type(value).__name__
+        raise TypeError(f"{prefix}expected a {kind.__name__}, got {given}")
+    if isinstance(value, Wrapper):
+        return value._native
+    if isinstance(value, list | tuple) and any(isinstance(part, Wrapper) for part in value):
+        return [unwrap(part) for part in value]
     return value
 
 
