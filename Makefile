@@ -54,8 +54,8 @@ test-all: $(FULL) ## Run all tests, beside Open3D and with Taichi where a test n
 	@$(PYTEST) $(ARGS)
 
 # Folders whose tests use the device; ARGS may name others.
-HOUSES := kernels core cameras pcd io registration meshing rgbd visualization photogrammetry tiling datasets cli open3d
-ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda $(addprefix tests/,$(HOUSES)))
+PACKAGES := kernels core cameras pcd io registration meshing rgbd visualization photogrammetry tiling datasets cli open3d
+ON_DEVICE = $(if $(filter tests%,$(ARGS)),,tests/emulated_cuda $(addprefix tests/,$(PACKAGES)))
 
 test-cuda-emulated: $(EMULATION) ## Run the tests on an emulated CUDA device (needs gcc, no GPU)
 	@$(BIN)/python tests/emulated_cuda/compile_kernels.py

@@ -24,7 +24,7 @@ project, author, release, version = "pointloom", "the authors of pointloom", __v
 copyright = author
 language = "en"  # search fails in languages without words of its own for "found so many pages"
 # Where the newest release's pages lie; empty, there are no canonical links, no sitemap and no banner on older versions.
-SITE = pages.PLACE["documentation"].rstrip("/")
+SITE = pages.LOCATION["documentation"].rstrip("/")
 
 extensions = [
     *("myst_parser", "sphinx.ext.autodoc", "sphinx.ext.autosummary", "sphinx.ext.napoleon", "sphinx_design"),

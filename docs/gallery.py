@@ -124,9 +124,9 @@ def dbscan() -> Scene:
     """DBSCAN and its labels."""
     cloud = objects().copy()
     cloud["label"] = np.asarray(cloud.cluster_dbscan(0.08, 8))
-    places = [part.points.mean(axis=0) + np.array([0, 0, 0.45]) for part in clusters()]
+    positions = [part.points.mean(axis=0) + np.array([0, 0, 0.45]) for part in clusters()]
     return {"geometries": {"geometry": cloud, "color_by": "label"}, "color_bar": True,
-            "labels": [(f"cluster {k}", place) for k, place in enumerate(places)]}  # fmt: skip
+            "labels": [(f"cluster {k}", position) for k, position in enumerate(positions)]}  # fmt: skip
 
 
 def planes() -> Scene:
@@ -139,8 +139,8 @@ def planes() -> Scene:
 
 def hidden_points() -> Scene:
     """What a camera in front would see."""
-    place = np.array([2.5, -2.5, 2.0])
-    _, seen = solids().hidden_point_removal(place, 300.0)
+    camera_position = np.array([2.5, -2.5, 2.0])
+    _, seen = solids().hidden_point_removal(camera_position, 300.0)
     hidden = solids().select_by_index(seen, invert=True)
     return {"geometries": {"seen": {"geometry": solids().select_by_index(seen), "color": BLUE},
                            "hidden": {"geometry": hidden, "color": (0.75, 0.75, 0.75)}},
@@ -151,9 +151,9 @@ def outliers() -> Scene:
     """Statistical outliers."""
     rng = np.random.default_rng(3)
     noisy = loom.PointCloud(np.vstack([objects().points, rng.uniform([-1.2, -1.2, 0], [1.2, 1.2, 1.2], (300, 3))]))
-    kept, rows = noisy.remove_statistical_outlier(20, 2.0)
+    inliers, rows = noisy.remove_statistical_outlier(20, 2.0)
     lost = noisy.select_by_index(rows, invert=True)
-    return {"geometries": {"inliers": kept.paint_uniform_color((0.6, 0.6, 0.6)),
+    return {"geometries": {"inliers": inliers.paint_uniform_color((0.6, 0.6, 0.6)),
                            "outliers": {"geometry": lost, "color": (0.9, 0.1, 0.1), "point_size": 5.0}},
             "legend": True}  # fmt: skip
 
@@ -166,8 +166,8 @@ def rgbd() -> Scene:
 
 def moved(cloud: loom.PointCloud, degrees: float, step: tuple[float, float, float]) -> loom.PointCloud:
     """A cloud turned about z and pushed."""
-    turn, T = math.radians(degrees), np.eye(4)
-    T[:2, :2], T[:3, 3] = [[math.cos(turn), -math.sin(turn)], [math.sin(turn), math.cos(turn)]], step
+    angle, T = math.radians(degrees), np.eye(4)
+    T[:2, :2], T[:3, 3] = [[math.cos(angle), -math.sin(angle)], [math.sin(angle), math.cos(angle)]], step
     return cloud.transform(T)
 
 
@@ -184,8 +184,8 @@ def after_icp() -> Scene:
     target = objects().voxel_down_sample(0.02).estimate_normals(radius=0.08, max_nn=20)
     source = moved(target, 8, (0.1, 0.05, 0.12))
     plane = loom.registration.TransformationEstimationPointToPlane()
-    found = loom.registration.registration_icp(source, target, 0.3, np.eye(4), plane)
-    source = source.transform(found.transformation)
+    result = loom.registration.registration_icp(source, target, 0.3, np.eye(4), plane)
+    source = source.transform(result.transformation)
     source["apart"] = source.compute_point_cloud_distance(target)
     return {"geometries": {"geometry": source, "color_by": "apart", "limits": (0.0, 0.01)}, "color_bar": True}
 

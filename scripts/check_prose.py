@@ -153,12 +153,12 @@ def pages(root: Path) -> list[Path]:
 
 def read(root: Path) -> dict[str, list[tuple[Path, int, str]]]:
     """The sentences of each group, each with its file and line."""
-    found: dict[str, list[tuple[Path, int, str]]] = {group: [] for group in GROUPS}
+    texts: dict[str, list[tuple[Path, int, str]]] = {group: [] for group in GROUPS}
     for path in python_files(root):
         for group, line, text in python_sentences(path.read_text()):
-            found[group].append((path, line, text))
-    found["docs"] = [(path, *sentence) for path in pages(root) for sentence in sentences(path.read_text())]
-    return found
+            texts[group].append((path, line, text))
+    texts["docs"] = [(path, *sentence) for path in pages(root) for sentence in sentences(path.read_text())]
+    return texts
 
 
 def main() -> int:
@@ -167,20 +167,20 @@ def main() -> int:
     parser.add_argument("--list", choices=MEASURES, metavar="MEASURE", help=f"one of {', '.join(MEASURES)}")
     parser.add_argument("--root", type=Path, default=Path(__file__).parent.parent, help="another checkout to measure")
     arguments = parser.parse_args()
-    found = read(root := arguments.root.resolve())
+    texts = read(root := arguments.root.resolve())
     if arguments.list:
-        for path, line, text in (sentence for group in GROUPS for sentence in found[group]):
+        for path, line, text in (sentence for group in GROUPS for sentence in texts[group]):
             if words := MEASURES[arguments.list](text):
                 print(f"{path.relative_to(root)}:{line}: {text} [{', '.join(words)}]")
         return 0
-    counts = [sum(len(WORD.findall(text)) for *_, text in found[group]) for group in GROUPS]
+    counts = [sum(len(WORD.findall(text)) for *_, text in texts[group]) for group in GROUPS]
     print("value / limit".ljust(14), *(group.rjust(16) for group in GROUPS))
     failures = []
     for measure, find in MEASURES.items():
         row = measure.ljust(14)
         for group, count, limit in zip(GROUPS, counts, LIMITS[measure], strict=True):
-            total = sum(len(find(text)) for *_, text in found[group])
-            rate = total / max(count if measure in PER_WORDS else len(found[group]), 1)
+            total = sum(len(find(text)) for *_, text in texts[group])
+            rate = total / max(count if measure in PER_WORDS else len(texts[group]), 1)
             value = rate * (10_000 if measure in PER_WORDS else 100)
             row += f"{value:9.2f} /{limit:6g}"
             if value > limit:

@@ -75,10 +75,10 @@ def run_pyright(arguments: list[str]) -> dict[str, Any]:
 def faults_of(report: dict[str, Any]) -> list[str]:
     """What stands, as `file:line: message`."""
     faults = []
-    for found in report["generalDiagnostics"]:
-        path, line = Path(found["file"]), found.get("range", {}).get("start", {}).get("line", -1) + 1
-        if found["severity"] == "error" and line not in device_lines_of(path):
-            faults.append(f"{path}:{line}: {found['message']} ({found.get('rule', 'syntax')})")
+    for diagnostic in report["generalDiagnostics"]:
+        path, line = Path(diagnostic["file"]), diagnostic.get("range", {}).get("start", {}).get("line", -1) + 1
+        if diagnostic["severity"] == "error" and line not in device_lines_of(path):
+            faults.append(f"{path}:{line}: {diagnostic['message']} ({diagnostic.get('rule', 'syntax')})")
     return faults
 
 

@@ -64,7 +64,7 @@ packages=${packages# }
 
 install="apt-get install -y --no-install-recommends $packages"
 if ! command -v apt-get >/dev/null 2>&1; then
-    echo "Missing system libraries; on Debian or Ubuntu these packages hold them: $packages" >&2
+    echo "Missing system libraries; on Debian or Ubuntu these packages contain them: $packages" >&2
     exit 0
 fi
 if [ "$(id -u)" != 0 ]; then
@@ -77,5 +77,5 @@ echo "Installing system libraries: $packages"
 export DEBIAN_FRONTEND=noninteractive NEEDRESTART_MODE=a
 # shellcheck disable=SC2086  # one argument a package
 if ! { apt-get update -qq && apt-get install -y -qq --no-install-recommends $packages; } </dev/null >/dev/null; then
-    echo "apt-get failed; going on without $packages" >&2
+    echo "apt-get failed; continuing without $packages" >&2
 fi

@@ -14,7 +14,7 @@ from pathlib import Path
 import numpy as np
 from PIL import Image, ImageFont
 
-PLACE = Path(__file__).resolve().parents[1] / "src/pointloom/visualization/render/glyphs.npz"
+OUTPUT = Path(__file__).resolve().parents[1] / "src/pointloom/visualization/render/glyphs.npz"
 SIZES = (12, 14, 16, 20, 24, 32)
 ASCII = "".join(map(chr, range(32, 127)))
 FURTHER = "°±·…"  # that the font has
@@ -92,8 +92,8 @@ def main() -> None:
     table = np.array(rows, np.int32).reshape(len(SIZES), len(CHARACTERS), 6)
     codes = np.array([ord(character) for character in CHARACTERS], np.int32)
     coverage = np.concatenate(blocks)
-    np.savez_compressed(PLACE, coverage=coverage, glyphs=table, codes=codes, sizes=np.array(SIZES, np.int32))
-    print(f"{PLACE.name}: {len(CHARACTERS)} letters in {len(SIZES)} sizes, {PLACE.stat().st_size:,} bytes")
+    np.savez_compressed(OUTPUT, coverage=coverage, glyphs=table, codes=codes, sizes=np.array(SIZES, np.int32))
+    print(f"{OUTPUT.name}: {len(CHARACTERS)} letters in {len(SIZES)} sizes, {OUTPUT.stat().st_size:,} bytes")
     if options.show:
         Image.fromarray(coverage[: len(coverage) // 256 * 256].reshape(-1, 256)).save(options.show)
 

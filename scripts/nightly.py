@@ -59,8 +59,8 @@ def main() -> int:
             )
         failed += done.returncode != 0
         last = (LOGS / f"{name}.log").read_text(errors="replace").splitlines()[-1:] or [""]
-        verdict = "passed" if done.returncode == 0 else f"failed ({done.returncode})"
-        rows.append(f"{name:<20} {verdict:<12} {(time.monotonic() - begin) / 60:7.1f} min  {last[0][:100]}")
+        result = "passed" if done.returncode == 0 else f"failed ({done.returncode})"
+        rows.append(f"{name:<20} {result:<12} {(time.monotonic() - begin) / 60:7.1f} min  {last[0][:100]}")
         print(rows[-1], flush=True)
     print("\n".join(["", *rows]))
     return 1 if failed else 0

@@ -70,7 +70,7 @@ stands in [open3d.md](open3d.md).
 """
 
 
-class Told(NamedTuple):
+class Entry(NamedTuple):
     """What a name of Open3D is here."""
 
     name: str
@@ -116,33 +116,33 @@ def _documented(kind: type) -> Iterator[str]:
             yield from line.strip().partition(":")[0].split(", ")
 
 
-def names_of(open3d: Any, path: str) -> list[Told]:
+def names_of(open3d: Any, path: str) -> list[Entry]:
     """What each name of a module of Open3D is here."""
-    bridge, told = _bridge(), []
+    bridge, entries = _bridge(), []
     for name in public(of_path(open3d, path)):
-        place = next((owner for owner in (HOMES[path], loom) if hasattr(owner, name)), None)
+        module = next((owner for owner in (HOMES[path], loom) if hasattr(owner, name)), None)
         row = row_of(name)
         if path in GUI:
             here = row or "not here"
-        elif place is not None:
-            here = "same" if place is HOMES[path] else f"same, in `{_called(place)}`"
+        elif module is not None:
+            here = "same" if module is HOMES[path] else f"same, in `{_called(module)}`"
             here += IN_T if path == "t.geometry" else ""
         else:
             here = row or ""
-        told.append(Told(name, here, hasattr(of_path(bridge, path), name)))
-    return told
+        entries.append(Entry(name, here, hasattr(of_path(bridge, path), name)))
+    return entries
 
 
-def members_of(open3d: Any, path: str) -> list[Told]:
+def members_of(open3d: Any, path: str) -> list[Entry]:
     """What each member of a class of Open3D is here."""
-    ours, name = CLASSES[path], path.rpartition(".")[2]
-    known, bridge = members(ours), of_path(_bridge(), path)
-    sections = [*KINDS.get(name, ()), *(base.__name__ for base in (ours.__mro__ if ours else ())), name, SHAPES]
-    told = []
+    kind, name = CLASSES[path], path.rpartition(".")[2]
+    known, bridge = members(kind), of_path(_bridge(), path)
+    sections = [*KINDS.get(name, ()), *(base.__name__ for base in (kind.__mro__ if kind else ())), name, SHAPES]
+    entries = []
     for member in public(of_path(open3d, path)):
         here = "same" if member in known else row_of(member, sections) or ""
-        told.append(Told(member, here, bridge is not None and member in members(bridge)))
-    return told
+        entries.append(Entry(member, here, bridge is not None and member in members(bridge)))
+    return entries
 
 
 def page() -> str:
@@ -157,9 +157,9 @@ def page() -> str:
     parts = [HEAD.format(version=open3d.__version__, counts=_counts(modules, classes))]
     for title, tables in (("Modules", modules), ("Members of the main classes", classes)):
         parts.append(f"## {title}\n")
-        for path, told in tables.items():
+        for path, entries in tables.items():
             parts.append(f"### open3d.{path}\n\n{_where(path)}\n")
-            rows = [f"| `{one.name}` | {_cell(one.here)} | {'yes' if one.in_bridge else ''} |" for one in told]
+            rows = [f"| `{one.name}` | {_cell(one.here)} | {'yes' if one.in_bridge else ''} |" for one in entries]
             parts.append("\n".join(["| Open3D | here | bridge |", "|---|---|---|", *rows]) + "\n")
     return "\n".join(parts)
 
@@ -170,18 +170,18 @@ def _where(path: str) -> str:
             "Open3D's own windows and wires: `loom.draw` and `loom.Viewer` show a page, `loom.render` makes pictures."
         )
     if path in CLASSES:
-        ours, row = CLASSES[path], row_of(path.rpartition(".")[2])
-        return f"Here `{_called(ours)}`." if ours and _home(ours) else f"Here {row}."
+        kind, row = CLASSES[path], row_of(path.rpartition(".")[2])
+        return f"Here `{_called(kind)}`." if kind and _home(kind) else f"Here {row}."
     return f"Here `{_called(HOMES[path])}`."
 
 
-def _counts(*tables: dict[str, list[Told]]) -> str:
+def _counts(*tables: dict[str, list[Entry]]) -> str:
     rows = ["| | names | same | other name or place | not here | in the bridge |", "|---|---|---|---|---|---|"]
     for title, table in zip(("modules", "members"), tables, strict=True):
-        all_told = [one for told in table.values() for one in told]
-        kinds = [sum(one.kind == kind for one in all_told) for kind in ("same", "other", "not here")]
-        bridged = sum(one.in_bridge for one in all_told)
-        rows.append(f"| {title} | {len(all_told)} | {' | '.join(map(str, kinds))} | {bridged} |")
+        all_entries = [one for entries in table.values() for one in entries]
+        kinds = [sum(one.kind == kind for one in all_entries) for kind in ("same", "other", "not here")]
+        bridged = sum(one.in_bridge for one in all_entries)
+        rows.append(f"| {title} | {len(all_entries)} | {' | '.join(map(str, kinds))} | {bridged} |")
     return "\n".join(rows)
 
 
@@ -189,19 +189,19 @@ def _cell(text: str) -> str:
     return text.replace("|", "\\|").replace("*", "\\*")
 
 
-def _called(ours: Any) -> str:
+def _called(owner: Any) -> str:
     """How one of our modules or classes is written."""
-    if ours is loom:
+    if owner is loom:
         return "loom"
-    if isinstance(ours, ModuleType):
-        return f"loom.{ours.__name__.rpartition('.')[2]}"
-    return f"{_called(_home(ours))}.{ours.__name__}"
+    if isinstance(owner, ModuleType):
+        return f"loom.{owner.__name__.rpartition('.')[2]}"
+    return f"{_called(_home(owner))}.{owner.__name__}"
 
 
-def _home(ours: type) -> Any:
+def _home(kind: type) -> Any:
     """The public module that has one of our classes; None for a private one."""
     modules = (loom, loom.registration, loom.odometry, loom.slam)
-    return next((module for module in modules if hasattr(module, ours.__name__)), None)
+    return next((module for module in modules if hasattr(module, kind.__name__)), None)
 
 
 def _bridge() -> Any:

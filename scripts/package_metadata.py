@@ -34,8 +34,8 @@ def absolute_links(text: str, repository: str, branch: str) -> str:
     base = repository.rstrip("/")
 
     def absolute(link: re.Match[str]) -> str:
-        bang, opening, place, closing = link.groups()
-        return f"{bang}{opening}{base}/{'raw' if bang else 'blob'}/{branch}/{place}{closing}"
+        bang, opening, target, closing = link.groups()
+        return f"{bang}{opening}{base}/{'raw' if bang else 'blob'}/{branch}/{target}{closing}"
 
     return _LINK.sub(absolute, text)
 

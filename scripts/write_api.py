@@ -48,17 +48,17 @@ def members(cls: type) -> Iterator[str]:
     A field counts if the docstring of a class names it; the values of an enumeration count.
     """
     own: dict[str, Any] = {}
-    said = ""
+    docstrings = ""
     for base in reversed([each for each in cls.__mro__ if is_own(each)]):
         fields = {name: None for name in inspect.get_annotations(base)}
         own |= {name: value for name, value in {**fields, **vars(base)}.items() if not name.startswith("_")}
-        said += vars(base).get("__doc__") or ""
+        docstrings += vars(base).get("__doc__") or ""
     for name, value in sorted(own.items()):
         if isinstance(value, staticmethod | classmethod):
             yield f"{name}{parameters(getattr(cls, name))}"
         elif inspect.isfunction(value):
             yield f"{name}{parameters(value)}"
-        elif isinstance(value, property) or issubclass(cls, enum.Enum) or re.search(rf"\b{name}\b", said):
+        elif isinstance(value, property) or issubclass(cls, enum.Enum) or re.search(rf"\b{name}\b", docstrings):
             yield name
 
 
@@ -92,9 +92,9 @@ def api() -> str:
             value = getattr(package, name)
             if inspect.ismodule(value):
                 continue
-            found = list(lines_of(name, value))
-            names, member_count = names + 1, member_count + len(found) - 1
-            lines += [f"    {line}" for line in found]
+            member_lines = list(lines_of(name, value))
+            names, member_count = names + 1, member_count + len(member_lines) - 1
+            lines += [f"    {line}" for line in member_lines]
     return "\n".join([f"{names} public classes and functions, {member_count} members", *lines, ""])
 
 

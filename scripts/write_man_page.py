@@ -37,12 +37,12 @@ def paragraphs(help_text: str) -> list[str]:
 
 def of_options(command: click.Command, context: click.Context) -> list[str]:
     """Each option with what its help says."""
-    found = []
+    lines = []
     for parameter in command.get_params(context):
         row = parameter.get_help_record(context)
         if row is not None:
-            found.append(f".TP\n.B {escaped(row[0])}\n{escaped(row[1])}")
-    return found
+            lines.append(f".TP\n.B {escaped(row[0])}\n{escaped(row[1])}")
+    return lines
 
 
 def of_command(name: str, command: click.Command, parent: click.Context) -> list[str]:
@@ -89,7 +89,7 @@ def main() -> int:
     page = man_page()
     if "--check" in sys.argv[1:]:
         if PAGE.read_text(encoding="utf-8") != page:
-            print(f"{PAGE} is not what the commands say: run {sys.executable} {__file__}", file=sys.stderr)
+            print(f"{PAGE} differs from the help of the commands: run {sys.executable} {__file__}", file=sys.stderr)
             return 1
         return 0
     PAGE.write_text(page, encoding="utf-8")

@@ -25,7 +25,7 @@ def links_of(page: str) -> list[str]:
 
 
 def faults(page: str) -> list[str]:
-    return [f"{page}: {target} is not there" for target in links_of(page) if not (ROOT / target).exists()]
+    return [f"{page}: {target} does not exist" for target in links_of(page) if not (ROOT / target).exists()]
 
 
 @pytest.mark.parametrize("page", PAGES)

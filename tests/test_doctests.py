@@ -7,11 +7,11 @@ import importlib
 
 import pytest
 
-from .test_imports import HOUSES, PACKAGE
+from .test_imports import PACKAGE, PACKAGES
 
 MODULES = sorted(
     ".".join(("pointloom", *path.relative_to(PACKAGE).with_suffix("").parts)).removesuffix(".__init__")
-    for folder in HOUSES
+    for folder in PACKAGES
     for path in (PACKAGE / folder).rglob("*.py")
     if ">>> " in path.read_text(encoding="utf-8")
 )

@@ -17,8 +17,8 @@ import pytest
 ROOT = Path(__file__).resolve().parents[1]
 PACKAGE = ROOT / "src" / "pointloom"
 
-# The houses from the ground up; those of one line stand side by side. A house imports from itself and from those below.
-FLOORS = [
+# The packages by layer, lowest first. A package imports from itself and from lower layers.
+LAYERS = [
     ["kernels"],
     ["core"],
     ["cameras"],
@@ -31,16 +31,16 @@ FLOORS = [
     ["cli", "open3d"],
 ]
 LINKED = {"kernels", "pcd", "registration", "meshing"}  # at the top level of a checkout
-HOUSES = [house for floor in FLOORS for house in floor]
+PACKAGES = [package for floor in LAYERS for package in floor]
 MAY_IMPORT = {
-    house: {below for floor in FLOORS[:level] for below in floor}
-    for level, floor in enumerate(FLOORS)
-    for house in floor
+    package: {below for floor in LAYERS[:level] for below in floor}
+    for level, floor in enumerate(LAYERS)
+    for package in floor
 }
 
-# The rooms of a house, each of which may import from those before it in its list and from the files at the house's top,
-# which import from no room.
-ROOMS = {
+# The subpackages of each package. A subpackage may import from those before it in its list and from the top-level
+# modules of the package, which import from no subpackage.
+SUBPACKAGES = {
     "kernels": [
         *("language", "algebra", "arrays", "search", "extent", "surface", "features", "sampling", "segmentation"),
         "terrain",
@@ -59,8 +59,9 @@ ROOMS = {
     "open3d": ["utility", "camera", "geometry", "pipelines", "io", "visualization"],
 }
 
-# lang.py and memory.py hand on what rooms below all others hold; check_cuda.py and cuda_cache.py look at every room.
-TOPS_THAT_KNOW_ROOMS = {
+# Top-level modules that may import from subpackages. lang.py and memory.py re-export the lowest subpackages,
+# check_cuda.py and cuda_cache.py read all of them.
+MODULES_ABOVE_SUBPACKAGES = {
     "kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"},
     "tiling": {"epochs", "halos", "plan", "rasters", "status", "work_tile"},
 }
@@ -68,7 +69,7 @@ TOPS_THAT_KNOW_ROOMS = {
 TAICHI_FILES = {"kernels/language/taichi_compiler.py"}
 TAICHI_NAMES = {"taichi", "quadrants"}  # quadrants is Taichi's successor under another name
 
-# The files of kernels/ that may use Warp itself: the compilers, and what stands on Warp's memory, sort and scan.
+# The files of kernels/ that may use Warp itself: the compilers, and code on Warp's memory, sort and scan.
 WARP_FILES = {
     "kernels/array_types.py",
     "kernels/language/arguments.py",
@@ -114,7 +115,7 @@ DEVICE_DECORATORS = {
 
 
 class Import(NamedTuple):
-    """One imported name: where it stands, the module in full (folders as pointloom.<folder>), the name from it."""
+    """One imported name: its line, the full module (folders as pointloom.<folder>), and the name from it."""
 
     line: int
     module: str
@@ -124,7 +125,7 @@ class Import(NamedTuple):
 
 @cache
 def parsed(source: str) -> ast.Module:
-    """A file's tree; only to be looked at, for all checks share it."""
+    """Syntax tree of a file, shared by all checks: read-only."""
     return ast.parse(source)
 
 
@@ -133,19 +134,19 @@ def imports_of(source: str, path: str) -> list[Import]:
     """Every import in a file, inside functions and under TYPE_CHECKING too, and those by `import_module("...")`."""
     parts = ["pointloom", *Path(path).with_suffix("").parts]
     package = parts[:-1]
-    found = []
+    imports = []
     for node in ast.walk(parsed(source)):
         if isinstance(node, ast.Import):
-            found += [Import(node.lineno, alias.name) for alias in node.names]
+            imports += [Import(node.lineno, alias.name) for alias in node.names]
         elif isinstance(node, ast.ImportFrom):
             base = package[: len(package) + 1 - node.level] if node.level else []
             module = ".".join([*base, *([node.module] if node.module else [])])
-            found += [Import(node.lineno, module, alias.name, node.level > 0) for alias in node.names]
+            imports += [Import(node.lineno, module, alias.name, node.level > 0) for alias in node.names]
         elif isinstance(node, ast.Call) and node.args and isinstance(node.args[0], ast.Constant):
             called = node.func.attr if isinstance(node.func, ast.Attribute) else getattr(node.func, "id", "")
             if called in {"import_module", "__import__"} and isinstance(node.args[0].value, str):
-                found.append(Import(node.lineno, node.args[0].value))
-    return found
+                imports.append(Import(node.lineno, node.args[0].value))
+    return imports
 
 
 def top_level(imported: Import) -> str:
@@ -218,7 +219,7 @@ HOST_METHODS = {("pcd/conversion.py", "cloud.point[name].cpu().numpy")}  # Open3
 def device_faults(source: str, path: str) -> list[str]:
     """Calls that reach a device past the lock; functions of Warp are right in a `with` that takes it."""
     faults, nodes = [], list(ast.walk(parsed(source)))
-    in_turn = {
+    locked = {
         id(inner)
         for node in nodes
         if isinstance(node, ast.With) and any(takes_the_lock(item.context_expr) for item in node.items)
@@ -229,9 +230,9 @@ def device_faults(source: str, path: str) -> list[str]:
             continue
         called = ast.unparse(node.func)
         is_method = node.func.attr in DEVICE_METHODS and (path, called) not in HOST_METHODS
-        is_function = called.startswith("wp.") and called[len("wp.") :] in DEVICE_FUNCTIONS and id(node) not in in_turn
+        is_function = called.startswith("wp.") and called[len("wp.") :] in DEVICE_FUNCTIONS and id(node) not in locked
         if is_method or is_function:
-            faults.append(f"{path}:{node.lineno}: {called} is not safe beside other threads; take kernels/memory.py")
+            faults.append(f"{path}:{node.lineno}: {called} is not thread-safe; use kernels/memory.py")
     return faults
 
 
@@ -245,30 +246,30 @@ def modules() -> list[str]:
     )
 
 
-def room_faults(source: str, path: str) -> list[str]:
-    """Imports inside a house that go up: from a room to a later one, or from the house's top into a room."""
-    house, *inside = Path(path).with_suffix("").parts
-    if house not in ROOMS:
+def subpackage_faults(source: str, path: str) -> list[str]:
+    """Forbidden imports within a package: from a subpackage into a later one, or from a top-level module into one."""
+    package, *inside = Path(path).with_suffix("").parts
+    if package not in SUBPACKAGES:
         return []
-    place = {room: k for k, room in enumerate(ROOMS[house])}
-    own = place.get(inside[0], len(place)) if len(inside) > 1 else -1
-    if own < 0 and inside[0] in {*TOPS_THAT_KNOW_ROOMS.get(house, set()), "__init__"}:
+    ranks = {subpackage: k for k, subpackage in enumerate(SUBPACKAGES[package])}
+    own = ranks.get(inside[0], len(ranks)) if len(inside) > 1 else -1
+    if own < 0 and inside[0] in {*MODULES_ABOVE_SUBPACKAGES.get(package, set()), "__init__"}:
         return []
     faults = []
     for imported in imports_of(source, path):
         steps = [*imported.module.split("."), imported.name]
-        if steps[:2] == ["pointloom", house] and place.get(steps[2], -1) > own:
-            who = inside[0] if own >= 0 else house
+        if steps[:2] == ["pointloom", package] and ranks.get(steps[2], -1) > own:
+            who = inside[0] if own >= 0 else package
             faults.append(f"{path}:{imported.line}: {who} must not import from {steps[2]}")
     return faults
 
 
-def circles(edges: dict[str, set[str]]) -> list[list[str]]:
-    """The sets of modules that reach each other, each sorted (Tarjan 1972)."""
+def import_cycles(edges: dict[str, set[str]]) -> list[list[str]]:
+    """The sets of modules that import each other, each sorted (Tarjan 1972)."""
     number: dict[str, int] = {}
     lowest: dict[str, int] = {}
     waiting: list[str] = []
-    found = []
+    cycles = []
 
     def visit(module: str) -> None:
         number[module] = lowest[module] = len(number)
@@ -280,15 +281,15 @@ def circles(edges: dict[str, set[str]]) -> list[list[str]]:
             elif target in waiting:
                 lowest[module] = min(lowest[module], number[target])
         if lowest[module] == number[module]:
-            circle = waiting[waiting.index(module) :]
+            cycle = waiting[waiting.index(module) :]
             del waiting[waiting.index(module) :]
-            if len(circle) > 1:
-                found.append(sorted(circle))
+            if len(cycle) > 1:
+                cycles.append(sorted(cycle))
 
     for module in sorted(edges):
         if module not in number:
             visit(module)
-    return found
+    return cycles
 
 
 def graph_of(sources: dict[str, str]) -> dict[str, set[str]]:
@@ -298,8 +299,8 @@ def graph_of(sources: dict[str, str]) -> dict[str, set[str]]:
         edges[path] = set()
         for imported in imports_of(without_types(source), path):
             steps = [*imported.module.split("."), imported.name][1:]
-            for whole in ("/".join(steps), "/".join(steps[:-1])):
-                for target in (f"{whole}.py", f"{whole}/__init__.py"):
+            for module_path in ("/".join(steps), "/".join(steps[:-1])):
+                for target in (f"{module_path}.py", f"{module_path}/__init__.py"):
                     if target in sources and target != path:
                         edges[path].add(target)
                         break
@@ -310,7 +311,7 @@ def graph_of(sources: dict[str, str]) -> dict[str, set[str]]:
 
 
 def without_types(source: str) -> str:
-    """A file without what stands under `if TYPE_CHECKING:`."""
+    """Source without the code under `if TYPE_CHECKING:`."""
     if "TYPE_CHECKING" not in source:
         return source
     tree = ast.parse(source)
@@ -335,24 +336,24 @@ def test_imports_go_one_way():
     assert [fault for path in modules() for fault in layer_faults((PACKAGE / path).read_text(), path)] == []
 
 
-def test_rooms_import_from_those_before_them():
-    assert [fault for path in modules() for fault in room_faults((PACKAGE / path).read_text(), path)] == []
+def test_subpackages_import_from_earlier_ones():
+    assert [fault for path in modules() for fault in subpackage_faults((PACKAGE / path).read_text(), path)] == []
 
 
-def test_every_room_stands_in_the_list():
-    found: dict[str, set[str]] = {}
-    for house, room, *rest in (path.split("/") for path in modules()):
+def test_every_subpackage_is_listed():
+    folders: dict[str, set[str]] = {}
+    for package, subpackage, *rest in (path.split("/") for path in modules()):
         if rest:
-            found.setdefault(house, set()).add(room)
-    assert found == {house: set(rooms) for house, rooms in ROOMS.items()}
+            folders.setdefault(package, set()).add(subpackage)
+    assert folders == {package: set(subpackages) for package, subpackages in SUBPACKAGES.items()}
 
 
-def test_the_page_of_the_house_lists_the_rooms_in_their_order():
+def test_readme_of_kernels_lists_subpackages_in_order():
     page = (PACKAGE / "kernels" / "README.md").read_text()
-    assert re.findall(r"^\| `(\w+)/` \|", page, flags=re.MULTILINE) == ROOMS["kernels"]
+    assert re.findall(r"^\| `(\w+)/` \|", page, flags=re.MULTILINE) == SUBPACKAGES["kernels"]
 
 
-def test_a_room_that_imports_from_one_below_it_is_found():
+def test_imports_from_later_subpackages_are_reported():
     for path, line, fault in (
         ("kernels/search/tree.py", "from ..icp.rows import x", "search must not import from icp"),
         ("io/points/ply.py", "from ..meshes.obj import x", "points must not import from meshes"),
@@ -360,7 +361,7 @@ def test_a_room_that_imports_from_one_below_it_is_found():
         ("photogrammetry/sfm/model.py", "from .. import mvs", "sfm must not import from mvs"),
         ("cli/jobs/register.py", "from ..shell.options import x", "jobs must not import from shell"),
     ):
-        assert room_faults(line, path) == [f"{path}:1: {fault}"]
+        assert subpackage_faults(line, path) == [f"{path}:1: {fault}"]
     for path, line in (
         *(
             ("kernels/search/tree.py", allowed)
@@ -370,28 +371,28 @@ def test_a_room_that_imports_from_one_below_it_is_found():
         ("io/meshes/obj.py", "from ..source import x"),
         ("cli/shell/cli.py", "from ..jobs.register import x"),
     ):
-        assert room_faults(line, path) == []
+        assert subpackage_faults(line, path) == []
 
 
 def test_no_two_modules_import_each_other_not_even_inside_a_function():
-    assert circles(graph_of({path: (PACKAGE / path).read_text() for path in modules()})) == []
+    assert import_cycles(graph_of({path: (PACKAGE / path).read_text() for path in modules()})) == []
 
 
-def test_a_circle_that_an_import_inside_a_function_closes_is_found():
+def test_import_cycles_through_functions_are_reported():
     sources = {
         "pcd/cloud.py": "from .search import x",
         "pcd/search.py": "def f():\n    from . import cloud",
         "pcd/planes.py": "from .cloud import y\nif TYPE_CHECKING:\n    from .hulls import z",
         "pcd/hulls.py": "from .planes import z",
     }
-    assert circles(graph_of(sources)) == [["pcd/cloud.py", "pcd/search.py"]]
+    assert import_cycles(graph_of(sources)) == [["pcd/cloud.py", "pcd/search.py"]]
 
 
 def test_one_file_imports_taichi_and_kernel_files_import_no_compiler():
     assert [fault for path in modules() for fault in compiler_faults((PACKAGE / path).read_text(), path)] == []
 
 
-def test_what_reaches_a_device_takes_turns():
+def test_device_calls_hold_the_lock():
     assert [fault for path in modules() for fault in device_faults((PACKAGE / path).read_text(), path)] == []
 
 
@@ -407,12 +408,12 @@ def test_what_reaches_a_device_takes_turns():
         "with open(path) as file:\n    wp.synchronize_device(device)",
     ],
 )
-def test_a_call_that_takes_no_turn_is_found(line):
+def test_calls_without_the_lock_are_reported(line):
     assert len(device_faults(line, "pcd/cloud.py")) == 1
     assert device_faults(line, "kernels/memory.py") == []
 
 
-def test_calls_in_turn_and_calls_of_the_host_pass():
+def test_locked_calls_and_host_calls_pass():
     for line in ("with lock:\n    wp.copy(a, b)", "with lock_for(device):\n    wp.utils.array_scan(a)", "np.zeros(3)"):
         assert device_faults(line, "kernels/arrays/sort.py") == []
 
@@ -439,7 +440,7 @@ def test_calls_in_turn_and_calls_of_the_host_pass():
         ("cli/shell/cli.py", "from pcd.cloud import PointCloud"),
     ],
 )
-def test_an_import_the_wrong_way_is_found(path, line):
+def test_imports_from_higher_layers_are_reported(path, line):
     assert len(layer_faults(line, path)) == 1
 
 
@@ -471,7 +472,7 @@ def test_an_import_the_right_way_passes(path, line):
         ("kernels/knn.py", "from __future__ import annotations\nfrom .lang import kernel, tid"),
     ],
 )
-def test_a_compiler_in_the_wrong_file_is_found(path, source):
+def test_compiler_imports_in_other_files_are_reported(path, source):
     assert len(compiler_faults(source, path)) == 1
 
 

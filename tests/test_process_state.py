@@ -12,7 +12,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.units import UnitWarning, warn_of_units, without_warnings
 
-from .test_imports import HOUSES, PACKAGE
+from .test_imports import PACKAGE, PACKAGES
 
 # Calls that change it, even if it is changed back; and the files that may: programs and worker processes of their own,
 # and the optional compiler Taichi, which is used under a lock.
@@ -43,9 +43,9 @@ def changes_of(path: Path) -> set[str]:
     return (calls & FORBIDDEN) | (stored & {"os.environ"})
 
 
-@pytest.mark.parametrize("house", HOUSES)
-def test_no_module_changes_the_state_of_the_process(house):
-    found = {path.relative_to(PACKAGE).as_posix(): changes_of(path) for path in (PACKAGE / house).rglob("*.py")}
+@pytest.mark.parametrize("package", PACKAGES)
+def test_no_module_changes_the_state_of_the_process(package):
+    found = {path.relative_to(PACKAGE).as_posix(): changes_of(path) for path in (PACKAGE / package).rglob("*.py")}
     assert {name: changes for name, changes in found.items() if changes and name not in ALLOWED} == {}
 
 

@@ -35,9 +35,9 @@ class Page(HTMLParser):
             self.links.add(values["href"])
         if tag in LOADS and values.get(LOADS[tag]) and not NO_LOAD & set(values.get("rel", "").split()):
             self.loads.add(values[LOADS[tag]])
-        for place in values.get("srcset", "").split(","):
-            if place.strip():
-                self.loads.add(place.split()[0])
+        for candidate in values.get("srcset", "").split(","):
+            if candidate.strip():
+                self.loads.add(candidate.split()[0])
 
 
 def faults_of(site: Path) -> tuple[list[str], list[str]]:
@@ -54,26 +54,26 @@ def faults_of(site: Path) -> tuple[list[str], list[str]]:
             if url.scheme or url.netloc:
                 elsewhere.add(target)
                 if target in page.loads:
-                    faults.append(f"{name}: loads {target} from elsewhere")
+                    faults.append(f"{name}: loads {target} from another site")
                 continue
-            found = (path.parent / unquote(url.path)).resolve() if url.path else path
-            found = found / "index.html" if found.is_dir() else found
-            if not found.exists():
-                faults.append(f"{name}: {target} is not there")
-            elif found in pages and unquote(url.fragment) not in pages[found].parts:
-                faults.append(f"{name}: {target} has no such part")
+            target_path = (path.parent / unquote(url.path)).resolve() if url.path else path
+            target_path = target_path / "index.html" if target_path.is_dir() else target_path
+            if not target_path.exists():
+                faults.append(f"{name}: {target} does not exist")
+            elif target_path in pages and unquote(url.fragment) not in pages[target_path].parts:
+                faults.append(f"{name}: {target} has no such anchor")
     return faults, sorted(elsewhere)
 
 
 def main() -> int:
-    """Print what is wrong; the exit status is 1 where anything is."""
+    """Print all faults. The exit status is 1 if there are any."""
     site = Path(sys.argv[1]).resolve()
     faults, elsewhere = faults_of(site)
     (site.parent / "external-links.txt").write_text("\n".join(elsewhere) + "\n", encoding="utf-8")
     for fault in faults:
         print(fault)
     count = len(list(site.rglob("*.html")))
-    print(f"{site}: {count} pages, {len(faults)} faults, {len(elsewhere)} addresses elsewhere")
+    print(f"{site}: {count} pages, {len(faults)} faults, {len(elsewhere)} external links")
     return 1 if faults else 0
 
 

@@ -12,7 +12,7 @@ from pointloom.cli.shell.cli import cli
 
 from .texts import indented, plain, remove_others, titled, write_if_changed
 
-HEAD = """Every command says the same with ``--help``. What all of them share: :doc:`/shell`.
+HEAD = """``--help`` of each command prints the same text. Common options: :doc:`/shell`.
 
 """
 

@@ -8,29 +8,29 @@ from pathlib import Path
 from .texts import titled, write_if_changed
 from .usage import CHAPTERS, EXAMPLES, gallery_of
 
-# Sections in the order in which they stand; others come behind them.
+# Order of the sections. Others follow.
 SECTIONS = ("clouds", "registration", "meshes", "rgbd", "pictures", "kernels")
-HEAD = """Each page is a script: it runs alone, makes its own data, says what it found and holds it against the truth.
-Download it as a script or as a notebook at the end of its page.
+HEAD = """Each page is a script that runs on its own. It creates its data, prints its results and
+compares them with the ground truth. Each page ends with links to download the script or a notebook.
 
 """
 
 
 def sections() -> list[str]:
-    """The folders of docs/examples that hold scripts: the chapters first."""
-    found = sorted({path.parent.name for path in EXAMPLES.glob("*/plot_*.py")})
+    """Folders of docs/examples that contain scripts, the chapters first."""
+    folders = sorted({path.parent.name for path in EXAMPLES.glob("*/plot_*.py")})
     order = {name: number for number, name in enumerate((CHAPTERS, *SECTIONS))}
-    return sorted(found, key=lambda name: (order.get(name, len(order)), name))
+    return sorted(folders, key=lambda name: (order.get(name, len(order)), name))
 
 
 def folders() -> tuple[list[str], list[str]]:
-    """What sphinx-gallery reads and where it writes, from docs/."""
+    """Input and output folders of sphinx-gallery, relative to docs/."""
     names = sections()
     return [f"examples/{name}" for name in names], [gallery_of(name) for name in names]
 
 
 def write_index(docs: Path) -> None:
-    """The page of all sections, once sphinx-gallery has written theirs; chapters have their own."""
+    """Write the page of all sections after sphinx-gallery has written theirs. Chapters have their own page."""
     names = [name for name in sections() if name != CHAPTERS]
     text = titled("Gallery") + HEAD
     for name in names:
@@ -38,11 +38,11 @@ def write_index(docs: Path) -> None:
     text += ".. toctree::\n   :hidden:\n\n" + "".join(f"   {name}/index\n" for name in names)
     write_if_changed(docs / "gallery" / "index.rst", text)
     if CHAPTERS not in sections():
-        write_if_changed(docs / CHAPTERS / "index.rst", titled("Chapters") + "None is there yet.\n")
+        write_if_changed(docs / CHAPTERS / "index.rst", titled("Chapters") + "There are no chapters yet.\n")
 
 
 def thumbnails(page: str) -> str:
-    """A section's page as a part of another one: without its label, its toctree and what ends it."""
+    """Page of a section without label, toctree and footer, to be included in another page."""
     page = re.sub(r"^:orphan:\n", "", page)
     page = re.sub(r"^\.\. _[^\n]*:\n", "", page, flags=re.MULTILINE)
     page = re.sub(r"^\.\. toctree::\n(?:[ \t]+[^\n]*\n|\n)*", "", page, flags=re.MULTILINE)

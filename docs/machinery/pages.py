@@ -1,4 +1,4 @@
-"""Pages of the repository in the site: those beside docs/ are copied into it, links between all of them stay links."""
+"""Pages of the repository in the site. Pages outside docs/ are copied, and links between pages are kept."""
 
 from __future__ import annotations
 
@@ -12,9 +12,9 @@ from .texts import titled, write_if_changed
 
 ROOT = Path(__file__).parents[2]
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text(encoding="utf-8"))
-PLACE = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
+LOCATION = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
 
-# Pages of the repository outside docs/, and where they lie in the site.
+# Pages of the repository outside docs/, and their paths in the site.
 BROUGHT = {
     "CHANGELOG.md": "project/changelog",
     "CONTRIBUTING.md": "project/contributing",
@@ -23,7 +23,7 @@ BROUGHT = {
     "benchmarks/README.md": "project/benchmarks",
     "tests/emulated_cuda/README.md": "project/emulated-cuda",
 }
-# What the site has in another form.
+# Pages that the site contains in another form.
 REPLACED = {"README.md": "index", "docs/README.md": "guides"}
 PROJECT_PAGES = ("changelog", "contributing", "security", "kernels", "benchmarks", "emulated-cuda")
 
@@ -35,7 +35,7 @@ def bring(docs: Path) -> None:
     """Copy pages into the site's sources, and write the page that lists them."""
     for source, page in BROUGHT.items():
         write_if_changed(docs / f"{page}.md", (ROOT / source).read_text(encoding="utf-8"))
-    text = titled("Project") + "How it is built, what changed, what was decided and why.\n\n"
+    text = titled("Project") + "Build instructions, changes, and decisions with their reasons.\n\n"
     text += ".. toctree::\n   :maxdepth: 1\n\n   ../versions\n" + "".join(f"   {name}\n" for name in PROJECT_PAGES)
     text += "\n.. toctree::\n   :maxdepth: 1\n   :caption: Decisions\n\n   ../adr/README\n"
     text += "".join(f"   ../adr/{path.stem}\n" for path in sorted((docs / "adr").glob("[0-9]*.md")))
@@ -43,15 +43,15 @@ def bring(docs: Path) -> None:
 
 
 def rewrite_links(page: str, text: str) -> str:
-    """A page's Markdown with its relative links as they are in the site.
+    """Replace the relative links of a Markdown page by those of the site.
 
-    What the site does not hold becomes an address in the repository; where none is set, its text alone.
+    Links to files outside the site become addresses in the repository, or plain text if no repository is set.
 
     Args:
         page: Its name in the site, without suffix.
         text: Its Markdown.
     """
-    origin = {place: source for source, place in BROUGHT.items()}.get(page, f"docs/{page}.md")
+    origin = {location: source for source, location in BROUGHT.items()}.get(page, f"docs/{page}.md")
 
     def link(match: re.Match[str]) -> str:
         bang, words, target, part = match.groups()
@@ -61,14 +61,14 @@ def rewrite_links(page: str, text: str) -> str:
 
 
 def _link(page: str, origin: str, bang: str, words: str, target: str, part: str) -> str:
-    whole = posixpath.normpath(posixpath.join(posixpath.dirname(origin), target))
-    place = {**BROUGHT, **REPLACED}.get(whole)
-    if place is None and whole.startswith("docs/") and (bang or whole.endswith(".md")):
-        place = whole.removeprefix("docs/").removesuffix(".md")
-    if place is not None:
+    path = posixpath.normpath(posixpath.join(posixpath.dirname(origin), target))
+    location = {**BROUGHT, **REPLACED}.get(path)
+    if location is None and path.startswith("docs/") and (bang or path.endswith(".md")):
+        location = path.removeprefix("docs/").removesuffix(".md")
+    if location is not None:
         suffix = "" if bang else ".md"
-        to = os.path.relpath(place, posixpath.dirname(page) or ".")
+        to = os.path.relpath(location, posixpath.dirname(page) or ".")
         return f"{bang}[{words}]({to}{suffix}{part})"
-    if PLACE["repository"]:
-        return f"{bang}[{words}]({PLACE['repository'].rstrip('/')}/blob/{PLACE['branch']}/{whole}{part})"
+    if LOCATION["repository"]:
+        return f"{bang}[{words}]({LOCATION['repository'].rstrip('/')}/blob/{LOCATION['branch']}/{path}{part})"
     return words

@@ -1,4 +1,4 @@
-"""The public names of pointloom, as its stubs list them, with what each is and where a user would look for it."""
+"""Public names of pointloom from its stubs, with their kind and their section in the reference."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from typing import Any
 import pointloom
 from pointloom import public_names
 
-# Where the names of `pointloom` itself stand in the reference, by the module that defines them: the longest match.
+# Section of each name of `pointloom` in the reference, by the defining module. The longest match counts.
 GROUPS = {
     "pcd": "Clouds",
     "pcd.boxes": "Boxes, hulls, lines, voxels",
@@ -45,7 +45,7 @@ class PublicName:
     """A public class or function.
 
     Attributes:
-        name: As users write it with the whole package: `pointloom.registration.registration_icp`.
+        name: Full name, as users write it: `pointloom.registration.registration_icp`.
         module: The public module that has it: `pointloom.registration`.
         home: The module that defines it.
         value: Itself.
@@ -65,9 +65,9 @@ class PublicName:
 
     @property
     def group(self) -> str:
-        """The section of the reference that it belongs to; of a module's name, the room that defines it."""
-        place = self.home.removeprefix("pointloom.")
-        fitting = [prefix for prefix in GROUPS if place == prefix or place.startswith(f"{prefix}.")]
+        """Section in the reference."""
+        module = self.home.removeprefix("pointloom.")
+        fitting = [prefix for prefix in GROUPS if module == prefix or module.startswith(f"{prefix}.")]
         return GROUPS[max(fitting, key=len)] if fitting else OTHER
 
 
@@ -86,16 +86,16 @@ def public_modules() -> dict[str, types.ModuleType]:
 def names_of(module: str) -> dict[str, PublicName]:
     """The public classes and functions of a public module, in the order of its stub, by their short names."""
     value = public_modules()[module]
-    found = {}
+    names = {}
     for name, home in _homes(module, value).items():
         thing = getattr(value, name)
         if not inspect.ismodule(thing):
-            found[name] = PublicName(f"{module}.{name}", module, getattr(thing, "__module__", home), thing)
-    return found
+            names[name] = PublicName(f"{module}.{name}", module, getattr(thing, "__module__", home), thing)
+    return names
 
 
 def _homes(module: str, value: types.ModuleType) -> dict[str, str]:
-    """The names that a stub gives, or, without one, what the module itself defines."""
+    """Names of a stub, or of the module if it has no stub."""
     package = value.__name__
     try:
         return public_names._read(package)
@@ -110,30 +110,30 @@ def _homes(module: str, value: types.ModuleType) -> dict[str, str]:
 
 @cache
 def all_names() -> dict[str, PublicName]:
-    """Every public class and function by its whole name."""
-    return {found.name: found for module in public_modules() for found in names_of(module).values()}
+    """Every public class and function by its full name."""
+    return {name.name: name for module in public_modules() for name in names_of(module).values()}
 
 
 @cache
 def by_home() -> dict[str, str]:
-    """The public name of what a module defines: `pointloom.pcd.cloud.PointCloud` is `pointloom.PointCloud`."""
-    return {f"{found.home}.{getattr(found.value, '__name__', '')}": name for name, found in all_names().items()}
+    """Public name of each definition of a module: `pointloom.pcd.cloud.PointCloud` is `pointloom.PointCloud`."""
+    return {f"{public.home}.{getattr(public.value, '__name__', '')}": name for name, public in all_names().items()}
 
 
 @cache
 def members_of(name: str) -> tuple[str, ...]:
-    """The public methods and properties of a public class that have a docstring of ours, in the order of definition."""
+    """The public methods and properties of a public class with a docstring of pointloom, in order of definition."""
     value = all_names()[name].value
-    found: list[str] = []
+    members: list[str] = []
     for owner in value.__mro__:
         if not owner.__module__.startswith("pointloom"):
             continue
         for key, thing in vars(owner).items():
             plain = thing.__func__ if isinstance(thing, classmethod | staticmethod) else thing
             documented = isinstance(plain, types.FunctionType | property) and inspect.getdoc(plain)
-            if not key.startswith("_") and documented and key not in found:
-                found.append(key)
-    return tuple(found)
+            if not key.startswith("_") and documented and key not in members:
+                members.append(key)
+    return tuple(members)
 
 
 def first_sentence(text: str | None) -> str:
@@ -143,11 +143,11 @@ def first_sentence(text: str | None) -> str:
     return f"{head}." if dot else paragraph
 
 
-def has_example(found: PublicName) -> bool:
-    """Whether the docstring holds an example that runs; of an enumeration or error, whether it is used in one."""
-    return ">>>" in (inspect.getdoc(found.value) or "")
+def has_example(name: PublicName) -> bool:
+    """True if the docstring contains a doctest."""
+    return ">>>" in (inspect.getdoc(name.value) or "")
 
 
-def is_enumeration(found: PublicName) -> bool:
-    """Whether it is a class of named values."""
-    return inspect.isclass(found.value) and issubclass(found.value, enum.Enum)
+def is_enumeration(name: PublicName) -> bool:
+    """True for an enumeration."""
+    return inspect.isclass(name.value) and issubclass(name.value, enum.Enum)

@@ -1,4 +1,4 @@
-"""The pages of the reference: one for each public class and function, one for each module, one that counts."""
+"""Pages of the reference: one per public class, function and module, and one with the coverage by examples."""
 
 from __future__ import annotations
 
@@ -24,12 +24,12 @@ from .public import (
 from .texts import plain, remove_others, titled, write_if_changed
 from .usage import Example, examples, users
 
-HEAD = """``import pointloom as loom`` loads nothing but names: each is loaded when it is first used. Operations return
-what they make and change nothing in place.
+HEAD = """``import pointloom as loom`` is fast, since each module is loaded on first use. Operations return new
+objects and do not change their inputs.
 
 """
-# The sections of pointloom.registration, by the room that defines a name.
-ROOMS = {
+# Sections of pointloom.registration by the subpackage that defines a name.
+SUBPACKAGES = {
     "icp": "ICP",
     "globally": "From no guess",
     "matching": "From no guess",
@@ -40,16 +40,16 @@ ROOMS = {
 }
 DOCS = Path(__file__).parents[1]
 PAGE = re.compile(r"(?<!`)docs/([\w-]+)\.md(?!`)")
-SHOWN = 12  # examples that a page names
+SHOWN = 12  # listed examples of a page
 
 
 def write_pages(folder: Path) -> None:
-    """Write them all."""
+    """Write all pages."""
     pages = {"index.rst": index_page(), "coverage.rst": coverage_page()}
     for module in public_modules():
         if module != "pointloom":
             pages[f"{module}.rst"] = module_page(module)
-    pages.update({f"{name}.rst": page_of(found) for name, found in all_names().items()})
+    pages.update({f"{name}.rst": page_of(public) for name, public in all_names().items()})
     for name, text in pages.items():
         write_if_changed(folder / name, text)
     remove_others(folder, set(pages))
@@ -58,8 +58,8 @@ def write_pages(folder: Path) -> None:
 def index_page() -> str:
     """All names of `pointloom` by subject, and its modules."""
     sections: dict[str, list[PublicName]] = {}
-    for found in names_of("pointloom").values():
-        sections.setdefault(found.group, []).append(found)
+    for public in names_of("pointloom").values():
+        sections.setdefault(public.group, []).append(public)
     modules = [module for module in public_modules() if module != "pointloom"]
     text = titled("Reference") + HEAD + titled("Modules", "-") + ".. list-table::\n   :widths: 30 70\n\n"
     for module in modules:
@@ -73,31 +73,31 @@ def index_page() -> str:
 
 
 def module_page(module: str) -> str:
-    """A module's docstring and its names; those of registration by room."""
+    """Docstring and names of a module; those of registration by subpackage."""
     text = titled(f"loom.{module.removeprefix('pointloom.')}") + f".. automodule:: {module}\n   :no-members:\n\n"
-    found = list(names_of(module).values())
+    names = list(names_of(module).values())
     if module != "pointloom.registration":
-        return text + titled("Names", "-") + _table(found)
+        return text + titled("Names", "-") + _table(names)
     sections: dict[str, list[PublicName]] = {}
-    for name in found:
-        place = name.home.removeprefix(f"{module}.").split(".")[0]
-        sections.setdefault(ROOMS.get(place, "Results and files"), []).append(name)
-    for title in dict.fromkeys([*ROOMS.values(), "Results and files"]):
+    for name in names:
+        subpackage = name.home.removeprefix(f"{module}.").split(".")[0]
+        sections.setdefault(SUBPACKAGES.get(subpackage, "Results and files"), []).append(name)
+    for title in dict.fromkeys([*SUBPACKAGES.values(), "Results and files"]):
         text += titled(title, "-") + _table(sections.get(title, []))
     return text
 
 
-def page_of(found: PublicName) -> str:
-    """The page of a class or function; a class begins with a table of its methods."""
-    short = found.name.removeprefix("pointloom.")
-    text = titled(f"loom.{short}") + f".. currentmodule:: {found.module}\n\n"
-    if found.kind not in {"class", "exception"}:
-        return text + f".. auto{found.kind}:: {found.name}\n"
-    members = members_of(found.name)
-    text += f".. auto{found.kind}:: {found.name}\n"
+def page_of(public: PublicName) -> str:
+    """Page of a class or function. A class begins with a table of its methods."""
+    short = public.name.removeprefix("pointloom.")
+    text = titled(f"loom.{short}") + f".. currentmodule:: {public.module}\n\n"
+    if public.kind not in {"class", "exception"}:
+        return text + f".. auto{public.kind}:: {public.name}\n"
+    members = members_of(public.name)
+    text += f".. auto{public.kind}:: {public.name}\n"
     text += "   :members: " + ", ".join(members) + "\n   :member-order: bysource\n" if members else ""
     if len(members) > 5:
-        rows = "".join(f"   ~{_within(found)}.{member}\n" for member in members)
+        rows = "".join(f"   ~{_within(public)}.{member}\n" for member in members)
         text += f"\n{titled('All at a glance', '-')}.. autosummary::\n   :nosignatures:\n\n{rows}"
     return text
 
@@ -105,15 +105,15 @@ def page_of(found: PublicName) -> str:
 def _table(names: list[PublicName]) -> str:
     if not names:
         return ""
-    rows = "".join(f"   {_within(found)}\n" for found in names)
+    rows = "".join(f"   {_within(public)}\n" for public in names)
     return f".. currentmodule:: {names[0].module}\n\n.. autosummary::\n   :nosignatures:\n\n{rows}\n" + _toctree(
-        [found.name for found in names]
+        [public.name for public in names]
     )
 
 
-def _within(found: PublicName) -> str:
-    """A name as it stands in its module."""
-    return found.name.removeprefix(f"{found.module}.")
+def _within(public: PublicName) -> str:
+    """Name relative to its module."""
+    return public.name.removeprefix(f"{public.module}.")
 
 
 def _toctree(pages: list[str]) -> str:
@@ -121,17 +121,17 @@ def _toctree(pages: list[str]) -> str:
 
 
 def examples_of(name: str) -> list[str]:
-    """Lines of reST that name the pages of the gallery that use a public name or method; none where none does."""
-    found = users().get(name, [])
-    if not found:
+    """reST lines that list the gallery pages with a public name or method. Empty if there are none."""
+    pages = users().get(name, [])
+    if not pages:
         return []
-    links = ", ".join(f":doc:`{plain(example.title)} </{example.page}>`" for example in found[:SHOWN])
-    more = f" and {len(found) - SHOWN} more" if len(found) > SHOWN else ""
-    return ["", ".. rst-class:: used-in", "", f"**Seen in** {links}{more}", ""]
+    links = ", ".join(f":doc:`{plain(example.title)} </{example.page}>`" for example in pages[:SHOWN])
+    more = f" and {len(pages) - SHOWN} more" if len(pages) > SHOWN else ""
+    return ["", ".. rst-class:: used-in", "", f"**Used in** {links}{more}", ""]
 
 
 def signature_of(what: str, name: str, thing: Any) -> tuple[str, str] | None:
-    """Parameters and result of a function, method or class with their hints as they are written; None for all else."""
+    """Parameters and result of a function, method or class with their type hints; None for other objects."""
     if what not in {"function", "method", "class", "exception"}:
         return None
     try:
@@ -140,8 +140,8 @@ def signature_of(what: str, name: str, thing: Any) -> tuple[str, str] | None:
         return None
     if what == "method":
         owner, _, member = name.rpartition(".")
-        found = all_names().get(owner)
-        is_static = found is not None and isinstance(inspect.getattr_static(found.value, member), staticmethod)
+        public = all_names().get(owner)
+        is_static = public is not None and isinstance(inspect.getattr_static(public.value, member), staticmethod)
         if inspect.isfunction(thing) and not is_static:
             signature = signature.replace(parameters=list(signature.parameters.values())[1:])
     is_class = what in {"class", "exception"}
@@ -151,19 +151,19 @@ def signature_of(what: str, name: str, thing: Any) -> tuple[str, str] | None:
 
 
 def linked(line: str) -> str:
-    """A line of a docstring whose mentions of pages, "docs/arrays.md", are links to them."""
-    return PAGE.sub(lambda found: f":doc:`/{found[1]}`" if (DOCS / f"{found[1]}.md").exists() else found[0], line)
+    """Replace mentions of pages such as "docs/arrays.md" in a line of a docstring by links."""
+    return PAGE.sub(lambda match: f":doc:`/{match[1]}`" if (DOCS / f"{match[1]}.md").exists() else match[0], line)
 
 
 def missing() -> tuple[list[str], list[str]]:
-    """The public names whose docstring has no example, and those that no page of the gallery uses."""
+    """Public names without an example in their docstring, and those without a gallery page."""
     names = all_names()
-    without = [name for name, found in names.items() if not has_example(found)]
+    without = [name for name, public in names.items() if not has_example(public)]
     return without, [name for name in names if name not in users()]
 
 
-def said() -> str:
-    """The counts of `missing` in a line."""
+def coverage_line() -> str:
+    """The counts of `missing` in one line."""
     without, unseen = missing()
     count, methods = len(all_names()), [f"{n}.{m}" for n in all_names() if _is_class(n) for m in members_of(n)]
     seen = sum(name in users() for name in methods)
@@ -178,9 +178,9 @@ def _is_class(name: str) -> bool:
 
 
 def coverage_page() -> str:
-    """Which names lack what."""
+    """Page of names without examples."""
     without, unseen = missing()
-    text = titled("Names and their examples") + said() + ".\n\n"
+    text = titled("Names and their examples") + coverage_line() + ".\n\n"
     for title, names in (("No page of the gallery uses", unseen), ("No example in the docstring", without)):
         listed = "".join(f"- :py:obj:`{name}`\n" for name in names) or "None.\n"
         text += titled(title, "-") + listed + "\n"
@@ -188,5 +188,5 @@ def coverage_page() -> str:
 
 
 def example_pages() -> dict[str, Example]:
-    """The scripts by their page."""
+    """Scripts by page."""
     return {example.page: example for example in examples()}

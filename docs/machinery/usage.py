@@ -1,8 +1,8 @@
-"""Which public names the scripts of the gallery use: read from their text, never run.
+"""Public names used by the scripts of the gallery, from their source without running it.
 
-Types are followed as far as the hints of our own functions say them: `cloud = loom.read_point_cloud(path)` is a
-`PointCloud`, so `cloud.crop(...)` is `pointloom.PointCloud.crop`. A method whose object is not known counts where one
-public class alone has a method of that name.
+Types follow from the type hints of pointloom's functions: `cloud = loom.read_point_cloud(path)` is a `PointCloud`, so
+`cloud.crop(...)` is `pointloom.PointCloud.crop`. A method of an unknown object counts if only one public class has a
+method of that name.
 """
 
 from __future__ import annotations
@@ -23,7 +23,7 @@ CHAPTERS = "chapters"
 
 @dataclasses.dataclass(frozen=True)
 class Example:
-    """A script of the gallery: its page, title, thumbnail (both from the root of the site) and what it uses."""
+    """A script of the gallery: page and thumbnail (relative to the root of the site), title, and used names."""
 
     page: str
     title: str
@@ -34,8 +34,8 @@ class Example:
 @cache
 def examples() -> tuple[Example, ...]:
     """All scripts, the chapters first."""
-    found = sorted(EXAMPLES.glob("*/plot_*.py"), key=lambda path: (path.parent.name != CHAPTERS, path))
-    return tuple(read_example(path) for path in found)
+    paths = sorted(EXAMPLES.glob("*/plot_*.py"), key=lambda path: (path.parent.name != CHAPTERS, path))
+    return tuple(read_example(path) for path in paths)
 
 
 def gallery_of(section: str) -> str:
@@ -57,11 +57,11 @@ def read_example(path: Path) -> Example:
 @cache
 def users() -> dict[str, list[Example]]:
     """The scripts that use each public name or method, the chapters first."""
-    found: dict[str, list[Example]] = defaultdict(list)
+    pages: dict[str, list[Example]] = defaultdict(list)
     for example in examples():
         for name in example.uses:
-            found[name].append(example)
-    return dict(found)
+            pages[name].append(example)
+    return dict(pages)
 
 
 def names_used(tree: ast.Module) -> frozenset[str]:
@@ -74,20 +74,20 @@ def names_used(tree: ast.Module) -> frozenset[str]:
 @cache
 def _owners() -> dict[str, list[str]]:
     """The public classes that have a method or property of each name."""
-    found: dict[str, list[str]] = defaultdict(list)
+    owners: dict[str, list[str]] = defaultdict(list)
     for name, public in all_names().items():
         if inspect.isclass(public.value):
             for member in members_of(name):
-                found[member].append(name)
-    return found
+                owners[member].append(name)
+    return owners
 
 
 class _Reader(ast.NodeVisitor):
-    """Walks a script in the order of its text; `types` holds the public class of each variable that is known."""
+    """Traverse a script in source order; `types` contains the public class of each known variable."""
 
     def __init__(self) -> None:
         self.used: set[str] = set()
-        self.named: dict[str, str] = {}  # what a variable stands for: "loom" for "pointloom"
+        self.named: dict[str, str] = {}  # public name of a variable: "loom" for "pointloom"
         self.types: dict[str, Any] = {}  # a class's name, or a list of them for a tuple
 
     def visit_Import(self, node: ast.Import) -> None:
@@ -103,10 +103,10 @@ class _Reader(ast.NodeVisitor):
 
     def visit_Assign(self, node: ast.Assign) -> None:
         self.visit(node.value)
-        whole = self._name(node.value)
+        full_name = self._name(node.value)
         for target in node.targets:
-            if isinstance(target, ast.Name) and whole in {*all_names(), *public_modules()}:
-                self.named[target.id] = whole  # reg = loom.registration
+            if isinstance(target, ast.Name) and full_name in {*all_names(), *public_modules()}:
+                self.named[target.id] = full_name  # reg = loom.registration
             self._bind(target, self._type(node.value))
             self.visit(target)
 
@@ -154,7 +154,7 @@ class _Reader(ast.NodeVisitor):
                 self._bind(part, of)
 
     def _name(self, node: ast.expr) -> str:
-        """The whole name that an expression stands for; empty where it stands for none of ours."""
+        """Full public name of an expression; empty if it is not a name of pointloom."""
         if isinstance(node, ast.Name):
             return self.named.get(node.id, "")
         if not isinstance(node, ast.Attribute):
@@ -168,7 +168,7 @@ class _Reader(ast.NodeVisitor):
         return f"{owners[0]}.{node.attr}" if len(owners) == 1 and kind is None else ""
 
     def _type(self, node: ast.expr) -> Any:
-        """The public class of an expression's value, "*" before that of a sequence's elements; None where unknown."""
+        """Public class of an expression, with a leading "*" for elements of a sequence; None if unknown."""
         if isinstance(node, ast.Name):
             return self.types.get(node.id)
         if isinstance(node, ast.Call):
@@ -189,15 +189,15 @@ class _Reader(ast.NodeVisitor):
 
 @cache
 def result_of(name: str) -> Any:
-    """What calling, or reading, a public name gives, as its hint says."""
+    """Type of the result of a call, or of an attribute, from its type hint."""
     owner, _, member = name.rpartition(".")
     if name in all_names():
         value = all_names()[name].value
         return name if inspect.isclass(value) else _class_in(getattr(value, "__annotations__", {}).get("return"), name)
     if owner not in all_names() or not inspect.isclass(all_names()[owner].value):
         return None
-    found = inspect.getattr_static(all_names()[owner].value, member, None)
-    plain = found.__func__ if isinstance(found, classmethod | staticmethod) else found
+    member_value = inspect.getattr_static(all_names()[owner].value, member, None)
+    plain = member_value.__func__ if isinstance(member_value, classmethod | staticmethod) else member_value
     plain = plain.fget if isinstance(plain, property) else plain
     hint = getattr(plain, "__annotations__", {}).get("return")
     if hint is None:
@@ -214,7 +214,7 @@ def _class_in(hint: Any, owner: str) -> Any:
 
 
 def _class_of(node: ast.expr, owner: str) -> Any:
-    """The public class that a hint names; of a union the first, of a tuple all, of a list's elements with "*"."""
+    """Public class of a type hint: the first of a union, all of a tuple, with "*" for elements of a list."""
     if isinstance(node, ast.BinOp):
         return _class_of(node.left, owner) or _class_of(node.right, owner)
     if isinstance(node, ast.Subscript):
@@ -234,6 +234,8 @@ def _class_of(node: ast.expr, owner: str) -> Any:
 
 @cache
 def _short_names() -> dict[str, str]:
-    """Public classes by their own names; one of `pointloom` itself goes before that of a module."""
-    classes = {name: found for name, found in all_names().items() if inspect.isclass(found.value)}
-    return {found.value.__name__: name for name, found in sorted(classes.items(), key=lambda item: -item[0].count("."))}
+    """Public classes by short name; `pointloom` takes precedence over its modules."""
+    classes = {name: public for name, public in all_names().items() if inspect.isclass(public.value)}
+    return {
+        public.value.__name__: name for name, public in sorted(classes.items(), key=lambda item: -item[0].count("."))
+    }

@@ -1,4 +1,4 @@
-"""What is written once all pages are: a list of them for assistants, a map for search engines, the counts of names."""
+"""Files written after all pages: a list of pages for assistants, a site map, and the counts of names."""
 
 from __future__ import annotations
 
@@ -9,13 +9,13 @@ from xml.sax.saxutils import escape
 
 from docutils import nodes
 
-from .reference import said
+from .reference import coverage_line
 
-LONGEST = 200  # letters of what is said of a page
+LONGEST = 200  # characters of a page's description
 
 
 def about(doctree: nodes.document) -> str:
-    """The first paragraph of a page, cut."""
+    """First paragraph of a page, truncated."""
     for paragraph in doctree.findall(nodes.paragraph):
         if (
             isinstance(paragraph.parent, nodes.section | nodes.document)
@@ -27,7 +27,7 @@ def about(doctree: nodes.document) -> str:
 
 
 def pages_of(app: Any) -> list[tuple[str, str, str]]:
-    """Each page's name, title and first words; home first, the reference last."""
+    """Name, title and description of each page, the home page first and the reference last."""
     env = app.env
     names = sorted(
         env.found_docs, key=lambda name: (name != "index", name.startswith(("reference/", "project/")), name)
@@ -36,7 +36,7 @@ def pages_of(app: Any) -> list[tuple[str, str, str]]:
 
 
 def write_lists(app: Any, error: Exception | None) -> None:
-    """At the end of a build of pages: llms.txt, and where the site's address is set sitemap.xml and versions.json."""
+    """Write llms.txt after a build, and sitemap.xml and versions.json if the address of the site is set."""
     if error is not None or app.builder.format != "html":
         return
     base, out = app.config.html_baseurl, Path(app.outdir)
@@ -44,11 +44,11 @@ def write_lists(app: Any, error: Exception | None) -> None:
     lines = [f"# pointloom {app.config.release}", "", f"> {app.config.html_short_title}", ""]
     lines += [f"- [{title}]({base}{name}.html){': ' if text else ''}{text}" for name, title, text in pages]
     (out / "llms.txt").write_text("\n".join(lines) + "\n", encoding="utf-8")
-    print(said())
+    print(coverage_line())
     if not base:
         return
-    places = "".join(f"<url><loc>{escape(f'{base}{name}.html')}</loc></url>\n" for name, _, _ in pages)
+    entries = "".join(f"<url><loc>{escape(f'{base}{name}.html')}</loc></url>\n" for name, _, _ in pages)
     head = '<?xml version="1.0" encoding="utf-8"?>\n<urlset xmlns="http://www.sitemaps.org/schemas/sitemap/0.9">\n'
-    (out / "sitemap.xml").write_text(f"{head}{places}</urlset>\n", encoding="utf-8")
+    (out / "sitemap.xml").write_text(f"{head}{entries}</urlset>\n", encoding="utf-8")
     version = {"name": f"{app.config.release} (stable)", "version": app.config.release, "url": base, "preferred": True}
     (out / "versions.json").write_text(json.dumps([version], indent=1) + "\n", encoding="utf-8")

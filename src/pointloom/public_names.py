@@ -60,7 +60,7 @@ def attach(package: str) -> tuple[Callable[[str], Any], Callable[[], list[str]]]
 
 
 def private(package: str) -> Callable[[str], Any]:
-    """`__getattr__` of a private package with the name of an Open3D module: the error says where the names are."""
+    """`__getattr__` of a private package with the name of an Open3D module: the error has the location of the name."""
 
     def load(name: str) -> Any:
         if name.startswith("_") or _no_module(package, name, {}):
@@ -133,7 +133,7 @@ class _UnknownModules:
             raise ModuleNotFoundError(_no_name(package, name, _read(package)))
 
 
-def tell_unknown_modules() -> None:
+def report_unknown_modules() -> None:
     """Append the finder once."""
     if _UnknownModules not in sys.meta_path:
         sys.meta_path.append(_UnknownModules)
@@ -146,7 +146,12 @@ def _elsewhere(package: str, name: str) -> str:
     if name in homes and package != root:
         return f"{SHORT_NAME}.{name}"
     for module, home in homes.items():
-        if module.islower() and (whole := _package_of(module, home)) and whole != package and name in _read(whole):
+        if (
+            module.islower()
+            and (full_name := _package_of(module, home))
+            and full_name != package
+            and name in _read(full_name)
+        ):
             return f"{SHORT_NAME}.{module}.{name}"
     return ""
 
@@ -155,10 +160,10 @@ def _package_of(module: str, home: str) -> str:
     """Package of a public name that has public names itself, or ""."""
     import pkgutil
 
-    for whole in (home, f"{home}.{module}"):
+    for full_name in (home, f"{home}.{module}"):
         try:
-            if whole.endswith(f".{module}") and pkgutil.get_data(whole, "__init__.pyi"):
-                return whole
+            if full_name.endswith(f".{module}") and pkgutil.get_data(full_name, "__init__.pyi"):
+                return full_name
         except (ImportError, OSError):
             continue
     return ""

@@ -199,7 +199,7 @@ def fault(error):
 @pytest.mark.parametrize(
     ("error", "message"),
     [
-        (IndexError("list index"), "error: unexpected IndexError: list index. This is a fault of pointloom"),
+        (IndexError("list index"), "error: unexpected IndexError: list index. This is a bug in pointloom"),
         (MemoryError(), "error: out of memory. A larger --voxel"),
         (OSError(28, "No space left on device", "out.ply"), "error: out.ply: No space left on device"),
         (ValueError("voxel_size: too small"), "error: voxel_size: too small"),
@@ -369,7 +369,7 @@ def test_doctor_says_that_threads_are_untried_elsewhere(monkeypatch):
     monkeypatch.delenv("POINTLOOM_CPU_THREADS", raising=False)
     monkeypatch.setattr(doctor, "get_num_threads", lambda: 1)
     monkeypatch.setattr(doctor, "sys", SimpleNamespace(platform="darwin"))
-    said = "1 thread, since more are untried on this system; POINTLOOM_CPU_THREADS tries more"
+    said = "1 thread, since more are not tested on this system; set POINTLOOM_CPU_THREADS to use more"
     assert answer("doctor")["why"] == said
 
 
@@ -378,7 +378,7 @@ def test_doctor_says_why_a_warp_has_one_core(monkeypatch):
     result = run("doctor")
     assert result.exit_code == 3
     assert "warp: one core only, since Warp" in result.stdout
-    assert "does not take cpu_access.h; what it was tried with: pip install warp-lang==1.19.0" in result.stderr
+    assert "does not support cpu_access.h; install the tested version: pip install warp-lang==1.19.0" in result.stderr
 
 
 def test_doctor_says_that_a_number_of_threads_is_none(monkeypatch):
@@ -395,7 +395,7 @@ def test_doctor_says_that_a_driver_is_too_old(monkeypatch, tmp_path):
     monkeypatch.setattr(doctor, "_gpus", list)
     result = run("doctor")
     assert result.exit_code == 3
-    assert "no GPU serves: driver 470.57.02 is too old; Warp" in result.stderr
+    assert "no GPU is usable: driver 470.57.02 is too old; Warp" in result.stderr
     assert "driver       470.57.02, needed for GPUs: " in result.stdout
 
 

@@ -129,13 +129,15 @@ def test_a_coarse_demo_is_unreliable(tmp_path, monkeypatch):
     monkeypatch.setitem(LARGEST_RMSE, "noise", 0.001)
     result = CliRunner().invoke(cli, ["demo", "-o", str(tmp_path / "demo"), "--frames", "6", "--voxel", "0.08"])
     assert result.exit_code == 3
-    assert "unreliable result: the root mean square error is" in result.stderr
+    assert "unreliable result: expected a root mean square error of at most" in result.stderr
     assert names_in(tmp_path / "demo") == OUTPUTS
 
 
 @pytest.mark.parametrize(("noise", "limit"), [(True, 1.0), (False, 0.3)])
 def test_a_demo_is_unreliable_beyond_its_own_limit_and_not_at_it(noise, limit):
     assert _problem(errors_of(limit), noise) is None
-    assert "is 0.31 voxels, more than 0.3;" in _problem(errors_of(0.31), False)
-    assert f"more than {limit:g}; take more frames" in _problem(errors_of(1.01 * limit), noise)
+    assert "at most 0.3 voxels, got 0.31;" in _problem(errors_of(0.31), False)
+    assert f"at most {limit:g} voxels, got {1.01 * limit:.2f}; use more frames" in _problem(
+        errors_of(1.01 * limit), noise
+    )
     assert "the mesh is empty" in _problem(None, noise)

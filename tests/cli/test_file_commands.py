@@ -197,7 +197,7 @@ def test_convert_names_what_it_leaves_out(source, suffix, left_out, tmp_path, re
 @pytest.mark.parametrize(
     ("output", "reason"),
     [
-        ("out.stl", "holds no triangles"),
+        ("out.stl", "contains no triangles"),
         ("out.xyzn", "needs normals"),
         ("out.docx", "not written to .docx"),
         ("out", "a name without extension"),
@@ -218,7 +218,7 @@ def test_text_is_written_where_the_format_has_it(cloud, tmp_path):
 def test_a_cloud_without_finite_points_is_unreliable(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(np.full((4, 3), np.nan)))
     report = unreliable("downsample", tmp_path / "a.ply", tmp_path / "b.ply", "--voxel", "1")
-    assert report["files"] == [] and "no point is left of 4" in str(report["warnings"])
+    assert report["files"] == [] and "none of 4 points is left" in str(report["warnings"])
     assert names_in(tmp_path) == ["a.ply"]
     assert run("normals", tmp_path / "a.ply", tmp_path / "b.ply", "--radius", "1").exit_code == 3
 
@@ -239,7 +239,7 @@ def test_normals_turn_to_the_side_asked_for(tmp_path, rng, device, options, side
 def test_a_radius_without_neighbors_is_unreliable(cloud, tmp_path):
     result = run("normals", cloud, tmp_path / "out.ply", "--radius", "0.0001")
     assert result.exit_code == 3
-    assert "take a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
+    assert "use a larger --radius" in result.stderr and "warning" not in result.stderr  # once is enough
     assert "out.ply" in result.stdout
 
 

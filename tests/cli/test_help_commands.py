@@ -105,15 +105,15 @@ def test_docs_finds_chapters_by_words_and_numbers():
     assert [row["number"] for row in report["chapters"]] == [11]
     assert [row["number"] for row in json.loads(run("docs", "3", "--json").stdout)["chapters"]] == [3]
     nothing = run("docs", "elephants")
-    assert nothing.exit_code == 2 and "no chapter speaks of elephants; they are 1 Read a cloud" in nothing.stderr
+    assert nothing.exit_code == 2 and "no chapter contains elephants; the chapters are 1 Read a cloud" in nothing.stderr
 
 
 def test_docs_says_where_pages_are_and_that_there_are_none(tmp_path, monkeypatch):
     monkeypatch.setattr(book, "CHECKOUT", tmp_path)
     monkeypatch.setattr(book.importlib.metadata, "metadata", lambda _: _NoAddresses())
-    assert "No pages are known here" in run("docs").stdout
+    assert "No built pages" in run("docs").stdout
     refused = run("docs", "icp", "--open")
-    assert refused.exit_code == 2 and "no page is known here to open" in refused.stderr
+    assert refused.exit_code == 2 and "no page to open" in refused.stderr
     built = tmp_path / "build/docs/html"
     built.mkdir(parents=True)
     (built / "index.html").touch()

@@ -58,7 +58,7 @@ def test_a_cloud_that_cannot_be_placed_is_unreliable(views, tmp_path, rng):
     loom.write_point_cloud(views / "view5.ply", loom.PointCloud(rng.random((4000, 3))))
     report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--loops", 3)
     assert report["not_placed"] == ["view5.ply"]
-    assert "1 of 4 clouds could not be placed: view5.ply; try another --voxel" in str(report["warnings"])
+    assert "1 of 4 clouds could not be registered: view5.ply; try another --voxel" in str(report["warnings"])
     assert [T is None for T in report["poses"]] == [False, True, False, False]
     ids = read_trajectory(tmp_path / "poses.log").ids
     assert ids is not None
@@ -69,7 +69,7 @@ def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
     for path in sorted(views.iterdir())[:2]:
         loom.write_point_cloud(path, loom.PointCloud(rng.random((4000, 3))))
     report = unreliable("multiway", views, *VOXEL, "-o", tmp_path / "poses.log", "--merged", tmp_path / "all.ply")
-    assert "no two of the 3 clouds lie on each other; nothing was written" in str(report["warnings"])
+    assert "no two of the 3 clouds overlap; nothing was written" in str(report["warnings"])
     assert report["files"] == []
     assert names_in(tmp_path) == ["views"]
 
@@ -77,17 +77,17 @@ def test_clouds_that_have_nothing_in_common_write_nothing(views, tmp_path, rng):
 def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
     output = tmp_path / "poses.log"
     assert "poses are not written to .csv" in refusal("multiway", views, "-o", tmp_path / "poses.csv")
-    assert "where the next run would take it for one of the clouds" in refusal(
+    assert "the next run would read it as one of the clouds" in refusal(
         "multiway", views, "-o", output, "--merged", views / "all.ply"
     )
     assert "pose graphs are not written to .txt" in refusal("multiway", views, "-o", output, "--graph", "g.txt")
     loom.write_point_cloud(views / "view3.ply", loom.PointCloud())
-    assert "view3.ply: holds no point" in refusal("multiway", views, "-o", output)
+    assert "view3.ply: expected finite points, got no points" in refusal("multiway", views, "-o", output)
     loom.write_point_cloud(views / "view3.pcd", loom.PointCloud())
     assert "holds files of several kinds: .pcd, .ply" in refusal("multiway", views, "-o", output)
     for path in [path for path in views.iterdir() if path.name != "view2.ply"]:
         path.unlink()
-    assert "holds one cloud, view2.ply; two are needed" in refusal("multiway", views, "-o", output)
+    assert "expected at least two clouds, got view2.ply only" in refusal("multiway", views, "-o", output)
     assert names_in(tmp_path) == ["views"]
 
 
@@ -100,7 +100,7 @@ def test_a_job_gives_the_poses_of_one_process_and_a_status_of_each_pair(views, t
     by_job = [*how, tmp_path / "job.log", "--job", tmp_path / "job", "--device", "cpu"]
     report = unreliable(*by_job, "--places", tmp_path / "places.log", "--place-error", 0.1)
     assert (tmp_path / "job.log").read_bytes() == (tmp_path / "memory.log").read_bytes()
-    assert report["not_placed"] == ["view20.ply"] and "could not be placed: view20.ply" in str(report["warnings"])
+    assert report["not_placed"] == ["view20.ply"] and "could not be registered: view20.ply" in str(report["warnings"])
     statuses = {(pair["target"], pair["source"]): (pair["by"], pair["status"]) for pair in report["tried"]}
     assert len(statuses) == 6
     assert statuses["view2.ply", "view9.ply"] == ("place", "kept")
@@ -118,7 +118,7 @@ def test_a_scan_that_cannot_be_read_ends_a_job_by_name_and_the_same_command_goes
     whole = (views / "view9.ply").read_bytes()
     (views / "view9.ply").write_bytes(whole[:5000])
     said = refusal(*words)
-    assert "2 of 3 tasks done" in said and "view9.ply" in said and "give the same command again" in said
+    assert "2 of 3 tasks done" in said and "view9.ply" in said and "run the same command again" in said
     (views / "view9.ply").write_bytes(whole)
     assert answer(*words)["not_placed"] == []
 
@@ -128,7 +128,9 @@ def test_places_of_other_scans_are_refused(views, tmp_path):
     for name, numbers in (("high.log", [0, 3]), ("twice.log", [1, 1])):
         found = loom.Trajectory(np.array(PLACES[:2]), ids=np.array([[k, k, 3] for k in numbers]))
         loom.write_trajectory(tmp_path / name, found, format="log")
-        assert f"{name}: holds 2 poses whose numbers are not those of 3 scans" in refusal(*words, tmp_path / name)
+        assert f"{name}: expected poses with different numbers from 0 to 2, one per scan, got 2 poses" in refusal(
+            *words, tmp_path / name
+        )
     loom.write_trajectory(tmp_path / "few.kitti", loom.Trajectory(np.array(PLACES[:2])), format="kitti")
-    assert "few.kitti: holds 2 poses" in refusal(*words, tmp_path / "few.kitti")
+    assert "few.kitti: expected poses" in refusal(*words, tmp_path / "few.kitti")
     assert not (tmp_path / "job").exists()

@@ -126,12 +126,12 @@ def test_odometry_refuses_what_cannot_be_done_before_the_work(drive, tmp_path):
     )
     assert "does not exist" in refusal("odometry", tmp_path / "none", "-o", poses)
     write_trajectory(truth, Trajectory(path_of(4)), format="kitti")
-    assert "has 4 poses, and " in refusal("odometry", drive, "-o", poses, "--truth", truth)
+    assert "expected 5 poses, one per scan of " in refusal("odometry", drive, "-o", poses, "--truth", truth)
     poses.write_text("kept")
     assert "exists already" in refusal("odometry", drive, "-o", poses)
     for path in sorted(drive.iterdir())[1:]:
         path.unlink()
-    assert "holds one scan, scan10.bin; odometry needs two" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
+    assert "expected at least two scans, got scan10.bin only" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
     (drive / "scan9.bin").write_bytes(b"12345")
     assert "scan9.bin (byte 0): 5 bytes" in refusal("odometry", drive, "-o", tmp_path / "a.txt")
     assert names_in(tmp_path) == ["drive", "poses.txt", "truth.txt"]

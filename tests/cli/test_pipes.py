@@ -85,7 +85,7 @@ def test_an_unreliable_result_writes_nothing_to_the_pipe(tmp_path):
 def test_json_and_the_cloud_do_not_mix(cloud):
     result = run("convert", cloud, "-", "--to", "ply", "--json")
     assert result.exit_code == 2
-    assert "--json and - both take standard output" in result.stderr
+    assert "--json and - both use standard output" in result.stderr
 
 
 @pytest.mark.skipif(not hasattr(os, "openpty"), reason="this system has no pseudo-terminals")
@@ -139,7 +139,7 @@ def test_textures_that_would_lie_beside_a_pipe_are_refused(tmp_path):
     loom.write_triangle_mesh(tmp_path / "plane.glb", mesh)
     words = ("clean-mesh", tmp_path / "plane.glb", "-", "--to")
     refused = feed(b"", *words, "obj")
-    assert refused.exit_code == 2 and "give --to glb" in refused.stderr
+    assert refused.exit_code == 2 and "pass --to glb" in refused.stderr
     piped = feed(b"", *words, "glb")
     (tmp_path / "piped.glb").write_bytes(piped.stdout_bytes)
     assert loom.read_triangle_mesh(tmp_path / "piped.glb").textures[0].shape == (4, 4, 3)

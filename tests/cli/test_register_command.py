@@ -228,9 +228,9 @@ def test_outputs_that_exist_are_kept_unless_forced(near, tmp_path, option, name)
 def test_clouds_that_cannot_be_registered_are_named(near, tmp_path):
     write, bad = loom.write_point_cloud, tmp_path / "bad.ply"
     for points, why in (
-        (np.empty((0, 3)), "bad.ply: holds no point, so"),
-        (np.full((4, 3), np.nan), "bad.ply: holds 4 points, none of them finite"),
-        (np.eye(3), "bad.ply: has points in 3 voxels of 0.06 m, and 10 are needed. Take a smaller --voxel"),
+        (np.empty((0, 3)), "bad.ply: expected finite points, got no points"),
+        (np.full((4, 3), np.nan), "bad.ply: expected finite points, got 4 points, all of them not finite"),
+        (np.eye(3), "bad.ply: has points in 3 voxels of 0.06 m, and 10 are needed. Use a smaller --voxel"),
         (np.ones((50, 3)), "bad.ply: has points in 1 voxel of 0.06 m"),
     ):
         write(bad, loom.PointCloud(points), overwrite=True)

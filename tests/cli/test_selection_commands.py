@@ -65,7 +65,7 @@ def test_a_radius_that_removes_most_points_is_unreliable(cloud, tmp_path):
     words = ["clean", cloud, tmp_path / "out.ply", "--min-neighbors", "3", "--radius"]
     report = unreliable(*words, "0.05")
     assert "have fewer than 3 others within 0.05 m" in str(report["warnings"])
-    better = "; ".join(report["warnings"]).split("as many within ")[1].split(" m")[0]
+    better = "; ".join(report["warnings"]).split("that many within ")[1].split(" m")[0]
     assert answer(*words, better, "--force")["points"] >= 250
     report = unreliable(*words, "0.0001", "--force")
     assert (report["points"], report["files"]) == (0, [])
@@ -135,7 +135,7 @@ def test_cluster_proposes_an_eps_where_all_is_noise(scene, tmp_path):
     words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
     report = unreliable(*words, "0.0001")
     assert (report["clusters"], report["noise"], report["points"]) == (0, 853, 853)
-    better = "; ".join(report["warnings"]).split("as many within ")[1].split(" m")[0]
+    better = "; ".join(report["warnings"]).split("that many within ")[1].split(" m")[0]
     report = answer(*words, better, "--force")
     assert report["noise"] < 427  # half of the points are cores then
     report = unreliable(*words, "0.0001", "--largest", "1", "--force")
@@ -147,7 +147,7 @@ def test_cluster_proposes_an_eps_where_one_cluster_holds_everything(scene, tmp_p
     words = ["cluster", scene, tmp_path / "out.npz", "--radius"]
     report = unreliable(*words, "100")
     assert report["files"] == [str(tmp_path / "out.npz")]
-    assert "one cluster holds all 852 finite points" in str(report["warnings"])
+    assert "one cluster contains all 852 finite points" in str(report["warnings"])
     better = "; ".join(report["warnings"]).split("such as ")[1]
     assert answer(*words, better, "--force")["clusters"] == 3
 
@@ -215,7 +215,7 @@ def test_plane_labels_several(tmp_path, rng):
     assert len(answer(*words, "--min-points", "400", "--force")["planes"]) == 1
     assert len(answer(*words[:-1], "1", "--force")["planes"]) == 1
     shown = run(*words, "--force").stdout
-    assert f"840, {report['on_none']} of them on no plane" in shown
+    assert f"840, {report['on_none']} of them not on a plane" in shown
     assert "plane of the input" in shown
 
 
@@ -233,10 +233,10 @@ def test_a_cloud_without_a_plane_is_unreliable(cloud, tmp_path):
     assert "no plane has 100 points within 1e-06 m" in str(report["warnings"])
     assert (loom.read_point_cloud(tmp_path / "out.ply")["plane"] == -1).all()
     report = unreliable("plane", cloud, tmp_path / "b.ply", "--distance", "9", "--invert")
-    assert "all points lie on the plane" in str(report["warnings"])
+    assert "all points are on the plane" in str(report["warnings"])
     line = np.column_stack([np.arange(50), np.zeros((50, 2))])
     loom.write_point_cloud(tmp_path / "line.ply", loom.PointCloud(line))
-    assert "lie on lines" in str(
+    assert "samples are collinear" in str(
         unreliable("plane", tmp_path / "line.ply", tmp_path / "b.ply", "--distance", "1")["warnings"]
     )
     assert "b.ply" not in names_in(tmp_path)
@@ -289,7 +289,7 @@ def test_farthest_points_begin_at_a_finite_one_and_are_not_more_than_there_are(t
     answer(*words, 2)
     assert rows_of(tmp_path / "b.ply") == [1, 3]
     assert answer(*words, 3)["points"] == 3
-    assert "a.ply: has 3 finite points, of which 4 cannot be chosen" in refusal(*words, 4)
+    assert "a.ply: expected at least 4 finite points, got 3" in refusal(*words, 4)
 
 
 def test_a_share_below_one_point_is_unreliable(cloud, tmp_path):

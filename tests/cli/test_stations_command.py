@@ -72,7 +72,7 @@ def test_exchanged_names_end_in_exit_code_3(files):
 @pytest.mark.parametrize(
     ("text", "said"),
     [
-        ("north,A,1,2", "line 1"), ("north,A,1,2,3\nsouth,A,1,2,3", "no station 'south'"), ("", "no row"),
+        ("north,A,1,2", "line 1"), ("north,A,1,2,3\nsouth,A,1,2,3", "got 'south'"), ("", "no row"),
         ("north,A,1,2,3\nmid,A,1,x,3", "line 2"), ("north,A,1,2,3,-1", "line 1"), ("north,A,1,2,nan", "line 1"),
     ],
 )  # fmt: skip

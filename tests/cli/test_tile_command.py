@@ -106,9 +106,9 @@ def test_finish_refuses_names_of_other_formats(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "25")
     answer("tile", "run", "job", "--serial")
     for words, said in (
-        ("--output copc -o out.laz", "is no name of 'copc'. End it in .copc.laz"),
-        ("--output laz -o out.copc.laz", "is no name of 'laz'"),
-        ("-o out.xyz", "is no name of a LAS or LAZ file. End it in .laz or .las or .copc.laz"),
+        ("--output copc -o out.laz", "is not a file name for output='copc'. Use the extension .copc.laz"),
+        ("--output laz -o out.copc.laz", "is not a file name for output='laz'"),
+        ("-o out.xyz", "is not a file name of a LAS or LAZ file. Use the extension .laz or .las or .copc.laz"),
     ):
         assert said in " ".join(refusal("tile", "finish", "job", *words.split()).split())
     assert names_in(job) == ["job", *OWN, "steps.toml", "survey"]
@@ -117,7 +117,7 @@ def test_finish_refuses_names_of_other_formats(job):
 def test_parts_of_an_array_share_the_tiles(job):
     answer("tile", "plan", "survey", "--steps", "steps.toml", "-o", "job", "--size", "20")
     first = run("tile", "run", "job", "--part", "1/2")
-    assert first.exit_code == 0 and "4 tiles wait" in first.stderr
+    assert first.exit_code == 0 and "4 tiles are waiting" in first.stderr
     assert answer("tile", "run", "job", "--part", "2/2")["is_finished"]
 
 
@@ -127,7 +127,7 @@ def test_failed_tiles_are_named_with_the_command_that_repeats_each(job):
     assert result.exit_code == 3
     assert result.stderr.startswith("unreliable result: 9 failed of 9 tiles: 0_0, 1_0, 2_0, ")
     (line,) = [line for line in result.stdout.splitlines() if line.startswith("  1_1 ")]
-    assert line.endswith("RuntimeError: two lines; repeated alone by `pointloom tile run job --tile 1_1`")
+    assert line.endswith("RuntimeError: two lines; run it alone with `pointloom tile run job --tile 1_1`")
     assert run("tile", "status", "job").exit_code == 3
     (job / "mended").touch()
     repeated = run("tile", "run", "job", "--tile", "1_1", "--json")
@@ -143,7 +143,9 @@ def test_a_damaged_file_is_an_error_in_the_words_of_the_commands(job):
     with Manifest(job / "job") as manifest, manifest.change() as base:
         base.execute("UPDATE sources SET state = 'failed', error = 'it is torn' WHERE id = 1")
     said = refusal("tile", "run", "job")
-    assert "part1.laz: its points cannot be laid by tile: it is torn" in said and "run pointloom tile retry" in said
+    assert (
+        "part1.laz: its points cannot be sorted into tiles: it is torn" in said and "run pointloom tile retry" in said
+    )
     assert run("tile", "status", "job").exit_code == 3
 
 
@@ -159,8 +161,8 @@ def test_a_folder_without_a_plan_is_told(job, command):
         ("survey --steps no.toml", "no.toml: cannot be read"),
         ("survey --steps own_steps.py", "own_steps.py: not TOML"),
         ("nothing.laz --steps steps.toml", "nothing.laz"),
-        ("steps.toml --steps steps.toml", "tiles are made of"),
-        ("survey --steps steps.toml --only 1,2,3,4", "touches none of the tiles"),
+        ("steps.toml --steps steps.toml", "expected one of .las"),
+        ("survey --steps steps.toml --only 1,2,3,4", "overlaps the tiles"),
     ],
 )
 def test_bad_plans_are_refused_and_leave_nothing(job, words, said):

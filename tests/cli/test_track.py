@@ -138,7 +138,7 @@ def test_track_refuses_what_cannot_be_done_before_the_work(guided, frames, tmp_p
     assert "Give another name, or --force" in refusal("track", frames, "-o", poses)
     assert poses.read_text() == "kept"
     assert answer("track", frames, "-o", poses, "--force")["tracked"] == 6
-    assert "holds one frame; tracking needs two" in refusal("track", frames, "-o", poses, "--force", "--every", 10)
+    assert "expected at least two frames, got one" in refusal("track", frames, "-o", poses, "--force", "--every", 10)
     for path in frames.glob("*.png"):
         path.write_bytes(path.read_bytes()[:-200])
     assert "frame-000000.depth.png (byte" in refusal("track", frames, "-o", tmp_path / "b.txt")

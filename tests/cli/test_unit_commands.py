@@ -24,7 +24,7 @@ def feet(tmp_path, rng):
     [
         (["downsample", "--voxel", 1], "one a voxel of 1 ft"),
         (["cluster", "--eps", 0.001], "eps 0.001 ft"),
-        (["cluster", "--eps", 0.001], "none has 10 within 0.001 ft"),
+        (["cluster", "--eps", 0.001], "no point has 10 points within 0.001 ft"),
         (["normals", "--radius", 0.001], r"within 0.001 ft, .* have 3 within \S+ ft:"),
         (["clean", "--radius", 0.001, "--min-neighbors", 5], r"within 0.001 ft; .* within \S+ ft:"),
         (["mesh", "--method", "alpha", "--alpha", 1], "ft^2"),
@@ -33,7 +33,7 @@ def feet(tmp_path, rng):
 def test_lengths_are_said_in_the_unit_of_the_file(words, said, feet, tmp_path):
     result = run(words[0], feet, tmp_path / "out.ply", *words[1:], "--device", "cpu")
     assert re.search(said.replace("^", r"\^"), result.stdout + result.stderr), result.stdout + result.stderr
-    note = f"note: the unit of {feet} is foot (0.3048 m): lengths that are given and told are in it\n"
+    note = f"note: the unit of {feet} is foot (0.3048 m): all lengths, input and output, are in this unit\n"
     assert note in result.stderr
     if (tmp_path / "out.ply").exists():
         (report,) = answer("info", tmp_path / "out.ply")["files"]

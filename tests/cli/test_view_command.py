@@ -169,7 +169,7 @@ def test_a_large_cloud_is_read_in_levels_of_detail(tmp_path, rng):
         (["broken.ply"], "broken.ply"),
         (["other.json"], "contains Other, which is not a geometry"),
         (["cloud.ply", "--color-by", "ring"], "no cloud here has 'ring'; there are rgb, height, x, y, intensity"),
-        (["mesh.ply", "--color-by", "height"], "no cloud here has 'height'; and there is no cloud"),
+        (["mesh.ply", "--color-by", "height"], "no cloud here has 'height'; there are no clouds"),
         (["cloud.ply", "--view", "other.json"], "other.json"),
         (["cloud.ply", "--save-html", "out.txt"], "ends in .html"),
         (["cloud.ply", "--screenshot", "cloud.png"], "cloud.png: exists already"),

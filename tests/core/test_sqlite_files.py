@@ -10,7 +10,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.sqlite_files import protect
 from pointloom.photogrammetry.sfm.colmap_jobs import open_database
-from pointloom.tiling.manifest import NAME, Manifest, a_new_manifest, read_plan
+from pointloom.tiling.manifest import NAME, Manifest, new_manifest, read_plan
 
 CODE = [
     "CREATE VIEW more AS SELECT 1",
@@ -21,7 +21,7 @@ CODE = [
 
 @pytest.mark.parametrize("code", CODE, ids=["view", "trigger", "virtual"])
 def test_a_manifest_or_database_with_code_is_an_error(tmp_path, code):
-    with a_new_manifest(tmp_path, {}, "1", "CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID"):
+    with new_manifest(tmp_path, {}, "1", "CREATE TABLE meta (key TEXT PRIMARY KEY, value TEXT) WITHOUT ROWID"):
         pass
     with contextlib.closing(sqlite3.connect(tmp_path / NAME)) as base:
         base.execute(code)

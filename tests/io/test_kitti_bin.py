@@ -119,7 +119,7 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
         assert "columns: only .xyz" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         cli(["multiway", str(folder), "-o", "a.tum", "--voxel", "1", "--job", "job", *names])
-    assert "--columns does not go with --job" in capsys.readouterr().err
+    assert "--columns is not supported with --job" in capsys.readouterr().err
 
 
 @pytest.mark.parametrize("dtype", ["<u2", ">u2", "<i4", "<f8", ">f4", ">f8"])

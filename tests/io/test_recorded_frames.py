@@ -236,6 +236,6 @@ def test_a_recording_without_depth_says_so(tmp_path):
 def test_the_command_takes_a_recording_and_refuses_what_it_has_not(tmp_path):
     path = write(tmp_path, count=3)
     result = CliRunner().invoke(cli, ["track", str(path), "-o", str(tmp_path / "poses.tum"), "--depth-scale", "500"])
-    assert result.exit_code == 1 and "is a recording, which has no depth_scale" in result.output
+    assert result.exit_code == 1 and "is a recording, for which depth_scale is not an option" in result.output
     result = CliRunner().invoke(cli, ["track", str(path), "-o", str(tmp_path / "poses.tum"), "--json"])
     assert json.loads(result.stdout)["layout"] == "recording"

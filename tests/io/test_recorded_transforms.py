@@ -208,20 +208,20 @@ def test_convert_brings_scans_together_by_transforms_or_poses(tmp_path):
     np.testing.assert_allclose(loom.read_point_cloud(tmp_path / "b.ply").points, expected, rtol=0, atol=1e-4)
     loom.write_trajectory(tmp_path / "two.tum", loom.Trajectory(poses[:2], timestamps=times[:2]))
     short = run("convert", place, tmp_path / "c.ply", "--poses", tmp_path / "two.tum")
-    assert short.exit_code == 1 and "has 2 poses" in short.stderr and not (tmp_path / "c.ply").exists()
+    assert short.exit_code == 1 and "expected 3 poses" in short.stderr and not (tmp_path / "c.ply").exists()
 
 
 def test_options_of_recordings_are_refused_with_other_files(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points_of(0)))
     for option in (["--topic", "/points"], ["--frame", "odom"], ["--poses", tmp_path / "p.tum"]):
         result = run("convert", tmp_path / "a.ply", tmp_path / "b.ply", *option)
-        assert result.exit_code == 2 and f"{option[0]} goes with a recording" in result.stderr
+        assert result.exit_code == 2 and f"{option[0]} requires a recording" in result.stderr
     for option in (["--topic", "/points"], ["--frame", "odom"]):
         result = run("view", tmp_path / "a.ply", "--screenshot", tmp_path / "a.png", *option)
-        assert result.exit_code == 1 and "is no recording" in result.stderr
+        assert result.exit_code == 1 and "is not a recording" in result.stderr
     (tmp_path / "frames").mkdir()
     result = run("track", tmp_path / "frames", "-o", tmp_path / "p.tum", "--topic", "/depth")
-    assert result.exit_code == 1 and "is no recording, and has no topic '/depth'" in result.stderr
+    assert result.exit_code == 1 and "is not a recording, so it has no topic '/depth'" in result.stderr
 
 
 def test_nothing_is_written_where_a_scan_has_no_way(tmp_path):

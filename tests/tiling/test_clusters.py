@@ -155,7 +155,7 @@ def test_parts_of_an_array_job_join_what_all_of_them_left(files, tmp_path):
         assert loom.tiling.run_tiles(tmp_path / "job", part=part).done < 16
     status = tile_status(tmp_path / "job")
     assert status.waiting > 0 and (status.which_pass, status.passes) == (2, 2)
-    assert f"pass 2 of 2: {status.through} of 16 tiles through" in str(status)
+    assert f"pass 2 of 2: {status.through} of 16 tiles finished it" in str(status)
     with pytest.raises(loom.FileError, match="is not finished"):
         loom.tiling.finish_tiles(tmp_path / "job")
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished

@@ -86,7 +86,7 @@ def test_each_process_takes_another_gpu():
 def test_a_worker_keeps_its_gpu(monkeypatch):
     monkeypatch.setattr(processes, "_devices", {})
     with contextlib.ExitStack() as held:
-        monkeypatch.setattr(processes, "_held", held)
+        monkeypatch.setattr(processes, "_device_locks", held)
         processes._prepare("cuda")
         assert processes._call(lambda _, device: device, None, "cuda") == "cuda:0"
         with reserved_device("cuda") as other:

@@ -13,7 +13,7 @@ from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 from pointloom.tiling import plan as plan_module
 from pointloom.tiling import tasks
-from pointloom.tiling.manifest import DISTRIBUTES, Manifest, a_worker
+from pointloom.tiling.manifest import DISTRIBUTES, Manifest, worker_lock
 from pointloom.tiling.runners import retry_tiles
 from pointloom.tiling.status import tile_status
 
@@ -28,9 +28,9 @@ from .scenes import CORNER, RADIUS, SIDE, STEP, finished, plan_of, rows_of, surv
         ([{"step": "voxel_down_sample"}], "voxel_size"),
         ([{"step": "voxel_down_sample", "voxel_size": -1}], "voxel_size"),
         ([{"step": "estimate_normals", "max_nn": None}], "radius"),
-        ([{"step": "segment_plane", "distance": 1}], "whole cloud"),
+        ([{"step": "segment_plane", "distance": 1}], "complete cloud"),
         ([{"step": "cluster_dbscan", "eps": 1}], "min_points"),
-        ([{"step": "function", "call": lambda cloud: cloud, "reach": 1}], "top of a module"),
+        ([{"step": "function", "call": lambda cloud: cloud, "reach": 1}], "top-level function"),
         ([{"step": "function", "call": "no.such:thing", "reach": 1}], "call: 'no.such:thing'"),
         ([{"step": "function", "call": "no_such", "reach": 1}], "call: .*'no_such'"),
         ([{"step": "function", "call": os.getenv, "reach": 1, "arguments": [1]}], "arguments"),
@@ -126,7 +126,7 @@ def test_another_version_is_refused(job, monkeypatch):
 
 
 def test_a_folder_of_other_things_is_refused(files, tmp_path):
-    with pytest.raises(FileError, match="holds other files"):
+    with pytest.raises(FileError, match="contains files"):
         loom.tiling.plan_tiles(files, RADIUS, tmp_path)
     with pytest.raises(FileError, match="plan_tiles"):
         loom.tiling.run_tiles(tmp_path)
@@ -158,9 +158,9 @@ def test_two_runs_at_once_share_the_tiles(job, expected):
 def test_what_a_dead_worker_claimed_is_done_again_and_a_live_ones_is_not(job):
     with Manifest(job) as manifest:
         manifest.claim("sources", "dead")
-        with a_worker(job) as alive:
+        with worker_lock(job) as alive:
             manifest.claim("sources", alive)
-            assert manifest.give_back() == 1
+            assert manifest.release_claims() == 1
             assert manifest.counts("sources")["running"] == 1
         manifest.claim("sources", "dead again")
     assert loom.tiling.run_tiles(job).is_finished
@@ -170,7 +170,7 @@ def test_a_task_at_which_workers_die_is_set_aside(job):
     with Manifest(job) as manifest:
         for death in range(3):
             assert manifest.claim("tiles", f"dead {death}")["id"] == 0
-            manifest.give_back()
+            manifest.release_claims()
     status = loom.tiling.run_tiles(job)
     assert (status.aside, status.waiting) == (1, 0)
     assert "died 3 times" in status.troubles["0_0"]
@@ -184,7 +184,7 @@ def test_the_death_of_a_run_that_only_distributes_tiles_counts_against_none(job)
     with Manifest(job) as manifest:
         for death in range(3):
             assert manifest.claim("tiles", f"dead {death}{DISTRIBUTES}")["id"] == 0
-            manifest.give_back()
+            manifest.release_claims()
     assert loom.tiling.run_tiles(job).is_finished
 
 
@@ -244,7 +244,7 @@ def test_a_tile_that_holds_too_much_is_named(tmp_path, monkeypatch):
     write_las(tmp_path / "dense.laz", PointTable(points), scale=0.01, offset=CORNER)
     loom.tiling.plan_tiles(tmp_path / "dense.laz", RADIUS, tmp_path / "job", size=5.0)
     status = loom.tiling.run_tiles(tmp_path / "job")
-    assert status.failed == 1 and "at most 500 may be" in status.troubles["0_0"]
+    assert status.failed == 1 and "expected at most 500 points" in status.troubles["0_0"]
 
 
 def test_a_damaged_file_is_an_error_by_name_and_leaves_no_bucket(files, tmp_path):
@@ -285,7 +285,7 @@ def test_one_tile_is_done_alone_and_again_if_it_failed(job):
     with Manifest(job) as manifest, manifest.change() as base:
         base.execute("UPDATE tiles SET state = 'aside', attempts = 3, error = 'a\nb' WHERE ix = 1 AND iy = 1")
     (said,) = tile_status(job).troubles.values()
-    assert said == f"a b; repeated alone by `pointloom tile run {job} --tile 1_1`"
+    assert said == f"a b; run it alone with `pointloom tile run {job} --tile 1_1`"
     for _ in range(2):
         status = loom.tiling.run_tiles(job, tile="1_1")
         assert (status.done, status.waiting, status.aside) == (1, 3, 0)

@@ -17,7 +17,7 @@ import pytest
 import pointloom as loom
 from pointloom.core.errors import FileError
 from pointloom.tiling import buckets, finish, sources, tasks
-from pointloom.tiling.manifest import NAME, Manifest, a_worker, canonical, hash_of, only_one
+from pointloom.tiling.manifest import NAME, Manifest, canonical, exclusive, hash_of, worker_lock
 from pointloom.tiling.plan import open_plan
 from pointloom.tiling.runners import retry_tiles
 from pointloom.tiling.status import tile_status
@@ -169,14 +169,14 @@ def test_a_bucket_that_is_damaged_fails_its_tile_by_name(job, fault):
     path.write_bytes(content if fault == "flipped" else content[:-7])
     status = loom.tiling.run_tiles(job)
     assert status.failed == 1 and "0.blocks" in status.troubles["0_0"]
-    assert ("does not go with its checksum" if fault == "flipped" else "damaged") in status.troubles["0_0"]
+    assert ("does not match its checksum" if fault == "flipped" else "damaged") in status.troubles["0_0"]
 
 
 def test_rows_that_are_laid_already_are_not_laid_again_under_those_who_read_them(job):
     """A worker of a cluster may outlive its runner, and begin a file that another run has laid meanwhile."""
     loom.tiling.run_tiles(job)
     manifest, plan = open_plan(job)
-    with manifest, a_worker(job) as alive:
+    with manifest, worker_lock(job) as alive:
         before = (job / "buckets" / "000000" / "index.json").stat()
         (row,) = manifest.rows("SELECT points, full, bytes FROM sources WHERE id = 0")
         found = buckets.fill_buckets(plan, job, 0, "late")
@@ -206,7 +206,7 @@ def test_rows_by_tile_that_were_removed_are_laid_again_by_retry(job, expected):
 def test_what_a_killed_finish_left_is_removed_and_two_at_once_are_refused(job, expected):
     loom.tiling.run_tiles(job)
     (job / ".result.laz.killed.part").write_bytes(b"half")
-    with only_one(job, "finish"), pytest.raises(FileError, match="/job:"):
+    with exclusive(job, "finish"), pytest.raises(FileError, match="/job:"):
         loom.tiling.finish_tiles(job)
     np.testing.assert_array_equal(rows_of(finished(job)), expected)
     assert not [*job.rglob("*.part")] and not [*(job / "locks").iterdir()]
@@ -238,7 +238,7 @@ def test_an_octree_that_is_written_to_while_it_is_read_fails_the_tile(files, tmp
 
 def test_a_copy_of_a_job_that_is_worked_on_is_a_job(job, tmp_path, expected):
     """The folder is copied while its manifest is open and a tile is claimed; the copy has no such worker."""
-    with Manifest(job) as manifest, a_worker(job) as alive:
+    with Manifest(job) as manifest, worker_lock(job) as alive:
         manifest.claim("sources", alive)
         shutil.copytree(job, tmp_path / "copy")
         assert_goes_on(tmp_path / "copy", expected)

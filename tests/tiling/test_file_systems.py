@@ -83,7 +83,7 @@ def test_a_job_that_was_planned_beside_its_disk_leaves_the_log_where_it_is_mount
     with Manifest(job) as here, monkeypatch.context() as patch:
         here.counts()
         patch.setattr(manifest, "is_shared", lambda _: True)
-        patch.setattr(manifest, "PATIENCE", 0.2)
+        patch.setattr(manifest, "LOCK_TIMEOUT", 0.2)
         with pytest.raises(FileError, match=r"plan\.sqlite"):
             Manifest(job)
     assert mode_of(job) == "wal"

@@ -19,7 +19,7 @@ from pointloom.io.points.ply import read_ply_mesh
 from pointloom.meshing.volume.volume_part import VolumePart
 from pointloom.tiling.jobs import fusion
 from pointloom.tiling.jobs.run_jobs import job_status, retry_job
-from pointloom.tiling.manifest import Manifest, a_worker
+from pointloom.tiling.manifest import Manifest, worker_lock
 
 from .scenes import kill_runner
 
@@ -124,9 +124,17 @@ def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
     assert loom.tiling.finish_fusion(job, folder) == folder
     with pytest.raises(FileError, match="exists already"):
         loom.tiling.finish_fusion(job, folder, overwrite=False)
-    with pytest.raises(FileError, match=r"written as \.ply, or as a folder"):
+    with pytest.raises(FileError, match=r"written as a \.ply file or a folder"):
         loom.tiling.finish_fusion(job, tmp_path / "mesh.obj")
-    with pytest.raises(FileError, match=r"contains other files"):
+    with pytest.raises(FileError, match=r"
+<<<<<<< OURS
+contains other
+||||||| BASE
+holds other
+=======
+contains
+>>>>>>> THEIRS
+ files"):
         loom.tiling.finish_fusion(job, walk)
 
 
@@ -254,12 +262,12 @@ def test_what_a_dead_worker_claimed_is_done_again_and_three_deaths_set_it_aside(
     with Manifest(job, is_job=True) as manifest:
         for death in range(3):
             assert manifest.claim("tasks", f"dead {death}")["name"] == "frames 0 to 13"
-            manifest.give_back()
+            manifest.release_claims()
     assert loom.tiling.run_job(job).aside == 1
     retry_job(job)
-    with Manifest(job, is_job=True) as manifest, a_worker(job) as alive:
+    with Manifest(job, is_job=True) as manifest, worker_lock(job) as alive:
         manifest.claim("tasks", alive)
-        manifest.give_back()
+        manifest.release_claims()
         assert job_status(job).running == 1
     assert loom.tiling.run_job(job).is_finished
     np.testing.assert_array_equal(triangles_of(read_ply_mesh(loom.tiling.finish_fusion(job))), whole)

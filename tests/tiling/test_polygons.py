@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 import pointloom as loom
-from pointloom.tiling.polygons import boxes_that_meet, parse_area, to_json
+from pointloom.tiling.polygons import overlapping_boxes, parse_area, to_json
 from pointloom.tiling.status import tile_status
 
 from .scenes import CORNER, SIDE, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
@@ -58,7 +58,7 @@ def test_only_tiles_that_polygons_touch_are_made(files, tmp_path):
     kept = in_memory(whole, steps, plan["voxel_corner"])
     cells = np.floor((kept.points[:, :2] - plan["corner"]) / plan["size"]).clip(0, np.array(plan["shape"]) - 1)
     lows = np.array(plan["corner"]) + cells * plan["size"]
-    meets = boxes_that_meet([[OUTER + CORNER[:2], HOLE + CORNER[:2]]], lows, lows + plan["size"])
+    meets = overlapping_boxes([[OUTER + CORNER[:2], HOLE + CORNER[:2]]], lows, lows + plan["size"])
     np.testing.assert_array_equal(rows_of(found), rows_of(kept.select_by_mask(meets)))
     assert 0 < meets.sum() < len(kept)
     status = loom.tiling.plan_tiles(files, steps, tmp_path / "other", size=7.0, only=moved(HOLE)[0])
@@ -70,7 +70,7 @@ def test_boxes_that_meet_are_those_of_a_fine_raster():
     for _ in range(8):
         ring, hole = rng.random((7, 2)) * 10, rng.random((4, 2)) * 10
         lows = np.stack(np.meshgrid(np.arange(10), np.arange(10)), axis=-1).reshape(-1, 2).astype(float)
-        found = boxes_that_meet([[ring, hole]], lows, lows + 1)
+        found = overlapping_boxes([[ring, hole]], lows, lows + 1)
         places = (np.stack(np.meshgrid(np.arange(400), np.arange(400)), axis=-1).reshape(-1, 2) + 0.5) / 40
         odd = np.zeros(len(places), bool)
         for corners in (ring, hole):

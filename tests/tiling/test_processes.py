@@ -74,7 +74,7 @@ def test_a_step_that_fails_on_a_cluster_is_named_by_tile(files, scheduler, tmp_p
 
 
 def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_path, monkeypatch):
-    monkeypatch.setattr(processes, "PATIENCE", 0.2)
+    monkeypatch.setattr(processes, "CONNECT_TIMEOUT", 0.2)
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     with pytest.raises(loom.FileError, match=r"no scheduler at tcp://127\.0\.0\.1:9"):
         loom.tiling.run_tiles(tmp_path / "job", scheduler="tcp://127.0.0.1:9")
@@ -84,7 +84,7 @@ def test_a_scheduler_that_is_not_there_is_named_and_nothing_is_lost(files, tmp_p
 def test_a_worker_of_another_version_is_refused(files, scheduler, tmp_path, monkeypatch):
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     monkeypatch.setattr(processes, "_prepare", _another_version)
-    with pytest.raises(loom.FileError, match=r"has pointloom 0\.0\.1, this is"):
+    with pytest.raises(loom.FileError, match=r"on the worker at .*, got 0\.0\.1"):
         loom.tiling.run_tiles(tmp_path / "job", scheduler=scheduler)
     assert tile_status(tmp_path / "job").waiting == 4
 
@@ -129,7 +129,7 @@ def test_a_tile_at_which_workers_die_is_done_again_and_set_aside_after_three_dea
             assert status.is_finished
         else:
             assert (status.aside, status.failed) == (1, 0)
-            assert "the worker died 3 times at it" in str(status)
+            assert "the worker died 3 times at this task" in str(status)
             retry_tiles(job)
             assert loom.tiling.run_tiles(job, functions=[dies]).is_finished
         np.testing.assert_array_equal(rows_of(finished(job)), expected)
@@ -170,14 +170,14 @@ def test_a_cluster_that_lacks_workers_or_goes_away_is_an_error_by_name(files, tm
     loom.tiling.plan_tiles(files, STEPS, tmp_path / "job", size=30.0)
     alone = {"host": "127.0.0.1", "protocol": "tcp", "dashboard_address": "127.0.0.1:0"}
     with distributed.LocalCluster(n_workers=0, processes=False, **alone) as empty:
-        with pytest.raises(loom.FileError, match="there was no worker at"):
+        with pytest.raises(loom.FileError, match="no worker was connected to"):
             loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         monkeypatch.setattr(processes, "MAX_WITHOUT_WORKERS", 60)
         asked, ended = threading.Event(), processes._ended
         monkeypatch.setattr(processes, "_ended", lambda *given: (asked.set(), ended(*given))[1])
         closing = threading.Thread(target=lambda: asked.wait(60) and empty.close())
         closing.start()
-        with pytest.raises(loom.FileError, match="has gone"):
+        with pytest.raises(loom.FileError, match="was lost"):
             loom.tiling.run_tiles(tmp_path / "job", scheduler=empty.scheduler_address)
         closing.join()
     assert tile_status(tmp_path / "job").waiting == 4
@@ -240,8 +240,8 @@ def test_processes_map_in_order_and_repeat_what_a_dead_one_had(tmp_path):
 
 @pytest.mark.slow
 def test_any_number_of_workers_writes_the_same_octree(tmp_path, monkeypatch):
-    monkeypatch.setattr(tile_tree, "MOST", 900)
-    monkeypatch.setattr(tile_tree, "LEAST", 30)
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", 900)
+    monkeypatch.setattr(tile_tree, "MIN_POINTS", 30)
     keep = {"step": "remove_radius_outlier", "nb_points": 1, "radius": 50.0}
     loom.tiling.plan_tiles(survey(tmp_path, count=4000), [keep], tmp_path / "job", size=15.0)
     assert loom.tiling.run_tiles(tmp_path / "job").is_finished

@@ -12,7 +12,7 @@ from pointloom.core.errors import FileError
 from pointloom.registration.pose_graphs.multiway import FragmentPair
 from pointloom.tiling.jobs import scans as scans_job
 from pointloom.tiling.jobs.run_jobs import job_status, retry_job
-from pointloom.tiling.jobs.scans import groups_of, meeting_boxes, most_alike, nearest_of, place_box
+from pointloom.tiling.jobs.scans import box_at_pose, groups_of, meeting_boxes, most_similar, nearest_of
 from pointloom.tiling.manifest import Manifest
 
 SIZE = 0.08
@@ -135,18 +135,20 @@ def test_boxes_meet_where_places_say_so():
     turned = np.eye(4)
     turned[:2, :2] = [[0, -1], [1, 0]]
     turned[0, 3] = 4.0
-    first, second = place_box(low, high, np.eye(4), 0.0), place_box(low, high, turned, 0.0)
+    first, second = box_at_pose(low, high, np.eye(4), 0.0), box_at_pose(low, high, turned, 0.0)
     np.testing.assert_array_equal(second, ([2, -1, 0], [5, 1, 1]))
     assert meeting_boxes([first, None, second]) == []
-    assert meeting_boxes([place_box(low, high, np.eye(4), 0.5), None, place_box(low, high, turned, 0.5)]) == [(0, 2)]
-    row = [place_box(low, high, np.array([x, 0.0, 0.0]), 0.0) for x in (0, 1, 3, 3.5)]
+    assert meeting_boxes([box_at_pose(low, high, np.eye(4), 0.5), None, box_at_pose(low, high, turned, 0.5)]) == [
+        (0, 2)
+    ]
+    row = [box_at_pose(low, high, np.array([x, 0.0, 0.0]), 0.0) for x in (0, 1, 3, 3.5)]
     assert meeting_boxes(row) == [(i, j) for i in range(4) for j in range(i + 1, 4)]
     assert nearest_of(meeting_boxes(row), row, 1) == [(0, 1), (2, 3)]
-    ball = place_box(low, high, np.array([0.0, 0, 10]), 0.25)
+    ball = box_at_pose(low, high, np.array([0.0, 0, 10]), 0.25)
     np.testing.assert_allclose(ball[1] - ball[0], 2 * (np.sqrt(1 + 4 + 1) + 0.25))
     np.testing.assert_array_equal(groups_of(5, [(3, 1), (4, 3)]), [0, 1, 2, 1, 1])
     looks = np.array([[0.0, 5], [1, 5], [0.1, 5], [9, 5]])
-    assert most_alike(looks, 0, np.array([1, 2, 3]), 2) == [2, 1]
+    assert most_similar(looks, 0, np.array([1, 2, 3]), 2) == [2, 1]
 
 
 def test_a_scan_that_cannot_be_read_is_named_and_mended(surveyed, expected, tmp_path):
@@ -224,7 +226,7 @@ def test_a_scan_without_a_surface_is_told_and_left_out(surveyed, tmp_path):
     paths = [surveyed[0][0], tmp_path / "few.ply", surveyed[0][1]]
     found = by_tasks(paths, tmp_path / "job")
     assert found.placed.tolist() == [True, False, True]
-    assert "few.ply: shows no surface" in str(job_status(tmp_path / "job"))
+    assert "few.ply: has no surface" in str(job_status(tmp_path / "job"))
 
 
 @pytest.mark.parametrize(

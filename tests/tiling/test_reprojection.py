@@ -70,7 +70,7 @@ def test_heights_keep_their_system_or_are_refused(survey, tmp_path):
 
 def test_points_without_a_place_are_counted(survey):
     (step,) = parse_steps([STEP])
-    step.settle([describe(survey)])
+    step.adapt([describe(survey)])
     with pytest.raises(ValueError, match=r"^steps:.*1.*2.*25833"):
         step._moved(np.array([CORNER, [1e9, 1e9, 0]]))
 
@@ -78,7 +78,7 @@ def test_points_without_a_place_are_counted(survey):
 @pytest.mark.parametrize(
     ("step", "message"),
     [
-        ({"to_crs": "EPSG:4326"}, "to_crs: WGS 84 does not count in lengths"),
+        ({"to_crs": "EPSG:4326"}, "to_crs: WGS 84 is not in units of length"),
         ({"to_crs": "EPSG:0"}, "to_crs: no coordinate system: 'EPSG:0'"),
         ({"to_crs": 3}, "to_crs: expected a system such as"),
     ],

@@ -8,7 +8,7 @@ from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 from pointloom.tiling import plan as plan_module
 from pointloom.tiling import work_tile
-from pointloom.tiling.manifest import NOT_LAID, Manifest
+from pointloom.tiling.manifest import UNSORTED, Manifest
 
 from .scenes import CORNER, SIDE, STEP, finished, in_memory, plan_of, rows_of, survey, tiled, whole_cloud
 
@@ -71,7 +71,7 @@ def test_a_halo_that_is_too_small_is_doubled(files, tmp_path, monkeypatch):
     def with_small_guesses(self, told):
         init(self, told)
         for step in self.steps:
-            step.reach = 0.6
+            step.radius = 0.6
 
     monkeypatch.setattr(plan_module.Plan, "__init__", with_small_guesses)
     check(files, CHAINS["normals of the nearest"], tmp_path / "job", size=20.0)
@@ -140,7 +140,7 @@ def strips(folder):
 
 def laid(job):
     with Manifest(job) as manifest:
-        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", NOT_LAID)]
+        return [row["id"] for row in manifest.rows("SELECT id FROM sources WHERE full != ?", UNSORTED)]
 
 
 def test_files_that_are_far_from_the_area_are_not_laid(tmp_path):

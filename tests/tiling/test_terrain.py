@@ -158,7 +158,7 @@ def test_a_job_that_leaves_no_point_has_its_rasters(files, tmp_path):
     assert not (tmp_path / "without" / "result.laz").exists()
     loom.tiling.plan_tiles(files, [away], tmp_path / "nothing", size=60.0)
     loom.tiling.run_tiles(tmp_path / "nothing")
-    with pytest.raises(FileError, match="there is nothing to write: the steps left no point"):
+    with pytest.raises(FileError, match="no points are left after the steps, so there is nothing to write"):
         loom.tiling.finish_tiles(tmp_path / "nothing")
 
 

@@ -59,10 +59,10 @@ def test_what_is_held_at_once_gives_the_bytes_of_the_file_made_in_memory(job, tm
 @pytest.mark.slow
 @pytest.mark.parametrize("most", [9000, 2000])
 def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job, tmp_path, monkeypatch, most):
-    monkeypatch.setattr(tile_tree, "MOST", most)
-    monkeypatch.setattr(tile_tree, "LEAST", 200)
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", most)
+    monkeypatch.setattr(tile_tree, "MIN_POINTS", 200)
     monkeypatch.setattr("pointloom.io.points.copc_writer._MIN_NODE_POINTS", 200)
-    monkeypatch.setattr(tile_tree, "_KEPT_BYTES", 1)
+    monkeypatch.setattr(tile_tree, "_CACHE_BYTES", 1)
     found = open_copc(loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz"))
     wanted = open_copc(in_memory(job, tmp_path / "b.copc.laz"))
     assert wanted.nodes["level"].max() >= 4
@@ -74,8 +74,8 @@ def test_cells_one_after_the_other_give_the_nodes_of_the_file_made_in_memory(job
 
 @pytest.mark.slow
 def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job, tmp_path, monkeypatch):
-    monkeypatch.setattr(tile_tree, "MOST", 150)
-    monkeypatch.setattr(tile_tree, "LEAST", 0)
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", 150)
+    monkeypatch.setattr(tile_tree, "MIN_POINTS", 0)
     monkeypatch.setattr("pointloom.io.points.copc_writer._MIN_NODE_POINTS", 0)
     paths, counts = zip(*((path, open_las(path).header.point_count) for path in (job / "tiles").iterdir()), strict=True)
     tree = tile_tree.TileTree([*paths], [*counts], lambda *_: None)
@@ -96,7 +96,7 @@ def test_cells_smaller_than_a_voxel_have_one_point_in_each_voxel_of_a_level(job,
 
 
 def test_laspy_reads_it_whole_and_by_window(job, tmp_path, monkeypatch):
-    monkeypatch.setattr(tile_tree, "MOST", 4000)
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", 4000)
     path = loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")
     stored = read_las(path).points
     low, high = CORNER + np.array([1, 2, -5]), CORNER + np.array([9, 8, 5])
@@ -134,7 +134,7 @@ def test_points_in_one_place_and_on_a_line(tmp_path, points):
 
 
 def test_more_points_in_one_place_than_can_be_held_are_an_error(tmp_path, monkeypatch):
-    monkeypatch.setattr(tile_tree, "MOST", 100)
+    monkeypatch.setattr(tile_tree, "MAX_POINTS", 100)
     job = job_of(loom.PointCloud(np.tile(CORNER, (500, 1))), tmp_path, 7.0)
     with pytest.raises(FileError, match=r"/tiles:.*500.*voxel_down_sample"):
         loom.tiling.finish_tiles(job, tmp_path / "a.copc.laz")

@@ -112,7 +112,7 @@ def test_text_in_parts_is_text_read_whole(tmp_path, monkeypatch):
         ("a.ply", "ply\nformat binary_little_endian 1.0\nelement vertex 9\nproperty float x\nproperty float y\n"
          "property float z\nend_header\n123", "truncated"),
         ("a.e57", "ASTM-E57 and no more", "E57"),
-        ("a.docx", "1 2 3", "made of"),
+        ("a.docx", "1 2 3", "expected one of"),
     ],
 )  # fmt: skip
 def test_bad_files_are_named_and_leave_nothing(tmp_path, monkeypatch, name, body, message):
@@ -169,18 +169,18 @@ def test_an_index_stands_for_its_files(tmp_path):
     assert loom.tiling.plan_tiles(index, STEPS, tmp_path / "job").points == len(whole)
     assert plan_files(tmp_path / "job") == [str(tmp_path / "made" / f"{k}.laz") for k in range(2)]
     for change, message in [
-        (lambda one: one["properties"].update({"pc:count": 7}), "holds 7 points, it holds"),
-        (lambda one: one["properties"]["proj:bbox"].__setitem__(0, 0.0), "reaches over"),
-        (lambda one: one["properties"].update({"proj:bbox": ["w", 1, 2, 3]}), "bounds of .* that are none"),
-        (lambda one: one["assets"]["data"].update(href="./gone.laz"), "lists ./gone.laz, which is not there"),
-        (lambda one: one["assets"]["data"].update(href="https://x/y.laz"), "which is no file on this machine"),
+        (lambda one: one["properties"].update({"pc:count": 7}), "lists 7 points of"),
+        (lambda one: one["properties"]["proj:bbox"].__setitem__(0, 0.0), "lists the bounds"),
+        (lambda one: one["properties"].update({"proj:bbox": ["w", 1, 2, 3]}), "lists invalid bounds of"),
+        (lambda one: one["assets"]["data"].update(href="./gone.laz"), "lists ./gone.laz, which does not exist"),
+        (lambda one: one["assets"]["data"].update(href="https://x/y.laz"), "which is not a file on this machine"),
         (lambda one: one["assets"]["data"].update(href="index.vpc"), "neither .las nor .laz"),
-        (lambda one: one.pop("assets"), "is no virtual point cloud"),
-        (lambda one: one.update(assets=[]), "is no virtual point cloud"),
+        (lambda one: one.pop("assets"), "is not a virtual point cloud"),
+        (lambda one: one.update(assets=[]), "is not a virtual point cloud"),
         (lambda one: one.update(properties=[1]), "expected an object of properties"),
         (lambda one: one["properties"].update({"proj:bbox": [10**400, 0, 0, 1, 1, 1]}), "too large"),
         (lambda one: one["assets"]["data"].update(href="\ud800.las"), "surrogates not allowed"),
-        (lambda one: one["assets"]["data"].update(href="a\0.las"), "which is no file on this machine"),
+        (lambda one: one["assets"]["data"].update(href="a\0.las"), "which is not a file on this machine"),
         (lambda one: one["assets"]["data"].update(href="a" * 5000 + ".las"), "too long"),
     ]:
         changed = json.loads(json.dumps(items))
@@ -235,6 +235,6 @@ def test_a_made_file_that_is_gone_is_told_before_tiles_are_run(tmp_path):
     assert not tile_status(tmp_path / "job").troubles
     (tmp_path / "job" / "sources" / "000000.laz").unlink()
     (told,) = tile_status(tmp_path / "job").troubles.items()
-    assert told[0].endswith("a.ply") and "was made of" in told[1]
+    assert told[0].endswith("a.ply") and "was converted from" in told[1]
     with pytest.raises(loom.FileError, match=r"/000000\.laz:.*a\.ply"):
         loom.tiling.plan_tiles(tmp_path / "a.ply", STEPS, tmp_path / "job")

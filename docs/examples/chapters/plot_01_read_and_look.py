@@ -133,9 +133,9 @@ assert np.allclose(meters.points, cloud.points, atol=1e-4)
 # **Upside down.** Cameras count y downwards and z away from themselves. A cloud that comes straight from a depth camera
 # therefore hangs upside down in a viewer that takes y for up. It is turned about x by half a turn:
 
-half_turn = np.diag([1.0, -1.0, -1.0, 1.0])
+flip = np.diag([1.0, -1.0, -1.0, 1.0])
 from_camera = loom.PointCloud.create_from_depth_image(frame.depth, frame.intrinsic)
-upright = from_camera.transform(half_turn)
+upright = from_camera.transform(flip)
 print("y of the floor before:", from_camera.points[:, 1].max().round(2), " after:", upright.points[:, 1].min().round(2))
 assert np.isclose(upright.points[:, 1].min(), -from_camera.points[:, 1].max())
 
@@ -150,9 +150,9 @@ assert np.isclose(upright.points[:, 1].min(), -from_camera.points[:, 1].max())
 points = cloud.points.copy()
 points[:5] = np.nan
 holed = loom.PointCloud(points)
-whole = holed.remove_non_finite_points()
-print("mean with holes:", holed.points.mean(axis=0), " without:", whole.points.mean(axis=0).round(2))
-assert len(whole) == len(cloud) - 5
+finite = holed.remove_non_finite_points()
+print("mean with holes:", holed.points.mean(axis=0), " without:", finite.points.mean(axis=0).round(2))
+assert len(finite) == len(cloud) - 5
 
 # %%
 # Try it

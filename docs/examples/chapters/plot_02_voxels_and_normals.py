@@ -35,29 +35,29 @@ for voxel_size in (0.01, 0.03, 0.1, 0.3):
 # %%
 # Twice the edge leaves about a quarter of the points, as surfaces are flat things: a sheet is cut into squares.
 
-halves = [len(cloud.voxel_down_sample(size)) for size in (0.1, 0.2, 0.4)]
-ratios = np.divide(halves[:-1], halves[1:])
-print("0.1, 0.2, 0.4 m:", halves, "points, ratios", ratios.round(1))
+counts = [len(cloud.voxel_down_sample(size)) for size in (0.1, 0.2, 0.4)]
+ratios = np.divide(counts[:-1], counts[1:])
+print("0.1, 0.2, 0.4 m:", counts, "points, ratios", ratios.round(1))
 assert (ratios > 2.5).all() and (ratios < 4.5).all()
 
 # %%
 # The mistake to know: a voxel larger than the cloud leaves a single point. It mostly means that the cloud is in
 # millimeters and the voxel in meters, or the other way round. A warning says so:
 
-with warnings.catch_warnings(record=True) as told:
+with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     print(len(cloud.voxel_down_sample(10.0)), "point is left")
-print(told[0].category.__name__, "-", told[0].message)
-assert "voxel_size: 10 m is more than" in str(told[0].message)
+print(caught[0].category.__name__, "-", caught[0].message)
+assert "voxel_size: 10 m is more than" in str(caught[0].message)
 
 # %%
 # Before and after, seen from behind the camera's shoulder. Before, the points thin out with the distance; after, their
 # number no longer falls with it.
 
 thin = cloud.voxel_down_sample(0.04)
-aside = {"front": [0.75, 0.62, 0.5], "up": [0, 0, 1], "zoom": 0.5}
-before = loom.render({"geometry": cloud, "point_size": 2.0}, aside, (960, 640))
-after = loom.render({"geometry": thin, "point_size": 0.025, "metric": True}, aside, (960, 640))
+side_view = {"front": [0.75, 0.62, 0.5], "up": [0, 0, 1], "zoom": 0.5}
+before = loom.render({"geometry": cloud, "point_size": 2.0}, side_view, (960, 640))
+after = loom.render({"geometry": thin, "point_size": 0.025, "metric": True}, side_view, (960, 640))
 
 
 def crowd(points: loom.PointCloud) -> tuple[float, float]:
@@ -97,7 +97,7 @@ toward = np.einsum("ij,ij->i", thin.normals, frame.T_world_camera[:3, 3] - thin.
 assert (toward >= 0).all()
 
 with_arrows = loom.render(
-    {"geometry": thin.voxel_down_sample(0.1), "point_size": 6.0}, aside, (960, 640), point_show_normal=True
+    {"geometry": thin.voxel_down_sample(0.1), "point_size": 6.0}, side_view, (960, 640), point_show_normal=True
 )
 
 # %%
@@ -107,7 +107,9 @@ with_arrows = loom.render(
 # up, so its points can be counted: those with a height below 3 cm should have a normal near (0, 0, 1). This
 # camera is exact, so most of them are upright to a degree; with a real one expect several degrees.
 
-by_normal = loom.render({"geometry": thin, "color_by": "normal", "point_size": 0.04, "metric": True}, aside, (960, 640))
+by_normal = loom.render(
+    {"geometry": thin, "color_by": "normal", "point_size": 0.04, "metric": True}, side_view, (960, 640)
+)
 
 floor = thin.points[:, 2] < 0.03
 tilt = np.degrees(np.arccos(np.clip(thin.normals[floor, 2], -1, 1)))

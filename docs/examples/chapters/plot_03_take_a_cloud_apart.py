@@ -69,8 +69,8 @@ clusters_seen = loom.render([{"geometry": painted, "color_by": "cluster"}, gray]
 # middle of the range in which the count stays put:
 
 for eps in (0.02, 0.05, 0.1, 0.3):
-    found = np.asarray(things.cluster_dbscan(eps, 8))
-    print(f"eps {eps:4} m: {found.max() + 1:3} clusters, {(found < 0).sum():5} points of noise")
+    cluster_labels = np.asarray(things.cluster_dbscan(eps, 8))
+    print(f"eps {eps:4} m: {cluster_labels.max() + 1:3} clusters, {(cluster_labels < 0).sum():5} points of noise")
 
 assert np.asarray(things.cluster_dbscan(1.0, 8)).max() == 0, "at one metre all is one"
 
@@ -82,14 +82,14 @@ assert np.asarray(things.cluster_dbscan(1.0, 8)).max() == 0, "at one metre all i
 # askew. (``get_oriented_bounding_box`` turns with the spread of the points, which is quick, and seldom the smallest.)
 
 sofa = things.select_by_mask(labels == int(np.argmax(sizes)))
-upright, turned = sofa.get_axis_aligned_bounding_box(), sofa.get_minimal_oriented_bounding_box()
+upright, oriented = sofa.get_axis_aligned_bounding_box(), sofa.get_minimal_oriented_bounding_box()
 hull, _ = sofa.compute_convex_hull()
 print("box along the axes:", upright.get_extent().round(2), "m")
-print("turned box:", np.sort(turned.extent)[::-1].round(2), "m")
+print("turned box:", np.sort(oriented.extent)[::-1].round(2), "m")
 print(f"hull: {loom.TriangleMesh(hull.vertices, hull.triangles).get_volume():.2f} m3, boxes"
-      f" {upright.volume():.2f} and {turned.volume():.2f} m3")  # fmt: skip
+      f" {upright.volume():.2f} and {oriented.volume():.2f} m3")  # fmt: skip
 
-assert turned.volume() <= 1.01 * upright.volume()
+assert oriented.volume() <= 1.01 * upright.volume()
 assert np.all(upright.get_min_bound() <= sofa.points.min(axis=0) + 1e-6)
 assert loom.TriangleMesh(hull.vertices, hull.triangles).get_volume() <= upright.volume()
 

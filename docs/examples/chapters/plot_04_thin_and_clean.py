@@ -98,7 +98,7 @@ for ratio in (2.0, 1.0, 0.5, 0.1):
     caught, lost = judged(rows)
     print(f"std_ratio {ratio:3}: {caught:4.0%} of the rubbish went, and {lost:5.1%} of the good points")
 
-kept, rows = noisy.remove_statistical_outlier(nb_neighbors=20, std_ratio=0.5)
+inliers, rows = noisy.remove_statistical_outlier(nb_neighbors=20, std_ratio=0.5)
 caught, lost = judged(rows)
 assert caught > 0.9 and lost < 0.02
 
@@ -108,7 +108,7 @@ assert caught > 0.9 and lost < 0.02
 gone = noisy.select_by_index(rows, invert=True)
 side = {"front": [0.3, -1, 0.25], "up": [0, 0, 1], "zoom": 0.62}
 cleaned = loom.render(
-    [kept, {"geometry": gone, "color": (0.9, 0.1, 0.1), "point_size": 5}], side, (960, 640),
+    [inliers, {"geometry": gone, "color": (0.9, 0.1, 0.1), "point_size": 5}], side, (960, 640),
     legend=[("goes", (0.9, 0.1, 0.1))],
 )  # fmt: skip
 
@@ -137,7 +137,7 @@ assert len(nothing) == len(noisy), "a radius larger than the cloud removes nothi
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
 with loom.record(folder / "outliers.html", automatic=False, title="What goes is red") as recording:
-    recording.add("kept", kept, color=(0.6, 0.65, 0.7))
+    recording.add("kept", inliers, color=(0.6, 0.65, 0.7))
     recording.add("gone", gone, color=(0.9, 0.1, 0.1), point_size=4)
     recording.step("before")
     recording.remove("gone")

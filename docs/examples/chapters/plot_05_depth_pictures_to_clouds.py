@@ -125,11 +125,11 @@ for name, (read, numbers) in files.items():
 # **The wrong scale** gives a room of the wrong size. TUM's numbers taken for millimeters make it five times too large;
 # most of it then lies beyond ``depth_trunc``. Where nothing at all is left, there is a warning with the likely cause:
 
-with warnings.catch_warnings(record=True) as told:
+with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     loom.RGBDImage(frame.color, np.rint(z * 5000).astype(np.uint16), depth_scale=1.0)
-print(told[0].message)
-assert issubclass(told[0].category, loom.UnitWarning)
+print(caught[0].message)
+assert issubclass(caught[0].category, loom.UnitWarning)
 
 # %%
 # Where was the camera? Poses and extrinsics

@@ -49,7 +49,7 @@ def answer_of_a_network(depth: np.ndarray) -> np.ndarray:
     return (700 * inverse + 60).astype(np.float32)
 
 
-def write_stand_in(path: Path, answer: np.ndarray) -> None:
+def write_fake_network(path: Path, answer: np.ndarray) -> None:
     """An ONNX file that gives this answer to any picture, and ends in a ReLU as MiDaS's files do."""
     nodes = [
         helper.make_node("Mul", ["picture", "zero"], ["nothing"]),
@@ -67,7 +67,7 @@ def write_stand_in(path: Path, answer: np.ndarray) -> None:
 
 
 folder = Path(tempfile.mkdtemp(prefix="pointloom-"))
-write_stand_in(folder / "stand_in.onnx", answer_of_a_network(truth))
+write_fake_network(folder / "stand_in.onnx", answer_of_a_network(truth))
 
 # %%
 # Ask it
@@ -130,11 +130,11 @@ assert fitted.is_metric and fitted.inlier_share > 0.9
 # with what a **metric** depth should be, so an arbitrary unit scores badly, however good the shapes.
 
 results = {"alone": alone, "with a tape": measured, "with a sensor": fitted}
-for name, found in results.items():
-    errors = evaluate_depth(found.depth, truth)
+for name, estimate in results.items():
+    errors = evaluate_depth(estimate.depth, truth)
     print(f"{name:14} abs_rel {errors.abs_rel:.3f}, rmse {errors.rmse:.3f} m, within 25 %: {errors.delta1:.1%}")
 
-scores = {name: evaluate_depth(found.depth, truth).abs_rel for name, found in results.items()}
+scores = {name: evaluate_depth(estimate.depth, truth).abs_rel for name, estimate in results.items()}
 assert scores["with a sensor"] < 0.03 and scores["with a tape"] < 0.06
 assert scores["alone"] > 5 * scores["with a sensor"]
 
@@ -145,9 +145,9 @@ assert scores["alone"] > 5 * scores["with a sensor"]
 # between them. ``to_point_cloud`` drops those.
 
 cloud = fitted.to_point_cloud()
-whole = fitted.to_point_cloud(keep_edges=True)
-print(f"{len(cloud)} points; {len(whole) - len(cloud)} that flew between two surfaces are left out")
-assert len(cloud) < len(whole)
+with_edges = fitted.to_point_cloud(keep_edges=True)
+print(f"{len(cloud)} points; {len(with_edges) - len(cloud)} that flew between two surfaces are left out")
+assert len(cloud) < len(with_edges)
 
 beside = {"front": [0.55, -0.5, -0.75], "up": [0, -1, 0], "zoom": 0.48}
 picture = loom.render(cloud, beside, (960, 640))

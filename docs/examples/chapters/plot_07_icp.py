@@ -41,7 +41,7 @@ def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
     return float(angle), float(np.linalg.norm(rest[:3, 3]))
 
 
-def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
+def perturbation(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
     """A motion: a turn about the vertical axis of the camera, and a step."""
     angle, T = np.radians(degrees), np.eye(4)
     T[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
@@ -51,7 +51,7 @@ def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
 
 source, target = scan(6), scan(10)
 truth = np.linalg.inv(frames[10].T_world_camera) @ frames[6].T_world_camera
-start = truth @ turned(5.0, (0.06, -0.04, 0.05))
+start = truth @ perturbation(5.0, (0.06, -0.04, 0.05))
 print(source, target)
 print("the start is {:.1f} degrees and {:.2f} m off".format(*off(start, truth)))
 
@@ -138,10 +138,12 @@ print(f"half of the points are within {np.median(moved['apart']) * 1000:.0f} mm 
 # good end. Begin wide and end narrow if the initial pose is far off: ``multi_scale_icp`` does that in one call. It
 # takes a voxel size, criteria and a distance for each scale; chapter 10 has it in full.
 
-for reach in (0.01, 0.03, 0.12, 0.5, 2.0):
-    tried = reg.registration_icp(source, target, reach, start, reg.TransformationEstimationPointToPlane())
+for radius in (0.01, 0.03, 0.12, 0.5, 2.0):
+    tried = reg.registration_icp(source, target, radius, start, reg.TransformationEstimationPointToPlane())
     angle, step = off(tried.transformation, truth)
-    print(f"distance {reach:4} m: fitness {tried.fitness:.2f}, truly off by {angle:5.2f} degrees, {step * 100:5.1f} cm")
+    print(
+        f"distance {radius:4} m: fitness {tried.fitness:.2f}, truly off by {angle:5.2f} degrees, {step * 100:5.1f} cm"
+    )
 
 narrow = reg.registration_icp(source, target, 0.01, start, reg.TransformationEstimationPointToPlane())
 assert off(narrow.transformation, truth)[0] > off(plane.transformation, truth)[0]
@@ -164,7 +166,7 @@ errors, figures, scores = {}, {}, {}
 for name, (left, right, true_pose) in room_pairs.items():
     for overlap in (1.0, None):
         tried = reg.registration_icp(
-            left, right, distance, true_pose @ turned(5.0, (0.06, -0.04, 0.05)),
+            left, right, distance, true_pose @ perturbation(5.0, (0.06, -0.04, 0.05)),
             reg.TransformationEstimationPointToPlane(), reg.ICPConvergenceCriteria(max_iteration=200), overlap=overlap,
         )  # fmt: skip
         alike = reg.evaluate_registration(left, right, distance, tried.transformation)
@@ -196,7 +198,7 @@ assert scores["0 -> 23", 1.0] < 0.5 < scores["0 -> 23", None]
 
 wall = loom.TriangleMesh.create_plane(2.0, 1.5).compute_vertex_normals().sample_points_uniformly(4000, seed=0)
 on_wall = reg.registration_icp(
-    wall, wall, distance, turned(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane()
+    wall, wall, distance, perturbation(2, (0.0, 0.0, 0.02)), reg.TransformationEstimationPointToPlane()
 )
 print("converged:", on_wall.converged, "- not determined:", len(on_wall.degenerate_directions), "of 6 motions")
 print("in the room:", len(plane.degenerate_directions))
@@ -227,10 +229,10 @@ page = folder / "icp.html"
 # **Millimeters on meters.** Nothing is near anything, and the result says what it looks like:
 
 in_millimeters = source.scale(1000.0, center=[0, 0, 0])
-with warnings.catch_warnings(record=True) as told:
+with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     lost = reg.registration_icp(in_millimeters, target, distance)
-print(told[0].category.__name__, "-", told[0].message)
+print(caught[0].category.__name__, "-", caught[0].message)
 print(lost)
 assert lost.fitness == 0.0
 
@@ -238,7 +240,7 @@ assert lost.fitness == 0.0
 # **The start is too far away.** ICP ends somewhere else, and may well call that converged, as it only looks around
 # itself. Fitness is lower than it should be, but not 0. From 35 degrees off:
 
-far = reg.registration_icp(source, target, distance, truth @ turned(35.0, (0.2, 0, 0)),
+far = reg.registration_icp(source, target, distance, truth @ perturbation(35.0, (0.2, 0, 0)),
                            reg.TransformationEstimationPointToPlane())  # fmt: skip
 print(far)
 print("off by {:.0f} degrees, {:.2f} m".format(*off(far.transformation, truth)))

@@ -82,12 +82,12 @@ right = gaps < 2 * VOXEL
 print(f"{len(matches)} matches, {right.mean():.0%} of them right")
 assert 10 < right.sum() < len(matches)
 
-turned = thin_source.transform(truth).translate([4.2, 0, 0])
+rotated = thin_source.transform(truth).translate([4.2, 0, 0])
 some = slice(None, None, 12)  # every twelfth, or one sees nothing else
-pairs = loom.LineSet.create_from_point_cloud_correspondences(turned, thin_target, matches[some])
+pairs = loom.LineSet.create_from_point_cloud_correspondences(rotated, thin_target, matches[some])
 pairs = loom.LineSet(pairs.points, pairs.lines, np.where(right[some, None], [0.1, 0.65, 0.2], [0.9, 0.6, 0.55]))
 matched = loom.render(
-    [turned, thin_target, pairs], {"front": [0.1, -0.75, -0.8], "up": [0, -1, 0], "zoom": 0.42}, (960, 640)
+    [rotated, thin_target, pairs], {"front": [0.1, -0.75, -0.8], "up": [0, -1, 0], "zoom": 0.42}, (960, 640)
 )
 
 # %%
@@ -128,11 +128,15 @@ for name, result in (("RANSAC", ransac), ("FGR", fast)):
 # ``register_globally`` thins, describes, matches, searches, refines, and then asks whether the surfaces truly lie on
 # each other. One number is to be chosen, the voxel. There is nothing like it in Open3D.
 
-found = reg.register_globally(source, target, voxel_size=VOXEL)
-print(found)
-print("score {:.2f}, off by {:.1f} degrees and {:.1f} cm".format(found.score, *off(found.transformation, truth)))
-assert found.converged and found.score > 0.5
-assert off(found.transformation, truth)[0] < 2 and off(found.transformation, truth)[1] < 6
+global_result = reg.register_globally(source, target, voxel_size=VOXEL)
+print(global_result)
+print(
+    "score {:.2f}, off by {:.1f} degrees and {:.1f} cm".format(
+        global_result.score, *off(global_result.transformation, truth)
+    )
+)
+assert global_result.converged and global_result.score > 0.5
+assert off(global_result.transformation, truth)[0] < 2 and off(global_result.transformation, truth)[1] < 6
 
 # %%
 # Then ICP
@@ -140,7 +144,7 @@ assert off(found.transformation, truth)[0] < 2 and off(found.transformation, tru
 # A global method ends near the truth, not at it: its clouds were thinned. ICP on finer clouds does the rest.
 
 fine = [cloud.voxel_down_sample(0.02).estimate_normals(radius=0.06, max_nn=30) for cloud in (source, target)]
-refined = reg.registration_icp(*fine, 0.05, found.transformation, reg.TransformationEstimationPointToPlane())
+refined = reg.registration_icp(*fine, 0.05, global_result.transformation, reg.TransformationEstimationPointToPlane())
 print("after ICP off by {:.2f} degrees and {:.1f} cm".format(*off(refined.transformation, truth)))
 assert off(refined.transformation, truth)[0] < 1.0 and off(refined.transformation, truth)[1] < 3
 
@@ -179,7 +183,7 @@ with loom.record(folder / "global.html", automatic=False, max_points=50_000, tit
     recording.add("source", source, color=ORANGE)
     recording.add("target", target, color=BLUE)
     recording.step("as they lay")
-    recording.set_pose("source", found.transformation)
+    recording.set_pose("source", global_result.transformation)
     recording.step("register_globally")
     recording.set_pose("source", refined.transformation)
     recording.step("ICP")

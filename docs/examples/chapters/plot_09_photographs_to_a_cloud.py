@@ -61,8 +61,8 @@ LEFT, RIGHT = 85, 235
 
 def halved(picture: np.ndarray) -> np.ndarray:
     """The mean of 2 x 2 pixels, and of that the middle columns."""
-    whole = picture.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))
-    return whole[:, LEFT:RIGHT].round().astype(np.uint8)
+    averaged = picture.reshape(height // 2, 2, width // 2, 2, 3).mean(axis=(1, 3))
+    return averaged[:, LEFT:RIGHT].round().astype(np.uint8)
 
 
 small = [halved(picture) for picture in pictures]
@@ -77,8 +77,8 @@ camera = loom.PinholeCameraIntrinsic(
 
 cameras = [loom.mvs.PosedCamera(camera, np.linalg.inv(pose)) for pose in poses]
 maps = loom.mvs.estimate_depth_maps(small, cameras)
-kept = loom.mvs.filter_depth_maps(maps)
-share = np.mean([(kept[k].depth > 0).mean() for k in range(len(small))])
+filtered = loom.mvs.filter_depth_maps(maps)
+share = np.mean([(filtered[k].depth > 0).mean() for k in range(len(small))])
 print(f"{share:.0%} of the pixels have a depth that other pictures confirm")
 
 # %%
@@ -86,9 +86,9 @@ print(f"{share:.0%} of the pixels have a depth that other pictures confirm")
 # confirms (the plain background, edges, what one picture alone sees) is left out rather than guessed.
 
 truth = shots.depths[2][::2, ::2][:, LEFT:RIGHT]
-found = kept[2].depth
-both = (found > 0) & (truth > 0)
-relative = abs(found - truth)[both] / truth[both]
+depth = filtered[2].depth
+both = (depth > 0) & (truth > 0)
+relative = abs(depth - truth)[both] / truth[both]
 print(f"half of the pixels within {np.median(relative):.2%} of the true depth, nine tenths within"
       f" {np.quantile(relative, 0.9):.1%}")  # fmt: skip
 assert np.median(relative) < 0.01
@@ -101,7 +101,7 @@ assert np.median(relative) < 0.01
 # estimates of it are unreliable. It is removed by its
 # color, and specks in the air by clusters (chapter 3).
 
-cloud = loom.mvs.fuse(kept, small)
+cloud = loom.mvs.fuse(filtered, small)
 print(cloud, "views from", int(cloud["views"].min()), "to", int(cloud["views"].max()))
 gray = np.median(small[2][:20].reshape(-1, 3), axis=0) / 255
 plain = np.linalg.norm(cloud.colors - gray, axis=1) < 0.12
@@ -158,13 +158,13 @@ page = folder / "owl.html"
 # **Poses the wrong way round.** With the poses themselves in place of their inverse nothing agrees:
 
 wrong = [loom.mvs.PosedCamera(camera, pose) for pose in poses[:2]]
-with warnings.catch_warnings(record=True) as told:
+with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     mistaken = loom.mvs.filter_depth_maps(loom.mvs.estimate_depth_maps(small[:2], wrong))
 left = np.mean([(mistaken[k].depth > 0).mean() for k in range(2)])
-print(told[0].message)
+print(caught[0].message)
 print(f"confirmed with wrong poses: {left:.0%}, with right ones: {share:.0%}")
-assert left < 0.02 < share and "T_camera_world is world to camera" in str(told[0].message)
+assert left < 0.02 < share and "T_camera_world is world to camera" in str(caught[0].message)
 
 # %%
 # **Plain, shiny and moving things** have nothing that can be recognized, or change from picture to picture: white

@@ -22,11 +22,11 @@ import pointloom as loom
 reg = loom.registration
 room = loom.datasets.room_cloud(voxel_size=0.015)
 rug = room.crop(loom.AxisAlignedBoundingBox([1.2, 1.05, -0.05], [2.4, 2.9, 0.03]))
-halves = np.random.default_rng(0).random(len(rug)) < 0.5  # no point of one cloud is in the other
-target, source = rug.select_by_mask(halves), rug.select_by_mask(~halves)
+is_target = np.random.default_rng(0).random(len(rug)) < 0.5  # no point of one cloud is in the other
+target, source = rug.select_by_mask(is_target), rug.select_by_mask(~is_target)
 
 
-def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
+def perturbation(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
     """A turn about the vertical through the middle of the rug, and a step."""
     angle, middle = np.radians(degrees), np.asarray(rug.get_center())
     T = np.eye(4)
@@ -43,7 +43,7 @@ def off(T: np.ndarray, truth: np.ndarray) -> tuple[float, float]:
     return float(angle), 1000 * float(np.linalg.norm((rest @ middle - middle)[:3]))
 
 
-away = turned(3.0, (0.05, -0.04, 0.02))
+away = perturbation(3.0, (0.05, -0.04, 0.02))
 source = source.transform(away)
 truth = np.linalg.inv(away)
 print(source, target)
@@ -120,7 +120,7 @@ ends, shares = {}, {}
 for push in (0.05, 0.1, 0.3, 0.7):
     tried = reg.multi_scale_icp(
         source.without("normals"), target.without("normals"), [0.08, 0.04, 0.02], rules, [0.08, 0.04, 0.02],
-        truth @ turned(0, (0, push, 0)), reg.TransformationEstimationForColoredICP(), estimate_normals=True,
+        truth @ perturbation(0, (0, push, 0)), reg.TransformationEstimationForColoredICP(), estimate_normals=True,
     )  # fmt: skip
     ends[push], shares[push] = off(tried.transformation, truth)[1], tried.fitness
     print(f"from {push * 100:2.0f} cm off it ends {ends[push] / 10:5.1f} cm off, fitness {tried.fitness:.2f}")

@@ -127,12 +127,12 @@ sure = surface.remove_vertices_by_mask(densities < low)
 trimmed = surface.trim(densities, low)
 print(f"below {low:.1f}: {(densities < low).mean():.0%} of the vertices go")
 
-turned = {"front": [1.0, -0.35, 0.2], "up": [0, 0, 1], "zoom": 0.52}
+side_view = {"front": [1.0, -0.35, 0.2], "up": [0, 0, 1], "zoom": 0.52}
 along = np.array([0.07, 0.19, 0])
-kept = trimmed.compute_vertex_normals().paint_uniform_color([0.95, 0.75, 0.45])
+trimmed_mesh = trimmed.compute_vertex_normals().paint_uniform_color([0.95, 0.75, 0.45])
 masked = loom.render(
-    [shown.translate(-along), kept.translate(along)],
-    turned, (960, 640), labels=[("by density", -along - [0, 0, 0.2]), ("cut", along - [0, 0, 0.2])],
+    [shown.translate(-along), trimmed_mesh.translate(along)],
+    side_view, (960, 640), labels=[("by density", -along - [0, 0, 0.2]), ("cut", along - [0, 0, 0.2])],
 )  # fmt: skip
 
 
@@ -152,9 +152,9 @@ assert not sure.is_watertight(), "it is open where nobody looked"
 #
 # All in one call: ``create_surface`` estimates missing normals and checks whether the result is reliable.
 
-found = loom.create_surface(scan, "poisson", depth=7)
-print(found)
-assert not found.reliable and found.warnings[0] in str(found)
+result = loom.create_surface(scan, "poisson", depth=7)
+print(result)
+assert not result.reliable and result.warnings[0] in str(result)
 
 # %%
 # To turn: all of it by density, then what is left, in the colors of the scan.
@@ -179,13 +179,13 @@ page = folder / "surface.html"
 guessed = loom.PointCloud(cloud.points).estimate_normals(max_nn=20)
 oriented = guessed.orient_normals_consistent_tangent_plane(20)
 crumpled, _ = loom.TriangleMesh.create_from_point_cloud_poisson(guessed, depth=6)
-mended, _ = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, depth=6)
+repaired, _ = loom.TriangleMesh.create_from_point_cloud_poisson(oriented, depth=6)
 print(f"as guessed: {guessed.normal_disagreement():.1%} disagree, the surface is {error(crumpled):.1f} mm off")
-print(f"oriented:   {oriented.normal_disagreement():.1%} disagree, the surface is {error(mended):.1f} mm off")
+print(f"oriented:   {oriented.normal_disagreement():.1%} disagree, the surface is {error(repaired):.1f} mm off")
 assert oriented.normal_disagreement() < 0.2 * guessed.normal_disagreement()
-assert error(mended) < 0.5 * error(crumpled)
+assert error(repaired) < 0.5 * error(crumpled)
 
-inside_out = side_by_side([crumpled, mended], ["signs as guessed", "oriented"])
+inside_out = side_by_side([crumpled, repaired], ["signs as guessed", "oriented"])
 
 # %%
 # **Inside out.** If all normals look inwards, the surface is right and dark: ``cloud.flip_normals()``.

@@ -28,7 +28,7 @@ scans = loom.datasets.object_scans(10)
 to_first = np.linalg.inv(scans.poses[0])
 
 
-def turned(degrees: float) -> np.ndarray:
+def perturbation(degrees: float) -> np.ndarray:
     """A turn about the camera's vertical axis, through a point 60 cm before it, where the figure stands."""
     angle, T = np.radians(degrees), np.eye(4)
     T[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
@@ -38,7 +38,7 @@ def turned(degrees: float) -> np.ndarray:
 
 
 target = scans.scans[0].voxel_down_sample(0.004).estimate_normals(radius=0.012, max_nn=30)
-source = scans.scans[9].transform(to_first @ scans.poses[9]).voxel_down_sample(0.004).transform(turned(14.0))
+source = scans.scans[9].transform(to_first @ scans.poses[9]).voxel_down_sample(0.004).transform(perturbation(14.0))
 print("source", source, "target", target)
 
 with loom.record(folder / "icp.html", title="ICP brings two scans together") as recording:

@@ -85,7 +85,7 @@ is_wrong = np.concatenate([wing, np.ones(len(hand), bool)])
 print(f"{is_wrong.mean():.0%} of the source is wrong")
 
 
-def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
+def perturbation(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
     """A turn about the vertical, and a step."""
     angle, T = np.radians(degrees), np.eye(4)
     T[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
@@ -93,7 +93,7 @@ def turned(degrees: float, step: tuple[float, float, float]) -> np.ndarray:
     return T
 
 
-away = turned(6.0, (0.01, -0.008, 0.006))
+away = perturbation(6.0, (0.01, -0.008, 0.006))
 source, truth = spoilt.transform(away), np.linalg.inv(away)
 
 

@@ -107,28 +107,30 @@ assert result.reliable
 # is the first camera's. We give it the frames without their poses:
 
 blind = loom.frames_from([(frame.color, frame.depth) for frame in frames], camera)
-found = loom.reconstruct(blind, voxel_size=0.02)
-print(found)
-assert found.reliable
-assert len(found.trajectory) == len(frames)
+reconstruction = loom.reconstruct(blind, voxel_size=0.02)
+print(reconstruction)
+assert reconstruction.reliable
+assert len(reconstruction.trajectory) == len(frames)
 
 # %%
 # How good is the path? It is laid onto the true one, and compared (chapter 13). "se3" says how: by a turn and a
 # step ("sim3" would scale it too). **ATE** is how far positions are off then, **RPE** what one step is off.
 #
-# Where frames are lost the path is shorter than the truth; ``found.trajectory.ids[:, 0]`` holds the numbers of the
-# frames that have a pose.
+# Where frames are lost the path is shorter than the truth; ``reconstruction.trajectory.ids[:, 0]`` holds the numbers of
+# the frames that have a pose.
 
-tracked = found.trajectory.ids[:, 0]
-path_errors = loom.registration.evaluate_trajectory(found.trajectory, loom.Trajectory(truth.poses[tracked]))
+tracked = reconstruction.trajectory.ids[:, 0]
+path_errors = loom.registration.evaluate_trajectory(reconstruction.trajectory, loom.Trajectory(truth.poses[tracked]))
 print(path_errors)
 
-at_home = found.mesh.transform(truth.poses[0] @ np.linalg.inv(found.trajectory.poses[0]))
+at_home = reconstruction.mesh.transform(truth.poses[0] @ np.linalg.inv(reconstruction.trajectory.poses[0]))
 far = errors(at_home.vertices)
 print(f"the model: half within {np.median(far):.1f} mm of the room, nine tenths within {np.quantile(far, 0.9):.0f} mm")
 assert np.median(far) < 15
 
-path = loom.Trajectory(truth.poses[0] @ np.linalg.inv(found.trajectory.poses[0]) @ found.trajectory.poses)
+path = loom.Trajectory(
+    truth.poses[0] @ np.linalg.inv(reconstruction.trajectory.poses[0]) @ reconstruction.trajectory.poses
+)
 model = loom.render(
     {
         "room": inside(at_home),
@@ -163,9 +165,9 @@ print(f"{page.stat().st_size / 1e6:.1f} MB")
 # Keep it
 # -------
 
-loom.write_triangle_mesh(folder / "room.ply", found.mesh)
-loom.write_trajectory(folder / "found.log", found.trajectory)
-assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(found.mesh.triangles)
+loom.write_triangle_mesh(folder / "room.ply", reconstruction.mesh)
+loom.write_trajectory(folder / "found.log", reconstruction.trajectory)
+assert len(loom.read_triangle_mesh(folder / "room.ply").triangles) == len(reconstruction.mesh.triangles)
 
 # %%
 # What goes wrong
@@ -180,8 +182,9 @@ print(huge.warnings)
 assert "voxel_size: 20 m is larger than the scene" in huge.warnings[0]
 
 # %%
-# **Too fast a camera.** Frames that overlap by less than two thirds, or that are blurred, are lost; ``found.warnings``
-# and ``print(found)`` name them. Film slowly, at 10 frames a second and more, and come back to where you began.
+# **Too fast a camera.** Frames that overlap by less than two thirds, or that are blurred, are lost;
+# ``reconstruction.warnings`` and ``print(reconstruction)`` name them. Film slowly, at 10 frames a second and more, and
+# come back to where you began.
 #
 # Try it
 # ------

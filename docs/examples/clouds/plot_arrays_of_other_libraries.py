@@ -55,9 +55,9 @@ assert len(back) == 1000 and back["intensity"].max() <= np.partition(cloud["inte
 # %%
 # **Without a copy.** float32 arrays of shape [n, 3] are taken as they are: no memory moves, and the cloud sees what
 # you write afterward. Shown with Warp, which is always here; torch, cupy and jax arrays are passed just the same.
-held = wp.array(points.astype(np.float32), dtype=wp.vec3f, device="cpu")
-shared = loom.PointCloud(held)
-assert shared.array("points").ptr == held.ptr
+warp_array = wp.array(points.astype(np.float32), dtype=wp.vec3f, device="cpu")
+shared = loom.PointCloud(warp_array)
+assert shared.array("points").ptr == warp_array.ptr
 labels = shared.cluster_dbscan(0.05, 5)
 print("labels of a cloud made of", shared.array_library, "arrays:", type(labels).__name__)
 assert isinstance(labels, wp.array)
@@ -87,6 +87,6 @@ for library in ("torch", "cupy"):
 # **Out again.** ``cloud.array("points")`` is the device's array, which ``torch.from_dlpack`` and its kin take;
 # ``numpy.from_dlpack`` does on the CPU. ``.points`` is NumPy always.
 same = np.from_dlpack(shared.array("points"))
-print("DLPack gives", same.shape, same.dtype, "at the same address:", same.ctypes.data == held.ptr)
-assert same.ctypes.data == held.ptr
+print("DLPack gives", same.shape, same.dtype, "at the same address:", same.ctypes.data == warp_array.ptr)
+assert same.ctypes.data == warp_array.ptr
 assert np.array_equal(np.asarray(shared.points, np.float32), points.astype(np.float32))

@@ -14,13 +14,13 @@ import pointloom as loom
 # %%
 # Two scans of a room in one frame, in meters. In the second one a box was put onto the floor, and what stood in a
 # corner was carried away. Both have their own points and 3 mm of noise, as two scans have.
-whole = loom.datasets.room_cloud()
+room = loom.datasets.room_cloud()
 rng = np.random.default_rng(5)
-low, high = whole.get_min_bound(), whole.get_max_bound()
-whole = whole.select_by_mask(whole.points[:, 2] < low[2] + 2.2)
-is_first = rng.random(len(whole)) < 0.5
-first = whole.select_by_mask(is_first).voxel_down_sample(0.03)
-base = whole.select_by_mask(~is_first).voxel_down_sample(0.03)
+low, high = room.get_min_bound(), room.get_max_bound()
+room = room.select_by_mask(room.points[:, 2] < low[2] + 2.2)
+is_first = rng.random(len(room)) < 0.5
+first = room.select_by_mask(is_first).voxel_down_sample(0.03)
+base = room.select_by_mask(~is_first).voxel_down_sample(0.03)
 
 floor = low[2]
 gone_box = loom.AxisAlignedBoundingBox(
@@ -29,8 +29,8 @@ gone_box = loom.AxisAlignedBoundingBox(
 gone = gone_box.get_point_indices_within_bounding_box(base.points)
 went = base.select_by_index(gone)
 stayed = base.select_by_index(gone, invert=True)
-place = [0.5 * (low[0] + high[0]) - 1.0, high[1] - 1.9, floor]
-came = loom.TriangleMesh.create_box(0.5, 0.4, 0.35).translate(place).sample_points_uniformly(1500, seed=3)
+corner = [0.5 * (low[0] + high[0]) - 1.0, high[1] - 1.9, floor]
+came = loom.TriangleMesh.create_box(0.5, 0.4, 0.35).translate(corner).sample_points_uniformly(1500, seed=3)
 second = loom.PointCloud(np.vstack([stayed.points, came.points]))
 truth = np.r_[np.zeros(len(stayed), bool), np.ones(len(came), bool)]
 first = loom.PointCloud(first.points + rng.normal(scale=0.003, size=(len(first), 3)))
@@ -48,18 +48,18 @@ new, missing = apart > limit, back > limit
 
 # %%
 # Single points beyond the limit are gaps of a scan; a change is a cluster. DBSCAN keeps those.
-came_found = second.select_by_mask(new)
-came_label = came_found.cluster_dbscan(0.1, 15)
-went_found = first.select_by_mask(missing)
-went_label = went_found.cluster_dbscan(0.1, 15)
-came_found = came_found.select_by_mask(came_label >= 0)
-went_found = went_found.select_by_mask(went_label >= 0)
-on_new = came_found.compute_point_cloud_distance(came) < 0.02
-print(f"came: {len(came_found)} points, {100 * on_new.mean():.1f} % of them on the new box")
-print(f"went: {len(went_found)} points")
+detected_new = second.select_by_mask(new)
+came_label = detected_new.cluster_dbscan(0.1, 15)
+detected_missing = first.select_by_mask(missing)
+went_label = detected_missing.cluster_dbscan(0.1, 15)
+detected_new = detected_new.select_by_mask(came_label >= 0)
+detected_missing = detected_missing.select_by_mask(went_label >= 0)
+on_new = detected_new.compute_point_cloud_distance(came) < 0.02
+print(f"came: {len(detected_new)} points, {100 * on_new.mean():.1f} % of them on the new box")
+print(f"went: {len(detected_missing)} points")
 assert on_new.mean() > 0.98
-assert np.linalg.norm(came_found.get_center() - came.get_center()) < 0.15
-assert len(went_found) > 0.3 * len(went)
+assert np.linalg.norm(detected_new.get_center() - came.get_center()) < 0.15
+assert len(detected_missing) > 0.3 * len(went)
 
 # %%
 # What is one number for it? ``compute_metrics`` gives Chamfer distance, Hausdorff distance and F-scores, in meters
@@ -75,8 +75,8 @@ view = loom.fit_view(first.points, direction=(-0.5, 0.62, -0.8), width=960, heig
 change = loom.render(
     {
         "same": {"geometry": second.select_by_mask(~new), "color": (0.78, 0.78, 0.76)},
-        "came": {"geometry": came_found, "color": (0.1, 0.6, 0.25), "point_size": 6},
-        "went": {"geometry": went_found, "color": (0.85, 0.2, 0.15), "point_size": 6},
+        "came": {"geometry": detected_new, "color": (0.1, 0.6, 0.25), "point_size": 6},
+        "went": {"geometry": detected_missing, "color": (0.85, 0.2, 0.15), "point_size": 6},
     },
     view,
     legend=True,

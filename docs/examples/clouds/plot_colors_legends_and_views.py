@@ -30,11 +30,11 @@ ways = {
     "normal": {"color_by": "normal"},
 }
 scene, labels = {}, []
-for place, (name, style) in enumerate(ways.items()):
-    shift = np.array([0.8 * size * place, 0, 0])
+for index, (name, style) in enumerate(ways.items()):
+    shift = np.array([0.8 * size * index, 0, 0])
     scene[name] = {"geometry": cloud.translate(shift), "point_size": 3} | style
     labels.append((name, shift + cloud.get_center() + [0, 0, 0.55 * size]))
-corners = np.vstack([style["geometry"].points for style in scene.values()] + [[place] for _, place in labels])
+corners = np.vstack([style["geometry"].points for style in scene.values()] + [[position] for _, position in labels])
 row = loom.render(scene, loom.fit_view(corners, direction=(0.0, 1.0, -0.3), width=1120, height=420), labels=labels)
 
 # %%
@@ -56,9 +56,9 @@ named = loom.render(sides, view, legend=True)
 bounds = (cloud.get_min_bound(), cloud.get_max_bound())
 with tempfile.TemporaryDirectory() as folder:
     path = Path(folder) / "view.json"
-    kept = loom.View.from_open3d(bounds, zoom=0.7, front=[0.5, -0.8, 0.4], up=[0, 0, 1], width=960, height=640)
-    loom.write_view(path, kept, bounds)
-    first = loom.render(cloud, kept)
+    saved = loom.View.from_open3d(bounds, zoom=0.7, front=[0.5, -0.8, 0.4], up=[0, 0, 1], width=960, height=640)
+    loom.write_view(path, saved, bounds)
+    first = loom.render(cloud, saved)
     again = loom.render(cloud, loom.read_view(path, width=960, height=640))
 difference = np.abs(first.astype(int) - again.astype(int)).mean()
 print(f"pictures from the view and from its file differ by {difference:.3f} of 255 on average")
@@ -71,7 +71,7 @@ shot, depth = loom.render(cloud, view, depth=True)
 row_, column = np.argwhere(depth > 0)[len(np.argwhere(depth > 0)) // 2]
 camera = view.intrinsic.intrinsic_matrix
 ray = np.linalg.solve(camera, [column, row_, 1.0]) * depth[row_, column]
-place = view.T_world_camera[:3, :3] @ ray + view.T_world_camera[:3, 3]
-nearest = float(np.sqrt(loom.NearestNeighborSearch(cloud).knn_search(place[None], 1).sqdists[0, 0]))
-print(f"pixel ({column}, {row_}) shows {place.round(3)} m, {1000 * nearest:.2f} mm from the nearest point")
+position = view.T_world_camera[:3, :3] @ ray + view.T_world_camera[:3, 3]
+nearest = float(np.sqrt(loom.NearestNeighborSearch(cloud).knn_search(position[None], 1).sqdists[0, 0]))
+print(f"pixel ({column}, {row_}) shows {position.round(3)} m, {1000 * nearest:.2f} mm from the nearest point")
 assert nearest < 0.02 * size

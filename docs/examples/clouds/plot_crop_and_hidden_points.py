@@ -39,18 +39,18 @@ with tempfile.TemporaryDirectory() as folder:
 chosen = polygon.crop_in_polygon(room)
 assert np.array_equal(chosen, same.crop_in_polygon(room))
 part, rest = room.select_by_index(chosen), open_room
-print(f"{len(part)} points stand on the polygon")
+print(f"{len(part)} points are inside the polygon")
 assert (part.points[:, 2] >= low[2] + 0.05).all()
 
 # %%
 # **A turned box**, around a thing: crop with it and the thing comes out alone. Its axes are the columns of ``R``, its
 # edges ``extent`` in meters.
-turn = np.radians(30)
-R = np.array([[np.cos(turn), -np.sin(turn), 0], [np.sin(turn), np.cos(turn), 0], [0, 0, 1]])
+angle = np.radians(30)
+R = np.array([[np.cos(angle), -np.sin(angle), 0], [np.sin(angle), np.cos(angle), 0], [0, 0, 1]])
 box = loom.OrientedBoundingBox(middle + np.array([0, 0, -0.5]), R, [2.0, 1.4, 1.2])
 inside = room.crop(box)
 local = (inside.points - box.center) @ R
-print(f"{len(inside)} points in the turned box of {box.volume():.2f} m3")
+print(f"{len(inside)} points in the rotated box of {box.volume():.2f} m3")
 assert (np.abs(local) <= np.array([1.0, 0.7, 0.6]) + 1e-6).all()
 
 outline = loom.LineSet(

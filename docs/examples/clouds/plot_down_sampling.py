@@ -16,8 +16,8 @@ import pointloom as loom
 rng = np.random.default_rng(0)
 directions = rng.normal(size=(60_000, 3))
 directions /= np.linalg.norm(directions, axis=1, keepdims=True)
-is_kept = (directions[:, 0] > 0.6) | (rng.random(len(directions)) < 0.06)
-cloud = loom.PointCloud(0.5 * directions[is_kept])  # 0.5 m in radius
+is_selected = (directions[:, 0] > 0.6) | (rng.random(len(directions)) < 0.06)
+cloud = loom.PointCloud(0.5 * directions[is_selected])  # 0.5 m in radius
 print(cloud)
 
 # %%
@@ -36,24 +36,25 @@ ways = {"voxels": voxels, "farthest points": farthest, "Poisson disk": disk, "ev
 # %%
 # How even is even? The distance from each point to its nearest neighbor tells: a good spacing has a least distance
 # that is not far below the median one.
-least, median = {}, {}
+lowest, median = {}, {}
 for name, thin in ways.items():
     apart = thin.compute_nearest_neighbor_distance()
-    least[name], median[name] = apart.min(), np.median(apart)
+    lowest[name], median[name] = apart.min(), np.median(apart)
     print(
-        f"{name:16} {len(thin):5} points, {1000 * median[name]:5.1f} mm apart, the nearest {1000 * least[name]:5.2f} mm"
+        f"{name:16} {len(thin):5} points, {1000 * median[name]:5.1f} mm apart, "
+        f"the nearest {1000 * lowest[name]:5.2f} mm"
     )
 
-assert least["farthest points"] > 0.8 * median["farthest points"]  # nothing crowds
-assert least["Poisson disk"] > 0.5 * median["Poisson disk"]
+assert lowest["farthest points"] > 0.8 * median["farthest points"]  # nothing crowds
+assert lowest["Poisson disk"] > 0.5 * median["Poisson disk"]
 assert median["random"] < 0.5 * median["voxels"]  # still in clumps
 assert len(farthest) == count
 
 # %%
 # Side by side, seen from the dense side. Colors are those distances: blue crowds, red is wide.
 scene, labels = {}, []
-for place, (name, thin) in enumerate(ways.items()):
-    shift = np.array([0.0, 1.08 * place, 0.0])
+for index, (name, thin) in enumerate(ways.items()):
+    shift = np.array([0.0, 1.08 * index, 0.0])
     thin["apart [mm]"] = 1000 * thin.compute_nearest_neighbor_distance()
     scene[name] = {
         "geometry": thin.translate(shift),

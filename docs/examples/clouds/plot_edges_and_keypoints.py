@@ -50,7 +50,7 @@ assert right["wire"] > 0.99 and right["floor"] > 0.9 and right["bush"] > 0.5
 
 colors = np.array([[0.9, 0.35, 0.15], [0.35, 0.6, 0.8], [0.3, 0.65, 0.3]])[strongest]
 view = loom.fit_view(points, direction=(-0.5, 0.75, -0.45), width=960, height=640)
-told_apart = loom.render(
+edge_picture = loom.render(
     {"geometry": loom.PointCloud(points, colors=colors), "point_size": 3.5},
     view,
     legend=[("along a line", (0.9, 0.35, 0.15)), ("on a plane", (0.35, 0.6, 0.8)), ("all around", (0.3, 0.65, 0.3))],
@@ -78,10 +78,10 @@ print(f"{len(keypoints)} keypoints; from the roof's four corners the nearest is 
 assert distances.max() < 0.15
 
 marks = [
-    loom.TriangleMesh.create_sphere(0.045).translate(place).paint_uniform_color([0.9, 0.2, 0.1])
-    for place in keypoints.points
+    loom.TriangleMesh.create_sphere(0.045).translate(position).paint_uniform_color([0.9, 0.2, 0.1])
+    for position in keypoints.points
 ]
-found = loom.render(
+keypoint_picture = loom.render(
     [{"geometry": shed, "color_by": "curvature", "colormap": "viridis", "point_size": 4}, *marks],
     loom.fit_view(shed.points, direction=(-0.5, 0.75, -0.6), width=960, height=640),
     color_bar=True,

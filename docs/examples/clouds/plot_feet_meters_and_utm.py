@@ -29,7 +29,7 @@ wall = np.column_stack([630_087.0 + along.ravel(), 4_833_442.0 + 0.2 * along.rav
 cloud = loom.PointCloud(wall)
 rounded = wall.astype(np.float32).astype(np.float64)
 print(
-    f"kept to {1000 * np.abs(cloud.points - wall).max():.4f} mm; as float32 "
+    f"stored to {1000 * np.abs(cloud.points - wall).max():.4f} mm; as float32 "
     f"{1000 * np.abs(rounded - wall).max():.0f} mm"
 )
 print("origin:", cloud.origin)

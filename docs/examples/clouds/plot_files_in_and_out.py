@@ -49,12 +49,12 @@ for ending, dropped in formats.items():
     loom.write_point_cloud(path, given)
     back = loom.read_point_cloud(path)
     error = 1000 * np.abs(back.points - room.points).max()
-    kept = [name for name in ("normals", "colors") if getattr(back, f"has_{name}")] + sorted(
+    stored = [name for name in ("normals", "colors") if getattr(back, f"has_{name}")] + sorted(
         set(back.attributes) & {"intensity", "label"}
     )
     print(
         f"{ending:5}{path.stat().st_size / 1024:8.0f} KiB, positions to {error:.4f} mm, keeps "
-        f"{', '.join(kept) or 'positions'}"
+        f"{', '.join(stored) or 'positions'}"
     )
     assert len(back) == len(room) and error < 0.6
     if not dropped:
@@ -72,8 +72,8 @@ assert not (folder / "labels.xyz").exists()
 
 # %%
 # A file that was cut short, as by a full disk, is an error too; and so is a name with a typo.
-whole = (folder / "room.ply").read_bytes()
-(folder / "cut.ply").write_bytes(whole[: len(whole) // 2])
+content = (folder / "room.ply").read_bytes()
+(folder / "cut.ply").write_bytes(content[: len(content) // 2])
 for name in ("cut.ply", "rom.ply"):
     try:
         loom.read_point_cloud(folder / name)

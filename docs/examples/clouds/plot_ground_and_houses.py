@@ -64,32 +64,35 @@ roof = smooth & (standing["number_of_returns"] == 1)
 roofs = standing.select_by_mask(roof)
 label = roofs.cluster_dbscan(1.5, 6)
 count = np.bincount(label[label >= 0])
-houses = [roofs.select_by_mask(label == k) for k in np.flatnonzero(count >= 120)]
-on_houses = np.concatenate([house["classification"] == 6 for house in houses])
+buildings = [roofs.select_by_mask(label == k) for k in np.flatnonzero(count >= 120)]
+on_buildings = np.concatenate([building["classification"] == 6 for building in buildings])
 true_roofs = (cloud["classification"] == 6).sum()
 print(
-    f"{len(houses)} houses; {100 * on_houses.mean():.1f} % of their points are houses, which are "
-    f"{100 * on_houses.sum() / true_roofs:.0f} % of all points of houses"
+    f"{len(buildings)} houses; {100 * on_buildings.mean():.1f} % of their points are houses, which are "
+    f"{100 * on_buildings.sum() / true_roofs:.0f} % of all points of houses"
 )
-assert on_houses.mean() > 0.9
-assert len(houses) >= 3
+assert on_buildings.mean() > 0.9
+assert len(buildings) >= 3
 
 # %%
 # A box around each, upright and turned in plan: its edges are the house's measures.
 boxes, names = [], []
-for number, house in enumerate(houses):
-    base = np.median(house.points[:, 2] - house["height above ground [m]"])
+for number, building in enumerate(buildings):
+    base = np.median(building.points[:, 2] - building["height above ground [m]"])
     plan = loom.PointCloud(
         np.vstack(
-            [house.points * [1, 1, 0] + [0, 0, base], house.points * [1, 1, 0] + [0, 0, house.points[:, 2].max()]]
+            [
+                building.points * [1, 1, 0] + [0, 0, base],
+                building.points * [1, 1, 0] + [0, 0, building.points[:, 2].max()],
+            ]
         )
     )
     box = plan.get_minimal_oriented_bounding_box()
     boxes.append(box)
-    names.append((f"{number + 1}: {house['height above ground [m]'].max():.1f} m", box.center + np.array([0, 0, 6])))
+    names.append((f"{number + 1}: {building['height above ground [m]'].max():.1f} m", box.center + np.array([0, 0, 6])))
     print(
         f"house {number + 1}: " + " x ".join(f"{edge:.1f}" for edge in sorted(box.extent)[::-1]) + " m, ridge",
-        f"{house['height above ground [m]'].max():.1f} m above ground",
+        f"{building['height above ground [m]'].max():.1f} m above ground",
     )
 
 colors = np.where(is_ground[:, None], [0.72, 0.66, 0.52], [0.35, 0.6, 0.3])

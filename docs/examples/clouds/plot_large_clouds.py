@@ -88,7 +88,7 @@ assert finest["near"] <= finest["far"]  # what is near is shown in more detail
 # %%
 # From afar: 150,000 of a million points. The road is brighter, and so are its points.
 style = {"color_by": "intensity", "colormap": "viridis", "limits": (200, 900), "metric": True}
-whole = loom.render({"geometry": views["far"], "point_size": 1.6} | style, far, color_bar=True)
+overview = loom.render({"geometry": views["far"], "point_size": 1.6} | style, far, color_bar=True)
 
 # %%
 # From near: other nodes, finer ones. ``pointloom view survey.laz`` does the same in a browser while one moves.

@@ -20,7 +20,7 @@ cloud = loom.datasets.object_mesh().sample_points_uniformly(20_000, seed=0).with
 # **Errors.** All that the library raises about the world outside (files, devices, cameras, data sets) are kinds of
 # ``PointloomError``; wrong arguments are the ``ValueError``, ``TypeError`` and ``IndexError`` of Python. Each says
 # what it expected and what it got.
-told = []
+raised = []
 
 
 def try_it(what, call):
@@ -28,7 +28,7 @@ def try_it(what, call):
     try:
         call()
     except (loom.PointloomError, loom.UnitWarning, ValueError, TypeError, IndexError) as error:
-        told.append(type(error).__name__)
+        raised.append(type(error).__name__)
         print(f"{what}\n    {type(error).__name__}: {str(error)[:200]}")
     else:
         raise AssertionError(f"{what}: nothing was said")
@@ -42,7 +42,7 @@ try_it("a voxel of nothing", lambda: cloud.voxel_down_sample(0.0))
 try_it("a mesh for a cloud", lambda: loom.classify_ground(loom.TriangleMesh.create_sphere(1.0)))
 try_it("no such file", lambda: loom.read_point_cloud("no/such/scan.ply"))
 try_it("no such device", lambda: cloud.to("cuda:9"))
-assert set(told) == {"ValueError", "TypeError", "FileError", "DeviceError"}
+assert set(raised) == {"ValueError", "TypeError", "FileError", "DeviceError"}
 assert issubclass(loom.FileError, loom.PointloomError) and issubclass(loom.DeviceError, loom.PointloomError)
 
 # %%
@@ -51,19 +51,20 @@ assert issubclass(loom.FileError, loom.PointloomError) and issubclass(loom.Devic
 with warnings.catch_warnings(record=True) as caught:
     warnings.simplefilter("always")
     cloud.voxel_down_sample(0.004)  # kept by nobody
-said = [warning for warning in caught if issubclass(warning.category, loom.DroppedResultWarning)]
-assert len(said) == 1
-print(said[0].message)
+dropped = [warning for warning in caught if issubclass(warning.category, loom.DroppedResultWarning)]
+assert len(dropped) == 1
+print(dropped[0].message)
 
 # %%
 # **Warnings as errors**: an unattended pipeline should stop at a warning. Degrees that are used as lengths raise one
 # (files in degrees raise a ``GeographicWarning`` when they are read, a kind of its own).
-place = loom.PointCloud([[7.62, 51.96, 60.0], [7.63, 51.97, 61.0]], unit="degree")
+geographic = loom.PointCloud([[7.62, 51.96, 60.0], [7.63, 51.97, 61.0]], unit="degree")
 with warnings.catch_warnings():
     for kind in (loom.UnitWarning,):
         warnings.simplefilter("error", kind)
     try_it(
-        "degrees for meters", lambda: place.compute_point_cloud_distance(loom.PointCloud(place.points, unit="metre"))
+        "degrees for meters",
+        lambda: geographic.compute_point_cloud_distance(loom.PointCloud(geographic.points, unit="metre")),
     )
 
 # %%

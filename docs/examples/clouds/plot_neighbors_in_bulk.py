@@ -26,9 +26,9 @@ assert (counts == 8).all() and (sqdists[:, 0] == 0).all() and (np.diff(sqdists, 
 
 # %%
 # Checked by hand for one place: nothing is nearer than what was found.
-place = np.array([[2.0, 1.5, 1.0]])
-row = search.knn_search(place, 5)
-by_hand = np.sort(((room.points - place) ** 2).sum(axis=1))[:5]
+query = np.array([[2.0, 1.5, 1.0]])
+row = search.knn_search(query, 5)
+by_hand = np.sort(((room.points - query) ** 2).sum(axis=1))[:5]
 assert np.allclose(np.ravel(row.sqdists), by_hand, rtol=1e-4)
 
 # %%
@@ -37,12 +37,12 @@ assert np.allclose(np.ravel(row.sqdists), by_hand, rtol=1e-4)
 # the density varies, and what ``estimate_normals(radius=..., max_nn=...)`` uses.
 within = search.radius_search(room.points[:1000], 0.1)
 hybrid = search.hybrid_search(room, 0.1, 12)
-found = np.asarray(hybrid.counts)
+neighbor_counts = np.asarray(hybrid.counts)
 print(
     f"within 10 cm of the first 1000 points: {len(np.ravel(within.indices))} neighbors; hybrid: "
-    f"{found.mean():.1f} of at most 12"
+    f"{neighbor_counts.mean():.1f} of at most 12"
 )
-assert hybrid.indices.shape == (len(room), 12) and (np.asarray(hybrid.indices)[found < 12, -1] == -1).all()
+assert hybrid.indices.shape == (len(room), 12) and (np.asarray(hybrid.indices)[neighbor_counts < 12, -1] == -1).all()
 
 # %%
 # What it is good for, an example: carry a value over from another cloud. The colors of a coarse copy go to the dense

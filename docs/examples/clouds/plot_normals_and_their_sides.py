@@ -42,23 +42,23 @@ ways = {
     "handed on": cloud.orient_normals_consistent_tangent_plane(12),
 }
 right = {}
-for name, turned in ways.items():
-    agrees = np.einsum("ij,ij->i", turned.normals, truth) > 0
+for name, oriented in ways.items():
+    agrees = np.einsum("ij,ij->i", oriented.normals, truth) > 0
     right[name] = agrees.mean()
-    print(f"{name:18} {100 * agrees.mean():5.1f} % outwards, disagreement {turned.normal_disagreement():.3f}")
+    print(f"{name:18} {100 * agrees.mean():5.1f} % outwards, disagreement {oriented.normal_disagreement():.3f}")
 assert right["handed on"] > 0.95
 assert right["toward (0, 0, 1)"] < 0.9  # the lower half looks inwards
 
 # %%
 # Orange looks inwards, blue outwards.
 scene, labels = {}, []
-for place, (name, turned) in enumerate(ways.items()):
-    agrees = np.einsum("ij,ij->i", turned.normals, truth) > 0
-    painted = loom.PointCloud(turned.points, colors=np.where(agrees[:, None], [0.15, 0.5, 0.8], [0.95, 0.5, 0.1]))
-    shift = np.array([0.85 * size * place, 0, 0])
+for index, (name, oriented) in enumerate(ways.items()):
+    agrees = np.einsum("ij,ij->i", oriented.normals, truth) > 0
+    painted = loom.PointCloud(oriented.points, colors=np.where(agrees[:, None], [0.15, 0.5, 0.8], [0.95, 0.5, 0.1]))
+    shift = np.array([0.85 * size * index, 0, 0])
     scene[name] = {"geometry": painted.translate(shift), "point_size": 3}
     labels.append((f"{name}: {100 * right[name]:.0f} %", shift + cloud.get_center() + [0, 0, 0.62 * size]))
-drawn = np.vstack([style["geometry"].points for style in scene.values()] + [[place] for _, place in labels])
+drawn = np.vstack([style["geometry"].points for style in scene.values()] + [[position] for _, position in labels])
 view = loom.fit_view(drawn, direction=(0.0, 1.0, -0.3), width=1120, height=420)
 sides = loom.render(scene, view, labels=labels)
 

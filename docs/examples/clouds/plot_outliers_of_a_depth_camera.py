@@ -42,17 +42,17 @@ in_picture["error [mm]"] = 1000 * in_picture.compute_point_cloud_distance(truth)
 # **Among the points.** The statistical filter drops points whose mean distance to 20 neighbors is far above what is
 # usual (2 standard deviations); the radius filter those with fewer than 12 neighbors within 5 cm. The first adapts
 # to the density, the second says what it means in meters.
-kept, rows = in_picture.remove_statistical_outlier(20, 2.0)
-kept, rows = kept.remove_radius_outlier(12, 0.05)
+filtered, rows = in_picture.remove_statistical_outlier(20, 2.0)
+filtered, rows = filtered.remove_radius_outlier(12, 0.05)
 
-for name, cloud in {"raw": raw, "in the picture": in_picture, "both": kept}.items():
+for name, cloud in {"raw": raw, "in the picture": in_picture, "both": filtered}.items():
     error = cloud["error [mm]"]
     print(
         f"{name:15} {len(cloud):6} points, median {np.median(error):.1f} mm off, "
         f"{100 * (error > 30).mean():.2f} % beyond 3 cm"
     )
-assert (kept["error [mm]"] > 30).mean() < 0.5 * (raw["error [mm]"] > 30).mean()
-assert len(kept) > 0.6 * len(raw)  # the room is still there
+assert (filtered["error [mm]"] > 30).mean() < 0.5 * (raw["error [mm]"] > 30).mean()
+assert len(filtered) > 0.6 * len(raw)  # the room is still there
 
 # %%
 # Raw, from somewhat behind the camera, with the errors in color.
@@ -64,4 +64,4 @@ before = loom.render({"geometry": raw} | style, loom.View(camera, behind), color
 
 # %%
 # Cleaned.
-after = loom.render({"geometry": kept} | style, loom.View(camera, behind), color_bar=True)
+after = loom.render({"geometry": filtered} | style, loom.View(camera, behind), color_bar=True)

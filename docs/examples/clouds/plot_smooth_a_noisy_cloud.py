@@ -60,8 +60,8 @@ for name in ("noisy", "MLS"):
 # %%
 # The errors in color, in the order above.
 drawn, labels = {}, []
-for place, (name, cloud) in enumerate(ways.items()):
-    shift = np.array([0.23 * place, 0.0, 0.0])
+for index, (name, cloud) in enumerate(ways.items()):
+    shift = np.array([0.23 * index, 0.0, 0.0])
     shown = loom.PointCloud(cloud.points)
     shown["off [mm]"] = error(cloud).astype(np.float32)
     drawn[name] = {
@@ -72,7 +72,7 @@ for place, (name, cloud) in enumerate(ways.items()):
         "point_size": 3,
     }
     labels.append((name, shift + np.array([0, 0, 0.175])))
-corners = np.vstack([style["geometry"].points for style in drawn.values()] + [[place] for _, place in labels])
+corners = np.vstack([style["geometry"].points for style in drawn.values()] + [[position] for _, position in labels])
 picture = loom.render(
     drawn, loom.fit_view(corners, direction=(0, 1.0, -0.2), width=1120, height=400), labels=labels, color_bar=True
 )

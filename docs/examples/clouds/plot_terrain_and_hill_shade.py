@@ -80,8 +80,10 @@ for level in np.arange(np.ceil(z.min()), z.max(), 1.0):
             with np.errstate(divide="ignore", invalid="ignore"):
                 t = (level - zp) / (zq - zp)
             crosses = (zp < level) != (zq < level)
-            place = surface.vertices[p] + np.where(crosses, t, 0)[:, None] * (surface.vertices[q] - surface.vertices[p])
-            crossings.append((crosses, place))
+            crossing = surface.vertices[p] + np.where(crosses, t, 0)[:, None] * (
+                surface.vertices[q] - surface.vertices[p]
+            )
+            crossings.append((crosses, crossing))
         (c0, p0), (c1, p1), (c2, p2) = crossings
         first = np.where(c0[:, None], p0, p1)
         second = np.where(c2[:, None], p2, p1)

@@ -33,11 +33,11 @@ print(f"{len(crowns):,} points of crowns, {100 * right:.1f} % of them are trees"
 assert right > 0.85
 
 # %%
-# **Tops**: a point is one where nothing within ``reach`` in plan is higher. The reach is half of the least distance
+# **Tops**: a point is one where nothing within ``radius`` in plan is higher. The radius is half of the least distance
 # between two trees [m]; too small, and a crown has two tops.
-reach = 3.0
+radius = 3.0
 flat = (crowns.points - origin) * [1, 1, 0]
-around = loom.NearestNeighborSearch(loom.PointCloud(flat)).radius_search(flat, reach)
+around = loom.NearestNeighborSearch(loom.PointCloud(flat)).radius_search(flat, radius)
 counts = np.asarray(around.counts)
 owner = np.repeat(np.arange(len(crowns)), counts)
 highest = np.full(len(crowns), -np.inf)
@@ -63,10 +63,10 @@ to_top = [
     for k in big
 ]
 hit = np.mean(np.array(to_top) < 1.0)
-print(f"{100 * hit:.0f} % of {len(big)} groups of true trees hold a top that was found")
+print(f"{100 * hit:.0f} % of {len(big)} groups of true trees contain a detected top")
 assert hit > 0.9
 on_tree = crowns["classification"][tops[trees]] == 5
-print(f"{100 * on_tree.mean():.0f} % of the tops stand on a tree")
+print(f"{100 * on_tree.mean():.0f} % of the tops are on a tree")
 assert on_tree.mean() > 0.8
 
 # %%

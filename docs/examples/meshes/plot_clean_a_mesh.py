@@ -19,22 +19,22 @@ import pointloom as loom
 # own; a tenth of the triangles is turned over; 300 are given twice; one is NaN; a hole is cut; and forty crumbs are
 # scattered.
 
-whole = loom.datasets.object_mesh()
-assert whole.is_watertight()
-size = float(np.linalg.norm(whole.get_max_bound() - whole.get_min_bound()))
-print(f"whole: {len(whole.triangles)} triangles, {size:.3f} m across, {whole.get_volume() * 1e6:.1f} cm^3")
+original = loom.datasets.object_mesh()
+assert original.is_watertight()
+size = float(np.linalg.norm(original.get_max_bound() - original.get_min_bound()))
+print(f"original: {len(original.triangles)} triangles, {size:.3f} m across, {original.get_volume() * 1e6:.1f} cm^3")
 
 random = np.random.default_rng(0)
-corners = whole.vertices[whole.triangles]  # [t, 3, 3]
+corners = original.vertices[original.triangles]  # [t, 3, 3]
 middles = corners.mean(axis=1)
 look = np.array([-0.25, 1.0, -0.3])  # the direction in which the picture looks
-place = middles[np.argmin(middles @ look)]
-hole = np.linalg.norm(middles - place, axis=1) < 0.06 * size
+hole_center = middles[np.argmin(middles @ look)]
+hole = np.linalg.norm(middles - hole_center, axis=1) < 0.06 * size
 corners = corners[~hole]
-turned = random.random(len(corners)) < 0.1
-corners[turned] = corners[turned][:, ::-1]
+is_flipped = random.random(len(corners)) < 0.1
+corners[is_flipped] = corners[is_flipped][:, ::-1]
 twice = corners[random.choice(len(corners), 300, replace=False)]
-crumbs = random.uniform(whole.get_min_bound(), whole.get_max_bound(), (40, 1, 3)) + random.normal(
+crumbs = random.uniform(original.get_min_bound(), original.get_max_bound(), (40, 1, 3)) + random.normal(
     0, 0.01 * size, (40, 3, 3)
 )
 nothing = np.full((1, 3, 3), np.nan)
@@ -52,23 +52,23 @@ print(f"broken: {len(broken.triangles)} triangles in {len(parts)} parts")
 # since a hole of that size may be the bottom of the scan. ``min_triangles`` drops parts with fewer triangles: the
 # crumbs.
 
-found = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
-print(found)
+result = loom.clean_mesh(broken, hole_size=0.1 * size, min_triangles=100)
+print(result)
 
 # %%
 # The result has the mesh and its figures. ``repair`` counts the changes, ``reliable`` is True if all quality checks
 # passed, and ``warnings`` has those that failed. We also compare the mesh with the truth.
 
-report = found.repair
-volume = found.mesh.get_volume()
+report = result.repair
+volume = result.mesh.get_volume()
 print(
-    f"merged {report.merged_vertices} vertices, turned {report.flipped_triangles} "
-    f"triangles over, filled {report.filled_holes} holes"
+    f"merged {report.merged_vertices} vertices, flipped {report.flipped_triangles} "
+    f"triangles, filled {report.filled_holes} holes"
 )
-print(f"reliable: {found.reliable}; volume {volume * 1e6:.1f} cm^3, true {whole.get_volume() * 1e6:.1f}")
-assert found.is_watertight and found.mesh.is_orientable() and found.mesh.is_vertex_manifold()
+print(f"reliable: {result.reliable}; volume {volume * 1e6:.1f} cm^3, true {original.get_volume() * 1e6:.1f}")
+assert result.is_watertight and result.mesh.is_orientable() and result.mesh.is_vertex_manifold()
 assert report.removed_non_finite_triangles == 1
-assert abs(volume / whole.get_volume() - 1) < 0.01
+assert abs(volume / original.get_volume() - 1) < 0.01
 
 # %%
 # Before and after
@@ -76,8 +76,8 @@ assert abs(volume / whole.get_volume() - 1) < 0.01
 #
 # Faces that look away are left out of the left half, so that turned triangles and the hole show as gaps.
 
-side = [1.15 * (whole.get_max_bound() - whole.get_min_bound())[0], 0.0, 0.0]
-left, right = broken.remove_triangles_by_mask(np.isnan(soup).any(axis=(1, 2))), found.mesh.translate(side)
+side = [1.15 * (original.get_max_bound() - original.get_min_bound())[0], 0.0, 0.0]
+left, right = broken.remove_triangles_by_mask(np.isnan(soup).any(axis=(1, 2))), result.mesh.translate(side)
 view = loom.fit_view(np.vstack([left.vertices, right.vertices]), direction=look, width=960, height=640)
 scene = {
     "broken": {"geometry": left, "color": (0.85, 0.45, 0.35), "back_faces": False},

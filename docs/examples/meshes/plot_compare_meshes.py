@@ -29,11 +29,13 @@ made = loom.create_surface(scan, depth=7).mesh
 # An F-score is the share of both surfaces that have the other one within a threshold (harmonic mean, percent). The
 # Hausdorff distance is the worst place of all. ``limit`` [m] is what you allow: a larger distance adds a warning.
 
-found = loom.compare_meshes(made, truth, thresholds=[0.0005, 0.001, 0.002], limit=0.02)
-print(found)
-figures = found.metrics
-print("F-scores:", {f"{t * 1e3:g} mm": f"{f:.1f} %" for t, f in zip(found.thresholds, figures.fscore, strict=False)})
-assert found.reliable, found.warnings
+comparison = loom.compare_meshes(made, truth, thresholds=[0.0005, 0.001, 0.002], limit=0.02)
+print(comparison)
+figures = comparison.metrics
+print(
+    "F-scores:", {f"{t * 1e3:g} mm": f"{f:.1f} %" for t, f in zip(comparison.thresholds, figures.fscore, strict=False)}
+)
+assert comparison.reliable, comparison.warnings
 assert max(figures.mean) < 0.001, "half a millimetre of noise is averaged by the surface"
 assert np.all(np.diff(figures.fscore) >= 0) and figures.fscore[-1] > 95
 

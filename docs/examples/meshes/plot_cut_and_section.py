@@ -21,11 +21,11 @@ import pointloom as loom
 mesh = loom.datasets.object_mesh()
 low, high = mesh.get_axis_aligned_bounding_box()
 middle = 0.5 * (low + high)
-kept = mesh.clip_plane(middle, [0, 0, -1], cap=True)
+half = mesh.clip_plane(middle, [0, 0, -1], cap=True)
 other = mesh.clip_plane(middle, [0, 0, 1], cap=True)
-print(f"{mesh.get_volume() * 1e6:.2f} cm^3 = {kept.get_volume() * 1e6:.2f} + {other.get_volume() * 1e6:.2f}")
-assert kept.is_watertight() and other.is_watertight()
-assert np.isclose(kept.get_volume() + other.get_volume(), mesh.get_volume(), rtol=1e-4)
+print(f"{mesh.get_volume() * 1e6:.2f} cm^3 = {half.get_volume() * 1e6:.2f} + {other.get_volume() * 1e6:.2f}")
+assert half.is_watertight() and other.is_watertight()
+assert np.isclose(half.get_volume() + other.get_volume(), mesh.get_volume(), rtol=1e-4)
 
 # %%
 # Loops
@@ -47,8 +47,8 @@ assert all(np.allclose(loop[:, 2], middle[2], atol=1e-6) for loop in loops)
 heights = np.linspace(low[2], high[2], 22)[1:-1]
 contours = mesh.slice_plane([0, 0, 0], [0, 0, 1], contour_values=heights)
 print(f"{len(contours.lines)} segments of {len(heights)} sections")
-found = np.unique(contours.points[:, 2].round(5))
-assert len(found) == len(heights) and np.allclose(found, heights, atol=2e-5)
+section_heights = np.unique(contours.points[:, 2].round(5))
+assert len(section_heights) == len(heights) and np.allclose(section_heights, heights, atol=2e-5)
 
 # %%
 # The picture: the closed half, its sections, and where the other half was cut away.
@@ -61,7 +61,7 @@ above = contours.points[contours.lines].mean(axis=1)[:, 2] > middle[2]
 rest = loom.LineSet(contours.points, contours.lines[above])
 view = loom.fit_view(mesh.vertices, direction=(-0.35, 1, -0.6), width=800, height=800)
 scene = {
-    "half with its lid": {"geometry": kept, "color": (0.86, 0.65, 0.45)},
+    "half with its lid": {"geometry": half, "color": (0.86, 0.65, 0.45)},
     "sections of the other half": {"geometry": rest, "color": (0.2, 0.4, 0.7), "line_width": 2},
     "the cut": {"geometry": lid, "color": (0.75, 0.1, 0.1), "line_width": 5},
 }

@@ -19,13 +19,13 @@ import pointloom as loom
 
 bar = loom.TriangleMesh.create_box(0.06, 0.06, 0.4).translate([-0.03, -0.03, 0]).remesh_isotropic(0.008)
 heights = bar.vertices[:, 2]
-held, dragged = np.flatnonzero(heights < 0.04), np.flatnonzero(heights > 0.36)
+fixed, dragged = np.flatnonzero(heights < 0.04), np.flatnonzero(heights > 0.36)
 twist, lean = np.radians([120, 40])
 about_z = np.array([[np.cos(twist), -np.sin(twist), 0], [np.sin(twist), np.cos(twist), 0], [0, 0, 1]])
 about_y = np.array([[np.cos(lean), 0, np.sin(lean)], [0, 1, 0], [-np.sin(lean), 0, np.cos(lean)]])
-turn = about_y @ about_z
+rotation = about_y @ about_z
 middle = bar.vertices[dragged].mean(axis=0)
-targets = (bar.vertices[dragged] - middle) @ turn.T + [0.12, 0, 0.33]
+targets = (bar.vertices[dragged] - middle) @ rotation.T + [0.12, 0, 0.33]
 
 # %%
 # Solve
@@ -33,20 +33,20 @@ targets = (bar.vertices[dragged] - middle) @ turn.T + [0.12, 0, 0.33]
 #
 # 300 iterations; more come nearer to the least energy. ``energy="smoothed"`` bends more evenly where handles pull hard.
 
-indices = np.concatenate([held, dragged])
-places = np.concatenate([bar.vertices[held], targets])
-bent = bar.deform_as_rigid_as_possible(indices, places, 300)
+indices = np.concatenate([fixed, dragged])
+positions = np.concatenate([bar.vertices[fixed], targets])
+bent = bar.deform_as_rigid_as_possible(indices, positions, 300)
 
 before = loom.LineSet.create_from_triangle_mesh(bar)
 ends = before.lines
 lengths = np.linalg.norm(np.diff(bar.vertices[ends], axis=1)[:, 0], axis=1)
 stretch = np.linalg.norm(np.diff(bent.vertices[ends], axis=1)[:, 0], axis=1) / lengths
-print(f"handles off by {np.abs(bent.vertices[indices] - places).max() * 1e6:.2f} um")
+print(f"handles off by {np.abs(bent.vertices[indices] - positions).max() * 1e6:.2f} um")
 print(
     f"edges are {np.median(np.abs(stretch - 1)) * 100:.1f} % longer or shorter "
     f"(median), {np.quantile(np.abs(stretch - 1), 0.99) * 100:.0f} % (99 of 100)"
 )
-assert np.allclose(bent.vertices[indices], places, atol=1e-6)
+assert np.allclose(bent.vertices[indices], positions, atol=1e-6)
 assert np.median(np.abs(stretch - 1)) < 0.1
 
 # %%
@@ -54,7 +54,7 @@ assert np.median(np.abs(stretch - 1)) < 0.1
 # wrapper.
 
 share = np.clip((heights - 0.04) / 0.32, 0, 1)[:, None]
-moved = (bar.vertices - middle) @ turn.T + [0.12, 0, 0.33]
+moved = (bar.vertices - middle) @ rotation.T + [0.12, 0, 0.33]
 blend = bar.copy()
 blend.vertices = (1 - share) * bar.vertices + share * moved
 squeezed = np.linalg.norm(np.diff(blend.vertices[ends], axis=1)[:, 0], axis=1) / lengths
@@ -72,7 +72,7 @@ assert bent.get_volume() > 1.1 * blend.get_volume()
 scene = []
 for i, mesh in enumerate((bar, blend, bent)):
     colors = np.tile([0.93, 0.8, 0.55], (len(mesh.vertices), 1))
-    colors[held], colors[dragged] = (0.3, 0.33, 0.4), (0.8, 0.25, 0.2)
+    colors[fixed], colors[dragged] = (0.3, 0.33, 0.4), (0.8, 0.25, 0.2)
     mesh.vertex_colors = colors
     scene.append({"geometry": mesh.translate([0.33 * i - 0.1 * (i > 0), 0, 0]), "wireframe": True})
 labels = [("as it was", [0, 0, 0.43]), ("blended", [0.33, 0, 0.43]), ("as rigid as possible", [0.66, 0, 0.43])]

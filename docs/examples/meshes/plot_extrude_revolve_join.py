@@ -81,10 +81,11 @@ print(f"cube: {part.get_volume() * 1e6:.1f} cm^3, {removed * 1e6:.1f} drilled ou
 # %%
 # ``a + b`` puts the triangles of two meshes into one mesh and cuts nothing; ``concatenate`` takes any number.
 
-places = [[-0.16, 0.02, 0], [-0.02, 0, 0], [0.07, 0, 0], [0.19, 0, 0.038]]
+positions = [[-0.16, 0.02, 0], [-0.02, 0, 0], [0.07, 0, 0], [0.19, 0, 0.038]]
 made = [plate, vase, spring, part]
 moved = [
-    mesh.translate(np.subtract(place, mesh.get_center() * [1, 1, 0])) for mesh, place in zip(made, places, strict=False)
+    mesh.translate(np.subtract(position, mesh.get_center() * [1, 1, 0]))
+    for mesh, position in zip(made, positions, strict=False)
 ]
 table = loom.TriangleMesh.concatenate(moved)
 assert len(table.triangles) == sum(len(mesh.triangles) for mesh in made)

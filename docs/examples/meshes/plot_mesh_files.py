@@ -36,12 +36,12 @@ for suffix in (".ply", ".glb", ".obj", ".off", ".stl"):
         warnings.simplefilter("always")
         loom.write_triangle_mesh(folder / f"owl{suffix}", mesh)
     back = loom.read_triangle_mesh(folder / f"owl{suffix}")
-    kept = [name for name, there in {
+    stored = [name for name, there in {
         "normals": back.has_vertex_normals, "colors": back.has_vertex_colors,
         "quality": "quality" in back.vertex_attributes, "label": "label" in back.triangle_attributes,
     }.items() if there]  # fmt: skip
     size = (folder / f"owl{suffix}").stat().st_size
-    print(f"{suffix} {size:8} bytes, {len(back.vertices):6} vertices, keeps {', '.join(kept) or 'the shape'}")
+    print(f"{suffix} {size:8} bytes, {len(back.vertices):6} vertices, keeps {', '.join(stored) or 'the shape'}")
     for warning in caught:
         print("     ", str(warning.message)[:110])
     assert len(back.triangles) == len(mesh.triangles)
@@ -75,8 +75,8 @@ else:
 del mesh.triangle_attributes["label"]  # which glTF cannot hold
 loom.write_triangle_mesh(folder / "up.glb", mesh, up="z")
 assert np.allclose(loom.read_triangle_mesh(folder / "up.glb", up="z").vertices, mesh.vertices, atol=1e-6)
-turned = loom.read_triangle_mesh(folder / "up.glb")
-assert np.allclose(turned.vertices[:, 1], mesh.vertices[:, 2], atol=1e-6)
+rotated = loom.read_triangle_mesh(folder / "up.glb")
+assert np.allclose(rotated.vertices[:, 1], mesh.vertices[:, 2], atol=1e-6)
 
 # %%
 # Colors for programs that know textures alone

@@ -22,9 +22,9 @@ floor = loom.TriangleMesh.create_plane(1.2, 1.2).translate([-0.6, -0.6, float(ow
 scene = loom.RaycastingScene()
 owl_id = scene.add_triangles(owl)
 floor_id = scene.add_triangles(floor)
-aside = np.eye(4)
-aside[:3, 3] = [0.3, 0.12, 0]
-second_id = scene.add_instance(owl_id, aside)
+pose = np.eye(4)
+pose[:3, 3] = [0.3, 0.12, 0]
+second_id = scene.add_instance(owl_id, pose)
 
 # %%
 # What a camera sees
@@ -35,7 +35,7 @@ second_id = scene.add_instance(owl_id, aside)
 # the first pixel at (0.5, 0.5), everything else here at (0, 0): so half a pixel goes to the principal point.
 
 view = loom.fit_view(
-    np.vstack([owl.vertices, owl.vertices + aside[:3, 3]]), direction=(0.35, 1, -0.45), width=960, height=640
+    np.vstack([owl.vertices, owl.vertices + pose[:3, 3]]), direction=(0.35, 1, -0.45), width=960, height=640
 )
 K = view.intrinsic.intrinsic_matrix + np.array([[0, 0, 0.5], [0, 0, 0.5], [0, 0, 0]])
 rays = scene.create_rays_pinhole(K, np.linalg.inv(view.T_world_camera), 960, 640)
@@ -48,7 +48,7 @@ assert set(np.unique(hits["geometry_ids"]).tolist()) >= {owl_id, second_id, floo
 # %%
 # The drawn picture agrees: its own depths along the optical axis are those of the rays.
 
-depth = loom.render([owl, owl.transform(aside), floor], view, depth=True)[1]
+depth = loom.render([owl, owl.transform(pose), floor], view, depth=True)[1]
 along = hits["t_hit"] * (np.asarray(rays)[..., 3:] @ view.T_world_camera[:3, 2])
 both = np.isfinite(along) & (depth > 0)
 print(f"rays and picture differ by {np.median(np.abs(along - depth)[both]) * 1e3:.3f} mm (median)")
@@ -62,13 +62,13 @@ assert both.mean() > 0.5 and np.median(np.abs(along - depth)[both]) < 1e-4
 # starts a little above the surface.
 
 seen = np.isfinite(hits["t_hit"])
-places = (np.asarray(rays)[..., :3] + hits["t_hit"][..., None] * np.asarray(rays)[..., 3:])[seen]
+hit_points = (np.asarray(rays)[..., :3] + hits["t_hit"][..., None] * np.asarray(rays)[..., 3:])[seen]
 normals = hits["primitive_normals"][seen]
 lamp = np.array([-0.7, -0.8, 1.0])
-to_lamp = lamp - places
-to_rays = np.hstack([places + 1e-4 * normals, to_lamp]).astype(np.float32)
+to_lamp = lamp - hit_points
+to_rays = np.hstack([hit_points + 1e-4 * normals, to_lamp]).astype(np.float32)
 dark = scene.test_occlusions(to_rays, tfar=1.0) | ((normals * to_lamp).sum(axis=1) < 0)
-print(f"{100 * dark.mean():.0f} % of what is seen lies in the shade")
+print(f"{100 * dark.mean():.0f} % of the visible points are in the shade")
 assert 0.05 < dark.mean() < 0.8
 
 light = np.clip((normals * to_lamp).sum(axis=1) / np.linalg.norm(to_lamp, axis=1), 0, 1)
@@ -78,7 +78,7 @@ tint = np.array(
         for g in hits["geometry_ids"][seen]
     ]
 )
-lit = loom.PointCloud(places, colors=np.clip(tint * (0.35 + 0.65 * light * ~dark)[:, None], 0, 1))
+lit = loom.PointCloud(hit_points, colors=np.clip(tint * (0.35 + 0.65 * light * ~dark)[:, None], 0, 1))
 picture = loom.render({"geometry": lit, "shaded": False}, view)
 
 # %%

@@ -52,9 +52,11 @@ print({key: value for key, value in tenth.to_dict().items() if not isinstance(va
 
 width = 1.15 * float((mesh.get_max_bound() - mesh.get_min_bound())[0])
 shown = [mesh, tenth.mesh, hundredth.mesh]
-places = [found.translate([i * width, 0, 0]) for i, found in enumerate(shown)]
-view = loom.fit_view(np.vstack([found.vertices for found in places]), direction=(-0.25, 1, -0.3), width=960, height=640)
-scene = [{"geometry": found, "wireframe": i > 0} for i, found in enumerate(places)]
+side_by_side = [reduced.translate([i * width, 0, 0]) for i, reduced in enumerate(shown)]
+view = loom.fit_view(
+    np.vstack([reduced.vertices for reduced in side_by_side]), direction=(-0.25, 1, -0.3), width=960, height=640
+)
+scene = [{"geometry": reduced, "wireframe": i > 0} for i, reduced in enumerate(side_by_side)]
 top = mesh.get_max_bound()[2] * 1.1
-labels = [(f"{len(found.triangles):,} triangles", [i * width, 0, top]) for i, found in enumerate(shown)]
+labels = [(f"{len(reduced.triangles):,} triangles", [i * width, 0, top]) for i, reduced in enumerate(shown)]
 picture = loom.render(scene, view, (960, 640), shading="flat", labels=labels)

@@ -39,7 +39,7 @@ print(results["taubin"])
 
 true_volume = truth.get_volume()
 errors, shrunk = {}, {}
-for name, mesh in {"noisy": noisy, **{name: found.mesh for name, found in results.items()}}.items():
+for name, mesh in {"noisy": noisy, **{name: result.mesh for name, result in results.items()}}.items():
     compared = mesh.compute_metrics(truth, n_sampled_points=20_000)
     errors[name], shrunk[name] = max(compared.rms), 1.0 - mesh.get_volume() / true_volume
     print(f"{name:10} off by {errors[name] * 1e3:.3f} mm (rms), {100 * shrunk[name]:+.2f} % of the volume lost")
@@ -59,9 +59,11 @@ assert len(sharp.vertices) == len(noisy.vertices)
 
 width = 1.12 * float((truth.get_max_bound() - truth.get_min_bound())[0])
 shown = {"noisy": noisy, "laplacian, 30 times": results["laplacian"].mesh, "taubin, 30 times": results["taubin"].mesh}
-places = [mesh.translate([i * width, 0, 0]) for i, mesh in enumerate(shown.values())]
-view = loom.fit_view(np.vstack([mesh.vertices for mesh in places]), direction=(-0.25, 1, -0.3), width=960, height=640)
+side_by_side = [mesh.translate([i * width, 0, 0]) for i, mesh in enumerate(shown.values())]
+view = loom.fit_view(
+    np.vstack([mesh.vertices for mesh in side_by_side]), direction=(-0.25, 1, -0.3), width=960, height=640
+)
 top = truth.get_max_bound()[2] * 1.1
 labels = [(name, [i * width, 0, top]) for i, name in enumerate(shown)]
-scene = [{"geometry": mesh, "color": (0.83, 0.78, 0.7)} for mesh in places]
+scene = [{"geometry": mesh, "color": (0.83, 0.78, 0.7)} for mesh in side_by_side]
 picture = loom.render(scene, view, (960, 640), shading="flat", labels=labels)

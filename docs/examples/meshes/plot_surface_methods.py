@@ -59,14 +59,17 @@ with warnings.catch_warnings(record=True) as caught:
     loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=6)
 print([str(w.message)[:90] for w in caught if issubclass(w.category, loom.NormalsWarning)])
 scan = scan.orient_normals_consistent_tangent_plane(20)
-whole, densities = loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=7)
-trimmed = whole.trim(densities, float(np.quantile(densities, 0.05)))
-reach = {
+untrimmed, densities = loom.TriangleMesh.create_from_point_cloud_poisson(scan, depth=7)
+trimmed = untrimmed.trim(densities, float(np.quantile(densities, 0.05)))
+distances = {
     name: float(loom.PointCloud(mesh.vertices).compute_point_cloud_distance(scan).max())
-    for name, mesh in [("whole", whole), ("trimmed", trimmed)]
+    for name, mesh in [("untrimmed", untrimmed), ("trimmed", trimmed)]
 }
-print(f"farthest from all points: whole {reach['whole'] * 1e3:.1f} mm, trimmed {reach['trimmed'] * 1e3:.1f} mm")
-assert reach["trimmed"] < 0.5 * reach["whole"]
+print(
+    f"largest distance from the points: untrimmed {distances['untrimmed'] * 1e3:.1f} mm, "
+    f"trimmed {distances['trimmed'] * 1e3:.1f} mm"
+)
+assert distances["trimmed"] < 0.5 * distances["untrimmed"]
 
 # %%
 # Which one?

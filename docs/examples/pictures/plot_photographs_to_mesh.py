@@ -40,15 +40,15 @@ known = loom.SfmModel(names, [lens] * len(names), T_camera_world)
 # Poses stay as they are. ``warnings`` reports poses that do not fit the images: a wrong lens, another order,
 # mirrored axes.
 
-found = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
-model = found.model
-print(model, "|", "; ".join(found.warnings) or "the poses fit")
+result = loom.sfm.triangulate(folder, known, max_size=480, max_features=1000)
+model = result.model
+print(model, "|", "; ".join(result.warnings) or "the poses fit")
 scene = loom.RaycastingScene()
 scene.add_triangles(loom.datasets.object_mesh())
 above = model.points[:, 2] > loom.datasets.object_mesh().get_min_bound()[2] + 0.01  # not of the cloth
 error = scene.compute_distance(model.points[above])
 print(f"{above.sum()} points on the figure, {np.median(error) * 1e3:.2f} mm off its surface (median)")
-assert found.reliable and np.median(error) < 0.003
+assert result.reliable and np.median(error) < 0.003
 
 # %%
 # Depth of every pixel
@@ -63,12 +63,12 @@ small = [
     for taken in shots.pictures[:count]
 ]
 maps = loom.mvs.estimate_depth_maps(small, posed, model)
-kept = loom.mvs.filter_depth_maps(maps)
+filtered = loom.mvs.filter_depth_maps(maps)
 errors, shares = [], []
-for one, depth in zip(kept, shots.depths, strict=False):
-    true, found_depth = 0.5 * (depth[1::4, 1::4] + depth[2::4, 2::4]), np.asarray(one.depth)
-    known_here = (found_depth > 0) & (true > 0)
-    errors.append(np.abs(found_depth - true)[known_here])
+for one, depth in zip(filtered, shots.depths, strict=False):
+    true, depth_map = 0.5 * (depth[1::4, 1::4] + depth[2::4, 2::4]), np.asarray(one.depth)
+    known_here = (depth_map > 0) & (true > 0)
+    errors.append(np.abs(depth_map - true)[known_here])
     shares.append(known_here.sum() / (true > 0).sum())
 middle = float(np.median(np.concatenate(errors)))
 print(
@@ -83,8 +83,8 @@ assert np.mean(shares) > 0.3 and middle < 0.003
 # Each place once, with normals, colors, and by how many pictures it was seen. ``to="tsdf"`` or ``to="poisson"`` gives
 # a mesh.
 
-cloud = loom.mvs.fuse(kept, small)
-mesh = loom.mvs.fuse(kept, small, to="tsdf")
+cloud = loom.mvs.fuse(filtered, small)
+mesh = loom.mvs.fuse(filtered, small, to="tsdf")
 print(
     f"{len(cloud)} points, seen by {np.mean(cloud['views']):.1f} "
     f"pictures in the mean; mesh of {len(mesh.triangles)} triangles"

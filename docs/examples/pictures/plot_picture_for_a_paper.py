@@ -77,7 +77,7 @@ scene = loom.RaycastingScene()
 scene.add_triangles(mesh)
 scan["distance from the model [mm]"] = 1e3 * scene.compute_distance(scan.points)
 values = scan["distance from the model [mm]"]
-print(f"the scan lies {np.median(values):.2f} mm from the model (median)")
+print(f"median distance of the scan from the model: {np.median(values):.2f} mm")
 assert np.median(values) < 2
 
 shown = {"geometry": scan, "color_by": "distance from the model [mm]", "colormap": "turbo", "point_size": 4}

@@ -89,10 +89,10 @@ assert np.allclose(metashape.T_world_camera, shots.poses[:2], atol=1e-9)
 
 unknown = model.scaled(3.7)  # as if it came out of COLMAP in a unit of its own
 known_distance = float(np.linalg.norm(shots.poses[0, :3, 3] - shots.poses[1, :3, 3]))
-found_distance = float(np.linalg.norm(unknown.centers[0] - unknown.centers[1]))
-metric = unknown.scaled(known_distance / found_distance)
+model_distance = float(np.linalg.norm(unknown.centers[0] - unknown.centers[1]))
+metric = unknown.scaled(known_distance / model_distance)
 assert np.allclose(metric.centers, shots.poses[:, :3, 3], atol=1e-9)
-print(f"scaled by {known_distance / found_distance:.4f}: cameras {known_distance:.3f} m apart")
+print(f"scaled by {known_distance / model_distance:.4f}: cameras {known_distance:.3f} m apart")
 loom.write_trajectory(folder / "poses.log", metric.trajectory())
 
 # %%
@@ -103,7 +103,7 @@ loom.write_trajectory(folder / "poses.log", metric.trajectory())
 
 frusta = [loom.CameraFrustum(camera, T, scale=0.1, color=(0.85, 0.35, 0.1)) for T in metric.T_world_camera]
 axes = {"geometry": loom.TriangleMesh.create_coordinate_frame(0.1, [-0.25, -0.25, -0.15])}
-labels = [(name, place) for name, place in zip(metric.names, metric.centers, strict=False)]
+labels = [(name, center) for name, center in zip(metric.names, metric.centers, strict=False)]
 scene = [{"geometry": loom.datasets.object_mesh(), "shaded": False}, axes, *frusta]
 view = {"front": [0.5, -1, 0.75], "up": [0, 0, 1], "field_of_view": 30, "zoom": 0.45}
 picture = loom.render(scene, view, (960, 640), labels=labels)

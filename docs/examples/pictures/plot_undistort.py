@@ -37,8 +37,8 @@ wide = loom.PinholeCameraIntrinsic(1600, 1100, 620.0, 620.0, 799.5, 549.5)
 ideal = loom.render({"geometry": mesh, "shaded": False}, loom.View(wide, eye))
 columns, rows = np.meshgrid(np.arange(960), np.arange(640))
 seen = lens.unproject(np.stack([columns, rows], axis=-1).reshape(-1, 2))
-places = seen[:, :2] / seen[:, 2:] * 620 + [799.5, 549.5]
-x, y = np.rint(np.nan_to_num(places, nan=-1)).astype(int).T
+projected = seen[:, :2] / seen[:, 2:] * 620 + [799.5, 549.5]
+x, y = np.rint(np.nan_to_num(projected, nan=-1)).astype(int).T
 inside = (x >= 0) & (x < 1600) & (y >= 0) & (y < 1100)
 colors = np.zeros((960 * 640, 3), np.uint8)
 colors[inside] = ideal[y[inside], x[inside]]
@@ -71,8 +71,8 @@ assert difference < 30
 # Many pictures of one lens: the places are computed once, and ``seen`` tells which pixels the lens showed.
 
 undistortion = Undistortion(lens, blank_share=1.0)
-whole = undistortion.apply(bent)
-print(whole.shape, undistortion.intrinsic, f"{100 * undistortion.seen.mean():.0f} % of it seen")
+full_view = undistortion.apply(bent)
+print(full_view.shape, undistortion.intrinsic, f"{100 * undistortion.seen.mean():.0f} % of it seen")
 assert 0.5 < undistortion.seen.mean() < 1.0
 
 # %%

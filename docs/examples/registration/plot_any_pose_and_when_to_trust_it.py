@@ -37,8 +37,8 @@ print(f"source {len(source):,}, target {len(target):,} points")
 def off(T):
     """Degrees and meters from the true pose, at the middle of the source."""
     middle = np.r_[source.get_center(), 1]
-    turn = np.degrees(2 * np.arcsin(min(1, np.linalg.norm(T[:3, :3] - truth[:3, :3]) / np.sqrt(8))))
-    return turn, np.linalg.norm(((T - truth) @ middle)[:3])
+    rotation_error = np.degrees(2 * np.arcsin(min(1, np.linalg.norm(T[:3, :3] - truth[:3, :3]) / np.sqrt(8))))
+    return rotation_error, np.linalg.norm(((T - truth) @ middle)[:3])
 
 
 # %%
@@ -46,18 +46,18 @@ def off(T):
 # if the result is unreliable.
 pair = reg.register_pair(source, target)
 print(pair)
-turn, distance = off(pair.transformation)
-print(f"{turn:.3f} degrees, {1000 * distance:.1f} mm from the truth")
-assert pair.reliable and turn < 0.5 and distance < 0.02
+rotation_error, distance = off(pair.transformation)
+print(f"{rotation_error:.3f} degrees, {1000 * distance:.1f} mm from the truth")
+assert pair.reliable and rotation_error < 0.5 and distance < 0.02
 
 # %%
 # **The parts of it.** ``register_globally`` searches; its voxel is the one thing to choose: smaller than what there
 # is to recognize, larger than the noise. ``choose_voxel_size`` proposes one. A score above 0.5 is a pose that is
 # believed.
 voxel = choose_voxel_size(source, target)
-found = reg.register_globally(source, target, voxel_size=voxel)
-print(f"voxels of {voxel} m: score {found.score:.2f}, {off(found.transformation)[0]:.2f} degrees off")
-assert found.converged and found.score > 0.5
+result = reg.register_globally(source, target, voxel_size=voxel)
+print(f"voxels of {voxel} m: score {result.score:.2f}, {off(result.transformation)[0]:.2f} degrees off")
+assert result.converged and result.score > 0.5
 
 # %%
 # **What is not believed.** The right pose rated, one that is 60 cm off across the room, and one that is turned by

@@ -62,14 +62,14 @@ assert plane.fitness > 0.9 and abs(plane.transformation[0, 3] - truth[0, 3]) > 1
 # motion (cars) may be dropped.
 doppler = reg.TransformationEstimationForDopplerICP(period=period, lambda_doppler=0.05, reject_dynamic_outliers=True)
 criteria = reg.ICPConvergenceCriteria(max_iteration=100)
-found = reg.registration_icp(first, target, 1.0, np.eye(4), doppler, criteria)
-print(f"with speeds: {found.transformation[0, 3]:+.3f} m along the tunnel; the truth is {truth[0, 3]:+.3f} m")
-turn = np.degrees(np.arccos(np.clip((np.trace(found.transformation[:3, :3]) - 1) / 2, -1, 1)))
+result = reg.registration_icp(first, target, 1.0, np.eye(4), doppler, criteria)
+print(f"with speeds: {result.transformation[0, 3]:+.3f} m along the tunnel; the truth is {truth[0, 3]:+.3f} m")
+angle = np.degrees(np.arccos(np.clip((np.trace(result.transformation[:3, :3]) - 1) / 2, -1, 1)))
 print(
-    f"{np.linalg.norm(found.transformation[:3, 3] - truth[:3, 3]):.3f} m and {turn:.3f} degrees off, "
-    f"{found.iterations} steps"
+    f"{np.linalg.norm(result.transformation[:3, 3] - truth[:3, 3]):.3f} m and {angle:.3f} degrees off, "
+    f"{result.iterations} steps"
 )
-assert np.linalg.norm(found.transformation[:3, 3] - truth[:3, 3]) < 0.05
+assert np.linalg.norm(result.transformation[:3, 3] - truth[:3, 3]) < 0.05
 
 # %%
 # The first scan by the speed of its points: blue comes nearer, red goes away, and the mirror between them is where

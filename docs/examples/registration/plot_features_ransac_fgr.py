@@ -66,7 +66,7 @@ checkers = [
 ]
 criteria = reg.RANSACConvergenceCriteria(max_iteration=200_000, confidence=0.999)
 option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=1.5 * voxel)
-found = {
+results = {
     "RANSAC": reg.registration_ransac_based_on_feature_matching(
         *thin, *features, True, 1.5 * voxel, checkers=checkers, criteria=criteria, seed=0
     ),
@@ -78,20 +78,25 @@ found = {
     "robust": registration_robust_based_on_feature_matching(*thin, *features, 1.5 * voxel),
     "robust, pairs given": reg.registration_robust_based_on_correspondence(*thin, pairs, 1.5 * voxel),
 }
-for name, result in found.items():
+for name, result in results.items():
     angle, distance = off(result.transformation)
     print(
         f"{name:20} {angle:6.2f} degrees, {distance:5.1f} mm off, fitness {result.fitness:.2f}, score "
         f"{reg.rate_registration(*thin, result.transformation, 1.5 * voxel):.2f}"
     )
 for name in ("RANSAC", "robust"):
-    assert off(found[name].transformation)[0] < 5
+    assert off(results[name].transformation)[0] < 5
 
 # %%
 # **Refine** by ICP on the full clouds, from a pose that is nearly right.
 normals = target.estimate_normals(max_nn=20)
 refined = reg.registration_icp(
-    source, normals, 2 * voxel, found["robust"].transformation, reg.TransformationEstimationPointToPlane(), overlap=None
+    source,
+    normals,
+    2 * voxel,
+    results["robust"].transformation,
+    reg.TransformationEstimationPointToPlane(),
+    overlap=None,
 )
 print(f"after ICP: {off(refined.transformation)[0]:.3f} degrees, {off(refined.transformation)[1]:.2f} mm")
 assert off(refined.transformation)[0] < 0.5

@@ -19,30 +19,30 @@ reg = loom.registration
 # 0.6 mm each. No point is in both, so that no pair is exact.
 rng = np.random.default_rng(0)
 mesh = loom.datasets.object_mesh()
-whole = mesh.sample_points_uniformly(12_000, seed=2)
-size = float(np.linalg.norm(whole.get_max_bound() - whole.get_min_bound()))
+cloud = mesh.sample_points_uniformly(12_000, seed=2)
+size = float(np.linalg.norm(cloud.get_max_bound() - cloud.get_min_bound()))
 noise = rng.normal(scale=0.0015 * size, size=(12_000, 3))
-whole = loom.PointCloud(whole.points + noise, colors=whole.colors)
+cloud = loom.PointCloud(cloud.points + noise, colors=cloud.colors)
 is_target = np.arange(12_000) % 2 == 0
-target = whole.select_by_mask(is_target).estimate_normals(max_nn=20).orient_normals_consistent_tangent_plane(12)
-source = whole.select_by_mask(~is_target).estimate_normals(max_nn=20).orient_normals_consistent_tangent_plane(12)
+target = cloud.select_by_mask(is_target).estimate_normals(max_nn=20).orient_normals_consistent_tangent_plane(12)
+source = cloud.select_by_mask(~is_target).estimate_normals(max_nn=20).orient_normals_consistent_tangent_plane(12)
 print(f"{len(source)} and {len(target)} points, {100 * size:.1f} cm across")
 
 
-def turned(degrees, axis):
+def perturbed(degrees, axis):
     """The pose T_target_source to begin from: turned about the middle."""
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     K = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
     T = np.eye(4)
     T[:3, :3] = np.eye(3) + s * K + (1 - c) * K @ K
-    T[:3, 3] = whole.get_center() - T[:3, :3] @ whole.get_center()
+    T[:3, 3] = cloud.get_center() - T[:3, :3] @ cloud.get_center()
     return T
 
 
 def off(T):
     """How far a pose is from the truth, the identity: degrees, and meters at the object's middle."""
     angle = np.degrees(2 * np.arcsin(min(np.linalg.norm(T[:3, :3] - np.eye(3)) / np.sqrt(8), 1)))
-    return angle, np.linalg.norm((T @ np.r_[whole.get_center(), 1])[:3] - whole.get_center())
+    return angle, np.linalg.norm((T @ np.r_[cloud.get_center(), 1])[:3] - cloud.get_center())
 
 
 # %%
@@ -60,7 +60,7 @@ distance = 0.15 * size  # pairs lie nearer than this [m]; larger reaches farther
 angles = np.array([0, 20, 40, 60, 90, 120])
 axes = rng.normal(size=(4, 3))
 axes /= np.linalg.norm(axes, axis=1, keepdims=True)
-inits = np.array([turned(angle, axis) for angle in angles for axis in axes])
+inits = np.array([perturbed(angle, axis) for angle in angles for axis in axes])
 
 # %%
 # All starts of a method run in one batch. Reached is what ends within 1 degree.
@@ -84,22 +84,22 @@ assert steps["point to plane"] < steps["point to point"]
 
 # %%
 # The short forms name their method; each returns the same kind of result.
-init = turned(10, axes[0])
-for name, found in {
+init = perturbed(10, axes[0])
+for name, registration in {
     "icp": reg.registration_icp(source, target, distance, init, methods["point to plane"]),
     "generalized": reg.registration_generalized_icp(source, target, distance, init),
     "symmetric": registration_symmetric_icp(source, target, distance, init),
     "colored": reg.registration_colored_icp(source, target, distance, init),
 }.items():
     print(
-        f"{name:12} fitness {found.fitness:.3f}, rmse {1000 * found.inlier_rmse:.2f} mm, "
-        f"{off(found.transformation)[0]:.3f} degrees off, converged: {found.converged}"
+        f"{name:12} fitness {registration.fitness:.3f}, rmse {1000 * registration.inlier_rmse:.2f} mm, "
+        f"{off(registration.transformation)[0]:.3f} degrees off, converged: {registration.converged}"
     )
-    assert off(found.transformation)[0] < 1.0
+    assert off(registration.transformation)[0] < 1.0
 
 # %%
 # Before, from 60 degrees off, and after.
-start = turned(60, axes[1])
+start = perturbed(60, axes[1])
 end = reg.registration_icp(source, target, distance, start, methods["point to plane"], criteria).transformation
 shift = np.array([1.1 * size, 0, 0])
 scene = {

@@ -60,16 +60,16 @@ print("read back:", back.poses.shape, f"to {np.abs(back.poses - path.poses).max(
 # %%
 # **The map**: each scan at its pose, straightened by the motion during its turn, and thinned. The colors are
 # heights; the line is the path.
-placed = []
+registered = []
 for index, (scan, pose) in enumerate(zip(drive.scans, path.poses, strict=True)):
     motion = np.linalg.inv(path.poses[index - 1]) @ pose if index else np.linalg.inv(pose) @ path.poses[1]
-    placed.append(reg.deskew_point_cloud(scan, motion).transform(pose))
-street = loom.PointCloud.concatenate(placed).voxel_down_sample(0.12)
+    registered.append(reg.deskew_point_cloud(scan, motion).transform(pose))
+street = loom.PointCloud.concatenate(registered).voxel_down_sample(0.12)
 print(street)
 center = path.poses[15][:3, 3]
 near = street.select_by_mask((np.abs(street.points - center) < [32, 26, 20]).all(axis=1))
-places = path.poses[:, :3, 3] + [0, 0, 0.3]
-line = loom.LineSet(places, np.column_stack([np.arange(29), np.arange(1, 30)]).astype(np.int32))
+positions = path.poses[:, :3, 3] + [0, 0, 0.3]
+line = loom.LineSet(positions, np.column_stack([np.arange(29), np.arange(1, 30)]).astype(np.int32))
 view = loom.fit_view(near.points, direction=(0.35, 0.75, -0.5), width=960, height=640)
 style = {"line_width": 6, "color": (0.9, 0.1, 0.1)}
 street_map = loom.render([{"geometry": near, "point_size": 3}, {"geometry": line} | style], view)
@@ -79,12 +79,12 @@ street_map = loom.render([{"geometry": near, "point_size": 3}, {"geometry": line
 # other.
 raw = loom.PointCloud.concatenate([scan.transform(pose) for scan, pose in zip(drive.scans, path.poses, strict=True)])
 truly = loom.PointCloud.concatenate(
-    [scan.transform(pose) for scan, pose in zip(placed, np.tile(np.eye(4), (30, 1, 1)), strict=True)]
+    [scan.transform(pose) for scan, pose in zip(registered, np.tile(np.eye(4), (30, 1, 1)), strict=True)]
 )
 blur = {}
-for name, whole in {"as measured": raw, "straightened": truly}.items():
-    poles = whole.select_by_mask(
-        np.isin(whole["label"], [4, 7]) & (np.abs(whole.points - center) < [15, 20, 20]).all(axis=1)
+for name, merged in {"as measured": raw, "straightened": truly}.items():
+    poles = merged.select_by_mask(
+        np.isin(merged["label"], [4, 7]) & (np.abs(merged.points - center) < [15, 20, 20]).all(axis=1)
     )
     shapes = loom.compute_eigen_features(poles, radius=0.4, max_nn=60)
     blur[name] = float(np.nanmedian(shapes["curvature"]))

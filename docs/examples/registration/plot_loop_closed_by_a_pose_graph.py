@@ -23,19 +23,21 @@ reg = loom.registration
 rng = np.random.default_rng(6)
 count = 60
 s = 2 * np.pi * np.arange(count) * 2 / count
-places = np.column_stack([6 * np.cos(s) * (1 + 0.1 * np.cos(4 * s)), 4 * np.sin(s), 0.05 * np.arange(count)])
+positions = np.column_stack([6 * np.cos(s) * (1 + 0.1 * np.cos(4 * s)), 4 * np.sin(s), 0.05 * np.arange(count)])
 
 
-def pose(place, heading):
+def pose(position, heading):
     """T_world_node of a place [m] and a heading [rad] about z."""
     T = np.eye(4)
     T[:2, :2] = [[np.cos(heading), -np.sin(heading)], [np.sin(heading), np.cos(heading)]]
-    T[:3, 3] = place
+    T[:3, 3] = position
     return T
 
 
-ahead = np.gradient(places, axis=0)
-truth = np.array([pose(place, np.arctan2(step[1], step[0])) for place, step in zip(places, ahead, strict=True)])
+ahead = np.gradient(positions, axis=0)
+truth = np.array(
+    [pose(position, np.arctan2(step[1], step[0])) for position, step in zip(positions, ahead, strict=True)]
+)
 
 
 def measured(a, b, noise=1.0):
@@ -62,8 +64,8 @@ print(f"before: {before.absolute_translation.rmse:.2f} m rmse, {before.absolute_
 closures = [
     reg.PoseGraphEdge(k, k + 30, measured(k, k + 30, 0.5), information, uncertain=True) for k in range(0, 30, 6)
 ]
-lie = np.linalg.inv(truth[40]) @ truth[10] @ pose([3.0, -2.0, 0.0], 1.2)
-closures.append(reg.PoseGraphEdge(3, 45, lie, information, uncertain=True))
+false_closure = np.linalg.inv(truth[40]) @ truth[10] @ pose([3.0, -2.0, 0.0], 1.2)
+closures.append(reg.PoseGraphEdge(3, 45, false_closure, information, uncertain=True))
 graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in poses], steps + closures)
 
 # %%
@@ -117,9 +119,9 @@ def tube(path, color, z=0.0):
     return {"geometry": loom.LineSet(points, lines), "color": color, "line_width": 5}
 
 
-kept = [(edge.source_node_id, edge.target_node_id) for edge in solved.edges if edge.uncertain]
+accepted = [(edge.source_node_id, edge.target_node_id) for edge in solved.edges if edge.uncertain]
 loops = {
-    "geometry": loom.LineSet(after_path.poses[:, :3, 3], np.array(kept, np.int32)),
+    "geometry": loom.LineSet(after_path.poses[:, :3, 3], np.array(accepted, np.int32)),
     "color": (0.2, 0.5, 0.8),
     "line_width": 2,
 }
@@ -129,5 +131,5 @@ scene = {
     "closed": tube(after_path, (0.1, 0.55, 0.3)),
     "closures": loops,
 }
-corners = np.vstack([drifted.poses[:, :3, 3], places])
+corners = np.vstack([drifted.poses[:, :3, 3], positions])
 picture = loom.render(scene, loom.fit_view(corners, direction=(0.2, 0.7, -0.8), width=960, height=640), legend=True)

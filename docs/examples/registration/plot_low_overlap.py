@@ -23,9 +23,9 @@ is_odd = rng.random(len(room)) < 0.5
 target = room.select_by_mask((share < 0.57) & is_odd)
 source = room.select_by_mask((share > 0.43) & ~is_odd)
 truth_share = ((share > 0.43) & (share < 0.57) & ~is_odd).sum() / len(source)
-turn = np.radians(2.0)
+theta = np.radians(2.0)
 start = np.eye(4)
-start[:2, :2] = [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+start[:2, :2] = [[np.cos(theta), -np.sin(theta)], [np.sin(theta), np.cos(theta)]]
 start[:3, 3] = source.get_center() - start[:3, :3] @ source.get_center() + [0.05, 0.03, 0.02]
 print(f"{len(source)} and {len(target)} points; {100 * truth_share:.0f} % of the source are in the target's part")
 
@@ -45,11 +45,11 @@ criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 errors = {}
 for distance in (0.16, 0.4, 1.0):
     for name, overlap in {"all pairs": 1.0, "30 % given": 0.3, "found": None}.items():
-        found = reg.registration_icp(source, target, distance, start, method, criteria, overlap=overlap)
-        errors[distance, name] = off(found.transformation)
+        registration = reg.registration_icp(source, target, distance, start, method, criteria, overlap=overlap)
+        errors[distance, name] = off(registration.transformation)
         print(
             f"within {distance:4.2f} m, {name:10}: {errors[distance, name][0]:.3f} degrees, "
-            f"{errors[distance, name][1]:6.1f} mm off, kept {100 * found.fitness:.0f} %"
+            f"{errors[distance, name][1]:6.1f} mm off, inliers {100 * registration.fitness:.0f} %"
         )
 for distance in (0.4, 1.0):
     assert errors[distance, "found"][1] < 0.5 * errors[distance, "all pairs"][1]

@@ -56,8 +56,10 @@ assert error.absolute_translation.max < 0.3
 offsets = np.linspace(-4, 4, 9)
 starts = np.tile(results[0].transformation, (81, 1, 1))
 starts[:, :2, 3] += np.array([[x, y] for x in offsets for y in offsets])
-found = reg.registration_icp_batch(sources[0], targets[0], 2.0, starts, reg.TransformationEstimationPointToPlane())
-ends = np.array([result.transformation[:3, 3] for result in found])
+batch_results = reg.registration_icp_batch(
+    sources[0], targets[0], 2.0, starts, reg.TransformationEstimationPointToPlane()
+)
+ends = np.array([result.transformation[:3, 3] for result in batch_results])
 right = np.linalg.norm(ends - results[0].transformation[:3, 3], axis=1) < 0.1
 print("starts that end right, x forward from left to right [m]:")
 for row in right.reshape(9, 9).T[::-1]:
@@ -66,11 +68,11 @@ assert right.reshape(9, 9)[4, 4] and right.sum() >= 9
 
 # %%
 # The first scan and the last, 11 m further on, each in its own color, under the path of the batch.
-placed = {}
+drawn = {}
 for name, k, color in (("first", 0, (0.2, 0.5, 0.8)), ("last", 11, (0.95, 0.55, 0.1))):
     cloud = reg.deskew_point_cloud(drive.scans[k], step).transform(path.poses[k])
     near = cloud.select_by_mask((np.abs(cloud.points - [5, 0, 4]) < [24, 16, 12]).all(axis=1)).without("colors")
-    placed[name] = {"geometry": near, "color": color, "point_size": 3}
-corners = np.vstack([part["geometry"].points for part in placed.values()])
+    drawn[name] = {"geometry": near, "color": color, "point_size": 3}
+corners = np.vstack([part["geometry"].points for part in drawn.values()])
 view = loom.fit_view(corners, direction=(0.35, 0.75, -0.5), width=960, height=640)
-picture = loom.render(placed, view, legend=True)
+picture = loom.render(drawn, view, legend=True)

@@ -28,12 +28,12 @@ lens = loom.CameraModel(
     "PINHOLE", camera.width, camera.height, [*camera.get_focal_length(), *camera.get_principal_point()]
 )
 unit, angle = 3.7, np.radians(65)
-turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
+rotation = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
 to_model = np.eye(4)
-to_model[:3, :3], to_model[:3, 3] = unit * turn, [4.0, -1.0, 2.0]
+to_model[:3, :3], to_model[:3, 3] = unit * rotation, [4.0, -1.0, 2.0]
 poses = shots.poses.copy()
-poses[:, :3, :3] = turn @ shots.poses[:, :3, :3]
-poses[:, :3, 3] = shots.poses[:, :3, 3] @ (unit * turn).T + to_model[:3, 3]
+poses[:, :3, :3] = rotation @ shots.poses[:, :3, :3]
+poses[:, :3, 3] = shots.poses[:, :3, 3] @ (unit * rotation).T + to_model[:3, 3]
 model = loom.SfmModel(names, [lens] * len(names), np.linalg.inv(poses))  # camera from world
 print(model)
 
@@ -77,18 +77,18 @@ assert abs(fit.scale * unit - 1) < 0.01
 
 # %%
 # All of the model moves by it, poses and points.
-placed = model.transform(fit.transformation)
-error = np.linalg.norm(placed.centers - shots.poses[:, :3, 3], axis=1)
+metric_model = model.transform(fit.transformation)
+error = np.linalg.norm(metric_model.centers - shots.poses[:, :3, 3], axis=1)
 print(f"cameras within {1000 * error.max():.1f} mm of the truth")
 assert error.max() < 0.006
 
 # %%
 # Cameras as they were found, the owl where it stands, and in red the places that were wrong.
-frusta = [loom.CameraFrustum(camera, pose, 0.06) for pose in placed.T_world_camera]
+frusta = [loom.CameraFrustum(camera, pose, 0.06) for pose in metric_model.T_world_camera]
 marks = []
-for name, place in positions.items():
+for name, position in positions.items():
     color = [0.9, 0.15, 0.1] if name in wrong else [0.1, 0.6, 0.3]
-    marks.append(loom.TriangleMesh.create_sphere(0.014).translate(place).paint_uniform_color(color))
+    marks.append(loom.TriangleMesh.create_sphere(0.014).translate(position).paint_uniform_color(color))
 corners = np.vstack([np.array(list(positions.values())), owl.points])
 view = loom.fit_view(corners, direction=(-0.4, 0.8, -0.5), width=960, height=640)
 picture = loom.render([owl, *frusta, *marks], view)

@@ -54,12 +54,12 @@ assert len(graph.nodes) == 10
 
 # %%
 # **Together**: all points in one frame, one point every 1.5 mm, with normals that look to the cameras.
-placed = []
+registered = []
 for scan, pose in zip(views.scans, result.poses, strict=True):
     seen = scan.estimate_normals(max_nn=20).orient_normals_towards_camera_location([0, 0, 0])
-    placed.append(seen.transform(pose))
-whole = (
-    loom.PointCloud.concatenate(placed)
+    registered.append(seen.transform(pose))
+merged = (
+    loom.PointCloud.concatenate(registered)
     .transform(views.poses[result.reference])
     .voxel_down_sample(0.0015)
     .normalize_normals()
@@ -67,9 +67,9 @@ whole = (
 scene = loom.RaycastingScene()
 mesh = loom.datasets.object_mesh()
 scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
-distance = np.asarray(scene.compute_distance(whole.points.astype(np.float32)))
+distance = np.asarray(scene.compute_distance(merged.points.astype(np.float32)))
 print(
-    f"{len(whole):,} points, {1000 * np.median(distance):.2f} mm from the true surface in the median, 95 % "
+    f"{len(merged):,} points, {1000 * np.median(distance):.2f} mm from the true surface in the median, 95 % "
     f"within {1000 * np.percentile(distance, 95):.2f} mm"
 )
 assert np.median(distance) < 0.001
@@ -81,20 +81,20 @@ back = views.poses[result.reference]
 shift = np.array([0.27, 0, 0])
 drawn = [
     {"geometry": scan.without("normals").transform(back).translate(-shift), "color": tuple(color)}
-    for scan, color in zip(placed, palette, strict=True)
+    for scan, color in zip(registered, palette, strict=True)
 ]
-drawn.append({"geometry": whole.without("normals"), "point_size": 4})
+drawn.append({"geometry": merged.without("normals"), "point_size": 4})
 view = loom.fit_view(
-    np.vstack([whole.points - shift, whole.points + shift]), direction=(0.15, 1.0, -0.25), width=1120, height=560
+    np.vstack([merged.points - shift, merged.points + shift]), direction=(0.15, 1.0, -0.25), width=1120, height=560
 )
 
 # %%
 # **The surface**, made by one call with its defaults (the pages on surfaces say what else there is).
-surface = loom.create_surface(whole).mesh
+surface = loom.create_surface(merged).mesh
 off_surface = np.asarray(scene.compute_distance(surface.vertices.astype(np.float32)))
 print(surface, f"{1000 * np.median(off_surface):.2f} mm from the true one, watertight: {surface.is_watertight()}")
 assert np.median(off_surface) < 0.001
-nearest = loom.NearestNeighborSearch(whole).knn_search(surface.vertices, 1)
-surface.vertex_colors = whole.colors[np.ravel(nearest.indices)]
+nearest = loom.NearestNeighborSearch(merged).knn_search(surface.vertices, 1)
+surface.vertex_colors = merged.colors[np.ravel(nearest.indices)]
 drawn.append({"geometry": surface.compute_vertex_normals().translate(shift)})
 picture = loom.render(drawn, view)

@@ -61,12 +61,12 @@ def pose_of(pairs, source=source, with_scaling=False):
 
 first = {}
 for count in (3, 5):
-    found = pose_of(pairs[:count])
-    first[count] = found.transformation
+    result = pose_of(pairs[:count])
+    first[count] = result.transformation
     angle, distance = off(first[count])
     print(
         f"{count} pairs: {angle:.2f} degrees and {1000 * distance:.1f} mm off; the pairs fit to "
-        f"{1000 * found.inlier_rmse:.1f} mm"
+        f"{1000 * result.inlier_rmse:.1f} mm"
     )
 assert off(first[5])[0] < 8
 
@@ -99,16 +99,16 @@ assert 2 * off(robust.transformation)[0] < off(plain)[0] and off(robust.transfor
 # **ICP** ends the work. ``evaluate_registration`` tells how well it lies: the share of points with a partner nearer
 # than the distance, and how near.
 before = reg.evaluate_registration(source, target, 0.03 * size, first[5])
-found = reg.registration_icp(
+result = reg.registration_icp(
     source, target.estimate_normals(max_nn=20), 0.08 * size, first[5], reg.TransformationEstimationPointToPlane()
 )
-after = reg.evaluate_registration(source, target, 0.03 * size, found.transformation)
+after = reg.evaluate_registration(source, target, 0.03 * size, result.transformation)
 print(
     f"picked: fitness {before.fitness:.3f}, rmse {1000 * before.inlier_rmse:.2f} mm; refined: "
     f"{after.fitness:.3f}, {1000 * after.inlier_rmse:.2f} mm"
 )
-print(f"{off(found.transformation)[0]:.4f} degrees off")
-assert off(found.transformation)[0] < 0.2 and after.inlier_rmse < before.inlier_rmse
+print(f"{off(result.transformation)[0]:.4f} degrees off")
+assert off(result.transformation)[0] < 0.2 and after.inlier_rmse < before.inlier_rmse
 
 # %%
 # The picked pairs as lines, and the result beside it.
@@ -122,7 +122,9 @@ scene = {
     "source": {"geometry": apart.paint_uniform_color([0.95, 0.6, 0.1])},
     "target": {"geometry": target.paint_uniform_color([0.2, 0.5, 0.8])},
     "pairs": {"geometry": lines, "color": (0.85, 0.1, 0.2), "line_width": 3},
-    "done": {"geometry": source.transform(found.transformation).translate(right).paint_uniform_color([0.95, 0.6, 0.1])},
+    "done": {
+        "geometry": source.transform(result.transformation).translate(right).paint_uniform_color([0.95, 0.6, 0.1])
+    },
     "done target": {"geometry": target.translate(right).paint_uniform_color([0.2, 0.5, 0.8])},
 }
 corners = np.vstack([style["geometry"].points for style in scene.values()])

@@ -25,8 +25,8 @@ good = room.points[picked] + rng.normal(scale=0.004, size=(len(picked), 3))
 bad_rows = picked[: len(picked) // 2]
 bad = room.points[bad_rows] + room.normals[bad_rows] * rng.uniform(0.05, 0.3, (len(bad_rows), 1))
 truth = np.eye(4)
-turn = np.radians(4)
-truth[:2, :2] = [[np.cos(turn), -np.sin(turn)], [np.sin(turn), np.cos(turn)]]
+angle = np.radians(4)
+truth[:2, :2] = [[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]]
 truth[:3, 3] = 0.06, -0.04, 0.03
 scan = loom.PointCloud(np.vstack([good, bad])).transform(np.linalg.inv(truth))
 is_bad = np.r_[np.zeros(len(good), bool), np.ones(len(bad), bool)]
@@ -60,24 +60,32 @@ kernels = {
 criteria = reg.ICPConvergenceCriteria(max_iteration=80)
 error, poses = {}, {}
 for name, kernel in kernels.items():
-    found = reg.registration_icp(
+    result = reg.registration_icp(
         scan, target, 0.4, np.eye(4), reg.TransformationEstimationPointToPlane(kernel), criteria
     )
-    error[name], poses[name] = off(found.transformation), found.transformation
-    print(f"{name:20} {error[name][0]:.3f} degrees, {1000 * error[name][1]:5.1f} mm off, {found.iterations} steps")
+    error[name], poses[name] = off(result.transformation), result.transformation
+    print(f"{name:20} {error[name][0]:.3f} degrees, {1000 * error[name][1]:5.1f} mm off, {result.iterations} steps")
 for name in ("Cauchy", "Geman-McClure", "Tukey"):
     assert error[name][1] < 0.3 * error["L2 (least squares)"][1]
 assert error["Tukey"][1] < 0.01
 
 # %%
 # The room from inside its corner: gray what was there, blue where Tukey brought the good points, orange the clutter.
-placed = scan.transform(poses["Tukey"])
+registered = scan.transform(poses["Tukey"])
 low, high = room.get_min_bound(), room.get_max_bound()
 inner = loom.AxisAlignedBoundingBox([low[0], low[1] + 0.35, low[2]], [high[0] - 0.35, high[1], low[2] + 2.2])
 scene = {
     "room": {"geometry": target.crop(inner), "color": (0.8, 0.8, 0.78)},
-    "what belongs": {"geometry": placed.select_by_mask(~is_bad).crop(inner), "color": (0.2, 0.5, 0.8), "point_size": 3},
-    "clutter": {"geometry": placed.select_by_mask(is_bad).crop(inner), "color": (0.95, 0.55, 0.15), "point_size": 3},
+    "what belongs": {
+        "geometry": registered.select_by_mask(~is_bad).crop(inner),
+        "color": (0.2, 0.5, 0.8),
+        "point_size": 3,
+    },
+    "clutter": {
+        "geometry": registered.select_by_mask(is_bad).crop(inner),
+        "color": (0.95, 0.55, 0.15),
+        "point_size": 3,
+    },
 }
 picture = loom.render(
     scene, loom.fit_view(target.crop(inner).points, direction=(-0.5, 0.62, -0.8), width=960, height=640), legend=True

@@ -22,26 +22,26 @@ reg = loom.registration
 rng = np.random.default_rng(0)
 count = 240
 t = np.arange(count) * 0.1
-places = np.column_stack([t * 10, 12 * np.sin(t * 10 / 40), 2 * np.sin(t * 10 / 90)])
-heading = np.arctan2(np.gradient(places[:, 1]), np.gradient(places[:, 0]))
+positions = np.column_stack([t * 10, 12 * np.sin(t * 10 / 40), 2 * np.sin(t * 10 / 90)])
+heading = np.arctan2(np.gradient(positions[:, 1]), np.gradient(positions[:, 0]))
 
 
-def poses_of(places, heading):
+def poses_of(positions, heading):
     """T_world_sensor of places [m] and headings [rad]."""
-    T = np.tile(np.eye(4), (len(places), 1, 1))
+    T = np.tile(np.eye(4), (len(positions), 1, 1))
     c, s = np.cos(heading), np.sin(heading)
     T[:, 0, 0], T[:, 0, 1], T[:, 1, 0], T[:, 1, 1] = c, -s, s, c
-    T[:, :3, 3] = places
+    T[:, :3, 3] = positions
     return T
 
 
-truth = loom.Trajectory(poses_of(places, heading), timestamps=t)
+truth = loom.Trajectory(poses_of(positions, heading), timestamps=t)
 steps = np.linalg.inv(truth.poses[:-1]) @ truth.poses[1:]
 steps[:, :3, 3] *= 1.03
 drift = np.radians(0.04) + rng.normal(scale=np.radians(0.05), size=len(steps))
-turns = poses_of(rng.normal(scale=0.01, size=(len(steps), 3)), drift)
+noise_poses = poses_of(rng.normal(scale=0.01, size=(len(steps), 3)), drift)
 chain = [np.eye(4)]
-for step in steps @ turns:
+for step in steps @ noise_poses:
     chain.append(chain[-1] @ step)
 estimate = loom.Trajectory(np.array(chain), timestamps=t + 0.004)  # 4 ms late, as loggers are
 
@@ -67,17 +67,17 @@ assert abs(1 / errors["with a scale"].scale - 1.03) < 0.01
 # %%
 # **RPE** is of motions over ``delta`` poses, and no alignment changes it. KITTI's figure, percent of the way over
 # segments, is the one to compare drives of different length by: an ATE grows with the drive.
-whole = errors["least squares"]
-assert len(whole.segments)
-for segment in whole.segments:
+aligned_error = errors["least squares"]
+assert len(aligned_error.segments)
+for segment in aligned_error.segments:
     print(segment)
-print(f"{whole.segment_translation:.2f} % and {whole.segment_rotation:.4f} degrees/m over all of them")
-assert abs(whole.segment_translation - 3.0) < 1.0  # the scale's 3 %
+print(f"{aligned_error.segment_translation:.2f} % and {aligned_error.segment_rotation:.4f} degrees/m over all of them")
+assert abs(aligned_error.segment_translation - 3.0) < 1.0  # the scale's 3 %
 ten = reg.evaluate_trajectory(estimate, truth, delta=10)
 motion = ten.relative_translation
 print(
     f"over ten poses: {motion.rmse:.3f} m rmse, {motion.max:.3f} m at most, of "
-    f"{10 * np.linalg.norm(np.diff(places, axis=0), axis=1).mean():.1f} m"
+    f"{10 * np.linalg.norm(np.diff(positions, axis=0), axis=1).mean():.1f} m"
 )
 
 # %%
@@ -104,16 +104,16 @@ with tempfile.TemporaryDirectory() as folder:
 # %%
 # Both paths from above, joined where poses belong together. ``pointloom evaluate --picture`` plots the error along the
 # way.
-aligned = whole.transformation @ estimate.poses
+aligned = aligned_error.transformation @ estimate.poses
 from_first = errors["first pose"].transformation @ estimate.poses
 pairs = np.column_stack([np.arange(0, count, 8), count + np.arange(0, count, 8)]).astype(np.int32)
 along = np.column_stack([np.arange(count - 1), np.arange(1, count)]).astype(np.int32)
 scene = {
-    "true": {"geometry": loom.LineSet(places, along), "color": (0.5, 0.5, 0.5), "line_width": 4},
+    "true": {"geometry": loom.LineSet(positions, along), "color": (0.5, 0.5, 0.5), "line_width": 4},
     "least squares": {"geometry": loom.LineSet(aligned[:, :3, 3], along), "color": (0.1, 0.55, 0.3), "line_width": 4},
     "first pose": {"geometry": loom.LineSet(from_first[:, :3, 3], along), "color": (0.9, 0.35, 0.15), "line_width": 4},
     "error": {
-        "geometry": loom.LineSet(np.vstack([from_first[:, :3, 3], places]), pairs),
+        "geometry": loom.LineSet(np.vstack([from_first[:, :3, 3], positions]), pairs),
         "color": (0.9, 0.7, 0.5),
         "line_width": 1,
     },
@@ -121,7 +121,7 @@ scene = {
 picture = loom.render(
     scene,
     loom.fit_view(
-        np.vstack([places, from_first[:, :3, 3]]), direction=(0, 0.35, -1), up=(0, 1, 0), width=1120, height=420
+        np.vstack([positions, from_first[:, :3, 3]]), direction=(0, 0.35, -1), up=(0, 1, 0), width=1120, height=420
     ),
     legend=True,
 )

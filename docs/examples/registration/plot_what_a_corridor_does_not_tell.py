@@ -52,7 +52,7 @@ rays = np.column_stack(
 )
 
 
-def walk(scene, count=14, step=0.3, seed=0):
+def scan_along(scene, count=14, step=0.3, seed=0):
     """Scans along x, each in the scanner's frame, no farther than 25 m."""
     rng = np.random.default_rng(seed)
     scans = []
@@ -66,7 +66,7 @@ def walk(scene, count=14, step=0.3, seed=0):
 
 
 options = {"voxel_size": 0.15, "max_range": 25.0, "min_range": 0.5, "initial_threshold": 0.4, "deskew": False}
-bare_scans, furnished_scans = (walk(corridor(furnished)[0]) for furnished in (False, True))
+bare_scans, furnished_scans = (scan_along(corridor(furnished)[0]) for furnished in (False, True))
 
 # %%
 # **The bare corridor from its scans alone** is refused, with the direction that is open. That refusal is the point:
@@ -83,20 +83,21 @@ assert not bare.reliable and len(bare.undetermined) > 10 and "x" in bare.open_mo
 # did not tell; in the furnished one the scans mend it.
 wheels = np.eye(4)
 wheels[0, 3] = 0.3 * 1.05
-ends, poses, told = {}, {}, {}
+ends, poses, determined = {}, {}, {}
 for name, scans in {"bare": bare_scans, "furnished": furnished_scans}.items():
     odometry = reg.LidarOdometry(**options)
     poses[name] = []
     for k, scan in enumerate(scans):
         poses[name].append(odometry.register(scan, prior=wheels if k else None))
     ends[name] = poses[name][-1][:3, 3]
-    told[name] = sum(not step.undetermined for step in odometry.steps[1:])
+    determined[name] = sum(not step.undetermined for step in odometry.steps[1:])
     print(
-        f"{name:9}: ends at {ends[name].round(3)} m, the truth is [3.9, 0, 0]; {told[name]} of 13 scans told the motion"
+        f"{name:9}: ends at {ends[name].round(3)} m, the truth is [3.9, 0, 0]; "
+        f"{determined[name]} of 13 scans determine the motion"
     )
 error = {name: np.linalg.norm(end - [3.9, 0, 0]) for name, end in ends.items()}
 assert error["furnished"] < 0.02 < error["bare"] < 0.25
-assert told["bare"] < 7 and told["furnished"] > 10
+assert determined["bare"] < 7 and determined["furnished"] > 10
 
 # %%
 # ICP between two such scans alone is perfect and wrong: every point has a partner, and the motion of 30 cm is not
@@ -104,16 +105,16 @@ assert told["bare"] < 7 and told["furnished"] > 10
 # corridor's edges, where normals are rounded, are enough to hide it. Fitness does not measure reliability.
 target, source = (scan.voxel_down_sample(0.1).estimate_normals(max_nn=15) for scan in bare_scans[:2])
 plane = reg.TransformationEstimationPointToPlane()
-found = reg.registration_icp(source, target, 0.5, np.eye(4), plane)
+result = reg.registration_icp(source, target, 0.5, np.eye(4), plane)
 print(
-    f"corridor: fitness {found.fitness:.3f}, {found.transformation[0, 3]:.3f} m along x, "
-    f"{len(found.degenerate_directions)} motions open"
+    f"corridor: fitness {result.fitness:.3f}, {result.transformation[0, 3]:.3f} m along x, "
+    f"{len(result.degenerate_directions)} motions open"
 )
-assert found.fitness > 0.98 and abs(found.transformation[0, 3] - 0.3) > 0.1
+assert result.fitness > 0.98 and abs(result.transformation[0, 3] - 0.3) > 0.1
 wall = target.select_by_mask((target.points[:, 1] > 1.05) & (np.abs(target.normals[:, 1]) > 0.99))
-found = reg.registration_icp(wall, wall, 0.5, np.eye(4), plane)
-print(f"one wall: fitness {found.fitness:.3f}, {len(found.degenerate_directions)} motions open")
-assert len(found.degenerate_directions) == 3  # two ways along the wall, and the turn in it
+result = reg.registration_icp(wall, wall, 0.5, np.eye(4), plane)
+print(f"one wall: fitness {result.fitness:.3f}, {len(result.degenerate_directions)} motions open")
+assert len(result.degenerate_directions) == 3  # two ways along the wall, and the turn in it
 
 # %%
 # Both corridors, cut open, with the path that each gave.
@@ -131,9 +132,13 @@ for row, name in enumerate(poses):
                 drawn.append(
                     box.translate(np.maximum(low, [-2, -9, -9]) + shift).paint_uniform_color([0.82, 0.82, 0.8])
                 )
-    places = np.array(poses[name])[:, :3, 3] + shift + [0, 0.1, 1.3]
+    positions = np.array(poses[name])[:, :3, 3] + shift + [0, 0.1, 1.3]
     color = (0.85, 0.2, 0.15) if name == "bare" else (0.1, 0.55, 0.3)
-    drawn += [loom.TriangleMesh.create_sphere(0.09).translate(place).paint_uniform_color(color) for place in places]
-    labels.append((f"{name}: {told[name]} of 13 scans told the motion", places[len(places) // 2] + [0, 0, 0.8]))
+    drawn += [
+        loom.TriangleMesh.create_sphere(0.09).translate(position).paint_uniform_color(color) for position in positions
+    ]
+    labels.append(
+        (f"{name}: {determined[name]} of 13 scans determine the motion", positions[len(positions) // 2] + [0, 0, 0.8])
+    )
 corners = np.array([[-2, -6.3, 0], [14, -6.3, 0], [-2, 1.3, 2.6], [14, 1.3, 2.6]])
 picture = loom.render(drawn, loom.fit_view(corners, direction=(0.2, 0.8, -0.7), width=960, height=560), labels=labels)

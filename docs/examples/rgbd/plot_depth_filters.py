@@ -23,9 +23,9 @@ exact = loom.datasets.room_frames(4, width=640, height=480, noise=False)[3].dept
 camera, depth = noisy.intrinsic, noisy.depth
 
 
-def rmse(found, inner):
+def rmse(estimate, inner):
     """Root mean square error [mm] where there is depth away from edges."""
-    return 1e3 * float(np.sqrt(np.mean((found - exact)[inner & (found > 0)] ** 2)))
+    return 1e3 * float(np.sqrt(np.mean((estimate - exact)[inner & (estimate > 0)] ** 2)))
 
 
 # %%
@@ -61,9 +61,9 @@ raw = create_normal_map(depth, camera, depth_scale=1.0)
 normals = create_normal_map(smooth, camera, depth_scale=1.0)
 true = create_normal_map(exact, camera, depth_scale=1.0)
 angles = {}
-for name, found in {"measured": raw, "smoothed": normals}.items():
-    there = inner & (np.linalg.norm(found, axis=-1) > 0.5) & (np.linalg.norm(true, axis=-1) > 0.5)
-    angles[name] = float(np.degrees(np.median(np.arccos(np.clip((found * true).sum(axis=-1)[there], -1, 1)))))
+for name, estimate in {"measured": raw, "smoothed": normals}.items():
+    there = inner & (np.linalg.norm(estimate, axis=-1) > 0.5) & (np.linalg.norm(true, axis=-1) > 0.5)
+    angles[name] = float(np.degrees(np.median(np.arccos(np.clip((estimate * true).sum(axis=-1)[there], -1, 1)))))
     print(f"normals of the {name} depth are off by {angles[name]:.1f} degrees (median)")
 assert angles["smoothed"] < 0.7 * angles["measured"]
 
@@ -87,12 +87,12 @@ assert levels[1].shape == color.shape[:2] == (half.height, half.width)
 # %%
 # The cloud of the frame as it was measured and as it is now, lit by its normals.
 
-halves = []
+pictures = []
 for values in (depth, cut):
     cloud = loom.PointCloud.create_from_depth_image(values, camera, depth_scale=1.0, depth_trunc=3.5).estimate_normals(
         radius=0.02, max_nn=12
     )
     cloud = cloud.orient_normals_towards_camera_location([0, 0, 0])
     view = loom.fit_view(cloud.points, direction=(0.35, 0.3, 1.0), up=(0, -1, 0), width=640, height=640)
-    halves.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))
-picture = np.hstack(halves)
+    pictures.append(loom.render({"geometry": cloud, "color": (0.8, 0.76, 0.7)}, view, (640, 640), shading="smooth"))
+picture = np.hstack(pictures)

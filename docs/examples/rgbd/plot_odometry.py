@@ -31,7 +31,7 @@ def difference(T):
 
 
 still = difference(np.eye(4))
-print(f"the camera turned by {still[0]:.1f} degrees and went {still[1] / 10:.1f} cm")
+print(f"the camera rotated by {still[0]:.1f} degrees and moved {still[1] / 10:.1f} cm")
 
 # %%
 # Align
@@ -51,8 +51,8 @@ for name, method in {
     "brightness": od.Method.Intensity,
 }.items():
     tried = od.align_frames(source, target, method=method)
-    turned, moved = difference(tried.transformation)
-    print(f"{name:10} off by {turned:.3f} degrees, {moved:.1f} mm {tried.warnings}")
+    angle, moved = difference(tried.transformation)
+    print(f"{name:10} off by {angle:.3f} degrees, {moved:.1f} mm {tried.warnings}")
 assert difference(result.transformation)[0] < 0.5 and difference(result.transformation)[1] < 15
 
 # %%
@@ -98,12 +98,12 @@ assert difference(T)[1] < 20 and difference(multi.transformation)[1] < 20
 clouds = [loom.PointCloud.create_from_rgbd_image(image, camera) for image in pair]
 colors = [(0.95, 0.6, 0.1), (0.1, 0.5, 0.85)]
 view = loom.fit_view(clouds[1].points, direction=(0.15, 0.75, 1.0), up=(0, -1, 0), width=640, height=640)
-halves = []
+pictures = []
 for moved in (clouds[0], clouds[0].transform(result.transformation)):
     scene = [{"geometry": cloud, "color": color} for cloud, color in zip((moved, clouds[1]), colors, strict=False)]
-    halves.append(
+    pictures.append(
         loom.render(
             scene, view, (640, 640), legend=[("first frame", colors[0]), ("second frame", colors[1])], point_size=2.5
         )
     )
-picture = np.hstack(halves)
+picture = np.hstack(pictures)

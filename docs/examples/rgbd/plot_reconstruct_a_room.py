@@ -73,10 +73,7 @@ assert np.median(off) < 0.02
 # turns other frames onto each other and asks which focal length fits best: ``factor`` 1 means the one given.
 
 check = loom.check_focal(loom.frames_from(recorded, camera, depth_scale=1.0), result.trajectory)
-print(
-    "focal length:",
-    "nothing to tell it by" if check is None else f"factor {check.factor:.2f}; reliable {check.reliable}",
-)
+print("focal length:", "not observable" if check is None else f"factor {check.factor:.2f}; reliable {check.reliable}")
 assert check is None or check.reliable
 
 # %%

@@ -40,10 +40,10 @@ config = system.ReconstructionConfig(n_frames_per_fragment=12, tsdf_voxel_size=0
 fragments = system.make_fragments(frames, config, job)
 for fragment in fragments.fragments:
     print(f"fragment {fragment.number}: frames {fragment.indices[0]} to {fragment.indices[-1]}")
-placed = system.register_fragments(config, job)
+registration = system.register_fragments(config, job)
 refined = system.refine_registration(config, job)
 scene = system.integrate_scene(frames, config, job)
-assert placed.placed.all() and refined.placed.all() and not fragments.lost
+assert registration.placed.all() and refined.placed.all() and not fragments.lost
 
 # %%
 # Or all at once
@@ -65,8 +65,8 @@ assert report.reliable and not report.lost
 path = loom.read_trajectory(job / "scene" / "trajectory.log")
 mesh = loom.read_triangle_mesh(job / "scene" / "integrated.ply")
 start = recorded[0].T_world_camera @ np.linalg.inv(path.poses[0])
-places = (start @ path.poses)[:, :3, 3]
-error = np.linalg.norm(places - np.array([frame.T_world_camera[:3, 3] for frame in recorded]), axis=1)
+positions = (start @ path.poses)[:, :3, 3]
+error = np.linalg.norm(positions - np.array([frame.T_world_camera[:3, 3] for frame in recorded]), axis=1)
 print(f"{len(path)} poses, {np.sqrt((error**2).mean()) * 1e3:.1f} mm off (rms), {error.max() * 1e3:.1f} mm at most")
 assert len(path) == len(recorded) and error.max() < 0.05
 

@@ -18,9 +18,9 @@ import pointloom as loom
 
 frames = loom.datasets.room_frames(24)
 camera = frames[0].intrinsic
-halves, starts = [frames[:14], frames[10:]], []
+frame_sets, starts = [frames[:14], frames[10:]], []
 volumes = []
-for part in halves:
+for part in frame_sets:
     T_world_volume = part[0].T_world_camera
     volume = loom.TSDFVolume(voxel_size=0.03)
     for frame in part:
@@ -43,7 +43,7 @@ scene.add_triangles(loom.datasets.room_mesh())
 error = scene.compute_distance(mesh.vertices)
 print(f"{volumes[0].frame_count} and {volumes[1].frame_count} frames; {len(mesh.triangles)} triangles, "
       f"{np.median(error) * 1e3:.1f} mm off the room (median)")  # fmt: skip
-assert both.frame_count == len(halves[0]) + len(halves[1]) and np.median(error) < 0.01
+assert both.frame_count == len(frame_sets[0]) + len(frame_sets[1]) and np.median(error) < 0.01
 
 # %%
 # It goes on: a joined volume takes more frames, and is kept in a file.
@@ -76,10 +76,10 @@ numbers, poses = loom.slam.corrected_trajectory(submaps, closure.T_world_submap)
 true = np.array([frames[i].T_world_camera for i in numbers])
 
 
-def worst(found):
+def worst(estimated):
     """The largest error of a place [mm], counted from the first frame."""
     return 1e3 * float(
-        np.linalg.norm(found[:, :3, 3] - true[:, :3, 3] - found[0, :3, 3] + true[0, :3, 3], axis=1).max()
+        np.linalg.norm(estimated[:, :3, 3] - true[:, :3, 3] - estimated[0, :3, 3] + true[0, :3, 3], axis=1).max()
     )
 
 

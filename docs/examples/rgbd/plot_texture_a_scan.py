@@ -41,11 +41,11 @@ mesh = volume.extract_triangle_mesh(weight_threshold=2)
 # leaves poses as they are.
 
 source = loom.frames_from(frames, camera, depth_scale=1.0)
-found = loom.color_map.texture_mesh(mesh, source, poses)
-print(found)
-colors = found.colors
+result = loom.color_map.texture_mesh(mesh, source, poses)
+print(result)
+colors = result.colors
 print(f"residual {colors.residual_before:.4f} before, {colors.residual:.4f} after {colors.iterations} turns")
-assert colors.residual < colors.residual_before and found.reliable
+assert colors.residual < colors.residual_before and result.reliable
 
 # %%
 # The same by Open3D's names, for chains that need the options: ``run_rigid_optimizer`` moves poses,

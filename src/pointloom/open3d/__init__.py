@@ -5,8 +5,8 @@ a `loom.PointCloud`. Missing names raise errors that name pointloom's equivalent
 (docs/adr/0030-open3d-objects-over-ours.md). Modules are loaded on first use.
 """
 
-from ..public_names import attach, tell_unknown_modules  # pyright: ignore[reportMissingImports]
+from ..public_names import attach, report_unknown_modules  # pyright: ignore[reportMissingImports]
 
 __version__ = "0.20.0"  # version of the Open3D API; pointloom.__version__ is that of pointloom
 __getattr__, __dir__ = attach(__name__)
-tell_unknown_modules()
+report_unknown_modules()

@@ -22,7 +22,7 @@ from ..core.paths import refuse_link
 from .manifest import DAMAGE
 
 LEFT, JOINED = "left", "joined"
-WHOLE = "whole.json"
+SUMMARY = "whole.json"
 
 
 @dataclass(frozen=True)
@@ -32,20 +32,20 @@ class Joined:
     count: int
 
 
-def write_left(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any]]) -> None:
+def write_border_data(folder: Path, step: int, tile: int, arrays: dict[str, NDArray[Any]]) -> None:
     """Write a tile's border data. FileError if the file cannot be written."""
     path = folder / LEFT / str(step) / f"{tile}.npy"
     try:
         refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
     except OSError as error:
-        raise FileError(path.parent, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(path.parent, f"cannot be created: {error.strerror or error}") from error
     with atomic_write(path) as file:
         np.lib.format.write_array(file, np.array([*arrays], dtype="U32"))
         for values in arrays.values():
             np.lib.format.write_array(file, np.ascontiguousarray(values))
 
 
-class Leavings:
+class BorderData:
     """Border data of all tiles for the join of a step; `counts` has the items of each tile's file."""
 
     def __init__(self, folder: Path, step: int, counts: dict[int, int]):
@@ -66,35 +66,35 @@ class Leavings:
 
     def _read(self, tile: int) -> dict[str, NDArray[Any]]:
         path = self.path / f"{tile}.npy"
-        remedy = "Plan it anew in another folder"
+        remedy = "Plan it again in another folder"
         try:
             with path.open("rb") as file:
                 names = np.lib.format.read_array(file).tolist()
-                whole = np.memmap(path, np.uint8, "r")
-                arrays = {name: _mapped(whole, file) for name in names}
+                data = np.memmap(path, np.uint8, "r")
+                arrays = {name: _mapped(data, file) for name in names}
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}", remedy=remedy) from error
         except DAMAGE as error:
             raise FileError(path, f"is damaged: {error}", remedy=remedy) from error
         if "count" not in arrays or arrays["count"].tolist() != [self._counts[tile]]:
-            raise FileError(path, f"is not what tile {tile} left for the join", remedy=remedy)
+            raise FileError(path, f"is not the border data that tile {tile} wrote for the join", remedy=remedy)
         return arrays
 
 
-def _mapped(whole: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
+def _mapped(data: NDArray[np.uint8], file: BinaryIO) -> NDArray[Any]:
     """Map the array at the file position, which advances behind it."""
     version = np.lib.format.read_magic(file)
     if version != (1, 0):
         raise ValueError(f"an array of version {version}")
     shape, _, kind = np.lib.format.read_array_header_1_0(file)
     begin, size = file.tell(), int(np.prod(shape)) * kind.itemsize
-    if len(whole) < begin + size:
-        raise ValueError("it ends too early")
+    if len(data) < begin + size:
+        raise ValueError("the file is truncated")
     file.seek(begin + size)
-    return np.asarray(whole[begin : begin + size]).view(kind).reshape(shape)
+    return np.asarray(data[begin : begin + size]).view(kind).reshape(shape)
 
 
-def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) -> Joined:
+def join_step(folder: Path, number: int, step: Any, left: BorderData, owner: str) -> Joined:
     """Join the border data of a step and remove unfinished joins. FileError if data is damaged or the disk full."""
     done = folder / JOINED / str(number)
     part = done.with_name(f"{done.name}.{owner}.part")
@@ -103,7 +103,7 @@ def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) 
     try:
         part.mkdir(parents=True)
         count = step.join(left, part)
-        (part / WHOLE).write_text(json.dumps({"count": count}))
+        (part / SUMMARY).write_text(json.dumps({"count": count}))
         part.rename(done)
     except OSError as error:
         shutil.rmtree(part, ignore_errors=True)
@@ -118,10 +118,10 @@ def join_step(folder: Path, number: int, step: Any, left: Leavings, owner: str) 
 
 def read_joined(folder: Path, number: int, tile: int) -> tuple[int, NDArray[Any] | None]:
     """Global count of a join, and its result for a tile or None. FileError if unreadable."""
-    place = folder / JOINED / str(number)
+    join_folder = folder / JOINED / str(number)
     try:
-        count = int(json.loads((place / WHOLE).read_text())["count"])
-        path = place / f"{tile}.npy"
+        count = int(json.loads((join_folder / SUMMARY).read_text())["count"])
+        path = join_folder / f"{tile}.npy"
         return count, np.load(path) if path.exists() else None
     except (OSError, *DAMAGE) as error:
-        raise FileError(place, f"cannot be read: {error}", remedy="Plan it anew in another folder") from error
+        raise FileError(join_folder, f"cannot be read: {error}", remedy="Plan it again in another folder") from error

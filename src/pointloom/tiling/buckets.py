@@ -69,8 +69,8 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
     try:
         part.mkdir(parents=True)
         filled = _fill(plan, file, part)
-        told = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
-        (part / INDEX).write_text(json.dumps(told))
+        index = filled._asdict() | {"tiles": {str(tile): rows for tile, rows in sorted(filled.tiles.items())}}
+        (part / INDEX).write_text(json.dumps(index))
         try:
             part.rename(done)
         except OSError:
@@ -90,56 +90,58 @@ def fill_buckets(plan: Any, folder: Path, number: int, owner: str) -> Filled:
 
 def _filled(done: Path) -> Filled:
     try:
-        told = json.loads((done / INDEX).read_text())
-        return Filled(**told | {"tiles": {int(tile): rows for tile, rows in told["tiles"].items()}})
+        index = json.loads((done / INDEX).read_text())
+        return Filled(**index | {"tiles": {int(tile): rows for tile, rows in index["tiles"].items()}})
     except (OSError, *DAMAGE) as error:
         raise FileError(done / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(done)) from error
 
 
 def _fill(plan: Any, file: LasFile, part: Path) -> Filled:
-    held: dict[int, list[tuple[Any, NDArray[np.uint64]]]] = {}
+    pending: dict[int, list[tuple[Any, NDArray[np.uint64]]]] = {}
     sizes: dict[int, int] = {}
     tiles: dict[int, int] = {}
     writer = _Writer(plan, file, part)
-    most = min(MAX_ROWS, MAX_BYTES // (file.header.record_length + 8))
+    max_rows = min(MAX_ROWS, MAX_BYTES // (file.header.record_length + 8))
     begin = brightest = 0
     for rows in file.rows(_READ):
-        places = _checked_places(plan, file, rows, begin)
-        owners = plan.tile_of(places)
+        positions = _checked_positions(plan, file, rows, begin)
+        owners = plan.tile_of(positions)
         order = np.argsort(owners, kind="stable")
         cuts = np.flatnonzero(np.diff(owners[order], prepend=-1))
         for chosen in np.split(order, cuts[1:]) if len(order) else []:
             tile = int(owners[chosen[0]])
-            held.setdefault(tile, []).append((rows[chosen], (chosen + begin).astype(np.uint64)))
+            pending.setdefault(tile, []).append((rows[chosen], (chosen + begin).astype(np.uint64)))
             sizes[tile] = sizes.get(tile, 0) + len(chosen)
             tiles[tile] = tiles.get(tile, 0) + len(chosen)
         if COLORS[0] in (rows.dtype.names or ()):
             brightest = max(brightest, *(int(rows[name].max(initial=0)) for name in COLORS))
         begin += len(rows)
-        if sum(sizes.values()) > most:
+        if sum(sizes.values()) > max_rows:
             for tile in sorted(sizes, key=lambda tile: -sizes[tile]):
-                if sum(sizes.values()) <= most // 2:
+                if sum(sizes.values()) <= max_rows // 2:
                     break
-                writer.write(tile, held.pop(tile))
+                writer.write(tile, pending.pop(tile))
                 del sizes[tile]
-    for tile in sorted(held):
-        writer.write(tile, held[tile])
+    for tile in sorted(pending):
+        writer.write(tile, pending[tile])
     if begin != file.header.point_count:
-        raise FileError(file.path, f"the header counts {file.header.point_count} points, the file holds {begin}")
+        raise FileError(file.path, f"the header counts {file.header.point_count} points, the file contains {begin}")
     return Filled(begin, 255 if brightest <= 255 else 65535, writer.size, tiles)
 
 
-def _checked_places(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
+def _checked_positions(plan: Any, file: LasFile, rows: Any, begin: int) -> NDArray[np.float64]:
     """x and y of rows, checked to be in the header's box up to rounding."""
     low, high = file.header.bounds
-    places = positions_of(file, rows, "XYZ")
+    positions = positions_of(file, rows, "XYZ")
     slack = plan.slack + np.array(file.header.scales)
-    beyond = ((places < low - slack) | (places > high + slack)).any(axis=1)
+    beyond = ((positions < low - slack) | (positions > high + slack)).any(axis=1)
     if beyond.any():
         row = int(np.flatnonzero(beyond)[0])
-        reason = f"its header tells the bounds {[*low]}..{[*high]}, but the point at {places[row].tolist()} is outside"
-        raise FileError(file.path, reason, where=f"point {begin + row}", remedy="Write it anew with right bounds")
-    return places[:, :2]
+        reason = f"the point at {positions[row].tolist()} is outside the bounds of the header, {[*low]}..{[*high]}"
+        raise FileError(
+            file.path, reason, where=f"point {begin + row}", remedy="Write the file again with correct bounds"
+        )
+    return positions[:, :2]
 
 
 class _Writer:
@@ -151,15 +153,15 @@ class _Writer:
     def write(self, tile: int, pieces: list[tuple[Any, NDArray[np.uint64]]]) -> None:
         rows = np.concatenate([rows for rows, _ in pieces])
         numbers = np.concatenate([numbers for _, numbers in pieces])
-        places = positions_of(self._file, rows)
+        positions = positions_of(self._file, rows)
         cells = min(_MAX_CELLS, int((len(rows) / _CELL_ROWS) ** 0.5)) or 1
-        low, extent = places.min(axis=0), np.ptp(places, axis=0)
-        cell = np.floor((places - low) / np.where(extent > 0, extent, 1.0) * cells).clip(0, cells - 1)
+        low, extent = positions.min(axis=0), np.ptp(positions, axis=0)
+        cell = np.floor((positions - low) / np.where(extent > 0, extent, 1.0) * cells).clip(0, cells - 1)
         which = (cell[:, 0] * cells + cell[:, 1]).astype(np.int64)
         with (self._part / f"{tile}.blocks").open("ab") as stream:
             for k in np.unique(which).tolist():
                 mine = np.flatnonzero(which == k)
-                self.size += stream.write(_packed(self._file, rows[mine], numbers[mine], places[mine]))
+                self.size += stream.write(_packed(self._file, rows[mine], numbers[mine], positions[mine]))
 
 
 def positions_of(file: LasFile, rows: NDArray[Any], axes: str = "XY") -> NDArray[np.float64]:
@@ -170,13 +172,13 @@ def positions_of(file: LasFile, rows: NDArray[Any], axes: str = "XY") -> NDArray
 
 def check_size(plan: Any, count: int) -> None:
     """Raise ValueError if a tile with halo has more points than the plan allows."""
-    if count > plan.most:
-        reason = f"a tile and its halo hold {count:,} points or more, at most {plan.most:,} may be"
-        raise ValueError(f"size: {reason}; plan smaller tiles, or take stray points away first")
+    if count > plan.max_points:
+        reason = f"expected at most {plan.max_points:,} points in a tile and its halo, got at least {count:,}"
+        raise ValueError(f"size: {reason}. Plan smaller tiles, or remove outlying points first")
 
 
-def inside(places: NDArray[np.float64], window: Window) -> NDArray[np.bool_]:
-    x, y = places[:, 0], places[:, 1]
+def inside(positions: NDArray[np.float64], window: Window) -> NDArray[np.bool_]:
+    x, y = positions[:, 0], positions[:, 1]
     return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
 
 
@@ -190,87 +192,91 @@ def _lazrs_record(file: LasFile) -> Any:
     )
 
 
-def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], places: NDArray[np.float64]) -> bytes:
+def _packed(file: LasFile, rows: Any, numbers: NDArray[np.uint64], positions: NDArray[np.float64]) -> bytes:
     record = _lazrs_record(file) if len(rows) >= _LASZIP_ROWS else None
     if record is None:
         how, body = _ZLIB, zlib.compress(rows.tobytes(), 1)
     else:
         lazrs = import_for("buckets.laz", "lazrs", "las")
         stream = io.BytesIO()
-        with foreign_errors(file.path, "its points cannot be packed"):
+        with foreign_errors(file.path, "its points cannot be compressed"):
             compressor = lazrs.LasZipCompressor(stream, record)
             compressor.compress_many(rows.tobytes())
             compressor.done()
         how, body = _LASZIP, stream.getvalue()
     steps = np.diff(numbers, prepend=np.uint64(0))  # ascending
-    told = zlib.compress(np.ascontiguousarray(steps.view(np.uint8).reshape(-1, 8).T).tobytes(), 1)
-    box = (*places.min(axis=0), *places.max(axis=0))
-    head = _BLOCK.pack(_MARK, len(rows), len(body), len(told), how, *box, zlib.crc32(told, zlib.crc32(body)))
-    return head + body + told
+    packed_numbers = zlib.compress(np.ascontiguousarray(steps.view(np.uint8).reshape(-1, 8).T).tobytes(), 1)
+    box = (*positions.min(axis=0), *positions.max(axis=0))
+    head = _BLOCK.pack(
+        _MARK, len(rows), len(body), len(packed_numbers), how, *box, zlib.crc32(packed_numbers, zlib.crc32(body))
+    )
+    return head + body + packed_numbers
 
 
 def read_buckets(
     plan: Any, folder: Path, number: int, file: LasFile, window: Any
 ) -> tuple[NDArray[Any], NDArray[np.int64]]:
     """Rows of a file in a window in file order, and their numbers. FileError if a bucket is damaged."""
-    place = folder_of(folder, number)
-    counts = _index_of(place, _time_of(place))
+    bucket = folder_of(folder, number)
+    counts = _index_of(bucket, _time_of(bucket))
     rows, numbers = [], []
     for tile in plan.tiles_in(window):
         if tile not in counts:
             continue
-        path = place / f"{tile}.blocks"
-        found, size = _read_blocks(path, file, window)
+        path = bucket / f"{tile}.blocks"
+        blocks, size = _read_blocks(path, file, window)
         if size != counts[tile]:
-            raise FileError(path, f"holds {size} points, the index counts {counts[tile]}", remedy=_ANEW.format(place))
-        for block, which in found:
+            raise FileError(
+                path, f"expected {counts[tile]} points as in the index, got {size}", remedy=_ANEW.format(bucket)
+            )
+        for block, which in blocks:
             rows.append(block)
             numbers.append(which)
         check_size(plan, sum(map(len, rows)))
     if not rows:
         return np.empty(0, file.layout.dtype()), np.empty(0, np.int64)
-    joined, told = np.concatenate(rows), np.concatenate(numbers).astype(np.int64)
-    order = np.argsort(told, kind="stable")
-    return joined[order], told[order]
+    joined, row_numbers = np.concatenate(rows), np.concatenate(numbers).astype(np.int64)
+    order = np.argsort(row_numbers, kind="stable")
+    return joined[order], row_numbers[order]
 
 
-def _time_of(place: Path) -> int:
+def _time_of(bucket: Path) -> int:
     try:
-        return (place / INDEX).stat().st_mtime_ns
+        return (bucket / INDEX).stat().st_mtime_ns
     except OSError as error:
         reason = f"cannot be read: {error.strerror or error}"
-        raise FileError(place / INDEX, reason, remedy=_ANEW.format(place)) from error
+        raise FileError(bucket / INDEX, reason, remedy=_ANEW.format(bucket)) from error
 
 
 @lru_cache(maxsize=64)
-def _index_of(place: Path, time: int) -> dict[int, int]:
+def _index_of(bucket: Path, time: int) -> dict[int, int]:
     try:
-        return {int(tile): rows for tile, rows in json.loads((place / INDEX).read_text())["tiles"].items()}
+        return {int(tile): rows for tile, rows in json.loads((bucket / INDEX).read_text())["tiles"].items()}
     except (OSError, *DAMAGE) as error:
-        raise FileError(place / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(place)) from error
+        raise FileError(bucket / INDEX, f"cannot be read: {error}", remedy=_ANEW.format(bucket)) from error
 
 
 def _read_blocks(path: Path, file: LasFile, window: Any) -> tuple[list[tuple[Any, NDArray[np.uint64]]], int]:
     """Rows of a tile's blocks in a window, and the row count of all blocks."""
-    found, size = [], 0
+    blocks, size = [], 0
     with path.open("rb") as stream:
         while head := stream.read(_BLOCK.size):
             if len(head) < _BLOCK.size or head[:4] != _MARK:
                 raise FileError(path, "is damaged", where=f"byte {stream.tell() - len(head)}")
-            _, count, body_size, told_size, how, x0, y0, x1, y1, checksum = _BLOCK.unpack(head)
+            _, count, body_size, numbers_size, how, x0, y0, x1, y1, checksum = _BLOCK.unpack(head)
             size += count
             if x1 < window[0] or y1 < window[1] or x0 >= window[2] or y0 >= window[3]:
-                stream.seek(body_size + told_size, 1)
+                stream.seek(body_size + numbers_size, 1)
                 continue
-            body, told = stream.read(body_size), stream.read(told_size)
-            if zlib.crc32(told, zlib.crc32(body)) != checksum:
-                raise FileError(path, "is damaged: a block does not go with its checksum", where=f"at {stream.tell()}")
+            body, packed_numbers = stream.read(body_size), stream.read(numbers_size)
+            if zlib.crc32(packed_numbers, zlib.crc32(body)) != checksum:
+                raise FileError(path, "is damaged: a block does not match its checksum", where=f"at {stream.tell()}")
             block = np.frombuffer(_unpacked(path, file, body, count, how), file.layout.dtype())
-            steps = np.frombuffer(_inflated(path, told, 8 * count), np.uint8).reshape(8, -1).T
+            steps = np.frombuffer(_inflated(path, packed_numbers, 8 * count), np.uint8).reshape(8, -1).T
             numbers = np.cumsum(np.ascontiguousarray(steps).view(np.uint64).ravel(), dtype=np.uint64)
             keep = inside(positions_of(file, block), window)
-            found.append((block[keep], numbers[keep]))
-    return found, size
+            blocks.append((block[keep], numbers[keep]))
+    return blocks, size
 
 
 def _inflated(path: Path, packed: bytes, size: int) -> bytes:

@@ -15,7 +15,7 @@ from ..core.progress import ReportProgress
 from ..io.points.point_cloud import cloud_of
 from ..pcd.cloud import PointCloud
 from .buckets import Window
-from .sources import check_alike, describe_all, given_as, list_files, read_window
+from .sources import check_compatible, describe_all, list_files, original_path, read_window
 from .steps.step import Step
 
 
@@ -28,32 +28,36 @@ def describe_epochs(
         if not step.epoch or any(epoch["paths"] == step.epoch for epoch in epochs):
             continue
         described = describe_all(list_files(step.epoch), folder, report, len(epochs))
-        check_alike(described)
-        _check_beside(described, sources, step)
+        check_compatible(described)
+        _check_epoch(described, sources, step)
         epochs.append({"paths": step.epoch, "sources": described})
     return epochs
 
 
-def _check_beside(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], step: Step) -> None:
+def _check_epoch(epoch: list[dict[str, Any]], sources: list[dict[str, Any]], step: Step) -> None:
     first, other = sources[0], epoch[0]
     for key, what in (("crs", "coordinate system"), ("unit", "unit")):
         if other[key] != first[key]:
-            said = [source[key] or "unknown" for source in (other, first)]
-            reason = f"its {what} is {said[0]}, that of {given_as(first)} {said[1]}: they cannot be compared"
-            raise FileError(given_as(other), reason, remedy="Bring both epochs to one first, nothing is converted here")
+            values = [source[key] or "unknown" for source in (other, first)]
+            reason = f"expected the {what} {values[1]} as in {original_path(first)}, got {values[0]}"
+            raise FileError(
+                original_path(other),
+                reason,
+                remedy=f"Convert both epochs to the same {what} first, it is not converted automatically",
+            )
     filled = [[source for source in side if source["points"]] for side in (epoch, sources)]
     if not filled[0]:
-        raise FileError(given_as(other), f"the epoch that {step.name} compares with holds no points")
+        raise FileError(original_path(other), f"contains no points, but {step.name} compares the survey with it")
     if not filled[1]:
         return  # reported elsewhere
     (low, high), (first_low, first_high) = (
         (np.min([source["low"] for source in side], axis=0), np.max([source["high"] for source in side], axis=0))
         for side in filled
     )
-    if ((low - step.reach > first_high) | (high + step.reach < first_low)).any():
+    if ((low - step.radius > first_high) | (high + step.radius < first_low)).any():
         there, here = (f"{low.tolist()}..{high.tolist()}" for low, high in ((low, high), (first_low, first_high)))
-        reason = f"the epoch that {step.name} compares with lies elsewhere: {there}, the first survey {here}"
-        raise FileError(given_as(other), reason)
+        reason = f"the epoch for {step.name} does not overlap the survey: {there}, the survey {here}"
+        raise FileError(original_path(other), reason)
 
 
 def read_epoch(plan: Any, folder: Path, fulls: dict[int, int], step: Step, window: Window) -> PointCloud:

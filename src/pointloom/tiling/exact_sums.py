@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 _LOW_BITS = 27
-_PLACES = 1200  # unit 2^-1200: below half the smallest float64
+_FRACTION_BITS = 1200  # unit 2^-1200: below half the smallest float64
 
 
 @dataclass(frozen=True)
@@ -26,13 +26,13 @@ class ExactSums:
         """Sums of the finite values."""
         values = values[np.isfinite(values)]
         mantissas, exponents = np.frexp(values)
-        whole = np.ldexp(mantissas, 53).astype(np.int64)
-        high, low = whole >> _LOW_BITS, whole & ((1 << _LOW_BITS) - 1)
+        integers = np.ldexp(mantissas, 53).astype(np.int64)
+        high, low = integers >> _LOW_BITS, integers & ((1 << _LOW_BITS) - 1)
         total = squares = 0
         for exponent in np.unique(exponents).tolist():
             here = exponents == exponent
             a, b = high[here], low[here]
-            scale = exponent - 53 + _PLACES
+            scale = exponent - 53 + _FRACTION_BITS
             total += ((_sum(a) << _LOW_BITS) + _sum(b)) << scale
             square = (_sum(a * a) << 2 * _LOW_BITS) + (_sum(a * b) << (_LOW_BITS + 1)) + _sum(b * b)
             squares += square << 2 * scale
@@ -45,10 +45,10 @@ class ExactSums:
         """Mean and standard deviation with n - 1, rounded once or twice. NaN if empty."""
         if not self.count:
             return math.nan, math.nan
-        mean = Fraction(self.total, self.count << _PLACES)
+        mean = Fraction(self.total, self.count << _FRACTION_BITS)
         if self.count == 1:
             return float(mean), 0.0
-        spread = Fraction(self.squares, 1 << 2 * _PLACES) - self.count * mean * mean
+        spread = Fraction(self.squares, 1 << 2 * _FRACTION_BITS) - self.count * mean * mean
         return float(mean), math.sqrt(spread / (self.count - 1))
 
 

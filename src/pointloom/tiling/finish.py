@@ -21,13 +21,13 @@ from ..io.points.las_records import describe_together
 from ..io.points.las_writer import lay_out
 from .border_merging import LEFT
 from .buckets import FOLDER as BUCKETS
-from .manifest import Manifest, clear_locks, only_one
+from .manifest import Manifest, clear_locks, exclusive
 from .plan import Plan, open_plan
 from .processes import Processes
 from .rasters import mosaics_of, write_mosaics
 from .schema import CHECKSUMS
 from .status import status_of
-from .tasks import lay_again
+from .tasks import reset_missing_buckets
 from .tile_tree import TileTree
 from .work_tile import FOLDER as TILES
 from .work_tile import checksum_of, tile_path
@@ -69,9 +69,9 @@ def finish_tiles(
     _check_output(path, output)
     count = check_count("workers", workers, minimum=0)
     manifest, plan = open_plan(folder)
-    with manifest, only_one(manifest.folder, "finish"):
+    with manifest, exclusive(manifest.folder, "finish"):
         _check_finished(manifest, plan)
-        path = path_of(path if path else manifest.folder / f"result{FILES[output or plan.told['output']]}")
+        path = path_of(path if path else manifest.folder / f"result{FILES[output or plan.data['output']]}")
         rows = manifest.rows("SELECT id, points_out FROM tiles WHERE state = 'done' ORDER BY id")
         parts = [(tile_path(plan, manifest.folder, row["id"]), row["points_out"]) for row in rows]
         _check_tiles(manifest, plan)
@@ -80,7 +80,7 @@ def finish_tiles(
             check_writable(mosaic, overwrite=overwrite)
             _clear_parts(mosaic)
         if not parts and not mosaics:
-            raise FileError(path, "there is nothing to write: the steps left no point")
+            raise FileError(path, "no points are left after the steps, so there is nothing to write")
         _clear_parts(path)
         if not parts:
             path = mosaics[0]
@@ -106,13 +106,13 @@ def _check_output(path: FilePath | None, output: Any) -> None:
     if path is None:
         return
     name = path_of(path).name.lower()
-    said = (
+    suffix_kind = (
         "copc" if name.endswith(FILES["copc"]) else next((kind for kind in FILES if name.endswith(FILES[kind])), None)
     )
-    if not said or output not in (None, said):
+    if not suffix_kind or output not in (None, suffix_kind):
         wanted = " or ".join(FILES.values()) if output is None else FILES[output]
-        told = "of a LAS or LAZ file" if output is None else f"of {output!r}"
-        raise FileError(path_of(path), f"is no name {told}", remedy=f"End it in {wanted}")
+        expected = "of a LAS or LAZ file" if output is None else f"for output={output!r}"
+        raise FileError(path_of(path), f"is not a file name {expected}", remedy=f"Use the extension {wanted}")
 
 
 def _clear_parts(path: Path) -> None:
@@ -121,12 +121,12 @@ def _clear_parts(path: Path) -> None:
 
 
 def _check_finished(manifest: Manifest, plan: Plan) -> None:
-    told = status_of(manifest)
-    if not told.is_finished:
-        raise FileError(manifest.folder, f"is not finished: {told}", remedy="Call run_tiles, or retry_tiles before")
-    if plan.told["only"] is None and told.points_in != told.points:
-        reason = f"the files hold {told.points:,} points, the tiles {told.points_in:,}: an octree or a header lies"
-        raise FileError(manifest.folder, reason)
+    status = status_of(manifest)
+    if not status.is_finished:
+        raise FileError(manifest.folder, f"is not finished: {status}", remedy="Call run_tiles, or first retry_tiles")
+    if plan.data["only"] is None and status.points_in != status.points:
+        reason = f"expected {status.points:,} points as in the files, got {status.points_in:,} in the tiles"
+        raise FileError(manifest.folder, f"{reason}: an octree or a header is wrong")
 
 
 def _check_tiles(manifest: Manifest, plan: Plan) -> None:
@@ -138,17 +138,17 @@ def _check_tiles(manifest: Manifest, plan: Plan) -> None:
     for row in manifest.rows(query):
         path = tile_path(plan, manifest.folder, row["id"])
         if not path.is_file():
-            bad.append((row["id"], path, "is gone"))
+            bad.append((row["id"], path, "is missing"))
         elif checksum_of(path) != row["crc"]:
-            bad.append((row["id"], path, "is damaged: it is not the file that was written"))
+            bad.append((row["id"], path, "is damaged: its checksum differs from that of the written file"))
     if not bad:
         return
     with manifest.change() as base:
         base.executemany("UPDATE tiles SET state = 'waiting' WHERE id = ?", [(tile,) for tile, _, _ in bad])
-    lay_again(manifest)
+    reset_missing_buckets(manifest)
     _, path, reason = bad[0]
-    others = f"It and {len(bad) - 1} others wait" if len(bad) > 1 else "It waits"
-    raise FileError(path, reason, remedy=f"{others} to be made again: call run_tiles, then this")
+    tiles = f"This and {len(bad) - 1} other tiles are" if len(bad) > 1 else "This tile is"
+    raise FileError(path, reason, remedy=f"{tiles} waiting again: call run_tiles, then finish_tiles")
 
 
 def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: ReportProgress) -> None:
@@ -164,10 +164,10 @@ def _merge(path: Path, parts: list[tuple[Path, int]], overwrite: bool, report: R
         laspy.LasWriter(file, header, do_compress=compress, closefd=False) as writer,
     ):
         for part, count in parts:
-            told = open_las(part)
-            if told.header.point_count != count or told.header.offsets != tuple(header.offsets):
+            tile = open_las(part)
+            if tile.header.point_count != count or tile.header.offsets != tuple(header.offsets):
                 raise FileError(
-                    part, f"is not the tile that was written: {told.header.point_count} points, not {count}"
+                    part, f"is not the tile that was written: {tile.header.point_count} points, not {count}"
                 )
             with laspy.open(part) as reader:
                 for points in reader.chunk_iterator(BLOCK):
@@ -185,7 +185,7 @@ def write_tree(path: Path, tree: TileTree, overwrite: bool) -> None:
     layout = lay_out(path, table, tree.scales, tree.offsets, first.header, is_part=True)
     describe_together(layout.laspy, layout.header, (file.header for file in tree.files))
     if layout.header.point_format.dtype() != tree.files[0].row:
-        raise FileError(first.path, "is not a tile of this version", remedy="Plan it anew in another folder")
+        raise FileError(first.path, "is not a tile of this version", remedy="Plan it again in another folder")
     with atomic_write(path, overwrite=overwrite) as file, foreign_errors(path, "cannot be written"), quiet():
         writer = CopcWriter(path, file, layout, tree.corner, tree.side)
         for node in tree.nodes(writer.pack):

@@ -9,27 +9,27 @@ import numpy as np
 if TYPE_CHECKING:
     from .steps.step import Step
 
-REACH_SLACK = 1 + 1e-5  # float32 distance
+RADIUS_SLACK = 1 + 1e-5  # float32 distance
 
 
-def halos_of(steps: list[Step], reaches: list[float], slack: float) -> list[float]:
+def halos_of(steps: list[Step], radii: list[float], slack: float) -> list[float]:
     """Halo that each step needs, and 0 after the last."""
     spreads = [0.0]
     for step in steps:
         spreads.append(step.spread_after(spreads[-1]))
     halos = [0.0]
-    for step, reach, spread in zip(reversed(steps), reversed(reaches), reversed(spreads[:-1]), strict=True):
-        wanted = step.halo_before(halos[0], spread, reach * REACH_SLACK)
-        is_local = step.reach == 0 and step.neighbors is None
+    for step, radius, spread in zip(reversed(steps), reversed(radii), reversed(spreads[:-1]), strict=True):
+        wanted = step.halo_before(halos[0], spread, radius * RADIUS_SLACK)
+        is_local = step.radius == 0 and step.neighbors is None
         halos.insert(0, halos[0] if is_local else wanted + 4 * step.hops * slack)
     return halos
 
 
 def far_files(plan: Any, tiles: list[tuple[Any, ...]]) -> set[int]:
     """Files without windows that are beyond all tiles and halos, by their bounds. If a halo later reaches one of them,
-    it is sorted into tiles then (`NotLaidError`)."""
-    reaches = [step.reach for step in plan.steps]
-    halo = halos_of(plan.steps, reaches, plan.slack)[0] + max((s.reach for s in plan.steps if s.epoch), default=0.0)
+    it is sorted into tiles then (`UnsortedFileError`)."""
+    radii = [step.radius for step in plan.steps]
+    halo = halos_of(plan.steps, radii, plan.slack)[0] + max((s.radius for s in plan.steps if s.epoch), default=0.0)
     columns, rows = plan.shape
     ids = np.array([tile[0] for tile in tiles])
     wanted = np.zeros((rows + 1, columns + 1), np.int64)

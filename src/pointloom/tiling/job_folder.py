@@ -13,7 +13,7 @@ from .unindexed_files import is_made
 
 
 @contextmanager
-def nothing_left(folder: Path) -> Iterator[None]:
+def remove_on_failure(folder: Path) -> Iterator[None]:
     """Remove converted files and a new folder if planning fails."""
     is_new = not folder.exists()
     try:
@@ -33,7 +33,7 @@ def make_folder(folder: Path) -> None:
     try:
         folder.mkdir(exist_ok=True)
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
 
 
 def check_folder(folder: Path) -> None:
@@ -44,6 +44,6 @@ def check_folder(folder: Path) -> None:
         inside = folder.iterdir() if folder.exists() else ()
         other = [path for path in inside if path.suffix != ".part" and not is_made(path)]
     except OSError as error:
-        raise FileError(folder, f"cannot be made: {error.strerror or error}") from error
+        raise FileError(folder, f"cannot be created: {error.strerror or error}") from error
     if other:
-        raise FileError(folder, "holds other files than those of a run", remedy="Give another folder")
+        raise FileError(folder, "contains files that do not belong to a job", remedy="Give another folder")

@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..core.errors import FileError
-from .border_merging import Leavings
+from .border_merging import BorderData
 
 MAX_RANKED = 1 << 22  # approximate number of clusters sorted at a time
 MAX_INT32 = 2**31 - 1  # maximum clusters of 32-bit labels
@@ -22,7 +22,7 @@ NEVER = np.iinfo(np.int64).max  # first point of a cluster without points in the
 _Keys = tuple[NDArray[np.int64], NDArray[np.int64]]  # (major, minor), sorted
 
 
-def leave(
+def border_data(
     labels: NDArray[np.int32], count: int, part: Any, sight: Any, bounds: tuple[int, int], by_size: bool
 ) -> dict[str, NDArray[Any]]:
     """Border data of a tile's clusters; `labels` are those of cores, else negative, `bounds` the allowed sizes."""
@@ -30,18 +30,18 @@ def leave(
     own = sight.own & is_core
     firsts, sizes = np.full(count, NEVER), np.bincount(labels[own], minlength=count)
     np.minimum.at(firsts, labels[own], part.keys[own])
-    lent, borrowed = own & sight.shared, sight.seen & is_core & ~sight.own
+    shared, borrowed = own & sight.shared, sight.seen & is_core & ~sight.own
     on_edge = np.zeros(count, bool)
-    on_edge[labels[lent | borrowed]] = True
+    on_edge[labels[shared | borrowed]] = True
     edge = np.flatnonzero(on_edge)
     closed = np.flatnonzero(~on_edge & (sizes >= max(bounds[0], 1)) & (sizes <= bounds[1]))
     majors = -sizes[closed] if by_size else np.zeros(len(closed), np.int64)
     order = np.lexsort((firsts[closed], majors))
-    lent, borrowed = np.flatnonzero(lent), np.flatnonzero(borrowed)
-    lent = lent[np.argsort(part.keys[lent])]
+    shared, borrowed = np.flatnonzero(shared), np.flatnonzero(borrowed)
+    shared = shared[np.argsort(part.keys[shared])]
     borrowed = borrowed[np.lexsort((part.keys[borrowed], sight.owners[borrowed]))]
-    places = np.zeros(count, np.int32)
-    places[edge] = np.arange(len(edge))
+    slots = np.zeros(count, np.int32)
+    slots[edge] = np.arange(len(edge))
     return {
         "count": np.array([count]),
         "closed": closed[order].astype(np.int32),
@@ -50,15 +50,15 @@ def leave(
         "edge": edge.astype(np.int32),
         "edge_firsts": firsts[edge],
         "edge_sizes": sizes[edge].astype(np.int64),
-        "lent_keys": part.keys[lent],
-        "lent": places[labels[lent]],
+        "lent_keys": part.keys[shared],
+        "lent": slots[labels[shared]],
         "borrowed_tiles": sight.owners[borrowed],
         "borrowed_keys": part.keys[borrowed],
-        "borrowed": places[labels[borrowed]],
+        "borrowed": slots[labels[borrowed]],
     }
 
 
-def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: bool) -> int:
+def join_labels(left: BorderData, folder: Path, bounds: tuple[int, int], by_size: bool) -> int:
     """Number all clusters, largest first if `by_size`, and write the labels of each tile, -1 for dropped ones."""
     ends = np.cumsum([0, *(len(arrays["edge"]) for _, arrays in left)])
     begins = dict(zip(left.tiles, ends[:-1].tolist(), strict=True))
@@ -69,11 +69,11 @@ def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: 
         mine = sets[begins[tile] : begins[tile] + len(arrays["edge"])]
         np.minimum.at(firsts, mine, arrays["edge_firsts"])
         np.add.at(sizes, mine, arrays["edge_sizes"])
-    kept = np.flatnonzero((firsts != NEVER) & (sizes >= bounds[0]) & (sizes <= bounds[1]))
-    majors = -sizes[kept] if by_size else np.zeros(len(kept), np.int64)
-    order = np.lexsort((firsts[kept], majors))
-    kept, groups = kept[order], (majors[order], firsts[kept][order])
-    total = len(kept) + sum(len(arrays["closed"]) for _, arrays in left)
+    selected = np.flatnonzero((firsts != NEVER) & (sizes >= bounds[0]) & (sizes <= bounds[1]))
+    majors = -sizes[selected] if by_size else np.zeros(len(selected), np.int64)
+    order = np.lexsort((firsts[selected], majors))
+    selected, groups = selected[order], (majors[order], firsts[selected][order])
+    total = len(selected) + sum(len(arrays["closed"]) for _, arrays in left)
     kind = np.int32 if total <= MAX_INT32 else np.int64
     names = np.full(group_count, -1, kind)
     for tile, arrays in left:
@@ -82,7 +82,7 @@ def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: 
             made[:] = -1
     begin = 0
     for stretch in _stretches(left, groups, total):
-        begin = _rank_stretch(left, folder, groups, (kept, names), stretch, begin)
+        begin = _rank_stretch(left, folder, groups, (selected, names), stretch, begin)
     for tile, arrays in left:
         if len(arrays["edge"]):
             made = np.load(folder / f"{tile}.npy", mmap_mode="r+")
@@ -90,9 +90,9 @@ def join_labels(left: Leavings, folder: Path, bounds: tuple[int, int], by_size: 
     return total
 
 
-def _links(left: Leavings, begins: dict[int, int]) -> NDArray[np.int64]:
+def _links(left: BorderData, begins: dict[int, int]) -> NDArray[np.int64]:
     """Pairs of border clusters with a common point, (2, n)."""
-    found = [np.empty((2, 0), np.int64)]
+    links = [np.empty((2, 0), np.int64)]
     for tile, arrays in left:
         owners = np.asarray(arrays["borrowed_tiles"])
         homes, cuts = np.unique(owners, return_index=True)
@@ -105,13 +105,13 @@ def _links(left: Leavings, begins: dict[int, int]) -> NDArray[np.int64]:
             if not (there.all() and np.array_equal(other["lent_keys"][at], keys)):
                 raise _disagreement(left, tile, home)
             pairs = np.stack([arrays["borrowed"][begin:end] + begins[tile], other["lent"][at] + begins[home]])
-            found.append(np.unique(pairs, axis=1))
-    return np.concatenate(found, axis=1)
+            links.append(np.unique(pairs, axis=1))
+    return np.concatenate(links, axis=1)
 
 
-def _disagreement(left: Leavings, tile: int, home: int) -> FileError:
-    reason = f"tiles {tile} and {home} see a point that both have differently: files or steps gave two answers"
-    return FileError(left.path, reason, remedy="Plan it anew in another folder")
+def _disagreement(left: BorderData, tile: int, home: int) -> FileError:
+    reason = f"tiles {tile} and {home} differ at a common point: the files or the steps are not reproducible"
+    return FileError(left.path, reason, remedy="Plan it again in another folder")
 
 
 def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
@@ -125,7 +125,7 @@ def _united(count: int, links: NDArray[np.int64]) -> NDArray[np.int32]:
     return connected_components(graph, directed=False)[1]
 
 
-def _stretches(left: Leavings, groups: _Keys, total: int) -> list[tuple[Any, Any]]:
+def _stretches(left: BorderData, groups: _Keys, total: int) -> list[tuple[Any, Any]]:
     """Parts of the key order of limited size, as (low, high), None at the ends."""
     if total <= MAX_RANKED:
         return [(None, None)]
@@ -138,7 +138,7 @@ def _stretches(left: Leavings, groups: _Keys, total: int) -> list[tuple[Any, Any
     return [*zip([None, *cuts], [*cuts, None], strict=True)]
 
 
-def _place(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -> int:
+def _count_before(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -> int:
     """Number of keys before a cut."""
     if cut is None:
         return otherwise
@@ -147,13 +147,13 @@ def _place(keys: tuple[Any, Any], cut: tuple[int, int] | None, otherwise: int) -
 
 
 def _rank_stretch(
-    left: Leavings, folder: Path, groups: _Keys, named: tuple[Any, Any], stretch: tuple[Any, Any], begin: int
+    left: BorderData, folder: Path, groups: _Keys, named: tuple[Any, Any], stretch: tuple[Any, Any], begin: int
 ) -> int:
     """Number the clusters of a part from `begin` on. Returns the next number."""
-    kept, names = named
+    selected, names = named
     owners, lows, pieces = [], [], []
     for tile, keys in [(None, groups), *((tile, (arrays["majors"], arrays["minors"])) for tile, arrays in left)]:
-        low, high = _place(keys, stretch[0], 0), _place(keys, stretch[1], len(keys[0]))
+        low, high = _count_before(keys, stretch[0], 0), _count_before(keys, stretch[1], len(keys[0]))
         if low < high:
             owners.append(tile)
             lows.append(low)
@@ -168,7 +168,7 @@ def _rank_stretch(
         mine = slice(low, low + piece.shape[1])
         labels, at = ranks[at : at + piece.shape[1]], at + piece.shape[1]
         if tile is None:
-            names[kept[mine]] = labels
+            names[selected[mine]] = labels
         else:
             made = np.load(folder / f"{tile}.npy", mmap_mode="r+")
             made[left[tile]["closed"][mine]] = labels

@@ -32,19 +32,19 @@ NAME, LOCKS = "plan.sqlite", "locks"
 SCHEMA = 3
 TABLES = ("sources", "tiles", "joins")  # of tasks
 MAX_ATTEMPTS = 3  # worker deaths per task
-DIED = f"the worker died {MAX_ATTEMPTS} times at it, of memory or a fault of a step"
-PATIENCE = 60.0  # [s] for another transaction
+DIED = f"the worker died {MAX_ATTEMPTS} times at this task, because of memory or an error in a step"
+LOCK_TIMEOUT = 60.0  # [s] for another transaction
 _REMEDIES = {  # for a missing or different manifest, by whether a job other than tiles is expected
-    False: "Call plan_tiles(sources, steps, folder) first; it goes with run_tiles",
-    True: "Call plan_fusion or plan_registration first; they go with run_job",
+    False: "Call plan_tiles(sources, steps, folder) first, then run_tiles",
+    True: "Call plan_fusion or plan_registration first, then run_job",
 }
 STATES = ("waiting", "running", "done", "empty", "failed", "aside")
 # Python's errors for values in another format.
 DAMAGE = (EOFError, LookupError, TypeError, ValueError, AttributeError, OverflowError, RecursionError)
 DISTRIBUTES = " distributes"
 _OWNER = re.compile(r"[0-9A-Za-z ]{1,64}")
-NOT_LAID = -1  # instead of a full color: a file far from all tiles
-OVER = ("done", "empty", "failed", "aside")  # final states, reset only by `retry`
+UNSORTED = -1  # instead of a full color: a file far from all tiles
+FINAL_STATES = ("done", "empty", "failed", "aside")  # final states, reset only by `retry`
 
 
 def canonical(plan: Any) -> str:
@@ -57,7 +57,7 @@ def files_of(plan: dict[str, Any]) -> list[dict[str, Any]]:
     return [*plan["sources"], *(source for epoch in plan["epochs"] for source in epoch["sources"])]
 
 
-def said_of(error: Exception) -> str:
+def message_of(error: Exception) -> str:
     return " ".join(f"{type(error).__name__}: {error}".split())[:2000]
 
 
@@ -77,21 +77,21 @@ class Manifest:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         if not is_there:
             raise FileError(path, "does not exist", remedy=_REMEDIES[is_job])
-        for place in folder.iterdir():  # symlinks of a foreign folder are not followed for writing
-            refuse_link(place)
+        for entry in folder.iterdir():  # symlinks of a foreign folder are not followed for writing
+            refuse_link(entry)
         self.base = connect(path)
         try:
-            check_no_code(self.base, path, remedy="Plan it anew in another folder")
-            told = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
-            if told.get("schema") != str(SCHEMA):
-                reason = f"is a manifest of schema {told.get('schema')}, this version reads {SCHEMA}"
-                raise FileError(path, reason, remedy="Plan it anew in another folder")
-            self.plan: dict[str, Any] = json.loads(told["plan"])
-            self.version = told["version"]
-            if hash_of(self.plan) != told["hash"]:
-                raise FileError(path, "its plan does not go with its hash", remedy="Plan it anew in another folder")
+            check_no_code(self.base, path, remedy="Plan it again in another folder")
+            meta = dict(self.base.execute("SELECT key, value FROM meta").fetchall())
+            if meta.get("schema") != str(SCHEMA):
+                reason = f"expected a manifest of schema {SCHEMA}, got schema {meta.get('schema')}"
+                raise FileError(path, reason, remedy="Plan it again in another folder")
+            self.plan: dict[str, Any] = json.loads(meta["plan"])
+            self.version = meta["version"]
+            if hash_of(self.plan) != meta["hash"]:
+                raise FileError(path, "its plan does not match its hash", remedy="Plan it again in another folder")
             if ("job" in self.plan) != is_job:
-                raise FileError(path, f"is of {self.plan.get('job', 'tiles')}", remedy=_REMEDIES[not is_job])
+                raise FileError(path, f"is a job of {self.plan.get('job', 'tiles')}", remedy=_REMEDIES[not is_job])
             check_schema(self.base, TASKS if is_job else TILES)
             if not is_job:
                 check_plan(self.plan)
@@ -102,7 +102,7 @@ class Manifest:
             code = getattr(error, "sqlite_errorcode", sqlite3.SQLITE_ERROR)
             if isinstance(error, sqlite3.OperationalError) and code != sqlite3.SQLITE_ERROR:  # full disk, permissions
                 raise FileError(path, f"the manifest cannot be used: {error}") from error
-            raise FileError(path, f"is no manifest: {error}", remedy="Plan it anew") from error
+            raise FileError(path, f"is not a manifest: {error}", remedy="Plan it again") from error
         self.tables = ("tasks",) if is_job else TABLES
 
     def __enter__(self) -> Manifest:
@@ -113,7 +113,7 @@ class Manifest:
 
     @contextlib.contextmanager
     def change(self) -> Iterator[sqlite3.Connection]:
-        with told_as_file_errors(self.folder / NAME):
+        with as_file_errors(self.folder / NAME):
             self.base.execute("BEGIN IMMEDIATE")
             try:
                 yield self.base
@@ -124,7 +124,7 @@ class Manifest:
                 raise
 
     def rows(self, query: str, *values: Any) -> list[sqlite3.Row]:
-        with told_as_file_errors(self.folder / NAME):
+        with as_file_errors(self.folder / NAME):
             return self.base.execute(query, values).fetchall()
 
     def claim(self, table: str, owner: str, where: str = "1", *values: Any) -> sqlite3.Row | None:
@@ -136,18 +136,18 @@ class Manifest:
                 base.execute(f"UPDATE {table} SET state = 'running', owner = ? WHERE id = ?", (owner, row["id"]))
         return row
 
-    def settle(self, table: str, row: int, owner: str, **values: Any) -> bool:
+    def record(self, table: str, row: int, owner: str, **values: Any) -> bool:
         """Record the result of a claimed row. False if the worker no longer owns it."""
         with self.change() as base:
-            return self.settle_in(base, table, row, owner, **values)
+            return self.record_in(base, table, row, owner, **values)
 
     @staticmethod
-    def settle_in(base: sqlite3.Connection, table: str, row: int, owner: str, **values: Any) -> bool:
-        told = ", ".join(f"{name} = ?" for name in values)
-        query = f"UPDATE {table} SET {told}, owner = NULL WHERE id = ? AND owner = ? AND state = 'running'"
+    def record_in(base: sqlite3.Connection, table: str, row: int, owner: str, **values: Any) -> bool:
+        assignments = ", ".join(f"{name} = ?" for name in values)
+        query = f"UPDATE {table} SET {assignments}, owner = NULL WHERE id = ? AND owner = ? AND state = 'running'"
         return base.execute(query, (*values.values(), row, owner)).rowcount == 1
 
-    def give_back(self, *, is_death: bool = True) -> int:
+    def release_claims(self, *, is_death: bool = True) -> int:
         """Release the claims of dead workers. Returns the number of rows. A task is quarantined after several deaths. A
         requested stop does not count."""
         given = 0
@@ -179,13 +179,13 @@ class Manifest:
 
     def counts(self, table: str = "tiles", where: str = "1", *values: Any) -> dict[str, int]:
         """Number of rows in each state."""
-        found = self.rows(f"SELECT state, count(*) AS n FROM {table} WHERE {where} GROUP BY state", *values)
-        return {state: 0 for state in STATES} | {row["state"]: row["n"] for row in found}
+        rows = self.rows(f"SELECT state, count(*) AS n FROM {table} WHERE {where} GROUP BY state", *values)
+        return {state: 0 for state in STATES} | {row["state"]: row["n"] for row in rows}
 
 
 def connect(path: Path) -> sqlite3.Connection:
-    with told_as_file_errors(path):
-        base = sqlite3.connect(path, timeout=PATIENCE, isolation_level=None)
+    with as_file_errors(path):
+        base = sqlite3.connect(path, timeout=LOCK_TIMEOUT, isolation_level=None)
         base.row_factory = sqlite3.Row
         protect(base, path)
         if is_shared(path.parent):
@@ -201,22 +201,22 @@ def _leave_log(base: sqlite3.Connection, path: Path) -> None:
         base.execute("PRAGMA journal_mode = DELETE")
     except sqlite3.OperationalError as error:
         base.close()
-        reason = f"the manifest is open on the machine whose disk it is on, as one machine's alone: {error}"
+        reason = f"the manifest is in use on the machine with its disk, without access for other machines: {error}"
         raise FileError(
-            path, reason, remedy="End the runs there, or begin all of them where the folder is mounted"
+            path, reason, remedy="End the runs on that machine, or start all runs on machines that mount the folder"
         ) from error
 
 
 def read_plan(folder: Path) -> dict[str, Any]:
     """Read the immutable plan, without a lock."""
     path = folder / NAME
-    with told_as_file_errors(path):
+    with as_file_errors(path):
         try:
             is_there = path.is_file()
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
         if not is_there:
-            raise FileError(path, "does not exist", remedy="Have all workers see the folder under the same path")
+            raise FileError(path, "does not exist", remedy="Mount the folder under the same path for all workers")
         base = sqlite3.connect(f"{path.absolute().as_uri()}?immutable=1", uri=True)
         with contextlib.closing(base), damage_as_file_errors(path):
             protect(base, path)
@@ -237,10 +237,10 @@ def write_manifest(
 ) -> None:
     """Write a new manifest of tiles atomically. Tiles are (id, ix, iy, x0, y0, x1, y1); `far` are unneeded files,
     `joins` the passes followed by a join."""
-    with a_new_manifest(folder, plan, version, TILES + CHECKSUMS) as base:
+    with new_manifest(folder, plan, version, TILES + CHECKSUMS) as base:
         has_windows = [source["kind"] == "copc" for source in files_of(plan)]
         rows = [
-            (k, "done" if windows or k in far else "waiting", NOT_LAID if k in far else 0)
+            (k, "done" if windows or k in far else "waiting", UNSORTED if k in far else 0)
             for k, windows in enumerate(has_windows)
         ]
         base.executemany("INSERT INTO sources (id, state, full) VALUES (?, ?, ?)", rows)
@@ -249,16 +249,16 @@ def write_manifest(
 
 
 @contextlib.contextmanager
-def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str) -> Iterator[sqlite3.Connection]:
+def new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str) -> Iterator[sqlite3.Connection]:
     """Manifest with a plan and empty tables, renamed to its final name when the block ends."""
     path, part = folder / NAME, folder / f"{NAME}.{uuid.uuid4().hex}.part"
     base = connect(part)
-    with told_as_file_errors(path):
+    with as_file_errors(path):
         try:
             base.executescript(tables)
             base.execute("BEGIN")
-            told = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
-            base.executemany("INSERT INTO meta VALUES (?, ?)", told.items())
+            meta = {"schema": str(SCHEMA), "version": version, "plan": canonical(plan), "hash": hash_of(plan)}
+            base.executemany("INSERT INTO meta VALUES (?, ?)", meta.items())
             yield base
             base.execute("COMMIT")
             if not is_shared(folder):
@@ -266,14 +266,16 @@ def a_new_manifest(folder: Path, plan: dict[str, Any], version: str, tables: str
             base.close()
             os.link(part, path)  # fails if another process created it
         except FileExistsError as error:
-            raise FileError(path, "another run plans in this folder", remedy="Wait until it is done") from error
+            raise FileError(
+                path, "another process is planning a job in this folder", remedy="Wait until it has finished"
+            ) from error
         finally:
             base.close()
             part.unlink(missing_ok=True)
 
 
 @contextlib.contextmanager
-def told_as_file_errors(path: Path) -> Iterator[None]:
+def as_file_errors(path: Path) -> Iterator[None]:
     """Convert errors of SQLite and the system to FileError."""
     try:
         yield
@@ -294,29 +296,29 @@ def damage_as_file_errors(path: Path) -> Iterator[None]:
         raise
     except DAMAGE as error:
         reason = f"the manifest is damaged: {type(error).__name__}: {error}"
-        raise FileError(path, reason, remedy="Plan it anew in another folder") from error
+        raise FileError(path, reason, remedy="Plan it again in another folder") from error
 
 
 def lock_of(folder: Path, owner: Any) -> Path:
     """Path of a worker's lock. FileError if the owner's name is invalid, such as a path."""
     if not isinstance(owner, str) or not _OWNER.fullmatch(owner):
         reason = f"the manifest is damaged: expected the name of a worker, got {owner!r}"
-        raise FileError(folder / NAME, reason, remedy="Plan it anew in another folder")
+        raise FileError(folder / NAME, reason, remedy="Plan it again in another folder")
     return folder / LOCKS / owner
 
 
 @contextlib.contextmanager
-def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
+def worker_lock(folder: Path, *, computes: bool = True) -> Iterator[str]:
     """Name of an owner of tasks for the duration of the block, or until the process ends. A process that only
     distributes tasks has a name ending in DISTRIBUTES. Its death is not counted against tasks."""
     owner = uuid.uuid4().hex + ("" if computes else DISTRIBUTES)
     path = lock_of(folder, owner)
-    with told_as_file_errors(path):
+    with as_file_errors(path):
         path.parent.mkdir(exist_ok=True)
         descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
     try:
         if fcntl is not None:
-            with told_as_file_errors(path):
+            with as_file_errors(path):
                 fcntl.flock(descriptor, fcntl.LOCK_EX)
         yield owner
     finally:
@@ -325,10 +327,10 @@ def a_worker(folder: Path, *, computes: bool = True) -> Iterator[str]:
 
 
 @contextlib.contextmanager
-def only_one(folder: Path, name: str) -> Iterator[None]:
+def exclusive(folder: Path, name: str) -> Iterator[None]:
     """Enter a named block exclusively. FileError if another process is in it."""
     path = folder / LOCKS / name
-    with told_as_file_errors(path):
+    with as_file_errors(path):
         path.parent.mkdir(exist_ok=True)
         descriptor = os.open(path, os.O_RDWR | os.O_CREAT, 0o666)
     try:
@@ -336,7 +338,7 @@ def only_one(folder: Path, name: str) -> Iterator[None]:
             try:
                 fcntl.flock(descriptor, fcntl.LOCK_EX | fcntl.LOCK_NB)
             except OSError as error:
-                raise FileError(folder, f"another process is at `{name}` of this job") from error
+                raise FileError(folder, f"another process is running `{name}` on this job") from error
         yield
         path.unlink(missing_ok=True)
     finally:
@@ -351,7 +353,7 @@ def clear_locks(folder: Path) -> None:
 
 
 def is_dead(folder: Path, owner: str) -> bool:
-    """True if nobody holds a worker's lock."""
+    """True if no process holds a worker's lock."""
     try:
         descriptor = os.open(lock_of(folder, owner), os.O_RDWR)
     except (FileNotFoundError, FileError):  # no worker has another name
@@ -380,16 +382,16 @@ def is_shared(folder: Path) -> bool:
     """True if the file system type allows access from other machines."""
     try:
         lines = MOUNTS.read_text().splitlines()
-        place = folder.resolve()
+        resolved = folder.resolve()
     except OSError:
         return False
-    found, deepest = "", -1
+    file_system, deepest = "", -1
     for line in lines:
         before, _, after = line.partition(" - ")
         mount, kind = Path(_unescaped(before.split()[4])), after.split()[0]
-        if place.is_relative_to(mount) and len(mount.parts) >= deepest:  # later mounts hide earlier ones
-            found, deepest = kind, len(mount.parts)
-    return found.removeprefix("fuse.") in OVER_NETWORKS
+        if resolved.is_relative_to(mount) and len(mount.parts) >= deepest:  # later mounts hide earlier ones
+            file_system, deepest = kind, len(mount.parts)
+    return file_system.removeprefix("fuse.") in OVER_NETWORKS
 
 
 def _unescaped(text: str) -> str:

@@ -20,11 +20,11 @@ from ..kernels.search.hilbert_order import levels_for
 from .buckets import Window
 from .epochs import describe_epochs
 from .halos import far_files
-from .job_folder import check_folder, make_folder, nothing_left
+from .job_folder import check_folder, make_folder, remove_on_failure
 from .manifest import NAME, Manifest, canonical, damage_as_file_errors, files_of, hash_of, read_plan, write_manifest
 from .plan_check import MAX_TILES, OUTPUTS
-from .polygons import boxes_that_meet, in_survey, parse_area, to_json
-from .sources import check_alike, check_same, describe_all, given_as, list_files, warn_of_lost_records
+from .polygons import in_survey, overlapping_boxes, parse_area, to_json
+from .sources import check_compatible, check_unchanged, describe_all, list_files, original_path, warn_of_lost_records
 from .status import TileStatus, status_of
 from .steps.function import Function, UserFunction, resolve_functions
 from .steps.parse import naming_file, parse_steps
@@ -39,24 +39,24 @@ _ROUNDING = 2.0**-21  # relative float32 rounding of two points and their distan
 
 
 class Plan:
-    """Plan of a tiled job. `told` is the manifest's JSON form. `sources` describes the files; `epochs` those that steps
+    """Plan of a tiled job. `data` is the manifest's JSON form. `sources` describes the files; `epochs` those that steps
     compare with, as "paths" and "sources"; `files` all of them by number. `origin` (3,) is that of all tiles' clouds,
     `voxel_corner` (3,) that of the voxel grid, `corner` (2,) that of the tile grid, of `shape` tiles of edge `size`.
-    `slack` exceeds the rounding of coordinates. `most` is the maximum number of points of a tile with halo. `device` is
-    not planned."""
+    `slack` exceeds the rounding of coordinates. `max_points` is the maximum number of points of a tile with halo.
+    `device` is not planned."""
 
     device = "cpu"
 
-    def __init__(self, told: dict[str, Any]):
-        self.told, self.sources, self.epochs = told, told["sources"], told["epochs"]
-        self.files = files_of(told)
-        self.steps: list[Step] = parse_steps(told["steps"])
-        for step, reach in zip(self.steps, told["guesses"], strict=True):
-            step.reach = reach
-        self.origin = np.array(told["origin"])
-        self.voxel_corner = told["voxel_corner"]
-        self.corner, self.size, self.shape = np.array(told["corner"]), told["size"], tuple(told["shape"])
-        self.slack, self.most = told["slack"], told["most"]
+    def __init__(self, data: dict[str, Any]):
+        self.data, self.sources, self.epochs = data, data["sources"], data["epochs"]
+        self.files = files_of(data)
+        self.steps: list[Step] = parse_steps(data["steps"])
+        for step, radius in zip(self.steps, data["guesses"], strict=True):
+            step.radius = radius
+        self.origin = np.array(data["origin"])
+        self.voxel_corner = data["voxel_corner"]
+        self.corner, self.size, self.shape = np.array(data["corner"]), data["size"], tuple(data["shape"])
+        self.slack, self.max_points = data["slack"], data["most"]
 
     def numbered(self, epoch: int | None = None) -> list[tuple[int, dict[str, Any]]]:
         """Files of the survey or another epoch, with their numbers."""
@@ -64,9 +64,9 @@ class Plan:
         first, last = (0, ends[0]) if epoch is None else (ends[epoch], ends[epoch + 1])
         return [*enumerate(self.files)][first:last]
 
-    def tile_of(self, places: NDArray[np.float64]) -> NDArray[np.int64]:
+    def tile_of(self, positions: NDArray[np.float64]) -> NDArray[np.int64]:
         """Tile number of each position (n, 2). The nearest tile's beyond the grid."""
-        cells = np.floor((places - self.corner) / self.size)
+        cells = np.floor((positions - self.corner) / self.size)
         cells = np.clip(cells, 0, np.array(self.shape) - 1).astype(np.int64)
         return cells[:, 1] * self.shape[0] + cells[:, 0]
 
@@ -170,27 +170,27 @@ def plan_tiles(
     paths, folder = list_files(sources), path_of(folder, "folder")
     if not (folder / NAME).exists():
         check_folder(folder)
-    with nothing_left(folder):
+    with remove_on_failure(folder):
         described = describe_all(paths, folder, check_progress(progress))
-        check_alike(described)
+        check_compatible(described)
         warn_of_lost_records(described)
         with naming_file(steps):
             for step in parsed:
-                step.settle(described)
-        told = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
-        told["epochs"] = describe_epochs(parsed, described, folder, progress)
-        _passed[hash_of(told)] = passed
+                step.adapt(described)
+        data = _make(described, parsed, size, points, _area_of(only, only_crs, described), output)
+        data["epochs"] = describe_epochs(parsed, described, folder, progress)
+        _passed[hash_of(data)] = passed
         if (folder / NAME).exists():
             with Manifest(folder) as manifest:
-                check_same_plan(manifest, told)
+                check_same_plan(manifest, data)
                 return status_of(manifest)
         joined = [step.name for step in parsed if step.joins]
         if only is not None and joined:
-            raise ValueError(f"only: {joined[0]} needs all tiles; put a crop step before it instead")
+            raise ValueError(f"only: {joined[0]} needs all tiles. Add a crop step before it instead")
         make_folder(folder)
-        plan = Plan(told)
+        plan = Plan(data)
         tiles = tiles_of(plan)
-        write_manifest(folder, told, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
+        write_manifest(folder, data, __version__, tiles, far_files(plan, tiles), plan.joined_passes)
     with Manifest(folder) as manifest:
         return status_of(manifest)
 
@@ -201,9 +201,9 @@ def open_plan(folder: FilePath) -> tuple[Manifest, Plan]:
     try:
         if manifest.version != __version__:
             reason = f"was planned by pointloom {manifest.version}, this is {__version__}"
-            raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
+            raise FileError(manifest.folder / NAME, reason, remedy="Plan it again in another folder")
         for source in files_of(manifest.plan):
-            check_same(source)
+            check_unchanged(source)
         with damage_as_file_errors(manifest.folder / NAME):
             return manifest, Plan(manifest.plan)
     except BaseException:
@@ -218,7 +218,7 @@ def allow_functions(manifest: Manifest, plan: Plan, functions: Iterable[UserFunc
     try:
         resolve_functions(plan.steps, [*functions, *_passed.get(hash_of(manifest.plan), ())])
     except ValueError as error:
-        remedy = "run_tiles(folder, functions=[...]) takes the functions of a plan that another process made"
+        remedy = "Pass the functions of a plan from another process: run_tiles(folder, functions=[...])"
         raise FileError(manifest.folder / NAME, str(error), remedy=remedy) from error
 
 
@@ -229,25 +229,25 @@ def plan_alone(folder: Path, functions: Iterable[str]) -> Plan:
     return plan
 
 
-def check_same_plan(manifest: Manifest, told: dict[str, Any]) -> None:
+def check_same_plan(manifest: Manifest, plan: dict[str, Any]) -> None:
     changed = []
     if manifest.version != __version__:
         changed.append(f"pointloom is {__version__}, was {manifest.version}")
-    if hash_of(manifest.plan) != hash_of(told):
-        for key in sorted({*manifest.plan, *told}):
-            before, now = manifest.plan.get(key), told.get(key)
+    if hash_of(manifest.plan) != hash_of(plan):
+        for key in sorted({*manifest.plan, *plan}):
+            before, now = manifest.plan.get(key), plan.get(key)
             if before == now:
                 continue
             if key in ("sources", "epochs"):
                 old, new = (_by_path(key, listed) for listed in (before, now))
-                changed += [f"{path} is gone" for path in old if path not in new]
+                changed += [f"{path} is missing" for path in old if path not in new]
                 changed += [f"{path} is new" for path in new if path not in old]
                 changed += [f"{path} has changed" for path in new if path in old and new[path] != old[path]]
             else:
                 changed.append(f"{key} {canonical(now)}, was {canonical(before)}")
     if changed:
-        what = "a job" if "job" in told else "the tiles"
-        reason = f"holds {what} of another plan: {'; '.join(changed)}"
+        what = "a job" if "job" in plan else "the tiles"
+        reason = f"contains {what} of another plan: {'; '.join(changed)}"
         raise FileError(manifest.folder, reason, remedy="Give another folder")
 
 
@@ -260,7 +260,7 @@ def _by_path(key: str, listed: Any) -> dict[str, Any]:
 def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, output: str) -> dict[str, Any]:
     filled = [source for source in sources if source["points"]]
     if not filled:
-        raise FileError(given_as(sources[0]), "the files hold no points")
+        raise FileError(original_path(sources[0]), "the files contain no points")
     low = np.min([source["low"] for source in filled], axis=0)
     high = np.max([source["high"] for source in filled], axis=0)
     total = sum(source["points"] for source in filled)
@@ -277,10 +277,10 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
     size = check_positive("size", size)
     shape = [int(n) for n in np.floor((high - low)[:2] / size) + 1]
     if math.prod(shape) > MAX_TILES:
-        raise ValueError(f"size: {size} makes {shape[0]:,} x {shape[1]:,} tiles, more than {MAX_TILES:,}; take larger")
-    reach = float(max(np.abs(low - origin).max(), np.abs(high - origin).max()))
+        raise ValueError(f"size: expected at most {MAX_TILES:,} tiles, got {shape[0]:,} x {shape[1]:,} of size {size}")
+    max_coordinate = float(max(np.abs(low - origin).max(), np.abs(high - origin).max()))
     spacing = math.sqrt(area / total)
-    guesses = [step.reach if step.neighbors is None else 2 * spacing * math.sqrt(step.neighbors) for step in steps]
+    guesses = [step.radius if step.neighbors is None else 2 * spacing * math.sqrt(step.neighbors) for step in steps]
     return {
         "sources": sources,
         "steps": [{"step": step.name} | step.params for step in steps],
@@ -293,7 +293,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
         "corner": low[:2].tolist(),
         "size": size,
         "shape": shape,
-        "slack": max(reach, 1.0) * _ROUNDING,
+        "slack": max(max_coordinate, 1.0) * _ROUNDING,
         "most": max(MIN_POINTS, int(MAX_POINTS * total * min(1.0, size * size / area))),
         "only": only,
         "output": output,
@@ -303,7 +303,7 @@ def _make(sources: Any, steps: list[Step], size: Any, points: Any, only: Any, ou
 def _area_of(only: Any, crs: str | None, sources: list[dict[str, Any]]) -> list[Any] | None:
     is_box = isinstance(only, list | tuple | np.ndarray) and np.shape(only[0] if len(only) else 0) == ()
     if crs is not None and (only is None or is_box):
-        raise ValueError("only_crs: it is that of polygons, and only= has none")
+        raise ValueError("only_crs: expected polygons in only=")
     if only is None:
         return None
     if is_box:
@@ -315,9 +315,9 @@ def tiles_of(plan: Plan) -> list[tuple[Any, ...]]:
     """All tiles row by row, without those outside `only`, whose numbers are skipped."""
     (nx, ny), (x, y), size = plan.shape, plan.corner.tolist(), plan.size
     cells = np.stack(np.divmod(np.arange(nx * ny), nx)[::-1], axis=1)
-    wanted = _touched(plan.told["only"], plan.corner + cells * size, plan.corner + (cells + 1) * size)
+    wanted = _touched(plan.data["only"], plan.corner + cells * size, plan.corner + (cells + 1) * size)
     if not wanted.any():
-        raise ValueError(f"only: {plan.told['only']} touches none of the tiles")
+        raise ValueError(f"only: expected an area that overlaps the tiles, got {plan.data['only']}")
     return [
         (iy * nx + ix, ix, iy, x + ix * size, y + iy * size, x + (ix + 1) * size, y + (iy + 1) * size)
         for ix, iy in cells[wanted].tolist()
@@ -329,5 +329,5 @@ def _touched(area: list[Any] | None, lows: NDArray[np.float64], highs: NDArray[n
     if area is None:
         return np.ones(len(lows), np.bool_)
     if isinstance(area[0], list):
-        return boxes_that_meet(parse_area("only", area), lows, highs)
+        return overlapping_boxes(parse_area("only", area), lows, highs)
     return np.logical_and(*((lows <= area[2:]) & (highs > area[:2])).T)

@@ -47,15 +47,15 @@ def parse_area(name: str, value: Any) -> Area:
             return parse_area(name, _from_text(name, text))
         except (ValueError, TypeError) as error:
             raise FileError(path, str(error)) from error
-    is_told = isinstance(value, dict)
+    is_text = isinstance(value, dict)
     if isinstance(value, str):
-        value, is_told = _from_text(name, value), True
+        value, is_text = _from_text(name, value), True
     polygons = _polygons_of(name, value) if isinstance(value, dict) else value if _depth(value) == 4 else [[value]]
-    checked = [_check_polygon(name, polygon, is_told) for polygon in polygons]
+    checked = [_check_polygon(name, polygon, is_text) for polygon in polygons]
     if not any(checked):
         raise ValueError(f"{name}: expected at least one polygon, got none")
     if sum(len(ring) for polygon in checked for ring in polygon) > MAX_CORNERS:
-        raise ValueError(f"{name}: more than {MAX_CORNERS:,} corners; simplify the polygons first")
+        raise ValueError(f"{name}: expected at most {MAX_CORNERS:,} corners. Simplify the polygons first")
     return checked
 
 
@@ -73,40 +73,40 @@ def _depth(value: Any) -> int:
 def _from_text(name: str, text: str) -> Any:
     """GeoJSON as a dictionary, or well-known text as polygons of rings."""
     text = text.strip()
-    found = _WKT.match(text)
-    if found is None:
+    match = _WKT.match(text)
+    if match is None:
         try:
-            told = json.loads(text)
+            parsed = json.loads(text)
         except (ValueError, RecursionError) as error:
             kinds = "GeoJSON, POLYGON((...)) or MULTIPOLYGON(((...)))"
             raise ValueError(f"{name}: expected {kinds}, got {shown(text)}: {error}") from error
-        if not isinstance(told, dict):
-            raise ValueError(f"{name}: expected an object of GeoJSON, got {shown(told)}")
-        return told
-    body = text[found.end() :]
+        if not isinstance(parsed, dict):
+            raise ValueError(f"{name}: expected an object of GeoJSON, got {shown(parsed)}")
+        return parsed
+    body = text[match.end() :]
     body = re.sub(r"[^(),]+", lambda part: f"[{','.join(part[0].split())}]" if part[0].strip() else "", body)
     try:
         rings = json.loads(body.replace("(", "[").replace(")", "]"))
     except (ValueError, RecursionError) as error:
         raise ValueError(f"{name}: not well-known text: {error}") from error
-    return rings if found[1] else [rings]
+    return rings if match[1] else [rings]
 
 
-def _polygons_of(name: str, told: dict[str, Any]) -> Iterator[Any]:
-    waiting: list[tuple[Any, int]] = [(told, 0)]
+def _polygons_of(name: str, geojson: dict[str, Any]) -> Iterator[Any]:
+    waiting: list[tuple[Any, int]] = [(geojson, 0)]
     while waiting:
         each, depth = waiting.pop()
         kind = each.get("type") if isinstance(each, dict) else None
         if not isinstance(kind, str) or kind not in _PARTS:
             raise ValueError(f"{name}: expected polygons, got a {shown(each if kind is None else kind)}")
         if depth > MAX_NESTED:
-            raise ValueError(f"{name}: more than {MAX_NESTED} collections of GeoJSON in each other")
+            raise ValueError(f"{name}: expected at most {MAX_NESTED} nested collections of GeoJSON")
         key, is_list = _PARTS[kind]
         if key not in each:
-            raise ValueError(f"{name}: no GeoJSON: a {kind} without {key!r}")
+            raise ValueError(f"{name}: not GeoJSON: a {kind} without {key!r}")
         part = each[key]
         if is_list and not isinstance(part, list | tuple):
-            raise ValueError(f"{name}: no GeoJSON: expected a list of {key} in a {kind}, got {shown(part)}")
+            raise ValueError(f"{name}: not GeoJSON: expected a list of {key} in a {kind}, got {shown(part)}")
         if key != "coordinates":
             waiting += [(one, depth + 1) for one in (reversed(part) if is_list else [part])]
         elif is_list:
@@ -125,14 +125,14 @@ _PARTS = {
 }
 
 
-def _check_polygon(name: str, rings: Any, is_told: bool) -> list[Ring]:
-    """Validate the rings of a polygon; `is_told` if they come from text."""
+def _check_polygon(name: str, rings: Any, is_text: bool) -> list[Ring]:
+    """Validate the rings of a polygon; `is_text` if they come from text."""
     if not isinstance(rings, list | tuple):
         raise ValueError(f"{name}: expected a list of rings, got {shown(rings)}")
     try:
         return [_check_ring(name, ring) for ring in rings]
     except TypeError as error:
-        if not is_told:
+        if not is_text:
             raise
         raise ValueError(str(error)) from error
 
@@ -162,9 +162,9 @@ def in_survey(name: str, area: Area, crs: str | None, sources: list[dict[str, An
     survey_low = np.min([source["low"][:2] for source in filled], axis=0)
     survey_high = np.max([source["high"][:2] for source in filled], axis=0)
     if (low > survey_high).any() or (high < survey_low).any():
-        reason = f"{name}: the area {low.tolist()}..{high.tolist()} lies beside the survey"
+        reason = f"{name}: the area {low.tolist()}..{high.tolist()} does not overlap the survey"
         degrees = crs is None and (np.abs([low, high]) <= (180, 90)).all()
-        hint = "; is it in degrees? Say so by its coordinate system, 'EPSG:4326'" if degrees else ""
+        hint = "; is it in degrees? Pass its coordinate system, 'EPSG:4326'" if degrees else ""
         raise ValueError(f"{reason}, {survey_low.tolist()}..{survey_high.tolist()}{hint}")
     return area
 
@@ -173,30 +173,30 @@ def _transformed(name: str, area: Area, crs: str, path: Path) -> Area:
     pyproj: Any = import_for(path, "pyproj", "geo")
     system = system_of(path, open_las(path).header)
     if system is None:
-        remedy = "Give the area in the coordinates of the survey, without a system"
-        raise FileError(path, "tells no coordinate system that an area could be brought to", remedy=remedy)
-    told = system_named(name, crs)
-    with foreign_errors(path, "an area cannot be brought to its coordinate system"):
-        transformer = pyproj.Transformer.from_crs(told, system.to_2d(), always_xy=True)
+        remedy = "Give the area in the coordinates of the survey, without a coordinate system"
+        raise FileError(path, "has no coordinate system, so the area cannot be transformed", remedy=remedy)
+    source = system_named(name, crs)
+    with foreign_errors(path, "the area cannot be transformed to its coordinate system"):
+        transformer = pyproj.Transformer.from_crs(source, system.to_2d(), always_xy=True)
         moved = [[np.column_stack(transformer.transform(*ring.T)) for ring in polygon] for polygon in area]
     if not all(np.isfinite(ring).all() for polygon in moved for ring in polygon):
-        raise ValueError(f"{name}: corners in {crs} have no place in the survey's coordinate system")
+        raise ValueError(f"{name}: corners in {crs} have no position in the survey's coordinate system")
     return moved
 
 
 def mask_area(area: Area, points: Any, origin: NDArray[np.float64]) -> NDArray[np.bool_]:
     """Mask of device points inside an area, shape (n,)."""
-    found = np.zeros(points.size, np.bool_)
+    mask = np.zeros(points.size, np.bool_)
     for polygon in area:
         inside = np.zeros(points.size, np.bool_)
         for ring in polygon:
             corners = upload(ring, vec2d, points.device)
             inside ^= download(mask_polygon(points, origin, corners, (0, 1, 2), -np.inf, np.inf)) != 0
-        found |= inside
-    return found
+        mask |= inside
+    return mask
 
 
-def boxes_that_meet(area: Area, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
+def overlapping_boxes(area: Area, lows: Ring, highs: Ring) -> NDArray[np.bool_]:
     """Mask of boxes (n, 2) that overlap an area."""
     corners = upload(np.pad(lows, ((0, 0), (0, 1))), vec3d, resolve_device("cpu"))
     meets = mask_area(area, corners, np.zeros(3))

@@ -25,10 +25,10 @@ from .. import __version__  # pyright: ignore[reportMissingImports]
 from ..core.devices import resolve_device
 from ..core.errors import DeviceError, FileError
 from ..core.verbosity import LOGGER
-from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, a_worker
+from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
 
 LOOK = 0.2  # [s] between queries for tasks that other runs may release
-PATIENCE = 10.0  # [s] for a connection to a scheduler
+CONNECT_TIMEOUT = 10.0  # [s] for a connection to a scheduler
 MAX_WITHOUT_WORKERS = 60.0  # [s]
 _QUIET = ("client", "core", "scheduler", "comm", "batched", "nanny")  # loggers of distributed
 _PRELOAD = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"  # Ctrl-C ends the process that started them
@@ -44,11 +44,11 @@ class Book(Protocol):
 
     def do(self, task: Any, device: str) -> Any: ...
 
-    def settle(self, task: Any, found: Any) -> None: ...
+    def record(self, task: Any, result: Any) -> None: ...
 
     def fail(self, task: Any, error: Exception) -> None: ...
 
-    def set_aside(self, task: Any, reason: str) -> None:
+    def quarantine(self, task: Any, reason: str) -> None:
         """Record that workers died repeatedly at a task."""
         ...
 
@@ -57,7 +57,7 @@ def run_tasks(
     manifest: Manifest,
     book_of: Callable[[str], Book],
     call: Callable[[Any, str], Any],
-    tell: Callable[[], None],
+    notify: Callable[[], None],
     *,
     workers: int = 0,
     scheduler: str | None = None,
@@ -72,17 +72,17 @@ def run_tasks(
     try:
         with contextlib.ExitStack() as stack:
             computes = scheduler is None and not workers
-            book = book_of(stack.enter_context(a_worker(manifest.folder, computes=computes)))
+            book = book_of(stack.enter_context(worker_lock(manifest.folder, computes=computes)))
             if scheduler is not None:
                 client = stack.enter_context(_remote_client(path, scheduler, security))
             elif workers:
                 client = stack.enter_context(_local_client(path, workers))
             else:
-                _run_here(manifest, book, stack.enter_context(reserved_device(device)), tell)
+                _run_here(manifest, book, stack.enter_context(reserved_device(device)), notify)
                 return
-            _run_on(client, manifest, book, call, device, tell)
+            _run_on(client, manifest, book, call, device, notify)
     except BaseException:
-        manifest.give_back(is_death=False)
+        manifest.release_claims(is_death=False)
         raise
 
 
@@ -118,26 +118,26 @@ class Processes:
         try:
             return future.result()
         except importlib.import_module("distributed").KilledWorker as error:
-            raise FileError(self._path, DIED, remedy="Take fewer workers") from error
+            raise FileError(self._path, DIED, remedy="Use fewer workers") from error
 
 
-def _run_here(manifest: Manifest, book: Book, device: str, tell: Callable[[], None]) -> None:
+def _run_here(manifest: Manifest, book: Book, device: str, notify: Callable[[], None]) -> None:
     while (task := book.take()) is not False:
         if task is True:
-            if not manifest.give_back():
+            if not manifest.release_claims():
                 time.sleep(LOOK)
             continue
         try:
-            found = book.do(task, device)
+            result = book.do(task, device)
         except Exception as error:  # user code in steps
             book.fail(task, error)
         else:
-            book.settle(task, found)
-        tell()
+            book.record(task, result)
+        notify()
 
 
 def _run_on(
-    client: Any, manifest: Manifest, book: Book, call: Callable[..., Any], device: str, tell: Callable[[], None]
+    client: Any, manifest: Manifest, book: Book, call: Callable[..., Any], device: str, notify: Callable[[], None]
 ) -> None:
     """Run tasks on a client's workers, one at a time each: dask counts a death against all tasks of a worker."""
     path, running, ready = manifest.folder / NAME, {}, set[str]()
@@ -152,13 +152,13 @@ def _run_on(
             return
         seen = time.monotonic() if workers else seen
         if time.monotonic() - seen > MAX_WITHOUT_WORKERS:
-            reason = f"there was no worker at {client.scheduler.address} for a minute"
-            raise FileError(path, reason, remedy="Start some: dask worker ADDRESS --nthreads 1 --memory-limit 0")
+            reason = f"no worker was connected to {client.scheduler.address} for a minute"
+            raise FileError(path, reason, remedy="Start workers: dask worker ADDRESS --nthreads 1 --memory-limit 0")
         for future in _ended(running):
-            _settle(path, book, running.pop(future), future)
-            tell()
+            _record(path, book, running.pop(future), future)
+            notify()
         if task is True:
-            manifest.give_back()
+            manifest.release_claims()
 
 
 def _ended(running: dict[Any, Any]) -> list[Any]:
@@ -173,18 +173,18 @@ def _ended(running: dict[Any, Any]) -> list[Any]:
         return []
 
 
-def _settle(path: Path, book: Book, task: Any, future: Any) -> None:
+def _record(path: Path, book: Book, task: Any, future: Any) -> None:
     if future.cancelled() or future.status == "lost":
-        reason = "the scheduler has gone, or it dropped a task"
-        raise FileError(path, reason, remedy="Run it again, it goes on")
+        reason = "the connection to the scheduler was lost, or it dropped a task"
+        raise FileError(path, reason, remedy="Run it again to resume")
     try:
-        found = future.result()
+        result = future.result()
     except importlib.import_module("distributed").KilledWorker:
-        book.set_aside(task, DIED)
+        book.quarantine(task, DIED)
     except Exception as error:  # user code in steps
         book.fail(task, error)
     else:
-        book.settle(task, found)
+        book.record(task, result)
 
 
 @contextlib.contextmanager
@@ -221,10 +221,10 @@ def _remote_client(path: Path, address: str, security: Any) -> Iterator[Any]:
         try:
             with ThreadPoolExecutor(1) as pool:  # an unsuccessful Client waits again when released
                 pool.submit(lambda: asyncio.run(_touch(distributed, address, security))).result()
-            client = distributed.Client(address, timeout=PATIENCE, set_as_default=False, security=security)
+            client = distributed.Client(address, timeout=CONNECT_TIMEOUT, set_as_default=False, security=security)
         except (OSError, ValueError, TimeoutError, RuntimeError, TypeError) as error:
-            reason = f"there is no scheduler at {address}: {error or type(error).__name__}"
-            raise FileError(path, reason, remedy="Start `dask scheduler` and give its address") from error
+            reason = f"no scheduler at {address}: {error or type(error).__name__}"
+            raise FileError(path, reason, remedy="Start `dask scheduler` and pass its address") from error
         stack.callback(_close, client)
         stack.enter_context(client.as_current())
         yield client
@@ -246,7 +246,7 @@ def _close(client: Any) -> None:
 async def _touch(distributed: Any, address: str, security: Any) -> None:
     """Test the connection to the scheduler."""
     arguments = (security or distributed.Security()).get_connection_args("client")
-    (await distributed.comm.connect(address, timeout=PATIENCE, **arguments)).abort()
+    (await distributed.comm.connect(address, timeout=CONNECT_TIMEOUT, **arguments)).abort()
 
 
 @contextlib.contextmanager
@@ -269,33 +269,35 @@ def _workers(client: Any, path: Path) -> set[str]:
             return {*client.nthreads()}
     except (OSError, TimeoutError):
         pass
-    raise FileError(path, f"the scheduler at {client.scheduler.address} has gone", remedy="Run it again, it goes on")
+    raise FileError(
+        path, f"the connection to the scheduler at {client.scheduler.address} was lost", remedy="Run it again to resume"
+    )
 
 
 def _prepared(client: Any, path: Path, workers: set[str], device: str) -> set[str]:
     """Reserve devices of new workers and check their versions. Returns those that answered."""
-    told = client.run(_prepare, device, workers=[*workers], on_error="return") if workers else {}
-    told = {address: version for address, version in told.items() if not isinstance(version, OSError)}
-    for address, version in told.items():
+    versions = client.run(_prepare, device, workers=[*workers], on_error="return") if workers else {}
+    versions = {address: version for address, version in versions.items() if not isinstance(version, OSError)}
+    for address, version in versions.items():
         if isinstance(version, DeviceError):
             raise version
         if isinstance(version, BaseException):
             raise FileError(path, f"the worker at {address} cannot load pointloom: {version}")
         if version != __version__:
-            reason = f"the worker at {address} has pointloom {version}, this is {__version__}"
+            reason = f"expected pointloom {__version__} on the worker at {address}, got {version}"
             raise FileError(path, reason, remedy="Install one version on all machines")
-    return {*told}
+    return {*versions}
 
 
 _ONE = threading.Lock()  # a worker may have several threads, but has one device
-_held = contextlib.ExitStack()
+_device_locks = contextlib.ExitStack()
 _devices: dict[str, str] = {}  # devices reserved by this process, by request
 
 
-def _device(asked: str) -> str:
-    if asked not in _devices:
-        _devices[asked] = _held.enter_context(reserved_device(asked))
-    return _devices[asked]
+def _device(requested: str) -> str:
+    if requested not in _devices:
+        _devices[requested] = _device_locks.enter_context(reserved_device(requested))
+    return _devices[requested]
 
 
 def _prepare(device: str) -> str:
@@ -333,7 +335,7 @@ def reserved_device(device: str) -> Iterator[str]:
         if lock is not None:
             break
     else:
-        raise DeviceError(f"device: all of {len(gpus)} GPUs are in use by other workers or runs. Take fewer workers")
+        raise DeviceError(f"device: all of {len(gpus)} GPUs are in use by other workers or runs. Use fewer workers")
     try:
         yield gpu.alias
     finally:

@@ -35,12 +35,12 @@ MAX_OPEN = 64  # open rasters of tiles
 _PROJECTED, _USER_DEFINED = 3072, 32767  # GeoTIFF key of the system's number
 
 
-def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, place: tuple[int, int]) -> None:
-    cells = tile_cells(step, plan, place)
+def write_raster(step: Rasterize, cloud: PointCloud, plan: Plan, folder: Path, index: tuple[int, int]) -> None:
+    cells = tile_cells(step, plan, index)
     if cells is None:
         return
     raster = _raster_of(step, cloud, plan, cells)
-    path = raster_path(folder, step.raster, place)
+    path = raster_path(folder, step.raster, index)
     refuse_link(path.parent).mkdir(parents=True, exist_ok=True)
     raster.write(path)
 
@@ -49,21 +49,21 @@ def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np
     """Raster of the cells (x0, y0, x1, y1), upper ends exclusive."""
     params, corner = step.params, np.array(step.params["corner"])
     rim = 0 if step.fill is None else math.ceil(step.fill / step.cell)
-    told = {name: params[name] for name in ("kind", "reach", "neighbors", "classes", "corner")}
-    wide = cells + np.array([-rim, -rim, rim, rim])
-    every = np.array(grid_cells(step, plan))
-    wide[:2], wide[2:] = np.maximum(wide[:2], every[:2]), np.minimum(wide[2:], every[2:])
-    bounds: NDArray[np.float64] = (np.tile(corner, 2) + wide * step.cell).astype(np.float64)
+    options = {name: params[name] for name in ("kind", "reach", "neighbors", "classes", "corner")}
+    padded = cells + np.array([-rim, -rim, rim, rim])
+    grid = np.array(grid_cells(step, plan))
+    padded[:2], padded[2:] = np.maximum(padded[:2], grid[:2]), np.minimum(padded[2:], grid[2:])
+    bounds: NDArray[np.float64] = (np.tile(corner, 2) + padded * step.cell).astype(np.float64)
     crs = params["crs"] or crs_of(plan)
     try:
-        raster = rasterize(cloud, step.cell, bounds=bounds, crs=crs, **told)
+        raster = rasterize(cloud, step.cell, bounds=bounds, crs=crs, **options)
     except NoGroundError:
-        empty = np.full(((wide[3] - wide[1]), (wide[2] - wide[0])), np.nan, np.float32)
+        empty = np.full(((padded[3] - padded[1]), (padded[2] - padded[0])), np.nan, np.float32)
         raster = Raster(empty, bounds[:2], step.cell, np.zeros(empty.shape, bool), step.kind, crs)
     if step.fill is not None:
         raster = raster.fill_gaps(step.fill)
-    rows = slice(wide[3] - cells[3], wide[3] - cells[1])
-    columns = slice(cells[0] - wide[0], cells[2] - wide[0])
+    rows = slice(padded[3] - cells[3], padded[3] - cells[1])
+    columns = slice(cells[0] - padded[0], cells[2] - padded[0])
     low = corner + cells[:2] * step.cell
     values, filled = raster.values[rows, columns], raster.filled[rows, columns]
     return dataclasses.replace(raster, values=values, filled=filled, corner=low)
@@ -72,29 +72,29 @@ def _raster_of(step: Rasterize, cloud: PointCloud, plan: Plan, cells: NDArray[np
 def grid_cells(step: Rasterize, plan: Plan) -> list[int]:
     """Cells of the complete raster: (x0, y0, x1, y1), upper ends exclusive."""
     corner = np.array(step.params["corner"])
-    low, high = (np.floor((np.array(plan.told[end])[:2] - corner) / step.cell) for end in ("low", "high"))
+    low, high = (np.floor((np.array(plan.data[end])[:2] - corner) / step.cell) for end in ("low", "high"))
     return [*low.astype(np.int64).tolist(), *(high + 1).astype(np.int64).tolist()]
 
 
-def tile_cells(step: Rasterize, plan: Plan, place: tuple[int, int]) -> NDArray[np.int64] | None:
+def tile_cells(step: Rasterize, plan: Plan, index: tuple[int, int]) -> NDArray[np.int64] | None:
     """Cells with centers in a tile: (x0, y0, x1, y1), upper ends exclusive. None if there are none."""
-    every, found = grid_cells(step, plan), np.empty(4, np.int64)
+    grid, bounds = grid_cells(step, plan), np.empty(4, np.int64)
     for axis in range(2):
-        corner, begin = step.params["corner"][axis], plan.corner[axis] + place[axis] * plan.size
-        first = max(every[axis], math.floor((begin - corner) / step.cell) - 2)
-        last = min(every[axis + 2], math.ceil((begin + plan.size - corner) / step.cell) + 2)
+        corner, begin = step.params["corner"][axis], plan.corner[axis] + index[axis] * plan.size
+        first = max(grid[axis], math.floor((begin - corner) / step.cell) - 2)
+        last = min(grid[axis + 2], math.ceil((begin + plan.size - corner) / step.cell) + 2)
         numbers = np.arange(first, last)
         centers = corner + (numbers + 0.5) * step.cell
         owners = np.floor((centers - plan.corner[axis]) / plan.size)
-        numbers = numbers[np.clip(owners, 0, plan.shape[axis] - 1) == place[axis]]
+        numbers = numbers[np.clip(owners, 0, plan.shape[axis] - 1) == index[axis]]
         if not len(numbers):
             return None
-        found[axis], found[axis + 2] = numbers[0], numbers[-1] + 1
-    return found
+        bounds[axis], bounds[axis + 2] = numbers[0], numbers[-1] + 1
+    return bounds
 
 
-def raster_path(folder: Path, name: str, place: tuple[int, int]) -> Path:
-    return folder / FOLDER / name / f"{place[0]}_{place[1]}.tif"
+def raster_path(folder: Path, name: str, index: tuple[int, int]) -> Path:
+    return folder / FOLDER / name / f"{index[0]}_{index[1]}.tif"
 
 
 def crs_of(plan: Plan) -> str | None:
@@ -103,8 +103,8 @@ def crs_of(plan: Plan) -> str | None:
     text = find_text(header)
     if text:
         return text
-    place, _, code = find_keys(header).get(_PROJECTED, (0, 0, 0))
-    return f"EPSG:{code}" if place == 0 and 0 < code < _USER_DEFINED else None
+    location, _, code = find_keys(header).get(_PROJECTED, (0, 0, 0))
+    return f"EPSG:{code}" if location == 0 and 0 < code < _USER_DEFINED else None
 
 
 def mosaics_of(plan: Plan, path: Path) -> list[Path]:
@@ -122,19 +122,19 @@ def write_mosaics(manifest: Manifest, plan: Plan, paths: list[Path], overwrite: 
 
 def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, overwrite: bool) -> None:
     tiles = manifest.rows("SELECT id, ix, iy FROM tiles ORDER BY id")
-    held = {(row["ix"], row["iy"]): cells for row in tiles
+    cells_of = {(row["ix"], row["iy"]): cells for row in tiles
             if (cells := tile_cells(step, plan, (row["ix"], row["iy"]))) is not None}  # fmt: skip
-    if not held:
-        raise FileError(path, f"no cell of {step.cell:g} has its center in a tile", remedy="Take smaller cells")
-    boxes = np.array([*held.values()])
+    if not cells_of:
+        raise FileError(path, f"no cell of {step.cell:g} has its center in a tile", remedy="Use smaller cells")
+    boxes = np.array([*cells_of.values()])
     x0, y0, x1, y1 = [*boxes[:, :2].min(axis=0), *boxes[:, 2:].max(axis=0)]
     shape, low = (int(y1 - y0), int(x1 - x0)), np.array(step.params["corner"]) + np.array([x0, y0]) * step.cell
-    told = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan), nodata=NODATA)
+    metadata = SimpleNamespace(kind=step.kind, crs=step.params["crs"] or crs_of(plan), nodata=NODATA)
     windows: Any = import_for(path, "rasterio.windows", "geo")
-    places = [*held]
+    indices = [*cells_of]
     with (
-        _Tiles(manifest.folder, step, held) as opened,
-        geotiff(path, shape, (low[0], low[1]), step.cell, told, overwrite=overwrite, for_maps=True) as file,
+        _Tiles(manifest.folder, step, cells_of) as opened,
+        geotiff(path, shape, (low[0], low[1]), step.cell, metadata, overwrite=overwrite, for_maps=True) as file,
     ):
         for top in range(0, shape[0], STRIP):
             for left in range(0, shape[1], STRIP):
@@ -144,15 +144,15 @@ def _write_mosaic(manifest: Manifest, plan: Plan, step: Rasterize, path: Path, o
                 out[0] = 0.0 if step.kind == "density" else NODATA
                 meet = (boxes[:, 0] < box[2]) & (boxes[:, 2] > box[0]) & (boxes[:, 1] < box[3]) & (boxes[:, 3] > box[1])
                 for number in np.flatnonzero(meet):
-                    opened.lay(places[number], boxes[number], box, out)
+                    opened.copy_cells(indices[number], boxes[number], box, out)
                 file.write(out, window=windows.Window(left, top, columns, rows))
 
 
 class _Tiles:
     """Rasters of tiles, a few open at a time."""
 
-    def __init__(self, folder: Path, step: Rasterize, held: dict[Any, Any]):
-        self.folder, self.step, self.held = folder, step, held
+    def __init__(self, folder: Path, step: Rasterize, cells: dict[Any, Any]):
+        self.folder, self.step, self.cells = folder, step, cells
         self.files: LruCache[Any] = LruCache(MAX_OPEN, on_evict=lambda file: file.close())
 
     def __enter__(self) -> _Tiles:
@@ -161,19 +161,19 @@ class _Tiles:
     def __exit__(self, *_: object) -> None:
         self.files.clear()
 
-    def lay(self, place: tuple[int, int], own: Any, box: Any, out: NDArray[np.float32]) -> None:
+    def copy_cells(self, index: tuple[int, int], cells: Any, box: Any, out: NDArray[np.float32]) -> None:
         """Copy a tile's values in a box of cells. A tile without points has no file."""
-        path = raster_path(self.folder, self.step.raster, place)
-        if self.files.find(place) is None and not path.exists():
+        path = raster_path(self.folder, self.step.raster, index)
+        if self.files.find(index) is None and not path.exists():
             return
-        low, high = np.maximum(own[:2], box[:2]), np.minimum(own[2:], box[2:])
+        low, high = np.maximum(cells[:2], box[:2]), np.minimum(cells[2:], box[2:])
         rasterio: Any = import_for(path, "rasterio", "geo")
         with foreign_errors(path, "cannot be read"):
-            file = self.files.get(place, 1, lambda: rasterio.open(path))
-            if (file.width, file.height) != (own[2] - own[0], own[3] - own[1]):
-                raise FileError(path, "is not the raster that was written", remedy="Plan the job anew")
-            rows = (int(own[3] - high[1]), int(own[3] - low[1]))
-            columns = (int(low[0] - own[0]), int(high[0] - own[0]))
+            file = self.files.get(index, 1, lambda: rasterio.open(path))
+            if (file.width, file.height) != (cells[2] - cells[0], cells[3] - cells[1]):
+                raise FileError(path, "is not the raster that was written", remedy="Plan the job again")
+            rows = (int(cells[3] - high[1]), int(cells[3] - low[1]))
+            columns = (int(low[0] - cells[0]), int(high[0] - cells[0]))
             out[:, box[3] - high[1] : box[3] - low[1], low[0] - box[0] : high[0] - box[0]] = file.read(
                 window=(rows, columns)
             )

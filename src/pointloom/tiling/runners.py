@@ -12,11 +12,11 @@ from ..core.errors import FileError, FilePath
 from ..core.paths import path_of
 from ..core.progress import ReportProgress, say_nothing
 from .buckets import FOLDER as BUCKETS
-from .manifest import OVER, TABLES, Manifest
+from .manifest import FINAL_STATES, TABLES, Manifest
 from .plan import Plan, allow_functions, open_plan
 from .processes import run_tasks
 from .status import TileStatus, status_of
-from .tasks import Taskbook, do_task_alone, lay_again, next_pass
+from .tasks import Taskbook, do_task_alone, next_pass, reset_missing_buckets
 from .work_tile import FOLDER as TILES
 
 
@@ -75,39 +75,39 @@ def run_tiles(
         share = share if tile is None else _share_of(manifest, plan, tile)
         for name in (TILES, BUCKETS):
             (manifest.folder / name).mkdir(exist_ok=True)
-        manifest.give_back()
-        tell = partial(_tell, manifest, plan, report)
-        tell()
+        manifest.release_claims()
+        notify = partial(_report_progress, manifest, plan, report)
+        notify()
         book_of = partial(Taskbook, manifest, plan, share)
         call = partial(do_task_alone, str(manifest.folder.absolute()), plan.passed_functions)
         how: dict[str, Any] = {"scheduler": scheduler, "security": security, "device": device}
-        run_tasks(manifest, book_of, call, tell, workers=count, **how)
-        _check_goes_on(manifest, plan)
+        run_tasks(manifest, book_of, call, notify, workers=count, **how)
+        _check_no_failures(manifest, plan)
         return status_of(manifest)
 
 
-def _check_goes_on(manifest: Manifest, plan: Plan) -> None:
+def _check_no_failures(manifest: Manifest, plan: Plan) -> None:
     """Raise FileError if something failed that all tiles need."""
-    remedy = "Mend it and call retry_tiles(folder)"
+    remedy = "Fix the cause and call retry_tiles(folder)"
     bad = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
     if bad:
         path = plan.files[bad[0]["id"]]["path"]
-        raise FileError(path, f"its points cannot be laid by tile: {bad[0]['error']}", remedy=remedy)
+        raise FileError(path, f"its points cannot be sorted into tiles: {bad[0]['error']}", remedy=remedy)
     bad = manifest.rows("SELECT id, error FROM joins WHERE state IN ('failed', 'aside') ORDER BY id")
     if bad:
-        reason = f"what tiles left in pass {bad[0]['id'] + 1} cannot be joined: {bad[0]['error']}"
+        reason = f"the border data of pass {bad[0]['id'] + 1} cannot be joined: {bad[0]['error']}"
         raise FileError(manifest.folder, reason, remedy=remedy)
 
 
 def retry_tiles(folder: FilePath) -> TileStatus:
     """Reset failed and quarantined tiles and files to waiting. Then call `run_tiles`."""
     with Manifest(path_of(folder, "folder")) as manifest:
-        manifest.give_back()
+        manifest.release_claims()
         with manifest.change() as base:
             for table in TABLES:
-                told = "state = 'waiting', attempts = 0, error = NULL"
-                base.execute(f"UPDATE {table} SET {told} WHERE state IN ('failed', 'aside')")
-        lay_again(manifest)
+                reset = "state = 'waiting', attempts = 0, error = NULL"
+                base.execute(f"UPDATE {table} SET {reset} WHERE state IN ('failed', 'aside')")
+        reset_missing_buckets(manifest)
         return status_of(manifest)
 
 
@@ -116,35 +116,35 @@ def check_part(part: Any) -> tuple[int, int]:
     if part is None:
         return 1, 1
     if not isinstance(part, tuple | list) or len(part) != 2:
-        raise ValueError(f"part: expected (which, of how many), such as (17, 400), got {part!r}")
+        raise ValueError(f"part: expected (number, count), such as (17, 400), got {part!r}")
     of = check_count("part", part[1])
-    return check_count("part", part[0], maximum=of, because="there are no more parts"), of
+    return check_count("part", part[0], maximum=of, because="that is the number of parts"), of
 
 
 def _share_of(manifest: Manifest, plan: Plan, tile: Any) -> tuple[int, int]:
     """Part that consists of one tile, reset if it failed."""
-    found = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
-    rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, found.groups())) if found else []
+    match = re.fullmatch(r"(\d{1,9})_(\d{1,9})", tile) if isinstance(tile, str) else None
+    rows = manifest.rows("SELECT id FROM tiles WHERE ix = ? AND iy = ?", *map(int, match.groups())) if match else []
     if not rows:
         nx, ny = plan.shape
         raise ValueError(f"tile: expected one of the plan's, 0_0 to {nx - 1}_{ny - 1}, got {tile!r}")
-    told = "state = 'waiting', attempts = 0, error = NULL"
+    reset = "state = 'waiting', attempts = 0, error = NULL"
     with manifest.change() as base:
-        base.execute(f"UPDATE tiles SET {told} WHERE id = ? AND state IN ('failed', 'aside')", (rows[0]["id"],))
+        base.execute(f"UPDATE tiles SET {reset} WHERE id = ? AND state IN ('failed', 'aside')", (rows[0]["id"],))
     return rows[0]["id"] + 1, plan.shape[0] * plan.shape[1]
 
 
-def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
+def _report_progress(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     """Report sorted files, then tiles finished or through the current pass."""
     if report is say_nothing:
         return
     if any(source["kind"] != "copc" for source in plan.files):
         files = manifest.counts("sources")
-        report("files", sum(files[state] for state in OVER), sum(files.values()))
+        report("files", sum(files[state] for state in FINAL_STATES), sum(files.values()))
         if files["waiting"] + files["running"]:
             return
     counts, passes = manifest.counts(), len(plan.passes)
-    total, over = sum(counts.values()), sum(counts[state] for state in OVER)
+    total, over = sum(counts.values()), sum(counts[state] for state in FINAL_STATES)
     if passes == 1:
         report("tiles", over, total)
         return
@@ -152,5 +152,5 @@ def _tell(manifest: Manifest, plan: Plan, report: ReportProgress) -> None:
     number = passes - 1 if number is None else number
     for earlier in range(number):
         report(f"pass {earlier + 1} of {passes}", total, total)
-    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tiles WHERE pass > ? OR state IN {OVER}", number)
+    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tiles WHERE pass > ? OR state IN {FINAL_STATES}", number)
     report(f"pass {number + 1} of {passes}", row["n"], total)

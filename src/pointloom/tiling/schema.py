@@ -41,7 +41,7 @@ def check_schema(base: sqlite3.Connection, tables: str) -> None:
     with contextlib.closing(sqlite3.connect(":memory:")) as empty:
         empty.executescript(tables)
         expected = set(empty.execute(query))
-    found = {tuple(row) for row in base.execute(query)}
-    if found != expected:
-        (_, name, _), *_ = found ^ expected
-        raise ValueError(f"its table or index {name!r} is not that of a manifest")
+    actual = {tuple(row) for row in base.execute(query)}
+    if actual != expected:
+        (_, name, _), *_ = actual ^ expected
+        raise ValueError(f"the table or index {name!r} is missing or unexpected")

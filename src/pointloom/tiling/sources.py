@@ -31,10 +31,10 @@ from ..io.points.las_records import left_out_of, own_records
 from ..io.points.las_units import units_of
 from ..io.table import PointTable
 from .buckets import Window, check_size, inside, positions_of, read_buckets
-from .manifest import NAME, NOT_LAID, read_plan
+from .manifest import NAME, UNSORTED, read_plan
 from .unindexed_files import FOLDER as MADE
 from .unindexed_files import SUFFIXES as LOOSE
-from .unindexed_files import taken_over
+from .unindexed_files import converted_files
 
 IN_FOLDERS = tuple(suffix for suffix in LOOSE if suffix not in (".csv", ".txt"))  # these may be notes
 ROW_BITS = 40  # bits of a point's key for its row. The rest is the file number
@@ -43,10 +43,10 @@ ROW_BITS = 40  # bits of a point's key for its row. The rest is the file number
 def list_files(sources: Any) -> list[Path]:
     """Absolute unique paths of the files given by files, folders (LAS and LAZ, else other point files) and indexes."""
     given: Iterable[Any] = [sources] if isinstance(sources, str | os.PathLike) else sources
-    found: dict[Path, None] = {}
+    files: dict[Path, None] = {}
     for path in map(path_of, given):
         if "\0" in str(path):
-            raise FileError(path, "is no path: it contains NUL")
+            raise FileError(path, "is not a path: it contains NUL")
         restore_folder(path)
         try:
             names = sorted(path.iterdir()) if path.is_dir() else None
@@ -57,18 +57,18 @@ def list_files(sources: Any) -> list[Path]:
             kinds = ([name for name in names if name.suffix.lower() in kind] for kind in (SUFFIXES, IN_FOLDERS))
             chosen = next(filter(None, kinds), None)
             if chosen is None:
-                raise FileError(path, f"the folder holds no {', '.join(SUFFIXES)}, nor {', '.join(IN_FOLDERS)} file")
-            found |= dict.fromkeys(child.resolve() for child in chosen)
+                raise FileError(path, f"the folder contains no {', '.join(SUFFIXES)} or {', '.join(IN_FOLDERS)} file")
+            files |= dict.fromkeys(child.resolve() for child in chosen)
         elif suffix == INDEX:
-            found |= dict.fromkeys(files_of_index(path))
+            files |= dict.fromkeys(files_of_index(path))
         elif suffix in SUFFIXES or suffix in LOOSE:
-            found[path.resolve()] = None
+            files[path.resolve()] = None
         else:
             known = ", ".join((*SUFFIXES, INDEX, *LOOSE))
-            raise FileError(path, f"tiles are made of {known} files", remedy="Write it as .laz first")
-    if not found:
+            raise FileError(path, f"expected one of {known}", remedy="Convert it to .laz first")
+    if not files:
         raise ValueError("sources: expected at least one file")
-    return [*found]
+    return [*files]
 
 
 def describe_all(
@@ -87,14 +87,14 @@ def describe_all(
         known = {source["original"]["path"]: source for source in listed if "original" in source}
         changed = [path for path in loose if known.get(str(path), {}).get("original") != states[path]]
         if changed:
-            reason = f"holds the tiles of another plan: {changed[0]} is new or has changed"
+            reason = f"contains the tiles of another plan: {changed[0]} is new or has changed"
             raise FileError(folder, reason, remedy="Give another folder")
         for path in loose:
-            check_same(known[str(path)])
+            check_unchanged(known[str(path)])
         return [known[str(path)] if path in states else describe(path) for path in paths]
     name = MADE if epoch is None else f"{MADE}-{epoch + 1}"
-    with taken_over(loose, folder, report, name) as made:
-        described = {path: describe(place) for path, place in made.items()}
+    with converted_files(loose, folder, report, name) as made:
+        described = {path: describe(laz_path) for path, laz_path in made.items()}
     for path, source in described.items():
         source |= {"path": str((folder / name / Path(source["path"]).name).resolve()), "original": states[path]}
     return [described[path] if path in states else describe(path) for path in paths]
@@ -102,10 +102,10 @@ def describe_all(
 
 def _state_on_disk(path: Path) -> dict[str, Any]:
     try:
-        told = path.stat()
+        stat = path.stat()
     except OSError as error:
         raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-    return {"path": str(path), "size": told.st_size, "mtime_ns": told.st_mtime_ns}
+    return {"path": str(path), "size": stat.st_size, "mtime_ns": stat.st_mtime_ns}
 
 
 def describe(path: Path) -> dict[str, Any]:
@@ -113,7 +113,7 @@ def describe(path: Path) -> dict[str, Any]:
     file = open_las(path)
     header = file.header
     if is_geographic(header):
-        remedy = "Project it first, project_to_utm(cloud) gives meters"
+        remedy = "Project it first, for example to meters with project_to_utm(cloud)"
         raise FileError(path, "x and y are degrees of longitude and latitude, not lengths", remedy=remedy)
     kind = "copc" if is_copc(file) else "rows"
     if kind == "copc":
@@ -135,7 +135,7 @@ def describe(path: Path) -> dict[str, Any]:
     }
 
 
-def check_alike(sources: list[dict[str, Any]]) -> None:
+def check_compatible(sources: list[dict[str, Any]]) -> None:
     """Raise FileError if files differ in coordinate system, unit, scale or attributes."""
     first = sources[0]
     for other in sources[1:]:
@@ -146,45 +146,50 @@ def check_alike(sources: list[dict[str, Any]]) -> None:
             ("attributes", "attributes"),
         ):
             if other[key] != first[key]:
-                said = f"its {what} is {_said(other[key])}, that of {given_as(first)} {_said(first[key])}"
-                raise FileError(given_as(other), said, remedy="Bring the files to one first, nothing is converted here")
+                wanted, got = _value_text(first[key]), _value_text(other[key])
+                reason = f"expected the {what} {wanted} as in {original_path(first)}, got {got}"
+                raise FileError(
+                    original_path(other),
+                    reason,
+                    remedy=f"Convert the files to the same {what} first, it is not converted automatically",
+                )
 
 
 def warn_of_lost_records(sources: list[dict[str, Any]]) -> None:
     """Warn about waveforms, or records of several files, which tiles do not keep."""
     header = file_of(sources[0]).header
     if lost := left_out_of(header):
-        warn_of_loss(given_as(sources[0]), " and the ".join(lost), "tiles hold points alone")
+        warn_of_loss(original_path(sources[0]), " and the ".join(lost), "tiles contain points only")
     if len(sources) > 1 and (names := own_records(header)):
-        reason = "tiles hold points of several files. The tiles of one file keep them"
-        warn_of_loss(given_as(sources[0]), f"records {', '.join(names)}", reason)
+        reason = "tiles contain points of several files. Tiles of a single file keep them"
+        warn_of_loss(original_path(sources[0]), f"records {', '.join(names)}", reason)
 
 
-def given_as(source: dict[str, Any]) -> str:
+def original_path(source: dict[str, Any]) -> str:
     """Path of the file as given by the user, not of its LAZ conversion."""
     return source.get("original", source)["path"]
 
 
-def _said(value: Any) -> str:
+def _value_text(value: Any) -> str:
     if isinstance(value, dict):
         return ", ".join(f"{name} ({kind})" for name, kind in value.items()) or "none"
     return "unknown" if value is None else str(value)
 
 
-def check_same(source: dict[str, Any]) -> None:
+def check_unchanged(source: dict[str, Any]) -> None:
     """Raise FileError if a file is missing, or its size or time changed."""
     if "original" in source:
-        check_same(source["original"])
+        check_unchanged(source["original"])
     path = Path(source["path"])
     try:
-        told = path.stat()
+        stat = path.stat()
     except OSError as error:
-        made = f", that was made of {given_as(source)}" if "original" in source else ""
-        remedy = "Plan the tiles anew in another folder" if made else ""
+        made = f", which was converted from {original_path(source)}" if "original" in source else ""
+        remedy = "Plan the tiles again in another folder" if made else ""
         raise FileError(path, f"cannot be read: {error.strerror or error}{made}", remedy=remedy) from error
-    if (told.st_size, told.st_mtime_ns) != (source["size"], source["mtime_ns"]):
-        what = f"{source['size']} bytes" + ("" if told.st_size == source["size"] else f", now {told.st_size}")
-        remedy = "Plan the tiles anew in another folder"
+    if (stat.st_size, stat.st_mtime_ns) != (source["size"], source["mtime_ns"]):
+        what = f"{source['size']} bytes" + ("" if stat.st_size == source["size"] else f", now {stat.st_size}")
+        remedy = "Plan the tiles again in another folder"
         raise FileError(path, f"has changed since the tiles were planned ({what})", remedy=remedy)
 
 
@@ -212,7 +217,7 @@ def _opened_copc(path: str, size: int, mtime_ns: int) -> tuple[CopcFile, NDArray
     return copc, firsts
 
 
-class NotLaidError(Exception):
+class UnsortedFileError(Exception):
     """A tile needs a file that was far from all tiles during planning. The argument is its number."""
 
 
@@ -228,20 +233,20 @@ def read_rows(
     for number, source in listed:
         if not _meets(source, window, plan.slack):
             continue
-        check_same(source)
+        check_unchanged(source)
         if source["kind"] == "copc":
             copc, firsts = _opened_copc(*_state_of(source))
             rows, numbers = _rows_of_copc(copc, firsts, window, plan)
             file, full = copc.file, copc.full
         else:
             file, full = file_of(source), fulls[number]
-            if full == NOT_LAID:
-                raise NotLaidError(number)
+            if full == UNSORTED:
+                raise UnsortedFileError(number)
             rows, numbers = read_buckets(plan, folder, number, file, window)
         if len(rows):
             tables.append(_decoded(file, rows, full))
             keys.append(numbers + (np.int64(number) << ROW_BITS))
-        check_same(source)  # not modified during reading
+        check_unchanged(source)  # not modified during reading
         check_size(plan, sum(len(table.points) for table in tables))
     if not tables:
         file = file_of(listed[0][1])
@@ -276,19 +281,19 @@ def _check_nodes(copc: CopcFile, which: NDArray[np.int64], rows: NDArray[Any], p
     lows = copc.corner + nodes["cell"] * widths[:, None]
     slack = plan.slack + np.array(copc.file.header.scales)
     owners = np.repeat(np.arange(len(nodes)), nodes["count"])
-    places = positions_of(copc.file, rows, "XYZ")
-    beyond = ((places < (lows - slack)[owners]) | (places > (lows + widths[:, None] + slack)[owners])).any(axis=1)
+    positions = positions_of(copc.file, rows, "XYZ")
+    beyond = ((positions < (lows - slack)[owners]) | (positions > (lows + widths[:, None] + slack)[owners])).any(axis=1)
     if beyond.any():
         row = int(np.flatnonzero(beyond)[0])
         where = f"the chunk at byte {int(nodes['begin'][owners[row]])}"
-        reason = f"is damaged: the point at {places[row].tolist()} is outside the cube of its node"
+        reason = f"is damaged: the point at {positions[row].tolist()} is outside the cube of its node"
         raise FileError(copc.path, reason, where=where)
 
 
 def _decoded(file: LasFile, rows: Any, full: int) -> PointTable:
     columns = file.decode(rows)
     if "colors" in columns:
-        scale_by(full, columns["colors"], file.path, "Write it as .las first, which is read whole once")
+        scale_by(full, columns["colors"], file.path, "Convert it to .las first, which is read completely once")
     return table_of(file, columns)
 
 
@@ -316,14 +321,14 @@ def files_of_index(path: Path) -> list[Path]:
     except FileError:
         raise
     except (ValueError, KeyError, TypeError, AttributeError) as error:
-        reason = f"is no virtual point cloud: {type(error).__name__}: {error}"
+        reason = f"is not a virtual point cloud: {type(error).__name__}: {error}"
         raise FileError(path, reason, remedy="A .vpc has features, each with an asset of points") from error
     files = []
     for number, href in enumerate(hrefs):
         where = f"item {number}"
         if not isinstance(href, str) or "://" in href or "\0" in href:
-            remedy = "Download it, and make the index anew"
-            raise FileError(path, f"lists {href!r}, which is no file on this machine", where=where, remedy=remedy)
+            remedy = "Download it, and create the index again"
+            raise FileError(path, f"lists {href!r}, which is not a file on this machine", where=where, remedy=remedy)
         try:
             file = (path.parent / href).resolve()
             if not file.is_file():
@@ -334,7 +339,9 @@ def files_of_index(path: Path) -> list[Path]:
         if file.suffix.lower() not in SUFFIXES:
             raise FileError(path, f"lists {href}, which is neither .las nor .laz", where=where)
         if not is_there:
-            raise FileError(path, f"lists {href}, which is not there", where=where, remedy=f"It should be at {file}")
+            raise FileError(
+                path, f"lists {href}, which does not exist", where=where, remedy=f"The expected path is {file}"
+            )
         _check_item(path, items[number], file, where)
         files.append(file)
     if not files:
@@ -346,21 +353,21 @@ def _data_of(assets: dict[str, Any]) -> dict[str, Any]:
     """Asset with the points of an item: the one named "data", or the only one with that role or extension."""
     if "data" in assets:
         return assets["data"]
-    told = [asset for asset in assets.values() if "data" in asset.get("roles", ())]
-    told = told or [asset for asset in assets.values() if asset["href"].lower().endswith(SUFFIXES)]
-    if len(told) != 1:
-        raise ValueError(f"of the assets {', '.join(map(repr, assets)) or '(none)'} not one is that of the points")
-    return told[0]
+    candidates = [asset for asset in assets.values() if "data" in asset.get("roles", ())]
+    candidates = candidates or [asset for asset in assets.values() if asset["href"].lower().endswith(SUFFIXES)]
+    if len(candidates) != 1:
+        raise ValueError(f"expected one asset with points, got {', '.join(map(repr, assets)) or '(none)'}")
+    return candidates[0]
 
 
 def _check_item(path: Path, item: dict[str, Any], file: Path, where: str) -> None:
     """Raise FileError if an item's point count or bounds disagree with its file."""
-    header, told = open_las(file).header, item.get("properties") or {}
-    if not isinstance(told, dict):
-        raise FileError(path, f"expected an object of properties, got {shown(told)}", where=where)
-    count, box, remedy = told.get("pc:count"), told.get("proj:bbox"), "Make the index anew"
+    header, properties = open_las(file).header, item.get("properties") or {}
+    if not isinstance(properties, dict):
+        raise FileError(path, f"expected an object of properties, got {shown(properties)}", where=where)
+    count, box, remedy = properties.get("pc:count"), properties.get("proj:bbox"), "Create the index again"
     if count is not None and count != header.point_count:
-        reason = f"says that {file} holds {shown(count)} points, it holds {header.point_count}"
+        reason = f"lists {shown(count)} points of {file}, which contains {header.point_count}"
         raise FileError(path, reason, where=where, remedy=remedy)
     if box is None or not header.point_count:
         return
@@ -369,9 +376,9 @@ def _check_item(path: Path, item: dict[str, Any], file: Path, where: str) -> Non
         ends = np.array(box, np.float64).reshape(2, -1)
         (plane,) = {ends.shape[1]} & {2, 3}
     except (ValueError, TypeError, OverflowError) as error:
-        reason = f"says bounds of {file} that are none: {shown(box)}"
+        reason = f"lists invalid bounds of {file}: {shown(box)}"
         raise FileError(path, reason, where=where, remedy=remedy) from error
     beside = np.abs(ends - np.array([low, high])[:, :plane])
     if not (beside <= 2 * np.array(header.scales)[:plane]).all():
-        reason = f"says that {file} reaches over {ends.tolist()}, its header {[low.tolist(), high.tolist()]}"
+        reason = f"lists the bounds {ends.tolist()} of {file}, its header {[low.tolist(), high.tolist()]}"
         raise FileError(path, reason, where=where, remedy=remedy)

@@ -11,7 +11,7 @@ from ..core.escaped_text import escaped
 from ..core.paths import path_of
 from ..core.wording import plain
 from .manifest import NAME, Manifest, damage_as_file_errors, files_of
-from .sources import check_same, given_as
+from .sources import check_unchanged, original_path
 from .steps.parse import KNOWN
 
 
@@ -57,16 +57,23 @@ class TileStatus:
 
     def __str__(self) -> str:
         tiles = self.waiting + self.running + self.done + self.empty + self.failed + self.aside
-        told = [
+        parts = [
             f"{self.done + self.empty} of {tiles} tiles done, {self.points_in:,} points in, {self.points_out:,} out"
         ]
         if self.passes > 1 and not self.is_finished:
-            told.append(f"pass {self.which_pass} of {self.passes}: {self.through} of {tiles} tiles through")
-        told += [
-            f"{count} {name}" for name in ("waiting", "running", "failed", "aside") if (count := getattr(self, name))
+            parts.append(f"pass {self.which_pass} of {self.passes}: {self.through} of {tiles} tiles finished it")
+        parts += [
+            f"{count} {name}"
+            for name, count in (
+                ("waiting", self.waiting),
+                ("running", self.running),
+                ("failed", self.failed),
+                ("quarantined", self.aside),
+            )
+            if count
         ]
         lines = (f"\n  tile {escaped(tile)}: {escaped(error)}" for tile, error in self.troubles.items())
-        return "; ".join(told) + "".join(lines)
+        return "; ".join(parts) + "".join(lines)
 
 
 def tile_status(folder: FilePath) -> TileStatus:
@@ -76,10 +83,10 @@ def tile_status(folder: FilePath) -> TileStatus:
         FileError: If the folder has no manifest.
     """
     with Manifest(path_of(folder, "folder")) as manifest:
-        told = status_of(manifest)
-        if told.is_finished:
-            return told
-        return replace(told, troubles=told.troubles | _lost_of(manifest))
+        status = status_of(manifest)
+        if status.is_finished:
+            return status
+        return replace(status, troubles=status.troubles | _lost_of(manifest))
 
 
 def _lost_of(manifest: Manifest) -> dict[str, str]:
@@ -88,9 +95,9 @@ def _lost_of(manifest: Manifest) -> dict[str, str]:
     for source in files_of(manifest.plan):
         if "original" in source:
             try:
-                check_same(source)
+                check_unchanged(source)
             except FileError as error:
-                lost[given_as(source)] = str(error)
+                lost[original_path(source)] = str(error)
     return lost
 
 
@@ -101,14 +108,14 @@ def status_of(manifest: Manifest) -> TileStatus:
     (sums,) = manifest.rows(query)
     (disk,) = manifest.rows("SELECT sum(bytes) AS n FROM sources")
     bad = manifest.rows("SELECT ix, iy, error FROM tiles WHERE state IN ('failed', 'aside') ORDER BY id")
-    again = f"repeated alone by `pointloom tile run {shlex.quote(str(manifest.folder))} --tile"
-    troubles = {
+    again = f"run it alone with `pointloom tile run {shlex.quote(str(manifest.folder))} --tile"
+    errors = {
         (name := f"{row['ix']}_{row['iy']}"): f"{' '.join((row['error'] or '').split())}; {again} {name}`"
         for row in bad
     }
     files = manifest.rows("SELECT id, error FROM sources WHERE state IN ('failed', 'aside') ORDER BY id")
     with damage_as_file_errors(manifest.folder / NAME):
-        troubles |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
+        errors |= {files_of(manifest.plan)[row["id"]]["path"]: row["error"] or "" for row in files}
     return TileStatus(
         folder=str(manifest.folder),
         **counts,
@@ -117,7 +124,7 @@ def status_of(manifest: Manifest) -> TileStatus:
         points_in=sums["a"] or 0,
         points_out=sums["b"] or 0,
         bucket_bytes=disk["n"] or 0,
-        troubles=troubles,
+        troubles=errors,
         **_pass_of(manifest),
     )
 

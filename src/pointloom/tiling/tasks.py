@@ -14,16 +14,16 @@ from pathlib import Path
 from typing import Any
 
 from ..core.errors import FileError
-from .border_merging import Joined, Leavings, join_step
+from .border_merging import BorderData, Joined, join_step
 from .buckets import REMOTE, Filled, fill_buckets, folder_of
 from .exact_sums import ExactSums
-from .manifest import NAME, NOT_LAID, STATES, Manifest, files_of, said_of
+from .manifest import NAME, STATES, UNSORTED, Manifest, files_of, message_of
 from .plan import Plan, plan_alone
 from .schema import CHECKSUMS
-from .sources import NotLaidError, check_same
+from .sources import UnsortedFileError, check_unchanged
 from .work_tile import Outcome, work_tile
 
-Found = Filled | Outcome | Joined
+Result = Filled | Outcome | Joined
 
 
 @dataclass(frozen=True)
@@ -40,12 +40,12 @@ class Task:
     left: dict[int, int] = field(default_factory=dict)
 
 
-def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> Found:
+def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> Result:
     if task.table == "sources":
-        check_same(plan.files[task.number])
+        check_unchanged(plan.files[task.number])
         filled = fill_buckets(plan, folder, task.number, owner)
         try:
-            check_same(plan.files[task.number])
+            check_unchanged(plan.files[task.number])
         except FileError:  # modified meanwhile: the rows are mixed
             shutil.rmtree(folder_of(folder, task.number), ignore_errors=True)
             raise
@@ -53,12 +53,12 @@ def do_task(plan: Plan, folder: Path, task: Task, owner: str) -> Found:
     if task.table == "joins":
         step = plan.passes[task.number]
         assert step is not None
-        left = Leavings(folder, step, task.left)
+        left = BorderData(folder, step, task.left)
         return join_step(folder, step, plan.steps[step], left, owner)
     return work_tile(plan, folder, task.number, task.which_pass, task.numbers, task.fulls)
 
 
-def do_task_alone(folder: str, functions: Iterable[str], task: Task, device: str) -> Found:
+def do_task_alone(folder: str, functions: Iterable[str], task: Task, device: str) -> Result:
     """Run a task in a worker process, which opens the plan and imports the named functions."""
     plan = _plan_of(folder, (Path(folder) / NAME).stat().st_ino, (*functions,))
     plan.device = device
@@ -120,52 +120,54 @@ class Taskbook:
             if step is not None and not self._plan.steps[step].joins and step not in self._numbers:
                 self._numbers[step] = sums_of(self._manifest, earlier)
         if self._fulls is None:  # all files are sorted, so the values are final
-            self._fulls = {found["id"]: found["full"] for found in self._manifest.rows("SELECT id, full FROM sources")}
+            self._fulls = {
+                source["id"]: source["full"] for source in self._manifest.rows("SELECT id, full FROM sources")
+            }
         return Task("tiles", row["id"], row["pass"], dict(self._numbers), self._fulls)
 
-    def do(self, task: Task, device: str) -> Found:
+    def do(self, task: Task, device: str) -> Result:
         self._plan.device = device
         return do_task(self._plan, self._manifest.folder, task, self.owner)
 
-    def settle(self, task: Task, found: Found) -> None:
-        if isinstance(found, Filled):
-            told: dict[str, Any] = {"points": found.points, "full": found.full, "bytes": found.size}
-            self._manifest.settle("sources", task.number, self.owner, state="done", error=None, **told)
+    def record(self, task: Task, result: Result) -> None:
+        if isinstance(result, Filled):
+            columns: dict[str, Any] = {"points": result.points, "full": result.full, "bytes": result.size}
+            self._manifest.record("sources", task.number, self.owner, state="done", error=None, **columns)
             return
-        if isinstance(found, Joined):
-            self._manifest.settle("joins", task.number, self.owner, state="done", error=None)
+        if isinstance(result, Joined):
+            self._manifest.record("joins", task.number, self.owner, state="done", error=None)
             return
         is_last = task.which_pass == len(self._plan.passes) - 1
-        told = {"points_in": found.points_in, "points_out": found.points_out, "error": None}
-        told |= {"state": ("done" if found.points_out else "empty") if is_last else "waiting"}
-        told["pass"] = task.which_pass if is_last else task.which_pass + 1
+        columns = {"points_in": result.points_in, "points_out": result.points_out, "error": None}
+        columns |= {"state": ("done" if result.points_out else "empty") if is_last else "waiting"}
+        columns["pass"] = task.which_pass if is_last else task.which_pass + 1
         with self._manifest.change() as base:
-            if not self._manifest.settle_in(base, "tiles", task.number, self.owner, **told):
+            if not self._manifest.record_in(base, "tiles", task.number, self.owner, **columns):
                 return
-            if found.checksum is not None:
+            if result.checksum is not None:
                 base.execute(CHECKSUMS)
-                base.execute("INSERT OR REPLACE INTO checksums VALUES (?, ?)", (task.number, found.checksum))
+                base.execute("INSERT OR REPLACE INTO checksums VALUES (?, ?)", (task.number, result.checksum))
             if not is_last:
-                sums = found.sums or ExactSums()
+                sums = result.sums or ExactSums()
                 values = (task.which_pass, task.number, sums.count, hex(sums.total), hex(sums.squares))
                 base.execute("INSERT OR REPLACE INTO numbers VALUES (?, ?, ?, ?, ?)", values)
 
     def fail(self, task: Task, error: Exception) -> None:
         """Record the error of a task. A tile that needs an unsorted file waits for it."""
-        if isinstance(error, NotLaidError):
+        if isinstance(error, UnsortedFileError):
             self._fulls = None
             with self._manifest.change() as base:
-                told = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full = ?"
-                base.execute(told, (error.args[0], NOT_LAID))
-                self._manifest.settle_in(base, task.table, task.number, self.owner, state="waiting")
+                query = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full = ?"
+                base.execute(query, (error.args[0], UNSORTED))
+                self._manifest.record_in(base, task.table, task.number, self.owner, state="waiting")
             return
-        self._manifest.settle(task.table, task.number, self.owner, state="failed", error=said_of(error))
+        self._manifest.record(task.table, task.number, self.owner, state="failed", error=message_of(error))
 
-    def set_aside(self, task: Task, reason: str) -> None:
-        self._manifest.settle(task.table, task.number, self.owner, state="aside", error=reason)
+    def quarantine(self, task: Task, reason: str) -> None:
+        self._manifest.record(task.table, task.number, self.owner, state="aside", error=reason)
 
 
-def lay_again(manifest: Manifest) -> None:
+def reset_missing_buckets(manifest: Manifest) -> None:
     """Reset files whose buckets are missing but needed by tiles."""
     counts = manifest.counts()
     if not counts["waiting"]:
@@ -173,15 +175,15 @@ def lay_again(manifest: Manifest) -> None:
     with manifest.change() as base:
         for number, source in enumerate(files_of(manifest.plan)):
             if source["kind"] != "copc" and not folder_of(manifest.folder, number).is_dir():
-                told = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full != ?"
-                base.execute(told, (number, NOT_LAID))
+                query = "UPDATE sources SET state = 'waiting' WHERE id = ? AND state = 'done' AND full != ?"
+                base.execute(query, (number, UNSORTED))
 
 
 def next_pass(manifest: Manifest) -> int | None:
     """Current pass. The next one starts when all tiles are through."""
     query = "SELECT pass FROM tiles WHERE state = ? ORDER BY pass LIMIT 1"
-    found = [row["pass"] for state in STATES if state not in ("done", "empty") for row in manifest.rows(query, state)]
-    return min(found, default=None)
+    passes = [row["pass"] for state in STATES if state not in ("done", "empty") for row in manifest.rows(query, state)]
+    return min(passes, default=None)
 
 
 def sums_of(manifest: Manifest, number: int) -> ExactSums:

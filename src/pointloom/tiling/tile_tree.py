@@ -28,12 +28,12 @@ from .processes import Processes
 
 # Points of a cell. In larger cells, their own level takes at most 128^3 voxels, so more points are deeper than may be
 # merged into the parent (pcd/detail_nodes.py): no node ends above the cells.
-MOST = 2_800_000
+MAX_POINTS = 2_800_000
 GRID_DEPTH = 14  # halvings to the counted cells, fewer if too many have points
 MAX_CELLS = 1 << 20
-LEAST = 8192  # deeper points merged into the parent, as in write_copc
+MIN_POINTS = 8192  # deeper points merged into the parent, as in write_copc
 _BATCH = 1 << 20  # points read at a time
-_KEPT_BYTES = 1 << 28
+_CACHE_BYTES = 1 << 28
 _AXES = ("X", "Y", "Z")
 
 
@@ -75,29 +75,29 @@ class TileTree:
     and packs. `corner`, `side`, `low` and `high` are the cube and the bounds; `leaves` the cells in Morton order."""
 
     def __init__(self, paths: list[Path], counts: list[int], report: ReportProgress, pool: Processes | None = None):
-        self._pool, self._least = pool or Processes(0, paths[0]), LEAST
+        self._pool, self._min_points = pool or Processes(0, paths[0]), MIN_POINTS
         self._report, self.files = report, [LazChunks(path) for path in paths]
         first = self.files[0].header
         for file, count in zip(self.files, counts, strict=True):
             if file.header.point_count != count or not is_alike(file.header, first):
                 reason = f"is not the tile that was written: {file.header.point_count} points, not {count}"
-                raise FileError(file.path, reason, remedy="Call retry_tiles, or plan it anew")
+                raise FileError(file.path, reason, remedy="Call retry_tiles, or plan it again")
         self.scales, self.offsets = np.array(first.scales), np.array(first.offsets)
         self.low = np.min([file.header.bounds[0] for file in self.files], axis=0)
         self.high = np.max([file.header.bounds[1] for file in self.files], axis=0)
         self.corner = self.low
         self.side = max(float((self.high - self.corner).max()), float(self.scales.max()))
         self.count = sum(counts)
-        self._kept: LruCache[NDArray[Any]] = LruCache(_KEPT_BYTES)
-        depth, cells, held = self._survey()
-        self.leaves = self._split(depth, cells, held)
+        self._cache: LruCache[NDArray[Any]] = LruCache(_CACHE_BYTES)
+        depth, cells, cell_counts = self._survey()
+        self.leaves = self._split(depth, cells, cell_counts)
 
     def positions(self, rows: NDArray[Any]) -> NDArray[np.float64]:
         """Coordinates of rows, float64 (n, 3)."""
-        return _places(rows, self.scales, self.offsets)
+        return _positions(rows, self.scales, self.offsets)
 
     def __getstate__(self) -> dict[str, Any]:
-        return self.__dict__ | {"_pool": None, "_report": say_nothing, "_kept": LruCache(_KEPT_BYTES)}
+        return self.__dict__ | {"_pool": None, "_report": say_nothing, "_kept": LruCache(_CACHE_BYTES)}
 
     def _survey(self) -> tuple[int, NDArray[np.int64], NDArray[np.int64]]:
         """(halvings, codes, counts) of cells with points. Also stores chunk boxes."""
@@ -106,7 +106,7 @@ class TileTree:
         tasks = [(file, which) for file in self.files for which in _runs(file.counts, _BATCH)]
         firsts = np.concatenate([np.cumsum(file.counts) - file.counts for file in self.files])
         numbers = {id(file): number for number, file in enumerate(self.files)}
-        look = _Look(self.scales, self.offsets, self.corner, self.side)
+        look = _FirstPass(self.scales, self.offsets, self.corner, self.side)
         begin = 0
         for (file, which), (codes, counts, lows, highs) in zip(tasks, self._pool.map(look, tasks), strict=True):
             chunks = slice(begin, begin + len(which))
@@ -116,20 +116,20 @@ class TileTree:
             grid.add(codes, counts)
             at += int(file.counts[which].sum())
             self._report("points", at, 2 * self.count)
-        numbers, chunks, starts, least, most = (np.concatenate(column) for column in zip(*boxes, strict=True))
-        lows, highs = self._cells_of(least), self._cells_of(most)
+        numbers, chunks, starts, low_steps, high_steps = (np.concatenate(column) for column in zip(*boxes, strict=True))
+        lows, highs = self._cells_of(low_steps), self._cells_of(high_steps)
         outside = np.flatnonzero((lows < 0).any(axis=1) | (highs > LAST_CELL + 2).any(axis=1))
         if len(outside):
             path = self.files[int(numbers[outside[0]])].path
-            raise FileError(path, "has points outside the bounds that its header tells", remedy="Write it anew")
+            raise FileError(path, "has points outside the bounds of its header", remedy="Write it again")
         lows, highs = np.minimum(lows, LAST_CELL), np.minimum(highs, LAST_CELL)
         self._chunks = _Chunks(numbers, chunks, starts, lows, highs)
         return grid.finish()
 
     def _cells_of(self, steps: NDArray[Any]) -> NDArray[np.int64]:
         """Finest cells of integer coordinates (n, 3)."""
-        places = steps * self.scales + self.offsets
-        return np.floor((places - self.corner) * Cube(self.corner, self.side).scale).astype(np.int64)
+        positions = steps * self.scales + self.offsets
+        return np.floor((positions - self.corner) * Cube(self.corner, self.side).scale).astype(np.int64)
 
     def _split(self, depth: int, codes: NDArray[np.int64], counts: NDArray[np.int64]) -> list[Leaf]:
         ends = np.concatenate([[0], np.cumsum(counts)])
@@ -138,25 +138,26 @@ class TileTree:
             at, code = stack.pop()
             shift = 3 * (depth - at)
             low, high = np.searchsorted(codes, [code << shift, (code + 1) << shift]).tolist()
-            held = int(ends[high] - ends[low])
-            if not held:
+            count = int(ends[high] - ends[low])
+            if not count:
                 continue
-            if held <= MOST:
-                leaves.append(Leaf(at, code, held))
+            if count <= MAX_POINTS:
+                leaves.append(Leaf(at, code, count))
                 continue
             if at == min(depth, LEVELS - 1):
-                place = self.corner + cells_of(np.array([code]))[0] * (self.side / 2**at)
-                reason = f"{held:,} points lie within {self.side / 2**at:g} of {place.tolist()}, at most {MOST:,} may"
+                position = self.corner + cells_of(np.array([code]))[0] * (self.side / 2**at)
+                size = f"{self.side / 2**at:g}"
+                reason = f"expected at most {MAX_POINTS:,} points within {size} of {position.tolist()}, got {count:,}"
                 raise FileError(self.files[0].path.parent, reason, remedy="Add a step voxel_down_sample")
             stack += [(at + 1, code * 8 + octant) for octant in range(7, -1, -1)]
         return leaves
 
     def nodes(self, pack: Pack | None = None) -> Iterator[Node]:
         """Yield nodes with points, children before parents; `pack` makes their chunks."""
-        champions = self._champions()
+        representatives = self._representatives()
         pending: dict[int, list[tuple[NDArray[Any], NDArray[np.int64]]]] = {}
         done = 0
-        tasks = ((leaf, champions.get(leaf), pack) for leaf in self.leaves)
+        tasks = ((leaf, representatives.get(leaf), pack) for leaf in self.leaves)
         for k, (nodes, above) in enumerate(self._pool.map(self.cell, tasks)):
             leaf = self.leaves[k]
             for level, chosen in above.items():
@@ -170,13 +171,13 @@ class TileTree:
                 node = _joined(level, leaf.code >> 3 * (leaf.depth - level), pending.pop(level))
                 yield from _packed([node], pack)
 
-    def cell(self, leaf: Leaf, champion: int | None, pack: Pack | None) -> tuple[list[Node], Above]:
-        """Nodes in a cell, and points for levels above; `champion` as of `_champions`."""
+    def cell(self, leaf: Leaf, level_of_representative: int | None, pack: Pack | None) -> tuple[list[Node], Above]:
+        """Nodes in a cell, and points for levels above; `level_of_representative` is a value of `_representatives`."""
         rows, numbers = self._gather(leaf)
         keys, order, levels = self._levels_of(leaf, rows, numbers)
-        if champion is not None:
-            levels[levels < leaf.depth - NODE_BITS + 1] = champion
-        table = make_nodes(keys, order, levels, max_points=self.count, min_points=self._least, depth=leaf.depth)
+        if level_of_representative is not None:
+            levels[levels < leaf.depth - NODE_BITS + 1] = level_of_representative
+        table = make_nodes(keys, order, levels, max_points=self.count, min_points=self._min_points, depth=leaf.depth)
         above: Above = {}
         for level in range(leaf.depth):
             chosen = np.sort(order[levels == level])
@@ -188,31 +189,31 @@ class TileTree:
         points = upload(self.positions(rows), vec3d, "cpu")
         keys, order, levels = find_levels(points, self.corner, self.side, numbers)
         if len(rows) != leaf.points or ((keys >> 3 * (DEPTH - leaf.depth)) != leaf.code).any():
-            raise FileError(self.files[0].path.parent, "the tiles have changed while they were read")
+            raise FileError(self.files[0].path.parent, "the tiles changed while they were read")
         return keys, order, levels
 
-    def _champions(self) -> dict[Leaf, int]:
+    def _representatives(self) -> dict[Leaf, int]:
         """Level of the representative point of cells smaller than a voxel of the coarsest level."""
-        found = []
+        ranked = []
         for leaf in self.leaves:
             if leaf.depth <= NODE_BITS:
                 continue
             rows, numbers = self._gather(leaf)
             _, order, levels = self._levels_of(leaf, rows, numbers)
             (best,) = order[levels == 0].tolist()
-            found.append((priority_of(int(numbers[best])), leaf))
-        told: dict[Leaf, int] = {}
-        for rank, leaf in found:
-            depths = [_shared_depth(leaf, other) for other_rank, other in found if other_rank < rank]
-            told[leaf] = max([NODE_BITS - 1, *depths]) - (NODE_BITS - 1)
-        return told
+            ranked.append((priority_of(int(numbers[best])), leaf))
+        result: dict[Leaf, int] = {}
+        for rank, leaf in ranked:
+            depths = [_shared_depth(leaf, other) for other_rank, other in ranked if other_rank < rank]
+            result[leaf] = max([NODE_BITS - 1, *depths]) - (NODE_BITS - 1)
+        return result
 
     def _gather(self, leaf: Leaf) -> tuple[NDArray[Any], NDArray[np.int64]]:
         shift = DEPTH - leaf.depth
         low = cells_of(np.array([leaf.code]))[0] << shift
         high = low + (1 << shift) - 1
-        least, most = self._steps_from(low), self._steps_from(high + 1) - 1
-        most[high >= LAST_CELL] = np.iinfo(np.int32).max
+        low_steps, high_steps = self._steps_from(low), self._steps_from(high + 1) - 1
+        high_steps[high >= LAST_CELL] = np.iinfo(np.int32).max
         chunks = self._chunks
         meets = (chunks.lows <= high).all(axis=1) & (chunks.highs >= low).all(axis=1)
         rows: list[NDArray[Any]] = [np.empty(0, self.files[0].row)]
@@ -222,7 +223,7 @@ class TileTree:
             keep = np.ones(len(read), bool)
             for axis, name in enumerate(_AXES):
                 if chunks.lows[k, axis] < low[axis] or chunks.highs[k, axis] > high[axis]:
-                    keep &= (read[name] >= least[axis]) & (read[name] <= most[axis])
+                    keep &= (read[name] >= low_steps[axis]) & (read[name] <= high_steps[axis])
             chosen = np.flatnonzero(keep)
             rows.append(read[chosen])
             numbers.append(chosen + chunks.firsts[k])
@@ -238,16 +239,16 @@ class TileTree:
         return high
 
     def _chunk(self, k: int) -> NDArray[Any]:
-        rows = self._kept.find(k)
+        rows = self._cache.find(k)
         if rows is None:
             chunks = self._chunks
             rows = self.files[int(chunks.files[k])].rows(chunks.chunks[k : k + 1])
-            self._kept.put(k, rows, rows.nbytes)
+            self._cache.put(k, rows, rows.nbytes)
         return rows
 
 
 @dataclass
-class _Look:
+class _FirstPass:
     """First pass over chunks of a file: points by cell, and chunk boxes in steps."""
 
     scales: NDArray[np.float64]
@@ -262,12 +263,12 @@ class _Look:
             np.column_stack([extreme.reduceat(rows[name], starts) for name in _AXES])
             for extreme in (np.minimum, np.maximum)
         )
-        points = upload(_places(rows, self.scales, self.offsets), vec3d, "cpu")
+        points = upload(_positions(rows, self.scales, self.offsets), vec3d, "cpu")
         keys = download(sort_by_cell(points, Cube(self.corner, self.side))[0])
         return *_counted(keys >> 3 * (DEPTH - GRID_DEPTH), None), lows, highs
 
 
-def _places(rows: NDArray[Any], scales: Any, offsets: Any) -> NDArray[np.float64]:
+def _positions(rows: NDArray[Any], scales: Any, offsets: Any) -> NDArray[np.float64]:
     return np.column_stack([rows[name] * scales[k] + offsets[k] for k, name in enumerate(_AXES)])
 
 
@@ -313,12 +314,12 @@ def _counted(codes: NDArray[np.int64], counts: NDArray[np.int64] | None) -> tupl
     return codes[starts], np.add.reduceat(counts, starts) if len(starts) else counts
 
 
-def _runs(counts: NDArray[np.int64], most: int) -> Iterator[NDArray[np.int64]]:
-    """Consecutive chunk numbers with at most `most` points, unless a single chunk has more."""
+def _runs(counts: NDArray[np.int64], max_points: int) -> Iterator[NDArray[np.int64]]:
+    """Consecutive chunk numbers with at most `max_points` points, unless a single chunk has more."""
     ends, begin = np.cumsum(counts), 0
     while begin < len(counts):
         before = int(ends[begin - 1]) if begin else 0
-        end = max(int(np.searchsorted(ends, before + most, side="right")), begin + 1)
+        end = max(int(np.searchsorted(ends, before + max_points, side="right")), begin + 1)
         yield np.arange(begin, end)
         begin = end
 

@@ -41,7 +41,7 @@ Parts = Callable[[], Iterator[PointTable]]
 
 
 @dataclass
-class Found:
+class CommonProperties:
     """Result of the first pass over all files. `normals` and `colors` are True if all points have them; `types` are
     those of common attributes; `renamed` maps names that LAS cannot store (attribute_names.py); `unit` is None if no
     file has one."""
@@ -60,15 +60,18 @@ class Found:
         count = len(table.points)
         if is_first:
             if self.counts and _metres(self.unit) != _metres(table.unit):
-                reason = f"its unit is {table.unit or 'unknown'}, that of the files before it {self.unit or 'unknown'}"
-                raise FileError(path, reason, remedy="Bring the files to one first, nothing is converted here")
+                wanted, got = self.unit or "unknown", table.unit or "unknown"
+                reason = f"expected the unit {wanted} as in the previous files, got {got}"
+                raise FileError(
+                    path, reason, remedy="Convert the files to the same unit first, it is not converted automatically"
+                )
             self.unit = table.unit
             self.counts.append(0)
         beside = ~np.isfinite(table.points).all(axis=1)
         if beside.any():
             row = self.counts[-1] + int(np.flatnonzero(beside)[0])
-            remedy = "Take such points away first: remove_non_finite_points()"
-            raise FileError(path, "a point is not finite, and lies in no tile", where=f"point {row}", remedy=remedy)
+            remedy = "Remove such points first with remove_non_finite_points()"
+            raise FileError(path, "a point is not finite", where=f"point {row}", remedy=remedy)
         self.counts[-1] += count
         if not count:
             return
@@ -81,9 +84,9 @@ class Found:
         if self.types is None:
             self.types = types
         self.types = {
-            name: (np.promote_types(kept[0], types[name][0]), kept[1])
-            for name, kept in self.types.items()
-            if name in types and types[name][1] == kept[1]
+            name: (np.promote_types(known[0], types[name][0]), known[1])
+            for name, known in self.types.items()
+            if name in types and types[name][1] == known[1]
         }
 
     def shaped(self, table: PointTable) -> PointTable:
@@ -114,7 +117,7 @@ def _names_in_las(path: Path, table: PointTable) -> dict[str, str]:
     renamed = new_names(shaped.attributes, name_rules(path, shaped))
     under = {renamed.get(name, name): values for name, values in shaped.attributes.items()}
     for name, reason in unstorable_in_las(path, PointTable(table.points, attributes=under)).items():
-        remedy = "Change or drop it, or write the file as .laz"
+        remedy = "Change or remove it, or write the file as .laz"
         raise FileError(path, f"attribute {name!r} {reason}", remedy=remedy)
     return {name: new for name, new in renamed.items() if name in table.attributes}
 
@@ -129,7 +132,7 @@ def is_made(path: Path) -> bool:
 
 
 @contextmanager
-def taken_over(
+def converted_files(
     paths: list[Path], folder: Path, report: ReportProgress, name: str = FOLDER
 ) -> Iterator[dict[Path, Path]]:
     """Convert files to LAZ in a subfolder and yield their new paths. They are kept only if the block succeeds."""
@@ -138,12 +141,12 @@ def taken_over(
         shutil.rmtree(old, ignore_errors=True)
     try:
         making.mkdir(parents=True)
-        found, files = look_at(paths, report)
+        properties, files = look_at(paths, report)
         made = {}
         for number, (path, parts) in enumerate(zip(paths, files, strict=True)):
             made[path] = making / f"{number:06d}.laz"
-            _write(path, parts, made[path], found, found.counts[number])
-            report("taking over", number + 1, len(paths))
+            _write(path, parts, made[path], properties, properties.counts[number])
+            report("converting", number + 1, len(paths))
         yield made
         making.rename(folder / name)
     except BaseException:
@@ -151,21 +154,21 @@ def taken_over(
         raise
 
 
-def look_at(paths: list[Path], report: ReportProgress) -> tuple[Found, list[Parts]]:
+def look_at(paths: list[Path], report: ReportProgress) -> tuple[CommonProperties, list[Parts]]:
     """First pass: common properties, and the opened files."""
-    found, files = Found(), []
+    properties, files = CommonProperties(), []
     for number, path in enumerate(paths):
         files.append(opened(path))
         for k, table in enumerate(files[-1]()):
-            found.add(path, table, is_first=not k)
+            properties.add(path, table, is_first=not k)
         report("counting", number + 1, len(paths))
-        if not found.counts[number]:
-            raise FileError(path, "holds no points")
-    extent = float((found.high - found.low).max())
+        if not properties.counts[number]:
+            raise FileError(path, "contains no points")
+    extent = float((properties.high - properties.low).max())
     if extent / COARSEST > 2**31:
-        reason = f"the points lie {extent:g} units apart, beyond 2^31 steps of {COARSEST:g}"
-        raise FileError(paths[0], reason, remedy="Take stray points away, or write .laz with a larger scale")
-    return found, files
+        reason = f"expected an extent of at most 2^31 steps of {COARSEST:g}, got {extent:g} units"
+        raise FileError(paths[0], reason, remedy="Remove outlying points, or write .laz with a larger scale")
+    return properties, files
 
 
 def opened(path: Path) -> Parts:
@@ -187,14 +190,16 @@ def _rows_of(path: Path) -> Iterator[PointTable]:
     yield from [READERS[path.suffix.lower()](path)] if file is None else file.parts(ROWS)
 
 
-def _write(path: Path, parts: Parts, target: Path, found: Found, count: int) -> None:
+def _write(path: Path, parts: Parts, target: Path, properties: CommonProperties, count: int) -> None:
     written, writer, layout = 0, None, None
     with atomic_write(target) as stream, foreign_errors(target, "cannot be written"):
         try:
             for table in parts():
                 if not len(table.points):
                     continue
-                layout = lay_out(target, found.shaped(table), found.scale, found.offset, None, is_part=True)
+                layout = lay_out(
+                    target, properties.shaped(table), properties.scale, properties.offset, None, is_part=True
+                )
                 if writer is None:
                     writer = layout.laspy.LasWriter(stream, layout.header, do_compress=True, closefd=False)
                 for begin in range(0, len(table.points), ROWS):
@@ -204,4 +209,4 @@ def _write(path: Path, parts: Parts, target: Path, found: Found, count: int) -> 
             if writer is not None:
                 writer.close()
     if written != count:
-        raise FileError(path, f"held {count} points when they were counted, and {written} now")
+        raise FileError(path, f"expected {count} points as in the first pass, got {written}")

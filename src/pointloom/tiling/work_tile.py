@@ -25,11 +25,11 @@ from ..kernels.search.hilbert_order import HilbertCurve, levels_for
 from ..kernels.search.point_tree import PointTree
 from ..kernels.segmentation.neighbor_counts import mask_crowded
 from ..pcd.search import NearestNeighborSearch
-from .border_merging import read_joined, write_left
+from .border_merging import read_joined, write_border_data
 from .buckets import inside
 from .epochs import read_epoch
 from .exact_sums import ExactSums
-from .halos import REACH_SLACK, halos_of
+from .halos import RADIUS_SLACK, halos_of
 from .plan import Plan
 from .rasters import write_raster
 from .sources import file_of, read_rows
@@ -67,9 +67,9 @@ def work_tile(
     target = plan.passes[number]
     steps = plan.steps if target is None else plan.steps[: target + 1]
     chain = plan.steps if any(step.joins for step in steps) else steps  # steps whose halos must be equal in each pass
-    reaches = [step.reach for step in chain]
+    radii = [step.radius for step in chain]
     for _ in range(MAX_DOUBLINGS):
-        halos = halos_of(chain, reaches, plan.slack)
+        halos = halos_of(chain, radii, plan.slack)
         # Borders are rounded: read slightly more. The tile number decides.
         window = plan.window(ix, iy, max(halos[0], 4 * plan.slack))
         table, keys = read_rows(plan, folder, fulls, window)
@@ -80,9 +80,9 @@ def work_tile(
         try:
             if not own and _keeps_homes(chain) and not any(step.writes for step in chain):
                 return Outcome(0, 0, ExactSums())
-            part, sums = _run(plan, folder, (ix, iy), part, steps, (reaches, halos), numbers, fulls, target)
-        except HaloError as found:
-            reaches[found.step] *= 2
+            part, sums = _run(plan, folder, (ix, iy), part, steps, (radii, halos), numbers, fulls, target)
+        except HaloError as error:
+            radii[error.step] *= 2
             continue
         if target is None:
             part = part.select(plan.tile_of(part.homes) == tile)
@@ -106,105 +106,107 @@ def _first_part(plan: Plan, table: PointTable, keys: NDArray[np.int64]) -> Part:
 def _run(
     plan: Plan,
     folder: Path,
-    place: tuple[int, int],
+    index: tuple[int, int],
     part: Part,
     steps: list[Step],
-    reach: tuple[list[float], list[float]],
+    radii_halos: tuple[list[float], list[float]],
     numbers: dict[int, ExactSums],
     fulls: dict[int, int],
     target: int | None,
 ) -> tuple[Part, ExactSums | None]:
-    reaches, halos = reach
+    radii, halos = radii_halos
     for k, step in enumerate(steps):
         if not len(part.cloud):
             return part, ExactSums()
-        if step.searches and (step.reach > 0 or step.neighbors is not None):
+        if step.searches and (step.radius > 0 or step.neighbors is not None):
             _adopt_tree(plan, part)
-        after = plan.window(*place, halos[k + 1])
-        wanted = _at_home(plan, part.homes, after, place)
+        after = plan.window(*index, halos[k + 1])
+        wanted = _at_home(plan, part.homes, after, index)
         if step.neighbors is not None:
-            _certify(plan, k, part, wanted, step.neighbors, reaches[k], plan.window(*place, halos[k]))
+            _certify(plan, k, part, wanted, step.neighbors, radii[k], plan.window(*index, halos[k]))
         if k == target and step.joins:
-            left = step.gather(part, _sight_of(plan, place, part, (halos[k] + halos[k + 1]) / 2))
+            left = step.gather(part, _sight_of(plan, index, part, (halos[k] + halos[k + 1]) / 2))
             count = int(left["count"][0])
             if count:
-                write_left(folder, k, place[1] * plan.shape[0] + place[0], left)
+                write_border_data(folder, k, index[1] * plan.shape[0] + index[0], left)
             return part, ExactSums(count)
         if k == target:
             return part, ExactSums.of(step.measure(part)[wanted])
         if isinstance(step, Rasterize) and target is None:
-            write_raster(step, part.cloud, plan, folder, place)
+            write_raster(step, part.cloud, plan, folder, index)
         if step.epoch:
-            halo = halos[k + 1] + step.reach * REACH_SLACK + part.spread + 4 * plan.slack
-            around = plan.window(*place, halo, ends=True)
-            part = part.beside(read_epoch(plan, folder, fulls, step, around))
-        told: Any = read_joined(folder, k, place[1] * plan.shape[0] + place[0]) if step.joins else numbers.get(k)
-        part = step.run(part, plan, told).beside(None)
-        part = part.select(_at_home(plan, part.homes, plan.window(*place, halos[k + 1]), place))
+            halo = halos[k + 1] + step.radius * RADIUS_SLACK + part.spread + 4 * plan.slack
+            around = plan.window(*index, halo, ends=True)
+            part = part.with_epoch(read_epoch(plan, folder, fulls, step, around))
+        global_result: Any = (
+            read_joined(folder, k, index[1] * plan.shape[0] + index[0]) if step.joins else numbers.get(k)
+        )
+        part = step.run(part, plan, global_result).with_epoch(None)
+        part = part.select(_at_home(plan, part.homes, plan.window(*index, halos[k + 1]), index))
     return part, None
 
 
-def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, place: tuple[int, int]) -> NDArray[np.bool_]:
+def _at_home(plan: Plan, homes: NDArray[np.float64], window: Any, index: tuple[int, int]) -> NDArray[np.bool_]:
     """Mask of homes in a tile and its halo. Without a halo by tile number, which defines the rounding."""
-    if window == plan.window(*place, 0.0):
-        return plan.tile_of(homes) == place[1] * plan.shape[0] + place[0]
+    if window == plan.window(*index, 0.0):
+        return plan.tile_of(homes) == index[1] * plan.shape[0] + index[0]
     x, y = homes[:, 0], homes[:, 1]
     return (x >= window[0]) & (y >= window[1]) & (x < window[2]) & (y < window[3])
 
 
-def _sight_of(plan: Plan, place: tuple[int, int], part: Part, halo: float) -> Sight:
+def _sight_of(plan: Plan, index: tuple[int, int], part: Part, halo: float) -> Sight:
     """Sight of a tile within a halo. Other tiles have the same halo."""
     owners = plan.tile_of(part.homes)
-    own = owners == place[1] * plan.shape[0] + place[0]
-    unseen = inside(part.homes, plan.window(*place, -halo - plan.slack))
-    return Sight(owners, own, own & ~unseen, _at_home(plan, part.homes, plan.window(*place, halo), place))
+    own = owners == index[1] * plan.shape[0] + index[0]
+    unseen = inside(part.homes, plan.window(*index, -halo - plan.slack))
+    return Sight(owners, own, own & ~unseen, _at_home(plan, part.homes, plan.window(*index, halo), index))
 
 
 def _adopt_tree(plan: Plan, part: Part) -> None:
     """Build a cloud's search tree on the global curve."""
     points = part.cloud._device_array("points")
-    low, high = ((np.array(plan.told[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
-    levels = plan.told["levels"]
+    low, high = ((np.array(plan.data[end]) - plan.origin).astype(np.float32) for end in ("low", "high"))
+    levels = plan.data["levels"]
     if levels > levels_for(points.size):
-        raise ValueError(f"size: {points.size:,} points in a tile and its halo are too many; take smaller tiles")
+        raise ValueError(f"size: {points.size:,} points in a tile and its halo are too many. Plan smaller tiles")
     if part.cloud._known_search_tree is None:
         part.cloud._adopt_search_tree(PointTree(points, HilbertCurve(low, high, levels)))
 
 
-def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, reach: float, window: Any) -> None:
+def _certify(plan: Plan, number: int, part: Part, wanted: Any, k: int, radius: float, window: Any) -> None:
     """Raise HaloError unless each wanted point has k points nearer than missing data."""
     if not np.isfinite(window).any():
         return  # complete
-    crowded = download(mask_crowded(part.cloud.search_tree(), reach, k)) != 0
-    doubtful = np.flatnonzero(wanted & ~crowded)
-    if not len(doubtful):
+    crowded = download(mask_crowded(part.cloud.search_tree(), radius, k)) != 0
+    uncertain = np.flatnonzero(wanted & ~crowded)
+    if not len(uncertain):
         return
-    places = part.cloud.points[doubtful]
+    positions = part.cloud.points[uncertain]
     edges = np.array(window)
-    free = np.minimum(places[:, :2] - edges[:2], edges[2:] - places[:, :2]).min(axis=1) - part.spread - plan.slack
+    free = np.minimum(positions[:, :2] - edges[:2], edges[2:] - positions[:, :2]).min(axis=1) - part.spread - plan.slack
     if k > len(part.cloud):
         raise HaloError(number)
-    found = NearestNeighborSearch(part.cloud).knn_search(places, k)
-    farthest = np.sqrt(np.asarray(found.sqdists, np.float64)[:, -1]) * REACH_SLACK
+    result = NearestNeighborSearch(part.cloud).knn_search(positions, k)
+    farthest = np.sqrt(np.asarray(result.sqdists, np.float64)[:, -1]) * RADIUS_SLACK
     if not (farthest < free).all():
         raise HaloError(number)
 
 
 def write_tile(plan: Plan, folder: Path, tile: int, part: Part) -> int:
     """Write a tile's points in the files' scale, unmoved positions exactly. Returns the CRC-32."""
-    told = table_of(part.cloud)
+    table = table_of(part.cloud)
     if part.exact is not None:
-        told.points = part.exact
-    told = with_scan_angle(told)
-    told.unit = None if plan.sources[0]["unit"] is None else told.unit
+        table.points = part.exact
+    table = with_scan_angle(table)
+    table.unit = None if plan.sources[0]["unit"] is None else table.unit
     first = file_of(plan.sources[0])
     header = for_tiles(first.header, first.layout, is_only=len(plan.sources) == 1)
     scales, offsets = header.scales, offset_of(plan)
     if isinstance(plan.steps[-1] if plan.steps else None, Reproject):
-        params, told.unit = plan.steps[-1].params, None
+        params, table.unit = plan.steps[-1].params, None
         scales, offsets, header = params["scales"], params["offsets"], with_system(header, params["wkt"])
     path = tile_path(plan, folder, tile)
-    write_las(path, told, scale=scales, offset=offsets, like=header)
+    write_las(path, table, scale=scales, offset=offsets, like=header)
     return checksum_of(path)
 
 
@@ -224,7 +226,7 @@ def tile_path(plan: Plan, folder: Path, tile: int) -> Path:
 def offset_of(plan: Plan) -> list[float]:
     """Common offset of all tiles: the first file's, if all files are within its integer range."""
     first = plan.sources[0]
-    low, high = np.array(plan.told["low"]), np.array(plan.told["high"])
+    low, high = np.array(plan.data["low"]), np.array(plan.data["high"])
     if fits_steps(low, high, first["scales"], first["offsets"]):
         return first["offsets"]
     return np.round((low + high) / 2).tolist()

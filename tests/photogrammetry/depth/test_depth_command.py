@@ -196,7 +196,7 @@ def test_names_of_a_folder_that_would_meet_are_an_error(folder):
         ("", "missing argument"), ("photo.png", "missing option"), ("photo.png --model m.onnx", "missing option '-o'"),
         ("p.png --model m.onnx -o a.ply --preset monodepth2", "--preset"),
         ("p.png --model m.onnx -o a.ply --tiles 0", "--tiles"),
-        ("p.png --model m.onnx -o a.png --picture a.png", "--picture is the file of --output"),
+        ("p.png --model m.onnx -o a.png --picture a.png", "--picture is the same file as --output"),
         ("p.png --model m.onnx -o a.ply --depth-scale nan", "--depth-scale"),
     ],
 )  # fmt: skip

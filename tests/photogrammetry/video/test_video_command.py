@@ -188,14 +188,14 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
 @pytest.mark.parametrize(
     ("words", "said"),
     [
-        (["--scale", "2", "--known", "0,10,1"], "--scale and --known both settle the unit"),
+        (["--scale", "2", "--known", "0,10,1"], "--scale and --known both define the unit"),
         (["--scale", "0"], "expected a number above 0"),
         (["--known", "0,10"], "expected two pictures and meters above 0"),
         (["--known", ",10,-1"], "expected two pictures and meters above 0"),
         (["--max-frames", "1"], "--max-frames"),
         (["--max-size", "10"], "--max-size"),
-        (["--resume"], "--resume goes with --work"),
-        (["--cloud", "room.ply"], "--cloud is the file of --output"),
+        (["--resume"], "--resume requires --work"),
+        (["--cloud", "room.ply"], "--cloud is the same file as --output"),
     ],
 )
 def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, said):

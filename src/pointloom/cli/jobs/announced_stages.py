@@ -11,20 +11,20 @@ from ...core.timing import Clock
 class AnnouncedStages:
     """A `ReportProgress` that forwards progress and times each stage until the next one or the end of the block.
 
-    `with AnnouncedStages(job.clock, job.tell) as told: create_surface(cloud, progress=told)`. Stages in `part_of` count
-    as part of another one; `untold` ones are timed but not forwarded.
+    `with AnnouncedStages(job.clock, job.progress) as stages: create_surface(cloud, progress=stages)`.
+    Stages in `part_of` count as part of another one; `silent` ones are timed but not forwarded.
     """
 
     def __init__(
         self,
         clock: Clock,
-        tell: ReportProgress,
+        report: ReportProgress,
         *,
         first: str | None = None,
         part_of: dict[str, str] | None = None,
-        untold: tuple[str, ...] = (),
+        silent: tuple[str, ...] = (),
     ):
-        self._clock, self._tell, self._untold = clock, tell, untold
+        self._clock, self._report, self._silent = clock, report, silent
         self._part_of, self._stage = part_of or {}, first
 
     def __enter__(self) -> AnnouncedStages:
@@ -41,8 +41,8 @@ class AnnouncedStages:
         if counted != self._stage:
             self._end()
             self._stage = counted
-        if stage not in self._untold:
-            self._tell(stage, done, total)
+        if stage not in self._silent:
+            self._report(stage, done, total)
 
     def _end(self) -> None:
         if self._stage is not None:

@@ -35,7 +35,7 @@ from .rows import COLORED, LABELLED
 
 CYLINDER_POINTS = 20  # points of the first epoch in a cylinder of the default radius
 NORMAL_RADII = (1.0, 2.0, 4.0)  # over the cylinder radius
-REACH = 6.0  # maximum distance over the cylinder radius
+MAX_DISTANCE_FACTOR = 6.0  # maximum distance over the cylinder radius
 LAS = (".las", ".laz")
 UPWARDS = (0.0, 0.0, 1.0)
 _MIN_KNOWN = 0.5  # fraction of core points with a distance
@@ -72,7 +72,9 @@ class ChangeReport(JobReport):
         level = (
             "none" if self.level is None else f"{self.level:.3g} {m} (median), registration {self.registration_error:g}"
         )
-        lengths = ", ".join(f"{name.replace('_', ' ')} {_told(value)}" for name, value in self.lengths.items())
+        lengths = ", ".join(
+            f"{name.replace('_', ' ')} {_format_lengths(value)}" for name, value in self.lengths.items()
+        )
         return [
             ("changed", changed),
             ("noise", level),
@@ -132,7 +134,7 @@ class Compared(NamedTuple):
 
     method: str
     where: PointCloud
-    found: Any
+    result: Any
     columns: dict[str, NDArray[Any]]
     lengths: dict[str, Any]
 
@@ -145,7 +147,7 @@ def _read(
     job.unit = common_unit(f"{earlier}, {later}", (table.unit for table in tables_read))
     first, second = tables_read
     if isinstance(second, MeshTable):
-        raise FileError(later, "is a mesh", remedy="Give the mesh first: a cloud is held against it")
+        raise FileError(later, "is a mesh", remedy="Pass the mesh first: the cloud is compared with it")
     after = _filled(cloud_of(second, later, device=job.device), later)
     if isinstance(first, MeshTable):
         return mesh_of(first, earlier, device=job.device), after
@@ -157,10 +159,10 @@ def _with_mesh(
 ) -> Compared:
     where = after if cores is None else after.thin(cores)
     with job.stage("change", judged=True):
-        told = {"radius": lengths["cylinder_radius"], "max_distance": lengths["max_distance"]}
-        found = cloud_to_mesh(where, mesh, registration_error=error, **told)
-    columns = {"distance": found.distances, "beside": found.beside.astype(np.uint8)}
-    return Compared("cloud to mesh", where, found, columns, {name: v for name, v in told.items() if v is not None})
+        options = {"radius": lengths["cylinder_radius"], "max_distance": lengths["max_distance"]}
+        result = cloud_to_mesh(where, mesh, registration_error=error, **options)
+    columns = {"distance": result.distances, "beside": result.beside.astype(np.uint8)}
+    return Compared("cloud to mesh", where, result, columns, {name: v for name, v in options.items() if v is not None})
 
 
 def _with_cloud(
@@ -178,13 +180,13 @@ def _with_cloud(
     lengths = {
         "normal_radii": [*map(float, radii)],
         "cylinder_radius": radius,
-        "max_distance": given["max_distance"] or REACH * radius,
+        "max_distance": given["max_distance"] or MAX_DISTANCE_FACTOR * radius,
     }
     with job.stage("change", judged=True):
         options: dict[str, Any] = {"registration_error": error, "orientation": orientation}
-        found = m3c2(before, after, core_points=where, **lengths, **options)
-    columns = {"distance": found.distances, "points_before": found.counts[:, 0], "points_after": found.counts[:, 1]}
-    return Compared("m3c2", where, found, columns, lengths)
+        result = m3c2(before, after, core_points=where, **lengths, **options)
+    columns = {"distance": result.distances, "points_before": result.counts[:, 0], "points_after": result.counts[:, 1]}
+    return Compared("m3c2", where, result, columns, lengths)
 
 
 def check_systems(earlier: FilePath, later: FilePath) -> None:
@@ -193,22 +195,24 @@ def check_systems(earlier: FilePath, later: FilePath) -> None:
         return
     names = [crs_name(open_las(path).header) for path in (earlier, later)]
     if None not in names and names[0] != names[1]:
-        reason = f"its coordinate system is {names[1]}, that of {os.fspath(earlier)} {names[0]}"
-        raise FileError(later, reason, remedy="Bring both to one first, nothing is converted here")
+        reason = f"expected the coordinate system {names[0]} as in {os.fspath(earlier)}, got {names[1]}"
+        raise FileError(
+            later, reason, remedy="Convert both to the same coordinate system first, it is not converted automatically"
+        )
 
 
 def _filled(cloud: PointCloud, path: FilePath) -> PointCloud:
     if not len(probe_points(cloud)):
-        raise FileError(path, "holds no finite point, so there is nothing to compare", remedy="Give another file")
+        raise FileError(path, "contains no finite point, so there is nothing to compare", remedy="Pass another file")
     return cloud
 
 
 def _radius_for(cloud: PointCloud, path: FilePath) -> float:
-    found = distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), CYLINDER_POINTS)
-    if not found:
-        reason = f"has fewer than {CYLINDER_POINTS} points, or all at one place: no cylinder's radius follows from it"
-        raise FileError(path, reason, remedy="Say --cylinder")
-    return rounded_up(found)
+    distance = distance_of_nearest(NearestNeighborSearch(cloud), probe_points(cloud), CYLINDER_POINTS)
+    if not distance:
+        reason = f"has fewer than {CYLINDER_POINTS} points, or all at the same position"
+        raise FileError(path, f"{reason}: the radius of the cylinder cannot be estimated", remedy="Pass --cylinder")
+    return rounded_up(distance)
 
 
 def _write(
@@ -219,30 +223,30 @@ def _write(
     picture: FilePath | None,
     limit: float | None,
 ) -> None:
-    where, found = compared.where, compared.found
+    where, result = compared.where, compared.result
     if output is not None:
         cloud = where.copy()
         for name, values in compared.columns.items():
             cloud[name] = values.astype(np.float32) if values.dtype == np.float64 else np.ascontiguousarray(values)
-        cloud["level_of_detection"] = found.level_of_detection.astype(np.float32)
-        cloud["significant"] = found.is_significant.astype(np.uint8)
+        cloud["level_of_detection"] = result.level_of_detection.astype(np.float32)
+        cloud["significant"] = result.is_significant.astype(np.uint8)
         job.write_points(table_of(cloud), output)
     if painted is not None:
-        job.write_cloud(paint(where, found, limit=limit), painted)
+        job.write_cloud(paint(where, result, limit=limit), painted)
     if picture is not None:
         with job.stage("picture"):
-            draw(where, found, picture, limit=limit, overwrite=job.form["overwrite"])
+            draw(where, result, picture, limit=limit, overwrite=job.form["overwrite"])
         job.wrote(picture)
 
 
 def _report(job: Job, later: FilePath, compared: Compared, registration_error: float) -> ChangeReport:
-    found, method = compared.found, compared.method
-    known, changed = np.isfinite(found.distances), found.is_significant
-    moved = found.distances[changed]
+    result, method = compared.result, compared.method
+    known, changed = np.isfinite(result.distances), result.is_significant
+    moved = result.distances[changed]
     ends = [float(value) for value in np.quantile(moved, (0.5, 0.01, 0.99))] if len(moved) else [None] * 3
-    levels = found.level_of_detection[np.isfinite(found.level_of_detection)]
+    levels = result.level_of_detection[np.isfinite(result.level_of_detection)]
     return ChangeReport(
-        job.done(_warning(known, found.distances, changed, method)),
+        job.done(_warning(known, result.distances, changed, method)),
         os.fspath(later),
         method,
         str(job.device),
@@ -264,19 +268,19 @@ def _warning(
     if share < _MIN_KNOWN:
         what = "a point of the other epoch in the cylinder" if method == "m3c2" else "a triangle within --max-distance"
         return (
-            f"only {format_share(share)} of the points have {what}: the epochs hardly overlap, lie in other "
-            "coordinates, or the lengths are too small"
+            f"only {format_share(share)} of the points have {what}: the epochs barely overlap, are in different "
+            "coordinate systems, or the lengths are too small"
         )
     for side, word in ((distances > 0, "up"), (distances < 0, "down")):
         one_way = float((changed & side).sum() / known.sum())
         if one_way > _MAX_ONE_WAY:
             median = float(np.median(distances[changed & side]))
             return (
-                f"{format_share(one_way)} of the points have moved {word}, by {median:.3g} (median): more likely a "
-                "shift of the whole than change; register the epochs first, or say --registration-error"
+                f"{format_share(one_way)} of the points have moved {word}, by {median:.3g} (median): probably a "
+                "shift of the whole cloud, not change; register the epochs first, or pass --registration-error"
             )
     return None
 
 
-def _told(value: Any) -> str:
+def _format_lengths(value: Any) -> str:
     return ", ".join(f"{one:.3g}" for one in value) if isinstance(value, list) else f"{value:.3g}"

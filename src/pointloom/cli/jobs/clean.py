@@ -56,7 +56,9 @@ def clean_file(
     for the removed points.
     """
     if removed is not None and Path(removed).resolve() == Path(output).resolve():
-        raise FileError(removed, "is to hold both what is kept and what is removed", remedy="Give two names")
+        raise FileError(
+            removed, "is the output of both the remaining and the removed points", remedy="Pass two different names"
+        )
     job = Job("clean", source, **settings)
     job.check(output)
     job.check(removed)
@@ -69,13 +71,13 @@ def clean_file(
         if name == "radius":
             hint = _radius_hint(before, left, **options)
     if len(left):
-        kept = rows.of(left)
-        gone = np.setdiff1d(rows.of(rows.cloud), kept, assume_unique=True)
-        if removed is not None and len(gone):
-            job.write_points(rows.take(gone), removed)
-        job.write_points(rows.take(kept), output)
+        remaining = rows.of(left)
+        removed_rows = np.setdiff1d(rows.of(rows.cloud), remaining, assume_unique=True)
+        if removed is not None and len(removed_rows):
+            job.write_points(rows.take(removed_rows), removed)
+        job.write_points(rows.take(remaining), output)
     else:
-        hint = f"{hint or 'no point is finite, so none is left'}; nothing was written"
+        hint = f"{hint or 'expected finite points, got none'}; nothing was written"
     return CleanReport(job.done(hint), str(job.device), len(rows.cloud), len(left), counts)
 
 
@@ -89,7 +91,7 @@ def _filters(
     if statistical is not None:
         filters["statistical"] = (_without_statistical, dict(zip(("neighbors", "ratio"), statistical, strict=True)))
     if radius is not None:
-        filters["radius"] = (_without_lonely, dict(zip(("radius", "min_neighbors"), radius, strict=True)))
+        filters["radius"] = (_without_isolated, dict(zip(("radius", "min_neighbors"), radius, strict=True)))
     return filters
 
 
@@ -97,7 +99,7 @@ def _without_statistical(cloud: PointCloud, neighbors: int, ratio: float) -> Poi
     return cloud.remove_statistical_outlier(neighbors, ratio)[0]
 
 
-def _without_lonely(cloud: PointCloud, radius: float, min_neighbors: int) -> PointCloud:
+def _without_isolated(cloud: PointCloud, radius: float, min_neighbors: int) -> PointCloud:
     return cloud.remove_radius_outlier(min_neighbors, radius)[0]
 
 
@@ -106,8 +108,8 @@ def _radius_hint(before: PointCloud, after: PointCloud, *, radius: float, min_ne
     if gone <= _MAX_BY_RADIUS * count:
         return None
     m = symbol_of(before.unit)
-    lonely = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
+    message = f"{format_share(gone / count)} of the points have fewer than {min_neighbors} others within {radius:g} {m}"
     distance = distance_of_nearest(NearestNeighborSearch(before), probe_points(before), min_neighbors + 1)
     if distance is None or distance < radius:  # too few points, or the sample is not representative
-        return f"{lonely}; take a larger --radius or fewer --min-neighbors"
-    return f"{lonely}; half of them have as many within {rounded_up(distance):g} {m}: take a larger --radius"
+        return f"{message}; use a larger --radius or fewer --min-neighbors"
+    return f"{message}; half of the points have that many within {rounded_up(distance):g} {m}: use a larger --radius"

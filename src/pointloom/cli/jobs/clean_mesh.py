@@ -29,8 +29,8 @@ def clean_mesh_file(
     job = Job("clean-mesh", source, **settings)
     job.check(output, tables.MESHES, what="meshes")
     mesh = job.read_mesh()
-    with AnnouncedStages(job.clock, job.tell) as told:
+    with AnnouncedStages(job.clock, job.progress) as stages:
         sizes = {"merge_distance": merge, "hole_size": fill, "min_area": min_area}
-        found = clean_mesh(mesh, **sizes, min_triangles=min_triangles, progress=told)
-    job.write_mesh(found.mesh, output)
-    return ResultReport(job.done(*found.warnings), found, str(mesh.device))
+        result = clean_mesh(mesh, **sizes, min_triangles=min_triangles, progress=stages)
+    job.write_mesh(result.mesh, output)
+    return ResultReport(job.done(*result.warnings), result, str(mesh.device))

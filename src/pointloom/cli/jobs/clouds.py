@@ -73,7 +73,7 @@ def convert_file(
             job.write_table(table, output)
         return ConvertReport(job.done(), "mesh", len(table.vertices), len(table.triangles))
     if suffix not in WRITTEN:
-        raise FileError(source, f"holds no triangles, which {suffix} needs", remedy="Write .ply or .pcd")
+        raise FileError(source, f"contains no triangles, which {suffix} needs", remedy="Write .ply or .pcd")
     if isinstance(table, MeshTable):
         job.left_out += ["triangles"] + ["textures"] * (table.triangle_uvs is not None)
         table = tables.points_of(table)
@@ -141,14 +141,14 @@ def _warning(cloud: PointCloud, radius: float) -> str | None:
 
     probes, search = probe_points(cloud), NearestNeighborSearch(cloud)
     if not len(probes):
-        return "no point is finite, so none has a normal"
-    lonely = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
-    if lonely <= 0.5:
+        return "no point is finite, so no normals were estimated"
+    isolated = float(np.mean(search.hybrid_search(probes, radius, 3).counts < 3))
+    if isolated <= 0.5:
         return None
     m = symbol_of(cloud.unit)
-    few = f"{format_share(lonely)} of the points have fewer than 3 neighbors within {radius:g} {m}"
-    reason = f"{few}, so their normals say nothing"
+    few = f"{format_share(isolated)} of the points have fewer than 3 neighbors within {radius:g} {m}"
+    reason = f"{few}, so their normals are meaningless"
     third = distance_of_nearest(search, probes, 3)
     if third is None:
-        return f"{reason}; the cloud has not so many"
-    return f"{reason}; half of them have 3 within {rounded_up(third):g} {m}: take a larger --radius"
+        return f"{reason}; the cloud has fewer points"
+    return f"{reason}; half of the points have 3 within {rounded_up(third):g} {m}: use a larger --radius"

@@ -88,9 +88,9 @@ def cluster_file(
     if paint:
         replaced = ["colors"] * (table.colors is not None) + replaced
         table.colors = _paint(labels)
-    kept = np.arange(len(labels)) if largest is None else np.flatnonzero(np.isin(labels, ranked[:largest]))
-    if len(kept):
-        job.write_points(table if largest is None else take_rows(table, kept), output)
+    selected = np.arange(len(labels)) if largest is None else np.flatnonzero(np.isin(labels, ranked[:largest]))
+    if len(selected):
+        job.write_points(table if largest is None else take_rows(table, selected), output)
     else:
         warning = f"{warning or 'no point is left'}; nothing was written"
     counts = [ClusterSize(int(label), int(sizes[label])) for label in ranked[:_SHOWN]]
@@ -98,7 +98,7 @@ def cluster_file(
         job.done(warning),
         str(job.device),
         len(labels),
-        len(kept),
+        len(selected),
         eps,
         min_points,
         clusters=len(sizes),
@@ -119,17 +119,17 @@ def _warning(cloud: PointCloud, sizes: NDArray[Any], eps: float, min_points: int
     """Warn if the clusters are meaningless, with a proposed eps."""
     finite = len(cloud.remove_non_finite_points())
     if not finite:
-        return "no point is finite, so none is in a cluster"
+        return "no point is finite, so there are no clusters"
     if len(sizes) > 1 or (len(sizes) == 1 and sizes[0] < finite):
         return None
     m = symbol_of(cloud.unit)
     search, probes = NearestNeighborSearch(cloud), probe_points(cloud)
     if len(sizes):
         distance = distance_of_nearest(search, probes, min_points, share=0.9)
-        hint = f"one cluster holds all {finite:,} finite points; take a smaller --radius"
+        hint = f"one cluster contains all {finite:,} finite points; use a smaller --radius"
         return f"{hint}, such as {rounded_up(distance):g}" if distance and rounded_up(distance) < eps else hint
     distance = distance_of_nearest(search, probes, min_points)
-    lonely = f"all points are noise: none has {min_points} within {eps:g} {m}, itself included"
+    message = f"all points are noise: no point has {min_points} points within {eps:g} {m}, itself included"
     if distance is None:
-        return f"{lonely}; take a larger --radius or fewer --neighbors"
-    return f"{lonely}; half of them have as many within {rounded_up(distance):g} {m}: take a larger --radius"
+        return f"{message}; use a larger --radius or fewer --neighbors"
+    return f"{message}; half of the points have that many within {rounded_up(distance):g} {m}: use a larger --radius"

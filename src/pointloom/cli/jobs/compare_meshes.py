@@ -58,16 +58,16 @@ class ComparisonReport(JobReport):
     """Report of `compare_mesh_files`. The first file is the source."""
 
     second: str
-    found: MeshComparison
+    result: MeshComparison
 
     def to_dict(self) -> dict[str, Any]:
         done = self.done
         files = {"command": done.command, "first": done.source, "second": self.second}
         ends = {"seconds": done.seconds, "left_out": done.left_out, "files": done.files}
-        return plain(files | self.found.to_dict() | ends | quality(self))
+        return plain(files | self.result.to_dict() | ends | quality(self))
 
     def fields(self) -> Fields:
-        return [*self.found.fields(), *self.closing(self.found.device)]
+        return [*self.result.fields(), *self.closing(self.result.device)]
 
 
 def compare_mesh_files(
@@ -88,15 +88,15 @@ def compare_mesh_files(
     with job.stage("read"):
         meshes = [_read(path, where, job.up_of(path)) for path in (first, second)]
     with job.stage("compare"):
-        found = compare_meshes(*meshes, thresholds=thresholds, samples=samples, limit=limit, seed=seed)
+        result = compare_meshes(*meshes, thresholds=thresholds, samples=samples, limit=limit, seed=seed)
     drawn.write(job, *meshes)
-    return ComparisonReport(job.done(*found.warnings), os.fspath(second), found)
+    return ComparisonReport(job.done(*result.warnings), os.fspath(second), result)
 
 
 def _read(path: FilePath, device: Any, up: str) -> TriangleMesh:
     mesh = read_triangle_mesh(path, device=device, up=up)
     if (wrong := find_wrong_corner(mesh)) is not None:
-        raise FileError(path, wrong, remedy="Drop such triangles with pointloom clean-mesh first")
+        raise FileError(path, wrong, remedy="Remove such triangles with pointloom clean-mesh first")
     if not mesh.get_surface_area() > 0:
-        raise FileError(path, "holds no triangle with an area, so no distance can be taken")
+        raise FileError(path, "contains no triangle with a positive area, so no distance can be computed")
     return mesh

@@ -54,7 +54,7 @@ def crop_file(
 
 def _why_empty(rows: Rows, invert: bool) -> str:
     if not len(rows.cloud.remove_non_finite_points()):
-        return "no point is finite, so none is inside"
+        return "no point is finite, so no point is inside"
     low, high = finite_box(rows.table.points)
-    extent = f"the points reach from {format_triple(low)} to {format_triple(high)}"
+    extent = f"the points extend from {format_triple(low)} to {format_triple(high)}"
     return f"no point is {'outside' if invert else 'inside'}; {extent}"

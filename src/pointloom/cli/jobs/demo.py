@@ -137,14 +137,14 @@ def run_demo(
     number.
     """
     check_count("frame_count", frame_count)
-    device, say, clock = resolve_device(device), check_progress(progress), Clock()
+    device, report_progress, clock = resolve_device(device), check_progress(progress), Clock()
     with _output_folder(Path(folder), overwrite=overwrite) as (mesh, picture, report_file):
-        say("room", 0, 0)
+        report_progress("room", 0, 0)
         frames = room_sequence(frame_count, seed=seed, noise=noise, device=device)
         clock.stop("build")
         options: dict[str, Any] = {"voxel_size": voxel_size, "depth_max": DEPTH_MAX, "read_ahead": 0}
         fusing = Clock()
-        result = fuse(frames, **options, device=device, progress=say, clock=fusing)
+        result = fuse(frames, **options, device=device, progress=report_progress, clock=fusing)
         clock.seconds |= {"render" if stage == "read" else stage: value for stage, value in fusing.seconds.items()}
         clock.restart()
         errors = SurfaceErrors.of(surface_errors(result.mesh.vertices, device=result.mesh.device), voxel_size)
@@ -163,14 +163,14 @@ def run_demo(
 def _output_folder(folder: Path, *, overwrite: bool) -> Iterator[tuple[str, ...]]:
     """Paths of the outputs in a folder, created if missing and removed if it stays empty. Raises FileError."""
     if folder.exists() and not folder.is_dir():
-        raise FileError(folder, "is not a folder", remedy="Give the name of a folder")
+        raise FileError(folder, "is not a folder", remedy="Pass the name of a folder")
     made = not folder.exists()
     if made:
         try:
             folder.mkdir()
         except OSError as error:
-            reason = f"the folder cannot be made: {error.strerror or error}"
-            raise FileError(folder, reason, remedy="Choose a place that exists and may be written") from error
+            reason = f"the folder cannot be created: {error.strerror or error}"
+            raise FileError(folder, reason, remedy="Choose an existing folder with write permission") from error
     try:
         for name in OUTPUTS:
             check_writable(folder / name, overwrite=overwrite)
@@ -183,8 +183,10 @@ def _output_folder(folder: Path, *, overwrite: bool) -> Iterator[tuple[str, ...]
 
 def _problem(errors: SurfaceErrors | None, noise: bool) -> str | None:
     if errors is None:
-        return "the mesh is empty; take more frames (--frames)"
+        return "the mesh is empty; use more frames (--frames)"
     limit = LARGEST_RMSE["noise" if noise else "no noise"]
     if errors.rmse_voxels <= limit:
         return None
-    return f"the root mean square error is {errors.rmse_voxels:.2f} voxels, more than {limit:g}; take more frames"
+    return (
+        f"expected a root mean square error of at most {limit:g} voxels, got {errors.rmse_voxels:.2f}; use more frames"
+    )

@@ -56,7 +56,7 @@ def downsample_file(
     count = len(table.points)
     if count:
         job.write_points(table, output)
-    warning = None if count else f"no point is left of {len(rows.cloud):,}; nothing was written"
+    warning = None if count else f"none of {len(rows.cloud):,} points is left; nothing was written"
     return DownsampleReport(job.done(warning), str(job.device), len(rows.cloud), count, by, amount, seed)
 
 
@@ -69,5 +69,5 @@ def _choose(rows: Rows, source: FilePath, by: str, amount: float, seed: int) -> 
         return rows.of(rows.cloud.voxel_down_sample(amount, "nearest"))
     finite = rows.cloud.remove_non_finite_points()
     if amount > len(finite):
-        raise FileError(source, f"has {len(finite):,} finite points, of which {amount:,} cannot be chosen")
+        raise FileError(source, f"expected at least {amount:,} finite points, got {len(finite):,}")
     return rows.of(finite.farthest_point_down_sample(int(amount)))

@@ -33,19 +33,19 @@ ALIGNMENTS: dict[str, dict[str, Any]] = {
 class EvaluateReport(Report, Assessed):
     poses: str
     truth: str
-    found: TrajectoryError
+    result: TrajectoryError
     files: tuple[str, ...] = ()
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return self.found.warnings
+        return self.result.warnings
 
     def to_dict(self) -> dict[str, Any]:
         read = {"command": "evaluate", "poses": self.poses, "truth": self.truth}
-        return read | self.found.to_dict() | {"files": list(self.files), **quality(self)}
+        return read | self.result.to_dict() | {"files": list(self.files), **quality(self)}
 
     def fields(self) -> Fields:
-        return self.found.fields() + [("files", ", ".join(self.files))] * bool(self.files)
+        return self.result.fields() + [("files", ", ".join(self.files))] * bool(self.files)
 
 
 def evaluate_files(
@@ -70,21 +70,21 @@ def evaluate_files(
         check_plot(picture, overwrite=overwrite)
     estimate, true_path = read_trajectory(poses), read_trajectory(truth)
     T = None if extrinsic is None else read_extrinsic(extrinsic)
-    found = compare(estimate, true_path, poses, truth, align, T)
+    errors = compare(estimate, true_path, poses, truth, align, T)
     files: tuple[str, ...] = ()
     if picture is not None:
         title = f"{Path(poses).name} against {Path(truth).name}, aligned by {align}"
         sensor = np.eye(4) if T is None else inv(T)
-        save_picture(picture, _draw_paths(estimate, true_path, found, title, sensor), overwrite=overwrite)
+        save_picture(picture, _draw_paths(estimate, true_path, errors, title, sensor), overwrite=overwrite)
         files = (os.fspath(picture),)
-    return EvaluateReport(os.fspath(poses), os.fspath(truth), found, files)
+    return EvaluateReport(os.fspath(poses), os.fspath(truth), errors, files)
 
 
 def read_extrinsic(path: FilePath) -> NDArray[np.float64]:
     """Extrinsic from a 4x4 matrix or the line `Tr` of KITTI's calib.txt. Raises FileError."""
     lines = read_lines(path)
-    found = [(number, columns[1:]) for number, columns in lines if columns[0].rstrip(":") in KITTI_EXTRINSICS]
-    return read_pose(path) if not found else kitti_poses(path, found[:1], gaps=False)[0]
+    matches = [(number, columns[1:]) for number, columns in lines if columns[0].rstrip(":") in KITTI_EXTRINSICS]
+    return read_pose(path) if not matches else kitti_poses(path, matches[:1], gaps=False)[0]
 
 
 def compare(
@@ -98,7 +98,7 @@ def compare(
     """Errors of a trajectory. Paths are for messages. Raises FileError if the trajectories do not match."""
     if (estimate.timestamps is None or truth.timestamps is None) and len(estimate) != len(truth):
         reason = f"has {len(estimate)} poses, and {os.fspath(true_path)} has {len(truth)}"
-        remedy = "Give files with as many poses, or both as TUM with timestamps"
+        remedy = "Pass files with the same number of poses, or two TUM files with timestamps"
         raise FileError(poses, reason, remedy=remedy)
     try:
         return evaluate_trajectory(estimate, truth, extrinsic=extrinsic, **ALIGNMENTS[align])
@@ -107,12 +107,12 @@ def compare(
 
 
 def _draw_paths(
-    estimate: Trajectory, truth: Trajectory, found: TrajectoryError, title: str, sensor: NDArray[np.float64]
+    estimate: Trajectory, truth: Trajectory, errors: TrajectoryError, title: str, sensor: NDArray[np.float64]
 ) -> NDArray[np.uint8]:
     from ...visualization.render.plots import trajectory_plot
 
-    rows, true_rows = found.pairs.T
-    T = found.transformation
+    rows, true_rows = errors.pairs.T
+    T = errors.transformation
     path = (estimate.poses[rows] @ sensor)[:, :3, 3] @ T[:3, :3].T + T[:3, 3]
     times = None if truth.timestamps is None else truth.timestamps[true_rows]
     return trajectory_plot(path, truth.poses[true_rows, :3, 3], times=times, title=title)

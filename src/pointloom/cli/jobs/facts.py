@@ -214,7 +214,7 @@ class Pose(Facts):
 
 
 @dataclass(frozen=True)
-class Walk(Facts):
+class CameraPath(Facts):
     """Bounds of camera positions [m] and length of the path [m]."""
 
     camera_bounds: Bounds
@@ -229,7 +229,7 @@ class Trajectory(Facts):
     SPARE = ("duration_s",)
 
     poses: int
-    walk: Walk
+    camera_path: CameraPath
     duration_s: float | None
 
 
@@ -242,7 +242,7 @@ class DataSet(Facts):
     """
 
     KIND = "RGB-D data set"
-    SPARE = ("camera_notes", "walk")
+    SPARE = ("camera_notes", "camera_path")
 
     layout: str
     frames: int
@@ -255,7 +255,7 @@ class DataSet(Facts):
     depth_scale: float
     first_frame_measured_share: float
     first_frame_depth_m: dict[str, float]
-    walk: Walk | None
+    camera_path: CameraPath | None
 
 
 @dataclass(frozen=True)

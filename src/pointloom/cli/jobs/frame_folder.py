@@ -64,7 +64,7 @@ class FrameFolder(Assessed):
         for name in ("topic", "color_topic"):
             if topic := given.pop(name):
                 option = f"--{name.replace('_', '-')}"
-                raise FileError(path, f"is no recording, and has no topic {topic!r}", remedy=f"Leave {option} out")
+                raise FileError(path, f"is not a recording, so it has no topic {topic!r}", remedy=f"Leave {option} out")
         return cls(path, open_folder(path, **given), options.intrinsic)
 
     @classmethod
@@ -78,8 +78,8 @@ class FrameFolder(Assessed):
         except DatasetError as error:
             if not _has_no_poses(path, given):
                 raise
-            remedy = "pointloom reconstruct takes frames without, pointloom track finds them"
-            raise FileError(path, "holds no poses", remedy=remedy) from error
+            remedy = "Use pointloom reconstruct for frames without poses, or estimate them with pointloom track"
+            raise FileError(path, "contains no poses", remedy=remedy) from error
 
     @property
     def camera_problem(self) -> str | None:
@@ -123,12 +123,12 @@ class FramesReport(JobReport):
 
 def with_camera(fields: Fields, camera: str, left_out: Sequence[str], *, before: str) -> Fields:
     """Insert omitted frames after the frames, and the camera before a label."""
-    told: Fields = []
+    result: Fields = []
     for label, value in fields:
         lost = left_out if label == "frames" else ()
-        told += [("camera", camera)] if label == before else []
-        told.append((label, f"{value}\n{len(lost)} left out, the first {lost[0]}" if lost else value))
-    return told
+        result += [("camera", camera)] if label == before else []
+        result.append((label, f"{value}\n{len(lost)} left out, the first {lost[0]}" if lost else value))
+    return result
 
 
 def _frames_of_recording(path: FilePath, options: FolderOptions) -> Any:
@@ -136,7 +136,9 @@ def _frames_of_recording(path: FilePath, options: FolderOptions) -> Any:
     for name, value, usual in (("layout", options.layout, "auto"), ("depth_scale", options.depth_scale, None)):
         if value != usual:
             raise FileError(
-                path, f"is a recording, which has no {name}", remedy=f"Leave out --{name.replace('_', '-')}"
+                path,
+                f"is a recording, for which {name} is not an option",
+                remedy=f"Leave out --{name.replace('_', '-')}",
             )
     camera = None if options.intrinsic is None else read_pinhole_camera_intrinsic(options.intrinsic)
     recording = open_recording(path)

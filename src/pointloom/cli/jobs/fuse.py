@@ -31,15 +31,15 @@ class FuseReport(FramesReport):
         return report | self.ending_to_dict(refinement=refinement)
 
     def fields(self) -> Fields:
-        told = self.folder.among(self.result.fields(), before="voxels")
-        return fusion_fields(told, self.done.seconds, self.peak, self.done.files)
+        fields = self.folder.among(self.result.fields(), before="voxels")
+        return fusion_fields(fields, self.done.seconds, self.peak, self.done.files)
 
 
-def fusion_fields(told: Fields, seconds: dict[str, float], peak: int, files: Iterable[str]) -> Fields:
+def fusion_fields(fields: Fields, seconds: dict[str, float], peak: int, files: Iterable[str]) -> Fields:
     """Fields of a FusionResult with cost and written files."""
-    *told, (memory, volume) = told
+    *fields, (memory, volume) = fields
     return [
-        *told,
+        *fields,
         ("seconds", format_seconds(seconds)),
         (memory, f"{volume}, {format_bytes(peak)} at most"),
         ("files", ", ".join(files) or "none"),

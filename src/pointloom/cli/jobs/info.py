@@ -46,6 +46,7 @@ from ...io.table import MeshTable
 from .facts import (
     Camera,
     CameraMatrix,
+    CameraPath,
     Cameras,
     Cloud,
     ColmapModel,
@@ -60,7 +61,6 @@ from .facts import (
     Shape,
     Table,
     Trajectory,
-    Walk,
 )
 
 _PICTURES = (".png", ".jpg", ".jpeg")
@@ -115,8 +115,8 @@ class Description(Report, Assessed):
         return [*self.facts.fields(), *size]
 
     def line(self) -> str:
-        told = self.facts.line if isinstance(self.facts, Shape) else self.kind
-        return f"{Path(self.path).name}: {told}"
+        text = self.facts.line if isinstance(self.facts, Shape) else self.kind
+        return f"{Path(self.path).name}: {text}"
 
 
 @dataclass(frozen=True)
@@ -175,7 +175,7 @@ def _describe_file(path: Path) -> Facts:
     known = " ".join(
         [*dict.fromkeys([*tables.READERS, *tables.MESHES]), *_PICTURES, ".npy", ".json", ".xml", *_TRAJECTORIES[:-1]]
     )
-    raise FileError(path, f"unknown kind of file {suffix!r}", remedy=f"Known are {known}, and folders of frames")
+    raise FileError(path, f"unknown file type {suffix!r}", remedy=f"Expected one of {known}, or a folder of frames")
 
 
 def _describe_table(path: Path, columns: Sequence[str] | None = None) -> Cloud | Mesh:
@@ -295,8 +295,8 @@ def _describe_json(path: Path) -> Facts:
     if "intrinsic_matrix" in content or "intrinsic" in content:
         return _describe_camera(read_pinhole_camera_intrinsic(path))
     keys = ", ".join(sorted(content)[:8]) or "nothing"
-    remedy = 'Known are cameras ("intrinsic_matrix") and trajectories ("parameters")'
-    raise FileError(path, f"neither a camera nor a trajectory; holds {keys}", remedy=remedy)
+    remedy = 'Expected a camera ("intrinsic_matrix") or a trajectory ("parameters")'
+    raise FileError(path, f"is neither a camera nor a trajectory; it contains {keys}", remedy=remedy)
 
 
 def _describe_text(path: Path) -> Facts:
@@ -320,15 +320,15 @@ def _is_last_row(words: list[str]) -> bool:
 
 
 def _describe_trajectory(path: Path) -> Trajectory:
-    found = read_trajectory(path)
-    duration = None if found.timestamps is None else float(np.ptp(found.timestamps))
-    return Trajectory(len(found), _measure_walk(found.poses), duration)
+    trajectory = read_trajectory(path)
+    duration = None if trajectory.timestamps is None else float(np.ptp(trajectory.timestamps))
+    return Trajectory(len(trajectory), _measure_path(trajectory.poses), duration)
 
 
-def _measure_walk(poses: NDArray[np.float64]) -> Walk:
-    places = poses[:, :3, 3]
-    steps = np.linalg.norm(np.diff(places, axis=0), axis=1)
-    return Walk(describe_bounds(places), float(steps.sum()))
+def _measure_path(poses: NDArray[np.float64]) -> CameraPath:
+    positions = poses[:, :3, 3]
+    steps = np.linalg.norm(np.diff(positions, axis=0), axis=1)
+    return CameraPath(describe_bounds(positions), float(steps.sum()))
 
 
 def _describe_dataset(folder: Path, layout: str) -> DataSet:
@@ -348,7 +348,7 @@ def _describe_dataset(folder: Path, layout: str) -> DataSet:
         depth_scale=dataset.depth_scale,
         first_frame_measured_share=depth.measured_share,
         first_frame_depth_m={name: value / dataset.depth_scale for name, value in depth.depth.items()},
-        walk=_measure_walk(np.array(poses, np.float64)) if poses else None,
+        camera_path=_measure_path(np.array(poses, np.float64)) if poses else None,
     )
 
 
@@ -357,9 +357,9 @@ SHOWN = 20  # listed cameras and images without a pose
 
 def describe_colmap_model(folder: Path) -> ColmapModel:
     """A COLMAP model in a folder or below it. Raises FileError if damaged or not unique."""
-    place, form = find_colmap_model(folder)
-    model = read_colmap_model(place)
-    below = str(place.relative_to(folder))
+    model_folder, form = find_colmap_model(folder)
+    model = read_colmap_model(model_folder)
+    below = str(model_folder.relative_to(folder))
     return ColmapModel(
         folder=None if below == "." else below,
         form={"bin": "binary", "txt": "text"}[form],

@@ -97,7 +97,9 @@ class JobReport(Report, Assessed):
         unit = self.done.unit
         if unit is None or unit.meters == 1:
             return ()
-        return (f"the unit of {self.done.source} is {unit.in_words()}: lengths that are given and told are in it",)
+        return (
+            f"the unit of {self.done.source} is {unit.in_words()}: all lengths, input and output, are in this unit",
+        )
 
     @property
     def m(self) -> str:
@@ -117,7 +119,7 @@ class JobReport(Report, Assessed):
         if names := ", ".join(replaced):
             fields.append(("replaced", f"{names} of the input"))
         if self.done.left_out:
-            fields.append(("left out", f"{', '.join(self.done.left_out)} (the output cannot hold them)"))
+            fields.append(("left out", f"{', '.join(self.done.left_out)} (the output format cannot store them)"))
         parts = ", ".join(f"{stage} {value:.2f}" for stage, value in self.done.seconds.items())
         where = f" on {device}" if device is not None else ""
         return [*fields, ("seconds", parts + where), ("files", ", ".join(self.done.files) or "none")]
@@ -146,7 +148,7 @@ class Job:
         columns: Sequence[str] | None = None,
     ):
         self._command, self._device, self.up, self._columns = command, device, up, columns
-        self.source, self.tell, self.clock = source, check_progress(progress), Clock()
+        self.source, self.progress, self.clock = source, check_progress(progress), Clock()
         self.form: Form = {"as_text": as_text, "overwrite": overwrite}
         self.left_out: list[str] = []
         self.files: list[str] = []
@@ -164,10 +166,10 @@ class Job:
             outputs.check_output(output, formats, what=what, **self.form)
 
     @contextmanager
-    def stage(self, name: str, *, told: bool = True, judged: bool = False) -> Iterator[None]:
-        """Report a stage (unless not `told`) and time it. If `judged`, length warnings are left to the report."""
-        if told:
-            self.tell(name, 0, 0)
+    def stage(self, name: str, *, reported: bool = True, judged: bool = False) -> Iterator[None]:
+        """Report a stage (unless not `reported`) and time it. If `judged`, length warnings are left to the report."""
+        if reported:
+            self.progress(name, 0, 0)
         self.clock.restart()
         with without_warnings(UnitWarning) if judged else nullcontext():
             yield
@@ -183,8 +185,8 @@ class Job:
 
     def write_table(self, table: MeshTable, output: FilePath) -> None:
         """Write a mesh without the data that the format cannot store."""
-        held = rotated_to_z_up(table, back=True) if self.up_of(output) == "z" else table
-        self.wrote(output, tables.write_mesh_table(output, held, **self.form))
+        oriented = rotated_to_z_up(table, back=True) if self.up_of(output) == "z" else table
+        self.wrote(output, tables.write_mesh_table(output, oriented, **self.form))
 
     def read_points(self) -> PointTable:
         """Points as stored in the source. Vertices of a mesh."""

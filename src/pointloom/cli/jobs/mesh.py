@@ -39,8 +39,8 @@ def mesh_file(
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
     cloud = job.read_cloud()
-    with AnnouncedStages(job.clock, job.tell) as told:
-        result = create_surface(cloud, progress=told, **options)
+    with AnnouncedStages(job.clock, job.progress) as stages:
+        result = create_surface(cloud, progress=stages, **options)
     job.write_mesh(result.mesh, output)
     if picture is not None and len(result.mesh):
         with job.stage("picture"):

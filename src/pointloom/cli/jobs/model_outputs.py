@@ -37,10 +37,12 @@ class ModelOutputs:
 
     def write_mesh(self, mesh: TriangleMesh, T_world_camera: NDArray[np.float64], *, overwrite: bool) -> list[str]:
         """Write a mesh and its image from the side of the cameras. Returns the file names."""
-        held = mesh
+        written = mesh
         if Path(self.mesh).suffix.lower() == ".stl":
-            held = TriangleMesh._from_device_arrays(mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin)
-        write_triangle_mesh(self.mesh, held, overwrite=overwrite)
+            written = TriangleMesh._from_device_arrays(
+                mesh.array("vertices"), mesh.array("triangles"), origin=mesh.origin
+            )
+        write_triangle_mesh(self.mesh, written, overwrite=overwrite)
         if self.picture is None:
             return [os.fspath(self.mesh)]
         draw_scene(self.picture, mesh, T_world_camera, overwrite=overwrite)

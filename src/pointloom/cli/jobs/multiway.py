@@ -36,22 +36,22 @@ class MultiwayReport(JobReport):
     voxel_size_given: bool
     clouds: tuple[str, ...]
     points: int
-    found: FragmentsResult
+    result: FragmentsResult
 
     def to_dict(self) -> dict[str, Any]:
         report = super().to_dict()
         points = report.pop("points")
-        del report["found"]
-        return report | {"points": points} | self.found.to_dict(self.clouds)
+        del report["result"]
+        return report | {"points": points} | self.result.to_dict(self.clouds)
 
     def fields(self) -> Fields:
-        (_, placed), (_, pairs), _ = self.found.fields()
+        (_, cloud_count), (_, pairs), _ = self.result.fields()
         chosen = "" if self.voxel_size_given else ", chosen from the clouds"
         return [
-            ("clouds", f"{placed}, {self.points:,} points"),
+            ("clouds", f"{cloud_count}, {self.points:,} points"),
             ("voxels", f"{self.voxel_size:g} {self.m}{chosen}"),
             ("pairs", pairs),
-            ("frame", f"that of {self.clouds[self.found.reference]}"),
+            ("frame", f"that of {self.clouds[self.result.reference]}"),
             *self.closing(self.device),
         ]
 
@@ -86,33 +86,33 @@ def register_folder(
     job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
     check_outputs(job, output, merged, graph)
     where, paths, clouds = job.device, list_clouds(folder), []
-    with job.stage("read", told=False):
+    with job.stage("read", reported=False):
         for done, path in enumerate(paths):
-            job.tell("read", done, len(paths))
+            job.progress("read", done, len(paths))
             clouds.append(read_cloud(path, where, columns))
-        job.tell("read", len(paths), len(paths))
+        job.progress("read", len(paths), len(paths))
     job.unit = common_unit("clouds", (cloud.unit for cloud in clouds))
-    with job.stage("voxels", told=False):
+    with job.stage("voxels", reported=False):
         size = choose_voxel_size(*clouds) if voxel_size is None else voxel_size
-    with job.stage("register", told=False):
+    with job.stage("register", reported=False):
         how: dict[str, Any] = {"neighbors": neighbors, "free": LEVEL if level else None}
-        found = register_fragments(clouds, voxel_size=size, progress=job.tell, **how)
-    is_written = int(found.placed.sum()) > 1
-    with job.stage("write", told=is_written):
+        result = register_fragments(clouds, voxel_size=size, progress=job.progress, **how)
+    is_written = int(result.placed.sum()) > 1
+    with job.stage("write", reported=is_written):
         if is_written:
-            _write_results(job, found, clouds, output, merged, graph)
+            _write_results(job, result, clouds, output, merged, graph)
     names = tuple(path.name for path in paths)
-    lost = [name for name, is_placed in zip(names, found.placed, strict=True) if not is_placed]
+    lost = [name for name, is_registered in zip(names, result.placed, strict=True) if not is_registered]
     done = job.done(placement_warning(lost, len(names), is_written))
     points = sum(len(cloud) for cloud in clouds)
-    return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, found)
+    return MultiwayReport(done, str(where), size, voxel_size is not None, names, points, result)
 
 
 def check_outputs(job: Job, output: FilePath, merged: FilePath | None, graph: FilePath | None) -> None:
     job.check(output, tuple(FORMATS), what="poses")
     job.check(merged)
     if merged is not None and Path(merged).resolve().parent == Path(job.source).resolve():
-        reason = f"lies in {os.fspath(job.source)}, where the next run would take it for one of the clouds"
+        reason = f"is in {os.fspath(job.source)}, and the next run would read it as one of the clouds"
         raise FileError(merged, reason, remedy="Choose another folder")
     job.check(graph, (".json",), what="pose graphs")
 
@@ -121,32 +121,32 @@ def list_clouds(folder: FilePath) -> list[Path]:
     """The clouds of a folder, at least two."""
     paths = list_scans(folder)
     if len(paths) < 2:
-        raise FileError(folder, f"holds one cloud, {paths[0].name}; two are needed", remedy="Give another folder")
+        raise FileError(folder, f"expected at least two clouds, got {paths[0].name} only", remedy="Pass another folder")
     return paths
 
 
 def _write_results(
     job: Job,
-    found: FragmentsResult,
+    result: FragmentsResult,
     clouds: list[PointCloud],
     output: FilePath,
     merged: FilePath | None,
     graph: FilePath | None,
 ) -> None:
     """Write the outputs. Data that the merged cloud cannot store or that not all clouds have is omitted."""
-    write_poses_and_graph(job, found, output, graph)
+    write_poses_and_graph(job, result, output, graph)
     if merged is not None:
-        whole = found.merge(clouds)
-        named = dict.fromkeys(name for i in np.flatnonzero(found.placed) for name in _names_of(clouds[i]))
-        lost = [name for name in named if name not in _names_of(whole)]
-        job.wrote(merged, [*lost, *tables.write_cloud_table(merged, table_of(whole), **job.form)])
+        merged_cloud = result.merge(clouds)
+        named = dict.fromkeys(name for i in np.flatnonzero(result.placed) for name in _names_of(clouds[i]))
+        lost = [name for name in named if name not in _names_of(merged_cloud)]
+        job.wrote(merged, [*lost, *tables.write_cloud_table(merged, table_of(merged_cloud), **job.form)])
 
 
-def write_poses_and_graph(job: Job, found: FragmentsResult, output: FilePath, graph: FilePath | None) -> None:
-    write_poses(output, found.trajectory, overwrite=job.form["overwrite"])
+def write_poses_and_graph(job: Job, result: FragmentsResult, output: FilePath, graph: FilePath | None) -> None:
+    write_poses(output, result.trajectory, overwrite=job.form["overwrite"])
     job.wrote(output)
     if graph is not None:
-        write_pose_graph(graph, found.pose_graph, overwrite=job.form["overwrite"])
+        write_pose_graph(graph, result.pose_graph, overwrite=job.form["overwrite"])
         job.wrote(graph)
 
 
@@ -159,6 +159,6 @@ def placement_warning(lost: list[str], count: int, is_written: bool) -> str | No
     if not lost:
         return None
     if not is_written:
-        return f"no two of the {count} clouds lie on each other; nothing was written; try another --voxel"
+        return f"no two of the {count} clouds overlap; nothing was written; try another --voxel"
     names = ", ".join(lost[:_SHOWN]) + (" and more" if len(lost) > _SHOWN else "")
-    return f"{len(lost)} of {count} clouds could not be placed: {names}; try another --voxel, or more --loops"
+    return f"{len(lost)} of {count} clouds could not be registered: {names}; try another --voxel, or more --loops"

@@ -1,4 +1,4 @@
-"""Registration of the scans of a folder by a resumable job: `place_scans`."""
+"""Registration of the scans of a folder by a resumable job: `register_in_job`."""
 
 from __future__ import annotations
 
@@ -24,15 +24,15 @@ from .multiway import MultiwayReport, check_outputs, list_clouds, placement_warn
 
 @dataclass(frozen=True)
 class PlacedReport(MultiwayReport):
-    """Report of `place_scans`: a MultiwayReport with the status of every pair. `job_notes` are about the scans."""
+    """Report of `register_in_job`: a MultiwayReport with the status of every pair. `job_notes` are about the scans."""
 
     job_notes: tuple[str, ...] = ()
 
     def to_dict(self) -> dict[str, Any]:
         """All fields flattened, with `tried`: the status of each pair."""
-        told = super().to_dict()
-        del told["job_notes"]
-        return told | {"notes": plain(self.notes)}
+        report = super().to_dict()
+        del report["job_notes"]
+        return report | {"notes": plain(self.notes)}
 
     @property
     def notes(self) -> tuple[str, ...]:
@@ -40,7 +40,7 @@ class PlacedReport(MultiwayReport):
         return (*self.job_notes, *super().notes)
 
 
-def place_scans(
+def register_in_job(
     folder: FilePath,
     output: FilePath,
     job_folder: FilePath,
@@ -65,7 +65,7 @@ def place_scans(
     job = Job("multiway", folder, device=device, overwrite=overwrite, progress=progress)
     check_outputs(job, output, None, graph)
     paths = list_clouds(folder)
-    given = None if places is None else places_of(places, len(paths))
+    given = None if places is None else poses_by_scan(places, len(paths))
     where = ("cuda" if resolve_device("auto").is_cuda else "cpu") if device == "auto" else device
     how: dict[str, Any] = {
         "free": LEVEL if level else None,
@@ -73,38 +73,40 @@ def place_scans(
         "places": given,
         "place_error": place_error,
     }
-    with job.stage("register", told=False):
+    with job.stage("register", reported=False):
         plan_registration(paths, job_folder, voxel_size=voxel_size, **how)
         retry_job(job_folder)
-        status = run_job(job_folder, workers=workers, device=where, progress=job.tell)
+        status = run_job(job_folder, workers=workers, device=where, progress=job.progress)
         if not status.is_finished:
-            remedy = "Mend what failed, or let other runs end, and give the same command again"
+            remedy = "Fix the failed tasks, or wait for other runs, and run the same command again"
             raise FileError(job_folder, f"is not finished: {status}", remedy=remedy)
-        found = finish_registration(job_folder)
-    is_written = int(found.placed.sum()) > 1
-    with job.stage("write", told=is_written):
+        result = finish_registration(job_folder)
+    is_written = int(result.placed.sum()) > 1
+    with job.stage("write", reported=is_written):
         if is_written:
-            write_poses_and_graph(job, found, output, graph)
+            write_poses_and_graph(job, result, output, graph)
     names = tuple(path.name for path in paths)
-    done = job.done(placement_warning([Path(path).name for path in found.not_placed], len(names), is_written))
-    return PlacedReport(done, where, voxel_size, True, names, found.points, found, status.notes)
+    done = job.done(placement_warning([Path(path).name for path in result.not_placed], len(names), is_written))
+    return PlacedReport(done, where, voxel_size, True, names, result.points, result, status.notes)
 
 
-def places_of(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:
+def poses_by_scan(path: FilePath, count: int) -> list[NDArray[np.float64] | None]:
     """Poses of a file by scan. Raises FileError if they are of other scans."""
-    found = read_trajectory(Path(path))
-    if found.ids is not None:
-        numbers = found.ids[:, 0]
-    elif len(found) == count or found.timestamps is None:
-        numbers = np.arange(len(found))
+    trajectory = read_trajectory(Path(path))
+    if trajectory.ids is not None:
+        numbers = trajectory.ids[:, 0]
+    elif len(trajectory) == count or trajectory.timestamps is None:
+        numbers = np.arange(len(trajectory))
     else:
-        numbers = found.timestamps
-    is_one = len(found) == count if found.ids is None and found.timestamps is None else True
+        numbers = trajectory.timestamps
+    is_one = len(trajectory) == count if trajectory.ids is None and trajectory.timestamps is None else True
     fits = is_one and ((numbers >= 0) & (numbers < count) & (numbers == np.floor(numbers))).all()
     if not fits or len(np.unique(numbers)) < len(numbers):
-        reason = f"holds {len(found)} poses whose numbers are not those of {count} scans, 0 to {count - 1}, each once"
-        raise FileError(path, reason, remedy="Give a pose for each scan, in their order, or number them in a .log file")
-    places: list[NDArray[np.float64] | None] = [None] * count
-    for number, pose in zip(numbers.astype(int).tolist(), found.poses, strict=True):
-        places[number] = pose
-    return places
+        reason = (
+            f"expected poses with different numbers from 0 to {count - 1}, one per scan, got {len(trajectory)} poses"
+        )
+        raise FileError(path, reason, remedy="Pass a pose for each scan, in their order, or number them in a .log file")
+    poses: list[NDArray[np.float64] | None] = [None] * count
+    for number, pose in zip(numbers.astype(int).tolist(), trajectory.poses, strict=True):
+        poses[number] = pose
+    return poses

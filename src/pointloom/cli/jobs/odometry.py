@@ -35,28 +35,28 @@ class OdometryReport(JobReport):
     voxel_size: float
     max_range: float
     min_range: float
-    found: OdometrySummary
+    result: OdometrySummary
     points: int
     errors: TrajectoryError | None
 
     @property
     def scans_per_second(self) -> float:
-        return self.found.scan_count / max(self.done.seconds["register"], 1e-9)
+        return self.result.scan_count / max(self.done.seconds["register"], 1e-9)
 
     def to_dict(self) -> dict[str, Any]:
-        path = self.found.to_dict()
+        path = self.result.to_dict()
         speed = {"scans": path.pop("scans"), "points": self.points, "scans_per_second": self.scans_per_second}
-        own = {name: value for name, value in values_of(self).items() if name not in ("done", "found", "points")}
+        own = {name: value for name, value in values_of(self).items() if name not in ("done", "result", "points")}
         ending = {"errors": own.pop("errors"), "seconds": self.done.seconds, "files": self.done.files, **quality(self)}
         beginning = {"command": self.done.command, "folder": self.done.source}
         return plain(beginning | own | speed | path | ending)
 
     def fields(self) -> Fields:
-        (_, scans), *path = self.found.fields()
-        reach = f"from {self.min_range:g} to {self.max_range:g} m"
+        (_, scans), *path = self.result.fields()
+        ranges = f"from {self.min_range:g} to {self.max_range:g} m"
         return [
             ("scans", f"{scans}, {self.points:,} points, {self.scans_per_second:.1f} scans/s"),
-            ("map", f"voxels of {self.voxel_size:g} m, points {reach}"),
+            ("map", f"voxels of {self.voxel_size:g} m, points {ranges}"),
             *path,
             *([] if self.errors is None else self.errors.fields()),
             ("seconds", f"{format_seconds(self.done.seconds)} on {self.device}"),
@@ -96,22 +96,22 @@ def odometry_of_folder(
     odometry = LidarOdometry(voxel_size=voxel_size, max_range=max_range, min_range=min_range, device=job.device)
     scans = _Scans.open(folder, topic, columns, job.device)
     if scans.count < 2:
-        raise FileError(folder, f"holds one scan, {scans.first}; odometry needs two", remedy="Give another folder")
+        raise FileError(folder, f"expected at least two scans, got {scans.first} only", remedy="Pass another folder")
     true_path = None if truth is None else read_trajectory(truth)
     if true_path is not None and len(true_path) != scans.count:
-        reason = f"has {len(true_path)} poses, and {os.fspath(folder)} has {scans.count} scans"
-        raise FileError(truth or "", reason, remedy="Give the true pose of each scan")
+        reason = f"expected {scans.count} poses, one per scan of {os.fspath(folder)}, got {len(true_path)}"
+        raise FileError(truth or "", reason, remedy="Pass the true pose of each scan")
     points = _register_scans(job, odometry, scans)
-    found, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
-    if found.has_seen:
-        with job.stage("write", told=False):
+    summary, path, errors = summarize_steps(odometry.steps), Trajectory(odometry.poses), None
+    if summary.has_seen:
+        with job.stage("write", reported=False):
             write_trajectory(output, path, format=form, overwrite=overwrite)
         job.wrote(output)
         if true_path is not None and truth is not None:
             errors = compare(path, true_path, folder, truth, "se3")
-    done = job.done(*found.warnings, *(() if errors is None else errors.warnings))
+    done = job.done(*summary.warnings, *(() if errors is None else errors.warnings))
     sizes = odometry.voxel_size, max_range, min_range
-    return OdometryReport(done, form, str(job.device), *sizes, found, points, errors)
+    return OdometryReport(done, form, str(job.device), *sizes, summary, points, errors)
 
 
 @dataclass(frozen=True)
@@ -123,30 +123,30 @@ class _Scans:
     clouds: Iterator[PointCloud]
 
     @classmethod
-    def open(cls, place: FilePath, topic: str | None, columns: Sequence[str] | None, device: Any) -> _Scans:
-        if is_recording(Path(place)):
+    def open(cls, path: FilePath, topic: str | None, columns: Sequence[str] | None, device: Any) -> _Scans:
+        if is_recording(Path(path)):
             if columns is not None:
-                raise FileError(place, "is a recording, which names its columns", remedy="Leave --columns out")
-            recording = open_recording(place)
+                raise FileError(path, "is a recording, which defines its columns", remedy="Leave --columns out")
+            recording = open_recording(path)
             chosen = recording.choose_topic(topic)
-            count = sum(found.count for found in recording.topics if found.name == chosen)
+            count = sum(entry.count for entry in recording.topics if entry.name == chosen)
             return cls(count, chosen, recording.scans(chosen, device=device))
         if topic is not None:
-            raise FileError(place, f"is no recording, and has no topic {topic!r}", remedy="Leave --topic out")
-        files = list_scans(place)
+            raise FileError(path, f"is not a recording, so it has no topic {topic!r}", remedy="Leave --topic out")
+        files = list_scans(path)
         return cls(len(files), files[0].name, read_scans(files, device=device, columns=columns))
 
 
 def _register_scans(job: Job, odometry: LidarOdometry, scans: _Scans) -> int:
     points = 0
-    job.tell("scans", 0, scans.count)
+    job.progress("scans", 0, scans.count)
     for number in range(1, scans.count + 1):
-        with job.stage("read", told=False):
+        with job.stage("read", reported=False):
             scan = next(scans.clouds)
-        with job.stage("register", told=False):
+        with job.stage("register", reported=False):
             odometry.register(scan)
         points += len(scan)
-        job.tell("scans", number, scans.count)
+        job.progress("scans", number, scans.count)
     return points
 
 

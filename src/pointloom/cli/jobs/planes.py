@@ -56,7 +56,7 @@ class PlaneReport(RowsReport):
             lines.append(f"{a:.9f} {b:.9f} {c:.9f} {d:.6f}: {plane.points:,} points, {format_share(plane.share)}")
         count = f"{self.points:,} of {self.points_in:,}"
         if self.on_none is not None:
-            count = f"{self.points:,}, {self.on_none:,} of them on no plane"
+            count = f"{self.points:,}, {self.on_none:,} of them not on a plane"
         models = "\n".join(lines) or "none"
         return [("a b c d", models), ("points", count), *self.closing(self.device, self.replaced)]
 
@@ -78,14 +78,14 @@ def extract_plane(
     job = Job("plane", source, **settings)
     job.check(output)
     rows = read_rows(job)
-    labels, planes, warning = _find(job, rows, distance, iterations, seed, most=1, min_points=3)
-    kept = np.flatnonzero((labels == 0) != invert)
-    if planes and len(kept):
-        job.write_points(rows.take(kept), output)
+    labels, planes, warning = _find(job, rows, distance, iterations, seed, max_planes=1, min_points=3)
+    selected = np.flatnonzero((labels == 0) != invert)
+    if planes and len(selected):
+        job.write_points(rows.take(selected), output)
     else:
-        kept = kept[:0]
-        warning = f"{warning or 'all points lie on the plane, so none is left'}; nothing was written"
-    counts = len(labels), len(kept)
+        selected = selected[:0]
+        warning = f"{warning or 'all points are on the plane, so no point is left'}; nothing was written"
+    counts = len(labels), len(selected)
     return PlaneReport(job.done(warning), str(job.device), *counts, distance, iterations, seed, planes)
 
 
@@ -94,7 +94,7 @@ def label_planes(
     output: FilePath,
     *,
     distance: float,
-    most: int,
+    max_planes: int,
     iterations: int = 1000,
     min_points: int = MIN_POINTS,
     seed: int = 0,
@@ -102,25 +102,25 @@ def label_planes(
 ) -> PlaneReport:
     """Write a cloud with the int32 attribute `plane`: index of the plane, -1 for none.
 
-    Finds up to `most` planes one after another. Fewer than `min_points` points end the search.
+    Finds up to `max_planes` planes one after another. Fewer than `min_points` points end the search.
     """
     job = Job("plane", source, **settings)
     job.check(output, LABELLED, what="labels")
     rows = read_rows(job)
-    labels, planes, warning = _find(job, rows, distance, iterations, seed, most=most, min_points=min_points)
+    labels, planes, warning = _find(job, rows, distance, iterations, seed, max_planes=max_planes, min_points=min_points)
     table, replaced = label_rows(rows.table, PLANE, labels)
     job.write_points(table, output)
     counts, on_none = (len(labels), len(labels)), int((labels < 0).sum())
-    found = distance, iterations, seed, planes
-    return PlaneReport(job.done(warning), str(job.device), *counts, *found, on_none, tuple(replaced))
+    search = distance, iterations, seed, planes
+    return PlaneReport(job.done(warning), str(job.device), *counts, *search, on_none, tuple(replaced))
 
 
 def _find(
-    job: Job, rows: Rows, distance: float, iterations: int, seed: int, *, most: int, min_points: int
+    job: Job, rows: Rows, distance: float, iterations: int, seed: int, *, max_planes: int, min_points: int
 ) -> tuple[NDArray[np.int32], tuple[Plane, ...], str | None]:
     with job.stage("planes"):
         labels, models = rows.cloud.segment_planes(
-            distance, num_iterations=iterations, min_points=min_points, max_planes=most, seed=seed
+            distance, num_iterations=iterations, min_points=min_points, max_planes=max_planes, seed=seed
         )
     finite = len(rows.cloud.remove_non_finite_points())
     counts = np.bincount(labels[labels >= 0], minlength=len(models)).tolist()
@@ -130,13 +130,13 @@ def _find(
 
 def _warning(planes: Sequence[Plane], finite: int, distance: str, min_points: int) -> str | None:
     if not planes and finite < min_points:
-        return f"no plane: of {finite:,} finite points, {min_points:,} would have to lie on it"
+        return f"no plane: expected at least {min_points:,} points on it, got {finite:,} finite points"
     if not planes:
-        reason = f"no plane has {min_points:,} points within {distance}, or all samples lie on lines"
-        return f"{reason}; take a larger --distance or more --iterations"
+        reason = f"no plane has {min_points:,} points within {distance}, or all samples are collinear"
+        return f"{reason}; use a larger --distance or more --iterations"
     if planes[0].share >= _MIN_SHARE:
         return None
     return (
         f"the largest plane has only {format_share(planes[0].share)} of the points within {distance}; "
-        "take a larger --distance or more --iterations"
+        "use a larger --distance or more --iterations"
     )

@@ -74,9 +74,9 @@ class ReconstructReport(FramesReport):
         return report | self.ending_to_dict()
 
     def fields(self) -> Fields:
-        told = self.result.fields(self.rate)
+        fields = self.result.fields(self.rate)
         return [
-            *self.folder.among(told, before="path" if self.rate is not None else "fragments"),
+            *self.folder.among(fields, before="path" if self.rate is not None else "fragments"),
             *(self.result.error.fields() if self.result.error else []),
             *self.ending(),
         ]

@@ -64,13 +64,13 @@ def convert_recording(
         job.check(output, WRITTEN)
     recording = open_recording(source)
     chosen = recording.choose_topic(topic)
-    count = sum(found.count for found in recording.topics if found.name == chosen)
+    count = sum(entry.count for entry in recording.topics if entry.name == chosen)
     if not as_folder and count > 1 and frame is None and poses is None:
         reason = f"{chosen} has {count} scans, each in the frame of its sensor"
-        raise FileError(source, reason, remedy="Give a folder, or --frame NAME or --poses POSES to write them as one")
+        raise FileError(source, reason, remedy="Pass a folder, or --frame NAME or --poses POSES to write one cloud")
     scans = _moved(recording.scans(chosen, frame=frame, device="cpu"), poses, count, source)
     if as_folder:
-        points = _write_folder(job, output, scans, _told(recording, chosen, frame))
+        points = _write_folder(job, output, scans, _marker_content(recording, chosen, frame))
     else:
         with job.stage("read"):
             cloud = PointCloud.concatenate(list(scans))
@@ -82,20 +82,20 @@ def convert_recording(
 def _moved(scans: Iterator[PointCloud], poses: FilePath | None, count: int, source: FilePath) -> Iterator[PointCloud]:
     if poses is None:
         return scans
-    found = read_trajectory(poses)
-    if len(found) != count:
-        reason = f"has {len(found)} poses, and {os.fspath(source)} has {count} scans"
-        raise FileError(poses, reason, remedy="Give one pose a scan, as pointloom odometry writes them")
-    return (scan.transform(pose) for scan, pose in zip(scans, found.poses, strict=True))
+    trajectory = read_trajectory(poses)
+    if len(trajectory) != count:
+        reason = f"expected {count} poses, one per scan of {os.fspath(source)}, got {len(trajectory)}"
+        raise FileError(poses, reason, remedy="Pass one pose per scan, such as those of pointloom odometry")
+    return (scan.transform(pose) for scan, pose in zip(scans, trajectory.poses, strict=True))
 
 
-def _told(recording: Recording, topic: str, frame: str | None) -> dict[str, Any]:
+def _marker_content(recording: Recording, topic: str, frame: str | None) -> dict[str, Any]:
     """Content of the marker file: header times, None for scans without."""
     times = [recording.header_at(row)[0] for row in recording.rows_of(topic)]
     return {"recording": recording.path.name, "topic": topic, "frame": frame, "times": times}
 
 
-def _write_folder(job: Job, output: FilePath, scans: Iterator[PointCloud], told: dict[str, Any]) -> int:
+def _write_folder(job: Job, output: FilePath, scans: Iterator[PointCloud], content: dict[str, Any]) -> int:
     """Write one file per scan, atomically. Returns their number of points."""
     points = 0
     with job.stage("write"), atomic_folder(output, MARKER, overwrite=job.form["overwrite"]) as folder:
@@ -103,6 +103,6 @@ def _write_folder(job: Job, output: FilePath, scans: Iterator[PointCloud], told:
             as_text = job.form["as_text"]
             tables.write_cloud_table(folder / f"{number:06d}{KIND}", table_of(scan), as_text=as_text, overwrite=False)
             points += len(scan)
-        (folder / MARKER).write_text(json.dumps(told, indent=1) + "\n", encoding="utf-8")
+        (folder / MARKER).write_text(json.dumps(content, indent=1) + "\n", encoding="utf-8")
     job.wrote(output)
     return points

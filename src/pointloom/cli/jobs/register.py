@@ -33,24 +33,24 @@ IDENTITY, GLOBAL = "identity", "global"
 
 _REMEDIES = {
     "colors": "Choose another --method, such as point-to-plane",
-    "voxels": "Take a smaller --voxel, or a cloud with more points",
+    "voxels": "Use a smaller --voxel, or a cloud with more points",
 }
 
 
 @dataclass(frozen=True)
 class RegisterReport(JobReport):
-    """Report of `register_files`. The `init` of `found` is as given by the user."""
+    """Report of `register_files`. The `init` of `registration` is as given by the user."""
 
     target: str
     device: str
-    found: PairRegistration
+    registration: PairRegistration
 
     def to_dict(self) -> dict[str, Any]:
         report = super().to_dict()
-        return report | report.pop("found") | quality(self)
+        return report | report.pop("registration") | quality(self)
 
     def fields(self) -> Fields:
-        return [*self.found.fields(), *self.closing(self.device)]
+        return [*self.registration.fields(), *self.closing(self.device)]
 
 
 def register_files(
@@ -95,19 +95,22 @@ def register_files(
         clouds = read_cloud(source, where, first), read_cloud(target, where, second)
     job.unit = common_unit("source, target", (cloud.unit for cloud in clouds))
     try:
-        with AnnouncedStages(job.clock, job.tell, untold=("voxels", "rate")) as tell:
+        with AnnouncedStages(job.clock, job.progress, silent=("voxels", "rate")) as stages:
             options: dict[str, Any] = {"method": method, "voxel_size": voxel_size}
             options["max_correspondence_distance"] = max_correspondence_distance
-            found = register_pair(*clouds, init=start, progress=tell, free=free, prior=known, **options)
+            registration = register_pair(*clouds, init=start, progress=stages, free=free, prior=known, **options)
     except UnfitCloudError as error:
         path = source if error.role == "source" else target
         reason = error.reason.replace(f"method={method!r}", f"--method {method}")
         raise FileError(path, reason, remedy=_REMEDIES[error.lacks]) from error
     with job.stage("write"):
-        if found.result.fitness > 0:
-            _write_results(job, clouds, found, output, aligned, picture, target)
+        if registration.result.fitness > 0:
+            _write_results(job, clouds, registration, output, aligned, picture, target)
     return RegisterReport(
-        job.done(_warning(found, str(init))), os.fspath(target), str(where), replace(found, init=os.fspath(init))
+        job.done(_warning(registration, str(init))),
+        os.fspath(target),
+        str(where),
+        replace(registration, init=os.fspath(init)),
     )
 
 
@@ -116,8 +119,8 @@ def read_cloud(path: FilePath, device: Any, columns: Sequence[str] | None = None
     table = tables.read_table(path, columns)
     cloud = cloud_of(tables.points_of(table) if isinstance(table, MeshTable) else table, path, device=device)
     if not len(probe_points(cloud)):
-        held = f"{len(cloud):,} points, none of them finite" if len(cloud) else "no point"
-        raise FileError(path, f"holds {held}, so there is nothing to register", remedy="Give another cloud")
+        contents = f"{len(cloud):,} points, all of them not finite" if len(cloud) else "no points"
+        raise FileError(path, f"expected finite points, got {contents}", remedy="Pass another cloud")
     return cloud
 
 
@@ -133,20 +136,20 @@ def _known(prior: FilePath | None, sigma: tuple[float, float] | None) -> Prior |
     if prior is None and sigma is None:
         return None
     if prior is None or sigma is None:
-        raise ValueError("prior, prior_sigma: a pose that is known, and how well, are given together")
+        raise ValueError("prior, prior_sigma: expected both or none, the known pose and its uncertainty")
     return Prior(read_pose(prior), sigma_translation=sigma[0], sigma_rotation=math.radians(sigma[1]))
 
 
 def _write_results(
     job: Job,
     clouds: tuple[PointCloud, PointCloud],
-    found: PairRegistration,
+    registration: PairRegistration,
     output: FilePath | None,
     aligned: FilePath | None,
     picture: FilePath | None,
     target: FilePath,
 ) -> None:
-    T, form = found.transformation, job.form
+    T, form = registration.transformation, job.form
     if output is not None:
         write_pose(output, T, overwrite=form["overwrite"])
         job.wrote(output)
@@ -158,8 +161,10 @@ def _write_results(
         job.wrote(picture)
 
 
-def _warning(found: PairRegistration, init: str) -> str | None:
-    if found.reliable:
+def _warning(registration: PairRegistration, init: str) -> str | None:
+    if registration.reliable:
         return None
-    written = "" if found.result.fitness > 0 else "; nothing was written"
-    return f"{'; '.join(found.warnings)}{written}; try {'another --voxel' if init == GLOBAL else '--init global'}"
+    written = "" if registration.result.fitness > 0 else "; nothing was written"
+    return (
+        f"{'; '.join(registration.warnings)}{written}; try {'another --voxel' if init == GLOBAL else '--init global'}"
+    )

@@ -49,7 +49,7 @@ def sample_mesh_file(
     job.check(output)
     mesh = job.read_mesh()
     if (wrong := find_wrong_corner(mesh)) is not None:
-        raise FileError(source, wrong, remedy="Drop such triangles with pointloom clean-mesh first")
+        raise FileError(source, wrong, remedy="Remove such triangles with pointloom clean-mesh first")
     area, points = mesh.get_surface_area(), 0
     warning = None if area > 0 else "the mesh has no area to draw points from; nothing was written"
     if warning is None:

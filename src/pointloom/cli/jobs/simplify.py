@@ -33,8 +33,8 @@ def simplify_file(
     job = Job("simplify", source, **settings)
     job.check(output, tables.MESHES, what="meshes")
     mesh = job.read_mesh()
-    with AnnouncedStages(job.clock, job.tell) as told:
+    with AnnouncedStages(job.clock, job.progress) as stages:
         wanted: dict[str, Any] = {_NAMES[by]: amount}
-        found = simplify_mesh(mesh, **wanted, max_error=max_error, boundary_weight=boundary_weight, progress=told)
-    job.write_mesh(found.mesh, output)
-    return ResultReport(job.done(*found.warnings), found, str(mesh.device))
+        result = simplify_mesh(mesh, **wanted, max_error=max_error, boundary_weight=boundary_weight, progress=stages)
+    job.write_mesh(result.mesh, output)
+    return ResultReport(job.done(*result.warnings), result, str(mesh.device))

@@ -25,6 +25,6 @@ def smooth_mesh_file(
     job.check(output, tables.MESHES, what="meshes")
     mesh = job.read_mesh()
     with job.stage(method):
-        found = smooth_mesh(mesh, method, iterations, **factors or {})
-    job.write_mesh(found.mesh, output)
-    return ResultReport(job.done(*found.warnings), found, str(mesh.device))
+        result = smooth_mesh(mesh, method, iterations, **factors or {})
+    job.write_mesh(result.mesh, output)
+    return ResultReport(job.done(*result.warnings), result, str(mesh.device))

@@ -8,7 +8,6 @@ or three standard deviations.
 from __future__ import annotations
 
 import json
-import os
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -41,15 +40,15 @@ class StationsReport(JobReport):
     device: str
     points: int
     began: str
-    found: StationsResult
+    result: StationsResult
 
     def to_dict(self) -> dict[str, Any]:
         report = super().to_dict()
-        del report["found"]
-        return self.found.to_dict() | report
+        del report["result"]
+        return self.result.to_dict() | report
 
     def fields(self) -> Fields:
-        return [*self.found.fields(), ("began", f"{self.began}; {self.points:,} points"), *self.closing(self.device)]
+        return [*self.result.fields(), ("began", f"{self.began}; {self.points:,} points"), *self.closing(self.device)]
 
 
 def register_scans(
@@ -74,10 +73,10 @@ def register_scans(
     """
     job = Job("stations", source, **settings)
     job.check(output, E57, what="stations")
-    places = _check_report(report, overwrite=job.form["overwrite"])
+    report_paths = _check_report(report, overwrite=job.form["overwrite"])
     if Path(source).suffix.lower() not in WITH_SCANS:
         remedy = "Convert the scans, or call loom.registration.register_stations"
-        raise FileError(source, "is no .e57 or .ptx file", remedy=remedy)
+        raise FileError(source, "is not an .e57 or .ptx file", remedy=remedy)
     with job.stage("read"):
         scans = _filled(read_stations(source, device=job.device), source)
     seen = None if targets is None else read_targets(targets, scans.names)
@@ -86,9 +85,9 @@ def register_scans(
     given: dict[str, Any] = {
         name: value for name, value in (("rough", rough), ("overlap", overlap)) if value is not None
     }
-    posed = use_poses and _tell_apart(scans.poses)
-    with job.stage("register", told=False):
-        found = register_stations(
+    posed = use_poses and _are_distinct(scans.poses)
+    with job.stage("register", reported=False):
+        result = register_stations(
             scans.clouds,
             poses=scans.poses if posed else None,
             level=free is None or len(free) < 6,
@@ -96,109 +95,109 @@ def register_scans(
             control=known,
             names=scans.names,
             voxel_size=voxel_size,
-            progress=job.tell,
+            progress=job.progress,
             **given,
         )
     with job.stage("write"):
-        write_stations(output, scans.clouds, found.poses, names=scans.names, overwrite=job.form["overwrite"])
+        write_stations(output, scans.clouds, result.poses, names=scans.names, overwrite=job.form["overwrite"])
     job.wrote(output)
-    if places:
-        _write_report(job, places, found)
+    if report_paths:
+        _write_report(job, report_paths, result)
     points, began = sum(len(cloud) for cloud in scans.clouds), "poses of the file" if posed else "no poses"
-    return StationsReport(job.done(*found.warnings), str(job.device), points, began, found)
+    return StationsReport(job.done(*result.warnings), str(job.device), points, began, result)
 
 
 def _filled(scans: Stations, source: FilePath) -> Stations:
     empty = [name for name, cloud in zip(scans.names, scans.clouds, strict=True) if not len(cloud)]
     if empty:
-        raise FileError(source, f"scan {empty[0]!r} holds no point", remedy="Leave it out")
+        raise FileError(source, f"scan {empty[0]!r} contains no points", remedy="Remove this scan")
     return scans
 
 
 def _check_report(folder: FilePath | None, *, overwrite: bool) -> dict[str, Path]:
     if folder is None:
         return {}
-    place = Path(folder)
-    import_for(place / REPORT["plan"], "matplotlib.figure", "plot")
-    if place.exists() and not place.is_dir():
-        raise FileError(place, "is no folder", remedy="Name a folder for the report")
-    places = {kind: place / name for kind, name in REPORT.items()}
-    there = [path for path in places.values() if path.exists()]
-    if there and not overwrite:
-        raise FileError(there[0], "exists", remedy="Pass overwrite=True to replace it")
-    if not place.exists() and not place.absolute().parent.is_dir():
-        raise FileError(place, "its folder does not exist")
-    return places
+    report_folder = Path(folder)
+    import_for(report_folder / REPORT["plan"], "matplotlib.figure", "plot")
+    if report_folder.exists() and not report_folder.is_dir():
+        raise FileError(report_folder, "is not a folder", remedy="Pass the path of a folder for the report")
+    paths = {kind: report_folder / name for kind, name in REPORT.items()}
+    existing = [path for path in paths.values() if path.exists()]
+    if existing and not overwrite:
+        raise FileError(existing[0], "exists", remedy="Pass overwrite=True to replace it")
+    if not report_folder.exists() and not report_folder.absolute().parent.is_dir():
+        raise FileError(report_folder, "its folder does not exist")
+    return paths
 
 
-def _tell_apart(poses: Any) -> bool:
+def _are_distinct(poses: Any) -> bool:
     """True if poses are meaningful: a file without them has the identity everywhere."""
     return bool(np.abs(poses - poses[0]).max() > 0)
 
 
-def _write_report(job: Job, places: dict[str, Path], found: StationsResult) -> None:
-    places["text"].parent.mkdir(exist_ok=True)
+def _write_report(job: Job, paths: dict[str, Path], result: StationsResult) -> None:
+    paths["text"].parent.mkdir(exist_ok=True)
     overwrite = job.form["overwrite"]
     with job.stage("report"):
-        texts = {"text": found.report(), "json": json.dumps(found.to_dict(), indent=1, allow_nan=False) + "\n"}
+        texts = {"text": result.report(), "json": json.dumps(result.to_dict(), indent=1, allow_nan=False) + "\n"}
         for kind, text in texts.items():
-            with atomic_write(places[kind], overwrite=overwrite) as file:
+            with atomic_write(paths[kind], overwrite=overwrite) as file:
                 file.write(text.encode())
-        save_picture(places["plan"], station_plan(found), overwrite=overwrite)
-    for path in places.values():
+        save_picture(paths["plan"], station_plan(result), overwrite=overwrite)
+    for path in paths.values():
         job.wrote(path)
 
 
-_APART = re.compile(r"[;,\t]")
+_SEPARATOR = re.compile(r"[;,\t]")
 MAX_BYTES = 1 << 26  # a table of 500,000 points
 
 
 def read_targets(path: FilePath, stations: Sequence[str]) -> list[TargetObservation]:
     """Read observed targets. Raises FileError with the line."""
-    found = []
+    targets = []
     numbers = {name: i for i, name in enumerate(stations)}
     numbers |= {str(i): i for i in range(len(stations)) if str(i) not in numbers}
     for line, fields in _rows(path, words=2, numbers=(3, 4)):
         if fields[0] not in numbers:
             known = few_of(stations, 5)
-            raise FileError(path, f"there is no station {fields[0]!r}; there are {known}", where=f"line {line}")
+            raise FileError(path, f"expected one of the stations {known}, got {fields[0]!r}", where=f"line {line}")
         x, y, z, *sigma = _numbers(path, line, fields[2:])
         options = {"sigma": sigma[0]} if sigma else {}
         try:
-            found.append(TargetObservation(numbers[fields[0]], fields[1], [x, y, z], **options))
+            targets.append(TargetObservation(numbers[fields[0]], fields[1], [x, y, z], **options))
         except (TypeError, ValueError) as error:
             raise FileError(path, str(error), where=f"line {line}") from None
-    return found
+    return targets
 
 
 def read_control(path: FilePath) -> list[ControlPoint]:
     """Read control points. Raises FileError with the line."""
-    found = []
+    points = []
     for line, fields in _rows(path, words=1, numbers=(3, 4, 6)):
         x, y, z, *sigma = _numbers(path, line, fields[1:])
         options = {"sigma": sigma if len(sigma) == 3 else sigma[0]} if sigma else {}
         try:
-            found.append(ControlPoint(fields[0], [x, y, z], **options))
+            points.append(ControlPoint(fields[0], [x, y, z], **options))
         except (TypeError, ValueError) as error:
             raise FileError(path, str(error), where=f"line {line}") from None
-    return found
+    return points
 
 
 def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tuple[int, list[str]]]:
     """Line numbers and words of the rows of a table, without a header."""
     try:
         if Path(path).stat().st_size > MAX_BYTES:
-            raise FileError(path, f"is larger than {MAX_BYTES >> 20} MiB, which no table of targets is")
+            raise FileError(path, f"expected a table of at most {MAX_BYTES >> 20} MiB")
         text = Path(path).read_text(encoding="utf-8-sig")
     except OSError as error:
         raise FileError(path, error.strerror or "cannot be read") from None
     except UnicodeDecodeError:
-        raise FileError(path, "is no text in UTF-8", remedy="Save the table as text") from None
+        raise FileError(path, "is not UTF-8 text", remedy="Save the table as text") from None
     is_first, empty = True, True
     for line, row in enumerate(text.splitlines(), start=1):
         if not row.strip() or row.lstrip().startswith("#"):
             continue
-        fields = [field.strip() for field in (_APART.split(row) if _APART.search(row) else row.split())]
+        fields = [field.strip() for field in (_SEPARATOR.split(row) if _SEPARATOR.search(row) else row.split())]
         while fields and not fields[-1]:
             fields.pop()
         if len(fields) - words not in numbers:
@@ -210,7 +209,7 @@ def _rows(path: FilePath, words: int, numbers: tuple[int, ...]) -> Iterator[tupl
         is_first, empty = False, False
         yield line, fields
     if empty:
-        raise FileError(path, f"{os.fspath(path)} has no row", remedy="Give one row for each")
+        raise FileError(path, "contains no rows", remedy="Write one row per target")
 
 
 def _is_number(text: str) -> bool:

@@ -32,7 +32,7 @@ WITH_ATLAS = (".obj", ".glb", ".gltf")
 WRITTEN = (".ply", *WITH_ATLAS)
 SIZE = 2048  # texels per side: 3 mm each on the walls of a room
 
-_NOTHING = "no frame shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
+_NOTHING = "no frame shows the mesh, and nothing was written; are both in the same coordinate frame?"
 
 
 def texture_folder(
@@ -61,7 +61,7 @@ def texture_folder(
         picture: A .png file of the mesh with vertex colors.
     """
     check_count("size", size)
-    tell = check_progress(progress)
+    notify = check_progress(progress)
     check_output(output, WRITTEN, what="colored meshes", overwrite=overwrite)
     if picture is not None:
         check_picture(picture, overwrite=overwrite)
@@ -69,19 +69,19 @@ def texture_folder(
     camera = None if intrinsic is None else read_pinhole_camera_intrinsic(intrinsic)
     shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
     if with_atlas and not len(shape):
-        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply for colors at vertices")
+        raise FileError(mesh, "has no triangles, which a texture needs", remedy="Write a .ply file for vertex colors")
     dataset = _open_colored(folder, intrinsic=camera, **layout)
     clock.stop("read")
     task = Task(os.fspath(mesh), os.fspath(folder), dataset.layout, shape, method, len(dataset), float(depth_max))
     how: dict[str, Any] = {"method": method, "size": size if with_atlas else None, "depth_max": depth_max}
     try:
-        with AnnouncedStages(clock, tell, first="read", part_of={"frames": "read"}) as told:
-            found = texture_mesh(shape, dataset, **how, progress=told)
+        with AnnouncedStages(clock, notify, first="read", part_of={"frames": "read"}) as stages:
+            result = texture_mesh(shape, dataset, **how, progress=stages)
     except NothingSeenError:
         return TextureReport(task, None, clock.seconds, [])
-    files = _write(found, output, picture, up=_up_of(output, up), overwrite=overwrite)
+    files = _write(result, output, picture, up=_up_of(output, up), overwrite=overwrite)
     clock.stop("write")
-    return TextureReport(task, found, clock.seconds, files)
+    return TextureReport(task, result, clock.seconds, files)
 
 
 @dataclass(frozen=True)
@@ -105,27 +105,27 @@ class Task:
 
 @dataclass(frozen=True)
 class TextureReport(Report, Assessed):
-    """Report of `texture_folder`; `found` is None if no frame shows the mesh."""
+    """Report of `texture_folder`; `result` is None if no frame shows the mesh."""
 
     task: Task
-    found: TexturedMesh | None
+    result: TexturedMesh | None
     seconds: dict[str, float]
     files: list[str]
     peak_bytes: int = field(default_factory=peak_bytes)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return (_NOTHING,) if self.found is None else self.found.warnings
+        return (_NOTHING,) if self.result is None else self.result.warnings
 
     def to_dict(self) -> dict[str, Any]:
-        found = {} if self.found is None else self.found.to_dict()
+        figures = {} if self.result is None else self.result.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return plain(self.task.to_dict() | found | cost | {"files": self.files, **quality(self)})
+        return plain(self.task.to_dict() | figures | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
         task = self.task
         return [
-            *(self.found.fields() if self.found else task_fields(task.shape, task.frame_count, task.depth_max)),
+            *(self.result.fields() if self.result else task_fields(task.shape, task.frame_count, task.depth_max)),
             ("seconds", format_seconds(self.seconds)),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
             ("files", ", ".join(self.files) or "none"),
@@ -135,7 +135,7 @@ class TextureReport(Report, Assessed):
 def _open_colored(folder: FilePath, **options: Any) -> RGBDDataset:
     dataset = open_dataset(folder, **options)
     if any(files.color is None for files in dataset.frames):
-        raise FileError(dataset.folder, "its frames have no color, which is what a mesh would take from them")
+        raise FileError(dataset.folder, "expected frames with color images, got frames without")
     return dataset
 
 
@@ -143,9 +143,9 @@ def _up_of(path: FilePath, up: str) -> str:
     return up if Path(path).suffix.lower() in UPRIGHT else "y"
 
 
-def _write(found: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str, overwrite: bool) -> list[str]:
-    write_triangle_mesh(output, found.mesh, up=up, overwrite=overwrite)
+def _write(result: TexturedMesh, output: FilePath, picture: FilePath | None, *, up: str, overwrite: bool) -> list[str]:
+    write_triangle_mesh(output, result.mesh, up=up, overwrite=overwrite)
     if picture is None:
         return [os.fspath(output)]
-    draw_scene(picture, found.colors.mesh, found.colors.trajectory.poses, overwrite=overwrite)
+    draw_scene(picture, result.colors.mesh, result.colors.trajectory.poses, overwrite=overwrite)
     return [os.fspath(output), os.fspath(picture)]

@@ -23,17 +23,17 @@ from ...meshing.color_map.results import NothingSeenError
 from ...meshing.mesh.mesh_files import read_triangle_mesh, write_triangle_mesh
 
 WRITTEN = (".obj", ".glb", ".gltf")
-PLACED = Path("mesh")  # of a video's work folder: the model in the units of its mesh
+SCALED_MODEL = Path("mesh")  # of a video's work folder: the model in the units of its mesh
 STRAIGHT = Path("undistorted") / "images"  # and its images
 IMAGES = "images"  # as in COLMAP projects
 
-_NOTHING = "no picture shows anything of the mesh, and nothing was written; are both in one frame of coordinates?"
+_NOTHING = "no image shows the mesh, and nothing was written; are both in the same coordinate frame?"
 
 
-def holds_model(folder: FilePath) -> bool:
+def is_model_folder(folder: FilePath) -> bool:
     """True for a COLMAP project, or the work folder of a video."""
-    place = Path(folder)
-    return place.is_dir() and (is_colmap_model(place) or is_colmap_model(place / PLACED / "sparse"))
+    path = Path(folder)
+    return path.is_dir() and (is_colmap_model(path) or is_colmap_model(path / SCALED_MODEL / "sparse"))
 
 
 def texture_model(
@@ -54,54 +54,54 @@ def texture_model(
     .glb or .gltf; `up` the up axis in the frame of the poses, "y" or "z", for .glb or .gltf. See
     `texture_from_pictures` for `size` and `depth_max`.
     """
-    tell = check_progress(progress)
-    check_output(output, WRITTEN, what="textures out of pictures", overwrite=overwrite)
+    notify = check_progress(progress)
+    check_output(output, WRITTEN, what="textures from images", overwrite=overwrite)
     clock, where = Clock(), resolve_device(device)
     shape = read_triangle_mesh(mesh, device=where, up=_up_of(mesh, up))
     if not len(shape):
         raise FileError(
-            mesh, "has no triangles, which a texture needs", remedy="Give a mesh, such as of pointloom video"
+            mesh, "has no triangles, which a texture needs", remedy="Pass a mesh, such as one of pointloom video"
         )
     model, pictures = _open(Path(folder))
     clock.stop("read")
     try:
-        found = texture_from_pictures(shape, pictures, model, size=size, depth_max=depth_max, progress=tell)
+        result = texture_from_pictures(shape, pictures, model, size=size, depth_max=depth_max, progress=notify)
     except NothingSeenError:
-        found = None
+        result = None
     clock.stop("texture")
     files = []
-    if found is not None:
-        write_triangle_mesh(output, found.mesh, up=_up_of(output, up), overwrite=overwrite)
+    if result is not None:
+        write_triangle_mesh(output, result.mesh, up=_up_of(output, up), overwrite=overwrite)
         files.append(os.fspath(output))
         clock.stop("write")
-    return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), found, clock.seconds, files)
+    return ModelTextureReport(os.fspath(mesh), os.fspath(folder), len(model), result, clock.seconds, files)
 
 
 @dataclass(frozen=True)
 class ModelTextureReport(Report, Assessed):
-    """Report of `texture_model`; `found` is None if no image shows the mesh."""
+    """Report of `texture_model`; `result` is None if no image shows the mesh."""
 
     mesh: str
     folder: str
     picture_count: int
-    found: PicturedMesh | None
+    result: PicturedMesh | None
     seconds: dict[str, float]
     files: list[str]
     peak_bytes: int = field(default_factory=peak_bytes)
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        return (_NOTHING,) if self.found is None else self.found.warnings
+        return (_NOTHING,) if self.result is None else self.result.warnings
 
     def to_dict(self) -> dict[str, Any]:
         given = {"command": "texture", "mesh": self.mesh, "dataset": self.folder, "layout": "model"}
-        found = {"pictures": self.picture_count} if self.found is None else self.found.to_dict()
+        figures = {"pictures": self.picture_count} if self.result is None else self.result.to_dict()
         cost = {"seconds": self.seconds, "peak_bytes": self.peak_bytes}
-        return plain(given | found | cost | {"files": self.files, **quality(self)})
+        return plain(given | figures | cost | {"files": self.files, **quality(self)})
 
     def fields(self) -> Fields:
         return [
-            *(self.found.fields() if self.found else [("pictures", str(self.picture_count))]),
+            *(self.result.fields() if self.result else [("pictures", str(self.picture_count))]),
             ("seconds", format_seconds(self.seconds)),
             ("memory", f"{format_bytes(self.peak_bytes)} at most"),
             ("files", ", ".join(self.files) or "none"),
@@ -109,12 +109,14 @@ class ModelTextureReport(Report, Assessed):
 
 
 def _open(folder: Path) -> tuple[Any, Path]:
-    if is_colmap_model(folder / PLACED / "sparse"):
-        return read_colmap_model(folder / PLACED / "sparse"), folder / STRAIGHT
-    places = [place / IMAGES for place in (folder, folder.parent, folder.parent.parent)]
-    pictures = next((place for place in places if place.is_dir()), None)
+    if is_colmap_model(folder / SCALED_MODEL / "sparse"):
+        return read_colmap_model(folder / SCALED_MODEL / "sparse"), folder / STRAIGHT
+    candidates = [parent / IMAGES for parent in (folder, folder.parent, folder.parent.parent)]
+    pictures = next((path for path in candidates if path.is_dir()), None)
     if pictures is None:
-        raise FileError(folder, "holds a model, but no folder of its pictures", remedy=f"Put them into {places[0]}")
+        raise FileError(
+            folder, "contains a model, but no folder with its images", remedy=f"Put the images into {candidates[0]}"
+        )
     return read_colmap_model(folder), pictures
 
 

@@ -27,51 +27,61 @@ class TileReport(Report, Assessed):
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        told = self.status
-        if not told.troubles:
+        status = self.status
+        if not status.troubles:
             return ()
-        counts = [f"{count} {name}" for count, name in ((told.failed, "failed"), (told.aside, "set aside")) if count]
-        what = f"{', '.join(counts)} of {_all(told)} tiles" if counts else "files cannot be laid by tile"
-        return (f"{what}: {_named(told.troubles)}",)
+        counts = [
+            f"{count} {name}" for count, name in ((status.failed, "failed"), (status.aside, "quarantined")) if count
+        ]
+        what = f"{', '.join(counts)} of {_tile_count(status)} tiles" if counts else "files cannot be sorted into tiles"
+        return (f"{what}: {_named(status.troubles)}",)
 
     @property
     def notes(self) -> tuple[str, ...]:
         """Remaining work after a run, or that there are no points to write."""
-        told = self.status
-        if self.command == "finish" and not told.points_out:
-            return ("the steps left no point: there are rasters alone",)
-        if self.command != "run" or not told.waiting + told.running:
+        status = self.status
+        if self.command == "finish" and not status.points_out:
+            return ("no points are left after the steps; only rasters were written",)
+        if self.command != "run" or not status.waiting + status.running:
             return ()
         if self.is_part:
-            return (f"{told.waiting + told.running} tiles wait or are worked on; run it again where a step needs them",)
-        return (f"{told.waiting + told.running} tiles wait or are worked on by others",)
+            return (
+                f"{status.waiting + status.running} tiles are waiting or running; run this again if a step needs them",
+            )
+        return (f"{status.waiting + status.running} tiles are waiting or running in other processes",)
 
     def fields(self) -> Fields:
-        told = self.status
+        status = self.status
         fields = [
-            ("tiles", f"{told.done + told.empty} of {_all(told)} done" + (f", {told.empty} empty" * bool(told.empty)))
+            (
+                "tiles",
+                f"{status.done + status.empty} of {_tile_count(status)} done"
+                + (f", {status.empty} empty" * bool(status.empty)),
+            )
         ]
-        if told.passes > 1 and not told.is_finished:
-            through = f"{told.which_pass} of {told.passes}, {told.through} of {_all(told)} tiles through it"
+        if status.passes > 1 and not status.is_finished:
+            through = (
+                f"{status.which_pass} of {status.passes}, {status.through} of {_tile_count(status)} tiles finished it"
+            )
             fields.append(("pass", through))
         fields += [
             (label, f"{count:,}")
             for label, count in (
-                ("waiting", told.waiting),
-                ("running", told.running),
-                ("failed", told.failed),
-                ("set aside", told.aside),
-                ("files to lay", told.sources_waiting),
+                ("waiting", status.waiting),
+                ("running", status.running),
+                ("failed", status.failed),
+                ("quarantined", status.aside),
+                ("files to sort", status.sources_waiting),
             )
             if count
         ]
-        points = f"{told.points:,} in the files"
-        if told.done + told.empty:
-            points += f", {told.points_in:,} done, {told.points_out:,} out"
+        points = f"{status.points:,} in the files"
+        if status.done + status.empty:
+            points += f", {status.points_in:,} done, {status.points_out:,} out"
         fields.append(("points", points))
-        if told.bucket_bytes and (Path(told.folder) / BUCKETS).is_dir():  # removed by `finish`
-            fields.append(("temporary", f"{told.bucket_bytes / 1e6:,.1f} MB on disk"))
-        fields += [(name, " ".join(error.split())) for name, error in told.troubles.items()]
+        if status.bucket_bytes and (Path(status.folder) / BUCKETS).is_dir():  # removed by `finish`
+            fields.append(("temporary", f"{status.bucket_bytes / 1e6:,.1f} MB on disk"))
+        fields += [(name, " ".join(error.split())) for name, error in status.troubles.items()]
         return [*fields, ("files", ", ".join(self.files))] if self.files else fields
 
     def to_dict(self) -> dict[str, Any]:
@@ -88,8 +98,8 @@ def finish_job(folder: Path, path: Path | None, **options: Any) -> TileReport:
     return TileReport("finish", tile_status(folder), files=(str(made),))
 
 
-def _all(told: TileStatus) -> int:
-    return told.waiting + told.running + told.done + told.empty + told.failed + told.aside
+def _tile_count(status: TileStatus) -> int:
+    return status.waiting + status.running + status.done + status.empty + status.failed + status.aside
 
 
 def _named(names: Iterable[str]) -> str:

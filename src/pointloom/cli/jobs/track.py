@@ -71,7 +71,7 @@ def track_folder(
     opened = FrameFolder.open(folder, options or FolderOptions())
     dataset = opened.dataset
     if len(dataset) < 2:
-        raise FileError(folder, "holds one frame; tracking needs two", remedy="Give another folder")
+        raise FileError(folder, "expected at least two frames, got one", remedy="Pass another folder")
     clock.stop("open")
     sizes: dict[str, Any] = {"depth_max": depth_max, "device": where}
     path = track(dataset, voxel_size=voxel_size, **sizes, progress=progress, clock=clock)

@@ -32,10 +32,10 @@ class Chapter:
         return all(word.lower() in text if not word.isdigit() else int(word) == self.number for word in words)
 
     def lines(self, page: str | None) -> list[str]:
-        said = ["loom." + ", loom.".join(self.names)]
+        lines = ["loom." + ", loom.".join(self.names)]
         if self.commands:
-            said.append("pointloom " + ", pointloom ".join(self.commands))
-        return [*said, page] if page else said
+            lines.append("pointloom " + ", pointloom ".join(self.commands))
+        return [*lines, page] if page else lines
 
     def as_row(self) -> dict[str, object]:
         return dataclasses.asdict(self)
@@ -47,7 +47,7 @@ def chapters() -> tuple[Chapter, ...]:
     return tuple(Chapter(**row | {"names": tuple(row["names"]), "commands": tuple(row["commands"])}) for row in rows)
 
 
-def place_of_docs() -> str | None:
+def docs_location() -> str | None:
     """Location of the pages: built in this checkout, else the project's address, else None."""
     built = CHECKOUT / "build" / "docs" / "html"
     if (built / "index.html").is_file():
@@ -60,9 +60,9 @@ def place_of_docs() -> str | None:
     return named.get("Documentation")
 
 
-def page_of(chapter: Chapter, place: str | None) -> str | None:
+def page_of(chapter: Chapter, location: str | None) -> str | None:
     """Page of a chapter, or its script, or None."""
-    if place is not None and place.startswith("file:"):
-        return f"{place}/chapters/plot_{chapter.slug}.html"
+    if location is not None and location.startswith("file:"):
+        return f"{location}/chapters/plot_{chapter.slug}.html"
     script = CHECKOUT / "docs" / "examples" / "chapters" / f"plot_{chapter.slug}.py"
-    return str(script) if script.is_file() else place
+    return str(script) if script.is_file() else location

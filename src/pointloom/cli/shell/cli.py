@@ -143,16 +143,16 @@ def info(files: tuple[Path, ...], read_as: str | None, columns: tuple[str, ...] 
                     reports.append(ends.rename(describe(source, columns=columns)))
             except (ValueError, TypeError, OSError) as error:
                 reports.append(BrokenFile(str(path), report_error(error)))
-    found = [report for report in reports if isinstance(report, Description)]
-    broken = [report.broken for report in found if report.broken]
+    descriptions = [report for report in reports if isinstance(report, Description)]
+    broken = [report.broken for report in descriptions if report.broken]
     for error in broken:
         click.echo(escaped(f"error: {error}"), err=True)
-    failed = bool(broken) or len(found) < len(reports)
-    code = exit_code(warning for report in found for warning in report.warnings)
+    failed = bool(broken) or len(descriptions) < len(reports)
+    code = exit_code(warning for report in descriptions for warning in report.warnings)
     if as_json:
         print_json({"command": "info", "files": reports})
         return ERROR if failed else code
-    for report in found:
+    for report in descriptions:
         print_fields(report.fields(), title=f"{report.path}: {report.kind}")
     return ERROR if failed else code
 
@@ -204,17 +204,17 @@ def convert(
     pointloom convert run.mcap map.ply --topic /points --frame odom
     """
     if frame is not None and poses is not None:
-        refuse("--frame and --poses both say where scans stand; give one")
+        refuse("--frame and --poses both define the positions of the scans; pass one of them")
     if source.suffix.lower() in RECORDINGS or source.is_dir():
         from ..jobs.recorded_clouds import convert_recording
 
         options.pop("up")
         if options.pop("columns") is not None:
-            refuse("--columns is for a cloud; a recording names its columns")
+            refuse("--columns is for clouds; a recording defines its columns")
         return convert_recording(source, output, topic=topic, frame=frame, poses=poses, **options)
     for name, value in (("topic", topic), ("frame", frame), ("poses", poses)):
         if value is not None:
-            refuse(f"--{name} goes with a recording, and {source} is none")
+            refuse(f"--{name} requires a recording, got {source}")
     from ..jobs.clouds import convert_file
 
     return convert_file(source, output, **options)
@@ -249,7 +249,7 @@ def normals(source: Path, output: Path, **options: Any) -> Answer:
     from ..jobs.clouds import estimate_normals_of_file
 
     if options["toward"] is not None and options["direction"] is not None:
-        refuse("--toward and --direction choose different sides; give one")
+        refuse("--toward and --direction define different orientations; pass one of them")
     return estimate_normals_of_file(source, output, **options)
 
 

@@ -87,10 +87,10 @@ def from_cloud_to_cloud(
     return decorate
 
 
-def _the_output(placed: Path | None, named: Path | None) -> Path:
-    if placed is not None and named is not None:
-        refuse(f"give OUT once, got {placed} and -o {named}")
-    output = placed or named
+def _the_output(positional: Path | None, named: Path | None) -> Path:
+    if positional is not None and named is not None:
+        refuse(f"expected one OUT, got {positional} and -o {named}")
+    output = positional or named
     if output is None:
-        refuse("missing argument 'OUT'; give a file, or - for standard output")
+        refuse("missing argument 'OUT'; pass a file, or - for standard output")
     return output

@@ -35,7 +35,7 @@ EXTENSIONS = {
 def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:
     """Files that match a parameter, and folders. All files if none matches."""
     extensions = EXTENSIONS.get(metavar or "")
-    found: list[CompletionItem] = []
+    items: list[CompletionItem] = []
     if extensions is not None:
         folder, prefix = os.path.split(incomplete)
         begin = incomplete.removesuffix(prefix) if prefix else incomplete
@@ -47,8 +47,8 @@ def complete_path(metavar: str | None, incomplete: str) -> list[CompletionItem]:
             suits = entry.is_dir() or entry.name.lower().endswith(extensions)
             if suits and entry.name.startswith(prefix) and (prefix or not entry.name.startswith(".")):
                 slash = "/" if entry.is_dir() else ""
-                found.append(CompletionItem(begin + entry.name + slash, type=PATH))
-    return found or [CompletionItem(incomplete, type="file" if extensions != () else "dir")]
+                items.append(CompletionItem(begin + entry.name + slash, type=PATH))
+    return items or [CompletionItem(incomplete, type="file" if extensions != () else "dir")]
 
 
 class _Bash(BashComplete):

@@ -35,7 +35,7 @@ class Progress:
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
         self._last_line = time.monotonic()
-        self._last_told: dict[str, int] = {}  # finished steps by stage
+        self._last_reported: dict[str, int] = {}  # finished steps by stage
 
     def __enter__(self) -> Progress:
         if is_terminal(sys.stderr):
@@ -59,16 +59,16 @@ class Progress:
     def __call__(self, stage: str, done: int, total: int) -> None:
         """Show that `done` of `total` steps of a stage are done; `total` 0 if unknown."""
         if self._bar is None:
-            self._tell(stage, done, total)
+            self._print_line(stage, done, total)
             return
         if stage not in self._tasks:
             self._tasks[stage] = self._bar.add_task(escaped(stage), total=total or None, rate="")
         self._bar.update(self._tasks[stage], completed=done, rate=self._rate(stage, done))
 
-    def _tell(self, stage: str, done: int, total: int) -> None:
+    def _print_line(self, stage: str, done: int, total: int) -> None:
         now = time.monotonic()
-        if now - self._last_line >= LINE_INTERVAL and self._last_told.get(stage) != done:
-            self._last_line, self._last_told[stage] = now, done
+        if now - self._last_line >= LINE_INTERVAL and self._last_reported.get(stage) != done:
+            self._last_line, self._last_reported[stage] = now, done
             text = f"{stage}: {done} of {total}" if total else stage
             click.echo(escaped(f"{text} {self._rate(stage, done)}".rstrip()), err=True)
 
@@ -82,7 +82,7 @@ class CompileNotice(logging.Handler):
     def __init__(self):
         super().__init__(logging.INFO)
         self._logger = logging.getLogger("pointloom")
-        self._said = False
+        self._was_printed = False
 
     def __enter__(self) -> None:
         self._level = self._logger.level
@@ -95,25 +95,25 @@ class CompileNotice(logging.Handler):
 
     def emit(self, record: logging.LogRecord) -> None:
         """Print the notice, without the progress of the library's record."""
-        if getattr(record, "compiles", False) and not self._said:
-            self._said = True
+        if getattr(record, "compiles", False) and not self._was_printed:
+            self._was_printed = True
             click.echo("compiling kernels for their first use on this machine; later runs start at once", err=True)
 
 
 def print_json(report: dict[str, Any]) -> None:
     """Print one JSON object. Non-finite numbers become null."""
-    _say(json_text(report))
+    _echo(json_text(report))
 
 
 def print_fields(fields: Iterable[tuple[str, str]], *, title: str = "", err: bool = False) -> None:
     """Print labels and values in two columns below a title; multi-line values stay in their column."""
     if title:
-        _say(escaped(title), err)
+        _echo(escaped(title), err)
     for row in rows_of(fields):
-        _say(row, err)
+        _echo(row, err)
 
 
-def _say(line: str, err: bool = False) -> None:
+def _echo(line: str, err: bool = False) -> None:
     try:
         click.echo(line, err=err)
     except OSError as error:

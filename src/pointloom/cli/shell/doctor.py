@@ -75,8 +75,8 @@ class Trial:
         return self.error is None
 
     def to_dict(self) -> dict[str, Any]:
-        told: dict[str, Any] = {"device": self.device, "ok": self.ok, **self.seconds}
-        return told if self.ok else {**told, "error": self.error}
+        report: dict[str, Any] = {"device": self.device, "ok": self.ok, **self.seconds}
+        return report if self.ok else {**report, "error": self.error}
 
     def __str__(self) -> str:
         first, again = self.seconds.get("first_seconds", 0.0), self.seconds.get("again_seconds", 0.0)
@@ -169,7 +169,7 @@ def _choose() -> tuple[str, str]:
         chosen = current_cpu_compiler()
         if chosen == "warp":
             return chosen, _threads()
-        return chosen, f"POINTLOOM_CPU={chosen} asks for it"
+        return chosen, f"POINTLOOM_CPU={chosen} is set"
     except (RuntimeError, ValueError) as error:
         return NO_COMPILER, str(error)
 
@@ -178,12 +178,12 @@ def _threads() -> str:
     count = get_num_threads()
     if reason := _why_one_core():
         return reason
-    said = f"{count} thread" if count == 1 else f"{count} threads"
+    threads = f"{count} thread" if count == 1 else f"{count} threads"
     if os.environ.get(cpu_pool.VARIABLE):
-        return f"{said} ({cpu_pool.VARIABLE})"
+        return f"{threads} ({cpu_pool.VARIABLE})"
     if sys.platform != "linux":
-        return f"{said}, since more are untried on this system; {cpu_pool.VARIABLE} tries more"
-    return said
+        return f"{threads}, since more are not tested on this system; set {cpu_pool.VARIABLE} to use more"
+    return threads
 
 
 def _why_one_core() -> str | None:
@@ -191,8 +191,8 @@ def _why_one_core() -> str | None:
     if pool_code.is_usable():
         return None
     version = importlib.metadata.version("warp-lang")
-    remedy = f"what it was tried with: pip install warp-lang=={pool_code.TESTED}"
-    return f"one core only, since Warp {version} does not take cpu_access.h; {remedy}"
+    remedy = f"install the tested version: pip install warp-lang=={pool_code.TESTED}"
+    return f"one core only, since Warp {version} does not support cpu_access.h; {remedy}"
 
 
 def _why_slow(chosen: str, why: str, trials: list[Trial]) -> str | None:
@@ -204,7 +204,7 @@ def _why_slow(chosen: str, why: str, trials: list[Trial]) -> str | None:
 
 def _why_gpu_is_idle(gpus: list[Gpu]) -> str | None:
     """Reason why no GPU is usable in spite of a driver."""
-    return None if gpus or installed_driver() is None else f"no GPU serves: {why_no_gpu()}"
+    return None if gpus or installed_driver() is None else f"no GPU is usable: {why_no_gpu()}"
 
 
 def _versions() -> dict[str, str]:

@@ -161,7 +161,7 @@ def reconstruct(frames: Path, output: Path, as_json: bool, force: bool, **option
     by_fragments, only = options.pop("method") == "fragments", {name: options.pop(name) for name in ONLY_FRAGMENTS}
     for name, value in only.items():
         if value and not by_fragments:
-            refuse(f"--{name} goes with --method fragments")
+            refuse(f"--{name} requires --method fragments")
     from ..jobs.reconstruct import StageOptions, reconstruct_folder
     from .recording_command import recorded
 

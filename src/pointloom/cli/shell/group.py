@@ -28,9 +28,10 @@ _OPTIONS = {
     "columns=": "--columns",
     "skip_missing=True": "--skip-missing",
     "depth_scale=": "--depth-scale",
-    "Call plan_tiles(sources, steps, folder) first": "Run pointloom tile plan first",
+    "Call plan_tiles(sources, steps, folder) first, then run_tiles": "Run pointloom tile plan first, then tile run",
     "call retry_tiles(folder)": "run pointloom tile retry",
-    "Call run_tiles, or retry_tiles before": "Call pointloom tile run, or tile retry before",
+    "call run_tiles, then finish_tiles": "call pointloom tile run, then tile finish",
+    "Call run_tiles, or first retry_tiles": "Call pointloom tile run, or first tile retry",
 }
 
 TRACEBACK = "POINTLOOM_TRACEBACK"
@@ -167,15 +168,15 @@ def _message(error: Exception) -> str:
         return f"out of memory{what}. A larger --voxel, a smaller --depth-max or fewer frames (--every) need less"
     if isinstance(error, OSError) and error.strerror:
         return f"{error.filename}: {error.strerror}" if error.filename else error.strerror
-    ours = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
-    if ours or isinstance(error, ValueError | TypeError | OSError):
+    is_own_error = type(error).__module__.startswith("pointloom.") or str(error).startswith("POINTLOOM_")
+    if is_own_error or isinstance(error, ValueError | TypeError | OSError):
         text = str(error) or type(error).__name__
         for argument, option in _OPTIONS.items():
             text = text.replace(argument, option)
         return text
     return (
-        f"unexpected {type(error).__name__}: {error}. This is a fault of pointloom; "
-        f"set {TRACEBACK}=1 to see where, and report it with what that shows"
+        f"unexpected {type(error).__name__}: {error}. This is a bug in pointloom; "
+        f"set {TRACEBACK}=1 and report the error with the traceback"
     )
 
 

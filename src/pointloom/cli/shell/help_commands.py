@@ -34,7 +34,7 @@ def completion(shell: str | None, as_json: bool) -> int:
 
     name = shell or Path(os.environ.get("SHELL", "")).name
     if name not in SHELLS:
-        refuse(f"the shell here is {name or 'not known'}; name one of {', '.join(SHELLS)}")
+        refuse(f"expected one of {', '.join(SHELLS)}, got {name or 'an unknown shell'}")
     root = click.get_current_context().find_root()
     script = SHELLS[name](root.command, {}, "pointloom", VARIABLE).source()
     if as_json:
@@ -61,40 +61,38 @@ def docs(words: tuple[str, ...], opens: bool, skill: bool, as_json: bool) -> int
     pointloom docs 11
     pointloom docs --skill > .claude/skills/pointloom/SKILL.md
     """
-    from .chapters import SKILL, chapters, page_of, place_of_docs
+    from .chapters import SKILL, chapters, docs_location, page_of
 
     if skill:
         if words or opens or as_json:
-            refuse("--skill prints one text; give nothing beside it")
+            refuse("--skill excludes WORDS, --open and --json")
         click.echo(SKILL.read_text(encoding="utf-8"), nl=False)
         return 0
-    found = [chapter for chapter in chapters() if chapter.speaks_of(words)]
-    if not found:
+    matches = [chapter for chapter in chapters() if chapter.speaks_of(words)]
+    if not matches:
         known = ", ".join(f"{chapter.number} {chapter.title}" for chapter in chapters())
-        refuse(f"no chapter speaks of {' '.join(words)}; they are {known}")
-    place = place_of_docs()
-    pages = [page_of(chapter, place) for chapter in found]
+        refuse(f"no chapter contains {' '.join(words)}; the chapters are {known}")
+    location = docs_location()
+    pages = [page_of(chapter, location) for chapter in matches]
     if opens:
-        _open(pages[0] if words else place)
+        _open(pages[0] if words else location)
     if as_json:
-        rows = [chapter.as_row() | {"page": page} for chapter, page in zip(found, pages, strict=True)]
-        print_json({"command": "docs", "place": place, "chapters": rows})
+        rows = [chapter.as_row() | {"page": page} for chapter, page in zip(matches, pages, strict=True)]
+        print_json({"command": "docs", "place": location, "chapters": rows})
         return 0
-    for chapter, page in zip(found, pages, strict=True):
+    for chapter, page in zip(matches, pages, strict=True):
         click.echo(f"{chapter.number:>2}  {chapter.title}")
         if words:
             click.echo("    " + "\n    ".join(chapter.lines(page)))
     if not words:
-        click.echo("\npointloom docs WORDS says what to call, and which commands do the like.")
-        click.echo(
-            f"The pages: {place}" if place else "No pages are known here: `make docs` in a checkout builds them."
-        )
+        click.echo("\npointloom docs WORDS lists the functions and the corresponding commands.")
+        click.echo(f"The pages: {location}" if location else "No built pages: `make docs` in a checkout builds them.")
     return 0
 
 
 def _open(page: str | None) -> None:
     if page is None or not page.startswith(("file:", "http")):
-        refuse(f"no page is known here to open: {BUILD}")
+        refuse(f"no page to open: {BUILD}")
     click.launch(page)
 
 

@@ -94,12 +94,12 @@ def mesh(source: Path, output: Path, method: str, new_normals: bool, **options: 
     given = {name: value for name, value in options.items() if not (name in _OWN and value is None)}
     for name, owner in _OWN.items():
         if name in given and owner != method:
-            refuse(f"--{name.replace('_', '-')} goes with --method {owner}")
+            refuse(f"--{name.replace('_', '-')} requires --method {owner}")
     if new_normals and method == "alpha":
-        refuse("--new-normals goes with --method poisson or ball: alpha needs none")
+        refuse("--new-normals requires --method poisson or ball: alpha needs no normals")
     picture = options["picture"]
     if picture is not None and picture.resolve() == output.resolve():
-        refuse(f"--picture is OUT itself, {output}; give another name")
+        refuse(f"--picture is the same file as OUT, {output}; pass another name")
     with Progress() as progress:
         return mesh_file(source, output, method=method, new_normals=new_normals, progress=progress, **given)
 

@@ -87,10 +87,10 @@ def simplify(
     ways = {name: options.pop(name) for name in ("triangles", "ratio", "voxel")}
     given = {name: amount for name, amount in ways.items() if amount is not None}
     if len(given) != 1:
-        refuse(f"give one of --triangles, --ratio and --voxel, got {' and '.join(given) or 'none'}")
+        refuse(f"expected one of --triangles, --ratio and --voxel, got {' and '.join(given) or 'none'}")
     ((by, amount),) = given.items()
     if by == "voxel" and (max_error is not None or boundary_weight is not None):
-        refuse("--max-error and --boundary-weight go with --triangles or --ratio")
+        refuse("--max-error and --boundary-weight require --triangles or --ratio")
     options |= {"max_error": math.inf if max_error is None else max_error, "boundary_weight": boundary_weight or 1.0}
     with Progress() as progress:
         return simplify_file(source, output, by=by, amount=amount, progress=progress, **options)
@@ -131,7 +131,7 @@ def smooth_mesh(source: Path, output: Path, method: str, **options: Any) -> Answ
     factors = {name: factor for name, factor in given.items() if factor is not None}
     for name in factors:
         if method not in owners[name]:
-            refuse(f"--{name.split('_')[0]} goes with --method {' or '.join(owners[name])}")
+            refuse(f"--{name.split('_')[0]} requires --method {' or '.join(owners[name])}")
     with Progress() as progress:
         return smooth_mesh_file(source, output, method=method, factors=factors, progress=progress, **options)
 

@@ -170,7 +170,7 @@ def refuse_same(**files: Path | None) -> None:
         option = f"--{name.replace('_', '-')}"
         first = taken.setdefault(path.resolve(), option)
         if first != option:
-            refuse(f"{option} is the file of {first}, {path}; give another name")
+            refuse(f"{option} is the same file as {first}, {path}; pass another name")
 
 
 class ColumnNames(click.ParamType):
@@ -195,7 +195,7 @@ def up_option() -> Decorator:
 def check_up(up: str, *paths: Path | None) -> None:
     """Usage error for --up z without effect."""
     if up == "z" and not any(path is not None and path.suffix.lower() in (".glb", ".gltf") for path in paths):
-        refuse("--up z is for .glb and .gltf, and none of the files is one")
+        refuse("--up z requires a .glb or .gltf file")
 
 
 def ascii_option() -> Decorator:

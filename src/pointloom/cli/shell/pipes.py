@@ -101,20 +101,20 @@ def open_pipes(
     _check("from", "IN", reads > 0, read_as)
     _check("to", "OUT", writes, write_as)
     if reads > 1:
-        refuse("- stands twice for a file to read; there is one standard input")
+        refuse("- is duplicated; there is only one standard input")
     if writes and as_json:
-        refuse("--json and - both take standard output; give a file in place of -")
+        refuse("--json and - both use standard output; pass a file instead of -")
     if not reads and not writes:
         yield Ends(list(sources), output, {})
         return
     if (reads and sys.stdin is None) or (writes and sys.stdout is None):
-        refuse("- needs a standard stream, and this process has none; give a name in place of -")
+        refuse("- needs a standard stream, which this process does not have; pass a name instead of -")
     stdin: Any = getattr(sys.stdin, "buffer", None)
     stdout: Any = getattr(sys.stdout, "buffer", None)
     if reads and is_terminal(stdin):
-        refuse("standard input is a terminal; pipe a file into it, or give a name in place of -")
+        refuse("standard input is a terminal; pipe a file into it, or pass a name instead of -")
     if writes and is_terminal(stdout):
-        refuse("standard output is a terminal; pipe it into a program or a file, or give a name in place of -")
+        refuse("standard output is a terminal; pipe it into a program or a file, or pass a name instead of -")
     with tempfile.TemporaryDirectory(prefix="pointloom-") as folder:
         spool, result = Path(folder) / f"in.{read_as}", Path(folder) / f"out.{write_as}"
         if reads:
@@ -125,7 +125,7 @@ def open_pipes(
         with ends.errors_renamed():
             yield ends
         if writes and any(path not in (spool, result) for path in Path(folder).iterdir()):
-            refuse(f"files lie beside such a .{write_as}, which a pipe cannot hold: give --to glb, or a name")
+            refuse(f"a .{write_as} has separate files, which a pipe cannot transfer: pass --to glb, or a name")
         if writes and result.exists():
             _send(result, stdout)
 
@@ -139,8 +139,8 @@ def _send(path: Path, stdout: Any) -> None:
             raise OutputLostError(error.errno, error.strerror, OUTPUT) from error
 
 
-def _check(option: str, place: str, is_pipe: bool, extension: str | None) -> None:
+def _check(option: str, metavar: str, is_pipe: bool, extension: str | None) -> None:
     if is_pipe and extension is None:
-        refuse(f"- has no extension; say what it is, such as --{option} ply")
+        refuse(f"- has no extension; pass its format, such as --{option} ply")
     if extension is not None and not is_pipe:
-        refuse(f"--{option} goes with - in place of {place}")
+        refuse(f"--{option} requires - as {metavar}")

@@ -104,10 +104,10 @@ def register(
     pointloom register scan.ply map.ply --free x,y,z,yaw --init T.txt --prior gnss.txt --prior-sigma 0.05 1
     """
     if init not in STARTS and not Path(init).exists():
-        refuse(f"--init: expected global, identity or a file of a pose, got {init!r}, which is no file")
+        refuse(f"--init: expected global, identity or a pose file, got {init!r}, which does not exist")
     refuse_same(**{name: options[name] for name in ("output", "aligned", "picture")}, record=options["record_as"])
     if (options["prior"] is None) != (options["prior_sigma"] is None):
-        refuse("--prior, --prior-sigma: a pose that is known, and how well, are given together")
+        refuse("--prior, --prior-sigma: expected both or none, the known pose and its uncertainty")
     options["free"] = _motions(free, init)
     from ..jobs.register import register_files
     from .recording_command import recorded
@@ -125,7 +125,7 @@ def _motions(free: str | None, init: str) -> list[str] | None:
     if wrong is not None:
         refuse(f"--free: expected motions among {', '.join(MOTIONS)}, each once, got {wrong!r}")
     if init == "global" and set(names) not in ({"x", "y", "z", "yaw"}, set(MOTIONS)):
-        refuse(f"--free: a search is of all six motions or of x,y,z,yaw, got {free}; --init takes any")
+        refuse(f"--free: expected all six or x,y,z,yaw for a global search, got {free}; others need --init")
     return names
 
 
@@ -178,22 +178,22 @@ def multiway(folder: Path, output: Path, as_json: bool, force: bool, **options: 
     if job is not None:
         for name, value in (("--merged", options.pop("merged")), ("--record", options.pop("record_as"))):
             if value is not None:
-                refuse(f"{name} holds all clouds in memory, which --job does not")
+                refuse(f"{name} needs all clouds in memory, which --job does not")
         if options.pop("columns") is not None:
-            refuse("--columns does not go with --job, whose processes read the files by their own columns")
+            refuse("--columns is not supported with --job, whose processes use the columns of the files")
         if options["voxel_size"] is None:
-            refuse("missing option '--voxel'; --job does not choose it, as it would read all scans before")
+            refuse("missing option '--voxel'; --job cannot choose it without reading all scans first")
         if place_error is not None and places is None:
-            refuse("--place-error goes with --places")
+            refuse("--place-error requires --places")
         refuse_same(graph=options["graph"], output=output)
-        from ..jobs.multiway_job import place_scans
+        from ..jobs.multiway_job import register_in_job
 
         options |= {"places": places, "place_error": place_error or 0.0, "workers": workers or 0}
         with Progress() as progress:
-            report = place_scans(folder, output, job, overwrite=force, progress=progress, **options)
+            report = register_in_job(folder, output, job, overwrite=force, progress=progress, **options)
         return answer_with(report, str(folder), as_json)
     if not all(value is None for value in (workers, places, place_error)):
-        refuse("--workers, --places and --place-error go with --job")
+        refuse("--workers, --places and --place-error require --job")
     refuse_same(**{name: options[name] for name in ("merged", "graph")}, output=output, record=options["record_as"])
     from ..jobs.multiway import register_folder
     from .recording_command import recorded

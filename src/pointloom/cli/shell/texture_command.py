@@ -75,15 +75,15 @@ def texture(mesh: Path, frames: Path, output: Path, as_json: bool, force: bool, 
     pointloom texture room.ply room-work -o room.glb --size 4096
     """
     from ..jobs.texture import texture_folder
-    from ..jobs.texture_model import holds_model, texture_model
+    from ..jobs.texture_model import is_model_folder, texture_model
 
     refuse_same(output=output, picture=options["picture"])
     check_up(options["up"], mesh, output)
-    if holds_model(frames):
+    if is_model_folder(frames):
         chosen = _for_model(options)
         with Progress() as progress:
-            told = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
-        return answer_with(told, f"{mesh} and {frames} (model)", as_json)
+            model_report = texture_model(mesh, frames, output, overwrite=force, progress=progress, **chosen)
+        return answer_with(model_report, f"{mesh} and {frames} (model)", as_json)
     with Progress() as progress:
         report = texture_folder(mesh, frames, output, overwrite=force, progress=progress, **options)
     return answer_with(report, f"{mesh} and {frames} ({report.task.layout})", as_json)
@@ -97,7 +97,7 @@ def _for_model(options: dict[str, Any]) -> dict[str, Any]:
     for name in given:
         if name not in taken:
             words = f"--{name.replace('_', '-')}"
-            raise click.UsageError(f"{words} is for RGB-D frames; the pictures of a model take their poses as they are")
+            raise click.UsageError(f"{words} is for RGB-D frames; the poses of a model are not changed")
     chosen = {name: options[name] for name in ("size", "device", "up")}
     return chosen | ({"depth_max": options["depth_max"]} if "depth_max" in given else {})
 

@@ -49,8 +49,8 @@ class Part(click.ParamType):
     name = "part"
 
     def convert(self, value: Any, param: click.Parameter | None, ctx: click.Context | None) -> tuple[int, int]:
-        found = re.fullmatch(r"(\d{1,9})/(\d{1,9})", value)
-        which, of = map(int, found.groups()) if found else (0, 0)
+        match = re.fullmatch(r"(\d{1,9})/(\d{1,9})", value)
+        which, of = map(int, match.groups()) if match else (0, 0)
         if not 1 <= which <= of:
             self.fail(f"expected WHICH/OF from 1/OF to OF/OF, such as 17/400, got {value!r}", param, ctx)
         return which, of
@@ -143,9 +143,9 @@ def plan(
     pointloom tile plan a.laz b.laz --steps steps.toml -o job --size 250 --output copc
     """
     if options["size"] is not None and options["points"] is not None:
-        refuse("--size and --points both choose the tiles; give one")
+        refuse("--size and --points both define the tiles; pass one of them")
     if from_crs is not None and to_crs is None:
-        refuse("--from-crs goes with --to-crs")
+        refuse("--from-crs requires --to-crs")
     chain: Any = steps
     if to_crs is not None:
         from ...tiling.steps.parse import parse_steps, read_toml
@@ -199,16 +199,16 @@ def run(
     pointloom tile run job --tile 3_4
     """
     if serial + bool(workers) + bool(scheduler) > 1:
-        refuse("--serial, --workers and --scheduler exclude each other; give one")
+        refuse("--serial, --workers and --scheduler exclude each other; pass one of them")
     if part and name:
-        refuse("--part and --tile both choose tiles; give one")
+        refuse("--part and --tile both select tiles; pass one of them")
     from ...tiling.runners import run_tiles
     from ..jobs.tiles import report_of
 
     with Progress() as progress:
         runner = {"workers": workers or 0, "scheduler": scheduler, "device": device}
-        told = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
-    return answer_with(report_of("run", told, is_part=bool(part or name)), str(folder), as_json)
+        status = run_tiles(folder, part=part, tile=name, progress=progress, **runner)
+    return answer_with(report_of("run", status, is_part=bool(part or name)), str(folder), as_json)
 
 
 @tile.command("status", short_help="Show the progress of the tiles.")
@@ -263,8 +263,8 @@ def finish(folder: Path, path: Path | None, output: str | None, workers: int | N
 
     options: dict[str, Any] = {"output": output, "workers": workers or 0}
     with Progress() as progress:
-        told = finish_job(folder, path, overwrite=force, progress=progress, **options)
-    return answer_with(told, str(folder), as_json)
+        report = finish_job(folder, path, overwrite=force, progress=progress, **options)
+    return answer_with(report, str(folder), as_json)
 
 
 COMMANDS = (tile,)

@@ -87,9 +87,9 @@ def clean(
 
     if (radius is None) != (min_neighbors is None):
         given, missing = ("--radius", "--min-neighbors") if min_neighbors is None else ("--min-neighbors", "--radius")
-        refuse(f"{given} needs {missing}: the radius filter takes both")
+        refuse(f"{given} requires {missing}: the radius filter needs both")
     if removed is not None and removed.resolve() == output.resolve():
-        refuse(f"--removed is OUT itself, {output}; give another name")
+        refuse(f"--removed is the same file as OUT, {output}; pass another name")
     filters: dict[str, Any] = {"duplicates": duplicates}
     if radius is not None:
         filters["radius"] = (radius, min_neighbors)
@@ -157,14 +157,14 @@ def plane(
     from ..jobs.planes import MIN_POINTS, extract_plane, label_planes
 
     if planes is None and min_points is not None:
-        refuse("--min-points goes with --planes")
+        refuse("--min-points requires --planes")
     if planes is not None and invert:
-        refuse("--invert chooses points, --planes labels all of them; give one")
+        refuse("--invert selects points, --planes labels all of them; pass one of them")
     with Progress() as progress:
         options |= {"progress": progress}
         if planes is None:
             return extract_plane(source, output, invert=invert, **options)
-        return label_planes(source, output, most=planes, min_points=min_points or MIN_POINTS, **options)
+        return label_planes(source, output, max_planes=planes, min_points=min_points or MIN_POINTS, **options)
 
 
 @click.command(short_help="Keep the points inside a box or polygon.")
@@ -187,7 +187,7 @@ def crop(source: Path, output: Path, box: tuple[float, ...] | None, polygon: Pat
     from ..jobs.crop import crop_file
 
     if (box is None) == (polygon is None):
-        refuse("give one of --box and --polygon")
+        refuse("expected one of --box and --polygon")
     if box is not None:
         for axis, low, high in zip("XYZ", box[:3], box[3:], strict=True):
             if low > high:
@@ -222,12 +222,12 @@ def downsample(source: Path, output: Path, nearest: bool, seed: int | None, **op
     ways = {name: options.pop(name) for name in ("every", "ratio", "farthest", "voxel")}
     given = {name: amount for name, amount in ways.items() if amount is not None}
     if len(given) != 1:
-        refuse(f"give one of --every, --ratio, --farthest and --voxel, got {' and '.join(given) or 'none'}")
+        refuse(f"expected one of --every, --ratio, --farthest and --voxel, got {' and '.join(given) or 'none'}")
     ((by, amount),) = given.items()
     if nearest and by != "voxel":
-        refuse("--nearest goes with --voxel")
+        refuse("--nearest requires --voxel")
     if seed is not None and by != "ratio":
-        refuse("--seed goes with --ratio")
+        refuse("--seed requires --ratio")
     with Progress() as progress:
         options |= {"progress": progress}
         way = "nearest" if nearest else by

@@ -165,13 +165,13 @@ def video(source: Path, output: Path, as_json: bool, force: bool, **options: Any
     given = [n for n in ("scale", "known", "align", "control", *bars) if options[n] not in (None, "none")]
     given = [name.replace("_", "-") for name in given]
     if len(given) > 1:
-        refuse(f"--{given[0]} and --{given[1]} both settle the unit; give one")
+        refuse(f"--{given[0]} and --{given[1]} both define the unit; pass one of them")
     if options["resume"] and options["work"] is None:
-        refuse("--resume goes with --work, the folder of the earlier run")
+        refuse("--resume requires --work, the folder of the earlier run")
     files = ("cloud", "trajectory", "picture", "training", "ortho", "dem")
     refuse_same(output=output, **{name: options[name] for name in files})
     if (options["cell"] is None) == (options["ortho"] is not None or options["dem"] is not None):
-        refuse("--ortho and --dem go with --cell, the side of their cells in meters")
+        refuse("--ortho and --dem require --cell, the side of their cells in meters")
     from ...io.meshes.tables import MESHES
     from ...io.points.formats import WRITTEN
     from ...photogrammetry.video.job import reconstruct

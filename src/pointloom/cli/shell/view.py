@@ -78,9 +78,9 @@ def view(
     refuse_same(screenshot=screenshot, save_html=save_html)
     for written in (screenshot, save_html):
         if written is not None and written.resolve() in [path.resolve() for path in files]:
-            refuse(f"{written} is one of FILES; give another name")
+            refuse(f"{written} is one of the FILES; pass another name")
     if options["colormap"] is not None and options["color_by"] is None:
-        refuse("--colormap goes with --color-by")
+        refuse("--colormap requires --color-by")
     from .view_job import ViewJob, check_outputs
 
     check_outputs(screenshot, save_html, force=options["force"])

@@ -39,7 +39,7 @@ def check_outputs(screenshot: Path | None, page: Path | None, *, force: bool) ->
         check_picture(screenshot, overwrite=force)
     if page is not None:
         if page.suffix.lower() not in (".html", ".htm"):
-            raise FileError(page, "pages are written as .html", remedy="Give a name that ends in .html")
+            raise FileError(page, "pages are written as .html", remedy="Pass a name that ends in .html")
         check_writable(page, overwrite=force)
 
 
@@ -79,18 +79,18 @@ class ViewJob:
                 raise FileError(path, "does not exist")
         if (topic or frame) and not any(is_recording(path) for path in self.files):
             given = "--topic" if topic else "--frame"
-            raise FileError(self.files[0], f"is no recording, which {given} goes with", remedy=f"Leave {given} out")
+            raise FileError(self.files[0], f"is not a recording, which {given} requires", remedy=f"Leave {given} out")
         self.named: list[Named] = []
         self.trees: dict[str, Any] = {}  # DetailTree, CopcTree
 
-    def read(self, tell: ReportProgress = say_nothing, *, in_parts: bool = False) -> None:
+    def read(self, notify: ReportProgress = say_nothing, *, in_parts: bool = False) -> None:
         """Read the files with progress. With `in_parts`, only the coarse levels of large COPC files."""
         style = {"point_size": self.point_size} if self.point_size is not None else {}
         with Progress() as progress:
 
             def report(stage: str, done: int, total: int) -> None:
                 progress(stage, done, total)
-                tell(stage, done, total)
+                notify(stage, done, total)
 
             options: dict[str, Any] = {"max_points": self.max_points, "color_by": self.color_by, "progress": report}
             options |= {"in_parts": in_parts, "columns": self._columns, **self._recorded}
@@ -143,11 +143,11 @@ class ViewJob:
                 viewer.add_named(first)
                 open_up()
 
-            def tell(stage: str, done: int, total: int) -> None:
+            def show_progress(stage: str, done: int, total: int) -> None:
                 share = min(done / total, 1.0) if total > 0 else None
-                viewer.tell_progress(f"a first look at {self.title}; {stage}", share)
+                viewer.tell_progress(f"preview of {self.title}; {stage}", share)
 
-            self.read(tell, in_parts=True)  # after checking that a server can run
+            self.read(show_progress, in_parts=True)  # after checking that a server can run
             viewer.tell_progress("")
             viewer.add_named(self.named, self.trees)
             for name, _, _ in first:
@@ -169,14 +169,14 @@ class ViewJob:
         save_picture(path, picture, overwrite=self.force)
 
     def _colored(self) -> list[Named]:
-        found: list[Named] = []
+        colored: list[Named] = []
         for name, geometry, style in self.named:
             if name in self.trees:
                 geometry = with_colors(make_item(name, 0, geometry, style, self.trees[name]))
             if isinstance(geometry, PointCloud) and self.color_by in choices_of(geometry):
                 style = dataclasses.replace(style, color_by=self.color_by, colormap=self.colormap, color=None)
-            found.append((name, geometry, style))
-        return found
+            colored.append((name, geometry, style))
+        return colored
 
     def _check_color(self) -> None:
         if self.color_by is None:
@@ -188,7 +188,7 @@ class ViewJob:
                 if name in self.trees and self.trees[name].colors_of(np.zeros(0, np.int64)) is not None:
                     known.append("rgb")
         if self.color_by not in known:
-            there = f"there are {', '.join(known)}" if known else "and there is no cloud"
+            there = f"there are {', '.join(known)}" if known else "there are no clouds"
             raise ValueError(f"--color-by: no cloud here has {self.color_by!r}; {there}")
 
     def _report(self) -> ViewReport:

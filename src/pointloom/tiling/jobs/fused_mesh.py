@@ -52,7 +52,7 @@ class _Surface:
         self._file.close()
 
     def _error(self, error: Exception) -> FileError:
-        remedy = "Plan and run the job anew in another folder"
+        remedy = "Plan and run the job again in another folder"
         return FileError(self._path, f"a cube's surface cannot be read: {error}", remedy=remedy)
 
 
@@ -60,7 +60,7 @@ class _Sides(NamedTuple):
     """Shared vertices of a cube: sorted edges, and numbers in the complete mesh."""
 
     blocks: NDArray[np.int64]
-    places: NDArray[np.int32]
+    edges: NDArray[np.int32]
     numbers: NDArray[np.int64]
 
 
@@ -95,16 +95,16 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
         path = manifest.folder / RESULT if path is None else path_of(path)
         is_file = path.suffix.lower() == ".ply"
         if path.suffix.lower() in MESH_READERS and not is_file:
-            raise FileError(path, "a fused mesh is written as .ply, or as a folder of them")
+            raise FileError(path, "a fused mesh is written as a .ply file or a folder of .ply files")
         if is_file:
             check_writable(path, overwrite=overwrite)
         else:
             check_folder(path, LISTING, overwrite=overwrite)
         cubes = _cubes_of(manifest)
         if not cubes:
-            raise FileError(path, "there is nothing to write: no voxel was seen often enough to make a surface")
+            raise FileError(path, "there is nothing to write: no voxel was observed often enough for a surface")
         if is_file:
-            _write_whole(path, job, cubes, overwrite)
+            _write_mesh(path, job, cubes, overwrite)
         else:
             _write_parts(path, job, cubes, overwrite)
         return path
@@ -112,8 +112,8 @@ def finish_fusion(folder: FilePath, path: FilePath | None = None, *, overwrite: 
 
 def _cubes_of(manifest: Manifest) -> list[tuple[str, Cube]]:
     """Cubes with triangles, by position."""
-    found = [(task.name, tuple(task.told["cube"])) for task in done_in(manifest, 1) if task.found["triangles"]]
-    return sorted(found, key=lambda entry: entry[1])
+    cubes = [(task.name, tuple(task.inputs["cube"])) for task in done_in(manifest, 1) if task.result["triangles"]]
+    return sorted(cubes, key=lambda entry: entry[1])
 
 
 def _write_parts(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], overwrite: bool) -> None:
@@ -127,20 +127,20 @@ def _write_parts(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], over
             sizes = {"vertices": len(table.vertices), "triangles": len(table.triangles)}
             listing.append({"file": f"{name}.ply", "cube": list(cube), "bounds": ends} | sizes)
         edge = job.plan["blocks"] * 8 * job.plan["voxel_size"]
-        told = {"voxel_size": job.plan["voxel_size"], "cube_size": edge, "origin": job.plan["origin"]}
+        header = {"voxel_size": job.plan["voxel_size"], "cube_size": edge, "origin": job.plan["origin"]}
         with atomic_write(part / LISTING) as file:
-            file.write(json.dumps(told | {"parts": listing}, indent=1).encode())
+            file.write(json.dumps(header | {"parts": listing}, indent=1).encode())
 
 
-def _write_whole(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], overwrite: bool) -> None:
+def _write_mesh(path: Path, job: FusionJob, cubes: list[tuple[str, Cube]], overwrite: bool) -> None:
     vertices = triangles = 0
-    for found in _numbered(job.folder, cubes):
-        vertices += int(found.is_new.sum())
-        triangles += len(found.arrays["triangles"])
+    for surface in _numbered(job.folder, cubes):
+        vertices += int(surface.is_new.sum())
+        triangles += len(surface.arrays["triangles"])
 
     def parts() -> Iterator[MeshTable]:
-        for found in _numbered(job.folder, cubes):
-            yield _table(job, found.arrays, found.is_new, found.numbers[found.arrays["triangles"]])
+        for surface in _numbered(job.folder, cubes):
+            yield _table(job, surface.arrays, surface.is_new, surface.numbers[surface.arrays["triangles"]])
 
     write_ply_mesh_parts(path, parts, (vertices, triangles), overwrite=overwrite)
 
@@ -155,16 +155,16 @@ def _numbered(folder: Path, cubes: list[tuple[str, Cube]]) -> Iterator[_Numbered
     """Cubes with global vertex numbers; shared vertices keep the number of the first cube."""
     begin, sides = 0, dict[Cube, _Sides]()
     for name, cube in cubes:
-        sides = {other: found for other, found in sides.items() if other[0] >= cube[0] - 1}
+        sides = {other: side for other, side in sides.items() if other[0] >= cube[0] - 1}
         with closing(_Surface(folder, name)) as arrays:
-            shared, blocks, places = (np.asarray(arrays[key]) for key in ("shared", "blocks", "places"))
+            shared, blocks, edges = (np.asarray(arrays[key]) for key in ("shared", "blocks", "places"))
             near = [sides[other] for other in _around(cube) if other in sides]
-            known = _match(near, blocks, places)
+            known = _match(near, blocks, edges)
             is_new = np.ones(len(arrays["vertices"]), bool)
             is_new[shared[known >= 0]] = False
             numbers = begin + np.cumsum(is_new) - 1
             numbers[shared[known >= 0]] = known[known >= 0]
-            sides[cube] = _Sides(blocks, places, numbers[shared])
+            sides[cube] = _Sides(blocks, edges, numbers[shared])
             yield _Numbered(name, arrays, numbers, is_new)
         begin += int(is_new.sum())
 
@@ -174,13 +174,13 @@ def _around(cube: Cube) -> Iterator[Cube]:
     return ((x + i, y + j, z + k) for i in (-1, 0, 1) for j in (-1, 0, 1) for k in (-1, 0, 1) if (i, j, k) != (0, 0, 0))
 
 
-def _match(known: list[_Sides], blocks: NDArray[np.int64], places: NDArray[np.int32]) -> NDArray[np.int64]:
+def _match(known: list[_Sides], blocks: NDArray[np.int64], edges: NDArray[np.int32]) -> NDArray[np.int64]:
     """Existing numbers of vertices, -1 if new."""
     if not known:
         return np.full(len(blocks), -1, np.int64)
     before = _Sides(*(np.concatenate([getattr(side, name) for side in known]) for name in _Sides._fields))
     rank = np.unique(np.concatenate([before.blocks, blocks]), return_inverse=True)[1].astype(np.int64)
-    codes = rank * EDGES + np.concatenate([before.places, places])
+    codes = rank * EDGES + np.concatenate([before.edges, edges])
     old, new = codes[: len(before.blocks)], codes[len(before.blocks) :]
     order = np.argsort(old, kind="stable")
     if not len(order):

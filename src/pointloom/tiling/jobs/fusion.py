@@ -37,7 +37,7 @@ VOXEL_SIZE = 0.02  # [m] as of `fuse`
 BLOCKS = 32  # default blocks along a cube: 256 voxels. At most 400 MB with color
 CHUNK = 32  # frames per task
 CUBES = "cubes"  # folder of their surfaces
-_ASIDE = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
+_LOWER_CUBES = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
 
 Cube = tuple[int, int, int]
 
@@ -55,44 +55,44 @@ class FusionJob(Job):
         return np.array(self.plan["origin"])
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
-        reason, remedy = "have changed since the job was planned", "Plan it anew in another folder"
+        reason, remedy = "have changed since the job was planned", "Plan it again in another folder"
         if _digest(self.frames) != self.plan["digest"]:
             raise FileError(self.plan["frames"], f"its frames, their poses or their camera {reason}", remedy=remedy)
         for task in done(0):
-            if self._stamp(task.told) != task.found["stamp"]:
+            if self._stamp(task.inputs) != task.result["stamp"]:
                 raise FileError(self.plan["frames"], f"{task.name} {reason}", remedy=remedy)
 
-    def _stamp(self, told: dict[str, Any]) -> str:
+    def _stamp(self, inputs: dict[str, Any]) -> str:
         """Sizes and times of the files of some frames."""
         return stamp_of(
             path
-            for files in self.frames.frames[told["first"] : told["first"] + told["count"]]
+            for files in self.frames.frames[inputs["first"] : inputs["first"] + inputs["count"]]
             for path in (files.depth, files.color)
             if path is not None
         )
 
-    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
-        return self._look(told) if stage == 0 else self._fuse(told)
+    def do(self, stage: int, name: str, inputs: dict[str, Any]) -> dict[str, Any]:
+        return self._look(inputs) if stage == 0 else self._fuse(inputs)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
         meeting: dict[Cube, list[int]] = defaultdict(list)
         filled: set[Cube] = set()
         for task in done(0):
-            filled |= {_cube(name) for name in task.found["filled"]}
-            for name, numbers in task.found["meeting"].items():
+            filled |= {_cube(name) for name in task.result["filled"]}
+            for name, numbers in task.result["meeting"].items():
                 meeting[_cube(name)] += numbers
         return [Task(_name(cube), {"cube": cube, "frames": _runs(meeting[cube])}) for cube in sorted(filled)]
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
-        found = [f"left out: {name}" for name in self.plan["left_out"]]
-        return found + [f"left out: {reason}" for task in done(0) for reason in task.found["left_out"]]
+        notes = [f"left out: {name}" for name in self.plan["left_out"]]
+        return notes + [f"left out: {reason}" for task in done(0) for reason in task.result["left_out"]]
 
-    def _look(self, told: dict[str, Any]) -> dict[str, Any]:
+    def _look(self, inputs: dict[str, Any]) -> dict[str, Any]:
         """Cubes that frames touch, and those with blocks beyond the extra layer."""
         finder, n = BlockFinder(origin=self.origin, device=self.device, **self._sizes), self.plan["blocks"]
-        stamp = self._stamp(told)
+        stamp = self._stamp(inputs)
         meeting, filled, left_out = defaultdict[str, list[int]](list), set[str](), []
-        for number, frame in self._read(range(told["first"], told["first"] + told["count"])):
+        for number, frame in self._read(range(inputs["first"], inputs["first"] + inputs["count"])):
             if isinstance(frame, FileError):
                 if not self.plan["leave_out"]:
                     raise frame
@@ -104,24 +104,24 @@ class FusionJob(Job):
             own = np.unique(cubes, axis=0)
             filled |= {_name(cube) for cube in own.tolist()}
             # a block at a lower side is in the layer of the next lower cube, one at a corner in that of seven
-            beside = [cubes[(lowest | (aside == 0)).all(axis=1)] - aside for aside in _ASIDE]
+            beside = [cubes[(lowest | (shift == 0)).all(axis=1)] - shift for shift in _LOWER_CUBES]
             for cube in np.unique(np.concatenate(beside), axis=0).tolist():
                 meeting[_name(cube)].append(number)
-        found = {"meeting": dict(meeting), "filled": sorted(filled), "left_out": left_out}
-        return found | {"stamp": stamp}
+        result = {"meeting": dict(meeting), "filled": sorted(filled), "left_out": left_out}
+        return result | {"stamp": stamp}
 
-    def _fuse(self, told: dict[str, Any]) -> dict[str, Any]:
-        low = np.array(told["cube"]) * self.plan["blocks"]
+    def _fuse(self, inputs: dict[str, Any]) -> dict[str, Any]:
+        low = np.array(inputs["cube"]) * self.plan["blocks"]
         sizes = {"origin": self.origin, "device": self.device, **self._sizes}
         volume = VolumePart(low, low + self.plan["blocks"], **sizes)
-        numbers = (first + k for first, count in told["frames"] for k in range(count))
+        numbers = (first + k for first, count in inputs["frames"] for k in range(count))
         for _, frame in self._read(numbers):
             if isinstance(frame, FileError):
                 raise frame
             self._integrate(volume, frame)
         surface = volume.extract_part(self.plan["weight_threshold"])
         sizes = {"blocks": volume.block_count, "bytes": volume.memory_bytes}
-        write_surface(surface_path(self.folder, _name(told["cube"])), surface, low, low + self.plan["blocks"])
+        write_surface(surface_path(self.folder, _name(inputs["cube"])), surface, low, low + self.plan["blocks"])
         return {"vertices": len(surface.vertices), "triangles": len(surface.triangles), **sizes}
 
     @property
@@ -199,48 +199,52 @@ def plan_fusion(
     edge, farthest = check_positive("voxel_size", voxel_size), check_positive("depth_max", depth_max)
     cut = 4 * edge if truncation is None else check_positive("truncation", truncation)
     if cut < edge:
-        raise ValueError(f"truncation: {cut} m is below one voxel ({edge} m); 4 voxels are usual")
+        raise ValueError(f"truncation: expected at least one voxel ({edge} m), got {cut} m. 4 voxels are usual")
     blocks = BLOCKS if size is None else int(check_positive("size", size) / (SIDE * edge) * (1 + 1e-9))
     if blocks < 1:
-        raise ValueError(f"size: {size} m is smaller than a block of {SIDE} voxels, {SIDE * edge:g} m; take larger")
+        raise ValueError(f"size: expected at least one block of {SIDE} voxels ({SIDE * edge:g} m), got {size} m")
     if weight_threshold is not None:
         weight_threshold = check_positive("weight_threshold", weight_threshold, allow_zero=True)
     camera = None if intrinsic is None else asdict(intrinsic)
-    told: dict[str, Any] = {"layout": layout, "every": check_count("every", every), "depth_scale": depth_scale}
-    told |= {"frames": str(path_of(frames).absolute()), "leave_out": bool(leave_out)}
-    told |= {"intrinsic": camera, "voxel_size": edge, "truncation": cut, "depth_max": farthest, "blocks": blocks}
-    found = _open(told)
-    if not len(found):
-        raise FileError(frames, "holds no frames that can be fused")
-    threshold = min_weight(len(found)) if weight_threshold is None else weight_threshold
-    pose = np.array(found.frames[0].T_world_camera, np.float64)
+    plan: dict[str, Any] = {"layout": layout, "every": check_count("every", every), "depth_scale": depth_scale}
+    plan |= {"frames": str(path_of(frames).absolute()), "leave_out": bool(leave_out)}
+    plan |= {"intrinsic": camera, "voxel_size": edge, "truncation": cut, "depth_max": farthest, "blocks": blocks}
+    dataset = _open(plan)
+    if not len(dataset):
+        raise FileError(frames, "contains no frames that can be fused")
+    threshold = min_weight(len(dataset)) if weight_threshold is None else weight_threshold
+    pose = np.array(dataset.frames[0].T_world_camera, np.float64)
     first = inv(inv(pose))[None, :3, 3]  # as in `integrate`
-    told |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
-    told |= {"color": found.frames[0].color is not None, "digest": _digest(found), "left_out": found.left_out}
-    starts = range(0, len(found), CHUNK)
-    tasks = [(k, min(CHUNK, len(found) - k)) for k in starts]
+    plan |= {"weight_threshold": float(threshold), "origin": split_origin(first)[1].tolist()}
+    plan |= {"color": dataset.frames[0].color is not None, "digest": _digest(dataset), "left_out": dataset.left_out}
+    starts = range(0, len(dataset), CHUNK)
+    tasks = [(k, min(CHUNK, len(dataset) - k)) for k in starts]
     chunks = [Task(f"frames {k} to {k + n - 1}", {"first": k, "count": n}) for k, n in tasks]
-    return make_job(FusionJob, folder, told, chunks)
+    return make_job(FusionJob, folder, plan, chunks)
 
 
 def _open(plan: dict[str, Any]) -> RGBDDataset:
     camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
     options = {name: plan[name] for name in ("layout", "every", "depth_scale")}
-    found = open_frames(plan["frames"], intrinsic=camera, skip_missing=plan["leave_out"], **options)
-    without = [files.name for files in found.frames if files.T_world_camera is None]
+    dataset = open_frames(plan["frames"], intrinsic=camera, skip_missing=plan["leave_out"], **options)
+    without = [files.name for files in dataset.frames if files.T_world_camera is None]
     if without and not plan["leave_out"]:
-        reason = f"{len(without)} of {len(found)} frames have no pose, the first {without[0]}"
-        raise FileError(plan["frames"], reason, remedy="Fusing needs where each was taken; leave_out=True goes on")
-    found.left_out.extend(f"{name} has no pose" for name in without)
-    found.frames[:] = [files for files in found.frames if files.T_world_camera is not None]
-    return found
+        reason = f"{len(without)} of {len(dataset)} frames have no pose, the first {without[0]}"
+        raise FileError(
+            plan["frames"],
+            reason,
+            remedy="Fusion needs a pose for each frame. Pass leave_out=True to skip frames without poses",
+        )
+    dataset.left_out.extend(f"{name} has no pose" for name in without)
+    dataset.frames[:] = [files for files in dataset.frames if files.T_world_camera is not None]
+    return dataset
 
 
 def _digest(frames: RGBDDataset) -> str:
-    told = hashlib.sha256(np.array([files.T_world_camera for files in frames.frames]).tobytes())
+    digest = hashlib.sha256(np.array([files.T_world_camera for files in frames.frames]).tobytes())
     for files in frames.frames:
-        told.update(f"{files.depth}\0{files.color}\0".encode())
-    return hash_of({"camera": asdict(frames.intrinsic), "scale": frames.depth_scale, "frames": told.hexdigest()})
+        digest.update(f"{files.depth}\0{files.color}\0".encode())
+    return hash_of({"camera": asdict(frames.intrinsic), "scale": frames.depth_scale, "frames": digest.hexdigest()})
 
 
 def _name(cube: Sequence[int]) -> str:
@@ -270,8 +274,8 @@ def surface_path(folder: Path, name: str) -> Path:
 def write_surface(path: Path, surface: PartSurface, low: NDArray[np.int64], high: NDArray[np.int64]) -> None:
     """Write a cube's surface, with its vertices on the cube's sides, which other cubes share."""
     beyond = block_box(surface.blocks)
-    row, place = np.divmod(surface.edge_slots, 3 * SIDE)
-    axis, z = np.divmod(place, SIDE)
+    row, remainder = np.divmod(surface.edge_slots, 3 * SIDE)
+    axis, z = np.divmod(remainder, SIDE)
     voxel = np.stack([row // SIDE, row % SIDE, z], axis=1)
     lowest = (beyond == low) & (voxel == 0) & (axis[:, None] != np.arange(3))
     shared = np.flatnonzero(((beyond == high) | lowest).any(axis=1))

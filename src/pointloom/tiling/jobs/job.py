@@ -21,7 +21,7 @@ from ...core.escaped_text import escaped
 from ...core.paths import path_of
 from ...core.wording import plain
 from ..job_folder import make_folder
-from ..manifest import NAME, OVER, Manifest, a_new_manifest, damage_as_file_errors
+from ..manifest import FINAL_STATES, NAME, Manifest, damage_as_file_errors, new_manifest
 from ..plan import check_same_plan
 from ..schema import TASKS
 
@@ -32,15 +32,15 @@ class Task(NamedTuple):
     """Name of a task, and its input in JSON's types."""
 
     name: str
-    told: dict[str, Any]
+    inputs: dict[str, Any]
 
 
 class Done(NamedTuple):
     """A finished task: name, input and result."""
 
     name: str
-    told: dict[str, Any]
-    found: dict[str, Any]
+    inputs: dict[str, Any]
+    result: dict[str, Any]
 
 
 class Job(ABC):
@@ -57,7 +57,7 @@ class Job(ABC):
         """Raise FileError if planned files, or those read by finished tasks, changed."""
 
     @abstractmethod
-    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
+    def do(self, stage: int, name: str, inputs: dict[str, Any]) -> dict[str, Any]:
         """Run a task and return its result in JSON's types. Output files are written atomically and reproducibly."""
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
@@ -99,11 +99,11 @@ class JobStatus:
 
     def __str__(self) -> str:
         total = self.waiting + self.running + self.done + self.failed + self.aside
-        told = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
-        names = ("waiting", "running", "failed", "aside")
-        told += [f"{count} {name}" for name in names if (count := getattr(self, name))]
+        parts = [f"{self.job}: {self.done} of {total} tasks done" + ("" if self.is_finished else f", at {self.stage}")]
+        counts = {"waiting": self.waiting, "running": self.running, "failed": self.failed, "quarantined": self.aside}
+        parts += [f"{count} {name}" for name, count in counts.items() if count]
         lines = [*(f"{name}: {error}" for name, error in self.troubles.items()), *self.notes]
-        return "; ".join(told) + "".join(f"\n  {escaped(line)}" for line in lines)
+        return "; ".join(parts) + "".join(f"\n  {escaped(line)}" for line in lines)
 
 
 def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Sequence[Task]) -> JobStatus:
@@ -111,7 +111,7 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
     folder, plan = path_of(folder, "folder"), {"job": kind.KIND} | plan
     if not (folder / NAME).exists():
         make_folder(folder)
-        with a_new_manifest(folder, plan, __version__, TASKS) as base:
+        with new_manifest(folder, plan, __version__, TASKS) as base:
             base.execute("INSERT INTO meta VALUES (?, '0')", (_STAGE,))
             _insert(base, 0, tasks)
     with Manifest(folder, is_job=True) as manifest:
@@ -121,14 +121,14 @@ def make_job(kind: type[Job], folder: FilePath, plan: dict[str, Any], tasks: Seq
 
 def stamp_of(paths: Iterable[Path]) -> str:
     """Sizes and times of files. FileError if one is missing."""
-    told = hashlib.sha256()
+    digest = hashlib.sha256()
     for path in paths:
         try:
-            found = path.stat()
+            stat = path.stat()
         except OSError as error:
             raise FileError(path, f"cannot be read: {error.strerror or error}") from error
-        told.update(f"{path}\0{found.st_size}\0{found.st_mtime_ns}\0".encode())
-    return told.hexdigest()
+        digest.update(f"{path}\0{stat.st_size}\0{stat.st_mtime_ns}\0".encode())
+    return digest.hexdigest()
 
 
 def open_manifest(folder: FilePath) -> Manifest:
@@ -137,7 +137,7 @@ def open_manifest(folder: FilePath) -> Manifest:
     if manifest.version != __version__:
         manifest.base.close()
         reason = f"was planned by pointloom {manifest.version}, this is {__version__}"
-        raise FileError(manifest.folder / NAME, reason, remedy="Plan it anew in another folder")
+        raise FileError(manifest.folder / NAME, reason, remedy="Plan it again in another folder")
     return manifest
 
 
@@ -157,8 +157,8 @@ def done_in(manifest: Manifest, stage: int) -> Iterator[Done]:
             return
         for row in rows:
             with damage_as_file_errors(manifest.folder / NAME):
-                told, found = json.loads(row["told"]), json.loads(row["found"])
-            yield Done(row["name"], told, found)
+                inputs, result = json.loads(row["told"]), json.loads(row["found"])
+            yield Done(row["name"], inputs, result)
         last = rows[-1]["id"]
 
 
@@ -173,14 +173,14 @@ def advance(manifest: Manifest, job: Job, stage: int) -> None:
 
 
 def _insert(base: sqlite3.Connection, stage: int, tasks: Sequence[Task]) -> None:
-    rows = [(stage, task.name, json.dumps(task.told, allow_nan=False)) for task in tasks]
+    rows = [(stage, task.name, json.dumps(task.inputs, allow_nan=False)) for task in tasks]
     base.executemany("INSERT INTO tasks (stage, name, told) VALUES (?, ?, ?)", rows)
 
 
 def status_of(manifest: Manifest, job: Job) -> JobStatus:
     counts, stage = manifest.counts("tasks"), stage_of(manifest)
     if stage not in range(len(job.STAGES)):
-        raise FileError(manifest.folder / NAME, f"the manifest is damaged: there is no stage {stage}")
+        raise FileError(manifest.folder / NAME, f"the manifest is damaged: stage {stage} does not exist")
     left = sum(counts[state] for state in counts if state not in ("done", "empty"))
     bad = manifest.rows("SELECT name, error FROM tasks WHERE state IN ('failed', 'aside') ORDER BY id")
     with damage_as_file_errors(manifest.folder / NAME):
@@ -197,5 +197,5 @@ def status_of(manifest: Manifest, job: Job) -> JobStatus:
 
 
 def over_in(manifest: Manifest, stage: int) -> int:
-    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tasks WHERE stage = ? AND state IN {OVER}", stage)
+    (row,) = manifest.rows(f"SELECT count(*) AS n FROM tasks WHERE stage = ? AND state IN {FINAL_STATES}", stage)
     return row["n"]

@@ -14,7 +14,7 @@ from ...core.wording import plain
 from ...registration.pose_graphs.multiway import FragmentsResult, fragments_result
 from .job import Done, done_in
 from .run_jobs import finished_job
-from .scans import STAGE_WORDS, RegistrationJob, placed
+from .scans import STAGE_WORDS, RegistrationJob, solve_graph
 
 
 class TriedPair(NamedTuple):
@@ -45,7 +45,7 @@ class PlacedScans(FragmentsResult):
     @property
     def not_placed(self) -> list[str]:
         """Files of the scans outside the largest group."""
-        return [path for path, is_placed in zip(self.scans, self.placed, strict=True) if not is_placed]
+        return [path for path, is_registered in zip(self.scans, self.placed, strict=True) if not is_registered]
 
     def to_dict(self, names: Any = None) -> dict[str, Any]:
         """As of FragmentsResult, with the tried pairs. Scans are named by their files by default."""
@@ -61,8 +61,8 @@ def finish_registration(folder: FilePath) -> PlacedScans:
         folder: Folder of `plan_registration`, all tasks done.
 
     Returns:
-        As `register_fragments`, bitwise equal for the same pairs, with scans in planned order. `found.not_placed` lists
-        unconnected scans, `found.tried` each pair; `found.trajectory` can be written.
+        As `register_fragments`, bitwise equal for the same pairs, with scans in planned order. `result.not_placed`
+        lists unconnected scans, `result.tried` each pair; `result.trajectory` can be written.
 
     Raises:
         FileError: If tasks are not done.
@@ -70,27 +70,27 @@ def finish_registration(folder: FilePath) -> PlacedScans:
     manifest, job = finished_job(folder, RegistrationJob)
     with manifest:
         done = partial(done_in, manifest)
-        graph, pairs = placed(done, job.size, job.plan["free"])
-        found = fragments_result(graph, pairs)
-        points = sum(task.found["points"] for task in done(0))
-        return PlacedScans(**vars(found), scans=job.plan["scans"], points=points, tried=_tried(job, found, done))
+        graph, pairs = solve_graph(done, job.size, job.plan["free"])
+        result = fragments_result(graph, pairs)
+        points = sum(task.result["points"] for task in done(0))
+        return PlacedScans(**vars(result), scans=job.plan["scans"], points=points, tried=_tried(job, result, done))
 
 
-def _tried(job: RegistrationJob, found: FragmentsResult, done: Callable[[int], Iterator[Done]]) -> list[TriedPair]:
-    members = np.flatnonzero(found.placed).tolist()
-    kept = {(members[edge.source_node_id], members[edge.target_node_id]) for edge in found.pose_graph.edges}
+def _tried(job: RegistrationJob, result: FragmentsResult, done: Callable[[int], Iterator[Done]]) -> list[TriedPair]:
+    members = np.flatnonzero(result.placed).tolist()
+    graph_edges = {(members[edge.source_node_id], members[edge.target_node_id]) for edge in result.pose_graph.edges}
     tried = []
     for stage in (1, 2, 4):
         for task in done(stage):
-            source, target, pair = task.told["source"], task.told["target"], task.found["pair"]
-            score = (task.found if pair is None else pair)["score"]
+            source, target, pair = task.inputs["source"], task.inputs["target"], task.result["pair"]
+            score = (task.result if pair is None else pair)["score"]
             if pair is None:
-                status = task.found["doubt"]
-            elif not found.placed[source]:
+                status = task.result["doubt"]
+            elif not result.placed[source]:
                 status = "apart"
             else:
-                status = "kept" if (source, target) in kept else "dropped"
-            by = "known" if task.told["is_known"] else STAGE_WORDS[stage]
+                status = "kept" if (source, target) in graph_edges else "dropped"
+            by = "known" if task.inputs["is_known"] else STAGE_WORDS[stage]
             by = "place" if by == "order" and job.plan["places"] is not None else by
             tried.append(TriedPair(source, target, by, np.nan if score is None else score, status))
     return tried

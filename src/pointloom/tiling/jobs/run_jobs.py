@@ -18,7 +18,7 @@ from ...core.progress import ReportProgress, say_nothing
 from ...io.frames.datasets import open_frames
 from ...rgbd.reconstruction.config import ReconstructionConfig
 from ...rgbd.reconstruction.job import run_system
-from ..manifest import NAME, Manifest, damage_as_file_errors, said_of
+from ..manifest import NAME, Manifest, damage_as_file_errors, message_of
 from ..processes import run_tasks
 from ..runners import check_part
 from .fusion import FusionJob
@@ -47,12 +47,12 @@ class SequencesJob(Job):
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
         for task in done(0):
-            if _stamp(Path(task.told["frames"])) != task.found["stamp"]:
+            if _stamp(Path(task.inputs["frames"])) != task.result["stamp"]:
                 reason = "has changed since it was reconstructed"
-                raise FileError(task.told["frames"], reason, remedy="Plan the sequences anew in another folder")
+                raise FileError(task.inputs["frames"], reason, remedy="Plan the sequences again in another folder")
 
-    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
-        plan, frames = self.plan, Path(told["frames"])
+    def do(self, stage: int, name: str, inputs: dict[str, Any]) -> dict[str, Any]:
+        plan, frames = self.plan, Path(inputs["frames"])
         stamp = _stamp(frames)
         camera = None if plan["intrinsic"] is None else PinholeCameraIntrinsic(**plan["intrinsic"])
         options = {option: plan[option] for option in ("layout", "every", "depth_scale")}
@@ -68,11 +68,11 @@ class SequencesJob(Job):
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         """Unreliable sequences and skipped frames."""
-        said = []
+        notes = []
         for task in done(0):
-            said += [f"{task.name}: {warning}" for warning in task.found["warnings"]]
-            said += [f"{task.name}: left out: {reason}" for reason in task.found["left_out"]]
-        return said
+            notes += [f"{task.name}: {warning}" for warning in task.result["warnings"]]
+            notes += [f"{task.name}: left out: {reason}" for reason in task.result["left_out"]]
+        return notes
 
 
 def plan_sequences(
@@ -127,17 +127,17 @@ def plan_sequences(
         raise ValueError("frames: expected at least one folder, got none")
     twice = [path for path in paths if paths.count(path) > 1]
     if twice:
-        raise ValueError(f"frames: {twice[0]} is there twice")
+        raise ValueError(f"frames: {twice[0]} is duplicated")
     for path in paths:
         if not path.is_dir():
             raise FileError(path, "is not a folder" if path.exists() else "does not exist")
     config = ReconstructionConfig() if config is None else config
-    told: dict[str, Any] = {"frames": list(map(str, paths)), "layout": layout, "every": check_count("every", every)}
-    told |= {"depth_scale": depth_scale, "leave_out": bool(leave_out), "refine": bool(refine), "slac": bool(slac)}
-    told |= {"intrinsic": None if intrinsic is None else asdict(intrinsic), "config": config.to_names()}
+    plan: dict[str, Any] = {"frames": list(map(str, paths)), "layout": layout, "every": check_count("every", every)}
+    plan |= {"depth_scale": depth_scale, "leave_out": bool(leave_out), "refine": bool(refine), "slac": bool(slac)}
+    plan |= {"intrinsic": None if intrinsic is None else asdict(intrinsic), "config": config.to_names()}
     names = _names(paths)
     tasks = [Task(name, {"frames": str(path)}) for name, path in zip(names, paths, strict=True)]
-    return make_job(SequencesJob, folder, told, tasks)
+    return make_job(SequencesJob, folder, plan, tasks)
 
 
 def _names(paths: Sequence[Path]) -> list[str]:
@@ -163,7 +163,7 @@ class _Task(NamedTuple):
     number: int
     stage: int
     name: str
-    told: str
+    inputs: str
 
 
 def run_job(
@@ -201,12 +201,12 @@ def run_job(
     with manifest:
         with damage_as_file_errors(manifest.folder / NAME):
             job.check(partial(done_in, manifest))
-        manifest.give_back()
-        tell = partial(_tell, manifest, job, report)
-        tell()
+        manifest.release_claims()
+        notify = partial(_report_progress, manifest, job, report)
+        notify()
         call = partial(_do_alone, str(manifest.folder.absolute()))
-        run_tasks(manifest, partial(_Taskbook, manifest, job, share), call, tell, workers=count, device=device)
-        tell()
+        run_tasks(manifest, partial(_Taskbook, manifest, job, share), call, notify, workers=count, device=device)
+        notify()
         return status_of(manifest, job)
 
 
@@ -229,24 +229,24 @@ def retry_job(folder: FilePath) -> JobStatus:
     """
     manifest, job = open_job(folder)
     with manifest:
-        manifest.give_back()
+        manifest.release_claims()
         with manifest.change() as base:
-            told = "state = 'waiting', attempts = 0, error = NULL"
-            base.execute(f"UPDATE tasks SET {told} WHERE state IN ('failed', 'aside')")
+            reset = "state = 'waiting', attempts = 0, error = NULL"
+            base.execute(f"UPDATE tasks SET {reset} WHERE state IN ('failed', 'aside')")
         return status_of(manifest, job)
 
 
 def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest, Any]:
     """Open a manifest and its job. FileError if missing or of another kind or version."""
     manifest = open_manifest(folder)
-    found = KINDS.get(str(manifest.plan["job"]))
-    if found is None or kind not in (None, found):
+    job_class = KINDS.get(str(manifest.plan["job"]))
+    if job_class is None or kind not in (None, job_class):
         manifest.base.close()
         wanted = "a job" if kind is None else f"a job of {kind.KIND}"
-        raise FileError(manifest.folder, f"is of {manifest.plan['job']}, expected {wanted}")
+        raise FileError(manifest.folder, f"expected {wanted}, got a job of {manifest.plan['job']}")
     try:
         with damage_as_file_errors(manifest.folder / NAME):
-            return manifest, found(manifest.plan, manifest.folder)
+            return manifest, job_class(manifest.plan, manifest.folder)
     except FileError:
         manifest.base.close()
         raise
@@ -255,10 +255,10 @@ def open_job(folder: FilePath, kind: type[Job] | None = None) -> tuple[Manifest,
 def finished_job(folder: FilePath, kind: type[Job]) -> tuple[Manifest, Any]:
     """As `open_job`. FileError unless all tasks are done."""
     manifest, job = open_job(folder, kind)
-    told = status_of(manifest, job)
-    if not told.is_finished:
+    status = status_of(manifest, job)
+    if not status.is_finished:
         manifest.base.close()
-        raise FileError(manifest.folder, f"is not finished: {told}", remedy="Call run_job, or retry_job before")
+        raise FileError(manifest.folder, f"is not finished: {status}", remedy="Call run_job, or first retry_job")
     return manifest, job
 
 
@@ -291,18 +291,18 @@ class _Taskbook:
         self._job.device = device
         return _do(self._job, task)
 
-    def settle(self, task: _Task, found: str) -> None:
-        self._manifest.settle("tasks", task.number, self._owner, state="done", found=found, error=None)
+    def record(self, task: _Task, result: str) -> None:
+        self._manifest.record("tasks", task.number, self._owner, state="done", found=result, error=None)
 
     def fail(self, task: _Task, error: Exception) -> None:
-        self._manifest.settle("tasks", task.number, self._owner, state="failed", error=said_of(error))
+        self._manifest.record("tasks", task.number, self._owner, state="failed", error=message_of(error))
 
-    def set_aside(self, task: _Task, reason: str) -> None:
-        self._manifest.settle("tasks", task.number, self._owner, state="aside", error=reason)
+    def quarantine(self, task: _Task, reason: str) -> None:
+        self._manifest.record("tasks", task.number, self._owner, state="aside", error=reason)
 
 
 def _do(job: Job, task: _Task) -> str:
-    return json.dumps(job.do(task.stage, task.name, json.loads(task.told)), allow_nan=False)
+    return json.dumps(job.do(task.stage, task.name, json.loads(task.inputs)), allow_nan=False)
 
 
 def _do_alone(folder: str, task: _Task, device: str) -> str:
@@ -319,7 +319,7 @@ def _job_of(folder: str, inode: int) -> Job:
     return job
 
 
-def _tell(manifest: Manifest, job: Job, report: ReportProgress) -> None:
+def _report_progress(manifest: Manifest, job: Job, report: ReportProgress) -> None:
     if report is say_nothing:
         return
     stage = stage_of(manifest)

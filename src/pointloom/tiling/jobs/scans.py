@@ -46,7 +46,7 @@ from ...registration.result import MIN_SCORE
 from .job import Done, Job, JobStatus, Task, make_job, stamp_of
 
 SURFACES = "surfaces"  # folder of thinned scans
-KEPT = 2  # described scans cached per process: one pair. Consecutive pairs often share a scan
+MAX_CACHED = 2  # described scans cached per process: one pair. Consecutive pairs often share a scan
 NEAR = 12  # default neighbors by position
 STAGE_WORDS = {1: "order", 2: "look", 4: "loop"}  # reason for the pairs of a stage
 ALIKE = 8  # default neighbors by similarity
@@ -59,60 +59,60 @@ class RegistrationJob(Job):
     def __init__(self, plan: dict[str, Any], folder: Path):
         super().__init__(plan, folder)
         self.size: float = plan["voxel_size"]
-        self._described = lru_cache(KEPT)(self._describe)
+        self._described = lru_cache(MAX_CACHED)(self._describe)
 
     def check(self, done: Callable[[int], Iterator[Done]]) -> None:
         for task in done(0):
-            path = self.plan["scans"][task.told["scan"]]
-            if stamp_of([Path(path)]) != task.found["stamp"]:
-                raise FileError(path, "has changed since it was read", remedy="Plan the scans anew in another folder")
+            path = self.plan["scans"][task.inputs["scan"]]
+            if stamp_of([Path(path)]) != task.result["stamp"]:
+                raise FileError(path, "has changed since it was read", remedy="Plan the scans again in another folder")
 
-    def do(self, stage: int, name: str, told: dict[str, Any]) -> dict[str, Any]:
+    def do(self, stage: int, name: str, inputs: dict[str, Any]) -> dict[str, Any]:
         if stage == 0:
-            return self._look(told["scan"])
+            return self._look(inputs["scan"])
         if stage == 3:
-            return self._graph(told)
-        pair = pair_of(told)
+            return self._graph(inputs)
+        pair = pair_of(inputs)
         if stage == 4:
             overlaps = overlapping_pairs(self._surfaces(pair), [pair], self.size)
-            return self._refined(pair) if overlaps else _doubted(pair, "its surfaces hardly lie on each other")
-        if told["is_known"]:
+            return self._refined(pair) if overlaps else _rejected(pair, "the surfaces barely overlap")
+        if inputs["is_known"]:
             return self._refined(pair)
         left, right = self._described(pair.source), self._described(pair.target)
-        pair, doubt = try_pair(pair.source, pair.target, left, right, self.plan["seed"], self.plan["free"])
-        return self._refined(pair) if pair.score > MIN_SCORE else _doubted(pair, doubt)
+        pair, reason = try_pair(pair.source, pair.target, left, right, self.plan["seed"], self.plan["free"])
+        return self._refined(pair) if pair.score > MIN_SCORE else _rejected(pair, reason)
 
     def follow(self, stage: int, done: Callable[[int], Iterator[Done]]) -> Sequence[Task]:
         plan, scans = self.plan, list(done(0))
         if stage == 0:
-            known = [_task(pair_of(told), is_known=True) for told in plan["known"]]
-            given = {frozenset((told["source"], told["target"])) for told in plan["known"]}
+            known = [_task(pair_of(entry), is_known=True) for entry in plan["known"]]
+            given = {frozenset((entry["source"], entry["target"])) for entry in plan["known"]}
             return [*known, *(_to_try(*ends) for ends in self._first_pairs(scans) if frozenset(ends) not in given)]
         if stage == 1:
             return [_to_try(*ends) for ends in self._alike(scans, list(done(1)))]
         if stage == 2:
-            extents = [[*task.found["origin"], task.found["radius"]] for task in scans]
-            return [Task("graph", {"extents": extents, "pairs": [told for told, _ in _believed(done)]})]
+            extents = [[*task.result["origin"], task.result["radius"]] for task in scans]
+            return [Task("graph", {"extents": extents, "pairs": [entry for entry, _ in _accepted_results(done)]})]
         (graph,) = done(3)
-        return [_task(pair_of(told), is_known=False) for told in graph.found["candidates"]]
+        return [_task(pair_of(entry), is_known=False) for entry in graph.result["candidates"]]
 
     def notes(self, done: Callable[[int], Iterator[Done]]) -> list[str]:
         scans = list(done(0))
-        names = [self.plan["scans"][task.told["scan"]] for task in scans]
-        units = sorted({task.found["unit"] for task in scans if task.found["unit"]})
-        said = [f"the scans are in different units, {' and '.join(units)}"] if len(units) > 1 else []
-        few = [name for name, task in zip(names, scans, strict=True) if not task.found["voxels"]]
-        return [*said, *(f"{name}: shows no surface with voxels of {self.size:g}" for name in few)]
+        names = [self.plan["scans"][task.inputs["scan"]] for task in scans]
+        units = sorted({task.result["unit"] for task in scans if task.result["unit"]})
+        notes = [f"the scans are in different units, {' and '.join(units)}"] if len(units) > 1 else []
+        few = [name for name, task in zip(names, scans, strict=True) if not task.result["voxels"]]
+        return [*notes, *(f"{name}: has no surface with voxels of {self.size:g}" for name in few)]
 
     def _first_pairs(self, scans: Sequence[Done]) -> list[tuple[int, int]]:
         plan, count = self.plan, len(scans)
         if plan["places"] is None:
             return pairs_to_try(count, plan["neighbors"], plan["pairs"])
         boxes = [
-            None if place is None or not task.found["voxels"] else place_box(
-                np.array(task.found["low"]), np.array(task.found["high"]), np.array(place), plan["place_error"]
+            None if pose is None or not task.result["voxels"] else box_at_pose(
+                np.array(task.result["low"]), np.array(task.result["high"]), np.array(pose), plan["place_error"]
             )
-            for place, task in zip(plan["places"], scans, strict=True)
+            for pose, task in zip(plan["places"], scans, strict=True)
         ]  # fmt: skip
         return nearest_of(meeting_boxes(boxes), boxes, NEAR if plan["neighbors"] is None else plan["neighbors"])
 
@@ -120,17 +120,17 @@ class RegistrationJob(Job):
         """Pairs of scans outside the largest group with the most similar scans in it."""
         if not self.plan["alike"]:
             return []
-        believed = [(task.told["source"], task.told["target"]) for task in tried if task.found["pair"]]
-        groups = groups_of(len(scans), believed)
+        accepted = [(task.inputs["source"], task.inputs["target"]) for task in tried if task.result["pair"]]
+        groups = groups_of(len(scans), accepted)
         largest = int(np.bincount(groups).argmax())
-        over = {frozenset((task.told["source"], task.told["target"])) for task in tried}
-        looks = np.array([task.found["look"] for task in scans])
-        found = set()
+        over = {frozenset((task.inputs["source"], task.inputs["target"])) for task in tried}
+        looks = np.array([task.result["look"] for task in scans])
+        pairs = set()
         for k in np.flatnonzero(groups != largest).tolist():
             others = [j for j in np.flatnonzero(groups != groups[k]).tolist() if frozenset((j, k)) not in over]
-            for j in most_alike(looks, k, np.array(others, np.int64), self.plan["alike"]):
-                found.add((min(j, k), max(j, k)))
-        return sorted(found)
+            for j in most_similar(looks, k, np.array(others, np.int64), self.plan["alike"]):
+                pairs.add((min(j, k), max(j, k)))
+        return sorted(pairs)
 
     def _describe(self, scan: int) -> Description:
         surface = self._surface(scan)
@@ -169,22 +169,26 @@ class RegistrationJob(Job):
     def _surface(self, scan: int) -> PointCloud:
         path, where = self._surface_path(scan), resolve_device(self.device)
         try:
-            with path.open("rb") as file, np.load(file) as found:
-                arrays = {name: upload(found[name], vec3, where) for name in ("points", "normals")}
-                return PointCloud._from_device_arrays(arrays, found["origin"])
+            with path.open("rb") as file, np.load(file) as stored:
+                arrays = {name: upload(stored[name], vec3, where) for name in ("points", "normals")}
+                return PointCloud._from_device_arrays(arrays, stored["origin"])
         except (OSError, ValueError, KeyError, EOFError, zipfile.BadZipFile) as error:
-            remedy = "Plan the scans anew in another folder"
+            remedy = "Plan the scans again in another folder"
             raise FileError(path, f"a scan's surface cannot be read: {error}", remedy=remedy) from error
 
     def _refined(self, pair: FragmentPair) -> dict[str, Any]:
         (pair,), (information,) = refine_pairs(self._surfaces(pair), [pair], self.size, self.plan["free"])
-        return {"pair": _told(pair), "information": information.tolist()}
+        return {"pair": _pair_to_json(pair), "information": information.tolist()}
 
-    def _graph(self, told: dict[str, Any]) -> dict[str, Any]:
+    def _graph(self, inputs: dict[str, Any]) -> dict[str, Any]:
         """Pairs that overlap according to the poses and were not found yet."""
-        found, pairs, _ = _place_told(told, self.size, self.plan["free"])
-        boxes = [transformed_box(self._surface(k), found.poses[k]) for k in found.members.tolist()]
-        return {"candidates": [_told(pair) for pair in loop_candidates(boxes, found.poses, found.members, pairs)]}
+        graph, pairs, _ = _solve_graph(inputs, self.size, self.plan["free"])
+        boxes = [transformed_box(self._surface(k), graph.poses[k]) for k in graph.members.tolist()]
+        return {
+            "candidates": [
+                _pair_to_json(pair) for pair in loop_candidates(boxes, graph.poses, graph.members, pairs)
+            ]
+        }
 
 
 def plan_registration(
@@ -248,90 +252,90 @@ def plan_registration(
         raise ValueError("places, pairs: expected one of them, got both")
     tried = None if pairs is None else pairs_to_try(len(paths), neighbors, pairs)
     level = check_level(free)
-    told = {
+    plan = {
         "scans": paths,
         "voxel_size": size,
-        "places": None if places is None else _check_places(places, len(paths)),
+        "places": None if places is None else _check_prior_poses(places, len(paths)),
         "place_error": check_positive("place_error", place_error, allow_zero=True),
         "neighbors": None if neighbors is None else check_count("neighbors", neighbors),
         "pairs": tried,
-        "known": [_told(pair) for pair in check_known(known, len(paths), level)],
+        "known": [_pair_to_json(pair) for pair in check_known(known, len(paths), level)],
         "alike": check_count("alike", alike, minimum=0),
         "free": None if level is None else list(level),
         "seed": check_seed(seed),
     }
-    return make_job(RegistrationJob, folder, told, [Task(path, {"scan": k}) for k, path in enumerate(paths)])
+    return make_job(RegistrationJob, folder, plan, [Task(path, {"scan": k}) for k, path in enumerate(paths)])
 
 
-def placed(
+def solve_graph(
     done: Callable[[int], Iterator[Done]], size: float, free: Sequence[str] | None
 ) -> tuple[FragmentGraph, list[FragmentPair]]:
     """Pose graph of a finished job, and the accepted pairs."""
     (graph,) = done(3)
-    found, pairs, information = _place_told(graph.told, size, free)
-    closing = [task.found for task in done(4) if task.found["pair"]]
+    result, pairs, information = _solve_graph(graph.inputs, size, free)
+    closing = [task.result for task in done(4) if task.result["pair"]]
     if closing:
         pairs += [pair_of(row["pair"]) for row in closing]
         information += [np.array(row["information"]) for row in closing]
-        found = with_pairs(found, pairs, information, size, free)
-    return found, pairs
+        result = with_pairs(result, pairs, information, size, free)
+    return result, pairs
 
 
-def _place_told(
-    told: dict[str, Any], size: float, free: Sequence[str] | None
+def _solve_graph(
+    inputs: dict[str, Any], size: float, free: Sequence[str] | None
 ) -> tuple[FragmentGraph, list[FragmentPair], list[NDArray[np.float64]]]:
     """Pose graph of a task's pairs, these pairs, and their information."""
-    extents = [Extent(np.array(row[:3]), row[3]) for row in told["extents"]]
-    pairs = [pair_of(row["pair"]) for row in told["pairs"]]
-    information = [np.array(row["information"]) for row in told["pairs"]]
+    extents = [Extent(np.array(row[:3]), row[3]) for row in inputs["extents"]]
+    pairs = [pair_of(row["pair"]) for row in inputs["pairs"]]
+    information = [np.array(row["information"]) for row in inputs["pairs"]]
     return poses_from_pairs(extents, pairs, information, size, free), pairs, information
 
 
-def pair_of(told: dict[str, Any]) -> FragmentPair:
-    score = np.nan if told["score"] is None else told["score"]
-    T = np.array(told["transformation"], np.float64).reshape(4, 4)
-    return FragmentPair(told["source"], told["target"], T, told["fitness"], score)
+def pair_of(entry: dict[str, Any]) -> FragmentPair:
+    score = np.nan if entry["score"] is None else entry["score"]
+    T = np.array(entry["transformation"], np.float64).reshape(4, 4)
+    return FragmentPair(entry["source"], entry["target"], T, entry["fitness"], score)
 
 
-def _told(pair: FragmentPair) -> dict[str, Any]:
+def _pair_to_json(pair: FragmentPair) -> dict[str, Any]:
     score = None if np.isnan(pair.score) else float(pair.score)
-    told = {"source": int(pair.source), "target": int(pair.target), "fitness": float(pair.fitness), "score": score}
-    return told | {"transformation": np.asarray(pair.transformation, np.float64).ravel().tolist()}
+    entry = {"source": int(pair.source), "target": int(pair.target), "fitness": float(pair.fitness), "score": score}
+    return entry | {"transformation": np.asarray(pair.transformation, np.float64).ravel().tolist()}
 
 
-def _doubted(pair: FragmentPair, doubt: str) -> dict[str, Any]:
-    return {"pair": None, "score": _told(pair)["score"], "doubt": doubt}
+def _rejected(pair: FragmentPair, reason: str) -> dict[str, Any]:
+    return {"pair": None, "score": _pair_to_json(pair)["score"], "doubt": reason}
 
 
 def _task(pair: FragmentPair, *, is_known: bool) -> Task:
-    return Task(f"pair {pair.target} {pair.source}", _told(pair) | {"is_known": is_known})
+    return Task(f"pair {pair.target} {pair.source}", _pair_to_json(pair) | {"is_known": is_known})
 
 
 def _to_try(i: int, j: int) -> Task:
     return _task(FragmentPair(j, i, np.eye(4), 0.0, 0.0), is_known=False)
 
 
-def _believed(done: Callable[[int], Iterator[Done]]) -> list[tuple[dict[str, Any], Any]]:
+def _accepted_results(done: Callable[[int], Iterator[Done]]) -> list[tuple[dict[str, Any], Any]]:
     """Results of accepted pairs: known ones first, then by scans."""
-    found = [task for stage in (1, 2) for task in done(stage) if task.found["pair"]]
-    known = [task for task in found if task.told["is_known"]]
-    rest = [task for task in found if not task.told["is_known"]]
-    rest.sort(key=lambda task: (task.told["target"], task.told["source"]))
-    return [(task.found, task.told) for task in (*known, *rest)]
+    accepted = [task for stage in (1, 2) for task in done(stage) if task.result["pair"]]
+    known = [task for task in accepted if task.inputs["is_known"]]
+    rest = [task for task in accepted if not task.inputs["is_known"]]
+    rest.sort(key=lambda task: (task.inputs["target"], task.inputs["source"]))
+    return [(task.result, task.inputs) for task in (*known, *rest)]
 
 
-def _check_places(places: Sequence[Any], count: int) -> list[Any]:
-    if len(places) != count:
-        raise ValueError(f"places: expected {count}, one of each scan or None, got {len(places)}")
-    found = []
-    for k, place in enumerate(places):
-        if place is None:
-            found.append(None)
-        elif np.shape(place) == (4, 4):
-            found.append(check_rigid(f"places[{k}]", place).tolist())
+def _check_prior_poses(poses: Sequence[Any], count: int) -> list[Any]:
+    if len(poses) != count:
+        raise ValueError(f"places: expected {count}, a pose, a position or None for each scan, got {len(poses)}")
+    checked = []
+    for k, pose in enumerate(poses):
+        if pose is None:
+            checked.append(None)
+        elif np.shape(pose) == (4, 4):
+            checked.append(check_rigid(f"places[{k}]", pose).tolist())
         else:
-            found.append(check_shape(f"places[{k}]", place, (3,)).tolist())
-    return found
+            checked.append(check_shape(f"places[{k}]", pose, (3,)).tolist())
+    return checked
 
 
 Box = tuple[NDArray[np.float64], NDArray[np.float64]]
@@ -345,7 +349,7 @@ def look_of(features: NDArray[np.float32]) -> NDArray[np.float64]:
     return np.concatenate([finite.mean(axis=0), finite.std(axis=0)])
 
 
-def most_alike(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64], count: int) -> list[int]:
+def most_similar(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64], count: int) -> list[int]:
     """Most similar scans first. Columns are scaled by their spread."""
     spread = looks.std(axis=0)
     scaled = looks / np.where(spread > 0, spread, 1.0)
@@ -353,13 +357,13 @@ def most_alike(looks: NDArray[np.float64], scan: int, others: NDArray[np.int64],
     return others[np.argsort(distances, kind="stable")[:count]].tolist()
 
 
-def place_box(low: NDArray[Any], high: NDArray[Any], place: NDArray[np.float64], error: float) -> Box:
+def box_at_pose(low: NDArray[Any], high: NDArray[Any], pose: NDArray[np.float64], error: float) -> Box:
     """Bounds of a scan's box at a pose (4, 4) or, for any rotation, at a position (3,), enlarged by `error`."""
-    if place.shape == (3,):
+    if pose.shape == (3,):
         radius = float(norm(np.maximum(np.abs(low), np.abs(high)))) + error
-        return place - radius, place + radius
+        return pose - radius, pose + radius
     corners = np.array([[x, y, z] for x in (0, 1) for y in (0, 1) for z in (0, 1)])
-    moved = matmul(np.where(corners, high, low), place[:3, :3].T) + place[:3, 3]
+    moved = matmul(np.where(corners, high, low), pose[:3, :3].T) + pose[:3, 3]
     return moved.min(axis=0) - error, moved.max(axis=0) + error
 
 
@@ -368,11 +372,11 @@ def meeting_boxes(boxes: Sequence[Box | None]) -> list[tuple[int, int]]:
     there = [k for k, box in enumerate(boxes) if box is not None]
     low = np.array([box[0] for box in boxes if box is not None]).reshape(-1, 3)
     high = np.array([box[1] for box in boxes if box is not None]).reshape(-1, 3)
-    found = []
+    pairs = []
     for i, k in enumerate(there):
         meets = ((low[i + 1 :] <= high[i]) & (high[i + 1 :] >= low[i])).all(axis=1)
-        found += [(k, there[i + 1 + j]) for j in np.flatnonzero(meets).tolist()]
-    return found
+        pairs += [(k, there[i + 1 + j]) for j in np.flatnonzero(meets).tolist()]
+    return pairs
 
 
 def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], count: int) -> list[tuple[int, int]]:
@@ -383,7 +387,7 @@ def nearest_of(pairs: Sequence[tuple[int, int]], boxes: Sequence[Box | None], co
         distance = float(norm(middles[i] - middles[j]))
         for k in (i, j):
             beside[k].append((distance, (i, j)))
-    return sorted({ends for found in beside.values() for _, ends in sorted(found)[:count]})
+    return sorted({ends for neighbors in beside.values() for _, ends in sorted(neighbors)[:count]})
 
 
 def groups_of(count: int, pairs: Iterable[tuple[int, int]]) -> NDArray[np.int32]:

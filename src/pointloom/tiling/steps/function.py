@@ -19,7 +19,7 @@ from .step import Part, Step
 
 GROUP = "pointloom.steps"  # of entry points
 ROW = "pointloom_row"  # attribute that marks remaining rows after a step that drops points
-_TOP_LEVEL = "a function at the top of a module that workers can import"
+_TOP_LEVEL = "a top-level function of a module that workers can import"
 
 UserFunction = Callable[..., Any]
 
@@ -35,7 +35,7 @@ class Function(Step):
 
     def check(self) -> None:
         """Validate parameters. The name of a passed function replaces it in them."""
-        self.reach = check_positive("reach", self.params["reach"], allow_zero=True)
+        self.radius = check_positive("reach", self.params["reach"], allow_zero=True)
         call, arguments = self.params["call"], self.params["arguments"]
         if not isinstance(arguments, dict) or not all(isinstance(name, str) for name in arguments):
             raise ValueError(f"steps: arguments: expected a dictionary of names and values, got {shown(arguments)}")
@@ -65,13 +65,13 @@ class Function(Step):
         given[ROW] = np.arange(len(given))
         cloud = self.function(given, **self.params["arguments"])
         if not isinstance(cloud, PointCloud) or ROW not in cloud.attributes:
-            raise ValueError(f"{self.params['call']}: expected a PointCloud of some of its rows, got {shown(cloud)}")
+            raise ValueError(f"{self.params['call']}: expected a PointCloud with some of its rows, got {shown(cloud)}")
         rows = np.asarray(cloud[ROW])
         cloud = cloud.copy()
         del cloud.attributes[ROW]
         left = part.take(rows, cloud)
         if not np.array_equal(part.cloud.points[rows], cloud.points):
-            raise ValueError(f"{self.params['call']}: moved points, which a step of a function may not")
+            raise ValueError(f"{self.params['call']}: expected points at their positions, got moved points")
         return left
 
 
@@ -99,24 +99,24 @@ def _imported(name: str) -> UserFunction:
     """Import a function by `module:function`. The name must come from the caller, never from a file."""
     module, _, path = name.partition(":")
     try:
-        found: Any = importlib.import_module(module)
+        value: Any = importlib.import_module(module)
         for part in path.split("."):
-            found = getattr(found, part)
+            value = getattr(value, part)
     except (ImportError, AttributeError, ValueError) as error:
         raise ValueError(f"steps: call: {name!r} cannot be imported: {error}") from error
-    return found
+    return value
 
 
 def _registered(name: str) -> UserFunction:
     known = entry_points(group=GROUP)
-    found = {point.value: point for point in known if point.name == name}
-    if not found:
+    matches = {point.value: point for point in known if point.name == name}
+    if not matches:
         names = ", ".join(sorted(known.names)) or "none is installed"
         remedy = f"expected the name of an entry point in the group {GROUP!r} ({names}), or a function in Python"
         raise ValueError(f"steps: call: {remedy}, got {shown(name)}")
-    if len(found) > 1:
-        raise ValueError(f"steps: call: several packages register {name!r}: {', '.join(sorted(found))}; remove one")
-    (point,) = found.values()
+    if len(matches) > 1:
+        raise ValueError(f"steps: call: several packages register {name!r}: {', '.join(sorted(matches))}; remove one")
+    (point,) = matches.values()
     try:
         function = point.load()
     except (ImportError, AttributeError) as error:

@@ -37,7 +37,7 @@ from ...pcd.segmentation import ANY
 from ...pcd.selection import ROUNDING
 from ...pcd.terrain import ground_reach, height_above_ground
 from ..exact_sums import ExactSums
-from ..label_join import MAX_INT32, join_labels, leave
+from ..label_join import MAX_INT32, border_data, join_labels
 from ..polygons import in_survey, mask_area, parse_area, to_json
 from .function import ROW, Function
 from .raster import Rasterize
@@ -53,11 +53,11 @@ class Thin(Step):
 
     def check(self) -> None:
         """Set the halo to complete cells."""
-        self.reach = check_positive("spacing", self.params["spacing"])
+        self.radius = check_positive("spacing", self.params["spacing"])
         self.params["corner"] = check_finite("corner", check_shape("corner", self.params["corner"], (3,))).tolist()
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        return thinned(part, self.reach, self.params["corner"])
+        return thinned(part, self.radius, self.params["corner"])
 
 
 def thinned(part: Part, spacing: float, corner: Any) -> Part:
@@ -77,16 +77,16 @@ class Clusters(Step):
     radius, because cores within the radius have neighbors beyond it."""
 
     joins, hops = True, 2
-    least = 1  # minimum points of a core
+    min_points = 1  # minimum points of a core
     bounds = (1, 2**63 - 1)
     by_size = False
 
     def gather(self, part: Part, sight: Sight) -> dict[str, NDArray[Any]]:
         """Clusters of a tile: complete ones, and border points of the others."""
         if part.keys is None:
-            raise ValueError(f"steps: {self.name}: there are too many voxels to number them; take larger ones")
+            raise ValueError(f"steps: {self.name}: there are too many voxels to number them. Use larger voxels")
         _, labels, count = self._cores(part)
-        return leave(download(labels), count, part, sight, self.bounds, self.by_size)
+        return border_data(download(labels), count, part, sight, self.bounds, self.by_size)
 
     def join(self, left: Any, folder: Path) -> int:
         return join_labels(left, folder, self.bounds, self.by_size)
@@ -97,24 +97,24 @@ class Clusters(Step):
         names = np.empty(0, kind) if names is None else names
         cores, labels, count = self._cores(part)
         if count != len(names):
-            raise ValueError(f"{self.name}: {count} clusters were found where {len(names)} had been")
-        told = np.unique(names[names >= 0])
+            raise ValueError(f"{self.name}: expected {len(names)} clusters as in the first pass, got {count}")
+        unique_names = np.unique(names[names >= 0])
         if count:
-            ranks = np.where(names >= 0, np.searchsorted(told, names), NOISE).astype(np.int32)
+            ranks = np.where(names >= 0, np.searchsorted(unique_names, names), NOISE).astype(np.int32)
             rename_cores(cores, upload(ranks, int32, labels.device), labels)
-            if self.least > 1 and len(told):
+            if self.min_points > 1 and len(unique_names):
                 label_borders(cores, labels)
-        found = download(labels)
+        tile_labels = download(labels)
         cloud = part.cloud.copy()
-        values = np.full(len(found), -1, kind)
-        values[found >= 0] = told[found[found >= 0]]
+        values = np.full(len(tile_labels), -1, kind)
+        values[tile_labels >= 0] = unique_names[tile_labels[tile_labels >= 0]]
         cloud[NAME] = values
         return dataclasses.replace(part, cloud=cloud)
 
     def _cores(self, part: Part) -> tuple[Any, Any, int]:
         tree = part.cloud.search_tree()
         labels = full(len(part.cloud), NOISE, int32, tree.device)
-        cores, count = cluster_cores(tree, self.reach, self.least, labels)
+        cores, count = cluster_cores(tree, self.radius, self.min_points, labels)
         return cores, labels, count
 
 
@@ -122,8 +122,8 @@ class ClusterDbscan(Clusters):
     name, required = "cluster_dbscan", ("eps", "min_points")
 
     def check(self) -> None:
-        self.reach = check_positive("eps", self.params["eps"])
-        self.least = check_count("min_points", self.params["min_points"], **ANY)
+        self.radius = check_positive("eps", self.params["eps"])
+        self.min_points = check_count("min_points", self.params["min_points"], **ANY)
 
 
 class ClusterEuclidean(Clusters):
@@ -131,10 +131,10 @@ class ClusterEuclidean(Clusters):
     defaults: ClassVar[dict[str, Any]] = {"min_cluster_size": 1, "max_cluster_size": None}
 
     def check(self) -> None:
-        self.reach = check_positive("tolerance", self.params["tolerance"])
+        self.radius = check_positive("tolerance", self.params["tolerance"])
         low = check_count("min_cluster_size", self.params["min_cluster_size"], **ANY)
-        most = self.params["max_cluster_size"]
-        high = self.bounds[1] if most is None else check_count("max_cluster_size", most, **ANY)
+        maximum = self.params["max_cluster_size"]
+        high = self.bounds[1] if maximum is None else check_count("max_cluster_size", maximum, **ANY)
         if high < low:
             raise ValueError(f"max_cluster_size: expected at least min_cluster_size = {low}, got {high}")
         self.bounds = low, high
@@ -158,13 +158,13 @@ class Distance(Compared):
 
     def check(self) -> None:
         super().check()
-        self.reach = check_positive("max_distance", self.params["max_distance"])
+        self.radius = check_positive("max_distance", self.params["max_distance"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         assert part.other is not None
         cloud = part.cloud.copy()
         distances = np.asarray(part.cloud.compute_point_cloud_distance(part.other))
-        cloud[self.name] = np.where(distances <= self.reach, distances, np.nan).astype(np.float32)
+        cloud[self.name] = np.where(distances <= self.radius, distances, np.nan).astype(np.float32)
         return dataclasses.replace(part, cloud=cloud)
 
 
@@ -188,9 +188,9 @@ class Change(Compared):
             params["direction"] = check_direction("direction", params["direction"]).tolist()
         radii = check_radii(params["normal_radii"], params["direction"])
         params["normal_radii"] = radii.tolist() or None
-        self.reach = max([math.hypot(radius, length), *radii.tolist()])
+        self.radius = max([math.hypot(radius, length), *radii.tolist()])
         if params["core_spacing"] is not None:
-            self.reach = max(self.reach, check_positive("core_spacing", params["core_spacing"]))
+            self.radius = max(self.radius, check_positive("core_spacing", params["core_spacing"]))
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         assert part.other is not None
@@ -201,12 +201,12 @@ class Change(Compared):
         given = {name: params[name] for name in (
             "normal_radii", "cylinder_radius", "max_distance", "registration_error", "orientation"
         )}  # fmt: skip
-        found = m3c2(part.cloud, part.other, core_points=cores.cloud, directions=params["direction"], **given)
+        result = m3c2(part.cloud, part.other, core_points=cores.cloud, directions=params["direction"], **given)
         cloud = cores.cloud.copy()
-        cloud["m3c2_distance"] = found.distances.astype(np.float32)
-        cloud["level_of_detection"] = found.level_of_detection.astype(np.float32)
-        cloud["significant"] = found.is_significant.astype(np.uint8)
-        cloud["points_before"], cloud["points_after"] = found.counts.T.copy()
+        cloud["m3c2_distance"] = result.distances.astype(np.float32)
+        cloud["level_of_detection"] = result.level_of_detection.astype(np.float32)
+        cloud["significant"] = result.is_significant.astype(np.uint8)
+        cloud["points_before"], cloud["points_after"] = result.counts.T.copy()
         return dataclasses.replace(cores, cloud=cloud)
 
 
@@ -226,7 +226,7 @@ class ClassifyGround(Step):
         for name in ("slope", "elevation_threshold", "scaling"):
             check_positive(name, self.params[name], allow_zero=True)
         self.params["corner"] = _corner_of(self.params["corner"])
-        self.reach = ground_reach(self.params["cell_size"], self.params["max_window"])
+        self.radius = ground_reach(self.params["cell_size"], self.params["max_window"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         with without_warnings(UnitWarning):  # all lengths of a plan are in the files' unit
@@ -247,7 +247,7 @@ class HeightAboveGround(Step):
     }  # fmt: skip
 
     def check(self) -> None:
-        self.reach = check_positive("reach", self.params["reach"])
+        self.radius = check_positive("reach", self.params["reach"])
         check_count("neighbors", self.params["neighbors"])
         check_positive("cell", self.params["cell"])
         self.params["corner"] = _corner_of(self.params["corner"])
@@ -271,10 +271,10 @@ class RadiusOutlier(Step):
 
     def check(self) -> None:
         check_count("nb_points", self.params["nb_points"])
-        self.reach = check_positive("radius", self.params["radius"])
+        self.radius = check_positive("radius", self.params["radius"])
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        mask = mask_crowded(part.cloud.search_tree(), self.reach, self.params["nb_points"] + 1)
+        mask = mask_crowded(part.cloud.search_tree(), self.radius, self.params["nb_points"] + 1)
         return part.select(download(mask) != 0)
 
 
@@ -306,7 +306,7 @@ class VoxelDownSample(Step):
 
     def check(self) -> None:
         self.size = check_positive("voxel_size", self.params["voxel_size"])
-        self.reach = self.size / 2
+        self.radius = self.size / 2
         if self.params["corner"] is not None:
             corner = check_finite("corner", check_shape("corner", self.params["corner"], (3,)))
             self.params["corner"] = corner.tolist()
@@ -315,9 +315,9 @@ class VoxelDownSample(Step):
         """Means are in their voxel, whose center decides the tile."""
         return self.size / 2
 
-    def halo_before(self, after: float, spread: float, reach: float) -> float:
+    def halo_before(self, after: float, spread: float, radius: float) -> float:
         """Extend the halo to complete voxels."""
-        return after + reach + spread
+        return after + radius + spread
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         corner = np.array(self.params["corner"] or plan.voxel_corner, np.float64)
@@ -333,7 +333,7 @@ class VoxelDownSample(Step):
         self, cells: NDArray[np.float64], corner: NDArray[np.float64], plan: Any, part: Part
     ) -> NDArray[np.int64] | None:
         """Voxel numbers, x slowest. None if 64 bits are too few."""
-        ends = (np.array([plan.told["low"], plan.told["high"]]) - corner) / self.size
+        ends = (np.array([plan.data["low"], plan.data["high"]]) - corner) / self.size
         beyond = 2 + np.ceil((plan.slack + part.spread) / self.size)  # voxels, for rounding and moved points
         low, high = np.floor(ends[0]) - beyond, np.floor(ends[1]) + beyond
         shape = [int(n) for n in high - low + 1]
@@ -355,9 +355,11 @@ class Crop(Step):
         ends = ("min_bound", "max_bound")
         given = [name for name in (*ends, "polygon") if self.params[name] is not None]
         if given not in ([*ends], ["polygon"]):
-            raise ValueError(f"steps: crop needs min_bound and max_bound, or polygon, got {', '.join(given) or 'none'}")
+            raise ValueError(
+                f"steps: crop: expected min_bound and max_bound, or polygon, got {', '.join(given) or 'none'}"
+            )
         if "polygon" not in given and self.params["polygon_crs"] is not None:
-            raise ValueError("steps: crop: polygon_crs goes with polygon")
+            raise ValueError("steps: crop: polygon_crs needs polygon")
         if given == ["polygon"]:
             self.area = parse_area("steps: crop: polygon", self.params["polygon"])
             self.params["polygon"] = to_json(self.area)
@@ -366,7 +368,7 @@ class Crop(Step):
             self.params[name] = check_finite(name, check_shape(name, self.params[name], (3,))).tolist()
         self.box = AxisAlignedBoundingBox(self.params["min_bound"], self.params["max_bound"])
 
-    def settle(self, sources: list[dict[str, Any]]) -> None:
+    def adapt(self, sources: list[dict[str, Any]]) -> None:
         if self.params["polygon"] is not None:
             self.area = in_survey("steps: crop: polygon", self.area, self.params["polygon_crs"], sources)
             self.params |= {"polygon": to_json(self.area), "polygon_crs": None}
@@ -392,7 +394,7 @@ class Features(Step):
     def check(self) -> None:
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
         if math.isfinite(radius):
-            self.reach = radius
+            self.radius = radius
         else:
             self.neighbors = count
         names = self.params["names"]
@@ -401,14 +403,14 @@ class Features(Step):
             raise ValueError(f"steps: names: expected some of {', '.join(NAMES)}, got {shown(names)}")
         for name in names:
             if name not in NAMES:
-                raise ValueError(f"steps: names: there is no feature {shown(name)}{nearest_name(name, NAMES)}")
+                raise ValueError(f"steps: names: unknown feature {shown(name)}{nearest_name(name, NAMES)}")
         self.params["names"] = [*dict.fromkeys(names)]
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        found = compute_eigen_features(part.cloud, radius=self.params["radius"], max_nn=self.params["max_nn"])
+        features = compute_eigen_features(part.cloud, radius=self.params["radius"], max_nn=self.params["max_nn"])
         cloud = part.cloud.copy()
         for name in self.params["names"]:
-            cloud[name] = found[name]
+            cloud[name] = features[name]
         return dataclasses.replace(part, cloud=cloud)
 
 
@@ -419,15 +421,15 @@ class SmoothMls(Step):
     defaults: ClassVar[dict[str, Any]] = {"max_nn": 30}
 
     def check(self) -> None:
-        self.reach = check_positive("radius", self.params["radius"])
-        check_search(self.reach, self.params["max_nn"])
+        self.radius = check_positive("radius", self.params["radius"])
+        check_search(self.radius, self.params["max_nn"])
 
     def spread_after(self, spread: float) -> float:
         """A plane through neighbors is not farther away than they are."""
-        return spread + self.reach
+        return spread + self.radius
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
-        cloud = part.cloud.smooth_mls(radius=self.reach, max_nn=self.params["max_nn"])
+        cloud = part.cloud.smooth_mls(radius=self.radius, max_nn=self.params["max_nn"])
         return dataclasses.replace(part, cloud=cloud, exact=None, spread=self.spread_after(part.spread))
 
 
@@ -440,7 +442,7 @@ class EstimateNormals(Step):
     def check(self) -> None:
         radius, count = check_search(self.params["radius"], self.params["max_nn"])
         if math.isfinite(radius):
-            self.reach = radius
+            self.radius = radius
         else:
             self.neighbors = count
         orient = self.params["orient"]
@@ -456,11 +458,11 @@ class EstimateNormals(Step):
         return dataclasses.replace(part, cloud=cloud)
 
 
-WHOLE = {
-    "segment_plane": "a plane is found among all points; thin them here and find it in memory",
-    "detect_planar_patches": "patches reach across any number of tiles; thin the points here and find them in memory",
-    "farthest_point_down_sample": "each choice depends on all before it",
-    "orient_normals_consistent_tangent_plane": "signs spread over the whole cloud",
+NEEDS_ALL_POINTS = {
+    "segment_plane": "a plane is searched among all points. Thin them here and search it in memory",
+    "detect_planar_patches": "patches extend over any number of tiles. Thin the points here and search them in memory",
+    "farthest_point_down_sample": "each choice depends on all previous ones",
+    "orient_normals_consistent_tangent_plane": "signs propagate over the complete cloud",
     "random_down_sample": "the choice depends on the number of all points",
     "uniform_down_sample": "the choice depends on the rows of all points",
 }
@@ -496,15 +498,19 @@ def _parse(steps: Any) -> list[Step]:
             raise ValueError(f"steps: expected a dictionary with the name of a 'step', got {shown(given)}")
         params = {name: value for name, value in given.items() if name != "step"}
         name = given["step"]
-        if name in WHOLE:
-            raise ValueError(f"steps: {name} needs the whole cloud at once: {WHOLE[name]}")
+        if name in NEEDS_ALL_POINTS:
+            raise ValueError(f"steps: {name} needs the complete cloud at once: {NEEDS_ALL_POINTS[name]}")
         if name not in KNOWN:
-            raise ValueError(f"steps: there is no step {name!r}{nearest_name(name, KNOWN)}; {', '.join(KNOWN)}")
+            raise ValueError(
+                f"steps: unknown step {name!r}{nearest_name(name, KNOWN)}; expected one of {', '.join(KNOWN)}"
+            )
         parsed.append(KNOWN[name](params))
         _check_json(name, parsed[-1].params)
     names = [step.raster for step in parsed if isinstance(step, Rasterize)]
     if len({*names}) < len(names):
-        raise ValueError(f"steps: rasters of one name: {', '.join(names)}; give each a 'name' of its own")
+        raise ValueError(
+            f"steps: expected different names of the rasters, got {', '.join(names)}. Pass a 'name' for each"
+        )
     _check_order(parsed)
     return parsed
 
@@ -521,13 +527,13 @@ def _check_order(steps: list[Step]) -> None:
     """Raise ValueError if a step with a variable halo follows one that was joined with the planned halo."""
     for before, step in pairwise(steps):
         if isinstance(before, Reproject):
-            reason = "reproject is the last step: tiles and halos are lengths of the files' own system"
-            raise ValueError(f"steps: {step.name} behind reproject: {reason}")
+            reason = "reproject must be the last step, since tiles and halos are in the units of the files"
+            raise ValueError(f"steps: {step.name} after reproject: {reason}")
     joined = ""
     for step in steps:
         if joined and step.neighbors is not None:
-            reason = f"the halo that {step.name} of the nearest wants is known too late for {joined}"
-            raise ValueError(f"steps: {reason}; put {joined} behind it, or give a radius")
+            reason = f"the halo of {step.name} by nearest neighbors is known too late for {joined}"
+            raise ValueError(f"steps: {reason}. Put {joined} after it, or give a radius")
         joined = step.name if step.joins else joined
 
 

@@ -26,7 +26,7 @@ class Rasterize(Step):
         if self.kind not in KINDS:
             raise ValueError(f"steps: kind: expected {' or '.join(map(repr, KINDS))}, got {shown(self.kind)}")
         if params["method"] != "idw":
-            reason = "a triangle depends on points at any distance; take 'idw', or rasterize in memory"
+            reason = "a triangle depends on points at any distance. Use 'idw', or rasterize in memory"
             raise ValueError(f"steps: method: expected 'idw', got {shown(params['method'])}: {reason}")
         if params["reach"] is None:
             params["reach"] = DEFAULT_RADIUS * self.cell
@@ -42,7 +42,7 @@ class Rasterize(Step):
             raise ValueError(f"steps: name: expected letters and digits, got {shown(name)}")
         self.raster = name
         self.margin = 0.0 if self.fill is None else self.fill + self.cell
-        self.reach = max(around, self.cell / 2) + self.margin
+        self.radius = max(around, self.cell / 2) + self.margin
 
     def run(self, part: Part, plan: Any, numbers: ExactSums | None) -> Part:
         return part

@@ -37,7 +37,7 @@ class Reproject(Step):
                 )
         self._way: Any = None
 
-    def settle(self, sources: list[dict[str, Any]]) -> None:
+    def adapt(self, sources: list[dict[str, Any]]) -> None:
         """Find the source's system and the target's coordinate scale."""
         path = Path(sources[0]["path"])
         pyproj: Any = import_for(path, "pyproj", "geo")
@@ -45,31 +45,31 @@ class Reproject(Step):
         if self.params["from_crs"] is None:
             source = system_of(path, open_las(path).header)
             if source is None:
-                remedy = "Say which one it is: from_crs='EPSG:25832' of the step, or --from-crs"
-                raise FileError(path, "tells no coordinate system to reproject from", remedy=remedy)
+                remedy = "Pass it as from_crs='EPSG:25832' of the step, or as --from-crs"
+                raise FileError(path, "has no coordinate system to reproject from", remedy=remedy)
         else:
             source = system_named("steps: reproject: from_crs", self.params["from_crs"])
         for name, system in (("to_crs", target), ("from_crs", source)):
             if not _plane_of(system).is_projected:
-                reason = f"{system.name} does not count in lengths, and tiles and trees are made of lengths"
-                raise ValueError(f"steps: reproject: {name}: {reason}; take a projected system")
+                reason = f"{system.name} is not in units of length, which tiles and search trees need"
+                raise ValueError(f"steps: reproject: {name}: {reason}. Use a projected system")
         filled = [one for one in sources if one["points"]]
         if not filled:
             return  # reported elsewhere
         units = [one.axis_info[0].unit_conversion_factor for one in (source, target)]
         if source.is_compound and not target.is_compound:  # heights and their datum stay
             heights = source.sub_crs_list[1]
-            told = pyproj.crs.CompoundCRS(f"{target.name} + {heights.name}", [target, heights])
+            output = pyproj.crs.CompoundCRS(f"{target.name} + {heights.name}", [target, heights])
         else:
-            told = target
+            output = target
         if not (source.is_compound and target.is_compound) and abs(units[0] / units[1] - 1) > SAME:
             names = [one.axis_info[0].unit_name for one in (source, target)]
             reason = f"x and y would be in {names[1]}, and heights stay in {names[0]}"
-            raise ValueError(f"steps: reproject: {reason}; name systems with heights, such as 'EPSG:2994+6360'")
+            raise ValueError(f"steps: reproject: {reason}. Use systems with heights, such as 'EPSG:2994+6360'")
         step = 10.0 ** math.floor(math.log10(sources[0]["scales"][0] * units[0] / units[1]) + 1e-9)
         self.params |= {
             "from_crs": source.to_wkt(),
-            "wkt": told.to_wkt("WKT1_GDAL"),
+            "wkt": output.to_wkt("WKT1_GDAL"),
             "scales": [step, step, sources[0]["scales"][2]],
         }
         middle = (np.min([s["low"] for s in filled], axis=0) + np.max([s["high"] for s in filled], axis=0)) / 2
@@ -96,8 +96,8 @@ class Reproject(Step):
             moved = np.column_stack([*self._way.transform(x, y), z])
         lost = int((~np.isfinite(moved).all(axis=1)).sum())
         if lost:
-            reason = f"{lost:,} of {len(points):,} points have no place in {self.params['to_crs']}"
-            raise ValueError(f"steps: reproject: {reason}; crop to the area of that system first")
+            reason = f"{lost:,} of {len(points):,} points have no position in {self.params['to_crs']}"
+            raise ValueError(f"steps: reproject: {reason}. Crop to the area of that system first")
         return moved
 
 

@@ -44,7 +44,7 @@ class Part:
             return self
         return self.take(np.flatnonzero(keep), self.cloud.select_by_mask(keep))
 
-    def beside(self, other: PointCloud | None) -> Part:
+    def with_epoch(self, other: PointCloud | None) -> Part:
         """Same part with or without another epoch."""
         return dataclasses.replace(self, other=other)
 
@@ -71,7 +71,7 @@ class Step:
 
     Attributes:
         name, params: Name as written by users; parameters in JSON's types with defaults.
-        reach: Dependence radius of a result. For the k nearest an estimate made by the plan.
+        radius: Dependence radius of a result. For the k nearest an estimate made by the plan.
         neighbors: k, of a step of the k nearest.
         needs_numbers, joins: True if the step needs global sums, or joined border data.
         hops: Number of radii that a result may depend on.
@@ -83,7 +83,7 @@ class Step:
     name = ""
     defaults: ClassVar[dict[str, Any]] = {}
     required: tuple[str, ...] = ()
-    reach = 0.0
+    radius = 0.0
     neighbors: int | None = None
     needs_numbers = False
     joins = False
@@ -106,16 +106,16 @@ class Step:
     def check(self) -> None:
         """Validate parameters and derive others."""
 
-    def settle(self, sources: list[dict[str, Any]]) -> None:
+    def adapt(self, sources: list[dict[str, Any]]) -> None:
         """Adapt parameters to the described files of the survey."""
 
     def spread_after(self, spread: float) -> float:
         """Maximum distance of points from their homes after the step."""
         return spread
 
-    def halo_before(self, after: float, spread: float, reach: float) -> float:
+    def halo_before(self, after: float, spread: float, radius: float) -> float:
         """Halo that the step needs so that a halo of `after` is correct."""
-        return after + self.hops * (reach + 2 * spread)
+        return after + self.hops * (radius + 2 * spread)
 
     def run(self, part: Part, plan: Any, numbers: Any) -> Part:
         """Apply the step to a part, with global sums or the tile's join result."""
