@@ -126,15 +126,7 @@ def test_parts_fit_each_other_to_the_bit(walk, whole, tmp_path):
         loom.tiling.finish_fusion(job, folder, overwrite=False)
     with pytest.raises(FileError, match=r"written as a \.ply file or a folder"):
         loom.tiling.finish_fusion(job, tmp_path / "mesh.obj")
-    with pytest.raises(FileError, match=r"
-<<<<<<< OURS
-contains other
-||||||| BASE
-holds other
-=======
-contains
->>>>>>> THEIRS
- files"):
+    with pytest.raises(FileError, match=r"contains other files"):
         loom.tiling.finish_fusion(job, walk)
 
 

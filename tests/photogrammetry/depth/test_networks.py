@@ -269,7 +269,7 @@ def test_a_model_of_another_size_than_the_preset_s_is_refused(tmp_path):
     assert loom.DepthModel(path, "midas-v2.1").preset == "midas-v2.1"
     with pytest.raises(loom.FileError, match=r"/m\.onnx \(input 'x'\):.*256.*256.*midas-v2\.1-small-onnx.*384.*384"):
         loom.DepthModel(path, "midas-v2.1-small-onnx")
-    with pytest.raises(loom.FileError, match="616 x 1064.* for metric3d-v2"):
+    with pytest.raises(loom.FileError, match=r"616 x 1064.* for metric3d-v2"):
         loom.DepthModel(path, "metric3d-v2")
     with pytest.raises(loom.FileError, match="for dpt"):  # only Depth Anything 3 has views
         loom.DepthModel(linear(tmp_path / "views.onnx", views=True), "dpt")

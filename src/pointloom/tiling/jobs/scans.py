@@ -185,9 +185,7 @@ class RegistrationJob(Job):
         graph, pairs, _ = _solve_graph(inputs, self.size, self.plan["free"])
         boxes = [transformed_box(self._surface(k), graph.poses[k]) for k in graph.members.tolist()]
         return {
-            "candidates": [
-                _pair_to_json(pair) for pair in loop_candidates(boxes, graph.poses, graph.members, pairs)
-            ]
+            "candidates": [_pair_to_json(pair) for pair in loop_candidates(boxes, graph.poses, graph.members, pairs)]
         }
 
 
