@@ -42,8 +42,10 @@ class CachedKernel(NamedTuple):
 def find(module: str, name: str) -> CachedKernel | None:
     """Kernel or sum of a module that was compiled ahead or by an earlier process, or None."""
     entry = cpu_archive.entry_of(module, name) or _read(module).get(name)
+    if entry is None:
+        return None
     try:
-        return entry and CachedKernel([FieldPath(k, tuple(path)) for k, path in entry[0]], *entry[1:])
+        return CachedKernel([FieldPath(k, tuple(path)) for k, path in entry[0]], *entry[1:])
     except (TypeError, ValueError):  # of another version
         return None
 

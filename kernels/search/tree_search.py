@@ -240,6 +240,7 @@ def search_within(tree: PointTree, queries: Points, radius: float) -> tuple[Inte
     common = [queries, order, tree]
     launch(count_within_kernel, total, [*common, max_sqdist, counts])
     offsets, neighbor_count = exclusive_scan(counts)
-    keys, indices, sqdists = (empty(neighbor_count, dtype, device) for dtype in (int64, int32, float32))
+    keys, indices = empty(neighbor_count, int64, device), empty(neighbor_count, int32, device)
+    sqdists = empty(neighbor_count, float32, device)
     launch(list_within_kernel, total, [*common, max_sqdist, offsets, keys, indices, sqdists])
     return indices, sqdists, offsets

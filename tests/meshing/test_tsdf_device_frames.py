@@ -84,7 +84,7 @@ def test_a_frame_on_a_gpu_waits_for_nothing(device, monkeypatch):
     monkeypatch.setattr(device_frames, "launch", None)  # what was recorded runs again
     touched = volume.integrate(depth, camera, T, color)
     if device.startswith("cuda"):
-        assert isinstance(touched, BlockCount) and touched._counts._found is None
+        assert isinstance(touched, BlockCount) and touched._counts._counts is None
     assert touched == volume.block_count > 0
 
 

@@ -141,9 +141,9 @@ def _digest(number: int, name: str, columns: dict[str, NDArray[Any]], pose: NDAr
     digest = hashlib.sha256(f"{number} {name}".encode())
     for field, values in columns.items():
         digest.update(field.encode())
-        digest.update(np.ascontiguousarray(values))
+        digest.update(np.ascontiguousarray(values).data)
     if pose is not None:
-        digest.update(np.ascontiguousarray(pose))
+        digest.update(np.ascontiguousarray(pose).data)
     return digest.digest()
 
 

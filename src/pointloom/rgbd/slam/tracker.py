@@ -488,7 +488,7 @@ def find_rivals(model: Model, frame: OdometryFrame, pose: Pose, farthest: float 
     side = BLOCK * volume.voxel_size
     coarse = matmul(_ball(int(min(farthest, FARTHEST) / side)) * side, axes.T)
     here = np.zeros((1, 3))
-    limits: dict[str, Any] = {"weight_threshold": threshold, "least": 0.0}
+    limits: dict[str, Any] = {"weight_threshold": threshold, "min_score": 0.0}
     min_score = COARSE_SHARE * float(score_shifts(volume, points, here, **limits, is_coarse=True)[0])
     met = score_shifts(volume, points, coarse, weight_threshold=threshold, min_score=min_score, is_coarse=True)
     order = np.argsort(-met, kind="stable")[:MAX_COARSE]
