@@ -22,7 +22,7 @@ pytest.register_assert_rewrite("tests.app.commands")  # its asserts tell what th
 def no_lines_of_progress(monkeypatch):
     """A command that compiles its kernels says so, and tells how far it is."""
     monkeypatch.setattr(console, "LINE_INTERVAL", float("inf"))
-    monkeypatch.setattr(compile_notices, "PATIENCE", threading.TIMEOUT_MAX)
+    monkeypatch.setattr(compile_notices, "NOTICE_DELAY", threading.TIMEOUT_MAX)
 
 
 @pytest.fixture

@@ -158,7 +158,7 @@ def test_a_fetch_that_is_interrupted_leaves_no_set(add, tmp_path, monkeypatch):
         raise KeyboardInterrupt
 
     with monkeypatch.context() as patched:
-        patched.setattr(fetching, "_settle", interrupted)
+        patched.setattr(fetching, "_publish", interrupted)
         with pytest.raises(KeyboardInterrupt):
             loom.datasets.fetch("made", tmp_path / "home")
     assert everything(tmp_path / "home") == ["downloads/made-frames.zip"]

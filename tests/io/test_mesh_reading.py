@@ -70,7 +70,7 @@ def test_polygons_and_what_is_no_surface(tmp_path):
     assert told == [
         "textures are dropped, because the file 'a.mtl' of its materials is not beside it",
         "points and lines are dropped, because a mesh cannot store them",
-        "names are dropped, because a mesh has no place for them: objects 'thing'; groups 'side'",
+        "names are dropped, because a mesh cannot store them: objects 'thing'; groups 'side'",
     ]
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 2]])
 

@@ -231,7 +231,7 @@ DAMAGE = {
     "origin: not finite": lambda a: a.update(origin=np.array([np.nan, 0, 0])),
     "shape: ": lambda a: a.update(shape=np.array([0, 3, 3])),
     "voxels are .* across": lambda a: a.update(shape=np.array([2**40, 7, 21])),
-    "is no pointloom distance field": lambda a: a.update(format=np.zeros(3, np.uint8)),
+    "is not a pointloom distance field": lambda a: a.update(format=np.zeros(3, np.uint8)),
 }
 
 

@@ -40,7 +40,7 @@ def test_clouds_without_pairs_leave_the_initial_pose(device, kind, nans, rng):
     init = as_pose([0.1, 0.2, 0.3], [1, 2, 3])
     source = rng.random((20, 3)) + 50
     clouds = full_cloud(np.full((20, 3), np.nan) if nans else source, device), full_cloud(rng.random((30, 3)), device)
-    with nothing() if nans else pytest.warns(loom.UnitWarning, match=r"middles 9\d\.?\d* m apart"):
+    with nothing() if nans else pytest.warns(loom.UnitWarning, match=r"centers 9\d\.?\d* m apart"):
         result = reg.registration_icp(*clouds, 1.0, init, KINDS[kind])
     np.testing.assert_allclose(result.transformation, init, atol=1e-14)
     assert (result.fitness, result.converged) == (0.0, False)

@@ -79,7 +79,7 @@ def test_points_without_a_place_are_counted(survey):
     ("step", "message"),
     [
         ({"to_crs": "EPSG:4326"}, "to_crs: WGS 84 is not in units of length"),
-        ({"to_crs": "EPSG:0"}, "to_crs: no coordinate system: 'EPSG:0'"),
+        ({"to_crs": "EPSG:0"}, "to_crs: expected a coordinate system, got 'EPSG:0'"),
         ({"to_crs": 3}, "to_crs: expected a system such as"),
     ],
 )

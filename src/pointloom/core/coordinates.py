@@ -74,12 +74,14 @@ def choose_origin(points: NDArray[Any], steps: NDArray[np.float64] | None = None
     return origin if steps is None else _refine(origin, sample_points(points), steps)
 
 
+@quiet()
 def warn_if_coarse(name: str, points: NDArray[Any], origin: NDArray[np.float64]) -> None:
     """Warn if points (n, 3) are float32 and so far from zero that digits have been lost."""
     if points.dtype == np.float32 and origin.any():
         warn_of_steps(name, sample_points(points, SPREAD_SAMPLE))
 
 
+@quiet()
 def warn_of_steps(name: str, sample: NDArray[np.float64]) -> None:
     """`warn_if_coarse` for a finite sample (n, 3) of float32 coordinates."""
     middle, spread = _spread_of(sample)

@@ -80,7 +80,7 @@ def test_a_level_of_a_dense_cloud_leaves_no_voxel_empty(rng):
 
 
 def test_large_nodes_are_cut_and_stay_within_their_cubes(rng, monkeypatch):
-    monkeypatch.setattr(detail_tree, "MOST", 500)
+    monkeypatch.setattr(detail_tree, "MAX_POINTS", 500)
     points = rng.random((30_000, 3))
     points[:2000] = 0.3  # in one place, which no halving parts
     tree = DetailTree.from_cloud(loom.PointCloud(points))
