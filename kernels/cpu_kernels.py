@@ -27,6 +27,7 @@ from .language import cpu_archive, cpu_code, pool_code
 from .language.kernel_cache import machine_code_of
 from .language.module_loading import load_module
 from .language.prepared_launches import WarpLaunch
+from .memory import empty
 
 import warp as wp  # isort: skip
 
@@ -34,7 +35,7 @@ import warp as wp  # isort: skip
 def _zero_of(kind: Any) -> Any:
     """An argument of a type: layouts depend on types only."""
     if isinstance(kind, wp.array):
-        return wp.empty(shape=(1,) * kind.ndim, dtype=kind.dtype, device="cpu")
+        return empty((1,) * kind.ndim, kind.dtype, "cpu")
     return kind(0)
 
 
@@ -49,6 +50,7 @@ def _entry(field_paths: Sequence[Any], kernel: Any) -> list[Any]:
 def compile_file(file: str, level: str, work: Path, output: Path) -> tuple[int, int, float]:
     """Compile a file of kernels into `output`. Returns the number of kernels, bytes and CPU seconds."""
     begin = time.process_time()
+    cpu_archive.disable()
     cpu_code.set_target(level)
     wp.config.kernel_cache_dir = str(work)
     importlib.import_module(file)
@@ -109,7 +111,6 @@ def main(arguments: Sequence[str]) -> int:
     parser.add_argument("--output", type=Path, default=cpu_archive.FOLDER, help="folder of the compiled kernels")
     parser.add_argument("--only", nargs="+", default=[], metavar="MODULE", help="these modules of kernels only")
     parsed = parser.parse_args(arguments)
-    os.environ[cpu_archive.VARIABLE] = ""  # compile everything
     try:
         files = find_files()
         if unknown := sorted(set(parsed.only) - set(files)):

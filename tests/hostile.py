@@ -176,7 +176,7 @@ def faults_of(
         with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             ignore_true_warnings()
-            warnings.filterwarnings("ignore", "geometries: nothing to draw")  # right of no points
+            warnings.filterwarnings("ignore", "geometries: expected points or faces")  # right of no points
             warnings.filterwarnings("ignore", "almost no depth is confirmed")  # right of a limit of next to nothing
             try:
                 result = call(**(arguments | {name: value}))

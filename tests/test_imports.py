@@ -60,9 +60,9 @@ SUBPACKAGES = {
 }
 
 # Top-level modules that may import from subpackages. lang.py and memory.py re-export the lowest subpackages,
-# check_cuda.py and cuda_cache.py read all of them.
+# check_cuda.py, cpu_kernels.py and cuda_cache.py read all of them.
 MODULES_ABOVE_SUBPACKAGES = {
-    "kernels": {"lang", "launches", "memory", "check_cuda", "cuda_cache"},
+    "kernels": {"lang", "launches", "memory", "check_cuda", "cpu_kernels", "cuda_cache"},
     "tiling": {"epochs", "halos", "plan", "rasters", "status", "work_tile"},
 }
 
@@ -77,6 +77,8 @@ WARP_FILES = {
     "kernels/lang.py",
     "kernels/language/casts.py",
     "kernels/language/compiled_ahead.py",
+    "kernels/cpu_kernels.py",
+    "kernels/language/cpu_archive.py",
     "kernels/language/cpu_code.py",
     "kernels/language/kernel_cache.py",
     "kernels/language/pool_code.py",

@@ -30,6 +30,7 @@ PREFIX = __name__.partition("language.")[0]
 # Highest first. The names of features in /proc/cpuinfo
 _V3 = {"avx", "avx2", "bmi1", "bmi2", "f16c", "fma", "abm", "movbe"}
 LEVELS = {"x86-64-v4": _V3 | {"avx512f", "avx512bw", "avx512cd", "avx512dq", "avx512vl"}, "x86-64-v3": _V3}
+_is_disabled = False
 LOGGER = logging.getLogger("pointloom")
 
 
@@ -59,8 +60,16 @@ def contains(machine_code: str) -> bool:
     return _folder() is not None and Path(machine_code).parent == _folder()
 
 
+def disable() -> None:
+    """Compile kernels in this process, for those that compile ahead."""
+    global _is_disabled
+    _is_disabled = True
+
+
 def folder() -> Path | None:
     """Folder with the levels, or None."""
+    if _is_disabled:
+        return None
     named = os.environ.get(VARIABLE)
     path = FOLDER if named is None else Path(named)
     return path if named != "" and path.is_dir() else None

@@ -109,7 +109,7 @@ def compare_meshes(
         >>> ball, larger = loom.TriangleMesh.create_sphere(1.0), loom.TriangleMesh.create_sphere(1.01)
         >>> found = loom.compare_meshes(ball, larger, thresholds=[0.02], samples=1000, limit=0.005)
         >>> round(found.metrics.hausdorff, 3), found.metrics.fscore.tolist(), found.warnings
-        (0.01, [100.0], ('the surfaces lie up to 0.01 m apart, more than 0.005 m',))
+        (0.01, [100.0], ('the surfaces are up to 0.01 m apart, more than 0.005 m',))
     """
     for name, mesh in (("first", first), ("second", second)):
         check_mesh(name, mesh)

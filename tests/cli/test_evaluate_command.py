@@ -92,7 +92,7 @@ def test_a_picture_is_of_the_poses_that_were_compared(tmp_path):
 
 def test_where_a_picture_cannot_be_written_is_told_before_the_work(paths, tmp_path):
     missing = tmp_path / "none.txt"  # which would be an error too, later
-    assert "written as .png" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "a.jpg")
+    assert "expected .png or .webp" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "a.jpg")
     assert "folder" in refusal("evaluate", missing, paths[1], "--picture", tmp_path / "nowhere" / "a.png")
     (tmp_path / "mine.png").write_text("mine")
     assert "--force" in refusal("evaluate", *paths, "--picture", tmp_path / "mine.png")

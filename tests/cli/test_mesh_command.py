@@ -261,7 +261,7 @@ def test_a_room_looks_inwards_and_an_object_or_a_sheet_does_not():
 def test_outputs_are_checked_before_the_input_is_read(tmp_path):
     missing = tmp_path / "missing.ply"
     assert "meshes are not written to .pcd" in refusal("mesh", missing, tmp_path / "out.pcd")
-    assert "pictures are written as .png" in refusal("mesh", missing, tmp_path / "out.ply", "--picture", "out.jpg")
+    assert "expected .png or .webp" in refusal("mesh", missing, tmp_path / "out.ply", "--picture", "out.jpg")
     (tmp_path / "out.png").write_bytes(b"kept")
     said = refusal("mesh", missing, tmp_path / "out.ply", "--picture", tmp_path / "out.png")
     assert "out.png: exists already" in said

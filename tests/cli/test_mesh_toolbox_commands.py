@@ -172,7 +172,7 @@ def test_a_picture_shows_the_distances_and_how_often_each_occurs(ball, larger, t
 
 def test_where_a_picture_cannot_be_written_is_told_before_the_work(ball, tmp_path):
     missing = tmp_path / "none.ply"  # which would be an error too, later
-    assert "written as .png" in refusal("compare-meshes", missing, ball, "--picture", tmp_path / "map.jpg")
+    assert "expected .png or .webp" in refusal("compare-meshes", missing, ball, "--picture", tmp_path / "map.jpg")
     (tmp_path / "mine.png").write_text("mine")
     both = ("--picture", tmp_path / "mine.png", "--error-map", tmp_path / "map.ply")
     assert "--force" in refusal("compare-meshes", ball, ball, *both)

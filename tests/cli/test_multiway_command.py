@@ -84,7 +84,7 @@ def test_multiway_refuses_what_cannot_be_done_before_the_work(views, tmp_path):
     loom.write_point_cloud(views / "view3.ply", loom.PointCloud())
     assert "view3.ply: expected finite points, got no points" in refusal("multiway", views, "-o", output)
     loom.write_point_cloud(views / "view3.pcd", loom.PointCloud())
-    assert "holds files of several kinds: .pcd, .ply" in refusal("multiway", views, "-o", output)
+    assert "contains files of several types: .pcd, .ply" in refusal("multiway", views, "-o", output)
     for path in [path for path in views.iterdir() if path.name != "view2.ply"]:
         path.unlink()
     assert "expected at least two clouds, got view2.ply only" in refusal("multiway", views, "-o", output)

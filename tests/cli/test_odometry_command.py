@@ -73,7 +73,7 @@ def test_a_scan_that_does_not_overlap_is_unreliable(drive, tmp_path, rng):
     report = unreliable("odometry", drive, "-o", tmp_path / "poses.txt", "--max-range", 50, "--min-range", 0.5)
     assert report["predicted"] == [2]
     assert "1 of 5 scans" in str(report["warnings"])
-    assert "torn at scan 2" in str(report["warnings"])
+    assert "broken at scan 2" in str(report["warnings"])
     assert len(read_trajectory(tmp_path / "poses.txt")) == 5
     shown = run("odometry", drive, "-o", tmp_path / "b.txt", "--max-range", 50, "--min-range", 0.5)
     assert "predicted  1: scan 2" in shown.stdout

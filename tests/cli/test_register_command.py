@@ -207,7 +207,7 @@ def test_a_small_share_of_correspondences_is_unreliable(near, tmp_path):
     [
         ("-o", "T.log", "poses are not written to .log"),
         ("--aligned", "c.docx", "clouds are not written to .docx"),
-        ("--picture", "p.jpg", "pictures are written as .png"),
+        ("--picture", "p.jpg", "expected .png or .webp"),
         ("-o", "none/T.txt", "the folder"),
     ],
 )

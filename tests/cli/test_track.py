@@ -113,7 +113,7 @@ def test_a_missing_picture_is_left_out_and_named(guided, frames, tmp_path):
     (frames / "frame-000004.color.png").unlink()
     report = unreliable("track", frames, "-o", tmp_path / "poses.txt")
     assert report["frames"] == 5
-    assert "1 of 6 frames lack a picture and are left out, the first frame-000004.color.png" in str(report["warnings"])
+    assert "1 of 6 frames lack an image and are left out, the first frame-000004.color.png" in str(report["warnings"])
 
 
 def test_frames_out_of_reach_are_unreliable(guided, frames, tmp_path):
@@ -151,7 +151,7 @@ def test_a_camera_of_another_size_is_told_by_the_option(guided, frames, tmp_path
     camera.write_text(json.dumps(content | {"width": 640, "height": 480}))
     said = refusal("track", frames, "-o", tmp_path / "a.txt", "--intrinsic", camera)
     assert "is 160 x 120, but the intrinsic given is for 640 x 480" in said
-    assert "Give --intrinsic of these pictures" in said
+    assert "Give --intrinsic of these images" in said
 
 
 def test_an_interruption_leaves_nothing(guided, frames, tmp_path):

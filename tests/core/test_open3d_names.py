@@ -52,7 +52,7 @@ MESSAGES = [
     ("cloud.estimate_normals(search_param=1)", r"no argument 'search_param'; here: keywords: radius=0\.1, max_nn=30"),
     ("cloud.estimate_normals(search_param=hybrid)", r"here: estimate_normals\(radius=0\.1, max_nn=30\)"),
     ("cloud.voxel_down_sample(voxle_size=1)", "did you mean 'voxel_size'"),
-    ("cloud.voxel_down_sample()", "PointCloud.voxel_down_sample.. misses voxel_size"),
+    ("cloud.voxel_down_sample()", "PointCloud.voxel_down_sample.. is missing voxel_size"),
     ("loom.compute_fpfh_feature(cloud, 0.25, 100)", r"write compute_fpfh_feature\(cloud, radius=0\.25, max_nn=100\)"),
     ("loom.TSDFVolume(0.02, 0.08)", r"write TSDFVolume\(voxel_size=0\.02, truncation=0\.08\)"),
     ("loom.PointCloud(cloud.points, cloud.points)", r"write PointCloud\(points, normals=\.\.\.\)"),

@@ -17,7 +17,7 @@ import pointloom as loom
 from pointloom.core import verbosity
 from pointloom.core.checks import check_progress
 {begin}
-verbosity.PATIENCE = 0.0
+verbosity.LOG_INTERVAL = 0.0
 say = check_progress(None)
 say("pairs", 3, 10)
 logging.getLogger("pointloom").debug("details")

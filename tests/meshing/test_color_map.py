@@ -202,7 +202,7 @@ def test_a_mesh_without_triangles_is_colored_by_depth_and_refused_by_rays(device
     colors = color(scene).mesh.vertex_colors
     scene.mesh = loom.TriangleMesh(scene.mesh.vertices, device=device)
     assert (color(scene).mesh.vertex_colors == colors).all()
-    with pytest.raises(ValueError, match="mesh: .*triangles"):
+    with pytest.raises(ValueError, match=r"mesh: .*triangles"):
         color(scene, occlusion="rays")
     scene.mesh = loom.TriangleMesh(device=device)
     with pytest.raises(ValueError, match="expected vertices to color"):

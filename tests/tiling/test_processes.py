@@ -8,6 +8,8 @@ import signal
 import subprocess
 import sys
 import threading
+import time
+from concurrent.futures import ThreadPoolExecutor
 from functools import partial
 from pathlib import Path
 
@@ -236,6 +238,31 @@ def test_processes_map_in_order_and_repeat_what_a_dead_one_had(tmp_path):
         assert [*pool.map(partial(die, tmp_path / "again", 2), ((k,) for k in range(5)))] == [*range(5)]
         with pytest.raises(loom.FileError, match=r"made\.laz"):
             [*pool.map(partial(die, tmp_path / "again", 99), ((k,) for k in range(5)))]
+
+
+def wait_for(path, value):
+    while not path.exists():
+        time.sleep(0.01)
+    return value
+
+
+def forget_tasks(dask_scheduler):
+    """Release the tasks of all clients, as dask may do when a worker dies. Returns their number."""
+    for client in [*dask_scheduler.clients]:
+        dask_scheduler.client_releases_keys([*dask_scheduler.tasks], client)
+    return len(dask_scheduler.tasks)
+
+
+@pytest.mark.slow
+def test_tasks_that_the_scheduler_lost_are_submitted_again(tmp_path, monkeypatch):
+    monkeypatch.setattr(processes, "CHECK_INTERVAL", 0.2)
+    with Processes(1, tmp_path / "made.laz") as pool, ThreadPoolExecutor(1) as thread:
+        results = thread.submit(lambda: [*pool.map(partial(wait_for, tmp_path / "go"), ((k,) for k in range(2)))])
+        while not pool._client.run_on_scheduler(lambda dask_scheduler: len(dask_scheduler.tasks) == 2):
+            assert not results.done()
+        pool._client.run_on_scheduler(forget_tasks)
+        (tmp_path / "go").touch()
+        assert results.result(60) == [0, 1]
 
 
 @pytest.mark.slow

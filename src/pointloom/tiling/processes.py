@@ -30,6 +30,7 @@ from .manifest import DIED, MAX_ATTEMPTS, NAME, Manifest, worker_lock
 LOOK = 0.2  # [s] between queries for tasks that other runs may release
 CONNECT_TIMEOUT = 10.0  # [s] for a connection to a scheduler
 MAX_WITHOUT_WORKERS = 60.0  # [s]
+CHECK_INTERVAL = 20.0  # [s] without a result, before the scheduler is asked whether it still has the task
 _QUIET = ("client", "core", "scheduler", "comm", "batched", "nanny")  # loggers of distributed
 _PRELOAD = "import signal; signal.signal(signal.SIGINT, signal.SIG_IGN)"  # Ctrl-C ends the process that started them
 Result = TypeVar("Result")
@@ -108,17 +109,44 @@ class Processes:
             return
         waiting: deque[Any] = deque()
         for task in tasks:
-            waiting.append(self._client.submit(call, *task, pure=False))
+            waiting.append((self._client.submit(call, *task, pure=False), call, task))
             if len(waiting) > self.count:
-                yield self._result(waiting.popleft())
+                yield self._result(*waiting.popleft())
         while waiting:
-            yield self._result(waiting.popleft())
+            yield self._result(*waiting.popleft())
 
-    def _result(self, future: Any) -> Any:
+    def _result(self, future: Any, call: Callable[..., Result], task: tuple[Any, ...]) -> Result:
+        while True:
+            try:
+                return _result_of(self._client, future)
+            except LostTaskError:
+                future = self._client.submit(call, *task, pure=False)
+            except importlib.import_module("distributed").KilledWorker as error:
+                raise FileError(self._path, DIED, remedy="Use fewer workers") from error
+
+
+class LostTaskError(RuntimeError):
+    """The scheduler no longer has a task that was submitted: dask may lose one when a worker process dies."""
+
+
+def _result_of(client: Any, future: Any) -> Any:
+    """Wait for the result of a future, or raise its error. Raises LostTaskError if none can come."""
+    while True:
         try:
-            return future.result()
-        except importlib.import_module("distributed").KilledWorker as error:
-            raise FileError(self._path, DIED, remedy="Use fewer workers") from error
+            return future.result(timeout=CHECK_INTERVAL)
+        except TimeoutError:
+            if future.status == "error":  # of the task itself
+                raise
+            if _is_lost(client, future):
+                raise LostTaskError(future.key) from None
+
+
+def _is_lost(client: Any, future: Any) -> bool:
+    return future.status in ("pending", "finished") and not client.run_on_scheduler(_has_task, future.key)
+
+
+def _has_task(key: str, dask_scheduler: Any = None) -> bool:
+    return key in dask_scheduler.tasks
 
 
 def _run_here(manifest: Manifest, book: Book, device: str, notify: Callable[[], None]) -> None:
@@ -141,7 +169,7 @@ def _run_on(
 ) -> None:
     """Run tasks on a client's workers, one at a time each: dask counts a death against all tasks of a worker."""
     path, running, ready = manifest.folder / NAME, {}, set[str]()
-    seen = time.monotonic()
+    seen = last_result = time.monotonic()
     while True:
         workers = _workers(client, path)
         ready |= _prepared(client, path, workers - ready, device)
@@ -154,9 +182,18 @@ def _run_on(
         if time.monotonic() - seen > MAX_WITHOUT_WORKERS:
             reason = f"no worker was connected to {client.scheduler.address} for a minute"
             raise FileError(path, reason, remedy="Start workers: dask worker ADDRESS --nthreads 1 --memory-limit 0")
-        for future in _ended(running):
-            _record(path, book, running.pop(future), future)
-            notify()
+        ended = _ended(running)
+        if not ended and time.monotonic() - last_result > CHECK_INTERVAL:
+            ended = [future for future in running if _is_lost(client, future)]
+        last_result = time.monotonic() if ended else last_result
+        for future in ended:
+            task_of = running.pop(future)
+            try:
+                _record(client, path, book, task_of, future)
+            except LostTaskError:
+                running[client.submit(_call, call, task_of, device, pure=False)] = task_of
+            else:
+                notify()
         if task is True:
             manifest.release_claims()
 
@@ -173,12 +210,15 @@ def _ended(running: dict[Any, Any]) -> list[Any]:
         return []
 
 
-def _record(path: Path, book: Book, task: Any, future: Any) -> None:
+def _record(client: Any, path: Path, book: Book, task: Any, future: Any) -> None:
+    """Record the end of a task. Raises LostTaskError if it must be submitted again."""
     if future.cancelled() or future.status == "lost":
         reason = "the connection to the scheduler was lost, or it dropped a task"
         raise FileError(path, reason, remedy="Run it again to resume")
     try:
-        result = future.result()
+        result = _result_of(client, future)
+    except LostTaskError:
+        raise
     except importlib.import_module("distributed").KilledWorker:
         book.quarantine(task, DIED)
     except Exception as error:  # user code in steps

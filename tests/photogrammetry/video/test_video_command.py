@@ -212,7 +212,7 @@ def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, said
         (["-o", "room.txt"], "meshes are not written to .txt"),
         (["-o", "there/room.ply"], "the folder there does not exist"),
         (["-o", "old.ply"], "exists already. Give another name, or --force"),
-        (["-o", "room.ply", "--picture", "room.jpg"], "pictures are written as .png"),
+        (["-o", "room.ply", "--picture", "room.jpg"], "expected .png or .webp"),
         (["-o", "room.ply", "--cloud", "room.mp3"], "clouds are not written to .mp3"),
         (["-o", "room.ply", "--trajectory", "room.csv"], "poses are not written to .csv"),
         (["-o", "room.ply", "--align", "nowhere.txt"], "nowhere.txt: cannot be read: No such file"),

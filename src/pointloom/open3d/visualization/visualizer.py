@@ -19,6 +19,7 @@ from ...core.attribute_hints import KnownNames
 from ...core.checks import check_callback, check_color, check_count, check_positive
 from ...core.errors import FileError
 from ...core.json_files import read_json_object
+from ...core.units import without_warnings
 from ...meshing.mesh.mesh import TriangleMesh
 from ...visualization.render.open3d_views import read_view, write_view
 from ...visualization.render.render import render
@@ -282,16 +283,17 @@ class Visualizer(KnownNames):
     def _drawn(self, *, depth: bool = False) -> Any:
         option = self._option
         smooth = "smooth" if option.mesh_shade_option is MeshShadeOption.Color else None
-        return render(
-            self._entries(),
-            self._control._view(),
-            point_size=option.point_size,
-            point_show_normal=bool(option.point_show_normal),
-            mesh_show_wireframe=bool(option.mesh_show_wireframe),
-            background=tuple(option.background_color.tolist()),
-            shading=smooth,
-            depth=depth,
-        )
+        with without_warnings(UserWarning):  # an empty window is no mistake
+            return render(
+                self._entries(),
+                self._control._view(),
+                point_size=option.point_size,
+                point_show_normal=bool(option.point_show_normal),
+                mesh_show_wireframe=bool(option.mesh_show_wireframe),
+                background=tuple(option.background_color.tolist()),
+                shading=smooth,
+                depth=depth,
+            )
 
 
 class VisualizerWithKeyCallback(Visualizer):

@@ -128,7 +128,7 @@ def find_features(
         >>> from pointloom.photogrammetry.sfm.features import find_features
         >>> find_features("no such folder", "features.db")
         Traceback (most recent call last):
-        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
+        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of images
     """
     clock, report = Clock(), check_progress(progress)
     check_camera_model(camera_model)

@@ -98,7 +98,7 @@ def map_pictures(
         >>> from pointloom.photogrammetry.sfm.mapping import map_pictures
         >>> map_pictures(".", "matches.db", "sparse")
         Traceback (most recent call last):
-        pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features makes one
+        pointloom.core.errors.FileError: matches.db: does not exist. sfm.find_features creates one
     """
     clock, report = Clock(), check_progress(progress)
     if not isinstance(fix_intrinsic, bool):

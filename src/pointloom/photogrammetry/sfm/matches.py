@@ -201,7 +201,7 @@ def match(
         >>> from pointloom.photogrammetry.sfm.matches import match
         >>> match("features.db", "matches.db")
         Traceback (most recent call last):
-        pointloom.core.errors.FileError: features.db: does not exist. sfm.find_features makes one
+        pointloom.core.errors.FileError: features.db: does not exist. sfm.find_features creates one
     """
     clock, report = Clock(), check_progress(progress)
     check_option("pairs", pairs, PAIRS)

@@ -227,7 +227,7 @@ def assess_model(
         >>> from pointloom.photogrammetry.sfm.model_quality import assess_model
         >>> found = assess_model(None, 12)
         >>> found.registered_count, found.warnings[0].split(":")[0]
-        (0, 'none of the 12 pictures could be placed')
+        (0, 'none of the 12 images could be registered')
     """
     if model is not None and not isinstance(model, SfmModel):
         raise TypeError(f"model: expected an SfmModel or None, got {type(model).__name__}")

@@ -67,7 +67,7 @@ def reconstruct(
         >>> import pointloom as loom
         >>> loom.sfm.reconstruct("no such folder", "work")
         Traceback (most recent call last):
-        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
+        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of images
     """
     check_path("pictures", pictures)
     folder = check_path("work", work)

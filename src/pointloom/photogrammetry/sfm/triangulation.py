@@ -115,7 +115,7 @@ def triangulate(
         >>> model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
         >>> loom.sfm.triangulate("no such folder", model)
         Traceback (most recent call last):
-        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of pictures
+        pointloom.core.errors.DatasetError: no such folder: does not exist. Give a folder of images
     """
     clock, report, folder = Clock(), check_progress(progress), check_path("pictures", pictures)
     if not isinstance(cameras, SfmModel):

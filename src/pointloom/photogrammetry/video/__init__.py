@@ -14,7 +14,7 @@ Example:
     >>> import pointloom as loom
     >>> loom.video.Settings(max_frames=1)
     Traceback (most recent call last):
-    ValueError: max_frames: expected a whole number >= 2, got 1
+    ValueError: max_frames: expected an integer >= 2, got 1
 """
 
 from ...public_names import attach  # pyright: ignore[reportMissingImports]

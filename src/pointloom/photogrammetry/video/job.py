@@ -120,7 +120,7 @@ def reconstruct(
         >>> import pointloom as loom
         >>> loom.video.reconstruct("no such film.mp4", loom.video.Settings(max_frames=60))
         Traceback (most recent call last):
-        pointloom.core.errors.FileError: no such film.mp4: does not exist. Give a video, or a folder of pictures
+        pointloom.core.errors.FileError: no such film.mp4: does not exist. Give a video, or a folder of images
     """
     settings, outputs = _checked(settings, outputs)
     outputs.check(overwrite=overwrite)

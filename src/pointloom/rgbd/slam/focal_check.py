@@ -50,7 +50,7 @@ class FocalCheck(Assessed):
     Example:
         >>> from pointloom.rgbd.slam.focal_check import FocalCheck
         >>> print(FocalCheck(pairs=8, residual=0.004, factor=1.0, residual_there=0.004))
-        8 pairs of turned frames are 4.0 mm off each other, and no other focal length fits better
+        8 pairs of rotated frames have a residual of 4.0 mm, and no other focal length fits better
         >>> FocalCheck(pairs=8, residual=0.012, factor=1.25, residual_there=0.004).reliable
         False
     """
