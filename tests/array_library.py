@@ -1,7 +1,7 @@
-"""A library of arrays that is none of ours: what DLPack asks of one, on the CPU and on CUDA, with a stream of its own.
+"""A simulated array library: it implements DLPack on the CPU and on CUDA, with its own stream.
 
 It goes by cupy's name, which nothing here has. Its arrays note the streams that are named to them. Tests take it, Warp,
-and torch and jax where they are installed, by `stand_in`.
+and torch and jax where they are installed, by `fake_library`.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class ndarray:  # noqa: N801  as cupy has it
         return int(kind), int(index)
 
     def __dlpack__(self, *, stream: int | None = None) -> Any:
-        self.library.asked_streams.append(stream)
+        self.library.requested_streams.append(stream)
         if self.memory.device.is_cuda:
             assert isinstance(stream, int)
             event = self.library.stream.record_event()  # by no wp.Stream: Warp would forget the stream at its end
@@ -71,13 +71,13 @@ ndarray.__module__ = "cupy"
 
 
 class Library(ModuleType):
-    """The module; on a GPU it works on a stream that nobody else knows."""
+    """The module; on a GPU it works on a private stream."""
 
     def __init__(self, device: str):
         super().__init__("cupy")
         self.device = device
         self.stream: Any = wp.Stream(device) if device != "cpu" else None
-        self.asked_streams: list[int | None] = []
+        self.requested_streams: list[int | None] = []
 
     def asarray(self, values: Any) -> ndarray:
         memory = wp.array(np.ascontiguousarray(values), device=self.device)
@@ -101,7 +101,7 @@ def installed(device: str, monkeypatch: Any) -> Library:
 LIBRARIES = ["warp", "cupy", *(name for name in ("torch", "jax") if importlib.util.find_spec(name) is not None)]
 
 
-def stand_in(name: str, device: str, monkeypatch: Any) -> SimpleNamespace:
+def fake_library(name: str, device: str, monkeypatch: Any) -> SimpleNamespace:
     """A library: `make` an array of its of NumPy's where `device` is, its `address`, and back to NumPy by `host`."""
     if name == "cupy":
         cupy = installed(device, monkeypatch)
@@ -134,9 +134,9 @@ def package(values: Any) -> str:
     return type(values).__module__.partition(".")[0].replace("jaxlib", "jax")
 
 
-def assert_same(library: SimpleNamespace, found: Any, expected: np.ndarray) -> None:
-    """An array of the library with NumPy's numbers; jax holds 64 bits in 32 unless it is told otherwise."""
-    assert package(found) == library.name
-    host = library.host(found)
+def assert_same(library: SimpleNamespace, result: Any, expected: np.ndarray) -> None:
+    """An array of the library with NumPy's numbers; jax stores 64 bits in 32 by default."""
+    assert package(result) == library.name
+    host = library.host(result)
     kind = host.dtype if library.name == "jax" else expected.dtype
     np.testing.assert_array_equal(host, expected.astype(kind), strict=True)

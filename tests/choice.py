@@ -39,17 +39,17 @@ def pytest_addoption(parser: pytest.Parser) -> None:
     parser.addoption(TAICHI, action="store_true", help="the tests that run on Taichi")
 
 
-def places_of(definition: pytest.Item) -> list[str]:
+def cpu_devices_of(definition: pytest.Item) -> list[str]:
     """The CPU runs of a test that takes `device`, as its name gives them."""
     both = definition.get_closest_marker("both_compilers") is not None or TESTS / "kernels" in definition.path.parents
-    return [place for place, compiler in COMPILERS.items() if both or compiler == "warp"]
+    return [name for name, compiler in COMPILERS.items() if both or compiler == "warp"]
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
     """Leave out tests, and begin with the groups that take longest in processes of pytest-xdist."""
     quick, rest, mode = config.getoption(OPTION), config.getoption(REST), oracle.mode_of(config)
     taichi = config.getoption(TAICHI)
-    kept = [
+    selected = [
         item
         for item in items
         if (HAS_TAICHI or not needs_taichi(item))
@@ -58,10 +58,10 @@ def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item
         and (not rest or is_in_rest(item))
         and (not taichi or needs_taichi(item))
     ]
-    if len(kept) < len(items):
-        chosen = set(kept)
+    if len(selected) < len(items):
+        chosen = set(selected)
         config.hook.pytest_deselected(items=[item for item in items if item not in chosen])
-        items[:] = kept
+        items[:] = selected
     if hasattr(config, "workerinput"):
         items.sort(key=lambda item: rank_of(group_of(item.path), DEAREST))
 
@@ -92,24 +92,24 @@ def needs_taichi(item: pytest.Item) -> bool:
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_xdist_make_scheduler(config: pytest.Config, log: Any) -> Any:
-    """Tests of a room share a process, which so loads the room's kernels once, and makes its fixtures once.
+    """Tests of a subpackage share a process, which loads its kernels and makes its fixtures once.
 
     By the names of the tests: what xdist_group adds to them for `--dist loadgroup` does not arrive under pytest 9.2.
     """
     from xdist.scheduler import LoadScopeScheduling
 
-    class Rooms(LoadScopeScheduling):
+    class PackageScheduling(LoadScopeScheduling):
         def _split_scope(self, nodeid: str) -> str:
             return group_of(config.rootpath / nodeid.partition("::")[0])
 
-    return Rooms(config, log)
+    return PackageScheduling(config, log)
 
 
 def group_of(path: Path) -> str:
-    """The house of a test file, or its room where it has rooms; of a file that lies beside the houses, itself."""
-    house, *rest = path.relative_to(TESTS).parts
-    return "/".join([house, *rest[:-1][:1]])
+    """The package or subpackage of a test file; for a file directly in tests/, the file itself."""
+    package, *rest = path.relative_to(TESTS).parts
+    return "/".join([package, *rest[:-1][:1]])
 
 
-def rank_of(group: str, dearest: Sequence[str]) -> int:
-    return dearest.index(group) if group in dearest else len(dearest)
+def rank_of(group: str, slowest: Sequence[str]) -> int:
+    return slowest.index(group) if group in slowest else len(slowest)

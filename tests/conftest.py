@@ -1,8 +1,8 @@
-"""What the tests share: the devices of the machine, real scans, tolerances, Open3D's form of a cloud.
+"""Shared fixtures: devices, real scans, tolerances, conversion of clouds to Open3D.
 
 A test that takes `device` runs once for each compiler of CPU kernels (in `make test` on one: choice.py), and on the
-first GPU where there is one. Without a GPU its runs there are left out, and one line of the summary says so;
---emulated-cuda takes an emulated one. Taichi's are left out in the same way where it is not installed.
+first GPU if there is one. Without a GPU these runs are skipped, and one line of the summary reports it;
+--emulated-cuda uses an emulated one. Runs on Taichi are skipped in the same way if it is not installed.
 """
 
 from __future__ import annotations
@@ -26,18 +26,18 @@ from . import choice, oracle
 from .cpu_seconds import CpuSeconds
 from .emulated_cuda import plugin as emulated_cuda
 
-# Of processes that tests start, whose first use of a kernel is told on stderr otherwise; here it is as users have it.
+# Processes started by tests would otherwise report the first use of a kernel on stderr; here it is as for users.
 os.environ.setdefault("POINTLOOM_VERBOSITY", "warning")
 logging.getLogger("pointloom").setLevel(logging.INFO)
 
-asked_for_device = False
+device_requested = False
 
 
 def pytest_addoption(parser: pytest.Parser, pluginmanager: pytest.PytestPluginManager) -> None:
     emulated_cuda.add_options(parser)
     for plugin in (choice, oracle, CpuSeconds()):
         pluginmanager.register(plugin)
-    emulated_cuda.install_if_asked_for(pluginmanager.get_plugin("pytestconfig"))  # before the next conftest starts Warp
+    emulated_cuda.install_if_requested(pluginmanager.get_plugin("pytestconfig"))  # before the next conftest starts Warp
 
 
 @cache
@@ -50,11 +50,11 @@ def has_cuda() -> bool:
 
 
 def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
-    global asked_for_device
+    global device_requested
     if "device" in metafunc.fixturenames:
-        asked_for_device = True
-        places = [*choice.places_of(metafunc.definition), *(["cuda:0"] if has_cuda() else [])]
-        metafunc.parametrize("device", places, indirect=True)
+        device_requested = True
+        devices = [*choice.cpu_devices_of(metafunc.definition), *(["cuda:0"] if has_cuda() else [])]
+        metafunc.parametrize("device", devices, indirect=True)
 
 
 @pytest.hookimpl(wrapper=True)
@@ -70,17 +70,17 @@ def pytest_collection() -> Iterator[Any]:
 
 def pytest_sessionfinish(session: pytest.Session) -> None:
     if hasattr(session.config, "workeroutput"):  # of a process beside others (pytest -n): the first one sums up
-        session.config.workeroutput["asked_for_device"] = asked_for_device
+        session.config.workeroutput["device_requested"] = device_requested
 
 
 @pytest.hookimpl(optionalhook=True)
 def pytest_testnodedown(node: Any) -> None:
-    global asked_for_device
-    asked_for_device |= getattr(node, "workeroutput", {}).get("asked_for_device", False)
+    global device_requested
+    device_requested |= getattr(node, "workeroutput", {}).get("device_requested", False)
 
 
 def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
-    if asked_for_device and not has_cuda():
+    if device_requested and not has_cuda():
         terminalreporter.write_line("SKIPPED CUDA: no device here, its tests did not run")
     if not (choice.HAS_TAICHI and oracle.HAS_OPEN3D) and not terminalreporter.config.getoption(choice.OPTION):
         terminalreporter.write_line("SKIPPED Taichi or Open3D: not installed, tests that need them did not run")
@@ -88,7 +88,7 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 @pytest.fixture
 def device(request: pytest.FixtureRequest) -> Iterator[str]:
-    """A device's name, "cpu" or "cuda:0", with the compiler of CPU kernels that the test's name says."""
+    """A device's name, "cpu" or "cuda:0", with the compiler of CPU kernels given in the test's name."""
     from pointloom.kernels.lang import cpu_compiler
 
     compiler = choice.COMPILERS.get(request.param)
@@ -101,7 +101,7 @@ def device(request: pytest.FixtureRequest) -> Iterator[str]:
 
 @pytest.fixture(scope="session")
 def write_kernels(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Callable[[str, str], ModuleType]]:
-    """A function (name, source) -> module, for kernels that a test makes up; their source has to lie in a file."""
+    """A function (name, source) -> module, for kernels defined by a test; their source must be in a file."""
     folder, names = tmp_path_factory.mktemp("kernels"), []
 
     def write(name: str, source: str) -> ModuleType:
@@ -177,7 +177,7 @@ def scan_set(request: pytest.FixtureRequest) -> str:
 
 @pytest.fixture(scope="session")
 def scan_file(scan_set, real_file, shipped_file) -> Callable[[str], Path]:
-    """`shipped_file` or `real_file`: tests/data holds cuts of scans by the paths of the whole ones."""
+    """`shipped_file` or `real_file`: tests/data contains cuts of scans by the paths of the complete ones."""
     return {"shipped": shipped_file, "real": real_file}[scan_set]
 
 
@@ -249,7 +249,7 @@ def lidar(scan_set, real_file, made_street):
 
 @pytest.fixture(scope="session")
 def terrain(shipped_file):
-    """An airborne tile at UTM coordinates, [n, 3] float64; its file holds y in steps of 0.5 m."""
+    """An airborne tile at UTM coordinates, [n, 3] float64; its file stores y in steps of 0.5 m."""
     import pointloom as loom
 
     return loom.read_point_cloud(shipped_file("lidar-pcl-terrain/samp21-utm.pcd")).points

@@ -1,6 +1,6 @@
-"""The tests that take most of a run, by the CPU seconds of their process and of those that it waited for.
+"""The slowest tests, by the CPU seconds of their process and of its child processes.
 
-Seconds of the clock would say which tests ran while the machine had other work.
+Wall-clock seconds would show which tests ran while the machine had other work.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import pytest
 
-SHOWN, FEWEST = 20, 0.3  # tests, and the CPU seconds [s] below which there is nothing to tell
+SHOWN, MIN_SECONDS = 20, 0.3  # tests, and the CPU seconds [s] below which a test is not listed
 SLOW = 1.0  # [s] from which on a test is marked `slow`
 
 
@@ -43,9 +43,9 @@ class CpuSeconds:
         self.seconds[report.nodeid] += report.cpu_seconds
 
     def pytest_terminal_summary(self, terminalreporter: Any) -> None:
-        dearest = [(test, spent) for test, spent in self.seconds.most_common(SHOWN) if spent >= FEWEST]
-        if not dearest:
+        slowest = [(test, spent) for test, spent in self.seconds.most_common(SHOWN) if spent >= MIN_SECONDS]
+        if not slowest:
             return
-        terminalreporter.section(f"dearest tests, of {self.seconds.total() / 60:.1f} CPU min")
-        for test, spent in dearest:
+        terminalreporter.section(f"slowest tests, of {self.seconds.total() / 60:.1f} CPU min")
+        for test, spent in slowest:
             terminalreporter.write_line(f"{spent:6.1f} s  {test}")

@@ -2,7 +2,7 @@
 
     python tests/flakes.py --runs 20 --loaded-runs 10 [--keep FOLDER] [paths and options of pytest]
 
-Loaded runs have eight busy processes beside them. A retry counts as a difference (tests/browser retries a failed test
+Eight busy processes run during loaded runs. A retry counts as a difference (tests/browser retries a failed test
 once). The exit code is 1 if an outcome differed or a test failed.
 """
 
@@ -55,7 +55,7 @@ class Outcomes:
 
     def add(self, *reports: str) -> Counter[str]:
         """Add the JUnit reports of a run. Returns its number of tests by outcome."""
-        found: dict[str, str] = {}
+        by_name: dict[str, str] = {}
         self.skipped = Counter()
         for case in (case for report in reports for case in ElementTree.fromstring(report).iter("testcase")):
             name = f"{case.get('classname')}::{case.get('name')}"
@@ -64,13 +64,13 @@ class Outcomes:
                 self.skipped[message] += 1
             elif message:
                 self.messages.setdefault(name, []).append(message)
-            found[name] = outcome if found.get(name, "passed") == "passed" else found[name]
-        for name in found.keys() - self.tests.keys():
+            by_name[name] = outcome if by_name.get(name, "passed") == "passed" else by_name[name]
+        for name in by_name.keys() - self.tests.keys():
             self.tests[name] = ["absent"] * self.runs
         for name, outcomes in self.tests.items():
-            outcomes.append(found.get(name, "absent"))
+            outcomes.append(by_name.get(name, "absent"))
         self.runs += 1
-        return Counter(found.values())
+        return Counter(by_name.values())
 
     def differing(self) -> dict[str, Counter[str]]:
         """Outcomes of the tests that had more than one, were retried or failed."""

@@ -19,7 +19,7 @@ import numpy as np
 import pointloom as loom
 from pointloom.core.units import NonFiniteWarning
 
-# What is no number at all, or none that 64 bits hold: refused wherever a number is expected.
+# Values that are not numbers, or do not fit in 64 bits: refused wherever a number is expected.
 NO_NUMBERS: dict[str, Any] = {
     "a string of digits": "0.1",
     "a string": "much",
@@ -92,7 +92,7 @@ def _spoiled(points: Any, normals: Any = None) -> loom.PointCloud:
 
 
 def hostile_clouds() -> dict[str, loom.PointCloud]:
-    """Clouds that real files hold now and then: points at infinity, nowhere, or farther apart than squares hold."""
+    """Clouds that occur in real files: points at infinity, NaN, or so far apart that squares overflow."""
     rng = np.random.default_rng(1)
     good = rng.random((60, 3))
     some, normals = good.copy(), rng.normal(size=(60, 3))
@@ -148,24 +148,23 @@ def faults_of(
     finite: bool = True,
     also: str = "",
 ) -> list[str]:
-    """What is wrong with the answers of a call to hostile values of one argument, one line each.
+    """Faults of a call for hostile values of one argument, one line each.
 
-    An answer is right where it is a result, or an error of the kinds that users are promised whose message names the
-    argument, or another of the call's that it does not agree with. Where the argument is a number, nothing else may be
-    taken for one. Warnings are wrong.
+    A call is correct if it returns a result or raises a documented error. The message must name the argument, or
+    another one that it conflicts with. If the argument is a number, no other type may be accepted. Warnings are faults.
 
     Args:
-        call: What is called with `arguments`, which are good.
-        name: The argument in whose place each hostile value is put.
-        clouds: The argument takes clouds alone, so that an array is an error that says how to make one.
-        finite: A number that it takes must be finite.
-        also: Another word by which a message may name it.
+        call: The function to call with `arguments`, which are valid.
+        name: The argument that each hostile value replaces.
+        clouds: The argument accepts only clouds; the error for an array must show how to make one.
+        finite: The argument must be finite.
+        also: An alternative name of the argument in messages.
     """
     good = arguments[name]
     names = [*arguments, also] if also else [*arguments]
     if name in PATHS:
         names.append("PathLike")  # Python's own words
-    wanted = re.compile(rf"\b({'|'.join(names)})\b")
+    pattern = re.compile(rf"\b({'|'.join(names)})\b")
     numbers = NO_NUMBERS if finite else {title: NO_NUMBERS[title] for title in NO_NUMBERS if title not in NOT_FINITE}
     is_number = isinstance(good, int | float) and not isinstance(good, bool)
     faults = []
@@ -183,7 +182,7 @@ def faults_of(
                 if inspect.isgenerator(result):
                     list(result)
             except ERRORS as error:
-                if not wanted.search(str(error)) and not isinstance(error, loom.FileError):
+                if not pattern.search(str(error)) and not isinstance(error, loom.FileError):
                     faults.append(f"{where}: the message does not name it: {type(error).__name__}: {str(error)[:160]}")
                 elif clouds and value is not NO_POINTS and "PointCloud(array)" not in str(error):
                     faults.append(f"{where}: the message does not say how to make a cloud: {str(error)[:160]}")
@@ -204,7 +203,7 @@ Table = dict[str, tuple[str, dict[str, str]]]
 
 
 def read_table(lines: str, homes: dict[str, str]) -> Table:
-    """Calls as lines of Python: by their public name (`homes` says whose methods a variable has), what is called and
+    """Calls as lines of Python: by their public name (`homes` maps variables to their classes), the function and
     the expression of each argument."""
     table = {}
     for line in filter(None, lines.splitlines()):
@@ -243,8 +242,8 @@ def public_arguments(module: ModuleType, left_out: set[str]) -> dict[str, set[st
                 for full, method in methods.items()
                 if inspect.isroutine(getattr(value, method)) and full not in left_out
             }
-    found = {name: _arguments(call) for name, call in calls.items()}
-    return {name: arguments for name, arguments in found.items() if arguments}
+    all_arguments = {name: _arguments(call) for name, call in calls.items()}
+    return {name: arguments for name, arguments in all_arguments.items() if arguments}
 
 
 def _arguments(call: Callable[..., Any]) -> set[str]:

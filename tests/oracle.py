@@ -41,7 +41,7 @@ def pytest_addoption(parser: pytest.Parser) -> None:
 
 
 def mode_of(config: pytest.Config) -> str:
-    """The mode that is asked for; the stored answers with `--quick` and without Open3D."""
+    """The requested mode; the stored answers with `--quick` and without Open3D."""
     return config.getoption(OPTION) or ("live" if HAS_OPEN3D and not config.getoption("--quick") else "stored")
 
 
@@ -79,7 +79,7 @@ def oracle(request: pytest.FixtureRequest) -> Callable[..., Any]:
 
 
 def write_answer(path: Path, answer: Any, version: str) -> None:
-    """Write an answer; the file is not touched if it holds the same one within rounding."""
+    """Write an answer; the file is not changed if it contains the same one within rounding."""
     arrays: list[np.ndarray] = []
     tree = json.dumps({"open3d": version, "answer": pack(answer, arrays)})
     content = io.BytesIO()

@@ -21,11 +21,11 @@ class Block:
     """A block of code.
 
     Attributes:
-        page: Where it stands, from the root.
-        line: Of its fence, from 1.
-        language: As its fence says.
-        code: What it holds.
-        reason: Why it is not run; None where it is.
+        page: Path of the page, from the root.
+        line: Line of its fence, from 1.
+        language: The language of its fence.
+        code: The code.
+        reason: Why it is not run; None if it is.
     """
 
     page: str
@@ -35,7 +35,7 @@ class Block:
     reason: str | None
 
     def source(self) -> str:
-        """The code as Python compiles it, at the line where it stands; of a session what is typed."""
+        """The code as Python compiles it, with its line numbers on the page; of a session the input only."""
         code = self.code
         if code.startswith(">>>"):
             code = "".join(example.source for example in doctest.DocTestParser().get_examples(code))
@@ -44,7 +44,7 @@ class Block:
 
 def blocks_of(page: str) -> list[Block]:
     """The blocks of a page, in order."""
-    found, lines = [], (ROOT / page).read_text().splitlines()
+    blocks, lines = [], (ROOT / page).read_text().splitlines()
     start = None
     for number, line in enumerate(lines):
         if not line.lstrip().startswith("```"):
@@ -53,12 +53,12 @@ def blocks_of(page: str) -> list[Block]:
             start = number
             continue
         before = next((text for text in reversed(lines[:start]) if text.strip()), "")
-        said = NOT_RUN.fullmatch(before.strip())
+        reason = NOT_RUN.fullmatch(before.strip())
         code = "\n".join(lines[start + 1 : number]) + "\n"
-        found.append(Block(page, start + 1, lines[start].strip().strip("`"), code, said[1] if said else None))
+        blocks.append(Block(page, start + 1, lines[start].strip().strip("`"), code, reason[1] if reason else None))
         start = None
     assert start is None, f"{page}: the block of line {start} has no end"
-    return found
+    return blocks
 
 
 EXTRAS = tomllib.loads((ROOT / "pyproject.toml").read_text())["project"]["optional-dependencies"]
@@ -67,17 +67,17 @@ TARGETS = set(re.findall(r"^([\w-]+):", (ROOT / "Makefile").read_text(), flags=r
 
 def commands_in(code: str) -> list[list[str]]:
     """The commands of a shell block in words, the parts of a pipe apart, without settings of the environment."""
-    found = []
+    commands = []
     for line in code.replace("\\\n", " ").splitlines():
         words = shlex.split(line, comments=True)
         part: list[str] = []
         for word in [*words, "|"]:
             if word in ("|", "&&", ">"):
-                found += [part] if part else []
+                commands += [part] if part else []
                 part = []
             elif part or not re.fullmatch(r"[A-Z_]+=.*", word):
                 part.append(word)
-    return found
+    return commands
 
 
 def fault_of(words: list[str]) -> str | None:
@@ -105,8 +105,8 @@ def fault_of(words: list[str]) -> str | None:
         wrong = [word for word in rest if "=" not in word and not word.startswith("-") and word not in TARGETS]
         return f"no such target of the Makefile: {wrong}" if wrong else None
     if name == "pip":
-        asked = [extra for word in rest for extra in re.findall(r"pointloom\[(.+)\]", word)]
-        wrong = [extra for listed in asked for extra in listed.split(",") if extra not in EXTRAS]
+        extras = [extra for word in rest for extra in re.findall(r"pointloom\[(.+)\]", word)]
+        wrong = [extra for listed in extras for extra in listed.split(",") if extra not in EXTRAS]
         return f"no such extra: {wrong}" if wrong else None
     if name == "python":
         return None if (ROOT / rest[0]).is_file() else f"no such script: {rest[0]}"

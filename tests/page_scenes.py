@@ -34,13 +34,13 @@ def room(count: int = 20_000, seed: int = 0) -> loom.PointCloud:
         ((3.0, 2.5, 0.02), (0, 0, 0)), ((3.0, 0.02, 2.0), (0, 0, 0)), ((0.02, 2.5, 2.0), (0, 0, 0)),
         ((0.8, 0.5, 0.7), (0.3, 0.4, 0.05)), ((0.4, 0.9, 0.4), (1.8, 1.2, 0.05)), ((0.3, 0.3, 1.4), (2.4, 0.2, 0.05)),
     ]  # fmt: skip
-    boxes = [loom.TriangleMesh.create_box(*size).translate(place) for size, place in parts]
+    boxes = [loom.TriangleMesh.create_box(*size).translate(position) for size, position in parts]
     ball = loom.TriangleMesh.create_sphere(0.3).translate([1.2, 1.7, 0.4])
-    whole = sum([*boxes[1:], ball], boxes[0])
-    return whole.sample_points_uniformly(count, seed=seed)
+    mesh = sum([*boxes[1:], ball], boxes[0])
+    return mesh.sample_points_uniformly(count, seed=seed)
 
 
-def turned() -> np.ndarray:
+def example_pose() -> np.ndarray:
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = Rotation.from_euler("z", 20, degrees=True).as_matrix(), [0.3, -0.2, 0.1]
     return T
@@ -48,12 +48,12 @@ def turned() -> np.ndarray:
 
 def two_scans() -> dict[str, Any]:
     loom.write_point_cloud("scan.ply", room())
-    loom.write_point_cloud("scan2.ply", room(seed=1).transform(turned()))
+    loom.write_point_cloud("scan2.ply", room(seed=1).transform(example_pose()))
     return {}
 
 
 def source_and_target() -> dict[str, Any]:
-    return {"target": room(), "source": room(seed=1).transform(turned())}
+    return {"target": room(), "source": room(seed=1).transform(example_pose())}
 
 
 def pair_nearby() -> dict[str, Any]:
@@ -65,8 +65,8 @@ def pair_nearby() -> dict[str, Any]:
     }  # fmt: skip
 
 
-def walk(folder: str) -> Callable[[], dict[str, Any]]:
-    """A folder of frames of a room with their poses, as 7-Scenes stores them."""
+def sequence_in_folder(folder: str) -> Callable[[], dict[str, Any]]:
+    """A folder of frames of a room with their poses, in the format of 7-Scenes."""
 
     def make() -> dict[str, Any]:
         write_room_sequence(folder, frame_count=FRAMES, width=320, height=240)
@@ -77,9 +77,9 @@ def walk(folder: str) -> Callable[[], dict[str, Any]]:
 
 def two_frames() -> dict[str, Any]:
     """A folder of two neighboring frames of a room."""
-    walk = room_sequence(120)
-    pair = [(frame.color, frame.depth) for frame in (walk.read(0), walk.read(1))]
-    loom.record_frames(loom.frames_from(pair, walk.intrinsic), "desk")
+    sequence = room_sequence(120)
+    pair = [(frame.color, frame.depth) for frame in (sequence.read(0), sequence.read(1))]
+    loom.record_frames(loom.frames_from(pair, sequence.intrinsic), "desk")
     return {}
 
 
@@ -90,16 +90,16 @@ def posed_frames() -> dict[str, Any]:
     }  # fmt: skip
 
 
-def parts_and_walk() -> dict[str, Any]:
-    """Three parts of a room that overlap, each in coordinates of its own, and frames."""
-    whole = room(40_000)
-    x = whole.points[:, 0]
-    parts = [whole.select_by_mask((x > low) & (x < low + 2.0)) for low in (0.0, 0.5, 1.0)]
-    return walk("kitchen")() | {"clouds": [part.transform(turned()) for part in parts]}
+def parts_and_sequence() -> dict[str, Any]:
+    """Three overlapping parts of a room, each in its own coordinates, and frames."""
+    full = room(40_000)
+    x = full.points[:, 0]
+    parts = [full.select_by_mask((x > low) & (x < low + 2.0)) for low in (0.0, 0.5, 1.0)]
+    return sequence_in_folder("kitchen")() | {"clouds": [part.transform(example_pose()) for part in parts]}
 
 
 def bunny() -> dict[str, Any]:
-    """A small mesh by a name that everybody knows."""
+    """A small mesh with a well-known name."""
     loom.write_triangle_mesh("bun_zipper.ply", loom.TriangleMesh.create_torus(0.06, 0.03, 100, 60))
     return {}
 
@@ -107,12 +107,12 @@ def bunny() -> dict[str, Any]:
 def surfaces() -> dict[str, Any]:
     loom.write_point_cloud("scan.ply", room(8000))
     Path("redkitchen").mkdir()
-    frames = walk("redkitchen/seq-01")()["frames"]
+    frames = sequence_in_folder("redkitchen/seq-01")()["frames"]
     return bunny() | {"room": loom.fuse(frames, voxel_size=0.05).mesh}
 
 
 def survey() -> dict[str, Any]:
-    """An airborne scan, or so, and somebody who looks at it."""
+    """A small airborne scan, and a viewer of it."""
     cloud = room()
     cloud["intensity"] = np.arange(len(cloud), dtype=np.uint16)
     loom.write_point_cloud("survey.laz", cloud)
@@ -145,20 +145,20 @@ def bent_fragments() -> dict[str, Any]:
 
 
 def scans_and_frames() -> dict[str, Any]:
-    walk("frames")()
+    sequence_in_folder("frames")()
     return two_scans()
 
 
 def robot() -> dict[str, Any]:
-    """A robot's recording of three turns of its scanner, and of where it was."""
+    """A robot's recording of three rotations of its scanner, and of its positions."""
     file_of(recorded_robot(Path.cwd(), scan_times=(11.0, 12.0, 13.0))).rename("run.mcap")
     return {}
 
 
-def walk_and_scans() -> dict[str, Any]:
-    walk("walk")()
+def sequence_and_scans() -> dict[str, Any]:
+    sequence_in_folder("walk")()
     Path("scans").mkdir()
-    for number, T in enumerate((np.eye(4), turned(), np.linalg.inv(turned()))):
+    for number, T in enumerate((np.eye(4), example_pose(), np.linalg.inv(example_pose()))):
         loom.write_point_cloud(f"scans/scan{number}.ply", room(seed=number).transform(T))
     return {}
 
@@ -166,19 +166,19 @@ def walk_and_scans() -> dict[str, Any]:
 SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
     "src/pointloom/cli/shell/SKILL.md": scans_and_frames,
-    "docs/frames.md": walk("kitchen"),
-    "docs/fusion-at-scale.md": walk_and_scans,
+    "docs/frames.md": sequence_in_folder("kitchen"),
+    "docs/fusion-at-scale.md": sequence_and_scans,
     "docs/large-clouds.md": survey,
-    "docs/logging.md": parts_and_walk,
+    "docs/logging.md": parts_and_sequence,
     "docs/meshes.md": bunny,
     "docs/models.md": colmap_project,
     "docs/odometry.md": two_frames,
-    "docs/reconstruction.md": walk("kitchen"),
+    "docs/reconstruction.md": sequence_in_folder("kitchen"),
     "docs/recorded_sensors.md": robot,
     "docs/recordings.md": pair_nearby,
     "docs/registration.md": source_and_target,
     "docs/slac.md": bent_fragments,
-    "docs/slam.md": walk("folder"),
+    "docs/slam.md": sequence_in_folder("folder"),
     "docs/submaps.md": posed_frames,
     "docs/surfaces.md": surfaces,
 }

@@ -1,4 +1,4 @@
-"""Parameters of dear tests: all combinations in `make test-all`, in `make test` so many that each two values meet."""
+"""Parameters of slow tests: all combinations in `make test-all`, pairwise combinations in `make test`."""
 
 from __future__ import annotations
 
@@ -22,10 +22,10 @@ def each_pair(**values: list[Any]) -> dict[str, Any]:
         "argnames": tuple(values),
         "argvalues": [
             pytest.param(
-                *(those[k] for those, k in zip(values.values(), places, strict=True)),
-                marks=() if places in few else pytest.mark.slow,
+                *(those[k] for those, k in zip(values.values(), indices, strict=True)),
+                marks=() if indices in few else pytest.mark.slow,
             )
-            for places in combinations
+            for indices in combinations
         ],
     }
 
@@ -35,10 +35,10 @@ def _few(combinations: list[tuple[int, ...]]) -> list[tuple[int, ...]]:
     left = set().union(*map(_pairs, combinations))
     few = []
     while left:
-        few.append(max(combinations, key=lambda places: len(_pairs(places) & left)))
+        few.append(max(combinations, key=lambda indices: len(_pairs(indices) & left)))
         left -= _pairs(few[-1])
     return few
 
 
-def _pairs(places: tuple[int, ...]) -> set[tuple[tuple[int, int], ...]]:
-    return set(itertools.combinations(enumerate(places), min(2, len(places))))
+def _pairs(indices: tuple[int, ...]) -> set[tuple[tuple[int, int], ...]]:
+    return set(itertools.combinations(enumerate(indices), min(2, len(indices))))

@@ -11,8 +11,8 @@ import pytest
 def on_sets(names: str, *, shipped: Iterable[Any] = (), real: Iterable[Any] = ()) -> pytest.MarkDecorator:
     """Run a test on cases of either set: values of the arguments `names`, a tuple or pytest.param of several."""
     cases = []
-    for scan_set, found in (("shipped", shipped), ("real", real)):
-        for case in found:
+    for scan_set, set_cases in (("shipped", shipped), ("real", real)):
+        for case in set_cases:
             values = getattr(case, "values", case if isinstance(case, tuple) else (case,))
             cases.append(pytest.param(*values, scan_set, marks=getattr(case, "marks", ())))
     return pytest.mark.parametrize((*names.split(), "scan_set"), cases, indirect=["scan_set"])

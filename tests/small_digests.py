@@ -27,14 +27,14 @@ NAMES = ("scipy_openblas_get_corename64_", "scipy_openblas_get_corename", "openb
 def blas_kernels() -> list[str]:
     """The name of the kernels of each loaded OpenBLAS."""
     lines = Path("/proc/self/maps").read_text().splitlines()
-    found = []
+    names = []
     for path in sorted({line.split()[-1] for line in lines if "openblas" in line}):
         library = ctypes.CDLL(path)
         function = next((getattr(library, name) for name in NAMES if hasattr(library, name)), None)
         if function is not None:
             function.restype = ctypes.c_char_p
-            found.append(function().decode())
-    return found
+            names.append(function().decode())
+    return names
 
 
 def main() -> None:
@@ -49,14 +49,14 @@ def main() -> None:
         json.dumps({"blas": blas_kernels(), "numpy": features, "flags": cpu_code.FLAGS, "pool": pool_code.is_usable()})
     )
     scenes = SmallScenes("cpu")
-    places = ("surface", "far", "dirty")
-    works = {f"{name} [{p}]": (work, p) for name, work in ON_CLOUDS.items() for p in places}
-    for name, (work, place) in {**works, **{name: (work, "") for name, work in ONCE.items()}}.items():
+    scene_names = ("surface", "far", "dirty")
+    works = {f"{name} [{p}]": (work, p) for name, work in ON_CLOUDS.items() for p in scene_names}
+    for name, (work, scene) in {**works, **{name: (work, "") for name, work in ONCE.items()}}.items():
         try:
-            found = digest(work(getattr(scenes, place) if place else scenes))
+            result = digest(work(getattr(scenes, scene) if scene else scenes))
         except Exception as error:  # on clouds that are far too small an error is a result too
-            found = f"error-{type(error).__name__}"
-        print(found, name, flush=True)
+            result = f"error-{type(error).__name__}"
+        print(result, name, flush=True)
 
 
 if __name__ == "__main__":

@@ -44,7 +44,7 @@ def test_every_target_names_an_operation_a_size_and_peers_that_run():
         assert set(target.peers) <= labels - {contest.OURS}
 
 
-def test_every_operation_has_ours_first_and_a_peer_on_every_device():
+def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device():
     import contest
 
     for _, operation in contest.operations().values():
@@ -53,12 +53,12 @@ def test_every_operation_has_ours_first_and_a_peer_on_every_device():
             labels = [label for _, _, label in operation.places(device)]
             assert labels[0] == contest.OURS and len(labels) > 1
             for label in labels:
-                contestant, place = operation.contestant(label, device)
-                assert place.split(":")[0] in contestant.devices or label == contest.OURS
+                contestant, device_name = operation.contestant(label, device)
+                assert device_name.split(":")[0] in contestant.devices or label == contest.OURS
 
 
 @pytest.mark.parametrize("name", ["voxel_down_sample", "marching_cubes", "knn20_with_build"])
-def test_ours_agrees_with_itself_and_not_with_a_wrong_answer(name):
+def test_results_agree_with_themselves_and_not_with_a_wrong_result(name):
     import contest
     import scenes
 
@@ -99,7 +99,7 @@ PEERS = {
 
 @pytest.mark.slow
 @pytest.mark.parametrize("peer", PEERS)
-def test_peer_that_is_here_agrees_with_ours_at_the_quick_size(peer, monkeypatch):
+def test_available_baselines_agree_with_pointloom_at_the_quick_size(peer, monkeypatch):
     import contest
 
     monkeypatch.delenv("OMP_NUM_THREADS", raising=False)  # py4dgeo warns if it is set
@@ -110,8 +110,8 @@ def test_peer_that_is_here_agrees_with_ours_at_the_quick_size(peer, monkeypatch)
     scene = make()
     facts = []
     for label in (contest.OURS, peer):
-        contestant, place = operation.contestant(label, "cpu")
-        facts.append(contestant.facts(contestant.trial(scene, place).once()))
+        contestant, device_name = operation.contestant(label, "cpu")
+        facts.append(contestant.facts(contestant.trial(scene, device_name).once()))
     operation.check(*facts, peer)
 
 

@@ -1,4 +1,4 @@
-"""Every block of code of the README and of docs/ runs, or says on its page why it cannot run everywhere."""
+"""Every block of code of the README and of docs/ runs, or has a comment on why it cannot run everywhere."""
 
 from __future__ import annotations
 

@@ -75,7 +75,7 @@ def pytest_addoption(parser):
 
 def pytest_generate_tests(metafunc):
     if "device" in metafunc.fixturenames:
-        metafunc.parametrize("device", choice.places_of(metafunc.definition))
+        metafunc.parametrize("device", choice.cpu_devices_of(metafunc.definition))
 
 @pytest.fixture
 def o3d():
@@ -151,7 +151,7 @@ def test_make_test_leaves_out_slow_tests_open3d_and_taichi(run_suite):
 
 
 @pytest.mark.nightly
-def test_all_tests_are_those_and_the_others(run_suite):
+def test_all_tests_include_those_left_out(run_suite):
     nightly = "test_a_nightly_claim"
     assert run_suite() == sorted([*QUICK_TESTS, *SLOW_TESTS, *ON_TAICHI, "test_of_open3d", nightly])
     assert run_suite("--rest") == sorted([*SLOW_TESTS, "test_of_open3d", "test_of_a_stored_answer"])
@@ -174,16 +174,16 @@ def test_the_compilers_are_compared_on_every_operation(owner):
     assert names - set(re.findall(r"\w+", written)) - excused == set()
 
 
-def test_the_dearest_rooms_begin():
+def test_the_slowest_subpackages_start_first():
     files = ["test_copies.py", "kernels/icp/test_step.py", "pcd/test_cloud.py", "kernels/test_memory.py"]
     groups = [choice.group_of(choice.TESTS / file) for file in files]
     assert groups == ["test_copies.py", "kernels/icp", "pcd", "kernels"]
     assert sorted(groups, key=lambda group: choice.rank_of(group, ("pcd", "kernels/icp")))[:2] == ["pcd", "kernels/icp"]
 
 
-def test_rooms_share_a_process(tmp_path):
-    rooms = ("kernels/icp", "kernels/fit", "pcd")
-    files = [f"{room}/test_{room.rpartition('/')[2]}_{k}.py" for k in range(6) for room in rooms]
+def test_subpackages_share_a_process(tmp_path):
+    packages = ("kernels/icp", "kernels/fit", "pcd")
+    files = [f"{room}/test_{room.rpartition('/')[2]}_{k}.py" for k in range(6) for room in packages]
     for file in files:
         path = tmp_path / file
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -196,7 +196,7 @@ def test_rooms_share_a_process(tmp_path):
     done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120)
     ran = re.findall(r"^\[(gw\d)\].* PASSED (\S+)/\w+\.py::", done.stdout, flags=re.MULTILINE)
     assert len(ran) == 5 * len(files), done.stdout
-    assert len(set(ran)) == len(rooms)
+    assert len(set(ran)) == len(packages)
 
 
 def test_in_make_test_each_two_values_of_parameters_meet():
@@ -211,17 +211,17 @@ def test_in_make_test_each_two_values_of_parameters_meet():
         assert met == {*itertools.product(*(list(values.values())[k] for k in (first, second)))}
 
 
-def test_the_dearest_rooms_are_there():
+def test_the_slowest_subpackages_exist():
     assert [group for group in choice.DEAREST if not (choice.TESTS / group).exists()] == []
     assert max(Counter(choice.DEAREST).values()) == 1
 
 
-def test_the_dearest_tests_are_told_in_order(capsys):
+def test_the_slowest_tests_are_listed_in_order(capsys):
     seconds = CpuSeconds()
     for test, spent in (("cheap", 0.1), ("dear", 1.0), ("dearer", 2.0), ("dear", 3.0)):
         seconds.pytest_runtest_logreport(SimpleNamespace(nodeid=test, cpu_seconds=spent))
     reporter = SimpleNamespace(section=print, write_line=print)
     seconds.pytest_terminal_summary(reporter)
     assert capsys.readouterr().out.splitlines() == [
-        "dearest tests, of 0.1 CPU min", "   4.0 s  dear", "   2.0 s  dearer",
+        "slowest tests, of 0.1 CPU min", "   4.0 s  dear", "   2.0 s  dearer",
     ]  # fmt: skip

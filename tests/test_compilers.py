@@ -29,7 +29,7 @@ def lines(names):
     ]
 
 
-def test_what_is_dear_is_there():
+def test_slow_entries_exist():
     assert {*ON_CLOUDS, *ONCE} >= NIGHTLY
 
 
@@ -39,21 +39,21 @@ def results_agree():
     made = {}
 
     def check(operation) -> None:
-        found = {}
+        digests = {}
         for compiler in ("warp", "taichi"):
             with cpu_compiler(compiler):
                 made.setdefault(compiler, SmallScenes("cpu"))
-                found[compiler] = digest(operation(made[compiler]))
-        assert found["taichi"] == found["warp"]
+                digests[compiler] = digest(operation(made[compiler]))
+        assert digests["taichi"] == digests["warp"]
 
     return check
 
 
 @pytest.mark.parametrize("operation", lines(ON_CLOUDS))
-def test_both_compilers_give_a_cloud_the_same_bits(results_agree, operation):
+def test_both_compilers_are_bitwise_identical_on_clouds(results_agree, operation):
     results_agree(lambda scenes: ON_CLOUDS[operation](scenes.surface))
 
 
 @pytest.mark.parametrize("operation", lines(ONCE))
-def test_both_compilers_give_a_scene_the_same_bits(results_agree, operation):
+def test_both_compilers_are_bitwise_identical_on_scenes(results_agree, operation):
     results_agree(ONCE[operation])

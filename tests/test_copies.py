@@ -1,4 +1,4 @@
-"""What users hold can be copied, pickled and printed in a line."""
+"""Public objects can be copied, pickled and printed in a line."""
 
 from __future__ import annotations
 
@@ -57,7 +57,7 @@ WAYS = {"pickle": lambda made: pickle.loads(pickle.dumps(made)), "copy": copy.co
 
 @pytest.mark.parametrize("way", WAYS)
 @pytest.mark.parametrize("name", MADE)
-def test_a_copy_holds_the_same(device, name, way):
+def test_a_copy_has_the_same_contents(device, name, way):
     make, bits = MADE[name]
     made = make(device)
     again = WAYS[way](made)
@@ -67,7 +67,7 @@ def test_a_copy_holds_the_same(device, name, way):
 
 
 @pytest.mark.parametrize("way", [*WAYS, "copy()"])
-def test_a_copied_volume_goes_its_own_way(device, way):
+def test_a_copied_volume_is_independent(device, way):
     volume = make_volume(device)
     before = surface_bits(volume)
     other = volume.copy() if way == "copy()" else WAYS[way](volume)
@@ -85,6 +85,6 @@ def test_a_copied_mesh_is_assigned_to_by_itself(device):
 
 
 @pytest.mark.parametrize("name", MADE)
-def test_what_is_printed_is_a_line(device, name):
+def test_printed_objects_are_one_line(device, name):
     text = repr(MADE[name][0](device))
     assert "\n" not in text and len(text) < 160 and " object at " not in text

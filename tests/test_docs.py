@@ -44,7 +44,7 @@ def test_every_page_is_reached_from_the_readme():
 
 
 @pytest.mark.parametrize("page", PAGES)
-def test_examples_import_public_names_alone(page):
+def test_examples_import_only_public_names(page):
     blocks = re.findall(r"```python\n(.*?)```", (ROOT / page).read_text(), flags=re.DOTALL)
     imports = re.findall(r"from (pointloom[\w.]*) import|import (pointloom[\w.]+)", "\n".join(blocks))
     public = {"pointloom", *(f"pointloom.{name}" for name in ("registration", "slam", "mvs", "sfm", "odometry"))}

@@ -15,19 +15,19 @@ MODULES = sorted(
     for path in (PACKAGE / folder).rglob("*.py")
     if ">>> " in path.read_text(encoding="utf-8")
 )
-# Over a second of CPU; tests of the same names hold what they do.
-DEAR = {
+# Over a second of CPU; tests of the same names check the same.
+SLOW = {
     "pointloom.datasets.made.objects", "pointloom.datasets.made.photographs", "pointloom.datasets.made.room",
     "pointloom.datasets.made.terrain", "pointloom.meshing.volume.splat_fusion",
     "pointloom.registration.deformable.nonrigid", "pointloom.tiling.jobs.fusion",
 }  # fmt: skip
 
 
-def test_what_is_dear_is_there():
-    assert {*MODULES} >= DEAR
+def test_slow_entries_exist():
+    assert {*MODULES} >= SLOW
 
 
-@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in DEAR)) for name in MODULES])
+@pytest.mark.parametrize("name", [pytest.param(name, marks=[pytest.mark.slow] * (name in SLOW)) for name in MODULES])
 def test_the_examples_of_a_module_run(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)  # for examples that write files
     module = importlib.import_module(name)

@@ -2,7 +2,7 @@
 
 kernels/linear_algebra.py has what takes their place.
 
-The exceptions are in KEPT, by file and function, each with the reason.
+The exceptions are in ALLOWED, by file and function, each with the reason.
 """
 
 from __future__ import annotations
@@ -22,7 +22,7 @@ LINALG |= {"slogdet", "solve", "svd"}
 NUMPY = {"convolve", "corrcoef", "correlate", "cov", "dot", "inner", "matmul", "polyfit", "tensordot", "vdot"}
 SPARSE = "a sparse product, which SciPy adds up itself"
 DECIDES = "compared with a limit alone: no bit of it is in a result"
-KEPT = {
+ALLOWED = {
     ("core/checks.py", "check_transformation"): DECIDES,
     ("kernels/language/taichi_compiler.py", "dot"): "device code of Taichi",
     ("kernels/linear_algebra.py", "_with_signs"): "only the signs are used",
@@ -72,21 +72,21 @@ def calls_of(node: ast.AST, function: str = "") -> Iterator[tuple[str, str, int]
 
 
 @cache
-def found_in(package: str) -> dict[tuple[str, str], list[str]]:
-    """The calls of a package by file and function; "*" stands for all functions of a file."""
-    found: dict[tuple[str, str], list[str]] = {}
+def occurrences_in(package: str) -> dict[tuple[str, str], list[str]]:
+    """The calls of a package by file and function; "*" means all functions of a file."""
+    result: dict[tuple[str, str], list[str]] = {}
     for path in sorted((PACKAGE / package).rglob("*.py")):
         name = path.relative_to(PACKAGE).as_posix()
         for function, text, line in calls_of(ast.parse(path.read_text(encoding="utf-8"))):
-            key = (name, "*") if (name, "*") in KEPT else (name, function)
-            found.setdefault(key, []).append(f"{name}:{line}: {text}")
-    return found
+            key = (name, "*") if (name, "*") in ALLOWED else (name, function)
+            result.setdefault(key, []).append(f"{name}:{line}: {text}")
+    return result
 
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_host_code_leaves_no_sum_to_blas(package):
-    assert [text for key, texts in found_in(package).items() if key not in KEPT for text in texts] == []
+    assert [text for key, texts in occurrences_in(package).items() if key not in ALLOWED for text in texts] == []
 
 
 def test_every_exception_is_still_there():
-    assert KEPT.keys() <= {key for package in PACKAGES for key in found_in(package)}
+    assert ALLOWED.keys() <= {key for package in PACKAGES for key in occurrences_in(package)}

@@ -84,7 +84,7 @@ def fatbin(*entries: tuple[int, int, bytes]) -> bytes:
     return struct.pack("<IHHQ", 0xBA55ED50, 1, 16, len(body)) + body
 
 
-def test_one_architectures_code_is_kept_in_a_library(tmp_path):
+def test_code_for_one_architecture_is_stored_in_a_library(tmp_path):
     library = tmp_path / "library.so"
     content = [(2, 80, b"a" * 24), (2, 90, b"b" * 40), (1, 90, b"c" * 16)]
     library.write_bytes(b"head" + fatbin(*content) + b"between" + fatbin((2, 75, b"d" * 8)))
@@ -100,8 +100,8 @@ def test_pieces_are_cut_into_calls_and_put_together_again(tmp_path):
     first.write_bytes(random[: 3 << 20])
     second.write_bytes(random[3 << 20 :])
     pieces = [layout.Piece("warp", first), layout.Piece("wheels", None), layout.Piece("open3d", second)]
-    said = layout.lay_out(tmp_path / "out", pieces, 3, (2 << 20) + layout.SPARE)
-    assert "wheels: not made, left out" in said and "warp: 3.0 MiB, whole with call 2" in said
+    report = layout.lay_out(tmp_path / "out", pieces, 3, (2 << 20) + layout.SPARE)
+    assert "wheels: not made, left out" in report and "warp: 3.0 MiB, whole with call 2" in report
     for name, expected in (("warp", random[: 3 << 20]), ("open3d", random[3 << 20 :])):
         parts = sorted((tmp_path / "out").glob(f"*/{name}.*.part*"), key=lambda path: path.name)
         assert b"".join(path.read_bytes() for path in parts) == expected

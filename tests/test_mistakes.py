@@ -1,4 +1,4 @@
-"""Each mistake of docs/mistakes.md is answered with the words that stand there, and its mend is answered with none."""
+"""Each mistake of docs/mistakes.md gives the message listed there, and its fix gives none."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ MISTAKES = [ROW.fullmatch(line) for line in LINES if line.startswith("| `")]
 
 @pytest.fixture(scope="module")
 def scene():
-    """What the page's code stands on: a scan of a room without normals, a mesh, two pictures and their camera."""
+    """The variables of the page's code: a scan of a room without normals, a mesh, two images and their camera."""
     room = loom.TriangleMesh.create_box(1.0, 2.0, 3.0)
     sampled = room.sample_points_uniformly(1500, seed=1)
     rng = np.random.default_rng(0)
@@ -52,8 +52,8 @@ def files(scene, tmp_path_factory):
     return folder
 
 
-def said(code, names):
-    """What a line says: the class and the words of its error, or of its only warning; None where it says nothing."""
+def error_of(code, names):
+    """The class and the message of a line's error, or of its only warning; None without either."""
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         try:
@@ -69,12 +69,12 @@ def pattern(words):
 
 
 @pytest.mark.parametrize("row", MISTAKES, ids=lambda row: row[1][:60] if row else "no row")
-def test_a_mistake_is_answered_with_its_mend_and_the_mend_with_nothing(row, scene, files, monkeypatch):
+def test_a_mistake_raises_the_documented_error_and_its_fix_does_not(row, scene, files, monkeypatch):
     assert row, "a row that is no mistake, words and mend"
     monkeypatch.chdir(files)
-    mistake, kind, words, mend = row.groups()
+    mistake, kind, words, fix = row.groups()
     names = dict(scene, cloud=scene["cloud"].copy())
-    answer = said(mistake, names)
-    assert answer is not None, f"{mistake} says nothing"
-    assert answer[0] == kind and re.match(pattern(words), answer[1]), f"{mistake}: {answer[0]}: {answer[1]}"
-    assert said(mend, dict(scene, cloud=scene["cloud"].copy())) is None
+    error = error_of(mistake, names)
+    assert error is not None, f"{mistake} says nothing"
+    assert error[0] == kind and re.match(pattern(words), error[1]), f"{mistake}: {error[0]}: {error[1]}"
+    assert error_of(fix, dict(scene, cloud=scene["cloud"].copy())) is None

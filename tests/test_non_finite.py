@@ -20,7 +20,7 @@ from .test_translation import CASES, things
 
 COUNT = 750
 ARGUMENT = re.compile(r"[\w.\[\], ]+: ")
-PLACE = np.array([1.53, 1.22, 0.01])  # of the element that is added
+POSITION = np.array([1.53, 1.22, 0.01])  # of the element that is added
 
 # More operations, by inputs that test_translation.py has none of.
 MORE = """
@@ -97,30 +97,30 @@ MORE = """
 
 # Where a number that is not finite has other effects: the reason, and the claim about (the result, that without it).
 EXCEPTIONS = {
-    "mesh.subdivide_loop corner": ("a new vertex is a mean of those around it", lambda found, _: few_rows(found, 6)),
-    "mesh.subdivide_midpoint corner": ("a new vertex is the middle of an edge", lambda found, _: few_rows(found, 3)),
-    "mesh.extrude_linear corner": ("each vertex is copied", lambda found, _: few_rows(found, 2)),
-    "mesh.compute_vertex_curvature corner": ("it is that of the triangles around", lambda found, _: few_rows(found, 3)),
+    "mesh.subdivide_loop corner": ("a new vertex is a mean of those around it", lambda actual, _: few_rows(actual, 6)),
+    "mesh.subdivide_midpoint corner": ("a new vertex is the middle of an edge", lambda actual, _: few_rows(actual, 3)),
+    "mesh.extrude_linear corner": ("each vertex is copied", lambda actual, _: few_rows(actual, 2)),
+    "mesh.compute_vertex_curvature corner": ("it depends on the triangles", lambda actual, _: few_rows(actual, 3)),
     "loom.TriangleMesh.concatenate corner": (
         "triangles of the second mesh have other numbers",
-        lambda found, without: np.array_equal(found - (found > 768), without),
+        lambda actual, without: np.array_equal(actual - (actual > 768), without),
     ),
     "cloud.region_growing normals": (
         "a neighbor without a normal takes a place of one with a normal",
-        lambda found, without: (found[: len(without)] != without).sum() <= 2,
+        lambda actual, without: (actual[: len(without)] != without).sum() <= 2,
     ),
 }
 TOLERANCES = {"normal_disagreement": 2e-3, "registration": 1e-3}  # a neighbor without a normal takes a place
 
 
-def few_rows(found: np.ndarray, count: int) -> bool:
+def few_rows(actual: np.ndarray, count: int) -> bool:
     """True if no more rows of a result than these are not finite."""
-    return int((~np.isfinite(found).reshape(len(found), -1).all(axis=1)).sum()) <= count
+    return int((~np.isfinite(actual).reshape(len(actual), -1).all(axis=1)).sum()) <= count
 
 
 def grown_cloud(cloud: loom.PointCloud, changes: dict[str, np.ndarray]) -> loom.PointCloud:
     """The cloud with one more point."""
-    rows = {"points": PLACE, "normals": np.array([0, 0, 1.0]), "colors": np.full(3, 0.5)} | changes
+    rows = {"points": POSITION, "normals": np.array([0, 0, 1.0]), "colors": np.full(3, 0.5)} | changes
     arrays = {n: np.vstack([getattr(cloud, n), row]) for n, row in rows.items() if n == "points" or n in cloud}
     return loom.PointCloud(arrays.pop("points"), device=cloud.device, **arrays)
 
@@ -131,7 +131,7 @@ def grown_mesh(mesh: loom.TriangleMesh, x: float, is_used: bool) -> loom.Triangl
     return loom.TriangleMesh(np.vstack([mesh.vertices, [x, 0.1, 0.2]]), triangles, device=mesh.device)
 
 
-def in_place(values: Any, value: float) -> np.ndarray:
+def with_value(values: Any, value: float) -> np.ndarray:
     """The array with another number at its end; a matrix of a pose with another translation."""
     values = np.array(values, np.float64)
     values[
@@ -143,19 +143,19 @@ def in_place(values: Any, value: float) -> np.ndarray:
 def grown(values: Any, value: float | None = None) -> np.ndarray:
     """The rows and one more, the last with another number in it."""
     values = np.concatenate([values, values[-1:]])
-    return values if value is None else in_place(values, value)
+    return values if value is None else with_value(values, value)
 
 
 PER_POINT = ("points", "normals", "weight", "covariances", "dopplers", "times", "descriptors")
 PER_QUERY = ("queries", "radii", "scales")
-IN_PLACE = ("near", "start", "view", "turn", "information", "direction", "poses", "stamps", "outline", "values")
+MODIFIED = ("near", "start", "view", "turn", "information", "direction", "poses", "stamps", "outline", "values")
 
 
 def inputs_of(operation: str) -> list[tuple[str, str]]:
     """The inputs that an operation names, and what in them is changed."""
     parts = {"cloud": ["points", "normals"], "mesh": ["vertex", "corner"], "features": ["source", "target"]}
     parts |= {"other": parts["cloud"], "ball": parts["cloud"], "soup": parts["mesh"]}
-    names = (*parts, *PER_POINT, *PER_QUERY, *IN_PLACE, "rays", "depth", "at", "vertices")
+    names = (*parts, *PER_POINT, *PER_QUERY, *MODIFIED, "rays", "depth", "at", "vertices")
     named = [name for name in names if re.search(rf"(?<![\w.\"]){name}\b(?!=)", operation)]
     return [(name, part) for name in named for part in parts.get(name, [""])]
 
@@ -164,7 +164,7 @@ def changed(scene: dict[str, Any], name: str, part: str, value: float) -> dict[s
     """The scene with one more element in an input, which has this number in it."""
     given = scene[name]
     if part in ("points", "normals"):
-        row = np.array([PLACE if part == "points" else [0, 0, 1.0]]).ravel()
+        row = np.array([POSITION if part == "points" else [0, 0, 1.0]]).ravel()
         row[0] = value
         features = [*scene["features"]]
         if name != "ball":
@@ -173,15 +173,15 @@ def changed(scene: dict[str, Any], name: str, part: str, value: float) -> dict[s
     if part in ("vertex", "corner"):
         return {name: grown_mesh(given, value, part == "corner")}
     if name == "features":
-        return {name: [in_place(f, value) if k == (part == "target") else f for k, f in enumerate(given)]}
+        return {name: [with_value(f, value) if k == (part == "target") else f for k, f in enumerate(given)]}
     for group in (PER_POINT, PER_QUERY):
         if name in group:
             return {n: grown(scene[n], value if n == name else None) for n in group}
     if name == "at":
-        return {name: lambda x: in_place(x, value) if np.ndim(x) == 1 else grown(x, value)}
+        return {name: lambda x: with_value(x, value) if np.ndim(x) == 1 else grown(x, value)}
     if name == "depth":
         return {name: np.where(np.arange(given.size).reshape(given.shape) == 1000, value, given).astype(np.float32)}
-    return {name: grown(given, value) if name in ("rays", "vertices") else in_place(given, value)}
+    return {name: grown(given, value) if name in ("rays", "vertices") else with_value(given, value)}
 
 
 def outcome(operation: str, scene: dict[str, Any]) -> tuple[np.ndarray, Any] | ValueError:
@@ -195,15 +195,15 @@ def outcome(operation: str, scene: dict[str, Any]) -> tuple[np.ndarray, Any] | V
     return np.asarray(getattr(result, "transformation", result), np.float64), result
 
 
-def agree(found: np.ndarray, expected: np.ndarray, count: int, tolerance: float) -> bool:
+def agree(actual: np.ndarray, expected: np.ndarray, count: int, tolerance: float) -> bool:
     """True if the rows of the elements that both have are equal."""
-    if found.ndim and expected.ndim and abs(len(found) - len(expected)) <= 1:
-        count = min(len(found), len(expected), count)
-        if np.allclose(found[:count], expected[:count], rtol=0, atol=tolerance, equal_nan=True):
+    if actual.ndim and expected.ndim and abs(len(actual) - len(expected)) <= 1:
+        count = min(len(actual), len(expected), count)
+        if np.allclose(actual[:count], expected[:count], rtol=0, atol=tolerance, equal_nan=True):
             return True
-    if found.ndim:
-        found = found[np.isfinite(found).reshape(len(found), -1).all(axis=1)]
-    return found.shape == expected.shape and np.allclose(found, expected, rtol=0, atol=tolerance, equal_nan=True)
+    if actual.ndim:
+        actual = actual[np.isfinite(actual).reshape(len(actual), -1).all(axis=1)]
+    return actual.shape == expected.shape and np.allclose(actual, expected, rtol=0, atol=tolerance, equal_nan=True)
 
 
 def is_better(result: Any, other: Any) -> bool:
@@ -264,24 +264,24 @@ ROWS += [line.split(" ", 1) for line in MORE.strip().splitlines()]
 @pytest.mark.parametrize(("tolerance", "operation"), ROWS, ids=[operation for _, operation in ROWS])
 def test_one_element_that_is_not_finite_is_refused_or_left_out(tolerance, operation, device, scenes):
     scene = scenes[device] = scenes.get(device) or scene_on(device)
-    tolerance = max([float(tolerance), *(most for word, most in TOLERANCES.items() if word in operation)])
+    tolerance = max([float(tolerance), *(limit for word, limit in TOLERANCES.items() if word in operation)])
     without, result = outcome(operation, scene)
     count = len(without) if without.ndim else 0
     for name, part in inputs_of(operation):
         exception = EXCEPTIONS.get(f"{operation.partition('(')[0]} {part}")
         finite = None
         for value in (np.nan, np.inf):
-            found = outcome(operation, scene | changed(scene, name, part, value))
+            actual = outcome(operation, scene | changed(scene, name, part, value))
             case = f"{value} in {name} {part}"
-            if isinstance(found, ValueError):
-                assert ARGUMENT.match(str(found)), f"{case}: {found}"
+            if isinstance(actual, ValueError):
+                assert ARGUMENT.match(str(actual)), f"{case}: {actual}"
                 continue
             if exception is not None:
-                assert exception[1](found[0], without), case
+                assert exception[1](actual[0], without), case
                 continue
-            if agree(found[0], without, count, tolerance) and not is_better(found[1], result):
+            if agree(actual[0], without, count, tolerance) and not is_better(actual[1], result):
                 continue
             finite = finite or outcome(operation, scene | changed(scene, name, part, 0.0))
             assert isinstance(finite, tuple), f"{case}: {finite}"
-            assert agree(found[0], finite[0], count, tolerance) or agree(found[0], without, count, tolerance), case
-            assert not is_better(found[1], finite[1]), case
+            assert agree(actual[0], finite[0], count, tolerance) or agree(actual[0], without, count, tolerance), case
+            assert not is_better(actual[1], finite[1]), case

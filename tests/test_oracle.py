@@ -15,7 +15,7 @@ def stored(tmp_path):
     return path
 
 
-def test_a_stored_answer_is_the_one_that_was_written(stored):
+def test_a_stored_answer_equals_the_written_one(stored):
     np.testing.assert_equal(oracle.read_answer(stored), ANSWER)
 
 

@@ -1,4 +1,4 @@
-"""What is installed is what the tree holds, under pointloom/ alone; what is pinned is what pyproject.toml asks for."""
+"""Wheels contain exactly the tree, under pointloom/ alone; pins satisfy pyproject.toml."""
 
 import email.parser
 import importlib.metadata
@@ -20,7 +20,7 @@ PACKAGE = ROOT / "src" / "pointloom"
 FOLDERS = tuple(path.parent.name for path in sorted(PACKAGE.glob("*/__init__.py")))
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text())
 
-# Addresses of package registries, in two parts each so that this file holds none.
+# Addresses of package registries, in two parts each so that this file contains none.
 REGISTRIES = [
     f"{name}.{domain}"
     for name, domain in [
@@ -54,17 +54,17 @@ def modules_of_the_tree() -> set[str]:
     return {f"pointloom/{path.relative_to(PACKAGE).as_posix()}" for path in files}
 
 
-def test_the_wheel_holds_every_module_of_the_tree(wheel):
+def test_the_wheel_contains_every_module(wheel):
     assert {name for name in wheel.namelist() if name.endswith(".py")} == modules_of_the_tree()
 
 
-def test_the_wheel_holds_the_scripts_styles_and_pages_of_the_browser(wheel):
+def test_the_wheel_contains_the_browser_scripts_styles_and_pages(wheel):
     paths = [path for path in (PACKAGE / "visualization/page").rglob("*") if path.suffix in {".js", ".css", ".html"}]
     assert len(paths) > 20
     assert {f"pointloom/{path.relative_to(PACKAGE).as_posix()}" for path in paths} <= set(wheel.namelist())
 
 
-def test_the_wheel_holds_nothing_outside_the_package(wheel):
+def test_the_wheel_contains_nothing_outside_the_package(wheel):
     dist_info = f"pointloom-{PROJECT['project']['version']}.dist-info"
     data = dist_info.replace(".dist-info", ".data")
     assert {name.split("/")[0] for name in wheel.namelist()} == {"pointloom", dist_info, data}
@@ -80,12 +80,12 @@ def test_every_file_of_the_package_in_the_wheel_is_in_the_tree(wheel):
     assert [name for name in inside if not (PACKAGE / name).is_file()] == []
 
 
-def test_the_wheel_holds_the_letters_of_pictures_with_their_license(wheel):
+def test_the_wheel_contains_the_font_with_its_license(wheel):
     letters = {"pointloom/visualization/render/glyphs.npz", "pointloom/visualization/render/glyphs.md"}
     assert letters <= set(wheel.namelist())
 
 
-def test_the_wheel_holds_the_guide_for_assistants_and_the_list_of_chapters(wheel):
+def test_the_wheel_contains_the_assistant_guide_and_the_chapter_list(wheel):
     assert {"pointloom/cli/shell/SKILL.md", "pointloom/cli/shell/chapters.toml"} <= set(wheel.namelist())
 
 
@@ -108,14 +108,14 @@ def package_metadata():
     return module
 
 
-def test_the_readme_of_the_package_is_ours_with_the_links_that_the_address_makes(wheel, package_metadata):
-    place = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
+def test_the_package_readme_has_absolute_links(wheel, package_metadata):
+    settings = PROJECT["tool"]["hatch"]["metadata"]["hooks"]["custom"]
     message = wheel.read(f"pointloom-{PROJECT['project']['version']}.dist-info/METADATA").decode()
     metadata = email.parser.Parser().parsestr(message)
     readme = (ROOT / "README.md").read_text()
-    expected = package_metadata.absolute_links(readme, place["repository"], place["branch"])
+    expected = package_metadata.absolute_links(readme, settings["repository"], settings["branch"])
     assert metadata.get_payload().strip() == expected.strip()
-    urls = package_metadata.project_urls(place["repository"], place["branch"], place["documentation"])
+    urls = package_metadata.project_urls(settings["repository"], settings["branch"], settings["documentation"])
     assert metadata.get_all("Project-URL", []) == [f"{name}, {address}" for name, address in urls.items()]
 
 
@@ -156,12 +156,12 @@ def tracked_files() -> list[Path]:
     return [path for path in paths if path.is_file() and not path.is_symlink()]
 
 
-def test_no_tracked_file_holds_a_registry_address():
+def test_no_tracked_file_contains_a_registry_address():
     pattern = re.compile("|".join(map(re.escape, REGISTRIES)).encode())
     files = tracked_files()
-    found = [path.relative_to(ROOT).as_posix() for path in files if pattern.search(path.read_bytes().lower())]
+    matches = [path.relative_to(ROOT).as_posix() for path in files if pattern.search(path.read_bytes().lower())]
     assert len(files) > 10
-    assert found == []
+    assert matches == []
 
 
 def constraints(layer: str) -> dict[str, tuple[str, list[str]]]:
@@ -185,7 +185,7 @@ LAYERS = {"runtime": [], "test": ["test"], "full": FULL, "bench": [*FULL, "bench
 
 
 def wanted(layer: str) -> list[Requirement]:
-    """What pyproject.toml asks for in a layer and in those below it."""
+    """The requirements of a layer of pyproject.toml and of those below it."""
     listed = [*PROJECT["project"]["dependencies"], *PROJECT["build-system"]["requires"]]
     listed += [requirement for group in LAYERS[layer] for requirement in PROJECT["dependency-groups"][group]]
     return [Requirement(text) for text in listed]
@@ -201,7 +201,7 @@ def test_the_constraints_pin_every_dependency_within_its_bounds(layer):
 
 
 def needs_of(requirement: Requirement) -> list[Requirement]:
-    """What an installed package needs here, by its own metadata and with the extras that are asked for."""
+    """The requirements of an installed package here, by its metadata and the requested extras."""
     try:
         listed = importlib.metadata.requires(requirement.name) or []
     except importlib.metadata.PackageNotFoundError:
@@ -213,12 +213,12 @@ def needs_of(requirement: Requirement) -> list[Requirement]:
 @pytest.mark.parametrize("layer", LAYERS)
 def test_the_constraints_leave_out_nothing_that_their_packages_need(layer):
     """They are installed without a resolver, so what they do not list is not there."""
-    pins, queue, seen = constraints(layer), wanted(layer), set()
+    pins, queue, visited = constraints(layer), wanted(layer), set()
     while queue:
         requirement = queue.pop()
-        if str(requirement) in seen or not (requirement.marker is None or requirement.marker.evaluate()):
+        if str(requirement) in visited or not (requirement.marker is None or requirement.marker.evaluate()):
             continue
-        seen.add(str(requirement))
+        visited.add(str(requirement))
         name = canonicalize_name(requirement.name)
         assert name in pins, f"constraints/{layer}.txt lacks {requirement}"
         assert requirement.specifier.contains(pins[name][0]), f"{requirement} is pinned at {pins[name][0]}"

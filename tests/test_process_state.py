@@ -45,15 +45,15 @@ def changes_of(path: Path) -> set[str]:
 
 @pytest.mark.parametrize("package", PACKAGES)
 def test_no_module_changes_the_state_of_the_process(package):
-    found = {path.relative_to(PACKAGE).as_posix(): changes_of(path) for path in (PACKAGE / package).rglob("*.py")}
-    assert {name: changes for name, changes in found.items() if changes and name not in ALLOWED} == {}
+    result = {path.relative_to(PACKAGE).as_posix(): changes_of(path) for path in (PACKAGE / package).rglob("*.py")}
+    assert {name: changes for name, changes in result.items() if changes and name not in ALLOWED} == {}
 
 
 def test_warnings_are_silenced_for_one_thread_and_one_category_only():
     def other():
         warn_of_units("from another thread")
 
-    with warnings.catch_warnings(record=True) as heard:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         with without_warnings(UnitWarning):
             warn_of_units("silenced")
@@ -62,4 +62,4 @@ def test_warnings_are_silenced_for_one_thread_and_one_category_only():
             thread.start()
             thread.join()
         warn_of_units("afterward")
-    assert [str(each.message) for each in heard] == ["of another category", "from another thread", "afterward"]
+    assert [str(each.message) for each in caught] == ["of another category", "from another thread", "afterward"]

@@ -28,7 +28,7 @@ NO_AVX512 = "glibc.cpu.hwcaps=-AVX512F,-AVX512VL,-AVX512BW,-AVX512DQ,-AVX512CD"
 
 @dataclass(frozen=True)
 class Processor:
-    """What a process is told to use, and what it must then report.
+    """The settings of a process, and its expected report.
 
     Attributes:
         blas: OPENBLAS_CORETYPE, and the kernels that the OpenBLAS of NumPy's and SciPy's wheels has for it.
@@ -61,7 +61,7 @@ def run_digests(*arguments: str, **environment: str) -> tuple[dict, dict[str, st
         command, cwd=ROOT, capture_output=True, text=True, check=True, env={**inherited, **environment}
     )
     first, *lines = done.stdout.splitlines()
-    return json.loads(first), {name: found for found, name in (line.split(" ", 1) for line in lines)}
+    return json.loads(first), {name: digest for digest, name in (line.split(" ", 1) for line in lines)}
 
 
 @cache
@@ -69,10 +69,10 @@ def digests_here() -> dict[str, str]:
     return run_digests()[1]
 
 
-def differing(found: dict[str, str]) -> list[str]:
+def differing(digests: dict[str, str]) -> list[str]:
     """The operations whose digests are not those of this processor."""
-    assert found.keys() == digests_here().keys()
-    return [name for name, digest in found.items() if digest != digests_here()[name]]
+    assert digests.keys() == digests_here().keys()
+    return [name for name, digest in digests.items() if digest != digests_here()[name]]
 
 
 def has_level(needs: str | None) -> bool:
@@ -82,24 +82,24 @@ def has_level(needs: str | None) -> bool:
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("name", PROCESSORS)
-def test_every_operation_has_the_same_bits_on_a_processor_like(name):
+def test_every_operation_is_bitwise_identical_on_a_processor_like(name):
     processor = PROCESSORS[name]
     if not has_level(processor.needs):
         pytest.skip(f"this processor has no {processor.needs}")
     disabled = " ".join(one for one in DISPATCHED if one not in processor.numpy)
     environment = {"OPENBLAS_CORETYPE": processor.blas[0], "NPY_DISABLE_CPU_FEATURES": disabled}
-    report, found = run_digests("--cpu-target", processor.target, **environment, **processor.environment)
+    report, digests = run_digests("--cpu-target", processor.target, **environment, **processor.environment)
     if not report["blas"]:
         pytest.skip("NumPy and SciPy here use another BLAS than OpenBLAS")
     assert set(report["blas"]) == {processor.blas[1]}
     assert not set(report["numpy"]) & set(disabled.split())
     assert f"-target-cpu {processor.target}" in report["flags"] and report["pool"]
-    assert differing(found) == []
+    assert differing(digests) == []
 
 
 @pytest.mark.nightly
 @pytest.mark.parametrize("threads", [1, 2])
-def test_every_operation_has_the_same_bits_with_any_number_of_threads(threads):
+def test_every_operation_is_bitwise_identical_with_any_number_of_threads(threads):
     counts = {"POINTLOOM_CPU_THREADS": str(threads), "OPENBLAS_NUM_THREADS": str(3 - threads)}
     assert differing(run_digests(**counts)[1]) == []
 

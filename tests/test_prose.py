@@ -44,9 +44,9 @@ def test_code_and_tables_are_skipped(check_prose):
 
 def test_groups_and_lines_of_a_module(check_prose):
     source = '"""Sort points.\n\nArgs:\n    n: The number.\n\n>>> told\n"""\nx = "# told"  # the default\n# a line\n'
-    found = list(check_prose.python_sentences(source))
-    assert found[:2] == [("docstrings", 1, "Sort points."), ("docstrings", 4, "The number.")]
-    assert found[2:] == [("comments", 8, "the default"), ("comments", 9, "a line")]
+    sentences = list(check_prose.python_sentences(source))
+    assert sentences[:2] == [("docstrings", 1, "Sort points."), ("docstrings", 4, "The number.")]
+    assert sentences[2:] == [("comments", 8, "the default"), ("comments", 9, "a line")]
 
 
 def test_a_linked_package_counts_once_and_an_excess_fails(check_prose, tmp_path, monkeypatch, capsys):

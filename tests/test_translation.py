@@ -1,6 +1,6 @@
-"""Results do not depend on where the data are: each operation at four offsets, moved back, is the one at zero.
+"""Results do not depend on the position of the data: operations at four offsets, shifted back, equal the one at zero.
 
-Coordinates are multiples of 2^-16 m, which float32 holds exactly within 128 m of an origin and not at some kilometers.
+Coordinates are multiples of 2^-16 m, which float32 represents exactly within 128 m of an origin, but not at some km.
 """
 
 from __future__ import annotations
@@ -262,5 +262,5 @@ def test_a_result_does_not_depend_on_the_offset(case, scenes):
         moved_back(kind, eval(operation, dict(scene)), offset) for scene, offset in zip(scenes, OFFSETS, strict=True)
     )
     assert np.isfinite(first).any()
-    for offset, found in zip(OFFSETS[1:], others, strict=True):
-        np.testing.assert_allclose(found, first, rtol=0, atol=float(tolerance), err_msg=f"at {offset}")
+    for offset, result in zip(OFFSETS[1:], others, strict=True):
+        np.testing.assert_allclose(result, first, rtol=0, atol=float(tolerance), err_msg=f"at {offset}")

@@ -1,7 +1,7 @@
-"""What COLMAP itself makes of cameras, pictures and models: pycolmap, asked in a process of its own.
+"""Results of COLMAP for cameras, images and models: pycolmap in a separate process.
 
-It must never be imported beside NumPy and OpenCV: its libraries and theirs do not get on. Questions and answers are
-JSON, NaN included.
+It must never be imported together with NumPy and OpenCV: their libraries conflict. Input and output are JSON, NaN
+included.
 """
 
 from __future__ import annotations
@@ -73,7 +73,7 @@ json.dump(answer, sys.stdout)
 """
 
 
-def ask_colmap(what: str, question: Any) -> Any:
+def query_colmap(what: str, question: Any) -> Any:
     """The answer of one function of the program above; the test is skipped where pycolmap is missing."""
     if not any((Path(folder) / "pycolmap").is_dir() for folder in sys.path if folder):
         pytest.skip("pycolmap is not installed")

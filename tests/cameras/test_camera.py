@@ -28,7 +28,7 @@ def store(path, content) -> str:
     return str(path)
 
 
-def test_a_matrix_holds_the_camera_and_is_a_copy():
+def test_matrix_is_a_copy_of_the_intrinsics():
     assert CAMERA.matrix.tolist() == [[525.1, 0, 1 / 3], [0, 525.25, 239.5], [0, 0, 1]]
     assert CAMERA.matrix.dtype == np.float64
     assert PinholeCameraIntrinsic.from_matrix(CAMERA.matrix, 640, 480) == CAMERA
@@ -54,19 +54,19 @@ def test_impossible_values_are_refused_by_name():
 
 
 @pytest.mark.parametrize(
-    ("place", "value", "claim"),
+    ("index", "value", "claim"),
     [((0, 1), 0.5, "skew"), ((1, 0), 1e-3, "skew"), ((2, 2), 2.0, "last row"), ((0, 0), np.nan, "finite")],
 )
-def test_matrices_that_are_no_pinhole_are_refused(place, value, claim):
+def test_matrices_that_are_no_pinhole_are_refused(index, value, claim):
     K = CAMERA.matrix
-    K[place] = value
+    K[index] = value
     with pytest.raises(ValueError, match=claim):
         PinholeCameraIntrinsic.from_matrix(K, 640, 480)
     with pytest.raises(ValueError, match=r"shape \[3, 3\]"):
         PinholeCameraIntrinsic.from_matrix(np.eye(4), 640, 480)
 
 
-def test_scaling_keeps_the_borders_of_the_picture_in_place():
+def test_scaling_keeps_the_image_borders_fixed():
     """The corners (-0.5, -0.5) and (w - 0.5, h - 0.5) are seen along the same rays at every size."""
     for factor in (0.5, 0.25, 2.0, 1 / 3, 0.123):
         small = CAMERA.scaled(factor)
@@ -103,7 +103,7 @@ def open3d_files(o3d):
         return alone, Path(path).read_text(), np.asarray(read.intrinsic_matrix)
 
 
-def test_files_come_back_and_are_open3ds(tmp_path, oracle):
+def test_files_round_trip_and_match_open3d(tmp_path, oracle):
     *texts, matrix = oracle("cameras/files", open3d_files)
     assert np.array_equal(matrix, CAMERA.matrix)
     write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
@@ -137,7 +137,7 @@ def test_metadata_of_a_recorder_does_no_harm(tmp_path):
         ({"intrinsic": {"width": 640}, "extrinsic": []}, "key intrinsic.height"),
     ],
 )
-def test_bad_files_are_refused_with_the_place(tmp_path, content, claim):
+def test_errors_of_bad_files_give_the_location(tmp_path, content, claim):
     path = store(tmp_path / "camera.json", content)
     with pytest.raises(FileError, match=r"camera\.json") as caught:
         read_pinhole_camera_intrinsic(path)

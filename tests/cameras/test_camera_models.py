@@ -13,7 +13,7 @@ from hypothesis import strategies as st
 import pointloom as loom
 from pointloom.cameras.camera_models import MODELS
 
-from .colmap_oracle import ask_colmap
+from .colmap_oracle import query_colmap
 
 WIDTH, HEIGHT = 640, 480
 LENSES = {
@@ -35,14 +35,14 @@ LENSES = {
     "EUCM": [300.0, 305.0, 322.5, 238.0, 0.6, 1.1],
 }
 METASHAPE = [500.0, 322.5, 238.0, -0.2, 0.08, -0.02, 0.005, 1e-3, -2e-3, 3.0, -2.0]
-OURS = {**LENSES, "METASHAPE": METASHAPE, "METASHAPE_FISHEYE": [300.0, *METASHAPE[1:]]}
+PARAMETERS = {**LENSES, "METASHAPE": METASHAPE, "METASHAPE_FISHEYE": [300.0, *METASHAPE[1:]]}
 GRID = np.stack(np.meshgrid(np.linspace(-0.5, WIDTH - 0.5, 24), np.linspace(-0.5, HEIGHT - 0.5, 18)), -1).reshape(-1, 2)
 RAYS = np.stack(np.meshgrid(np.linspace(-2, 2, 21), np.linspace(-2, 2, 21), [1.0]), -1).reshape(-1, 3)
-EARLY = 5e-8  # [px] where COLMAP ends its search: projected again, its rays are up to 1.5e-8 px off, ours 1e-12
+EARLY = 5e-8  # [px] where COLMAP ends its search: projected again, its rays are up to 1.5e-8 px off, pointloom's 1e-12
 
 
 def camera_of(model: str, params=None) -> loom.CameraModel:
-    return loom.CameraModel(model, WIDTH, HEIGHT, OURS[model] if params is None else params)
+    return loom.CameraModel(model, WIDTH, HEIGHT, PARAMETERS[model] if params is None else params)
 
 
 @pytest.fixture(scope="module")
@@ -52,8 +52,8 @@ def colmap():
     cameras = [[model, WIDTH, HEIGHT, params] for model, params in LENSES.items()]
     depths = np.linspace(0.5, 20.0, len(GRID))[:, None]
     points = [(rays[model] * depths).tolist() for model in LENSES]
-    seen = ask_colmap("unproject", [[camera, (GRID + 0.5).tolist()] for camera in cameras])
-    shown = ask_colmap("project", list(zip(cameras, points, strict=True)))
+    seen = query_colmap("unproject", [[camera, (GRID + 0.5).tolist()] for camera in cameras])
+    shown = query_colmap("project", list(zip(cameras, points, strict=True)))
     return {model: (np.array(points[i]), np.array(shown[i]) - 0.5, np.array(seen[i])) for i, model in enumerate(LENSES)}
 
 
@@ -66,8 +66,8 @@ def test_points_and_pixels_are_where_colmap_has_them(colmap, model):
     assert (off / (1 + (rays**2).sum(axis=1, keepdims=True)) * LENSES[model][0]).max() < EARLY
 
 
-@pytest.mark.parametrize("model", OURS)
-def test_pixels_come_back_from_their_rays(model):
+@pytest.mark.parametrize("model", PARAMETERS)
+def test_pixels_round_trip_through_their_rays(model):
     camera = camera_of(model)
     rays = camera.unproject(GRID)
     assert np.isfinite(rays).all()
@@ -76,7 +76,7 @@ def test_pixels_come_back_from_their_rays(model):
 
 
 def test_a_ray_beyond_the_fold_between_two_directions_has_no_pixel():
-    """A strong lens with a tangential term turns back sooner in some directions than in those that are tried."""
+    """A strong lens with a tangential term reverses sooner in some directions than in the tested ones."""
     camera = camera_of("METASHAPE_FISHEYE", [100.0, 0, 0, 0, 0, 1.0, -1.0, 0, 1 / 64, 0, 0])
     rays = np.array([[0.2, -1.4, 1.0], [0.19950373, -1.39647562, 1.0]])
     pixels = camera.project(rays)
@@ -85,13 +85,13 @@ def test_a_ray_beyond_the_fold_between_two_directions_has_no_pixel():
 
 @settings(max_examples=25, deadline=None, derandomize=True)
 @given(st.data())
-def test_whatever_the_lens_an_answer_is_never_a_wrong_one(data):
+def test_projections_of_any_lens_are_never_wrong(data):
     """What has a ray comes back to its pixel, and no two rays that the lens sees share a pixel.
 
     Radial factors may be anything; tangential and prism ones are small, as those of lenses: with large ones two rays
     do share a pixel.
     """
-    model = data.draw(st.sampled_from(sorted(OURS)))
+    model = data.draw(st.sampled_from(sorted(PARAMETERS)))
     names = MODELS[model].params.split(", ")
     params = [
         data.draw(
@@ -108,22 +108,22 @@ def test_whatever_the_lens_an_answer_is_never_a_wrong_one(data):
     slack = 1e-6 * (1 + np.abs(rays[known]).max(axis=1)) ** 2  # [px] near the horizon a ray's digits are few
     assert (np.abs(back - GRID[known]).max(axis=1, initial=0) <= slack).all()
     pixels = camera.project(RAYS)
-    seen = np.isfinite(pixels).all(axis=1)
-    again = camera.unproject(pixels[seen])[:, :2]
-    off = np.abs(again - RAYS[seen, :2]).max(axis=1, initial=0) / (1 + (RAYS[seen, :2] ** 2).sum(axis=1))
-    assert not (off > 1e-4).any()  # NaN is no wrong answer; where a lens all but turns back digits are lost
+    visible = np.isfinite(pixels).all(axis=1)
+    again = camera.unproject(pixels[visible])[:, :2]
+    off = np.abs(again - RAYS[visible, :2]).max(axis=1, initial=0) / (1 + (RAYS[visible, :2] ** 2).sum(axis=1))
+    assert not (off > 1e-4).any()  # NaN is not wrong; close to the maximum of the distortion digits are lost
 
 
 @pytest.mark.parametrize("model", ["SIMPLE_RADIAL", "OPENCV", "OPENCV_FISHEYE", "METASHAPE"])
-def test_a_lens_that_turns_back_sees_nothing_beyond(model):
+def test_nothing_is_visible_beyond_the_maximum_of_the_distortion(model):
     params = {"SIMPLE_RADIAL": [200, 320, 240, -0.2], "OPENCV": [200, 200, 320, 240, -0.2, 0, 1e-3, 1e-3]}
     params |= {"OPENCV_FISHEYE": [200, 200, 320, 240, -0.2, 0, 0, 0], "METASHAPE": [200, 320, 240, -0.2, *[0] * 7]}
     camera = camera_of(model, params[model])
     turning = math.sqrt(1 / 0.6)  # of r - 0.2 r^3
     radii = np.linspace(0.01, 2.5, 400)
     angles = radii if model == "OPENCV_FISHEYE" else None
-    reach = radii if angles is None else np.tan(np.minimum(angles, 1.55))
-    columns = camera.project(np.stack([reach, 0 * reach, np.ones_like(reach)], axis=1))[:, 0]
+    tangents = radii if angles is None else np.tan(np.minimum(angles, 1.55))
+    columns = camera.project(np.stack([tangents, 0 * tangents, np.ones_like(tangents)], axis=1))[:, 0]
     inside = radii < turning * 0.98
     assert np.isfinite(columns[inside]).all()
     assert (np.diff(columns[inside]) > 0).all()
@@ -133,7 +133,7 @@ def test_a_lens_that_turns_back_sees_nothing_beyond(model):
 
 @pytest.mark.parametrize("model", ["OPENCV", "FULL_OPENCV", "METASHAPE"])
 def test_a_solution_beyond_the_fold_is_no_ray(model):
-    """What Newton's method finds on the far side of where a lens with tangential terms turns."""
+    """Roots that Newton's method finds beyond the maximum of a distortion with tangential terms."""
     k1, k2, p1, p2 = -0.3, 0.02, 2e-3, -1e-3
     params = {"OPENCV": [200, 200, 320, 240, k1, k2, p1, p2], "METASHAPE": [200, 320, 240, k1, k2, 0, 0, p2, p1, 0, 0]}
     camera = camera_of(model, params.get(model, [*params["OPENCV"], 0, 0, 0, 0]))
@@ -142,7 +142,7 @@ def test_a_solution_beyond_the_fold_is_no_ray(model):
     known = np.isfinite(rays[:, 0])
     assert 0 < known.sum() < 16
     assert np.abs(camera.project(rays[known]) - pixels[known]).max() < 1e-9
-    assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 turns at 1.12
+    assert np.hypot(*rays[known, :2].T).max() < 1.2  # r - 0.3 r^3 + 0.02 r^5 has its maximum at 1.12
 
 
 def test_a_fisheye_sees_up_to_a_right_angle():
@@ -156,9 +156,9 @@ def test_a_fisheye_sees_up_to_a_right_angle():
 
 def test_metashape_has_the_tangential_terms_the_other_way_round():
     k1, k2, k3, p1, p2 = -0.2, 0.08, -0.02, 1e-3, -2e-3
-    ours = camera_of("METASHAPE", [500, 322, 238, k1, k2, k3, 0, p1, p2, 4, 0])
+    metashape = camera_of("METASHAPE", [500, 322, 238, k1, k2, k3, 0, p1, p2, 4, 0])
     same = camera_of("FULL_OPENCV", [504, 500, 322, 238, k1, k2, p2, p1, k3, 0, 0, 0])
-    assert np.abs(ours.unproject(GRID) - same.unproject(GRID)).max() < 1e-12
+    assert np.abs(metashape.unproject(GRID) - same.unproject(GRID)).max() < 1e-12
 
 
 def test_metashapes_formula_gives_the_pixel():
@@ -176,15 +176,17 @@ def test_metashapes_formula_gives_the_pixel():
 # ------------------------------------------------------------------------------------------------ straight cameras
 
 
-def test_the_straight_camera_is_colmaps():
+def test_the_undistorted_camera_matches_colmap():
     settings = [(blank, longest) for blank in (0.0, 0.4, 1.0) for longest in (-1, 300)]
     cases = [([model, WIDTH, HEIGHT, p], setting) for model, p in LENSES.items() for setting in settings]
-    answers = ask_colmap("undistort_cameras", cases)
-    for ((model, *_), (blank, longest)), (_, width, height, params) in zip(cases, answers, strict=True):
-        ours = camera_of(model).undistorted(blank_share=blank, max_size=None if longest < 0 else longest)
+    results = query_colmap("undistort_cameras", cases)
+    for ((model, *_), (blank, longest)), (_, width, height, params) in zip(cases, results, strict=True):
+        undistorted = camera_of(model).undistorted(blank_share=blank, max_size=None if longest < 0 else longest)
         fx, fy, cx, cy = params if len(params) == 4 else [params[0], *params]
-        assert (ours.width, ours.height) == (width, height), (model, blank, longest)
-        assert [ours.fx, ours.fy, ours.cx + 0.5, ours.cy + 0.5] == pytest.approx([fx, fy, cx, cy], abs=1e-9), model
+        assert (undistorted.width, undistorted.height) == (width, height), (model, blank, longest)
+        assert [undistorted.fx, undistorted.fy, undistorted.cx + 0.5, undistorted.cy + 0.5] == pytest.approx(
+            [fx, fy, cx, cy], abs=1e-9
+        ), model
 
 
 def test_a_pinhole_stays_as_it_is():
@@ -195,7 +197,7 @@ def test_a_pinhole_stays_as_it_is():
     assert camera_of("OPENCV", [500, 510, 322.5, 238, 0, 0, 0, 0]).intrinsic == camera.intrinsic
 
 
-def test_a_straight_camera_has_the_size_asked_for():
+def test_undistorted_camera_has_the_requested_size():
     camera = camera_of("SIMPLE_RADIAL")
     straight, small = camera.undistorted(), camera.undistorted(size=(320, 320))
     assert (small.width, small.height) == (320, 320)
@@ -228,14 +230,14 @@ def test_a_lens_has_no_intrinsic_and_without_an_inverse_along_a_border_no_straig
         (("METASHAPE", 640, 480, [1.0, 320, 240, *[0] * 6, -2.0, 0]), "focal lengths above"),
     ],
 )
-def test_what_is_no_camera_is_refused(arguments, message):
+def test_invalid_cameras_are_refused(arguments, message):
     with pytest.raises(ValueError, match=message):
         loom.CameraModel(*arguments)
 
 
-def test_points_that_are_not_finite_are_seen_nowhere():
+def test_non_finite_points_are_not_visible():
     points = [[np.nan, 0, 1], [np.inf, 0, 1], [0, 0, np.inf], [0, 0, np.nan], [1e200, 0, 1e-200], [0, 0, 1]]
-    for model in OURS:
+    for model in PARAMETERS:
         pixels = camera_of(model).project(points)
         assert np.isnan(pixels[[0, 1, 3, 4]]).all(), model
         assert np.isfinite(pixels[5]).all(), model

@@ -43,12 +43,12 @@ def open3d_bilateral(o3d, depth):
     return [pixels_of(tensor_image(o3d, depth).filter_bilateral(*limits)) for limits in BILATERAL]
 
 
-def test_bilateral_depth_is_open3ds(device, rng, oracle, tolerances):
+def test_bilateral_depth_matches_open3d(device, rng, oracle, tolerances):
     depth = relief(rng)
     for limits, expected in zip(BILATERAL, oracle("cameras/bilateral", open3d_bilateral, depth), strict=True):
-        found = loom.filter_depth_bilateral(depth, *limits, device=device)
-        np.testing.assert_allclose(found, expected, rtol=tolerances.depth_filter_relative)
-        assert np.abs(found - depth).max() > 1e-4
+        result = loom.filter_depth_bilateral(depth, *limits, device=device)
+        np.testing.assert_allclose(result, expected, rtol=tolerances.depth_filter_relative)
+        assert np.abs(result - depth).max() > 1e-4
     np.testing.assert_array_equal(loom.filter_depth_bilateral(depth, 1, device=device), depth)
 
 
@@ -69,17 +69,17 @@ def test_holes_neither_count_in_the_bilateral_filter_nor_are_filled(depth, kerne
                     )
                     total, weights = total + weight * d, weights + weight
         expected[v, u] = total / weights
-    found = loom.filter_depth_bilateral(depth, kernel_size, 0.3, 1.5)
-    np.testing.assert_array_equal(found == 0, depth == 0)
-    np.testing.assert_allclose(found, expected, rtol=1e-6)
+    result = loom.filter_depth_bilateral(depth, kernel_size, 0.3, 1.5)
+    np.testing.assert_array_equal(result == 0, depth == 0)
+    np.testing.assert_allclose(result, expected, rtol=1e-6)
 
 
 def test_the_bilateral_filter_takes_noise_and_leaves_edges(device, rng):
     true = np.where(np.arange(80) < 40, 1.0, 1.5) * np.ones((60, 1))
     noisy = true + 0.005 * rng.normal(size=true.shape)
-    found = loom.filter_depth_bilateral(noisy, 7, 0.03, 3.0, device=device)
-    assert (found - true).std() < (noisy - true).std() / 3
-    assert np.abs(found - true).max() < 0.02, "nothing between the two walls"
+    result = loom.filter_depth_bilateral(noisy, 7, 0.03, 3.0, device=device)
+    assert (result - true).std() < (noisy - true).std() / 3
+    assert np.abs(result - true).max() < 0.02, "nothing between the two walls"
 
 
 @settings(derandomize=True, deadline=None, max_examples=20)
@@ -98,26 +98,26 @@ def test_pixels_beside_edges_and_holes_are_dropped(depth, radius, threshold):
 
 def test_erosion_takes_the_radius_on_each_side_and_no_border(device):
     depth = np.where(np.arange(20) < 10, 1.0, 2.0) * np.ones((7, 1))
-    found = loom.erode_depth_edges(depth, 3, 0.5, device=device)
-    np.testing.assert_array_equal(found[0] == 0, (np.arange(20) >= 7) & (np.arange(20) < 13))
-    assert (found == found[0]).all()
+    result = loom.erode_depth_edges(depth, 3, 0.5, device=device)
+    np.testing.assert_array_equal(result[0] == 0, (np.arange(20) >= 7) & (np.arange(20) < 13))
+    assert (result == result[0]).all()
     assert (loom.erode_depth_edges(depth, 3, 1.5, device=device) == depth).all()
 
 
 def open3d_pyramid(o3d, depth, matrix):
-    """The normal map of a depth image, and points with normals at half and quarter its size, which Open3D halves."""
+    """The normal map of a depth image, and points with normals at half and quarter size, downsampled by Open3D."""
     image = tensor_image(o3d, depth).clip_transform(1.0, 0.0, 100.0, 0.0)
-    found = [pixels_of(image.create_vertex_map(o3d.core.Tensor(matrix)).create_normal_map())]
+    maps = [pixels_of(image.create_vertex_map(o3d.core.Tensor(matrix)).create_normal_map())]
     for stride in (2, 4):
         cloud = o3d.t.geometry.PointCloud.create_from_depth_image(
             tensor_image(o3d, depth), o3d.core.Tensor(matrix), depth_scale=1.0, depth_max=100.0, stride=stride,
             with_normals=True,
         )  # fmt: skip
-        found += [cloud.point.positions.numpy(), cloud.point.normals.numpy()]
-    return found
+        maps += [cloud.point.positions.numpy(), cloud.point.normals.numpy()]
+    return maps
 
 
-def test_normals_and_halved_depth_are_open3ds(device, rng, oracle, tolerances):
+def test_normals_and_halved_depth_match_open3d(device, rng, oracle, tolerances):
     """Through its clouds with normals, which come from a pyramid: there is no other way to it from Python.
 
     Open3D divides normals by at least 1e-5, so they are too short where pixels cover less than 1e-5 m^2.
@@ -125,26 +125,26 @@ def test_normals_and_halved_depth_are_open3ds(device, rng, oracle, tolerances):
     depth = relief(rng)
     depth[rng.random(depth.shape) < 0.1] = 0
     camera = loom.PinholeCameraIntrinsic(40, 24, 525.0, 525.0, 19.5, 11.5)
-    normals, *halves = oracle("cameras/pyramid", open3d_pyramid, depth, camera.matrix)
-    found = create_normal_map(depth, camera, device=device)
+    normals, *levels = oracle("cameras/pyramid", open3d_pyramid, depth, camera.matrix)
+    result = create_normal_map(depth, camera, device=device)
     empty = (normals == 0).all(axis=2)
-    np.testing.assert_array_equal((found == 0).all(axis=2), empty)
+    np.testing.assert_array_equal((result == 0).all(axis=2), empty)
     lengths = np.linalg.norm(normals, axis=2)[~empty]
     assert lengths.min() < 0.7
-    np.testing.assert_allclose(np.linalg.norm(found, axis=2)[~empty], 1, atol=tolerances.unit_length)
-    np.testing.assert_allclose(found[~empty], normals[~empty] / lengths[:, None], atol=tolerances.normal_map)
+    np.testing.assert_allclose(np.linalg.norm(result, axis=2)[~empty], 1, atol=tolerances.unit_length)
+    np.testing.assert_allclose(result[~empty], normals[~empty] / lengths[:, None], atol=tolerances.normal_map)
     holes = create_normal_map(depth, camera, np.nan, device=device)
     np.testing.assert_array_equal(np.isnan(holes).all(axis=2), empty)
-    for stride, points, theirs in zip((2, 4), halves[::2], halves[1::2], strict=True):
+    for stride, points, expected in zip((2, 4), levels[::2], levels[1::2], strict=True):
         halved = create_depth_pyramid(depth, stride.bit_length(), device=device)[-1]
         assert halved.shape == (24 // stride, 40 // stride)
         np.testing.assert_array_equal(halved > 0, depth[::stride, ::stride] > 0)
         f, cx, cy = 525 / stride, 19.5 / stride, 11.5 / stride
         smaller = loom.PinholeCameraIntrinsic(40 // stride, 24 // stride, f, f, cx, cy)
-        ours = loom.PointCloud.create_from_depth_image(halved, smaller, with_normals=True, device=device)
+        from_depth = loom.PointCloud.create_from_depth_image(halved, smaller, with_normals=True, device=device)
         limits = {"rtol": tolerances.depth_filter_relative, "atol": tolerances.image_absolute}
-        np.testing.assert_allclose(ours.points, points, **limits)
-        np.testing.assert_allclose(ours.normals, theirs, atol=tolerances.normal_map)
+        np.testing.assert_allclose(from_depth.points, points, **limits)
+        np.testing.assert_allclose(from_depth.normals, expected, atol=tolerances.normal_map)
 
 
 def test_normals_of_a_slanted_wall_are_its_own(device):
@@ -153,8 +153,8 @@ def test_normals_of_a_slanted_wall_are_its_own(device):
     v, u = np.mgrid[:48, :64]
     rays = np.stack([(u - 31.5) / 60, (v - 23.5) / 61, np.ones_like(u)], axis=2)
     depth = -1.6 / (rays @ n)
-    found = create_normal_map(depth, camera, device=device)[:-1, :-1]
-    np.testing.assert_allclose(found, np.broadcast_to(n, found.shape), atol=2e-5)
+    result = create_normal_map(depth, camera, device=device)[:-1, :-1]
+    np.testing.assert_allclose(result, np.broadcast_to(n, result.shape), atol=2e-5)
 
 
 @settings(derandomize=True, deadline=None, max_examples=20)
@@ -180,19 +180,19 @@ def test_holes_and_other_surfaces_do_not_count_in_halved_depth(depth, threshold)
     np.testing.assert_allclose(pyrdown_depth(depth, threshold), expected, rtol=3e-7)
 
 
-def open3d_halves(o3d, pictures):
+def open3d_pyrdown(o3d, pictures):
     return [pixels_of(tensor_image(o3d, picture).pyrdown()) for picture in pictures]
 
 
-def test_halved_colors_are_open3ds(device, rng, oracle):
+def test_halved_colors_match_open3d(device, rng, oracle):
     color, depth = rng.integers(0, 256, (36, 40, 3)).astype(np.uint8), relief(rng)
     image = loom.RGBDImage.create_from_color_and_depth(color[:24], depth, device=device)
     pictures = [color, color[:, :, 1], np.array(image.color)]
-    rgb, green, brightness = oracle("cameras/halved-colors", open3d_halves, pictures)
+    rgb, green, brightness = oracle("cameras/halved-colors", open3d_pyrdown, pictures)
     for picture, expected in ((color, rgb), (color[:, :, 1], np.repeat(green[:, :, None], 3, axis=2))):
-        found = pyrdown_color(picture, device=device)
-        assert found.shape == (18, 20, 3) and found.dtype == np.uint8
-        off = np.abs(found - expected.astype(int))
+        result = pyrdown_color(picture, device=device)
+        assert result.shape == (18, 20, 3) and result.dtype == np.uint8
+        off = np.abs(result - expected.astype(int))
         assert off.max() <= 1 and (off == 0).mean() > 0.99, "sums near a half round"
     np.testing.assert_allclose(create_depth_pyramid(image, 2)[1].color, brightness, atol=1e-6)
     image = loom.RGBDImage(color[:24], depth, device=device)
@@ -227,11 +227,11 @@ def test_a_filter_takes_integers_metres_and_images_alike(device, run, rng):
 @pytest.mark.parametrize("run", FILTERS.values(), ids=FILTERS)
 def test_images_without_depth_stay_so(device, run):
     for fill in (0.0, np.nan, -1.0, np.inf):
-        found = run(np.full((4, 6), fill), device=device)
-        assert not found.any() and np.isfinite(found).all()
+        result = run(np.full((4, 6), fill), device=device)
+        assert not result.any() and np.isfinite(result).all()
 
 
 @pytest.mark.parametrize("run", FILTERS.values(), ids=FILTERS)
 def test_flat_depth_stays_to_the_bit(device, run):
-    found = run(np.full((9, 12), 1.234), device=device)
-    assert (found == np.float32(1.234)).all()
+    result = run(np.full((9, 12), 1.234), device=device)
+    assert (result == np.float32(1.234)).all()

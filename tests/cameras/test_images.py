@@ -43,12 +43,12 @@ def open3d_points(o3d, depth, color, stride):
     return points, np.asarray(clouds[3].colors).astype(np.float32), np.asarray(rgbd.depth)
 
 
-def assert_points(found, expected, tolerances):
-    np.testing.assert_allclose(found, expected, rtol=tolerances.image_relative, atol=tolerances.image_absolute)
+def assert_points(result, expected, tolerances):
+    np.testing.assert_allclose(result, expected, rtol=tolerances.image_relative, atol=tolerances.image_absolute)
 
 
 @pytest.mark.parametrize("stride", [1, 3])
-def test_points_of_depth_and_rgbd_images_are_open3ds(device, stride, frame, oracle, tolerances):
+def test_points_of_depth_and_rgbd_images_match_open3d(device, stride, frame, oracle, tolerances):
     depth, color = frame.depth[::20, ::20], frame.color[::20, ::20]
     expected, colors, meters = oracle(f"cameras/points-{stride}", open3d_points, depth, color, stride)
     camera, far = loom.PinholeCameraIntrinsic(32, 24, 525.0, 525.0, 16.0, 12.0), {"depth_trunc": 2.7431}
@@ -93,8 +93,8 @@ def test_an_organized_cloud_keeps_its_grid_where_its_points_stay(device, frame):
         frame.depth, INTRINSIC, stride=8, project_valid_depth_only=False, device=device
     )
     fitted = cloud.estimate_normals(radius=0.1)
-    for kept in (cloud.transform(np.eye(4)), fitted, fitted.orient_normals_towards_camera_location(), cloud.copy()):
-        assert kept.grid == (60, 80)
+    for result in (cloud.transform(np.eye(4)), fitted, fitted.orient_normals_towards_camera_location(), cloud.copy()):
+        assert result.grid == (60, 80)
     for lost in (cloud.select_by_index([0, 1]), cloud.voxel_down_sample(0.1), cloud.remove_non_finite_points()):
         assert lost.grid is None
     np.testing.assert_array_equal(np.isnan(fitted.normals).all(axis=1), np.isnan(cloud.points).all(axis=1))
@@ -116,7 +116,7 @@ def small(**changes):
     } | changes
 
 
-def test_the_farthest_depth_itself_is_kept(device):
+def test_depth_equal_to_the_maximum_is_used(device):
     """Open3D drops it."""
     for depth_trunc, count in ((1.0, 6), (0.999, 0), (np.inf, 6)):
         assert len(loom.PointCloud.create_from_depth_image(**small(depth_trunc=depth_trunc), device=device)) == count

@@ -32,8 +32,8 @@ def test_each_face_shows_its_directions(device):
     panorama = Panorama(WIDTH, HEIGHT, device=device)
     faces = panorama.apply(sphere())
     assert faces.shape == (6, 81, 81, 3) and panorama.intrinsic.fx == 40.5  # 90 degrees
-    for face, turn in zip(faces, panorama.turns, strict=True):
-        expected = colors(rays_of(panorama.intrinsic) @ turn.T)
+    for face, rotation in zip(faces, panorama.turns, strict=True):
+        expected = colors(rays_of(panorama.intrinsic) @ rotation.T)
         assert np.abs(face - expected).max() < 2.5
 
 

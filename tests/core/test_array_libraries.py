@@ -13,7 +13,7 @@ import pointloom as loom
 from pointloom.cameras.depth_filters import create_normal_map, pyrdown_color
 from pointloom.registration.globally.fast_global import registration_fgr_based_on_correspondence
 
-from ..array_library import LIBRARIES, assert_same, package, stand_in
+from ..array_library import LIBRARIES, assert_same, fake_library, package
 
 POLYGON = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "Z", axis_min=-1, axis_max=1)
 
@@ -21,7 +21,7 @@ POLYGON = loom.SelectionPolygonVolume([[0, 0, 0], [1, 0, 0], [0, 1, 0]], "Z", ax
 @pytest.fixture(params=LIBRARIES)
 def library(request, device, monkeypatch):
     """A library: `make` an array of its of NumPy's where `device` is, its address, and back to NumPy."""
-    return stand_in(request.param, device, monkeypatch)
+    return fake_library(request.param, device, monkeypatch)
 
 
 @pytest.fixture
@@ -33,13 +33,13 @@ def surface(rng):
 @pytest.fixture
 def clouds(library, device, surface):
     """The same cloud twice: of the library's array, and of NumPy's."""
-    theirs = loom.PointCloud(library.make(surface)).estimate_normals(max_nn=12)
-    ours = loom.PointCloud(surface, device=device).estimate_normals(max_nn=12)
-    assert str(theirs.device) == str(ours.device) == device
-    return theirs, ours
+    cloud = loom.PointCloud(library.make(surface)).estimate_normals(max_nn=12)
+    reference = loom.PointCloud(surface, device=device).estimate_normals(max_nn=12)
+    assert str(cloud.device) == str(reference.device) == device
+    return cloud, reference
 
 
-def test_a_cloud_holds_the_memory_that_it_was_given(library, device, surface):
+def test_a_cloud_shares_the_memory_of_its_input(library, device, surface):
     points, normals, label = library.make(surface), library.make(surface), library.make(np.arange(400, dtype=np.int32))
     cloud = loom.PointCloud(points, normals=normals, label=label)
     assert str(cloud.device) == device
@@ -50,7 +50,7 @@ def test_a_cloud_holds_the_memory_that_it_was_given(library, device, surface):
     np.testing.assert_array_equal(cloud.points, surface + np.float32(1))
 
 
-def test_what_is_written_to_a_shared_array_is_noticed(library, surface):
+def test_writes_to_a_shared_array_are_noticed(library, surface):
     if library.name in ("torch", "jax"):
         pytest.skip("written to through Warp below, as both are")
     points = library.make(surface)
@@ -71,25 +71,25 @@ def test_what_is_written_to_a_shared_array_is_noticed(library, surface):
         lambda p: p[:0],
     ],
 )
-def test_other_types_and_places_become_what_they_become_from_numpy(library, device, surface, convert):
+def test_other_dtypes_and_devices_convert_as_from_numpy(library, device, surface, convert):
     given = convert(surface)
-    theirs, ours = loom.PointCloud(library.make(given)), loom.PointCloud(given, device=device)
+    cloud, reference = loom.PointCloud(library.make(given)), loom.PointCloud(given, device=device)
     if library.name == "jax" and given.dtype == np.float64:
         return  # its array is float32 already
-    np.testing.assert_array_equal(theirs.origin, ours.origin)
-    np.testing.assert_array_equal(theirs.points, ours.points)
+    np.testing.assert_array_equal(cloud.origin, reference.origin)
+    np.testing.assert_array_equal(cloud.points, reference.points)
 
 
 def test_colors_of_both_kinds_are_taken(library, device, surface, rng):
     for colors in (rng.random((400, 3)).astype(np.float32), rng.integers(0, 256, (400, 3)).astype(np.uint8)):
-        theirs = loom.PointCloud(library.make(surface), colors=library.make(colors))
-        np.testing.assert_array_equal(theirs.colors, loom.PointCloud(surface, colors=colors, device=device).colors)
+        cloud = loom.PointCloud(library.make(surface), colors=library.make(colors))
+        np.testing.assert_array_equal(cloud.colors, loom.PointCloud(surface, colors=colors, device=device).colors)
     with pytest.raises(ValueError, match="colors:"):
         loom.PointCloud(library.make(surface), colors=library.make(np.full((400, 3), 7, np.float32)))
 
 
 def test_operations_of_a_cloud_give_arrays_of_its_library(library, clouds):
-    theirs, ours = clouds
+    cloud, reference = clouds
     T = np.eye(4)
     T[0, 3] = 0.01
     operations = {
@@ -121,26 +121,26 @@ def test_operations_of_a_cloud_give_arrays_of_its_library(library, clouds):
     }
     for name, operation in operations.items():
         try:
-            assert_same(library, operation(theirs), operation(ours))
+            assert_same(library, operation(cloud), operation(reference))
         except AssertionError as error:
             raise AssertionError(name) from error
 
 
-def test_searches_answer_in_the_form_of_the_queries(library, clouds, surface):
-    theirs, ours = clouds
+def test_search_results_have_the_array_type_of_the_queries(library, clouds, surface):
+    cloud, reference = clouds
     queries = surface[::7] + np.float32(0.01)
-    for search in (loom.NearestNeighborSearch(theirs), loom.NearestNeighborSearch(ours)):
-        for answer in (
+    for search in (loom.NearestNeighborSearch(cloud), loom.NearestNeighborSearch(reference)):
+        for search_method in (
             lambda q, s=search: s.knn_search(q, 5),
             lambda q, s=search: s.hybrid_search(q, 0.1, 6),
             lambda q, s=search: s.radius_search(q, 0.1),
         ):
-            for found, expected in zip(answer(library.make(queries)), answer(queries), strict=True):
+            for result, expected in zip(search_method(library.make(queries)), search_method(queries), strict=True):
                 assert package(expected) == "numpy"
-                assert_same(library, found, expected)
-            assert_same(library, answer(theirs).indices, answer(ours).indices)
-    single = loom.NearestNeighborSearch(ours).knn_search(library.make(queries[3]), 4)
-    assert_same(library, single.indices, loom.NearestNeighborSearch(ours).knn_search(queries[3], 4).indices)
+                assert_same(library, result, expected)
+            assert_same(library, search_method(cloud).indices, search_method(reference).indices)
+    single = loom.NearestNeighborSearch(reference).knn_search(library.make(queries[3]), 4)
+    assert_same(library, single.indices, loom.NearestNeighborSearch(reference).knn_search(queries[3], 4).indices)
     assert int(np.ravel(library.host(single.counts) if library.name == "warp" else single.counts)[0]) == 4
 
 
@@ -160,35 +160,35 @@ def test_a_result_is_the_memory_that_the_device_wrote(library, clouds, monkeypat
         assert library.address(distances) == written[1].ptr
 
 
-def test_indices_and_masks_come_as_arrays_of_any_library(library, clouds):
-    theirs, ours = clouds
+def test_indices_and_masks_may_be_arrays_of_any_library(library, clouds):
+    cloud, reference = clouds
     for rows in (np.array([3, 1, 1, 399]), np.array([-1, 5], np.int32), np.array([2], np.uint8), np.zeros(0, np.int64)):
         for invert in (False, True):
-            chosen = theirs.select_by_index(library.make(rows), invert)
-            np.testing.assert_array_equal(chosen.points, ours.select_by_index(rows, invert).points)
+            chosen = cloud.select_by_index(library.make(rows), invert)
+            np.testing.assert_array_equal(chosen.points, reference.select_by_index(rows, invert).points)
     mask = np.arange(400) % 3 == 0
     for invert in (False, True):
-        chosen = theirs.select_by_mask(library.make(mask), invert)
-        np.testing.assert_array_equal(chosen.points, ours.select_by_mask(mask, invert).points)
+        chosen = cloud.select_by_mask(library.make(mask), invert)
+        np.testing.assert_array_equal(chosen.points, reference.select_by_mask(mask, invert).points)
     rows = np.array([7, -1, 3])
-    wanted = loom.compute_fpfh_feature(theirs, max_nn=20, indices=library.make(rows))
-    assert_same(library, wanted, loom.compute_fpfh_feature(ours, max_nn=20, indices=rows))
+    feature = loom.compute_fpfh_feature(cloud, max_nn=20, indices=library.make(rows))
+    assert_same(library, feature, loom.compute_fpfh_feature(reference, max_nn=20, indices=rows))
     with pytest.raises(IndexError, match="indices:"):
-        theirs.select_by_index(library.make(np.array([0, 400])))
+        cloud.select_by_index(library.make(np.array([0, 400])))
     with pytest.raises(TypeError, match="indices:"):
-        theirs.select_by_index(library.make(np.zeros(3, np.float32)))
+        cloud.select_by_index(library.make(np.zeros(3, np.float32)))
     with pytest.raises(ValueError, match="mask:"):
-        theirs.select_by_mask(library.make(mask[:5]))
+        cloud.select_by_mask(library.make(mask[:5]))
 
 
-def test_registrations_take_features_and_pairs_where_they_are(library, clouds):
-    theirs, ours = clouds
+def test_registrations_use_features_and_pairs_on_their_device(library, clouds):
+    cloud, reference = clouds
     T = np.eye(4)
     T[:3, 3] = 0.02, -0.01, 0.03
     features = {c: loom.compute_fpfh_feature(c, max_nn=30) for c in clouds}
     register = loom.registration
-    pairs = register.correspondences_from_features(features[ours], features[ours], True)
-    assert_same(library, register.correspondences_from_features(features[theirs], features[theirs], True), pairs)
+    pairs = register.correspondences_from_features(features[reference], features[reference], True)
+    assert_same(library, register.correspondences_from_features(features[cloud], features[cloud], True), pairs)
     twice = np.concatenate([pairs, pairs[::-1]])
     calls = {
         "ransac": lambda c, f, p: register.registration_ransac_based_on_feature_matching(
@@ -198,26 +198,26 @@ def test_registrations_take_features_and_pairs_where_they_are(library, clouds):
         "robust": lambda c, f, p: register.registration_robust_based_on_correspondence(c, c.transform(T), p, 0.02),
     }
     for name, call in calls.items():
-        found = call(theirs, features[theirs], library.make(twice))
-        expected = call(ours, features[ours], twice)
-        np.testing.assert_array_equal(found.transformation, expected.transformation, err_msg=name)
-        assert_same(library, found.correspondence_set, expected.correspondence_set)
+        result = call(cloud, features[cloud], library.make(twice))
+        expected = call(reference, features[reference], twice)
+        np.testing.assert_array_equal(result.transformation, expected.transformation, err_msg=name)
+        assert_same(library, result.correspondence_set, expected.correspondence_set)
     with pytest.raises(IndexError, match="corres:"):
-        calls["fgr"](theirs, None, library.make(np.array([[0, 0], [1, 400]])))
+        calls["fgr"](cloud, None, library.make(np.array([[0, 0], [1, 400]])))
     with pytest.raises(TypeError, match="corres:"):
-        calls["fgr"](theirs, None, library.make(np.zeros((2, 2), np.float32)))
+        calls["fgr"](cloud, None, library.make(np.zeros((2, 2), np.float32)))
 
 
 def test_a_pickled_result_needs_no_device(clouds):
-    found = loom.registration.evaluate_registration(clouds[0], clouds[0], 0.02)
-    if package(found.correspondence_set) == "cupy":
-        return  # the stand-in's arrays cannot be pickled
+    evaluation = loom.registration.evaluate_registration(clouds[0], clouds[0], 0.02)
+    if package(evaluation.correspondence_set) == "cupy":
+        return  # arrays of the fake library cannot be pickled
     np.testing.assert_array_equal(
-        np.asarray(pickle.loads(pickle.dumps(found)).correspondence_set), np.column_stack([np.arange(400)] * 2)
+        np.asarray(pickle.loads(pickle.dumps(evaluation)).correspondence_set), np.column_stack([np.arange(400)] * 2)
     )
 
 
-def test_depth_and_color_pictures_are_taken_where_they_are(library, device, rng):
+def test_depth_and_color_images_are_used_on_their_device(library, device, rng):
     camera = loom.PinholeCameraIntrinsic(16, 12, 20.0, 20.0, 7.5, 5.5)
     color = rng.integers(0, 256, (12, 16, 3)).astype(np.uint8)
     for depth in (
@@ -225,11 +225,11 @@ def test_depth_and_color_pictures_are_taken_where_they_are(library, device, rng)
         rng.integers(0, 3000, (12, 16)).astype(np.int32),
         rng.random((12, 16)).astype(np.float32),
     ):
-        theirs = loom.PointCloud.create_from_depth_image(library.make(depth), camera)
-        ours = loom.PointCloud.create_from_depth_image(depth, camera, device=device)
-        assert str(theirs.device) == device
-        np.testing.assert_array_equal(theirs.points, ours.points)
-        assert_same(library, theirs.compute_nearest_neighbor_distance(), ours.compute_nearest_neighbor_distance())
+        cloud = loom.PointCloud.create_from_depth_image(library.make(depth), camera)
+        reference = loom.PointCloud.create_from_depth_image(depth, camera, device=device)
+        assert str(cloud.device) == device
+        np.testing.assert_array_equal(cloud.points, reference.points)
+        assert_same(library, cloud.compute_nearest_neighbor_distance(), reference.compute_nearest_neighbor_distance())
         for shade in (color, color[:, :, 0]):
             image = loom.RGBDImage(library.make(shade), library.make(depth))
             expected = loom.RGBDImage(shade, depth, device=device)
@@ -243,25 +243,27 @@ def test_depth_and_color_pictures_are_taken_where_they_are(library, device, rng)
     np.testing.assert_array_equal(library.host(normals), expected)
 
 
-def test_a_cloud_speaks_dlpack_where_its_origin_is_zero(library, clouds, surface):
-    ours = clouds[1]
+def test_a_cloud_with_zero_origin_exports_dlpack(library, clouds, surface):
+    reference = clouds[1]
     for cloud in clouds:
-        assert tuple(map(int, cloud.__dlpack_device__())) == tuple(map(int, ours.array("points").__dlpack_device__()))
-    if ours.device.is_cpu:
-        points = np.from_dlpack(ours)
+        assert tuple(map(int, cloud.__dlpack_device__())) == tuple(
+            map(int, reference.array("points").__dlpack_device__())
+        )
+    if reference.device.is_cpu:
+        points = np.from_dlpack(reference)
         np.testing.assert_array_equal(points, surface)
-        assert points.ctypes.data == ours.array("points").ptr
+        assert points.ctypes.data == reference.array("points").ptr
     far = loom.PointCloud(surface + np.float64([5e5, 5.4e6, 0]))
     with pytest.raises(BufferError, match=r"the points are relative to the origin \[5000.*add cloud.origin"):
         np.from_dlpack(far)
 
 
-def test_a_cloud_from_a_file_gives_what_it_is_told_to(library, device, surface):
+def test_a_cloud_from_a_file_exports_to_the_requested_library(library, device, surface):
     cloud = loom.PointCloud(surface, device=device)
-    theirs = cloud.to(device, arrays=library.name)
-    assert_same(library, theirs.cluster_dbscan(0.1, 4), cloud.cluster_dbscan(0.1, 4))
-    assert theirs.array("points") is cloud.array("points")
-    assert package(theirs.to(device, arrays="numpy").cluster_dbscan(0.1, 4)) == "numpy"
+    exported = cloud.to(device, arrays=library.name)
+    assert_same(library, exported.cluster_dbscan(0.1, 4), cloud.cluster_dbscan(0.1, 4))
+    assert exported.array("points") is cloud.array("points")
+    assert package(exported.to(device, arrays="numpy").cluster_dbscan(0.1, 4)) == "numpy"
     assert package(cloud.cluster_dbscan(0.1, 4)) == "numpy"
 
 
@@ -271,7 +273,7 @@ def test_a_library_that_is_not_installed_is_named(monkeypatch):
         loom.PointCloud([[0, 0, 0]]).to("cpu", arrays="cupy")
 
 
-def test_the_library_goes_with_copies_and_pickles(library, clouds):
+def test_copies_and_pickles_keep_the_library(library, clouds):
     theirs, _ = clouds
     for cloud in (theirs.copy(), pickle.loads(pickle.dumps(theirs)), theirs.select_by_index([1, 2, 3])):
         assert package(cloud.compute_nearest_neighbor_distance()) == library.name
@@ -289,7 +291,7 @@ def test_numpy_lists_and_files_give_numpy_on_every_device(device, surface):
 
 
 @pytest.mark.slow
-def test_a_shared_array_lives_as_long_as_what_needs_it(library, surface):
+def test_a_shared_array_lives_as_long_as_its_users(library, surface):
     if library.name == "jax":
         pytest.skip("its arrays take no weak references")
     points = library.make(surface)

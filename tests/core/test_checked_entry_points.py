@@ -1,4 +1,4 @@
-"""Checks of constructors hold at other entry points, too: pickles and attributes. A damaged pickle is a ValueError."""
+"""Constructor checks also run for pickles and attributes. A damaged pickle raises ValueError."""
 
 from __future__ import annotations
 

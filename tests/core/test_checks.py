@@ -17,12 +17,12 @@ from pointloom.core.pose_checks import is_plainly_rigid
 
 
 @pytest.mark.parametrize("value", [True, False, np.True_, np.False_, 2.0, "2", None, np.float64(3)])
-def test_a_count_is_a_whole_number_and_no_truth_value(value):
+def test_counts_are_integers_and_not_booleans(value):
     with pytest.raises(TypeError, match=r"^max_nn:"):
         check_count("max_nn", value, minimum=0)
 
 
-def test_a_count_may_be_the_least_and_no_less():
+def test_a_count_may_equal_its_minimum():
     assert check_count("n", 1) == 1 and check_count("n", np.int64(7), minimum=7) == 7
     for value, minimum in ((0, 1), (6, 7), (-1, 0)):
         with pytest.raises(ValueError, match=f"^n: expected an integer >= {minimum}, got {value}"):
@@ -44,7 +44,7 @@ def test_a_seed_is_below_two_to_the_31st():
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
-def test_one_number_that_is_not_finite_is_found(bad):
+def test_one_non_finite_number_is_detected(bad):
     assert check_finite("v", np.ones(3)).sum() == 3
     with pytest.raises(ValueError, match=r"^v:"):
         check_finite("v", np.array([0, 1, bad]))
@@ -62,7 +62,7 @@ def test_a_pose_may_be_rounded_but_no_mirror_and_no_scale():
 
 
 @pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf, 1e200, -0.5])
-def test_a_pose_with_one_wrong_number_is_none_wherever_that_stands(bad):
+def test_a_pose_with_one_invalid_number_is_rejected(bad):
     for row, column in np.ndindex(4, 4):
         wrong = np.eye(4)
         wrong[row, column] = bad
@@ -73,7 +73,7 @@ def test_a_pose_with_one_wrong_number_is_none_wherever_that_stands(bad):
 
 
 @pytest.mark.parametrize("tolerance", [1e-12, 1e-6, 0.02])
-def test_what_is_plainly_a_pose_is_one_to_numpy_too(tolerance):
+def test_the_fast_check_of_poses_agrees_with_numpy(tolerance):
     rng = np.random.default_rng(0)
     plain = 0
     for _ in range(300):
@@ -92,7 +92,7 @@ def test_a_matrix_that_flattens_space_is_refused():
         check_transformation("T", np.diag([1.0, 1, 0, 1]))
 
 
-def test_rows_have_the_width_and_the_number_that_is_wanted():
+def test_rows_have_the_requested_width_and_count():
     assert check_rows("p", [], 3).shape == (0, 3)
     for values, rows in (([[1, 2]], None), ([1, 2, 3], None), ([[1, 2, 3]], 2)):
         with pytest.raises(ValueError, match=r"^p:"):

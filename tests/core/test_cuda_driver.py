@@ -1,4 +1,4 @@
-"""What is said where there is no GPU: the driver, found without CUDA, and the one that Warp needs."""
+"""Messages without a GPU: a driver without CUDA, and the driver version that Warp needs."""
 
 import pytest
 import warp as wp
@@ -46,7 +46,7 @@ def test_the_warp_that_is_installed_is_of_a_known_generation():
 
 
 @pytest.mark.parametrize("name", ["cuda", "cuda:99"])
-def test_a_gpu_that_is_not_there_says_why(driver, name):
+def test_a_missing_gpu_is_reported_with_the_reason(driver, name):
     why = rf"no NVIDIA driver is loaded; Warp {wp.__version__} \(CUDA 13\) needs 580 or newer; run pointloom doctor"
     with pytest.raises(DeviceError, match=f"got '{name}'; no CUDA GPU was found: {why}"):
         resolve_device(name)
@@ -55,7 +55,7 @@ def test_a_gpu_that_is_not_there_says_why(driver, name):
         resolve_device(name)
 
 
-def test_a_driver_that_shows_no_device_names_what_hides_it(driver, monkeypatch):
+def test_a_driver_without_devices_reports_the_hiding_variable(driver, monkeypatch):
     driver(OPEN)
     assert why_no_gpu() == "driver 580.65.06 is new enough, but shows no device; try nvidia-smi"
     monkeypatch.setenv("CUDA_VISIBLE_DEVICES", "")

@@ -106,21 +106,25 @@ def public_classes(module):
 
 def returns_its_own(kind, method):
     """Whether a method returns an object of its class, or a pair whose first is one."""
-    said = method.__annotations__.get("return", "")
-    first = (said if isinstance(said, str) else getattr(said, "__name__", "")).removeprefix("tuple[").split(",")[0]
+    annotation = method.__annotations__.get("return", "")
+    first = (
+        (annotation if isinstance(annotation, str) else getattr(annotation, "__name__", ""))
+        .removeprefix("tuple[")
+        .split(",")[0]
+    )
     return first in {"Self", *(base.__name__ for base in kind.__mro__[:-1])}
 
 
 def test_every_method_that_returns_its_own_class_has_the_guard():
-    found = {
+    methods = {
         (kind.__name__, name): method
         for kind in public_classes(loom)
         for name, method in inspect.getmembers(kind, inspect.isfunction)
         if not name.startswith(("_", "get_")) and name not in FOR_CODE_ON_THE_DEVICE
     }
-    own = {key: method for key, method in found.items() if returns_its_own(loom_class(key[0]), method)}
-    assert [".".join(key) for key, method in own.items() if not hasattr(method, "__wrapped__")] == []
-    assert {("LineSet", "transform"), ("PointCloud", "to"), ("TriangleMesh", "repair")} <= own.keys()
+    guarded = {key: method for key, method in methods.items() if returns_its_own(loom_class(key[0]), method)}
+    assert [".".join(key) for key, method in guarded.items() if not hasattr(method, "__wrapped__")] == []
+    assert {("LineSet", "transform"), ("PointCloud", "to"), ("TriangleMesh", "repair")} <= guarded.keys()
 
 
 def loom_class(name):

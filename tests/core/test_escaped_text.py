@@ -1,4 +1,4 @@
-"""No text from a file reaches a terminal with characters that control it."""
+"""Text from files is printed without terminal control characters."""
 
 import ast
 import json
@@ -66,9 +66,9 @@ TEXTS = {
 
 @pytest.mark.parametrize("text_of", TEXTS.values(), ids=TEXTS)
 def test_control_characters_are_shown(text_of, capsys):
-    found = text_of(EVIL, capsys)
-    assert r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d" in found
-    assert escaped(found, lines=True) == found
+    text = text_of(EVIL, capsys)
+    assert r"a\x1b]0;owned\x07\x9b2K\x7f\u202e\ud800\x0d" in text
+    assert escaped(text, lines=True) == text
 
 
 def test_one_line_stays_one(capsys):

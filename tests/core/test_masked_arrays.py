@@ -27,9 +27,9 @@ def test_masked_floats_are_nan(kind):
     np.testing.assert_array_equal(Vector3dVector(points), np.ma.filled(points, np.nan))
 
 
-def test_arrays_whose_mask_is_empty_are_plain():
-    whole = np.ma.masked_array(np.arange(9).reshape(3, 3), mask=False)
-    np.testing.assert_array_equal(loom.PointCloud(whole).points, whole.data)
+def test_arrays_with_an_empty_mask_are_plain():
+    unmasked = np.ma.masked_array(np.arange(9).reshape(3, 3), mask=False)
+    np.testing.assert_array_equal(loom.PointCloud(unmasked).points, unmasked.data)
 
 
 @pytest.mark.parametrize(

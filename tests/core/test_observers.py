@@ -1,4 +1,4 @@
-"""Who watches is told of what algorithms do, and the algorithms do the same whether anybody watches or not."""
+"""Observers receive the events of algorithms, and results do not depend on observers."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def bumps(count: int = 1000) -> np.ndarray:
     return np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y)])
 
 
-def test_what_is_reported_inside_a_block_reaches_its_watchers_the_outer_one_first():
+def test_events_are_delivered_outermost_first():
     events: Events = []
     report("before")
     with watch(noted(events)):
@@ -39,7 +39,7 @@ def test_what_is_reported_inside_a_block_reaches_its_watchers_the_outer_one_firs
         pass
 
 
-def test_what_a_watcher_calls_itself_is_not_reported():
+def test_calls_of_observers_are_not_reported():
     events: Events = []
 
     def watcher(event: str, data: dict[str, Any]) -> None:
@@ -68,7 +68,7 @@ def test_threads_do_not_hear_each_other():
     assert events == []
 
 
-def test_clouds_that_stand_for_others_are_reported_as_those():
+def test_substitute_clouds_are_reported_as_those_they_replace():
     events: Events = []
     with watch(noted(events)):
         with standing_for(source="whole"), standing_for(source="half", scale=2):
@@ -79,34 +79,38 @@ def test_clouds_that_stand_for_others_are_reported_as_those():
     assert events == [("step", {"source": "whole", "pose": 1, "scale": 2}), ("step", {"source": "thin"})]
 
 
-def test_icp_reports_its_start_and_every_step_as_its_callback_hears_them(device):
+def test_icp_reports_its_start_and_every_iteration_as_its_callback(device):
     target = loom.PointCloud(bumps(), device=device)
     source = loom.PointCloud(bumps() + SHIFT, device=device)
     events: Events = []
-    heard: list[dict[str, Any]] = []
+    states: list[dict[str, Any]] = []
     with watch(noted(events)):
-        result = loom.registration.registration_icp(source, target, 0.2, callback_after_iteration=heard.append)
+        result = loom.registration.registration_icp(source, target, 0.2, callback_after_iteration=states.append)
     steps = [data for event, data in events if event == "icp"]
     assert [data["iteration_index"] for data in steps] == list(range(result.iterations + 1))
     assert np.array_equal(steps[0]["transformation"], np.eye(4))
-    for told, state in zip(steps[1:], heard, strict=True):
-        assert np.array_equal(told["transformation"], state["transformation"])
-        assert told["fitness"] == state["fitness"]
-        assert told["source"] is source
-        assert told["target"] is target
+    for step, state in zip(steps[1:], states, strict=True):
+        assert np.array_equal(step["transformation"], state["transformation"])
+        assert step["fitness"] == state["fitness"]
+        assert step["source"] is source
+        assert step["target"] is target
     assert events[-1][0] == "registration"
     assert events[-1][1]["result"] is result
 
 
-def test_icp_has_the_same_bits_watched_or_not(device):
+def test_icp_is_bitwise_identical_with_observers(device):
     target, source = (loom.PointCloud(points, device=device) for points in (bumps(), bumps() + SHIFT))
     register = loom.registration.registration_icp
     alone = register(source, target, 0.2)
     with watch(lambda event, data: None):
-        seen = register(source, target, 0.2)
-    assert np.array_equal(alone.transformation, seen.transformation)
-    assert (alone.fitness, alone.inlier_rmse, alone.iterations) == (seen.fitness, seen.inlier_rmse, seen.iterations)
-    assert np.array_equal(alone.correspondence_set, seen.correspondence_set)
+        observed = register(source, target, 0.2)
+    assert np.array_equal(alone.transformation, observed.transformation)
+    assert (alone.fitness, alone.inlier_rmse, alone.iterations) == (
+        observed.fitness,
+        observed.inlier_rmse,
+        observed.iterations,
+    )
+    assert np.array_equal(alone.correspondence_set, observed.correspondence_set)
 
 
 def test_multi_scale_icp_reports_the_clouds_that_it_was_given(device):
@@ -120,7 +124,7 @@ def test_multi_scale_icp_reports_the_clouds_that_it_was_given(device):
     assert sorted({data["scale_index"] for _, data in events}) == [0, 1]
 
 
-def test_fusion_clusters_and_planes_have_the_same_bits_watched_or_not(device):
+def test_fusion_clusters_and_planes_are_bitwise_identical_with_observers(device):
     camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
     depth = (1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0) / 4)).astype(np.float32)
     cloud = loom.PointCloud(np.vstack([bumps(), bumps() + 100 * SHIFT]), device=device)
@@ -135,9 +139,9 @@ def test_fusion_clusters_and_planes_have_the_same_bits_watched_or_not(device):
     events: Events = []
     alone = work()
     with watch(noted(events)):
-        seen = work()
+        observed = work()
     assert [event for event, _ in events] == ["integrate", "integrate", "clusters", "plane"]
-    for left, right in zip(alone, seen, strict=True):
+    for left, right in zip(alone, observed, strict=True):
         assert np.array_equal(left, right)
 
 

@@ -1,4 +1,4 @@
-"""Each of Open3D's names is here, or a row says what it is here; rows are true, and messages end in them."""
+"""Each name of Open3D exists here or is listed with its replacement; the list is correct and used in messages."""
 
 import re
 
@@ -11,16 +11,16 @@ from scripts.open3d_names_page import CLASSES, HOMES, members_of, names_of
 
 
 @pytest.mark.parametrize("module", HOMES)
-def test_each_name_of_open3d_is_here_or_has_a_row(module, o3d):
-    assert [told.name for told in names_of(o3d, module) if not told.here] == []
+def test_each_name_of_open3d_exists_or_has_a_row(module, o3d):
+    assert [entry.name for entry in names_of(o3d, module) if not entry.here] == []
 
 
 @pytest.mark.parametrize("kind", CLASSES)
-def test_each_member_of_its_classes_is_here_or_has_a_row(kind, o3d):
-    assert [told.name for told in members_of(o3d, kind) if not told.here] == []
+def test_each_member_of_open3d_classes_exists_or_has_a_row(kind, o3d):
+    assert [entry.name for entry in members_of(o3d, kind) if not entry.here] == []
 
 
-def test_rows_name_what_is_there():
+def test_rows_refer_to_existing_names():
     text = "\n".join(row for rows in sections().values() for row in rows.values())
     for name in set(re.findall(r"loom((?:\.\w+)+)", text)):
         owner = loom
@@ -66,7 +66,7 @@ MESSAGES = [
 
 
 @pytest.mark.parametrize(("line", "message"), MESSAGES)
-def test_a_name_of_open3d_is_answered_with_its_row(line, message):
+def test_the_error_for_an_open3d_name_quotes_its_row(line, message):
     class KDTreeSearchParamHybrid:
         radius, max_nn = 0.1, 30
 

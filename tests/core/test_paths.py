@@ -34,9 +34,14 @@ def parameters_of(call):
 
 def takes_a_path(call):
     first = next(iter(parameters_of(call)), None)
-    said = "" if first is None else str(first.annotation)
-    is_other = any(word in said for word in ("None", "Sequence", "Iterable"))
-    return first is not None and first.default is first.empty and not is_other and any(kind in said for kind in PATHS)
+    annotation = "" if first is None else str(first.annotation)
+    is_other = any(word in annotation for word in ("None", "Sequence", "Iterable"))
+    return (
+        first is not None
+        and first.default is first.empty
+        and not is_other
+        and any(kind in annotation for kind in PATHS)
+    )
 
 
 CALLS = {
@@ -47,7 +52,7 @@ CALLS = {
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_what_is_no_path_is_refused_by_the_same_error(name, tmp_path, monkeypatch):
+def test_invalid_paths_raise_the_same_error(name, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     _, *others = parameters_of(CALLS[name])
     required = [each.name for each in others if each.default is each.empty and each.kind is not each.VAR_KEYWORD]

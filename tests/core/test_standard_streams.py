@@ -66,7 +66,7 @@ def test_a_stream_with_write_alone_gets_the_line_and_is_no_terminal(monkeypatch)
     assert console.text == "a line\n" and not is_terminal(console) and not is_terminal(None)
 
 
-def test_lines_of_others_reach_stderr(capfd):
+def test_output_of_other_libraries_is_written_to_stderr(capfd):
     with lines_removed_from_stderr("no driver"):
         os.write(2, b"no driver here\n")
         other = threading.Thread(target=os.write, args=(2, b"a line of another thread\n"))

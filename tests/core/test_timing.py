@@ -1,4 +1,4 @@
-"""A clock counts what happens in its stages, tells of them, and has one unit for memory."""
+"""A clock measures and reports its stages, and memory has one unit."""
 
 import subprocess
 import sys
@@ -12,13 +12,13 @@ from pointloom.core.timing import Clock, peak_bytes, peak_bytes_of_all
 
 @pytest.fixture
 def now(monkeypatch):
-    """A clock on the wall that goes when it is told to."""
+    """A clock that advances on command."""
     hands = [10.0]
     monkeypatch.setattr(timing.time, "perf_counter", lambda: hands[0])
     return hands
 
 
-def test_a_stage_that_comes_again_adds_to_its_seconds(now):
+def test_a_repeated_stage_adds_to_its_seconds(now):
     clock = Clock()
     for stage, seconds in (("read", 2.0), ("fuse", 1.0), ("read", 0.5)):
         now[0] += seconds
@@ -27,7 +27,7 @@ def test_a_stage_that_comes_again_adds_to_its_seconds(now):
     assert list(clock.cpu_seconds) == ["read", "fuse"]
 
 
-def test_what_passes_between_stages_counts_to_none(now):
+def test_time_between_stages_is_not_counted(now):
     clock = Clock()
     now[0] += 5.0
     with clock.stage("read"):
@@ -39,13 +39,13 @@ def test_what_passes_between_stages_counts_to_none(now):
     assert clock.seconds == {"read": 1.0, "write": 0.25}
 
 
-def test_stages_are_told_when_they_begin(now):
-    told = []
-    clock = Clock(lambda *step: told.append(step))
+def test_stages_are_reported_when_they_begin(now):
+    steps = []
+    clock = Clock(lambda *step: steps.append(step))
     with clock.stage("read"):
-        assert told == [("read", 0, 0)]
+        assert steps == [("read", 0, 0)]
     clock.stop("write")
-    assert told == [("read", 0, 0)]
+    assert steps == [("read", 0, 0)]
 
 
 def test_a_stage_that_fails_is_not_counted(now):
@@ -57,12 +57,12 @@ def test_a_stage_that_fails_is_not_counted(now):
 
 @pytest.mark.slow
 def test_seconds_of_the_cpu_are_those_of_processes_too():
-    clock, begun = Clock(), time.process_time()
+    clock, start = Clock(), time.process_time()
     subprocess.run([sys.executable, "-c", "sum(range(3_000_000))"], check=True)
     clock.stop("count")
-    assert clock.cpu_seconds["count"] > time.process_time() - begun
+    assert clock.cpu_seconds["count"] > time.process_time() - start
 
 
 def test_memory_is_counted_in_bytes():
-    held = peak_bytes()
-    assert 1 << 20 < held <= peak_bytes_of_all() < 1 << 45
+    peak = peak_bytes()
+    assert 1 << 20 < peak <= peak_bytes_of_all() < 1 << 45

@@ -1,4 +1,4 @@
-"""A length in another unit is told where it leaves nothing, and one that leaves something is not."""
+"""A length in another unit warns if it leaves no points, and does not warn otherwise."""
 
 import warnings
 
@@ -15,10 +15,10 @@ def ball(rng, device):
     return loom.PointCloud(points, normals=points, device=device)
 
 
-def test_a_radius_that_finds_nobody_is_told(ball):
+def test_a_radius_without_neighbors_warns(ball):
     with pytest.warns(loom.UnitWarning, match=r"^radius:.*0\.0001.*0.*2") as caught:
-        found = ball.estimate_normals(radius=1e-4)
-    assert caught[0].filename == __file__ and (found.normals[:, 2] ** 2 == 1).all()
+        result = ball.estimate_normals(radius=1e-4)
+    assert caught[0].filename == __file__ and (result.normals[:, 2] ** 2 == 1).all()
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         assert ball.estimate_normals(radius=0.2).has_normals
@@ -28,7 +28,7 @@ def test_a_radius_that_finds_nobody_is_told(ball):
 
 
 @pytest.mark.parametrize(
-    ("depth", "options", "told"),
+    ("depth", "options", "message"),
     [
         (np.full((48, 64), 1500, np.uint16), {"depth_scale": 1.0}, "3,072 of uint16 .* read as 1 units per meter"),
         (np.full((48, 64), 1500.0, np.float32), {}, "read as meters, are beyond 3 m"),
@@ -40,9 +40,9 @@ def test_a_radius_that_finds_nobody_is_told(ball):
         ),
     ],
 )
-def test_a_scale_that_cuts_all_is_told(depth, options, told):
+def test_a_depth_scale_that_removes_all_points_warns(depth, options, message):
     color = np.zeros((48, 64, 3), np.uint8)
-    with pytest.warns(loom.UnitWarning, match=told) as caught:
+    with pytest.warns(loom.UnitWarning, match=message) as caught:
         loom.RGBDImage.create_from_color_and_depth(color, depth, **options)
     assert caught[0].filename == __file__
     depth[5, 5] = 1 if depth.min() > 100 else 100  # a pixel that the first look does not see
@@ -52,7 +52,7 @@ def test_a_scale_that_cuts_all_is_told(depth, options, told):
         loom.RGBDImage.create_from_color_and_depth(color, 0 * depth, **options)
 
 
-def test_balls_and_alphas_that_touch_nothing_are_told(ball):
+def test_ball_radii_and_alphas_without_faces_warn(ball):
     with pytest.warns(loom.UnitWarning, match=r"^radii:.*1e-06.*0\.0") as caught:
         assert len(loom.TriangleMesh.create_from_point_cloud_ball_pivoting(ball, [1e-6])) == 0
     assert caught[0].filename == __file__
@@ -66,7 +66,7 @@ def test_balls_and_alphas_that_touch_nothing_are_told(ball):
     assert caught[0].filename == __file__
 
 
-def test_icp_without_correspondences_says_where_both_are(ball):
+def test_icp_without_correspondences_reports_both_positions(ball):
     far = loom.PointCloud(ball.points * 1000, device=ball.device)
     with pytest.warns(loom.UnitWarning, match="no correspondences:") as caught:
         result = loom.registration.registration_icp(far, ball, 0.05)
@@ -84,7 +84,7 @@ def test_icp_without_correspondences_says_where_both_are(ball):
     )
 
 
-def test_lengths_that_suit_few_points_or_another_operation_are_not_told(ball):
+def test_lengths_that_suit_few_points_do_not_warn(ball):
     """A voxel around a small cluster, clusters of a loose cloud, a coarse level of a registration, an empty tile."""
     few = ball.select_by_index(range(60))
     loose = loom.PointCloud(ball.points * [40, 40, 0.1], device=ball.device)

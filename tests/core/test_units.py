@@ -52,14 +52,14 @@ def test_units_go_by_the_names_that_are_in_use(name, unit):
         ("metre", 0.0, None),
     ],
 )
-def test_a_unit_is_its_length_unless_its_name_says_otherwise(name, meters, unit):
+def test_a_unit_is_defined_by_its_length_unless_its_name_differs(name, meters, unit):
     assert unit_by_length(name, meters) is unit
 
 
 def test_an_unknown_name_with_a_length_is_a_unit_of_its_own():
-    found = unit_by_length("Clarke's link", 0.201166195164)
-    assert (found.name, found.symbol, found.meters) == ("Clarke's link", "Clarke's link", 0.201166195164)
-    assert unit_by_length("pied\u00e9", 0.3249).name == "unit of 0.3249 m"  # which no header in ASCII could hold
+    unit = unit_by_length("Clarke's link", 0.201166195164)
+    assert (unit.name, unit.symbol, unit.meters) == ("Clarke's link", "Clarke's link", 0.201166195164)
+    assert unit_by_length("pied\u00e9", 0.3249).name == "unit of 0.3249 m"  # not representable in an ASCII header
 
 
 @pytest.mark.parametrize("unit", [*KNOWN, LINK], ids=str)
@@ -79,14 +79,14 @@ def test_one_unit_is_common_and_two_are_a_warning_at_the_users_line():
         warnings.simplefilter("error")
         assert common_unit("clouds", [None, FOOT, None, FOOT]) is FOOT
         assert common_unit("clouds", [None, None]) is None
-    with pytest.warns(loom.UnitWarning, match=r"^clouds:.*to_unit") as told:
+    with pytest.warns(loom.UnitWarning, match=r"^clouds:.*to_unit") as caught:
         assert common_unit("clouds", [METRE, None, FOOT]) is None
-    assert told[0].filename == __file__
+    assert caught[0].filename == __file__
     with pytest.warns(loom.UnitWarning, match="project_to_utm"):
         common_unit("clouds", [METRE, DEGREE])
     with pytest.warns(loom.UnitWarning, match=r"^clouds:"):  # 2e-6 apart: 1.3 m at a state plane's 2,000,000 ft
         common_unit("clouds", [US_FOOT, FOOT])
 
 
-def test_lengths_of_an_unknown_unit_are_said_in_metres():
+def test_lengths_in_unknown_units_are_reported_in_meters():
     assert [symbol_of(unit) for unit in (None, METRE, US_FOOT, LINK)] == ["m", "m", "US ft", "li"]

@@ -1,4 +1,4 @@
-"""What the library says is seen where nobody has configured logging, and is the program's own where somebody has."""
+"""Messages are visible without logging configuration, and follow the program's configuration otherwise."""
 
 import logging
 import os
@@ -24,7 +24,7 @@ logging.getLogger("pointloom").debug("details")
 """
 
 
-def said_by(begin):
+def output_of(begin):
     command = [sys.executable, "-c", SCRIPT.format(begin=begin)]
     settings = {name: value for name, value in os.environ.items() if name != "POINTLOOM_VERBOSITY"}
     run = subprocess.run(command, capture_output=True, text=True, check=True, env=settings)
@@ -33,7 +33,7 @@ def said_by(begin):
 
 
 @pytest.mark.parametrize(
-    ("begin", "said"),
+    ("begin", "output"),
     [
         pytest.param("", "pointloom: pairs 3 of 10, after 0 s\n", marks=pytest.mark.slow),
         (
@@ -43,23 +43,23 @@ def said_by(begin):
         ("logging.basicConfig(format='mine %(message)s')", "mine pairs 3 of 10, after 0 s\n"),
     ],
 )
-def test_a_script_sees_how_far_a_long_call_is(begin, said):
-    assert said_by(begin) == said
+def test_a_long_call_prints_its_progress(begin, output):
+    assert output_of(begin) == output
 
 
-def test_a_short_call_says_nothing(caplog):
+def test_a_short_call_prints_nothing(caplog):
     with caplog.at_level(logging.INFO, "pointloom"):
-        say = check_progress(None)
+        report = check_progress(None)
         for done in range(100):
-            say("pairs", done, 100)
+            report("pairs", done, 100)
     assert caplog.records == []
 
 
-def test_debug_says_each_stage(caplog):
+def test_debug_prints_each_stage(caplog):
     with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):
-        say = check_progress(None)
+        report = check_progress(None)
         for stage in ("voxels", "search", "search", "refine"):
-            say(stage, 0, 0)
+            report(stage, 0, 0)
     assert [record.getMessage() for record in caplog.records] == ["voxels", "search", "refine"]
 
 
@@ -80,20 +80,20 @@ def test_a_block_leaves_the_level_as_it_was():
             loom.VerbosityContextManager(wrong)
 
 
-def test_progress_that_is_asked_for_is_printed(capsys):
+def test_requested_progress_is_printed(capsys):
     cloud = loom.PointCloud([[0, 0, 0], [1, 0, 0], [0, 1, 0], [0, 0, 1]])
     cloud.cluster_dbscan(2.0, 2, print_progress=True)
-    kept, _ = cloud.remove_radius_outlier(1, 2.0, print_progress=True)
+    filtered, _ = cloud.remove_radius_outlier(1, 2.0, print_progress=True)
     lines = capsys.readouterr().err.splitlines()
     assert lines[0] == "pointloom: clusters of 4 points ..." and lines[1].startswith(
         "pointloom: clusters of 4 points: "
     )
-    assert len(lines) == 4 and len(kept) == 4
+    assert len(lines) == 4 and len(filtered) == 4
     cloud.cluster_dbscan(2.0, 2)
     assert capsys.readouterr().err == ""
 
 
-def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
+def test_a_closed_stderr_is_ignored(monkeypatch, capsys):
     cloud = loom.PointCloud([[0, 0, 0]])
     monkeypatch.setattr(sys, "stderr", None)
     cloud.cluster_dbscan(2.0, 2, print_progress=True)
@@ -102,7 +102,7 @@ def test_a_closed_stderr_is_nobody_to_tell(monkeypatch, capsys):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("given", "level"), [("error", "Error"), ("DEBUG", "Debug"), ("loud", "Info"), ("", "Info")])
-def test_the_environment_says_how_much_is_said(given, level):
+def test_the_environment_sets_the_verbosity(given, level):
     program = "import pointloom as loom; loom.PointCloud([[0, 0, 0]]); "
     program += "from pointloom.core.verbosity import get_verbosity_level as level; print(level().name)"
     command = [sys.executable, "-c", "from pointloom.core import verbosity; verbosity.start(); " + program]

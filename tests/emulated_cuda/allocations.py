@@ -25,7 +25,7 @@ class Allocations:
         return any(start <= address < start + size for start, (size, _) in self.pinned.items())
 
     def wp_cuda_pointer_get_memory_kind(self, _, pointer):
-        if self.memory.holds(address_of(pointer)):
+        if self.memory.contains(address_of(pointer)):
             return DEVICE_POINTER
         return PINNED_POINTER if self._is_pinned(address_of(pointer)) else HOST_POINTER
 
@@ -86,14 +86,14 @@ class Allocations:
     # ------------------------------------------------------------------------------------------ copies
 
     def wp_memcpy_h2d(self, context, dest, src, n, stream=CURRENT_STREAM):
-        found, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
-        if self.memory.holds(source):
+        stream_object, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
+        if self.memory.contains(source):
             return self.findings.refuse(f"invalid argument: a copy to the device from device memory ({caller()})")
         self.findings.counts["copies to device"] += 1
         self.findings.counts["bytes to device"] += n
         is_pinned = self._is_pinned(source)
         if not is_pinned:
-            if found.capture is not None:
+            if stream_object.capture is not None:
                 self.findings.note("copies", "pageable host memory in a graph", caller())
             else:  # it is staged before the call returns; pinned memory is read when the copy runs
                 source = ctypes.string_at(source, n) if n else b""
@@ -101,11 +101,11 @@ class Allocations:
         def copy() -> None:
             ctypes.memmove(self.memory.real(to, n, "copy to", write=True), source, n)
 
-        self.streams.enqueue(found, copy, "memcpy")
+        self.streams.enqueue(stream_object, copy, "memcpy")
         return True
 
     def wp_memcpy_d2h(self, context, dest, src, n, stream=CURRENT_STREAM):
-        found, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
+        stream_object, to, source = self.streams.stream(stream, context), address_of(dest), address_of(src)
         where, is_pinned = caller(), self._is_pinned(to)
 
         def copy() -> None:
@@ -117,11 +117,11 @@ class Allocations:
 
         self.findings.counts["copies to host"] += 1
         self.findings.counts["bytes to host"] += n
-        if found.capture is not None and not is_pinned:
+        if stream_object.capture is not None and not is_pinned:
             self.findings.fault(f"a copy to pageable host memory in a capture: what is read is not there yet ({where})")
-        self.streams.enqueue(found, copy, "memcpy")
-        if found.capture is None and not is_pinned:
-            self.streams.flush(found)  # such a copy waits
+        self.streams.enqueue(stream_object, copy, "memcpy")
+        if stream_object.capture is None and not is_pinned:
+            self.streams.flush(stream_object)  # such a copy waits
         return True
 
     def wp_memcpy_d2d(self, context, dest, src, n, stream=CURRENT_STREAM):

@@ -45,8 +45,8 @@ class Arrays:
                 if array.indices[axis]:
                     array.indices[axis] = self._checked_indices(array.indices[axis], array.shape[axis], shape[axis])
         if all(shape):
-            reach = [(n - 1) * stride for n, stride in zip(shape, strides, strict=True)]
-            low, high = sum(min(0, r) for r in reach), sum(max(0, r) for r in reach) + size
+            offsets = [(n - 1) * stride for n, stride in zip(shape, strides, strict=True)]
+            low, high = sum(min(0, r) for r in offsets), sum(max(0, r) for r in offsets) + size
             plain.data = self.memory.real(plain.data + low, high - low, "array", write=write) - low
         return array
 

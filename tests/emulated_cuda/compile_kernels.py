@@ -20,9 +20,9 @@ from emulated_cuda.install import install
 
 def module_names() -> list[str]:
     """All modules of kernels/, the largest sources first, so that no core is left with one of them at the end."""
-    found = importlib.util.find_spec("pointloom.kernels")
-    assert found and found.submodule_search_locations
-    sources = pkgutil.walk_packages(found.submodule_search_locations, "pointloom.kernels.")
+    spec = importlib.util.find_spec("pointloom.kernels")
+    assert spec and spec.submodule_search_locations
+    sources = pkgutil.walk_packages(spec.submodule_search_locations, "pointloom.kernels.")
     sizes = {m.name: Path(m.module_finder.path, m.name.rpartition(".")[2] + ".py") for m in sources if not m.ispkg}
     return sorted(sizes, key=lambda name: -sizes[name].stat().st_size)
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 import pytest
 
 from .install import Device, installed
-from .plugin import is_asked_for
+from .plugin import is_requested
 from .ptx_programs import Programs
 from .settings import settings as process_settings
 
@@ -17,7 +17,7 @@ if TYPE_CHECKING:
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    return True if collection_path.name.startswith("test_") and not is_asked_for(config) else None
+    return True if collection_path.name.startswith("test_") and not is_requested(config) else None
 
 
 @pytest.fixture(scope="session")

@@ -1,9 +1,9 @@
-"""A program for test_devices_apart.py: operations on cuda:1 beside cuda:0, the default; what went astray as JSON.
+"""A program for test_devices_apart.py: operations on cuda:1 while cuda:0 is the default; faults as JSON.
 
     python -m emulated_cuda.devices_apart one|both [PREFIX ...]
 
-`one` runs each operation on cuda:1 alone and lists what reached cuda:0; `both` runs each on the two at once, in two
-threads, and lists the operations whose bits are not those of a run alone.
+`one` runs each operation on cuda:1 alone and lists its uses of cuda:0; `both` runs each on the two at once, in two
+threads, and lists the operations whose results differ from a run alone.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ from tests.emulated_cuda.findings import caller  # noqa: E402
 from tests.emulated_cuda.streams import CONTEXT, address_of  # noqa: E402
 from tests.small_scenes import ON_CLOUDS, ON_HOST, ONCE, SmallScenes, digest  # noqa: E402
 
-WORK = (  # what reaches a device, all with its context as first argument
+WORK = (  # calls that use a device, all with its context as first argument
     *("wp_alloc_device", "wp_alloc_device_async", "wp_cuda_launch_kernel", "wp_memset_device", "wp_memtile_device"),
     *("wp_memcpy_h2d", "wp_memcpy_d2h", "wp_memcpy_d2d", "wp_array_copy_device", "wp_array_fill_device"),
 )
@@ -34,13 +34,13 @@ WORK = (  # what reaches a device, all with its context as first argument
 def operations(device: str) -> dict[str, Any]:
     """Operations by name, on scenes of the device."""
     small = SmallScenes(device)
-    found = {name: lambda work=work: work(small.surface) for name, work in ON_CLOUDS.items()}
-    found |= {name: lambda work=work: work(small) for name, work in ONCE.items()}
-    return {name: work for name, work in found.items() if not name.startswith(ON_HOST)}
+    works = {name: lambda work=work: work(small.surface) for name, work in ON_CLOUDS.items()}
+    works |= {name: lambda work=work: work(small) for name, work in ONCE.items()}
+    return {name: work for name, work in works.items() if not name.startswith(ON_HOST)}
 
 
-def watch_first(astray: list[str]) -> None:
-    """Note what reaches cuda:0 from now on."""
+def watch_first(uses: list[str]) -> None:
+    """Note all uses of cuda:0 from now on."""
     wp.init()
     core = wp._src.context.runtime.core
     for name in WORK:
@@ -48,31 +48,31 @@ def watch_first(astray: list[str]) -> None:
 
         def call(context: Any, *arguments: Any, real: Any = real, name: str = name) -> Any:
             if (address_of(context) or CONTEXT) == CONTEXT:
-                astray.append(f"{name}: {caller()}")
+                uses.append(f"{name}: {caller()}")
             return real(context, *arguments)
 
         setattr(core, name, call)
 
 
-def run_one(wanted: tuple[str, ...]) -> dict[str, Any]:
-    astray: list[str] = []
-    found: dict[str, Any] = {}
-    watch_first(astray)
+def run_one(prefixes: tuple[str, ...]) -> dict[str, Any]:
+    uses: list[str] = []
+    results: dict[str, Any] = {}
+    watch_first(uses)
     works = operations("cuda:1")
     for name, work in works.items():
-        if name.startswith(wanted):
+        if name.startswith(prefixes):
             work()
             wp.synchronize_device("cuda:1")
-            found[name] = sorted(set(astray))
-            astray.clear()
-    return found
+            results[name] = sorted(set(uses))
+            uses.clear()
+    return results
 
 
-def run_both(wanted: tuple[str, ...]) -> dict[str, Any]:
+def run_both(prefixes: tuple[str, ...]) -> dict[str, Any]:
     sides = [operations(f"cuda:{k}") for k in (0, 1)]
-    found: dict[str, Any] = {}
+    results: dict[str, Any] = {}
     for name in sides[0]:
-        if not name.startswith(wanted):
+        if not name.startswith(prefixes):
             continue
         alone, together = digest(sides[0][name]()), ["", ""]
 
@@ -87,11 +87,11 @@ def run_both(wanted: tuple[str, ...]) -> dict[str, Any]:
             thread.start()
         for thread in threads:
             thread.join()
-        found[name] = [] if together == [alone, alone] else [alone, *together]
-    return found
+        results[name] = [] if together == [alone, alone] else [alone, *together]
+    return results
 
 
 if __name__ == "__main__":
     run = {"one": run_one, "both": run_both}[sys.argv[1]]
-    found = run(tuple(sys.argv[2:]) or ("",))
-    print(json.dumps({"found": found, "faults": installed().findings.faults}))  # type: ignore[union-attr]
+    report = run(tuple(sys.argv[2:]) or ("",))
+    print(json.dumps({"found": report, "faults": installed().findings.faults}))  # type: ignore[union-attr]

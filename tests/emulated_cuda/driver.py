@@ -25,7 +25,7 @@ class Driver:
         self._streams, self._memory = streams, memory
 
     def cuStreamCreate(self, out: Any, flags: Any) -> int:
-        """A stream of the current context; flags say whether it and the legacy stream wait for each other."""
+        """A stream of the current context; the flags select whether it and the legacy stream wait for each other."""
         number = getattr(flags, "value", flags)
         if self._streams.contexts[-1] is None:
             return INVALID_CONTEXT
@@ -36,10 +36,10 @@ class Driver:
 
     def cuStreamDestroy_v2(self, stream: Any) -> int:
         """Forget a stream once what is queued on it has run."""
-        found = self._streams.streams.pop(address_of(stream), None)
-        if found is None:
+        stream_object = self._streams.streams.pop(address_of(stream), None)
+        if stream_object is None:
             return INVALID_HANDLE
-        self._streams.flush(found)
+        self._streams.flush(stream_object)
         return SUCCESS
 
     def cuDeviceGet(self, out: Any, ordinal: Any) -> int:
@@ -61,7 +61,7 @@ class Driver:
         out._obj.value = self._memory.reserved if name.value == RESERVED else self._memory.used
         return SUCCESS
 
-    def cuMemPoolTrimTo(self, _: Any, kept: Any) -> int:
+    def cuMemPoolTrimTo(self, _: Any, bytes_to_keep: Any) -> int:
         """Hand back what is not in use, but for so many bytes."""
-        self._memory.trim(kept.value)
+        self._memory.trim(bytes_to_keep.value)
         return SUCCESS

@@ -48,19 +48,19 @@ class CudaFault(RuntimeError):  # noqa: N818  CUDA's own word
 
 def caller() -> str:
     """The calls outside Warp that led here, innermost first."""
-    frame, found = sys._getframe(2), []
-    while frame is not None and len(found) < 4:
+    frame, calls = sys._getframe(2), []
+    while frame is not None and len(calls) < 4:
         code = frame.f_code
         is_test = code.co_name.startswith("test_")
         if is_test or not any(part in code.co_filename for part in _NOT_CALLERS):
-            found.append(f"{'/'.join(code.co_filename.rsplit('/', 2)[-2:])}:{frame.f_lineno} {code.co_name}")
+            calls.append(f"{'/'.join(code.co_filename.rsplit('/', 2)[-2:])}:{frame.f_lineno} {code.co_name}")
         frame = frame.f_back
-    return " < ".join(found)
+    return " < ".join(calls)
 
 
 @dataclass
 class Note:
-    """Something that is worth a look but that CUDA allows, or cannot tell."""
+    """A suspicious operation that CUDA allows or cannot detect."""
 
     count: int
     launches: int
@@ -75,7 +75,7 @@ class Findings:
         self.faults: list[str] = []
         self.notes: dict[tuple[str, str], Note] = {}  # by kernel and kind
         self.launches: dict[str, list] = {}  # kernel -> launches, threads, seconds
-        self.kernels: dict[str, list[str]] = {}  # what the PTX of each kernel says by itself
+        self.kernels: dict[str, list[str]] = {}  # findings in the PTX of each kernel
         self.counts = dict.fromkeys(COUNTED, 0)
         self.seconds = {"translate": 0.0, "compile": 0.0, "run": 0.0}
 
@@ -122,6 +122,6 @@ class Findings:
                 name: {"launches": count, "threads": threads, "seconds": round(seconds, 3)}
                 for name, (count, threads, seconds) in sorted(self.launches.items())
             },
-            "compiled": {name: found for name, found in sorted(self.kernels.items()) if found},
+            "compiled": {name: entries for name, entries in sorted(self.kernels.items()) if entries},
         }
         Path(path).write_text(json.dumps(listed, indent=1))

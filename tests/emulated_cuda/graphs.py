@@ -9,7 +9,7 @@ from .findings import Findings
 from .memory import Memory
 from .streams import Graph, Streams, address_of
 
-ENDLESS = 10**6  # turns of a captured loop
+ENDLESS = 10**6  # iterations of a captured loop
 ALLOWED_IN_BODY = {"memcpy", "memset", "kernel launch", "graph launch", "conditional node"}
 
 
@@ -32,20 +32,20 @@ class Graphs:
     # ------------------------------------------------------------------------------------------ captures
 
     def wp_cuda_graph_begin_capture(self, _, stream, external, mode):
-        found = self.streams.stream(stream)
-        if found.capture is not None:
+        stream_object = self.streams.stream(stream)
+        if stream_object.capture is not None:
             return self.findings.refuse("stream is capturing already")
-        if found is self.streams.legacy:
+        if stream_object is self.streams.legacy:
             return self.findings.refuse("operation not permitted on the legacy stream: capture")
-        found.capture, identity = self._graph()
+        stream_object.capture, identity = self._graph()
         self.begun.add(identity)
         self.streams.captures += 1
-        self.streams.blocking_captures += found.blocks
+        self.streams.blocking_captures += stream_object.blocks
         return True
 
     def wp_cuda_graph_end_capture(self, _, stream, out):
-        found = self.streams.stream(stream)
-        graph = found.capture
+        stream_object = self.streams.stream(stream)
+        graph = stream_object.capture
         if graph is None:
             return self.findings.refuse("stream has no capture started")
         if graph.identity not in self.begun:  # the body would be destroyed twice, and the graph around it never
@@ -54,7 +54,7 @@ class Graphs:
             if other.capture is graph:
                 other.capture = None
         self.streams.captures -= 1
-        self.streams.blocking_captures -= found.blocks
+        self.streams.blocking_captures -= stream_object.blocks
         if not self.streams.captures:
             waiting, self.put_off = self.put_off, []
             for release in waiting:
@@ -63,9 +63,9 @@ class Graphs:
         return True
 
     def wp_cuda_graph_pause_capture(self, _, stream, out):
-        found = self.streams.stream(stream)
-        out._obj.value = found.capture.identity if found.capture else 0
-        found.capture = None
+        stream_object = self.streams.stream(stream)
+        out._obj.value = stream_object.capture.identity if stream_object.capture else 0
+        stream_object.capture = None
         return True
 
     def wp_cuda_graph_resume_capture(self, _, stream, graph):
@@ -75,15 +75,15 @@ class Graphs:
     # ------------------------------------------------------------------------------------------ graphs
 
     def wp_cuda_graph_create_exec(self, _, stream, graph, out):
-        found = self.streams.named(graph)
+        graph_object = self.streams.named(graph)
         self.findings.counts["graphs made"] += 1
-        out._obj.value = self.streams.handle(found)
+        out._obj.value = self.streams.handle(graph_object)
         return True
 
     def wp_cuda_graph_launch(self, graph, stream):
         self.findings.counts["graphs"] += 1
-        found = self.streams.named(graph)
-        self.streams.enqueue(self.streams.stream(stream), found.play, "graph launch")
+        graph_object = self.streams.named(graph)
+        self.streams.enqueue(self.streams.stream(stream), graph_object.play, "graph launch")
         return True
 
     def wp_cuda_graph_destroy(self, _, graph):

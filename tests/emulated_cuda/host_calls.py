@@ -1,11 +1,11 @@
-"""What every operation asks of the device and takes from it, on the emulated one.
+"""Device calls and transfers of every operation, on the emulated device.
 
     python tests/emulated_cuda/host_calls.py [--only REGEX] [--sites] [--write]
 
-The operations are those of benchmarks/digests.py, on small scenes; clouds answer in Warp arrays, so that what comes to
-the host is either the result that a call hands out as NumPy or the library's own doing. Each runs once to be warm, and
-once to be counted. `--write` writes host_calls.json, which test_host_calls.py holds every operation to; `--sites` names
-the lines that most is taken by.
+The operations are those of benchmarks/digests.py, on small scenes; clouds return Warp arrays, so downloads
+are either results returned as NumPy or internal transfers of the library. Each runs once to warm up, and once to be
+counted. `--write` writes host_calls.json, the limits of test_host_calls.py; `--sites` lists the lines with the most
+transfers.
 """
 
 from __future__ import annotations
@@ -72,7 +72,7 @@ class DeviceScenes(SmallScenes):
 
     @property
     def surface(self) -> Any:
-        """The surface of as many points as asked for."""
+        """The surface with the given number of points."""
         return self.surfaces(self.count)
 
     def surfaces(self, count: int) -> Any:
@@ -84,11 +84,11 @@ class DeviceScenes(SmallScenes):
 
 def operations(scenes: DeviceScenes) -> dict[str, Callable[[], Any]]:
     """All that run on the device, by name."""
-    found: dict[str, Callable[[], Any]] = {
+    works: dict[str, Callable[[], Any]] = {
         name: lambda on_cloud=on_cloud: on_cloud(scenes.surface) for name, on_cloud in ON_CLOUDS.items()
     }
-    found |= {name: lambda once=once: once(scenes) for name, once in ONCE.items() if not name.endswith("far")}
-    return {name: work for name, work in found.items() if not name.startswith((*ON_HOST, *FILES, "ransac, checkers"))}
+    works |= {name: lambda once=once: once(scenes) for name, once in ONCE.items() if not name.endswith("far")}
+    return {name: work for name, work in works.items() if not name.startswith((*ON_HOST, *FILES, "ransac, checkers"))}
 
 
 @contextmanager
@@ -102,15 +102,15 @@ def device_clouds() -> Iterator[None]:
 
 
 def counted(work: Callable[[], Any]) -> tuple[Any, dict[str, int]]:
-    """The result of a call, and what it asked of the device."""
-    device, found = installed(), []
+    """The result of a call, and its counts of device calls."""
+    device, results = installed(), []
     assert device is not None
-    asked = device.asked(lambda: found.append(work()))
-    return found[0], asked
+    counts = device.count_requests(lambda: results.append(work()))
+    return results[0], counts
 
 
 def host_bytes(result: Any) -> int:
-    """How many bytes of a result lie on the host already, where the call has put them."""
+    """Bytes of a result that the call has put on the host."""
     if isinstance(result, np.ndarray):
         return result.nbytes
     if result is None or isinstance(result, (wp.array, str, bool, int, float, np.generic, bytes)):
@@ -126,17 +126,17 @@ def _bytes_of_parts(result: Any) -> int:
     """Of an object; a part that is fetched only now is none of them."""
     if isinstance(result, loom.PointCloud):
         return 0  # Warp arrays
-    found: list[int] = []
-    _, asked = counted(lambda: found.extend(map(host_bytes, parts_of(result).values())))
-    return max(0, sum(found) - asked["bytes to host"])
+    sizes: list[int] = []
+    _, counts = counted(lambda: sizes.extend(map(host_bytes, parts_of(result).values())))
+    return max(0, sum(sizes) - counts["bytes to host"])
 
 
 def measured(work: Callable[[], Any], *, warm: bool = False) -> dict[str, int]:
     """A row of the table: a warm call's numbers, and the bytes that it took beyond those of its result."""
     if not warm:
         work()
-    result, asked = counted(work)
-    row = {column: asked[name] for column, name in COLUMNS.items()}
+    result, counts = counted(work)
+    row = {column: counts[name] for column, name in COLUMNS.items()}
     return row | {"beyond": max(0, row["bytes"] - host_bytes(result))}
 
 
@@ -144,11 +144,11 @@ class Sites:
     """Which lines copies to the host come from; made before the first of them."""
 
     def __init__(self) -> None:
-        self.found: dict[str, list[int]] = {}
+        self.copies: dict[str, list[int]] = {}
         plain = Allocations.wp_memcpy_d2h
 
         def copy(device: Any, context: Any, to: Any, source: Any, size: int, *rest: Any) -> Any:
-            entry = self.found.setdefault(_line(), [0, 0])
+            entry = self.copies.setdefault(_line(), [0, 0])
             entry[:] = entry[0] + 1, entry[1] + size
             return plain(device, context, to, source, size, *rest)
 
@@ -157,13 +157,13 @@ class Sites:
 
 def _line() -> str:
     """The innermost lines of the library that are not its memory and launches."""
-    frame, found = sys._getframe(2), []
-    while frame is not None and len(found) < 2:
+    frame, calls = sys._getframe(2), []
+    while frame is not None and len(calls) < 2:
         name = frame.f_code.co_filename
         if "/pointloom/" in name and not re.search(r"kernels/(memory|launches)\.py|/language/", name):
-            found.append(f"{name.rsplit('/pointloom/', 1)[1]}:{frame.f_lineno}")
+            calls.append(f"{name.rsplit('/pointloom/', 1)[1]}:{frame.f_lineno}")
         frame = frame.f_back
-    return " < ".join(found)
+    return " < ".join(calls)
 
 
 def main() -> int:
@@ -176,7 +176,7 @@ def main() -> int:
                 continue
             try:
                 work()
-                sites.found.clear()
+                sites.copies.clear()
                 rows[name] = measured(work, warm=True)
             except Exception as error:
                 failed += 1
@@ -184,12 +184,12 @@ def main() -> int:
                 continue
             print(f"{name:62} {' '.join(f'{column} {n:6}' for column, n in rows[name].items())}", flush=True)
             if given.sites:
-                for site, (count, size) in sorted(sites.found.items(), key=lambda item: -item[1][1])[:9]:
+                for site, (count, size) in sorted(sites.copies.items(), key=lambda item: -item[1][1])[:9]:
                     print(f"    {count:4} times, {size:9} B: {site}")
     if given.write and not failed:
         known = json.loads(TABLE.read_text()) if TABLE.exists() else {}
-        kept = {name: row for name, row in known.items() if not re.search(given.only, name)}
-        lines = [f"  {json.dumps(name)}: {json.dumps(row)}" for name, row in sorted((kept | rows).items())]
+        remaining = {name: row for name, row in known.items() if not re.search(given.only, name)}
+        lines = [f"  {json.dumps(name)}: {json.dumps(row)}" for name, row in sorted((remaining | rows).items())]
         TABLE.write_text("{\n" + ",\n".join(lines) + "\n}\n")
     return int(failed > 0)
 

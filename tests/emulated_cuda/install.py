@@ -60,11 +60,11 @@ class Device:
         part = self.part(name)
         if part is None:
             return None
-        found = getattr(part, name)
+        function = getattr(part, name)
 
         def call(*arguments: Any) -> Any:
             with self.streams.lock:
-                return found(*arguments)
+                return function(*arguments)
 
         call.__name__ = name
         return call
@@ -74,18 +74,18 @@ class Device:
         with contextlib.suppress(CudaFault):
             self.streams.wp_cuda_context_synchronize(None)
 
-    def asked(self, run: Callable[[], Any]) -> dict[str, int]:
-        """What a call asks of the device."""
+    def count_requests(self, run: Callable[[], Any]) -> dict[str, int]:
+        """Count the device calls of a function."""
         self.synchronize()
         before = dict(self.findings.counts)
         run()
         self.synchronize()
-        found = {what: count - before[what] for what, count in self.findings.counts.items()}
-        found["waits"] -= 1  # the one above
-        return found
+        counts = {what: count - before[what] for what, count in self.findings.counts.items()}
+        counts["waits"] -= 1  # the one above
+        return counts
 
     def write_report(self) -> None:
-        """What settings.report asks for."""
+        """Write the report requested by settings.report."""
         self.synchronize()
         memory = self.memory
         sizes = {"peak bytes": memory.peak, "total bytes": memory.total, "live arrays": len(memory.live)}
@@ -99,13 +99,13 @@ class Core:
         self.__dict__.update(_real=real, _device=device)
 
     def __getattr__(self, name: str) -> Any:
-        found = self._device.function(name) if name.startswith("wp_") else None
-        if found is None:
-            found = getattr(self._real, name)
+        function = self._device.function(name) if name.startswith("wp_") else None
+        if function is None:
+            function = getattr(self._real, name)
             if _DEVICE_FUNCTION.match(name):
-                found = _missing(name)
-        self.__dict__[name] = found
-        return found
+                function = _missing(name)
+        self.__dict__[name] = function
+        return function
 
 
 def _missing(name: str) -> Any:

@@ -55,12 +55,12 @@ def _is_device_code(node: ast.stmt) -> bool:
 @functools.cache
 def functions_of(path: Path) -> list[ast.FunctionDef]:
     """The device functions of a file; each of their nodes that takes a mark has its number as `mark`."""
-    found = [node for node in ast.parse(path.read_text()).body if _is_device_code(node)]
-    marked = [node for function in found for node in ast.walk(function) if isinstance(node, MARKED)]
+    functions = [node for node in ast.parse(path.read_text()).body if _is_device_code(node)]
+    marked = [node for function in functions for node in ast.walk(function) if isinstance(node, MARKED)]
     assert len(marked) <= MARKS_OF_FILE, f"{path}: more than {MARKS_OF_FILE} marks"
     for k, node in enumerate(marked, MARKS_OF_FILE * _files().index(path)):
         node.mark = k  # type: ignore[union-attr]
-    return found  # type: ignore[return-value]
+    return functions  # type: ignore[return-value]
 
 
 def _key(node: ast.AST) -> tuple[str, int, int]:
@@ -112,7 +112,7 @@ class _Marker(ast.NodeTransformer):
         return ast.Call(ast.Name(name, ast.Load()), list(arguments), [])
 
     def is_constant(self, node: ast.expr) -> bool:
-        """Whether Warp knows the value: of numbers, constants of the module and variables of loops over them."""
+        """True if Warp can evaluate the value: numbers, constants of the module and variables of loops over them."""
         names = [n.id for n in ast.walk(node) if isinstance(n, ast.Name)]
         others = [n for n in ast.walk(node) if isinstance(n, ast.Call | ast.Subscript)]
         return not others and all(n in self.constant or type(self.scope.get(n)) in (int, float, bool) for n in names)
@@ -120,10 +120,10 @@ class _Marker(ast.NodeTransformer):
     def visit(self, node: ast.AST) -> Any:
         """A node, behind the mark of the walk's body that it begins."""
         begins = getattr(node, "begins", None)
-        found = super().visit(node)
+        visited = super().visit(node)
         if begins is None:
-            return found
-        return [ast.Expr(self.call(begins, "start")), *(found if isinstance(found, list) else [found])]
+            return visited
+        return [ast.Expr(self.call(begins, "start")), *(visited if isinstance(visited, list) else [visited])]
 
     def visit_condition(self, node: Any) -> Any:
         """`if`, `while` and `x if c else y`."""
@@ -193,18 +193,18 @@ def mark_kernels() -> None:
     of, check = source.Source.of, rules.check
 
     def numbered(function: Any) -> Any:
-        found = of(function)
-        _number_nodes(found)
-        return found
+        node = of(function)
+        _number_nodes(node)
+        return node
 
     def marked(function: Any, role: str, *rest: Any, **options: Any) -> Any:
-        found = check(function, role, *rest, **options)
+        node = check(function, role, *rest, **options)
         if role == "loop":
-            first: Any = found.body[0]
-            first.begins = getattr(found.definition, "mark", None)
-        elif not found.is_template:
-            _put_marks(found, role, source.compiled)
-        return found
+            first: Any = node.body[0]
+            first.begins = getattr(node.definition, "mark", None)
+        elif not node.is_template:
+            _put_marks(node, role, source.compiled)
+        return node
 
     source.Source.of, rules.check = staticmethod(numbered), marked  # type: ignore[assignment,method-assign]
 
@@ -256,8 +256,8 @@ class FileCoverage:
 class _Reader:
     """Reads the marks of one function."""
 
-    def __init__(self, marks: bytes, found: FileCoverage) -> None:
-        self.marks, self.found = marks, found
+    def __init__(self, marks: bytes, coverage: FileCoverage) -> None:
+        self.marks, self.coverage = marks, coverage
 
     def byte(self, node: Any, which: int) -> bool:
         return self.marks[BYTES_OF_MARK * node.mark + which] != 0
@@ -265,7 +265,7 @@ class _Reader:
     def read(self, function: ast.FunctionDef) -> None:
         marked = [node for node in ast.walk(function) if hasattr(node, "mark")]
         if not any(self.byte(node, COMPILED) for node in marked):
-            self.found.unused.append(function.name)
+            self.coverage.unused.append(function.name)
             return
         loops = Loops(function)
         for node in marked:
@@ -274,7 +274,7 @@ class _Reader:
                 continue
             for which, text in zip((FALSE, TRUE), texts, strict=True):
                 key = node.lineno, node.col_offset, text  # type: ignore[attr-defined]
-                self.found.branches[key] = self.byte(node, which)
+                self.coverage.branches[key] = self.byte(node, which)
         body = function.body[1:] if ast.get_docstring(function, clean=False) else function.body
         self.statements(body, reached=any(self.byte(node, which) for node in marked for which in (FALSE, TRUE)))
 
@@ -287,7 +287,7 @@ class _Reader:
     def statements(self, statements: list[ast.stmt], *, reached: bool) -> bool:
         """Note the lines; returns whether the end is reached."""
         for s in statements:
-            self.found.lines[s.lineno] = reached or self.found.lines.get(s.lineno, False)
+            self.coverage.lines[s.lineno] = reached or self.coverage.lines.get(s.lineno, False)
             if isinstance(s, ast.If):
                 false, true = self.outcomes(s)
                 ends = [self.statements(s.body, reached=reached and true)]
@@ -310,16 +310,16 @@ _OUTCOMES: dict[type, tuple[str, str]] = {
 
 def coverage_of(marks: bytes) -> list[FileCoverage]:
     """What the tests took of each file with device functions that CUDA runs."""
-    found = []
+    files = []
     for path in _files():
         coverage = FileCoverage(path)
         for function in functions_of(path):
             _Reader(marks, coverage).read(function)
-        found += [coverage] if functions_of(path) else []
-    return found
+        files += [coverage] if functions_of(path) else []
+    return files
 
 
-def table(found: list[FileCoverage]) -> list[str]:
+def table(coverages: list[FileCoverage]) -> list[str]:
     """A row for each file where something was missed, and the total."""
     head = f"{'file':<52}{'lines':>7}{'missed':>8}{'branches':>10}{'missed':>8}{'share':>9}"
 
@@ -329,14 +329,14 @@ def table(found: list[FileCoverage]) -> list[str]:
         share = 1 - untaken / branches if branches else 1.0
         return f"{name:<52}{lines:>7,}{missed:>8,}{branches:>10,}{untaken:>8,}{share:>9.1%}"
 
-    incomplete = [f for f in found if f.missed_lines or f.missed_branches]
+    incomplete = [f for f in coverages if f.missed_lines or f.missed_branches]
     rows = [row(str(f.path.relative_to(ROOT)), [f]) for f in incomplete]
-    whole = f"{len(found) - len(incomplete)} files without a miss are not listed."
+    note = f"{len(coverages) - len(incomplete)} files without a miss are not listed."
     kinds: dict[str, list[bool]] = {}
-    for (_, _, text), taken in (branch for f in found for branch in f.branches.items()):
+    for (_, _, text), taken in (branch for f in coverages for branch in f.branches.items()):
         kinds.setdefault(text.replace("never ", ""), []).append(taken)
     shares = ", ".join(f"{kind} {sum(taken) / len(taken):.1%}" for kind, taken in sorted(kinds.items()))
-    return [head, *rows, whole, shares, row(f"total of {len(found)} files", found)]
+    return [head, *rows, note, shares, row(f"total of {len(coverages)} files", coverages)]
 
 
 def main() -> int:
@@ -345,10 +345,10 @@ def main() -> int:
     parser.add_argument("marks", type=Path, help="the file that EMULATED_CUDA_COVERAGE named")
     parser.add_argument("--missed", type=Path, metavar="FILE", help="write the missed lines and branches to this file")
     options = parser.parse_args()
-    found = coverage_of(options.marks.read_bytes())
+    files = coverage_of(options.marks.read_bytes())
     if options.missed:
-        options.missed.write_text("".join(f"{line}\n" for f in found for line in f.missed()))
-    print("\n".join(table(found)))
+        options.missed.write_text("".join(f"{line}\n" for f in files for line in f.missed()))
+    print("\n".join(table(files)))
     return 0
 
 

@@ -75,8 +75,8 @@ def _argument_names(ptx_path: str, kernel: str) -> list[str]:
     if not source.exists():
         return []
     pattern = rf"__global__ void (?:\w+\([^)]*\)\s*)?{re.escape(kernel)}\(\s*(.*?)\)\s*\{{"
-    found = re.search(pattern, source.read_text(), re.S)
-    return [p.split()[-1].removeprefix("var_") for p in re.split(r",\s*\n", found.group(1))] if found else []
+    match = re.search(pattern, source.read_text(), re.S)
+    return [p.split()[-1].removeprefix("var_") for p in re.split(r",\s*\n", match.group(1))] if match else []
 
 
 class Launches:
@@ -116,7 +116,7 @@ class Launches:
         library = ctypes.CDLL(str(gcc.build_text(name, translation.source)))
         self.findings.seconds["compile"] += time.perf_counter() - start
         content = json.dumps([translation.shared_window, [asdict(k) for k in translation.kernels]])
-        gcc.write_atomically(described, content.encode())  # last: who finds it finds the library
+        gcc.write_atomically(described, content.encode())  # written last: its existence marks a complete library
         return library, translation
 
     def wp_cuda_load_module(self, _, path):
@@ -151,12 +151,12 @@ class Launches:
         return self.streams.named(kernel).kernel.static_shared
 
     def wp_cuda_configure_kernel_shared_memory(self, kernel, size):
-        found = self.streams.named(kernel)
-        static = found.kernel.static_shared
+        loaded = self.streams.named(kernel)
+        static = loaded.kernel.static_shared
         if static + size > OPT_IN_SHARED:
-            text = f"{found.name}: {static} + {size} bytes of shared memory, {OPT_IN_SHARED} at most"
+            text = f"{loaded.name}: {static} + {size} bytes of shared memory, {OPT_IN_SHARED} at most"
             return self.findings.refuse(text)
-        found.dynamic_limit = max(found.dynamic_limit, size)
+        loaded.dynamic_limit = max(loaded.dynamic_limit, size)
         return True
 
     def wp_cuda_set_kernel_cluster_attrs(self, *_):
@@ -167,53 +167,53 @@ class Launches:
     def wp_cuda_launch_kernel(
         self, _, kernel, dim, max_blocks, block_dim, grid_stride, cluster, shared, args, stream, apic
     ):
-        found = self.streams.named(kernel)
+        loaded = self.streams.named(kernel)
         self.findings.counts["launches asked for"] += 1  # by the host, those that a graph records among them
         block_dim = block_dim if block_dim > 0 else 256
-        limit = min(MAX_THREADS, found.kernel.max_threads)
+        limit = min(MAX_THREADS, loaded.kernel.max_threads)
         if block_dim > limit:
-            self.findings.refuse(f"invalid configuration: {found.name}: {block_dim} threads a block, {limit} at most")
+            self.findings.refuse(f"invalid configuration: {loaded.name}: {block_dim} threads a block, {limit} at most")
             return LAUNCH_FAILED
-        if shared > found.dynamic_limit or found.kernel.static_shared + shared > OPT_IN_SHARED:
-            self.findings.refuse(f"invalid value: {found.name}: {shared} bytes of dynamic shared memory")
+        if shared > loaded.dynamic_limit or loaded.kernel.static_shared + shared > OPT_IN_SHARED:
+            self.findings.refuse(f"invalid value: {loaded.name}: {shared} bytes of dynamic shared memory")
             return LAUNCH_FAILED
         if dim == 0:
             return 0
         grid = _grid(dim, block_dim, max_blocks if grid_stride else None)
-        parameters = bytearray(max(found.kernel.parameter_bytes, 8))
+        parameters = bytearray(max(loaded.kernel.parameter_bytes, 8))
         pointers = ctypes.cast(args, ctypes.POINTER(ctypes.c_void_p))
-        for k, (offset, size) in enumerate(found.kernel.parameters):
+        for k, (offset, size) in enumerate(loaded.kernel.parameters):
             parameters[offset : offset + size] = ctypes.string_at(pointers[k], size)
         given, where = bytes(parameters), caller()
-        run = lambda: self._run(found, given, grid, block_dim, shared, where)  # noqa: E731
+        run = lambda: self._run(loaded, given, grid, block_dim, shared, where)  # noqa: E731
         self.streams.enqueue(self.streams.stream(stream), run, "kernel launch")
         return 0
 
-    def _run(self, found: LoadedKernel, parameters: bytes, grid: tuple, block: int, shared: int, where: str) -> None:
+    def _run(self, loaded: LoadedKernel, parameters: bytes, grid: tuple, block: int, shared: int, where: str) -> None:
         start, counts, state = time.process_time(), self.findings.counts, self.state
         threads = grid[0] * grid[1] * grid[2] * block
         counts["launches"] += 1
         counts["threads"] += threads
         ctypes.memset(state.note_count, 0, ctypes.sizeof(state.note_count))
         fault = self.runtime.emulator_launch(
-            found.entry,
+            loaded.entry,
             parameters,
             (ctypes.c_uint32 * 3)(*grid),
             (ctypes.c_uint32 * 3)(block, 1, 1),
-            found.window + shared,
-            int(found.kernel.waits),
+            loaded.window + shared,
+            int(loaded.kernel.waits),
             settings.order,
             settings.seed * 1_000_003 + counts["launches"],
         )
         seconds = time.process_time() - start
-        entry = self.findings.launches.setdefault(found.name, [0, 0, 0.0])
+        entry = self.findings.launches.setdefault(loaded.name, [0, 0, 0.0])
         entry[:] = entry[0] + 1, entry[1] + threads, entry[2] + seconds
         self.findings.seconds["run"] += seconds
-        self._note(found, parameters, where)
+        self._note(loaded, parameters, where)
         if fault:
-            self._fault(found, fault, where)
+            self._fault(loaded, fault, where)
 
-    def _note(self, found: LoadedKernel, parameters: bytes, where: str) -> None:
+    def _note(self, loaded: LoadedKernel, parameters: bytes, where: str) -> None:
         state = self.state
         for k, kind in enumerate(NOTES):
             if not state.note_count[k]:
@@ -221,28 +221,28 @@ class Launches:
             address, thread = state.note_address[k], str(state.note_thread[k])
             if "race" in kind or "atomic" in kind:
                 thread += f" and {state.note_other[k]}"
-            place = f"{self._argument(found, parameters, address)}, " if address else ""
-            text = f"{place}thread {thread}, statement {state.note_statement[k]}; {where}"
-            self.findings.note(found.name, kind, text, state.note_count[k])
+            location = f"{self._argument(loaded, parameters, address)}, " if address else ""
+            text = f"{location}thread {thread}, statement {state.note_statement[k]}; {where}"
+            self.findings.note(loaded.name, kind, text, state.note_count[k])
 
-    def _fault(self, found: LoadedKernel, fault: int, where: str) -> None:
+    def _fault(self, loaded: LoadedKernel, fault: int, where: str) -> None:
         state = self.state
-        text = f"{found.name}: {FAULTS[fault]}: "
+        text = f"{loaded.name}: {FAULTS[fault]}: "
         if state.fault_size:
             access = ("read", "write", "atomic")[state.fault_access]
             array = self.memory.describe(state.fault_address)
             text += f"{access} of {state.fault_size} bytes at {state.fault_address:#x}, {array}, "
         text += f"block {tuple(state.fault_ctaid)}, thread {tuple(state.fault_tid)}"
-        said = state.fault_text.decode(errors="replace")
-        self.findings.fault(f"{text}{f', {said}' if said else ''}; launched by {where}")
+        message = state.fault_text.decode(errors="replace")
+        self.findings.fault(f"{text}{f', {message}' if message else ''}; launched by {where}")
 
-    def _argument(self, found: LoadedKernel, parameters: bytes, address: int) -> str:
+    def _argument(self, loaded: LoadedKernel, parameters: bytes, address: int) -> str:
         """Which of a launch's arrays an address is in."""
         start, size = self.memory.array_at(address)
-        for k, (offset, length) in enumerate(found.kernel.parameters):
+        for k, (offset, length) in enumerate(loaded.kernel.parameters):
             data = int.from_bytes(parameters[offset : offset + 8], "little")
             if length == ARRAY_BYTES and start <= data <= address and data < start + size:
-                return f"{found.argument_name(k)}[byte {address - data}]"
+                return f"{loaded.argument_name(k)}[byte {address - data}]"
         return f"address {address:#x}"
 
 

@@ -1,4 +1,4 @@
-"""Which loops of a kernel have an iteration whatever the values of its variables are.
+"""Loops of a kernel that have an iteration for any values of its variables.
 
 `range(3)`, `range(i, i + N)`, `range(-n, n + 1)`; loops over a chunk, `range(i * run, min((i + 1) * run, count))`, or a
 window, `range(max(i - n, 0), min(i + n + 1, count))`; `range(count)` under `if count > 3` or in another loop over
@@ -87,13 +87,13 @@ class Loops:
         values = self.assigned.get(ast.unparse(node), [])
         if len(values) == 1 and not isinstance(values[0], ast.Name) and not _names(node) & _names(values[0]):
             return self.expanded(values[0])
-        found = copy.copy(node)
+        clone = copy.copy(node)
         for name, child in ast.iter_fields(node):
             if isinstance(child, ast.expr):
-                setattr(found, name, self.expanded(child))
+                setattr(clone, name, self.expanded(child))
             elif isinstance(child, list):
-                setattr(found, name, [self.expanded(c) if isinstance(c, ast.expr) else c for c in child])
-        return found
+                setattr(clone, name, [self.expanded(c) if isinstance(c, ast.expr) else c for c in child])
+        return clone
 
     def of(self, node: ast.expr, seed: int, positive: frozenset[str] = frozenset()) -> int:
         """The value; `min` and `max`, which cut a chunk or window at the ends of an array, are their first argument."""
@@ -108,10 +108,10 @@ class Loops:
             return self.of(node.args[0], seed, positive)
         return random.Random(f"{seed} {text}").choice((0, 1, 3)) + (text.isupper() or text in positive)
 
-    def holds(self, node: ast.expr, seed: int) -> bool:
+    def is_satisfied(self, node: ast.expr, seed: int) -> bool:
         """True if a condition is true, or if it is neither a comparison nor an `and` of them."""
         if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.And):
-            return all(self.holds(value, seed) for value in node.values)
+            return all(self.is_satisfied(value, seed) for value in node.values)
         if isinstance(node, ast.Compare) and type(node.ops[0]) in _COMPARISONS and len(node.ops) == 1:
             return _COMPARISONS[type(node.ops[0])](self.of(node.left, seed), self.of(node.comparators[0], seed))
         return True
@@ -127,6 +127,6 @@ class Loops:
         lengths = frozenset(ast.unparse(n.right) for n in products)
         conditions = [self.expanded(condition) for condition in self.conditions.get(node, [])]
         conditions = [condition for condition in conditions if _names(condition) & (_names(first) | _names(last))]
-        seeds = [s for s in SEEDS if all(self.holds(condition, s) for condition in conditions)]
+        seeds = [s for s in SEEDS if all(self.is_satisfied(condition, s) for condition in conditions)]
         seeds = seeds if len(seeds) > 9 else list(SEEDS)  # no numbers for these conditions
         return all(self.of(first, s, lengths) < self.of(last, s, lengths) for s in seeds)

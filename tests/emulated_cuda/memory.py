@@ -8,7 +8,7 @@ from collections import OrderedDict
 from .findings import CudaFault
 
 SPAN = 1 << 41  # device addresses; none is used twice, so that a use after release is always seen
-SMALL_SPAN = SPAN // 4  # arrays up to LARGE lie here
+SMALL_SPAN = SPAN // 4  # arrays up to LARGE are here
 LARGE, CHUNK = 1 << 16, 1 << 20
 ALIGNMENT, GAP = 512, 256  # of addresses, as cudaMalloc has it; between arrays at least
 FRESH, RELEASED = 0xCB, 0xDB
@@ -33,10 +33,9 @@ def _map(size: int, protection: int) -> int:
 class Memory:
     """Arrays of the device.
 
-    Device addresses lie in a range without any access rights: a host that follows one dies at once. Kernels and copies
-    go through `base -> bytes`; `valid` says of each eight bytes how many belong to a live array, `written` of each byte
-    whether it was written, `tracks` and `byte_tracks` who touched
-    it last.
+    Device addresses are in a range without any access rights: a host that follows one crashes at once. Kernels and
+    copies go through `base -> bytes`. `valid` counts the bytes of live arrays in each eight bytes, `written` marks each
+    written byte, `tracks` and `byte_tracks` store the last access.
     """
 
     def __init__(self, room: int, *, uninitialized: bool, races: bool) -> None:
@@ -48,14 +47,14 @@ class Memory:
         self.tracks = _map(SPAN // 4 * TRACK_BYTES, _PROT_READ_WRITE) if races else 0
         self.byte_tracks = _map(SPAN * TRACK_BYTES, _PROT_READ_WRITE) if races else 0
         self.next_small, self.next_large = ALIGNMENT, SMALL_SPAN
-        self.live: dict[int, tuple[int, str]] = {}  # address -> size, who made it
+        self.live: dict[int, tuple[int, str]] = {}  # address -> size, call site
         self.released: OrderedDict[int, tuple[int, str]] = OrderedDict()
         self.in_chunk: dict[int, int] = {}  # live small arrays
         self.used = self.peak = self.total = 0
         self.reserved = self.threshold = 0  # what the pool has of the system, and what it keeps at a wait
 
     def allocate(self, size: int, made_by: str = "") -> int:
-        """The address of a new array; 0 where there is no room."""
+        """The address of a new array; 0 if memory is exhausted."""
         if self.used + size > self.room:
             return 0
         length = -(-(size + GAP) // ALIGNMENT) * ALIGNMENT
@@ -80,7 +79,7 @@ class Memory:
         return address
 
     def freshen(self, address: int, size: int) -> None:
-        """Make an array's bytes what nobody wrote."""
+        """Mark an array's bytes as uninitialized."""
         offset = address - self.base
         ctypes.memset(self.bytes + offset, FRESH, size)
         ctypes.memset(self.valid + offset // 8, 8, size // 8)
@@ -89,9 +88,9 @@ class Memory:
         if self.written:
             ctypes.memset(self.written + offset, 0, size)
 
-    def trim(self, kept: int) -> None:
+    def trim(self, bytes_to_keep: int) -> None:
         """Hand what the pool has beyond its arrays back to the system, but for so many bytes in all."""
-        self.reserved = max(self.used, min(self.reserved, kept))
+        self.reserved = max(self.used, min(self.reserved, bytes_to_keep))
 
     def release(self, address: int) -> None:
         """Give an array back; whoever touches it afterward is at fault."""
@@ -127,7 +126,7 @@ class Memory:
             if area and last > first:
                 _libc.madvise(first, last - first, _MADV_DONTNEED)
 
-    def holds(self, address: int) -> bool:
+    def contains(self, address: int) -> bool:
         """Whether an address is the device's at all."""
         return self.base <= address < self.base + SPAN
 
@@ -139,17 +138,17 @@ class Memory:
         for start, (size, made_by) in self.released.items():
             if start <= address < start + size:
                 return f"byte {address - start} of a RELEASED array of {size} bytes ({made_by})"
-        return "no array" if self.holds(address) else "no array of the device"
+        return "no array" if self.contains(address) else "no array of the device"
 
     def array_at(self, address: int) -> tuple[int, int]:
-        """Start and size of the live array that holds an address; (0, 0) where there is none."""
+        """Start and size of the live array that contains an address; (0, 0) if there is none."""
         return next(((a, size) for a, (size, _) in self.live.items() if a <= address < a + size), (0, 0))
 
     def real(self, address: int, size: int, what: str, *, write: bool = False) -> int:
         """Where the bytes are; a fault where they are not all in one live array."""
         if size == 0:
             return self.bytes
-        if not self.holds(address):
+        if not self.contains(address):
             raise CudaFault(f"invalid argument: {what} at {address:#x}, which is no device memory")
         offset = address - self.base
         first, last = offset // 8, (offset + size - 1) // 8
@@ -161,7 +160,7 @@ class Memory:
         return self.bytes + offset
 
     def unwritten(self, address: int, size: int) -> int:
-        """How many of the bytes nobody has written."""
+        """The number of uninitialized bytes."""
         if not self.written or not size:
             return 0
         return size - ctypes.string_at(self.written + address - self.base, size).count(1)

@@ -15,8 +15,8 @@ from .settings import settings
 
 OPTION, QUICK, STRICT = "--emulated-cuda", "--emulated-cuda-quick", "--emulated-cuda-strict"
 FOLDER = "tests/emulated_cuda/"
-# Processes of pytest -n see no options when their conftest.py is imported; the first one tells them so.
-WORKER, ASKED = "PYTEST_XDIST_WORKER", "EMULATED_CUDA_ASKED"
+# Processes of pytest -n have no options when their conftest.py is imported; the first process passes them on.
+WORKER, REQUESTED = "PYTEST_XDIST_WORKER", "EMULATED_CUDA_ASKED"
 
 
 def add_options(parser: pytest.Parser) -> None:
@@ -29,17 +29,17 @@ def add_options(parser: pytest.Parser) -> None:
     )
 
 
-def is_asked_for(config: pytest.Config) -> bool:
+def is_requested(config: pytest.Config) -> bool:
     """Whether this run is one on the emulated device; known before options are parsed."""
     if WORKER in os.environ:
-        return ASKED in os.environ
+        return REQUESTED in os.environ
     return bool({OPTION, QUICK} & set(config.invocation_params.args))
 
 
-def install_if_asked_for(config: pytest.Config) -> None:
+def install_if_requested(config: pytest.Config) -> None:
     """Install the device, before another conftest.py is imported and starts Warp."""
-    if is_asked_for(config):
-        os.environ[ASKED] = "yes"
+    if is_requested(config):
+        os.environ[REQUESTED] = "yes"
         try:
             install()
         except EmulationError as error:
@@ -72,8 +72,8 @@ class EmulatedCudaPlugin:
         parameters = item.callspec.params if hasattr(item, "callspec") else {}
         if str(parameters.get("device", "")).startswith("cpu"):
             return False
-        own = item.nodeid.startswith(FOLDER) and item.get_closest_marker("slow") is None
-        return not self.quick or own or quick_set.holds(item.nodeid)
+        is_device_test = item.nodeid.startswith(FOLDER) and item.get_closest_marker("slow") is None
+        return not self.quick or is_device_test or quick_set.is_in_quick_set(item.nodeid)
 
     @pytest.hookimpl(wrapper=True)
     def pytest_runtest_call(self, item: pytest.Item) -> Iterator[None]:

@@ -1,4 +1,4 @@
-"""What the device says of itself: an H100-like device, or several, with a driver as new as Warp's toolkit."""
+"""Properties of the emulated device: one or several H100-like devices with a driver as new as Warp's toolkit."""
 
 from __future__ import annotations
 
@@ -43,8 +43,8 @@ class Properties:
 
     def __init__(self, real: ctypes.CDLL, memory: Memory):
         self.real, self.memory = real, memory
-        for name, answer in self._CONSTANT.items():
-            setattr(self, name, lambda *_, answer=answer: answer)
+        for name, value in self._CONSTANT.items():
+            setattr(self, name, lambda *_, value=value: value)
 
     def wp_cuda_device_get_count(self):
         return settings.devices

@@ -17,13 +17,13 @@ class Allocated:
 
 @contextlib.contextmanager
 def failing_allocation(device: Device, number: int | None = None) -> Iterator[Allocated]:
-    """Count the allocations in here; the one of this number, from 1 on, finds no room."""
-    allocations, seen = device.part("_allocate"), Allocated()
+    """Count the allocations in here; the one of this number, from 1 on, fails."""
+    allocations, allocated = device.part("_allocate"), Allocated()
     real: Callable[[int], Any] = allocations._allocate
 
     def allocate(size: int) -> int | None:
-        seen.count += 1
-        if seen.count == number:
+        allocated.count += 1
+        if allocated.count == number:
             device.findings.refuse(f"out of memory: {size} bytes, as a test wants it")
             return None
         return real(size)
@@ -31,6 +31,6 @@ def failing_allocation(device: Device, number: int | None = None) -> Iterator[Al
     allocations._allocate = allocate
     try:
         with device.findings.expected() if number else contextlib.nullcontext():
-            yield seen
+            yield allocated
     finally:
         del allocations._allocate

@@ -26,9 +26,9 @@ class Settings:
     seed: int = 1  # of orders 2 and 3
     lazy: bool = True  # a launch runs when something waits for it; False: at once
     races: bool = False  # note accesses of two threads to the same bytes
-    uninitialized: bool = True  # note reads of bytes that nobody wrote
+    uninitialized: bool = True  # note reads of uninitialized bytes
     memory: int = 8 << 30  # bytes of the device
-    devices: int = 1  # how many; they share the memory, and none reaches another's
+    devices: int = 1  # the number of devices; they share the memory, and none can access another's
     compiler: bool = True  # 0: a kernel of pointloom's that would be compiled is a fault
     coverage: str = ""  # a file of marks that kernels set: kernel_coverage.py
     report: str = ""  # a file for faults, notes and launches as JSON; %p is the process
@@ -36,19 +36,19 @@ class Settings:
 
     @classmethod
     def from_environment(cls) -> Settings:
-        """What the environment asks for."""
-        found = {}
+        """The settings requested by the environment."""
+        values = {}
         for field in fields(cls):
             text = os.environ.get(PREFIX + field.name.upper())
             if text is None:
                 continue
             kind, name = type(field.default), PREFIX + field.name.upper()
             try:
-                found[field.name] = text if kind is str else kind(int(text))
+                values[field.name] = text if kind is str else kind(int(text))
             except ValueError:
                 expected = f"0 to {max(Order):d}" if kind is Order else "a whole number"
                 raise ValueError(f"{name}: expected {expected}, got {text!r}") from None
-        return cls(**found)
+        return cls(**values)
 
 
 settings = Settings.from_environment()

@@ -1,8 +1,8 @@
-"""What the PTX of kernels says by itself: float atomics, products that ptxas may fuse, approximations, local memory.
+"""Notes about the PTX of kernels: float atomics, products that ptxas may fuse, approximations, local memory.
 
     python tests/emulated_cuda/static_notes.py [file.ptx ...]
 
-Without files: of all modules of pointloom that lie in Warp's cache, for which `make test-cuda-emulated` fills it.
+Without files: of all modules of pointloom in Warp's cache, which `make test-cuda-emulated` fills.
 """
 
 from __future__ import annotations
@@ -22,11 +22,11 @@ def cached_modules() -> list[Path]:
 
     wp.config.quiet = True
     wp.init()
-    found = {}
+    newest = {}
     for path in Path(wp.config.kernel_cache_dir).glob("wp_pointloom.*/*.ptx"):
         module = re.sub(r"_[0-9a-f]{7}\..*", "", path.name)
-        found[module] = max(found.get(module, path), path, key=lambda p: p.stat().st_mtime)
-    return sorted(found.values())
+        newest[module] = max(newest.get(module, path), path, key=lambda p: p.stat().st_mtime)
+    return sorted(newest.values())
 
 
 def main(paths: list[Path]) -> int:

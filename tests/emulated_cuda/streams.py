@@ -61,7 +61,7 @@ class Event:
 
 
 class Streams:
-    """The device's queues, what is current, and the handles that Warp holds."""
+    """The device's queues, its current state, and the handles given to Warp."""
 
     def __init__(self, findings: Findings):
         self.findings = findings
@@ -77,7 +77,7 @@ class Streams:
 
     @property
     def contexts(self) -> list[int | None]:
-        """The contexts of the thread that asks, the current one last: CUDA has them by thread."""
+        """The contexts of the calling thread, the current one last: CUDA stores them by thread."""
         if not hasattr(self.of_thread, "contexts"):
             self.of_thread.contexts = [None]
         return self.of_thread.contexts
@@ -233,11 +233,11 @@ class Streams:
         return stream.handle
 
     def wp_cuda_stream_destroy(self, context, stream):
-        found = self.streams.get(address_of(stream))
-        if found is not None:
+        stream_object = self.streams.get(address_of(stream))
+        if stream_object is not None:
             self.wp_cuda_stream_unregister(context, stream)
-            self.flush(found)
-            del self.streams[found.handle]
+            self.flush(stream_object)
+            del self.streams[stream_object.handle]
 
     def wp_cuda_stream_register(self, *_):
         return None
@@ -268,27 +268,27 @@ class Streams:
         return mode
 
     def wp_cuda_stream_query(self, stream):
-        found = self.stream(stream)
-        if not found.queue:
+        stream_object = self.stream(stream)
+        if not stream_object.queue:
             return 0
-        self.flush(found, len(found.queue) // 2 + 1)  # who asks again and again gets on
+        self.flush(stream_object, len(stream_object.queue) // 2 + 1)  # repeated queries make progress
         return NOT_READY
 
     def wp_cuda_stream_synchronize(self, stream):
-        found = self.stream(stream)
-        if found.capture:
+        stream_object = self.stream(stream)
+        if stream_object.capture:
             return self.findings.refuse(f"operation not permitted when stream is capturing: synchronize ({caller()})")
         self.findings.counts["waits"] += 1
-        self.flush(found)
+        self.flush(stream_object)
         self.after_wait()
         return True
 
     def wp_cuda_stream_wait_stream(self, stream, other, event, external=False):
-        waiting, found = self.stream(stream), self.stream(other)
-        if found.capture and not waiting.capture:
-            waiting.capture = found.capture
+        waiting, awaited = self.stream(stream), self.stream(other)
+        if awaited.capture and not waiting.capture:
+            waiting.capture = awaited.capture
         elif not waiting.capture:
-            self.wait_for(waiting, found)
+            self.wait_for(waiting, awaited)
 
     # ------------------------------------------------------------------------------------------ events
 
@@ -299,8 +299,8 @@ class Streams:
         self.handles.pop(address_of(event), None)
 
     def wp_cuda_event_record(self, event, stream, external=False):
-        found = self.stream(stream)
-        self.handles[address_of(event)] = Event() if found.capture else self._record(found)
+        stream_object = self.stream(stream)
+        self.handles[address_of(event)] = Event() if stream_object.capture else self._record(stream_object)
 
     def wp_cuda_event_query(self, event):
         return 0 if self.named(event).passed is not None else NOT_READY

@@ -35,14 +35,14 @@ def traffic(emulated, monkeypatch):
 
     @contextlib.contextmanager
     def watched():
-        seen = {"wp_memcpy_d2h": [], "wp_memcpy_h2d": [], "wp_cuda_context_synchronize": []}
+        sizes = {"wp_memcpy_d2h": [], "wp_memcpy_h2d": [], "wp_cuda_context_synchronize": []}
         core = wp._src.context.runtime.core
 
         def watch(name, size):
             through = getattr(core, name)
 
             def call(*arguments):
-                seen[name].append(size(arguments))
+                sizes[name].append(size(arguments))
                 return through(*arguments)
 
             return call
@@ -51,7 +51,7 @@ def traffic(emulated, monkeypatch):
             for name in ("wp_memcpy_d2h", "wp_memcpy_h2d"):
                 patch.setattr(core, name, watch(name, lambda arguments: arguments[3]))
             patch.setattr(core, "wp_cuda_context_synchronize", watch("wp_cuda_context_synchronize", lambda _: 0))
-            yield seen
+            yield sizes
 
     return watched
 
@@ -99,7 +99,9 @@ OPERATIONS = {
 }
 
 
-KEPT = dict.fromkeys(("pairs", "ransac"), 2 * 512 * 33 * 4)  # samples of features that both trees choose their axes by
+RETAINED = dict.fromkeys(
+    ("pairs", "ransac"), 2 * 512 * 33 * 4
+)  # samples of features that both trees choose their axes by
 
 
 @pytest.fixture
@@ -124,25 +126,25 @@ def everything(library, surface, rng):
 @pytest.mark.parametrize("name", OPERATIONS)
 def test_no_array_goes_through_the_host(everything, traffic, name):
     OPERATIONS[name](everything.cloud, everything)  # what is kept after a first call
-    with traffic() as seen:
-        found = OPERATIONS[name](everything.cloud, everything)
-    arrays = list(found.values()) if isinstance(found, dict) else found if isinstance(found, tuple) else [found]
+    with traffic() as sizes:
+        result = OPERATIONS[name](everything.cloud, everything)
+    arrays = list(result.values()) if isinstance(result, dict) else result if isinstance(result, tuple) else [result]
     for array in arrays:
         if isinstance(array, ndarray):
             assert array.memory.device.is_cuda
         else:
             assert not isinstance(array, np.ndarray)
-    largest = max([0, *seen["wp_memcpy_d2h"], *seen["wp_memcpy_h2d"]])
-    assert largest < max(2 * COUNT, KEPT.get(name, 0) + 1), seen  # bytes: less than any array of a number a point
-    assert not seen["wp_cuda_context_synchronize"]
+    largest = max([0, *sizes["wp_memcpy_d2h"], *sizes["wp_memcpy_h2d"]])
+    assert largest < max(2 * COUNT, RETAINED.get(name, 0) + 1), sizes  # bytes: less than any array of a number a point
+    assert not sizes["wp_cuda_context_synchronize"]
 
 
-def test_what_is_still_being_written_on_the_givers_stream_is_waited_for(library, surface):
+def test_pending_writes_on_the_callers_stream_are_awaited(library, surface):
     points = library.asarray(surface)
     wp.launch(move_kernel, COUNT, [points.memory, 1.0], stream=library.stream)  # not run yet
     cloud = loom.PointCloud(points)
-    ours = wp.get_stream(DEVICE).cuda_stream
-    assert library.asked_streams == [ours]
+    current_stream = wp.get_stream(DEVICE).cuda_stream
+    assert library.requested_streams == [current_stream]
     np.testing.assert_array_equal(cloud.points[:, 0], (surface[:, 0] + np.float32(1)).astype(np.float64))
 
 
@@ -156,7 +158,7 @@ def test_a_result_is_ready_on_the_takers_stream(library, surface):
     np.testing.assert_array_equal(host.numpy(), expected + 7)
 
 
-def test_the_result_of_a_cloud_is_ready_on_the_stream_that_asks(library, surface):
+def test_the_result_of_a_cloud_is_ready_on_the_requesting_stream(library, surface):
     cloud = loom.PointCloud(surface, device=DEVICE).translate([1, 0, 0])
     taken = library.from_dlpack(loom.PointCloud(surface, device=DEVICE).transform(np.diag([2, 2, 2, 1.0])))
     host = wp.empty((COUNT, 3), dtype=float, device="cpu", pinned=True)
@@ -166,15 +168,15 @@ def test_the_result_of_a_cloud_is_ready_on_the_stream_that_asks(library, surface
     assert cloud.origin.any() or len(cloud) == COUNT
 
 
-def test_work_goes_to_the_stream_that_the_caller_chose(library, surface):
+def test_work_runs_on_the_callers_stream(library, surface):
     chosen = wp.Stream(DEVICE)
     with wp.ScopedStream(chosen):
         labels = loom.PointCloud(library.asarray(surface)).cluster_dbscan(0.05, 4)
-        found = loom.NearestNeighborSearch(surface, device=DEVICE).knn_search(library.asarray(surface), 3)
-        assert library.asked_streams == [chosen.cuda_stream] * 2
+        neighbors = loom.NearestNeighborSearch(surface, device=DEVICE).knn_search(library.asarray(surface), 3)
+        assert library.requested_streams == [chosen.cuda_stream] * 2
     np.testing.assert_array_equal(labels.get(), loom.PointCloud(surface).cluster_dbscan(0.05, 4))
     expected = loom.NearestNeighborSearch(surface).knn_search(surface, 3).indices
-    np.testing.assert_array_equal(found.indices.get(), expected)
+    np.testing.assert_array_equal(neighbors.indices.get(), expected)
 
 
 def test_the_stream_of_the_cuda_array_interface_is_waited_for(library, surface, traffic):
@@ -184,14 +186,14 @@ def test_the_stream_of_the_cuda_array_interface_is_waited_for(library, surface, 
 
     memory = library.asarray(surface).memory
     wp.launch(move_kernel, COUNT, [memory, 2.0], stream=library.stream)
-    with traffic() as seen:
+    with traffic() as sizes:
         cloud = loom.PointCloud(Speaker(memory, library.stream.cuda_stream))
     assert cloud.array("points").ptr == memory.ptr
-    assert not seen["wp_cuda_context_synchronize"]
+    assert not sizes["wp_cuda_context_synchronize"]
     np.testing.assert_array_equal(cloud.points[:, 0], (surface[:, 0] + np.float32(2)).astype(np.float64))
 
 
-def test_torch_is_told_which_stream_reads_its_tensor(library, surface, monkeypatch):
+def test_torch_receives_the_stream_that_reads_its_tensor(library, surface, monkeypatch):
     torch = ModuleType("torch")
     torch.cuda = SimpleNamespace(ExternalStream=lambda stream, device: (stream, device))
     monkeypatch.setitem(sys.modules, "torch", torch)
@@ -206,16 +208,16 @@ def test_torch_is_told_which_stream_reads_its_tensor(library, surface, monkeypat
     assert noted == [(wp.get_stream(DEVICE).cuda_stream, DEVICE)]
 
 
-def test_arrays_with_gaps_are_made_whole_on_the_device(library, surface, traffic):
-    wide = library.asarray(np.hstack([surface, surface]))
-    with traffic() as seen:
-        part = loom.PointCloud(ndarray(wide.memory[::2, :3], library))
-        turned = loom.PointCloud(ndarray(library.asarray(surface.T).memory.transpose(), library))
-        same = loom.PointCloud(ndarray(wp.array(ptr=wide.memory.ptr, dtype=float, shape=(50, 3), strides=(0, 4),
+def test_strided_arrays_are_made_contiguous_on_the_device(library, surface, traffic):
+    padded = library.asarray(np.hstack([surface, surface]))
+    with traffic() as sizes:
+        part = loom.PointCloud(ndarray(padded.memory[::2, :3], library))
+        transposed = loom.PointCloud(ndarray(library.asarray(surface.T).memory.transpose(), library))
+        same = loom.PointCloud(ndarray(wp.array(ptr=padded.memory.ptr, dtype=float, shape=(50, 3), strides=(0, 4),
                                                 device=DEVICE), library))  # fmt: skip
-    assert max(seen["wp_memcpy_d2h"]) < 2 * COUNT
+    assert max(sizes["wp_memcpy_d2h"]) < 2 * COUNT
     np.testing.assert_array_equal(part.points, surface[::2].astype(np.float64))
-    np.testing.assert_array_equal(turned.points, surface.astype(np.float64))
+    np.testing.assert_array_equal(transposed.points, surface.astype(np.float64))
     np.testing.assert_array_equal(same.points, np.tile(surface[:1], (50, 1)).astype(np.float64))
 
 
@@ -252,6 +254,6 @@ def test_arrays_with_gaps_are_made_whole_on_the_device(library, surface, traffic
         ),
     ],
 )
-def test_what_cannot_be_taken_is_refused_by_name(library, call, error, reason):
+def test_unsupported_arrays_are_refused_by_name(library, call, error, reason):
     with pytest.raises(error, match=reason):
         call(loom.PointCloud(np.zeros((4, 3))), library.asarray)

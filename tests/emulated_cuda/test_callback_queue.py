@@ -1,4 +1,4 @@
-"""How often the hot operations ask something of the device, and how often they wait for it, to the number.
+"""Exact numbers of device calls and waits of the hot operations.
 
 Each launch costs a program some 20 microseconds of Python and each wait 10, more than most of these kernels take.
 """
@@ -51,10 +51,10 @@ def data(emulated) -> Data:
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_an_operation_asks_little_of_the_device(emulated, data, name):
+def test_an_operation_makes_few_device_calls(emulated, data, name):
     run, kernels, copies = CALLS[name]
-    asked = emulated.asked(lambda: run(data))
-    assert (asked["launches"], asked["copies to host"]) == (kernels, copies)
+    counts = emulated.count_requests(lambda: run(data))
+    assert (counts["launches"], counts["copies to host"]) == (kernels, copies)
 
 
 ALLOCATIONS = {  # of calls on a cloud whose tree is there
@@ -67,48 +67,48 @@ ALLOCATIONS = {  # of calls on a cloud whose tree is there
 def test_scratch_of_a_search_is_one_allocation(emulated, data, name):
     run, allocations = ALLOCATIONS[name]
     run(data)
-    asked = emulated.asked(lambda: run(data))
-    assert asked["allocations"] == allocations
+    counts = emulated.count_requests(lambda: run(data))
+    assert counts["allocations"] == allocations
 
 
 def test_farthest_points_are_one_graph_and_one_wait(emulated, data):
-    asked = emulated.asked(lambda: choose_farthest(data.tree, 1000, 0))
-    assert (asked["graphs"], asked["copies to host"]) == (1, 1)
+    counts = emulated.count_requests(lambda: choose_farthest(data.tree, 1000, 0))
+    assert (counts["graphs"], counts["copies to host"]) == (1, 1)
 
 
 def test_decimation_is_one_graph_and_four_waits(emulated):
     """However many rounds: the box, whether a triangle is there twice, what is left, the vertices that are used."""
     mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
     for target in (500, 60):
-        asked = emulated.asked(lambda target=target: mesh.simplify_quadric_decimation(target))
-        assert (asked["graphs"], asked["copies to host"], asked["bytes to host"]) == (1, 4, 84)
+        counts = emulated.count_requests(lambda target=target: mesh.simplify_quadric_decimation(target))
+        assert (counts["graphs"], counts["copies to host"], counts["bytes to host"]) == (1, 4, 84)
 
 
 def test_a_mesh_is_bent_with_one_wait_a_level(emulated):
-    """The held vertices, seams, edges, five levels, and whether it settled: however many turns."""
+    """The copies: fixed vertices, seams, edges, five levels, and whether it converged, for any number of iterations."""
     mesh = loom.TriangleMesh.create_sphere(resolution=20).to("cuda:0")
-    for turns in (2, 6):
-        asked = emulated.asked(
-            lambda turns=turns: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], turns)
+    for iterations in (2, 6):
+        counts = emulated.count_requests(
+            lambda iterations=iterations: mesh.deform_as_rigid_as_possible([0, 1], [[0, 0, 1], [0, 0, -2]], iterations)
         )
-        assert (asked["graphs made"], asked["graphs"], asked["copies to host"]) == (3, 2 * turns, 9)
+        assert (counts["graphs made"], counts["graphs"], counts["copies to host"]) == (3, 2 * iterations, 9)
 
 
-def test_answers_of_a_scene_come_in_one_copy(emulated):
+def test_results_of_a_scene_need_one_copy(emulated):
     mesh, rays = loom.TriangleMesh.create_sphere(), np.tile([0.1, 0.2, 3.0, 0.0, 0.0, -1.0], (50, 1))
     scene = loom.RaycastingScene(device="cuda:0")
     scene.add_triangles(mesh.to("cuda:0"))
     scene.cast_rays(rays)
-    asked = emulated.asked(lambda: scene.cast_rays(rays))
-    assert asked["copies to host"] == 1
-    asked = emulated.asked(lambda: scene.list_intersections(rays))
-    assert asked["copies to host"] == 2  # how many there are
-    asked = emulated.asked(lambda: scene.compute_closest_points(rays[:, :3]))
-    assert asked["copies to host"] == 1
+    counts = emulated.count_requests(lambda: scene.cast_rays(rays))
+    assert counts["copies to host"] == 1
+    counts = emulated.count_requests(lambda: scene.list_intersections(rays))
+    assert counts["copies to host"] == 2  # how many there are
+    counts = emulated.count_requests(lambda: scene.compute_closest_points(rays[:, :3]))
+    assert counts["copies to host"] == 1
 
 
 def test_samples_are_spread_with_four_waits(emulated):
     """Whether all corners are finite, the area, the box of the samples, and how many neighbors they have."""
     mesh = loom.TriangleMesh.create_sphere().to("cuda:0")
-    asked = emulated.asked(lambda: mesh.sample_points_poisson_disk(100).to("cuda:0", arrays="warp"))
-    assert asked["copies to host"] == 4
+    counts = emulated.count_requests(lambda: mesh.sample_points_poisson_disk(100).to("cuda:0", arrays="warp"))
+    assert counts["copies to host"] == 4

@@ -38,9 +38,9 @@ class Streams:
 @pytest.fixture
 def chosen(emulated):
     """A stream of the caller's that does not wait for the legacy stream, nor that for it."""
-    theirs = NonBlockingStream(wp.get_device(DEVICE))
-    chosen = wp.Stream(DEVICE, cuda_stream=theirs.cuda_stream)
-    chosen.theirs = theirs  # type: ignore[attr-defined]  # which lives as long
+    foreign = NonBlockingStream(wp.get_device(DEVICE))
+    chosen = wp.Stream(DEVICE, cuda_stream=foreign.cuda_stream)
+    chosen.theirs = foreign  # type: ignore[attr-defined]  # which lives as long
     return chosen
 
 
@@ -54,22 +54,22 @@ def check(emulated, chosen, monkeypatch):
         with monkeypatch.context() as patch:
             streams = Streams(emulated, chosen, patch)
             with wp.ScopedStream(chosen):
-                found = work()
+                result = work()
             assert streams.elsewhere == []
         wp.synchronize_device(DEVICE)
-        assert digest(found) == expected
+        assert digest(result) == expected
 
     return run
 
 
 @pytest.mark.parametrize("operation", [name for name in ON_CLOUDS if not name.startswith(ON_HOST)])
-def test_work_on_clouds_goes_to_the_callers_stream(small, check, operation):
+def test_work_on_clouds_runs_on_the_callers_stream(small, check, operation):
     check(lambda: ON_CLOUDS[operation](small.surface))
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("operation", [name for name in ONCE if not name.startswith(ON_HOST)])
-def test_work_on_scenes_goes_to_the_callers_stream(small, check, operation):
+def test_work_on_scenes_runs_on_the_callers_stream(small, check, operation):
     check(lambda: ONCE[operation](small))
 
 
@@ -92,7 +92,7 @@ def points(rng):
     return rng.random((500, 3)).astype(np.float32)
 
 
-def test_an_array_that_names_the_stream_we_work_on_leaves_it_as_it_is(chosen, points):
+def test_an_array_on_the_current_stream_changes_no_stream(chosen, points):
     memory = wp.array(points, device=DEVICE)
     wp.synchronize_device(DEVICE)
     core = wp._src.context.runtime.core
@@ -100,19 +100,19 @@ def test_an_array_that_names_the_stream_we_work_on_leaves_it_as_it_is(chosen, po
         wp.launch(move_kernel, 500, [memory, 1.0])
         cloud = loom.PointCloud(Speaker(memory, chosen.cuda_stream))
         assert core.wp_cuda_context_get_stream(wp.get_device(DEVICE).context) == chosen.cuda_stream
-        found = cloud.points
-    np.testing.assert_array_equal(found[:, 0], (points[:, 0] + np.float32(1)).astype(np.float64))
+        result = cloud.points
+    np.testing.assert_array_equal(result[:, 0], (points[:, 0] + np.float32(1)).astype(np.float64))
 
 
 @pytest.mark.parametrize("stream", [1, 2], ids=["legacy", "per thread"])
 def test_an_array_on_one_of_cudas_default_streams_is_waited_for(chosen, points, stream):
     memory = wp.array(points, device=DEVICE)
     wp.synchronize_device(DEVICE)
-    theirs = wp.Stream(DEVICE, cuda_stream=stream)
-    wp.launch(move_kernel, 500, [memory, 1.0], stream=theirs)
+    foreign = wp.Stream(DEVICE, cuda_stream=stream)
+    wp.launch(move_kernel, 500, [memory, 1.0], stream=foreign)
     with wp.ScopedStream(chosen, sync_enter=False):
-        found = loom.PointCloud(Speaker(memory, stream)).points
-    np.testing.assert_array_equal(found[:, 0], (points[:, 0] + np.float32(1)).astype(np.float64))
+        result = loom.PointCloud(Speaker(memory, stream)).points
+    np.testing.assert_array_equal(result[:, 0], (points[:, 0] + np.float32(1)).astype(np.float64))
 
 
 def test_a_producer_that_is_late_is_waited_for_on_every_stream(emulated, chosen, points, monkeypatch):
@@ -124,7 +124,7 @@ def test_a_producer_that_is_late_is_waited_for_on_every_stream(emulated, chosen,
         normals = cloud.estimate_normals(max_nn=8)
         taken = library.from_dlpack(normals)
     host = wp.empty((500, 3), dtype=float, device="cpu", pinned=True)
-    wp.copy(host, taken.memory, stream=library.stream)  # their stream waits for ours
+    wp.copy(host, taken.memory, stream=library.stream)  # their stream waits for pointloom's
     wp.synchronize_stream(library.stream)
     points[:, 0] += 1
     np.testing.assert_array_equal(host.numpy(), points)
@@ -132,13 +132,13 @@ def test_a_producer_that_is_late_is_waited_for_on_every_stream(emulated, chosen,
     np.testing.assert_array_equal(normals.normals, loom.PointCloud(points).estimate_normals(max_nn=8).normals)
 
 
-def test_what_is_read_back_is_that_of_the_callers_stream(chosen, points):
+def test_readbacks_wait_for_the_callers_stream(chosen, points):
     memory = wp.array(points, device=DEVICE)
     wp.synchronize_device(DEVICE)
-    kept = Readback(memory)
+    readback = Readback(memory)
     with wp.ScopedStream(chosen):
         wp.launch(move_kernel, 500, [memory, 1.0])
-        kept.send()
+        readback.send()
         wp.launch(move_kernel, 500, [memory, 1.0])
-    np.testing.assert_array_equal(kept.read()[:, 0], points[:, 0] + np.float32(1))
+    np.testing.assert_array_equal(readback.read()[:, 0], points[:, 0] + np.float32(1))
     wp.synchronize_device(DEVICE)  # before the program's own array goes

@@ -1,4 +1,4 @@
-"""How often registration and frames of depth cameras ask something of the device, and how often they wait for it.
+"""Numbers of device calls and waits of registration and of frames of depth cameras.
 
 The numbers are those of test_callback_queue.py: launches cost a program some 20 microseconds of Python and waits 10.
 """
@@ -15,7 +15,7 @@ DEVICE = "cuda:0"
 
 
 def room_seen_from(x: float) -> np.ndarray:
-    """Points of a room's walls about a place in it, the same ones of each place."""
+    """Points of a room's walls about a position in it, the same ones for each position."""
     rng = np.random.default_rng(0)
     room = rng.uniform(-8, 8, (3000, 3)) * [1, 1, 0.3]
     room[np.arange(3000), np.arange(3000) % 3] = np.where(rng.random(3000) < 0.5, -1, 1) * 8.0
@@ -26,20 +26,20 @@ def room_seen_from(x: float) -> np.ndarray:
 def test_a_scan_waits_for_its_sizes_and_for_its_pose(emulated, is_straightened):
     odometry = loom.registration.LidarOdometry(max_range=30, min_range=0.5, device=DEVICE)
     times = np.arange(3000) / 3000 if is_straightened else None
-    asked = {}
-    for k, x in enumerate((0.0, 0.1, 0.2, 0.4, 0.6)):  # the fourth comes as nobody predicted
+    counts = {}
+    for k, x in enumerate((0.0, 0.1, 0.2, 0.4, 0.6)):  # the fourth deviates from the prediction
         scan = loom.PointCloud(room_seen_from(x), device=DEVICE)
-        asked = emulated.asked(lambda: odometry.register(scan, times))  # noqa: B023  runs at once
+        counts = emulated.count_requests(lambda: odometry.register(scan, times))  # noqa: B023  runs at once
         if k == 3:
-            fourth = asked
+            fourth = counts
     assert odometry.steps[-1].is_sound
     # one of the waits is for a number that was sent with the scan before: it is there
-    assert (asked["waits"], asked["graphs made"], asked["graphs"]) == (3, 0, 1)
+    assert (counts["waits"], counts["graphs made"], counts["graphs"]) == (3, 0, 1)
     assert (fourth["waits"], fourth["graphs made"]) == ((5, 0) if is_straightened else (3, 0))
 
 
 def surface_of_hills(count: int, part: slice) -> loom.PointCloud:
-    """A part of hills that lies apart from the others."""
+    """A part of hills apart from the others."""
     x, y = np.random.default_rng(0).uniform(-1, 1, (2, count))
     hills = np.column_stack([x, y, 0.2 * np.sin(3 * x) * np.cos(4 * y) + 0.1 * np.sin(7 * y + x)])
     return loom.PointCloud(hills[part], device=DEVICE)
@@ -47,19 +47,19 @@ def surface_of_hills(count: int, part: slice) -> loom.PointCloud:
 
 def test_a_pose_is_rated_with_few_waits(emulated):
     source, target = (surface_of_hills(6000, part) for part in (slice(4000), slice(2000, None)))
-    asked = emulated.asked(lambda: loom.registration.rate_registration(source, target, np.eye(4), 0.15))
+    counts = emulated.count_requests(lambda: loom.registration.rate_registration(source, target, np.eye(4), 0.15))
     # thinning and trees 5 a cloud, normals that are not finite, refinement, samples, the whole, beside the planes
-    assert asked["waits"] <= 10 + 5 and asked["graphs made"] <= 1
+    assert counts["waits"] <= 10 + 5 and counts["graphs made"] <= 1
 
 
 def test_global_registrations_wait_for_few_numbers(emulated):
     source, target = (surface_of_hills(3000, part) for part in (slice(2000), slice(1000, None)))
-    asked = emulated.asked(lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
-    assert asked["waits"] <= 34 and asked["graphs made"] <= 2
+    counts = emulated.count_requests(lambda: loom.registration.register_globally(source, target, voxel_size=0.08))
+    assert counts["waits"] <= 34 and counts["graphs made"] <= 2
     pairs = np.column_stack([np.arange(1000, 2000), np.arange(1000)])
     fgr = registration_fgr_based_on_correspondence
-    asked = emulated.asked(lambda: fgr(source, target, pairs))
-    assert asked["waits"] <= 7 and asked["graphs made"] <= 1
+    counts = emulated.count_requests(lambda: fgr(source, target, pairs))
+    assert counts["waits"] <= 7 and counts["graphs made"] <= 1
 
 
 def frame_of_a_relief(k: float):
@@ -77,13 +77,13 @@ def test_frames_of_the_same_size_share_a_graph_and_wait_once(emulated):
     clear_descents()
     first, second, third = (frame_of_a_relief(k) for k in range(3))
     align = loom.odometry.align_frames
-    asked = emulated.asked(lambda: align(first, second))
-    assert (asked["graphs made"], asked["waits"]) == (1, 1)
+    counts = emulated.count_requests(lambda: align(first, second))
+    assert (counts["graphs made"], counts["waits"]) == (1, 1)
     results = []
-    asked = emulated.asked(lambda: results.append(align(second, third)))
-    assert (asked["graphs made"], asked["graphs"], asked["waits"]) == (0, 1, 1)
+    counts = emulated.count_requests(lambda: results.append(align(second, third)))
+    assert (counts["graphs made"], counts["graphs"], counts["waits"]) == (0, 1, 1)
     clear_descents()
-    fresh = align(second, third)  # what was kept of other frames says nothing
+    fresh = align(second, third)  # cached data of other frames are not used
     np.testing.assert_array_equal(results[0].transformation, fresh.transformation)
     np.testing.assert_array_equal(results[0].information, fresh.information)
     for k in range(2 * MAX_CACHED):

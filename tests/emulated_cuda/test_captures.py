@@ -10,8 +10,8 @@ DEVICE = "cuda:0"
 
 
 @wp.kernel(enable_backward=False)
-def count_down_kernel(flag: wp.array(dtype=int), turns: wp.array(dtype=int)):
-    turns[0] = turns[0] + 1
+def count_down_kernel(flag: wp.array(dtype=int), iterations: wp.array(dtype=int)):
+    iterations[0] = iterations[0] + 1
     flag[0] = flag[0] - 1
 
 
@@ -31,13 +31,13 @@ def test_a_capture_runs_nothing_and_its_graph_runs_as_often_as_it_is_launched():
     np.testing.assert_array_equal(a.numpy(), 6)
 
 
-def test_a_loop_runs_until_the_device_says_so():
-    flag, turns = wp.array([5], dtype=int, device=DEVICE), wp.zeros(1, dtype=int, device=DEVICE)
+def test_a_loop_runs_until_the_device_ends_it():
+    flag, iterations = wp.array([5], dtype=int, device=DEVICE), wp.zeros(1, dtype=int, device=DEVICE)
     with wp.ScopedCapture(DEVICE) as capture:
-        wp.capture_while(flag, lambda: wp.launch(count_down_kernel, 1, [flag, turns], device=DEVICE))
+        wp.capture_while(flag, lambda: wp.launch(count_down_kernel, 1, [flag, iterations], device=DEVICE))
     for _ in range(2):  # the second time it has nothing to do
         wp.capture_launch(capture.graph)
-        assert (turns.numpy()[0], flag.numpy()[0]) == (5, 0)
+        assert (iterations.numpy()[0], flag.numpy()[0]) == (5, 0)
 
 
 @pytest.mark.parametrize("value", [0, 1])
@@ -102,14 +102,14 @@ def test_an_array_of_a_graph_is_fresh_in_each_launch():
         assert (out.numpy().view(np.uint32) == 0xCBCBCBCB).all()
 
 
-def test_what_is_dropped_while_capturing_is_released_afterwards(emulated):
-    kept = wp.zeros(4, dtype=int, device=DEVICE)
+def test_arrays_dropped_while_capturing_are_released_afterwards(emulated):
+    array = wp.zeros(4, dtype=int, device=DEVICE)
     dropped = wp.zeros(4, dtype=int, device=DEVICE)
     address = dropped.ptr
     wp.synchronize()  # so that nothing else puts the release off
     with wp.ScopedCapture(DEVICE):
         del dropped
-        wp.launch(add_kernel, 4, [kept, 1], device=DEVICE)
+        wp.launch(add_kernel, 4, [array, 1], device=DEVICE)
         assert address in emulated.memory.live
     wp.synchronize()
     assert address not in emulated.memory.live

@@ -1,6 +1,6 @@
-"""Kernels compiled ahead serve: nothing is compiled any more, by whatever way the archive is found.
+"""Kernels compiled ahead are used without compilation, however the archive is located.
 
-The archive of these tests holds PTX, which is what the emulated device runs, of the modules that one program needs.
+The archive of these tests contains PTX, which the emulated device runs, of the modules that one program needs.
 `EMULATED_CUDA_COMPILER=0` makes a compilation a fault, for whole folders of tests too.
 """
 
@@ -96,7 +96,7 @@ def file_of(module: str) -> str:
 
 @pytest.fixture(scope="module")
 def compiled_here(emulated):
-    """What the program finds where kernels are compiled, or lie in the user's cache."""
+    """The program's results with kernels compiled here or cached by the user."""
     import warp as wp
 
     return run(Path(wp.config.kernel_cache_dir).parent)
@@ -109,7 +109,7 @@ def files(compiled_here):
 
 @pytest.fixture(scope="module")
 def built(emulated, files, tmp_path_factory):
-    """The archive and the wheel; what the user's cache holds is taken from there."""
+    """The archive and the wheel; modules in the user's cache are taken from there."""
     import warp as wp
 
     from pointloom.kernels import cuda_cache
@@ -131,13 +131,13 @@ def with_manifest(archive: Path, to: Path, change) -> Path:
 
 
 def test_with_an_archive_nothing_is_compiled_and_results_are_the_same(built, compiled_here, tmp_path):
-    found = run(tmp_path, built[0], compiler=False)
-    assert found["compiled"] == 0 and found["said"] == []
-    assert found["results"] == compiled_here["results"]
-    assert found["loaded"] == compiled_here["loaded"]
+    report = run(tmp_path, built[0], compiler=False)
+    assert report["compiled"] == 0 and report["said"] == []
+    assert report["results"] == compiled_here["results"]
+    assert report["loaded"] == compiled_here["loaded"]
 
 
-def test_what_was_unpacked_once_serves_the_next_process(built, tmp_path):
+def test_unpacked_kernels_are_used_by_the_next_process(built, tmp_path):
     run(tmp_path, built[0], compiler=False)
     files = {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ptx")}
     assert files
@@ -145,12 +145,12 @@ def test_what_was_unpacked_once_serves_the_next_process(built, tmp_path):
     assert {path: path.stat().st_mtime_ns for path in tmp_path.rglob("*.ptx")} == files
 
 
-def test_an_installed_wheel_is_found_by_itself(built, compiled_here, tmp_path):
+def test_an_installed_wheel_is_detected(built, compiled_here, tmp_path):
     site = tmp_path / "site"
     install = [sys.executable, "-m", "pip", "--no-input", "--disable-pip-version-check", "install", "--quiet"]
     subprocess.run([*install, "--no-index", "--no-deps", "--target", site, built[1]], check=True, timeout=120)
-    found = run(tmp_path / "cache", compiler=False, path=site)
-    assert (found["compiled"], found["said"], found["results"]) == (0, [], compiled_here["results"])
+    report = run(tmp_path / "cache", compiler=False, path=site)
+    assert (report["compiled"], report["said"], report["results"]) == (0, [], compiled_here["results"])
 
 
 def test_without_an_archive_the_program_has_to_compile(compiled_here, tmp_path):
@@ -168,14 +168,14 @@ def test_without_an_archive_the_program_has_to_compile(compiled_here, tmp_path):
         (lambda m: m["made from"].update(format=2), "made from format 2 instead of 1"),
     ],
 )
-def test_an_archive_of_something_else_is_left_alone_with_one_warning(built, compiled_here, tmp_path, change, reason):
+def test_a_mismatched_archive_is_ignored_with_one_warning(built, compiled_here, tmp_path, change, reason):
     import warp as wp
 
     archive = with_manifest(built[0], tmp_path / "other.zip", change)
-    found = run(Path(wp.config.kernel_cache_dir).parent, archive)
-    (said,) = found["said"]
-    assert f"{archive}: {reason}" in said and "set POINTLOOM_CUDA_KERNELS to nothing" in said
-    assert found["results"] == compiled_here["results"]
+    report = run(Path(wp.config.kernel_cache_dir).parent, archive)
+    (warning,) = report["said"]
+    assert f"{archive}: {reason}" in warning and "set POINTLOOM_CUDA_KERNELS to nothing" in warning
+    assert report["results"] == compiled_here["results"]
 
 
 def test_a_module_that_is_not_in_the_archive_is_compiled_and_the_others_are_not(built, compiled_here, tmp_path):
@@ -184,8 +184,8 @@ def test_a_module_that_is_not_in_the_archive_is_compiled_and_the_others_are_not(
             if module["name"] == SELECT:
                 del manifest["modules"][key]
 
-    found = run(tmp_path, with_manifest(built[0], tmp_path / "less.zip", drop_select))
-    assert (found["compiled"], found["said"], found["results"]) == (1, [], compiled_here["results"])
+    report = run(tmp_path, with_manifest(built[0], tmp_path / "less.zip", drop_select))
+    assert (report["compiled"], report["said"], report["results"]) == (1, [], compiled_here["results"])
 
 
 @pytest.fixture
@@ -215,10 +215,10 @@ def test_a_damaged_archive_costs_a_warning_and_time_but_no_result(
         (key,) = [key for key, module in modules.items() if module["name"] == SELECT]
         middle = content.index(f"{key}/sm90.ptx.xz".encode()) + 400
         archive.write_bytes(content[:middle] + b"damage" + content[middle + 6 :])
-    found = run(cache_but_for_select, archive)
-    (said,) = found["said"]
-    assert str(archive) in said and "cannot be read" in said
-    assert (found["compiled"], found["results"]) == (1, compiled_here["results"])
+    report = run(cache_but_for_select, archive)
+    (warning,) = report["said"]
+    assert str(archive) in warning and "cannot be read" in warning
+    assert (report["compiled"], report["results"]) == (1, compiled_here["results"])
 
 
 def test_code_that_the_device_does_not_take_is_compiled_here(compiled_here, cache_but_for_select, tmp_path):
@@ -226,15 +226,15 @@ def test_code_that_the_device_does_not_take_is_compiled_here(compiled_here, cach
     from pointloom.kernels import cuda_cache
 
     archive, _ = cuda_cache.build([SELECT], [(90, False)], tmp_path / "work", tmp_path)
-    found = run(cache_but_for_select, archive)
-    (said,) = found["said"]
-    assert f"cuda:0 does not take wp_{SELECT}" in said
-    assert (found["compiled"], found["results"]) == (1, compiled_here["results"])
+    report = run(cache_but_for_select, archive)
+    (warning,) = report["said"]
+    assert f"cuda:0 does not take wp_{SELECT}" in warning
+    assert (report["compiled"], report["results"]) == (1, compiled_here["results"])
     assert not list(cache_but_for_select.rglob("*.cubin")), "Warp would take it for its own"
 
 
 def test_four_processes_at_once_compile_each_module_once_between_them(emulated, tmp_path):
     with ThreadPoolExecutor(4) as pool:
-        found = list(pool.map(lambda _: run(tmp_path, "", program=SMALL), range(4)))
-    assert [each["results"] for each in found] == [[1, 2]] * 4
-    assert sum(each["compiled"] for each in found) == len(list(tmp_path.rglob("*.ptx"))) > 0
+        reports = list(pool.map(lambda _: run(tmp_path, "", program=SMALL), range(4)))
+    assert [each["results"] for each in reports] == [[1, 2]] * 4
+    assert sum(each["compiled"] for each in reports) == len(list(tmp_path.rglob("*.ptx"))) > 0

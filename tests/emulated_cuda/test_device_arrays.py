@@ -35,25 +35,25 @@ def state_of(array) -> dict:
 
 @pytest.mark.parametrize("shape", SHAPES, ids=str)
 @pytest.mark.parametrize("dtype", [wp.float32, wp.uint8, wp.vec3, wp.mat44d], ids=lambda t: t.__name__)
-def test_a_new_array_keeps_what_warps_keeps(where, shape, dtype):
-    ours, warps = memory.empty(shape, dtype, where), wp.empty(shape, dtype=dtype, device=where)
-    assert hasattr(ours, "kind_") and not hasattr(warps, "kind_")
-    assert state_of(ours) == state_of(warps)
-    assert bytes(ours.__ctype__())[8:] == bytes(warps.__ctype__())[8:]
-    assert ours.packed_ == bytes(ours.__ctype__())
-    assert ours.memory_kind == warps.memory_kind
+def test_a_new_array_has_the_state_of_a_warp_array(where, shape, dtype):
+    array, warps = memory.empty(shape, dtype, where), wp.empty(shape, dtype=dtype, device=where)
+    assert hasattr(array, "kind_") and not hasattr(warps, "kind_")
+    assert state_of(array) == state_of(warps)
+    assert bytes(array.__ctype__())[8:] == bytes(warps.__ctype__())[8:]
+    assert array.packed_ == bytes(array.__ctype__())
+    assert array.memory_kind == warps.memory_kind
 
 
-def test_a_part_is_what_a_slice_is_and_keeps_the_whole_alive(where, emulated):
-    whole = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.vec3, where)
+def test_a_slice_keeps_its_base_array_alive(where, emulated):
+    base = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.vec3, where)
     for first, last in ((0, 8), (2, 5), (7, 8), (0, 0), (3, 3)):
-        ours, warps = memory.rows_of(whole, first, last), whole[first:last]
-        assert state_of(ours) == state_of(warps) and ours.ptr == warps.ptr and ours._ref is whole
-        np.testing.assert_array_equal(ours.numpy(), warps.numpy())
-    ours = memory.rows_of(whole, 2, 5)
-    del whole, warps
+        part, warps = memory.rows_of(base, first, last), base[first:last]
+        assert state_of(part) == state_of(warps) and part.ptr == warps.ptr and part._ref is base
+        np.testing.assert_array_equal(part.numpy(), warps.numpy())
+    part = memory.rows_of(base, 2, 5)
+    del base, warps
     gc.collect()
-    assert memory.download(ours).tolist() == [[6, 7, 8], [9, 10, 11], [12, 13, 14]]
+    assert memory.download(part).tolist() == [[6, 7, 8], [9, 10, 11], [12, 13, 14]]
 
 
 def test_an_allocator_of_the_program_is_obeyed(where):
@@ -87,11 +87,11 @@ def test_an_array_is_released_once_and_at_once(where, emulated):
     assert emulated.memory.used == used
 
 
-def test_an_array_dropped_while_another_thread_works_waits_for_its_turn(where, emulated):
+def test_an_array_dropped_while_another_thread_works_is_released_afterwards(where, emulated):
     wp.synchronize()
-    used, held = emulated.memory.used, [memory.empty(1 << 20, wp.uint8, where)]
+    used, arrays = emulated.memory.used, [memory.empty(1 << 20, wp.uint8, where)]
     with device_lock.lock:
-        thread = threading.Thread(target=held.clear)
+        thread = threading.Thread(target=arrays.clear)
         thread.start()
         thread.join(timeout=60)
         assert not thread.is_alive(), "it waited for the lock"
@@ -114,7 +114,7 @@ def test_arrays_of_a_recording_are_released_behind_it(where):
 
 @pytest.mark.parametrize("dtype", [wp.float32, wp.uint8, wp.int64, wp.vec3, wp.mat33d, wp.vec2i])
 @pytest.mark.parametrize("rows", [0, 1, 1000])
-def test_what_goes_up_and_comes_down_is_what_warp_brings(where, by_warp, dtype, rows):
+def test_uploads_and_downloads_equal_those_of_warp(where, by_warp, dtype, rows):
     shape = (rows, *getattr(dtype, "_shape_", ()))
     values = np.random.default_rng(0).integers(0, 99, shape)
 
@@ -126,9 +126,9 @@ def test_what_goes_up_and_comes_down_is_what_warp_brings(where, by_warp, dtype, 
         memory.copy(third, array, count=rows // 2, offset=1)
         return [memory.download(x) for x in (array, copied, third, memory.full(rows, dtype(3), dtype, where))]
 
-    ours = there_and_back()
+    results = there_and_back()
     by_warp()
-    for mine, warps in zip(ours, there_and_back(), strict=True):
+    for mine, warps in zip(results, there_and_back(), strict=True):
         assert mine.dtype == warps.dtype
         np.testing.assert_array_equal(mine, warps)
 
@@ -137,7 +137,7 @@ def test_copies_that_are_not_plain_are_left_to_warp(where):
     a, b = memory.zeros((4, 3), wp.float32, where), memory.zeros(3, wp.float64, where)
     column, row = a[:, 1], memory.rows_of(a, 0, 1)
     assert not device_copies.is_copied(b, row, 3)  # another width
-    assert not device_copies.is_copied(row, a, 4)  # more than there is room for
+    assert not device_copies.is_copied(row, a, 4)  # more than the available memory
     assert not device_copies.is_copied(a, row, 4)  # more than there is
     assert device_copies.fetched(column) is None and not device_copies.is_zeroed(column)  # gaps
     assert not device_copies.is_written(b, np.zeros(3, np.int64))  # another type
@@ -152,7 +152,7 @@ def test_a_recording_does_not_read_the_host(where):
         assert not device_copies.is_written(values, np.zeros(3, np.int32))
 
 
-def test_no_room_is_a_memory_error_that_says_how_much(where, emulated):
+def test_a_memory_error_reports_the_size(where, emulated):
     with emulated.findings.expected(), pytest.raises(MemoryError, match=r"no room for an array of [0-9,]+ bytes"):
         memory.empty(emulated.memory.room // 8 + 1, wp.float64, where)
 
@@ -164,25 +164,25 @@ def test_shapes_that_are_none_are_refused_by_warp(where):
             memory.empty(shape, wp.int32, where)
 
 
-def test_memory_that_is_seen_as_another_type_is_what_warp_sees(where):
-    whole = memory.upload(np.arange(96, dtype=np.uint8), wp.uint8, where)
+def test_reinterpreted_memory_equals_that_of_warp(where):
+    base = memory.upload(np.arange(96, dtype=np.uint8), wp.uint8, where)
     for first, dtype, shape in ((0, wp.float32, 24), (48, wp.vec3, (2, 2)), (95, wp.uint8, (1,)), (4, wp.int32, (0,))):
-        ours = device_arrays.reinterpreted(whole, first, dtype, shape)
-        warps = wp.array(ptr=whole.ptr + first, dtype=dtype, shape=shape, device=where)
-        assert state_of(ours) == state_of(warps) and ours.ptr == warps.ptr and ours._ref is whole
-        assert ours.numpy().tobytes() == warps.numpy().tobytes()
+        view = device_arrays.reinterpreted(base, first, dtype, shape)
+        warps = wp.array(ptr=base.ptr + first, dtype=dtype, shape=shape, device=where)
+        assert state_of(view) == state_of(warps) and view.ptr == warps.ptr and view._ref is base
+        assert view.numpy().tobytes() == warps.numpy().tobytes()
     for first, dtype, shape in ((0, wp.float32, 25), (95, wp.int32, 1), (-4, wp.int32, 1), (0, wp.uint8, (1,) * 5)):
-        assert device_arrays.reinterpreted(whole, first, dtype, shape) is None
+        assert device_arrays.reinterpreted(base, first, dtype, shape) is None
     rows = memory.upload(np.arange(24, dtype=np.float32).reshape(8, 3), wp.float32, where)
     assert memory.download(memory.flat(memory.rows_of(rows, 2, 4))).tolist() == [6, 7, 8, 9, 10, 11]
 
 
-def test_what_is_sent_to_pinned_memory_is_what_warp_sends(where, by_warp):
+def test_copies_to_pinned_memory_equal_those_of_warp(where, by_warp):
     values = memory.upload(np.arange(6, dtype=np.int64), wp.int64, where)
-    found = []
+    results = []
     for _ in range(2):
         readback = memory.Readback(values)
         readback.send()
-        found.append(readback.read().tolist())
+        results.append(readback.read().tolist())
         by_warp()
-    assert found == [list(range(6))] * 2
+    assert results == [list(range(6))] * 2

@@ -1,4 +1,4 @@
-"""What every operation asks of the device and takes from it: launches, graphs, waits, copies, bytes, to the number.
+"""Device calls and transfers of every operation: launches, graphs, waits, copies and bytes are counted exactly.
 
 Python takes some 20 microseconds a launch and a wait 10, more than most of these kernels run. What an operation takes
 to the host beyond its result does not grow with its input: what does is listed here, with the reason.
@@ -16,7 +16,7 @@ from .settings import Order
 ROWS = json.loads(TABLE.read_text())
 SIZES, MAX_PER_POINT = (1_009, 2_503), 0.5  # points; bytes for each further one: a mask has one
 MAX_BYTES = 8_192  # beyond the result: numbers of rounds, of levels, of samples
-# Operations, by how their names begin, that take more; docs/gpu.md says what of it grows with the input.
+# Operations, by the beginning of their names, that transfer more; docs/gpu.md lists what grows with the input.
 MORE = {
     "Qhull's convex hull": ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box"),
     "the line of the digests reads points, vertices or triangles as NumPy": (
@@ -63,19 +63,19 @@ def scenes():
 
 def as_listed(name: str, scenes: DeviceScenes, settings) -> None:
     settings(order=Order.FORWARD, uninitialized=False)
-    found, listed = measured(operations(scenes)[name]), ROWS[name]
-    more = {column: (listed[column], count) for column, count in found.items() if count > listed[column]}
+    counts, listed = measured(operations(scenes)[name]), ROWS[name]
+    more = {column: (listed[column], count) for column, count in counts.items() if count > listed[column]}
     assert not more, f"more than host_calls.json says: {more}"
 
 
 @pytest.mark.parametrize("name", [name for name in ROWS if name in ON_CLOUDS])
-def test_an_operation_on_clouds_asks_no_more_of_the_device_than_is_listed(scenes, settings, name):
+def test_an_operation_on_clouds_makes_no_more_device_calls_than_listed(scenes, settings, name):
     as_listed(name, scenes, settings)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("name", [name for name in ROWS if name not in ON_CLOUDS])
-def test_an_operation_on_scenes_asks_no_more_of_the_device_than_is_listed(scenes, settings, name):
+def test_an_operation_on_scenes_makes_no_more_device_calls_than_listed(scenes, settings, name):
     as_listed(name, scenes, settings)
 
 
@@ -84,7 +84,7 @@ def test_every_operation_is_listed(scenes):
 
 
 @pytest.mark.parametrize("name", ROWS)
-def test_what_goes_to_the_host_beside_the_result_is_small_or_has_a_reason(name):
+def test_extra_host_transfers_are_small_or_have_a_reason(name):
     has_reason = any(name.startswith(names) for names in MORE.values())
     assert ROWS[name]["beyond"] <= MAX_BYTES or has_reason, f"{ROWS[name]['beyond']} bytes"
 
@@ -98,7 +98,7 @@ def test_no_reason_is_out_of_date():
 
 
 @pytest.mark.parametrize("name", [name for name in ROWS if name in ON_CLOUDS])
-def test_what_goes_to_the_host_beside_the_result_does_not_grow_with_the_cloud(scenes, settings, name):
+def test_extra_host_transfers_do_not_grow_with_the_cloud(scenes, settings, name):
     settings(order=Order.FORWARD, uninitialized=False)
     few, many = (measured(lambda: ON_CLOUDS[name](scenes.surfaces(n)))["beyond"] for n in SIZES)  # noqa: B023  at once
     reason = name.startswith(

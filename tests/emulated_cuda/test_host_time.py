@@ -23,7 +23,7 @@ def run(*arguments: str) -> str:
 
 
 @pytest.mark.slow
-def test_the_table_and_the_file_say_what_a_call_costs_and_counts(emulated, tmp_path):
+def test_the_table_and_the_file_list_times_and_counts_of_calls(emulated, tmp_path):
     file = tmp_path / "times.json"
     table = run("normals", "--rounds", "2", "--save", str(file))
     (row,) = json.loads(file.read_text())

@@ -148,13 +148,13 @@ CASES = {
 
 
 @pytest.mark.parametrize("instruction", CASES)
-def test_an_instruction_gives_what_the_isa_promises(programs, instruction):
+def test_an_instruction_follows_the_isa(programs, instruction):
     rows = CASES[instruction]
     columns = np.zeros((3, len(rows)), np.uint64)
     for k, (operands, _) in enumerate(rows):
         columns[: len(operands), k] = operands
-    found = programs.rows(list(CASES), instruction, *columns)
-    assert [hex(x) for x in found] == [hex(result) for _, result in rows]
+    actual = programs.rows(list(CASES), instruction, *columns)
+    assert [hex(x) for x in actual] == [hex(result) for _, result in rows]
 
 
 def _products(a, b):
@@ -173,27 +173,27 @@ RANDOM = {
 
 
 @pytest.mark.parametrize("instruction", RANDOM)
-def test_arithmetic_is_numpys(programs, rng, instruction):
+def test_arithmetic_matches_numpy(programs, rng, instruction):
     a, b = rng.integers(0, 2**64, (2, 512), np.uint64)
     if "f64" in instruction:
         a, b = (np.ldexp(rng.random(512) - 0.5, rng.integers(-60, 60, 512)).view(np.uint64) for _ in range(2))
-    found = programs.rows(list(RANDOM), instruction, a, b)
-    np.testing.assert_array_equal(found, np.array(RANDOM[instruction](a, b), np.uint64))
+    result = programs.rows(list(RANDOM), instruction, a, b)
+    np.testing.assert_array_equal(result, np.array(RANDOM[instruction](a, b), np.uint64))
 
 
 @pytest.mark.parametrize("toward", ["rm", "rp", "rz"])
-def test_directed_sums_lie_on_their_side_of_the_exact_result(programs, rng, toward):
+def test_directed_sums_are_on_their_side_of_the_exact_result(programs, rng, toward):
     from fractions import Fraction
 
     instructions = [f"fma.{mode}.f32 %f0, %f1, %f2, %f3;" for mode in ("rm", "rp", "rz")]
     given = np.ldexp(rng.random((3, 256)) - 0.5, rng.integers(-30, 30, (3, 256))).astype(np.float32)
     bits = given.view(np.uint32).astype(np.uint64)
-    found = programs.rows(instructions, f"fma.{toward}.f32 %f0, %f1, %f2, %f3;", *bits)
-    for a, b, c, x in zip(*given, found.astype(np.uint32).view(np.float32), strict=True):
+    result = programs.rows(instructions, f"fma.{toward}.f32 %f0, %f1, %f2, %f3;", *bits)
+    for a, b, c, x in zip(*given, result.astype(np.uint32).view(np.float32), strict=True):
         exact = Fraction(float(a)) * Fraction(float(b)) + Fraction(float(c))
         up = toward == "rp" or (toward == "rz" and exact < 0)
-        beside = np.nextafter(x, np.float32(-np.inf if up else np.inf))
-        near, far = Fraction(float(x)), Fraction(float(beside))
+        neighbor = np.nextafter(x, np.float32(-np.inf if up else np.inf))
+        near, far = Fraction(float(x)), Fraction(float(neighbor))
         assert (far < exact <= near) if up else (near <= exact < far)
 
 
@@ -232,10 +232,10 @@ LANES = {
 
 
 @pytest.mark.parametrize("instruction", LANES)
-def test_lanes_of_a_warp_hand_each_other_what_the_isa_promises(programs, rng, instruction):
+def test_shuffles_of_a_warp_follow_the_isa(programs, rng, instruction):
     a, b = rng.integers(0, 4, (2, 32), np.uint64)
-    found = programs.rows(list(LANES), instruction, a, b)
-    np.testing.assert_array_equal(found, np.asarray(LANES[instruction](a, b), np.uint64))
+    result = programs.rows(list(LANES), instruction, a, b)
+    np.testing.assert_array_equal(result, np.asarray(LANES[instruction](a, b), np.uint64))
 
 
 def test_an_instruction_that_is_not_known_is_named(programs, emulated):

@@ -30,22 +30,22 @@ def kernel(emulated, write_kernels):
     return write_kernels("counting_down", SOURCE).count_down_kernel
 
 
-def turns_of_a_loop(kernel) -> int:
+def count_iterations(kernel) -> int:
     device = resolve_device("cuda:0")
-    left, turns = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
-    loop_while(left, lambda: launch(kernel, 1, [left, turns]))
-    return int(download(turns)[0])
+    left, iterations = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
+    loop_while(left, lambda: launch(kernel, 1, [left, iterations]))
+    return int(download(iterations)[0])
 
 
 @pytest.mark.parametrize("error", [ValueError, MemoryError, KeyboardInterrupt, SystemExit, Stop])
 @pytest.mark.parametrize("after", [0, 1])
-def test_whatever_ends_a_recording_the_next_one_works(emulated, kernel, error, after):
+def test_a_recording_works_after_any_interrupted_one(emulated, kernel, error, after):
     device = resolve_device("cuda:0")
-    left, turns = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
+    left, iterations = (upload(np.array([n], np.int32), int32, device) for n in (5, 0))
 
     def body():
         for _ in range(after):
-            launch(kernel, 1, [left, turns])
+            launch(kernel, 1, [left, iterations])
         raise error("in the body")
 
     for _ in range(2):
@@ -53,8 +53,8 @@ def test_whatever_ends_a_recording_the_next_one_works(emulated, kernel, error, a
             loop_while(left, body)
         assert raised.value.__cause__ is None
     assert emulated.streams.captures == 0
-    assert download(turns).tolist() == [0], "nothing of it was launched"
-    assert turns_of_a_loop(kernel) == 5
+    assert download(iterations).tolist() == [0], "nothing of it was launched"
+    assert count_iterations(kernel) == 5
 
 
 def test_another_thread_works_after_a_recording_was_interrupted(emulated, kernel):
@@ -64,10 +64,10 @@ def test_another_thread_works_after_a_recording_was_interrupted(emulated, kernel
     left = upload(np.array([5], np.int32), int32, resolve_device("cuda:0"))
     with pytest.raises(KeyboardInterrupt):
         loop_while(left, body)
-    found = []
-    thread = threading.Thread(target=lambda: found.append(turns_of_a_loop(kernel)))
+    results = []
+    thread = threading.Thread(target=lambda: results.append(count_iterations(kernel)))
     thread.start()
     thread.join(timeout=60)
-    assert found == [5]
+    assert results == [5]
     assert device_lock.lock.acquire(blocking=False)
     device_lock.lock.release()

@@ -37,19 +37,19 @@ def interrupted_recording(
     device, number: int | None = None, error: type[BaseException] = KeyboardInterrupt
 ) -> Iterator:
     """Count the launches that are recorded in here; the one of this number, from 1 on, does not come about."""
-    core, seen = wp._src.context.runtime.core, Launches()
+    core, launches = wp._src.context.runtime.core, Launches()
     real = core.wp_cuda_launch_kernel
 
     def launch(*arguments):
         if device.streams.captures:
-            seen.count += 1
-            if seen.count == number:
+            launches.count += 1
+            if launches.count == number:
                 raise error("in the recording")
         return real(*arguments)
 
     core.wp_cuda_launch_kernel = launch
     try:
-        yield seen
+        yield launches
     finally:
         core.wp_cuda_launch_kernel = real
 

@@ -102,7 +102,7 @@ def missed(tmp_path_factory) -> list[tuple[list[int], list[tuple[int, int, str]]
 
 
 @pytest.mark.parametrize("case", CASES, ids=str)
-def test_missed_lines_and_branches_are_those_that_no_thread_took(missed, case):
+def test_missed_lines_and_branches_are_those_without_a_thread(missed, case):
     lines, branches = missed[list(CASES).index(case)]
     assert lines == sorted(CASES[case][0] + UNUSED)
     assert [f"{line} {text.split('never ')[1].split()[0]}" for line, _, text in branches] == CASES[case][1]

@@ -69,7 +69,7 @@ CARRIED = """
     add.cc.u32 %r3, %r2, 0xfffffff0;
     addc.u32 %r9, 0, 0;
 """
-TURN_SHARED = """
+ROTATE_SHARED = """
     mov.u32 %r2, mine;
     shl.b32 %r3, %r1, 2;
     add.s32 %r4, %r2, %r3;
@@ -103,7 +103,7 @@ def run(programs):
 
 @pytest.fixture
 def fault(run, emulated):
-    """A function (pattern, body, threads): the launch is a fault that says so."""
+    """A function (pattern, body, threads): the launch must fail with a matching fault."""
 
     def check(pattern: str, body: str, threads: int = 64) -> None:
         with emulated.findings.expected(), pytest.raises(CudaFault, match=pattern):
@@ -124,7 +124,7 @@ WARP = LANES // 32 * 32
         (DOWN, np.where(LANES % 32 < 24, LANES + 8, 1000)),
         (UP_IN_EIGHTS, np.where(LANES % 8 >= 3, LANES - 3, 1000)),
         (BUTTERFLY, LANES ^ 5),
-        (TURN_SHARED, LANES[::-1]),
+        (ROTATE_SHARED, LANES[::-1]),
         (REDUX, WARP + 31),
         (MATCH, np.where(LANES % 32 < 16, 0xFFFF, -0x10000)),
     ],
@@ -135,7 +135,7 @@ def test_threads_of_a_block_exchange_values(run, settings, order, body, expected
     np.testing.assert_array_equal(run(body), expected)
 
 
-def test_shuffles_in_a_row_take_the_values_of_their_own_place(run):
+def test_consecutive_shuffles_use_their_own_values(run):
     lane = LANES % 32
     first = np.where(lane < 31, LANES + 1, LANES)
     seventh = np.append((first + 7)[1:], 0)
@@ -143,17 +143,17 @@ def test_shuffles_in_a_row_take_the_values_of_their_own_place(run):
     np.testing.assert_array_equal(run(PAIRED), expected)
 
 
-def test_a_shuffle_of_what_was_shuffled_waits_for_it(run):
+def test_a_shuffle_of_a_shuffled_value_waits_for_it(run):
     lane = LANES % 32
     np.testing.assert_array_equal(run(CHAINED), np.where(lane < 30, LANES + 2, WARP + 31))
 
 
-def test_a_carry_out_of_what_was_shuffled_waits_for_it(run):
+def test_a_carry_of_a_shuffled_value_waits_for_it(run):
     np.testing.assert_array_equal(run(CARRIED), np.where(LANES % 32 < 31, LANES + 1, LANES) >= 16)
 
 
 @ORDERS
-def test_a_barrier_that_one_does_not_reach_is_a_fault(fault, settings, order):
+def test_a_barrier_that_one_thread_misses_is_a_fault(fault, settings, order):
     settings(order=order)
     fault("threads wait for each other for ever.*1 wait at a barrier, 31 in meetings", ONE_STAYS_AWAY, 32)
 
@@ -162,7 +162,7 @@ def test_lanes_in_different_meetings_are_a_fault(fault):
     fault("threads of a warp meet in different instructions", OTHER_MEETING, 32)
 
 
-def test_who_has_ended_is_not_waited_for(run):
+def test_ended_threads_are_not_awaited(run):
     body = "setp.ge.u32 %p1, %r1, 40; @%p1 ret; bar.sync 0; mov.u32 %r9, 1;"
     np.testing.assert_array_equal(run(body), LANES < 40)
 
@@ -190,7 +190,7 @@ def test_a_block_has_1024_threads_at_most(programs, emulated):
     assert "2048 threads a block, 1024 at most" in emulated.findings.error
 
 
-def test_shared_memory_has_to_be_asked_for(programs, emulated):
+def test_shared_memory_must_be_requested(programs, emulated):
     out = wp.zeros(32, dtype=wp.int32, device=DEVICE)
     with emulated.findings.expected():
         assert programs.launch(HEAD + ROTATE + TAIL, [out], threads=32, block=32, shared=(48 << 10) + 4) != 0
@@ -250,7 +250,7 @@ def test_interleaved_threads_lose_updates_in_the_same_way_for_the_same_seed(sett
 
 
 @ORDERS
-def test_tiles_sum_whole_blocks(rng, settings, order):
+def test_tiles_sum_full_blocks(rng, settings, order):
     settings(order=order)
     a = rng.integers(0, 100, 256).astype(np.float32)
     out = wp.zeros(4, dtype=float, device=DEVICE)

@@ -64,35 +64,35 @@ class OtherLibrary:
 
 
 def test_another_library_works_on_its_default_stream_while_we_record(gpu):
-    theirs, ours = OtherLibrary(gpu), zeros(256, float32, gpu)
+    other_library, array = OtherLibrary(gpu), zeros(256, float32, gpu)
 
     def body():
-        fill(ours, 1)
-        theirs.work_in_a_thread()
-        fill(ours, 2)
+        fill(array, 1)
+        other_library.work_in_a_thread()
+        fill(array, 2)
 
     replay(record(gpu, body))
-    assert theirs.errors == []
-    assert (download(ours) == 2).all()
+    assert other_library.errors == []
+    assert (download(array) == 2).all()
 
 
 def test_another_library_works_on_its_default_stream_while_we_record_a_loop(gpu, kernel):
-    theirs, left = OtherLibrary(gpu), upload(np.array([3], np.int32), int32, gpu)
+    other_library, left = OtherLibrary(gpu), upload(np.array([3], np.int32), int32, gpu)
 
     def body():
-        theirs.work_in_a_thread()
+        other_library.work_in_a_thread()
         launch(kernel, 1, [left])
 
     loop_while(left, body)
-    assert theirs.errors == []
+    assert other_library.errors == []
     assert download(left)[0] == 0
 
 
 def test_a_blocking_stream_that_records_would_refuse_the_other_library(emulated, gpu):
-    theirs = OtherLibrary(gpu)
+    other_library = OtherLibrary(gpu)
     with emulated.findings.expected(), wp.ScopedCapture(stream=wp.Stream(gpu)):
-        theirs.work_in_a_thread()
-    assert "depend on a capturing blocking stream" in str(theirs.errors[0])
+        other_library.work_in_a_thread()
+    assert "depend on a capturing blocking stream" in str(other_library.errors[0])
 
 
 def test_a_stream_that_does_not_block_is_not_waited_for_by_the_legacy_stream(gpu, apart, kernel):
@@ -109,7 +109,7 @@ def test_a_stream_that_does_not_block_is_not_waited_for_by_the_legacy_stream(gpu
     assert host.numpy().tolist() == [-1] * 4
 
 
-def test_the_stream_is_the_drivers_and_goes_with_its_object(emulated, gpu):
+def test_the_driver_stream_is_destroyed_with_its_object(emulated, gpu):
     stream = NonBlockingStream(gpu)
     handle, driver = stream.cuda_stream, emulated.driver
     assert handle in emulated.streams.streams
@@ -138,7 +138,7 @@ def test_memory_is_released_behind_work_on_a_stream_that_does_not_block(emulated
     assert address not in emulated.memory.live
 
 
-def test_what_is_made_elsewhere_and_used_on_such_a_stream_is_released_behind_it_too(emulated, gpu, apart, kernel):
+def test_arrays_of_other_streams_are_released_after_their_use(emulated, gpu, apart, kernel):
     values = upload(np.zeros(64, np.int32), int32, gpu)
     wp.synchronize_device(gpu)
     with wp.ScopedStream(apart):
@@ -150,27 +150,27 @@ def test_what_is_made_elsewhere_and_used_on_such_a_stream_is_released_behind_it_
     assert address not in emulated.memory.live
 
 
-def test_a_stream_that_is_gone_before_the_release_is_not_asked_again(emulated, gpu, kernel):
-    theirs = NonBlockingStream(gpu)
-    with wp.ScopedStream(wp.Stream(gpu, cuda_stream=theirs.cuda_stream)):
+def test_a_stream_destroyed_before_the_release_is_not_used_again(emulated, gpu, kernel):
+    foreign = NonBlockingStream(gpu)
+    with wp.ScopedStream(wp.Stream(gpu, cuda_stream=foreign.cuda_stream)):
         values = upload(np.zeros(64, np.int32), int32, gpu)
         launch(kernel, 64, [values])
-    del theirs
+    del foreign
     address = values.ptr
     del values
     wp.synchronize_device(gpu)
     assert address not in emulated.memory.live
 
 
-def test_operations_on_such_a_stream_give_what_they_give_elsewhere(gpu, apart, rng):
+def test_results_do_not_depend_on_the_kind_of_stream(gpu, apart, rng):
     points = rng.random((500, 3)).astype(np.float32)
     cloud = loom.PointCloud(points, device="cuda:0")
     expected = cloud.voxel_down_sample(0.1).estimate_normals(max_nn=8)
     wp.synchronize_device(gpu)
     with wp.ScopedStream(apart):
-        found = loom.PointCloud(points, device="cuda:0").voxel_down_sample(0.1).estimate_normals(max_nn=8)
+        result = loom.PointCloud(points, device="cuda:0").voxel_down_sample(0.1).estimate_normals(max_nn=8)
         reg = loom.registration
-        icp = reg.registration_icp(found.translate([0.01, 0, 0]), found, 0.1)
-    np.testing.assert_array_equal(found.normals, expected.normals)
+        icp = reg.registration_icp(result.translate([0.01, 0, 0]), result, 0.1)
+    np.testing.assert_array_equal(result.normals, expected.normals)
     other = reg.registration_icp(expected.translate([0.01, 0, 0]), expected, 0.1)
     np.testing.assert_array_equal(icp.transformation, other.transformation)

@@ -54,7 +54,7 @@ def copy_kernel(a: wp.array(dtype=float), out: wp.array(dtype=float)):
 
 @pytest.fixture
 def refused(emulated):
-    """A function (pattern, action): the action, run to its end, is a fault that says so."""
+    """A function (pattern, action): the completed action must fail with a matching fault."""
 
     def check(pattern: str, action) -> None:
         with emulated.findings.expected(), pytest.raises(CudaFault, match=pattern):
@@ -73,11 +73,11 @@ def test_a_host_that_follows_a_device_pointer_dies():
 
 def test_an_element_behind_the_end_is_a_fault_that_names_kernel_array_thread_and_caller(refused):
     a, out = (wp.zeros(256, dtype=float, device=DEVICE) for _ in range(2))
-    found = (
+    message = (
         r"read_next_kernel: address outside any live array .*read of 4 bytes .*byte 1024 of an array of 1024 bytes "
         r"\(.*test_memory.*\), block \(0, 0, 0\), thread \(255, 0, 0\); launched by .*test_memory"
     )
-    refused(found, lambda: wp.launch(read_next_kernel, 256, [a, out], device=DEVICE))
+    refused(message, lambda: wp.launch(read_next_kernel, 256, [a, out], device=DEVICE))
 
 
 @pytest.mark.parametrize("order", [1, 2, 3])
@@ -118,9 +118,9 @@ def test_a_released_array_is_never_touched_again(programs, refused, size):
     del a
     others = [wp.zeros(size, dtype=int, device=DEVICE) for _ in range(8)]  # whose place is another
     text = LOAD_AT.format(kind="u32", register="r1", offset=0)
-    found = f"RELEASED array of {4 * size} bytes"
-    refused(found, lambda: programs.launch(text, [stale, out], threads=1, block=1))
-    refused(found, stale.numpy)
+    message = f"RELEASED array of {4 * size} bytes"
+    refused(message, lambda: programs.launch(text, [stale, out], threads=1, block=1))
+    refused(message, stale.numpy)
     assert len(others) == 8
 
 
@@ -136,8 +136,8 @@ def test_fresh_memory_is_no_zeros(emulated):
     assert ("copies", "uninitialized bytes copied to the host") in emulated.findings.notes
 
 
-def test_a_read_of_what_nobody_wrote_is_noted_with_its_argument(emulated, settings):
-    settings(order=0)  # the first that is met is told
+def test_a_read_of_uninitialized_memory_is_noted_with_its_argument(emulated, settings):
+    settings(order=0)  # the first one is reported
     a, out = wp.empty(8, dtype=float, device=DEVICE), wp.empty(8, dtype=float, device=DEVICE)
     a[:5].zero_()
     emulated.findings.notes.pop(("copy_kernel", UNWRITTEN), None)
@@ -160,7 +160,7 @@ def test_too_much_memory_is_refused_as_cuda_does(emulated):
         wp.empty(emulated.memory.room // 8 + 1, dtype=wp.float64, device=DEVICE)
 
 
-def test_pages_of_what_was_released_go_back_to_the_system(emulated):
+def test_pages_of_released_memory_return_to_the_system(emulated):
     def resident() -> int:
         return int(Path("/proc/self/statm").read_text().split()[1]) * 4096
 

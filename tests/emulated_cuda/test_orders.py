@@ -1,4 +1,4 @@
-"""What operations return is the same, bit for bit, whatever the order in which threads run.
+"""Results are bitwise identical for any order of threads.
 
 The operations are those of benchmarks/digests.py, on scenes that are small enough for four orders.
 """
@@ -29,11 +29,11 @@ def same_in_all_orders(settings, pytestconfig):
     orders = (Order.FORWARD, Order.INTERLEAVED) if pytestconfig.getoption(QUICK) else tuple(Order)
 
     def check(work) -> None:
-        found = {}
+        digests = {}
         for order in orders:
             settings(order=order, seed=int(order) + 1)
-            found[order.name] = digest(work())
-        assert len(set(found.values())) == 1, found
+            digests[order.name] = digest(work())
+        assert len(set(digests.values())) == 1, digests
 
     return check
 
@@ -53,5 +53,5 @@ def test_results_of_scenes_do_not_depend_on_the_order_of_threads(small, same_in_
 
 @pytest.mark.slow
 @pytest.mark.parametrize("operation", LONG)
-def test_results_of_whole_runs_do_not_depend_on_the_order_of_threads(small, same_in_all_orders, operation):
+def test_results_of_complete_runs_do_not_depend_on_thread_order(small, same_in_all_orders, operation):
     same_in_all_orders(lambda: ONCE[operation](small))

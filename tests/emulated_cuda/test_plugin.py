@@ -20,7 +20,7 @@ from emulated_cuda import plugin
 
 def pytest_addoption(parser, pluginmanager):
     plugin.add_options(parser)
-    plugin.install_if_asked_for(pluginmanager.get_plugin("pytestconfig"))
+    plugin.install_if_requested(pluginmanager.get_plugin("pytestconfig"))
 
 
 def pytest_configure(config):
@@ -82,7 +82,7 @@ def test_takes_no_device():
 
 @pytest.fixture
 def run(tmp_path):
-    """A function (options): what pytest says of the tests above."""
+    """A function (options): pytest's output for the tests above."""
     (tmp_path / "conftest.py").write_text(CONFTEST)
     (tmp_path / "test_some.py").write_text(TESTS)
 
@@ -109,8 +109,8 @@ def test_faults_fail_their_test_and_notes_only_where_they_shall(run, strict):
         "takes_no_device": "PASSED",
     }
     output = run("--emulated-cuda", *(["--emulated-cuda-strict"] if strict else []))
-    found = {name: outcome(output, f"test_{name}") for name in expected}
-    assert found == expected, output
+    outcomes = {name: outcome(output, f"test_{name}") for name in expected}
+    assert outcomes == expected, output
     assert "slow on the emulated device: a thousand blocks" in output
     assert "NOTE copy_kernel: read of bytes that nobody wrote, 4 in 1 launches: a[byte 0], thread 0" in output
     assert "FAULT past_the_end_kernel: address outside any live array" in output

@@ -1,4 +1,4 @@
-"""What a GPU's pool keeps of released memory: room for the next array, and given back on request."""
+"""A GPU's pool caches released memory: free for the next array, and returned on request."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def gpu(emulated, monkeypatch):
     return device
 
 
-def test_what_is_released_is_kept_and_counts_as_room(emulated, gpu):
+def test_released_memory_is_cached_and_counts_as_free(emulated, gpu):
     before = free_bytes(gpu)
     array = empty(SIZE, float32, gpu)
     assert free_bytes(gpu) == before - 4 * SIZE
@@ -38,25 +38,25 @@ def test_what_is_released_is_kept_and_counts_as_room(emulated, gpu):
     assert free_bytes(gpu) == before
 
 
-def test_it_goes_back_to_the_system_on_request(emulated, gpu):
-    array, kept = empty(SIZE, float32, gpu), empty(SIZE, float32, gpu)
+def test_cached_memory_returns_to_the_system_on_request(emulated, gpu):
+    array, other = empty(SIZE, float32, gpu), empty(SIZE, float32, gpu)
     del array
     free = gpu.free_memory
     assert loom.free_memory("cuda:0") == 4 * SIZE
     assert gpu.free_memory == free + 4 * SIZE
     assert loom.free_memory() == 0
-    del kept
+    del other
     assert loom.free_memory() == 4 * SIZE
 
 
-def test_what_hangs_in_a_cycle_goes_too(gpu):
+def test_arrays_in_reference_cycles_are_released_too(gpu):
     cycle = [empty(SIZE, float32, gpu)]
     cycle.append(cycle)
     del cycle
     assert loom.free_memory(gpu) == 4 * SIZE
 
 
-def test_clouds_stay_and_operations_go_on_after_it(gpu, rng):
+def test_clouds_and_operations_work_after_a_release(gpu, rng):
     points = rng.random((400, 3)).astype(np.float32)
     cloud = loom.PointCloud(points, device="cuda:0").estimate_normals(max_nn=8)
     reg = loom.registration
@@ -66,7 +66,7 @@ def test_clouds_stay_and_operations_go_on_after_it(gpu, rng):
     np.testing.assert_array_equal(reg.registration_icp(moved, cloud, 0.1).transformation, expected)
 
 
-def test_a_large_thing_is_asked_of_an_empty_pool(emulated, gpu):
+def test_a_large_allocation_empties_the_pool_first(emulated, gpu):
     array = empty(SIZE, float32, gpu)
     del array
     emulated.synchronize()
@@ -84,13 +84,13 @@ def test_the_host_keeps_nothing_and_an_unknown_device_is_refused():
         loom.free_memory("cuda:9")
 
 
-def test_a_pool_that_does_not_answer_is_an_error_of_its_own(emulated, gpu, monkeypatch):
+def test_a_failing_pool_raises_its_own_error(emulated, gpu, monkeypatch):
     monkeypatch.setattr(emulated.driver, "cuMemPoolTrimTo", lambda *_: 999, raising=False)
     with pytest.raises(RuntimeError, match=r"cuda:0: its pool of memory does not answer \(CUDA error 999\)"):
         loom.free_memory(gpu)
 
 
-def test_what_is_kept_for_the_next_call_goes_too(gpu, monkeypatch):
-    kept = [empty(SIZE, float32, gpu)]
-    monkeypatch.setattr(memory, "on_give_back", [kept.clear])
+def test_caches_for_the_next_call_are_released_too(gpu, monkeypatch):
+    cached = [empty(SIZE, float32, gpu)]
+    monkeypatch.setattr(memory, "on_give_back", [cached.clear])
     assert loom.free_memory(gpu) == 4 * SIZE

@@ -1,4 +1,4 @@
-"""Prepared launches on CUDA: the driver is asked for just what Warp would ask it for, argument by argument."""
+"""Prepared launches on CUDA call the driver exactly as Warp does, argument by argument."""
 
 from __future__ import annotations
 
@@ -97,8 +97,8 @@ def where(emulated):
     return wp.get_device(DEVICE)
 
 
-class Asked:
-    """What the driver is asked for: all of a launch but its arguments, and their bytes."""
+class LaunchRecorder:
+    """Recorded driver calls: all parts of a launch but its arguments, and their bytes."""
 
     def __init__(self) -> None:
         self.launches: list[tuple] = []
@@ -115,11 +115,11 @@ class Asked:
 
 
 @pytest.fixture
-def asked(where, monkeypatch):
+def recorder(where, monkeypatch):
     """The launches from here on, none of which is made."""
-    found = Asked()
-    monkeypatch.setattr(warp_parts.core(), "wp_cuda_launch_kernel", found)
-    return found
+    result = LaunchRecorder()
+    monkeypatch.setattr(warp_parts.core(), "wp_cuda_launch_kernel", result)
+    return result
 
 
 def sizes_of(kernel) -> list[int]:
@@ -128,16 +128,16 @@ def sizes_of(kernel) -> list[int]:
     return [24, *(56 if p.is_array else p.size for p in parameters)]
 
 
-def check_same(asked, kernel, count, arguments, values, device) -> None:
-    """Our second launch, which is prepared, asks for what Warp's asks for."""
-    asked.sizes = sizes_of(kernel.cuda)
+def check_same(recorder, kernel, count, arguments, values, device) -> None:
+    """The second launch of pointloom, which is prepared, makes the same driver call as Warp's."""
+    recorder.sizes = sizes_of(kernel.cuda)
     for _ in range(2):
         lang.launch(kernel, count, arguments)
     prepared = kernel.prepared[device.alias]
     assert prepared is not None and prepared.launch.is_known
     wp.launch(kernel.cuda, count, values, device=device)
-    assert asked.launches[-2] == asked.launches[-1]
-    assert asked.launches[-1][0][2] == count
+    assert recorder.launches[-2] == recorder.launches[-1]
+    assert recorder.launches[-1][0][2] == count
 
 
 @pytest.mark.parametrize(
@@ -151,16 +151,16 @@ def check_same(asked, kernel, count, arguments, values, device) -> None:
         (0, 0, 0, 0, 1e-45, 5e-324, 0, 0),
     ],
 )
-def test_numbers_are_passed_with_warps_bits(kernels, asked, where, numbers):
+def test_numbers_are_passed_with_warps_bits(kernels, recorder, where, numbers):
     out = memory.zeros(4, lang.float64, where)
-    check_same(asked, kernels.numbers_kernel, 4, [*numbers, out], [*numbers, out], where)
+    check_same(recorder, kernels.numbers_kernel, 4, [*numbers, out], [*numbers, out], where)
 
 
 VECTORS = [wp.vec2, wp.vec3, wp.vec4, wp.vec2i, wp.vec3i, wp.vec3d, wp.mat33, wp.mat44d]
 
 
 @pytest.mark.parametrize("form", ["warp", "numpy", "flat", "list"])
-def test_vectors_and_matrices_are_passed_with_warps_bits(kernels, asked, where, form):
+def test_vectors_and_matrices_are_passed_with_warps_bits(kernels, recorder, where, form):
     rng, values, given = np.random.default_rng(0), [], []
     for kind in VECTORS:
         numbers = 10.0 * rng.standard_normal(kind._shape_)
@@ -169,7 +169,7 @@ def test_vectors_and_matrices_are_passed_with_warps_bits(kernels, asked, where, 
         values.append(kind(*numbers.ravel().tolist()))
         given.append({"warp": values[-1], "numpy": numbers, "flat": numbers.ravel(), "list": numbers.tolist()}[form])
     out = memory.zeros(4, lang.float64, where)
-    check_same(asked, kernels.vectors_kernel, 3, [*given, out], [*values, out], where)
+    check_same(recorder, kernels.vectors_kernel, 3, [*given, out], [*values, out], where)
 
 
 @pytest.mark.parametrize(
@@ -181,60 +181,60 @@ def test_vectors_and_matrices_are_passed_with_warps_bits(kernels, asked, where, 
     ],
 )
 @pytest.mark.parametrize("make", ["ours", "warp's"])
-def test_arrays_of_any_shape_are_passed_with_warps_bits(kernels, asked, where, shapes, make):
+def test_arrays_of_any_shape_are_passed_with_warps_bits(kernels, recorder, where, shapes, make):
     kinds = (wp.float32, wp.vec3, wp.uint8, wp.mat33d)
     new = memory.empty if make == "ours" else lambda s, t, d: wp.empty(s, dtype=t, device=d)
     given = [new(shape, kind, where) for shape, kind in zip(shapes, kinds, strict=True)] + [new(9, wp.int32, where)]
-    check_same(asked, kernels.arrays_kernel, 9, given, given, where)
+    check_same(recorder, kernels.arrays_kernel, 9, given, given, where)
 
 
-def test_parts_of_arrays_are_passed_with_warps_bits(kernels, asked, where):
+def test_parts_of_arrays_are_passed_with_warps_bits(kernels, recorder, where):
     kinds = (wp.float32, wp.vec3, wp.uint8, wp.mat33d)
-    whole = [memory.empty((9, 4, 3, 2)[: k + 1], kind, where) for k, kind in enumerate(kinds)]
+    bases = [memory.empty((9, 4, 3, 2)[: k + 1], kind, where) for k, kind in enumerate(kinds)]
     out = memory.empty(9, wp.int32, where)
-    given, values = [memory.rows_of(a, 2, 7) for a in whole], [a[2:7] for a in whole]
-    check_same(asked, kernels.arrays_kernel, 9, [*given, out], [*values, out], where)
-    check_same(asked, kernels.arrays_kernel, 9, [*values, out], [*values, out], where)
+    given, values = [memory.rows_of(a, 2, 7) for a in bases], [a[2:7] for a in bases]
+    check_same(recorder, kernels.arrays_kernel, 9, [*given, out], [*values, out], where)
+    check_same(recorder, kernels.arrays_kernel, 9, [*values, out], [*values, out], where)
 
 
-def test_the_fields_of_structures_are_passed_with_warps_bits(kernels, asked, where):
+def test_the_fields_of_structures_are_passed_with_warps_bits(kernels, recorder, where):
     inner = SimpleNamespace(limit=0.25, rows=memory.zeros((2, 3), lang.int32, where))
     outer = SimpleNamespace(inner=inner, shift=(1, 2, 3), keys=memory.zeros(5, lang.int64, where), not_used=None)
     out = memory.zeros(4, lang.float64, where)
     values = [0.25, inner.rows, wp.vec3(1.0, 2.0, 3.0), outer.keys, 0.25, out]
-    check_same(asked, kernels.structures_kernel, 4, [outer, inner, out], values, where)
+    check_same(recorder, kernels.structures_kernel, 4, [outer, inner, out], values, where)
     inner.limit, outer.shift, inner.rows = 8.0, wp.vec3(7.0, 8.0, 9.0), memory.zeros((4, 4), lang.int32, where)
     values = [8.0, inner.rows, outer.shift, outer.keys, 8.0, out]
-    check_same(asked, kernels.structures_kernel, 4, [outer, inner, out], values, where)
+    check_same(recorder, kernels.structures_kernel, 4, [outer, inner, out], values, where)
 
 
-def test_both_launches_of_a_sum_are_warps(kernels, asked, where, monkeypatch):
-    asked.sizes, a = sizes_of(kernels.add_up.cuda.tiles)[:3], memory.zeros(1000, lang.float32, where)
+def test_both_launches_of_a_sum_match_warp(kernels, recorder, where, monkeypatch):
+    recorder.sizes, a = sizes_of(kernels.add_up.cuda.tiles)[:3], memory.zeros(1000, lang.float32, where)
     for is_plain in (True, True, False):
         monkeypatch.setattr(launches, "launches_plainly", lambda plain=is_plain: plain)
         lang.reduce(kernels.add_up, 1000, [a, 0.5])
     assert kernels.add_up.prepared[where.alias] is not None
-    ours, warps = asked.launches[2:4], asked.launches[4:6]
-    assert ours[0] == warps[0]
-    assert [(rest, args[0]) for rest, *_, args in ours] == [(rest, args[0]) for rest, *_, args in warps]
+    pointloom_launches, warps = recorder.launches[2:4], recorder.launches[4:6]
+    assert pointloom_launches[0] == warps[0]
+    assert [(rest, args[0]) for rest, *_, args in pointloom_launches] == [(rest, args[0]) for rest, *_, args in warps]
 
 
 def test_sums_and_sums_of_segments_are_the_same_prepared(kernels, where, monkeypatch):
     rng = np.random.default_rng(0)
     a = memory.upload(rng.random(5000).astype(np.float32), lang.float32, where)
     blocks = SegmentBlocks([0, 0, 3000, 3001], [2000, 0, 1, 1999], where)
-    live, found = memory.full(4, 1, lang.int32, where), []
+    live, results = memory.full(4, 1, lang.int32, where), []
     for is_plain in (False, True, True):
         monkeypatch.setattr(launches, "launches_plainly", lambda plain=is_plain: plain)
         total = lang.reduce(kernels.add_up, 5000, [a, 0.5])
         partials, out = (memory.zeros(n, lang.vec2, where) for n in (blocks.count, 4))
         lang.reduce_segments(kernels.add_up_parts, blocks, live, [a, 0.5], partials, out)
-        found.append([memory.download(x).tolist() for x in (total, out)])
+        results.append([memory.download(x).tolist() for x in (total, out)])
     assert kernels.add_up_parts.prepared[where.alias] is not None
-    assert found[0] == found[1] == found[2]
+    assert results[0] == results[1] == results[2]
 
 
-def test_the_second_launch_is_not_warps(kernels, where, monkeypatch):
+def test_the_second_launch_is_prepared(kernels, where, monkeypatch):
     inner = SimpleNamespace(limit=1.0, rows=memory.zeros((1, 2), lang.int32, where))
     outer = SimpleNamespace(inner=inner, shift=(0, 2, 0), keys=memory.full(1, 4, lang.int64, where))
     out = memory.zeros(3, lang.float64, where)
@@ -244,7 +244,7 @@ def test_the_second_launch_is_not_warps(kernels, where, monkeypatch):
     assert memory.download(out).tolist() == [8.0] * 3
 
 
-def test_what_is_wrong_is_said_in_the_same_words_before_and_after(kernels, where):
+def test_errors_are_the_same_before_and_after_preparation(kernels, where):
     out, number = memory.zeros(4, lang.float64, where), (1, 2, 3, 4, 0.5, 0.1, 5, 6)
     rows = memory.zeros((4, 2), lang.float64, where)
     wrong = {
@@ -256,54 +256,54 @@ def test_what_is_wrong_is_said_in_the_same_words_before_and_after(kernels, where
         "expected": (*number, rows),
         "contiguous": (*number, rows[:, 0]),
     }
-    said = []
+    messages = []
     for _ in range(2):
         for arguments in wrong.values():
             with pytest.raises((TypeError, ValueError)) as caught:
                 lang.launch(kernels.numbers_kernel, 4, list(arguments))
-            said.append(str(caught.value))
+            messages.append(str(caught.value))
         lang.launch(kernels.numbers_kernel, 4, [*number, out])
-    assert said[: len(wrong)] == said[len(wrong) :]
+    assert messages[: len(wrong)] == messages[len(wrong) :]
     with pytest.raises(ValueError, match="threads"):
         lang.launch(kernels.numbers_kernel, -1, [*number, out])
 
 
-def test_an_array_with_a_gradient_brings_it(kernels, asked, where):
+def test_an_array_with_a_gradient_brings_it(kernels, recorder, where):
     kernel, number = kernels.numbers_kernel, (1, 2, 3, 4, 0.5, 0.1, 5, 6)
     out = wp.zeros(4, dtype=wp.float64, device=where, requires_grad=True)
     for array in (memory.zeros(4, lang.float64, where), out):
         lang.launch(kernel, 4, [*number, array])
-    asked.sizes = sizes_of(kernel.cuda)
+    recorder.sizes = sizes_of(kernel.cuda)
     lang.launch(kernel, 4, [*number, out])
     wp.launch(kernel.cuda, 4, [*number, out], device=where)
-    assert asked.launches[-2] == asked.launches[-1]
+    assert recorder.launches[-2] == recorder.launches[-1]
 
 
-def test_numbers_beyond_float32_stay_infinite(kernels, asked, where):
+def test_numbers_beyond_float32_stay_infinite(kernels, recorder, where):
     out = memory.zeros(4, lang.float64, where)
-    asked.sizes = sizes_of(kernels.numbers_kernel.cuda)
+    recorder.sizes = sizes_of(kernels.numbers_kernel.cuda)
     for e in (0.5, 1e39):
         lang.launch(kernels.numbers_kernel, 4, [0, 0, 0, 0, e, 0.0, 0, 0, out])
-    assert np.frombuffer(asked.launches[-1][3][5], np.float32)[0] == np.inf
+    assert np.frombuffer(recorder.launches[-1][3][5], np.float32)[0] == np.inf
 
 
-def test_a_launch_in_the_midst_of_a_launch_leaves_its_arguments_alone(kernels, asked, where):
+def test_a_nested_launch_does_not_change_the_arguments(kernels, recorder, where):
     """As of a signal handler, or of what is released while a launch is filled."""
     kernel, out = kernels.numbers_kernel, memory.zeros(4, lang.float64, where)
     arguments = [[k, 0, 0, 0, 0.0, 0.0, 0, 0, out] for k in (5, 6)]
-    asked.sizes = sizes_of(kernel.cuda)
+    recorder.sizes = sizes_of(kernel.cuda)
     lang.launch(kernel, 4, arguments[0])
 
     def again() -> None:
-        asked.then = lambda: None
+        recorder.then = lambda: None
         lang.launch(kernel, 4, arguments[1])
 
-    asked.then = again
+    recorder.then = again
     lang.launch(kernel, 4, arguments[0])
-    assert [np.frombuffer(given[1], np.int32)[0] for *_, given in asked.launches[-2:]] == [6, 5]
+    assert [np.frombuffer(given[1], np.int32)[0] for *_, given in recorder.launches[-2:]] == [6, 5]
 
 
-def test_a_launch_that_is_packed_otherwise_stays_warps(kernels, where, monkeypatch):
+def test_a_launch_with_another_layout_is_left_to_warp(kernels, where, monkeypatch):
     out, numbers = memory.zeros(4, lang.float64, where), (1, 2, 3, 4, 0.5, 0.25, 5, 6)
     kernel = kernels.numbers_kernel
     monkeypatch.setattr(kernel, "prepared", {})
@@ -314,7 +314,7 @@ def test_a_launch_that_is_packed_otherwise_stays_warps(kernels, where, monkeypat
     assert memory.download(out).tolist() == [21.75] * 4
 
 
-def test_the_native_library_is_given_what_its_types_take(kernels, where, monkeypatch):
+def test_the_native_library_gets_arguments_of_its_types(kernels, where, monkeypatch):
     """The emulated device takes any number; ctypes, before a real one, takes none of NumPy's for an address."""
     core, called = warp_parts.core(), set()
 

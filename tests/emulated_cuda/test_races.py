@@ -11,7 +11,7 @@ import pytest
 
 EXPECTED = {
     "two_writes_kernel": "race: two writes",
-    "same_value_kernel": "none",  # writes that change nothing settle nothing
+    "same_value_kernel": "none",  # writes that change nothing resolve no race
     "own_element_kernel": "none",
     "read_of_another_kernel": "race: read and write",
     "atomics_kernel": "none",
@@ -41,5 +41,5 @@ def races(request) -> dict[str, str]:
 
 
 @pytest.mark.parametrize("kernel", EXPECTED)
-def test_races_are_found_in_any_order(races, kernel):
+def test_races_are_detected_in_any_order(races, kernel):
     assert races[kernel] == EXPECTED[kernel]

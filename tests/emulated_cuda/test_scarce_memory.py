@@ -21,17 +21,17 @@ def cloud(**channels) -> loom.PointCloud:
     return loom.PointCloud(SPHERE, device="cuda:0", **channels)
 
 
-def arrays_of(found) -> list[np.ndarray]:
-    """All that a result or an object holds, as NumPy."""
-    if isinstance(found, loom.PointCloud):
-        return [found.points, *([found.normals] if found.has_normals() else [])]
-    if isinstance(found, loom.TriangleMesh):
-        return [found.vertices, found.triangles]
-    if isinstance(found, loom.TSDFVolume):
-        return [found.block_count, *arrays_of(found.extract_point_cloud())]
-    if isinstance(found, (tuple, list)):
-        return [array for each in found for array in arrays_of(each)]
-    return [np.asarray(found)]
+def arrays_of(result) -> list[np.ndarray]:
+    """All arrays of a result or an object, as NumPy."""
+    if isinstance(result, loom.PointCloud):
+        return [result.points, *([result.normals] if result.has_normals() else [])]
+    if isinstance(result, loom.TriangleMesh):
+        return [result.vertices, result.triangles]
+    if isinstance(result, loom.TSDFVolume):
+        return [result.block_count, *arrays_of(result.extract_point_cloud())]
+    if isinstance(result, (tuple, list)):
+        return [array for each in result for array in arrays_of(each)]
+    return [np.asarray(result)]
 
 
 def fused() -> loom.TSDFVolume:
@@ -44,8 +44,8 @@ def fused() -> loom.TSDFVolume:
 def icp(target):
     method = loom.registration.TransformationEstimationPointToPlane()
     moved = loom.PointCloud(SPHERE + np.float32(0.01), device="cuda:0")
-    found = loom.registration.registration_icp(moved, target, 0.2, estimation_method=method)
-    return [found.transformation, found.correspondence_set]
+    result = loom.registration.registration_icp(moved, target, 0.2, estimation_method=method)
+    return [result.transformation, result.correspondence_set]
 
 
 SEARCHES = ("estimate_normals", "poisson")  # go on with less scratch
@@ -74,13 +74,13 @@ def goes_on(emulated, number, act, expected) -> bool:
     """Whether an operation goes on in less memory where an allocation fails, to the same result; else it is refused."""
     with failing_allocation(emulated, number) as tried:
         try:
-            found = act()
+            result = act()
         except MemoryError as error:
             assert "cuda:0 has no room" in str(error)
             assert tried.count == number, "nothing goes on after it"
             return False
     assert tried.count > number, "what it did without was not needed"
-    assert_same(arrays_of(found), expected)
+    assert_same(arrays_of(result), expected)
     return True
 
 
@@ -89,18 +89,18 @@ def test_at_every_allocation_memory_may_run_out_and_nothing_is_lost(emulated, na
     make, act = OPERATIONS[name]
     before = make()
     with failing_allocation(emulated) as allocated:
-        found = act(before)
-    expected = [np.array(array) for array in arrays_of(found)]
+        result = act(before)
+    expected = [np.array(array) for array in arrays_of(result)]
     assert allocated.count
     for number in range(1, allocated.count + 1):
         before = make()
-        held = [np.array(array) for array in arrays_of(before)]
+        copies = [np.array(array) for array in arrays_of(before)]
         if goes_on(emulated, number, lambda: act(before), expected):  # noqa: B023  at once
             assert name in SEARCHES
             continue
         if isinstance(before, loom.TSDFVolume) and before.frame_count == 2:
             assert_same(arrays_of(before), expected)  # it ran out once the frame was in
             continue
-        assert_same(arrays_of(before), held)
+        assert_same(arrays_of(before), copies)
         if name != "poisson" or number % 20 == 1:  # it has 200 allocations, and leaves the cloud alone
             assert_same(arrays_of(act(before)), expected)

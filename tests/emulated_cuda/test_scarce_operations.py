@@ -26,8 +26,8 @@ QUICK = (
 def check(emulated, work) -> None:
     digest(work())  # what is kept after a first call is there
     with failing_allocation(emulated) as allocated:
-        found = work()
-    expected, count = digest(found), allocated.count
+        result = work()
+    expected, count = digest(result), allocated.count
     for number in sorted({1 + k * (count - 1) // (TRIED - 1) for k in range(TRIED)} if count else ()):
         with failing_allocation(emulated, number) as tried:
             try:

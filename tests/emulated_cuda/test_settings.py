@@ -17,8 +17,8 @@ from .settings import Order, Settings
 def test_settings_come_from_the_environment(monkeypatch):
     for name, text in {"ORDER": "3", "SEED": "9", "LAZY": "0", "CACHE": "/somewhere"}.items():
         monkeypatch.setenv(f"EMULATED_CUDA_{name}", text)
-    found = Settings.from_environment()
-    assert (found.order, found.seed, found.lazy, found.cache) == (Order.INTERLEAVED, 9, False, "/somewhere")
+    settings = Settings.from_environment()
+    assert (settings.order, settings.seed, settings.lazy, settings.cache) == (Order.INTERLEAVED, 9, False, "/somewhere")
 
 
 @pytest.mark.parametrize(("text", "message"), [("7", "expected 0 to 3, got '7'"), ("x", "expected 0 to 3, got 'x'")])
@@ -28,7 +28,7 @@ def test_an_order_that_is_none_is_refused(monkeypatch, text, message):
         Settings.from_environment()
 
 
-def test_without_gcc_one_line_says_what_to_install(monkeypatch):
+def test_a_missing_gcc_is_reported_with_install_instructions(monkeypatch):
     monkeypatch.setenv("PATH", "/nowhere")
     with pytest.raises(EmulationError, match=r"^the emulated device needs gcc: apt-get install gcc libc6-dev$"):
         gcc.check_machine()

@@ -1,4 +1,4 @@
-"""A device without room for all answers at once: those that go to the host come in parts, others are refused."""
+"""A device with too little memory for all results: host results are computed in batches, others are refused."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ COUNT = 2 * MIN_ROWS + 300
 
 @pytest.fixture
 def search(emulated, rng):
-    """A search over points, of which some stand in one place."""
+    """A search over points, some of them coincident."""
     points = rng.random((COUNT, 3)).astype(np.float32)
     points[::7] = points[0]
     return loom.NearestNeighborSearch(points, device="cuda:0")
@@ -45,17 +45,17 @@ QUERIES = {
 
 
 @pytest.mark.parametrize("name", QUERIES)
-def test_answers_for_the_host_come_in_parts_with_the_same_bits(emulated, search, with_room, name):
-    queries, ask = search.cloud.points, QUERIES[name]
-    ask(search, queries[:10])
+def test_host_results_are_bitwise_identical_in_batches(emulated, search, with_room, name):
+    queries, query_neighbors = search.cloud.points, QUERIES[name]
+    query_neighbors(search, queries[:10])
     before = emulated.memory.used
     emulated.memory.peak = before
-    expected = ask(search, queries)
+    expected = query_neighbors(search, queries)
     need = emulated.memory.peak - before
     with_room(int(0.7 * need))
     with emulated.findings.expected():
-        found = ask(search, queries)
-    for array, other in zip(found, expected, strict=True):
+        result = query_neighbors(search, queries)
+    for array, other in zip(result, expected, strict=True):
         np.testing.assert_array_equal(array, other)
 
 
@@ -68,7 +68,7 @@ OPERATIONS = {
 
 
 @pytest.mark.parametrize("name", OPERATIONS)
-def test_searches_with_less_scratch_give_the_same_bits(search, emulated, with_room, name):
+def test_searches_with_less_scratch_are_bitwise_identical(search, emulated, with_room, name):
     """Fewer warps take more groups in turn: two fifths of the memory do, and next to none is refused by name."""
     work = OPERATIONS[name]
     work(search.cloud)
@@ -83,7 +83,7 @@ def test_searches_with_less_scratch_give_the_same_bits(search, emulated, with_ro
         work(search.cloud)
 
 
-def test_answers_that_stay_there_are_refused_with_their_size(emulated, search, with_room):
+def test_device_results_are_refused_with_their_size(emulated, search, with_room):
     queries = wp.array(search.cloud.points.astype(np.float32), device="cuda:0")
     expected = search.knn_search(queries, 24)
     expected = [array.numpy() for array in expected]
@@ -97,20 +97,20 @@ def test_answers_that_stay_there_are_refused_with_their_size(emulated, search, w
 
 
 def test_parts_are_as_few_as_fit_and_in_order():
-    asked = []
+    ranges = []
 
     def work(begin, end):
-        asked.append((begin, end))
+        ranges.append((begin, end))
         if end - begin > 3 * MIN_ROWS:
             raise MemoryError("too many")
         return (np.arange(begin, end),)
 
-    (found,) = in_batches(10 * MIN_ROWS, work)
-    np.testing.assert_array_equal(found, np.arange(10 * MIN_ROWS))
-    assert sum(end - begin <= 3 * MIN_ROWS for begin, end in asked) == 4
+    (result,) = in_batches(10 * MIN_ROWS, work)
+    np.testing.assert_array_equal(result, np.arange(10 * MIN_ROWS))
+    assert sum(end - begin <= 3 * MIN_ROWS for begin, end in ranges) == 4
 
 
-def test_rows_that_do_not_fit_however_few_are_an_error():
+def test_single_batches_that_do_not_fit_are_an_error():
     def work(begin, end):
         raise MemoryError(f"no room for {end - begin}")
 

@@ -32,20 +32,20 @@ def test_without_delay_it_runs_at_once(emulated, settings):
     assert emulated.findings.counts["launches"] == known + 1
 
 
-def test_a_download_waits_and_brings_what_was_launched_before():
+def test_a_download_waits_for_earlier_launches():
     a = wp.zeros(4, dtype=int, device=DEVICE)
     wp.launch(number_kernel, 4, [a], device=DEVICE)
     np.testing.assert_array_equal(a.numpy(), range(4))
 
 
-def test_pageable_memory_is_read_at_the_call_and_pinned_memory_later():
+def test_pageable_memory_is_read_at_the_call_and_pinned_memory_afterwards():
     pageable, pinned = np.ones(1, np.int32), wp.empty(1, dtype=int, device="cpu", pinned=True)
     pinned.numpy()[0] = 1
-    there = [wp.empty(1, dtype=int, device=DEVICE) for _ in range(2)]
-    wp.copy(there[0], wp.array(pageable, dtype=int, device="cpu", copy=False))
-    wp.copy(there[1], pinned)
+    on_device = [wp.empty(1, dtype=int, device=DEVICE) for _ in range(2)]
+    wp.copy(on_device[0], wp.array(pageable, dtype=int, device="cpu", copy=False))
+    wp.copy(on_device[1], pinned)
     pageable[0] = pinned.numpy()[0] = 2
-    assert [a.numpy()[0] for a in there] == [1, 2]
+    assert [a.numpy()[0] for a in on_device] == [1, 2]
 
 
 def test_a_missing_wait_shows_in_a_pinned_download():
@@ -57,7 +57,7 @@ def test_a_missing_wait_shows_in_a_pinned_download():
     np.testing.assert_array_equal(host.numpy(), range(4))
 
 
-def test_a_missing_wait_between_streams_shows_and_an_event_mends_it():
+def test_a_missing_wait_between_streams_is_detected_and_an_event_fixes_it():
     host = wp.empty(4, dtype=int, device="cpu", pinned=True)
     first, second = wp.Stream(DEVICE), wp.Stream(DEVICE)
     a = wp.zeros(4, dtype=int, device=DEVICE)
@@ -72,7 +72,7 @@ def test_a_missing_wait_between_streams_shows_and_an_event_mends_it():
     np.testing.assert_array_equal(host.numpy(), range(4))
 
 
-def test_an_array_lives_until_what_was_launched_on_it_has_run():
+def test_an_array_lives_until_its_launches_have_run():
     out = wp.zeros(4, dtype=int, device=DEVICE)
     a = wp.zeros(4, dtype=int, device=DEVICE)
     wp.launch(number_kernel, 4, [a], device=DEVICE)
@@ -81,7 +81,7 @@ def test_an_array_lives_until_what_was_launched_on_it_has_run():
     np.testing.assert_array_equal(out.numpy(), range(4))
 
 
-def test_who_asks_again_and_again_gets_on(emulated):
+def test_repeated_queries_make_progress(emulated):
     a = wp.zeros(4, dtype=int, device=DEVICE)
     wp.launch(number_kernel, 4, [a], device=DEVICE)
     event = wp.get_stream(DEVICE).record_event()
@@ -91,7 +91,7 @@ def test_who_asks_again_and_again_gets_on(emulated):
 
 
 @pytest.mark.parametrize("name", ["int", "float"])
-def test_warps_own_scan_and_sort_are_there(name):
+def test_scan_and_sort_of_warp_exist(name):
     dtype = {"int": wp.int32, "float": wp.float32}[name]
     given = np.random.default_rng(0).permutation(100).astype(name + "32")
     keys, values = wp.zeros(200, dtype=dtype, device=DEVICE), wp.zeros(200, dtype=wp.int32, device=DEVICE)

@@ -39,23 +39,23 @@ def clouds(count):
     )
 
 
-def asked_for(emulated, run) -> dict[str, int]:
-    """What a call asks of the device that has been called before: trees and tables are there."""
+def count_requests(emulated, run) -> dict[str, int]:
+    """Device calls of a function on its second call: trees and tables exist."""
     run()
-    return emulated.asked(run)
+    return emulated.count_requests(run)
 
 
 @pytest.mark.parametrize("name", MAX_WAITS)
-def test_waits_are_few_and_nothing_a_point_goes_to_the_host(emulated, name):
-    operation, most = MAX_WAITS[name]
-    asked = [asked_for(emulated, partial(operation, *clouds(size))) for size in SIZES]
-    assert max(found["copies to host"] for found in asked) <= most
-    assert asked[1]["bytes to host"] - asked[0]["bytes to host"] <= SPARE
+def test_waits_are_few_and_no_array_of_points_is_downloaded(emulated, name):
+    operation, max_waits = MAX_WAITS[name]
+    counts = [count_requests(emulated, partial(operation, *clouds(size))) for size in SIZES]
+    assert max(row["copies to host"] for row in counts) <= max_waits
+    assert counts[1]["bytes to host"] - counts[0]["bytes to host"] <= SPARE
 
 
 @pytest.mark.parametrize("count", SIZES)
-def test_flat_patches_wait_thrice_a_level_and_twice_a_round(emulated, count):
+def test_planar_patches_wait_three_times_per_level_and_twice_per_round(emulated, count):
     _, room = clouds(count)
-    asked = asked_for(emulated, lambda: room.detect_planar_patches(max_nn=15))
-    rounds = asked["graphs made"]  # growing is a graph each time
-    assert rounds >= 1 and asked["copies to host"] <= 3 * 8 + 2 * rounds + 8
+    counts = count_requests(emulated, lambda: room.detect_planar_patches(max_nn=15))
+    rounds = counts["graphs made"]  # growing is a graph each time
+    assert rounds >= 1 and counts["copies to host"] <= 3 * 8 + 2 * rounds + 8

@@ -72,34 +72,34 @@ print(json.dumps(found))
 
 
 @pytest.fixture(scope="module")
-def found(emulated):
+def report(emulated):
     environment = os.environ | {"EMULATED_CUDA_DEVICES": "2", "POINTLOOM_CPU": "warp"}
     done = subprocess.run([sys.executable, "-c", PROGRAM], env=environment, capture_output=True, text=True, timeout=600)
     assert done.returncode == 0, done.stderr[-3000:]
-    found = json.loads(done.stdout.splitlines()[-1])
-    assert found["faults"] == []
-    return found
+    result = json.loads(done.stdout.splitlines()[-1])
+    assert result["faults"] == []
+    return result
 
 
-def test_operations_run_on_the_second_gpu_too_and_give_the_same_bits(found):
-    assert found["same"]
-    assert found["loops"] == ["cuda:0", "cuda:1"]
+def test_operations_on_the_second_gpu_are_bitwise_identical(report):
+    assert report["same"]
+    assert report["loops"] == ["cuda:0", "cuda:1"]
 
 
-def test_a_cloud_moves_once_its_own_gpu_has_made_it(found):
-    assert found["late"]
+def test_a_cloud_moves_once_its_own_gpu_has_made_it(report):
+    assert report["late"]
 
 
-def test_clouds_move_between_gpus_and_auto_is_the_first(found):
-    assert (found["moved"], found["auto"]) == (["cuda:1", "cpu"], "cuda:0")
+def test_clouds_move_between_gpus_and_auto_is_the_first(report):
+    assert (report["moved"], report["auto"]) == (["cuda:1", "cpu"], "cuda:0")
 
 
-def test_operands_on_different_gpus_are_refused_by_name(found):
-    for kind, message in found["refused"].values():
+def test_operands_on_different_gpus_are_refused_by_name(report):
+    for kind, message in report["refused"].values():
         assert kind == "DeviceError"
         assert re.search(r"operands on cuda:(\d) and cuda:(?!\1)(\d); move one with .to\('cuda:\2'\)", message)
 
 
-def test_a_gpu_too_many_is_refused_with_those_that_there_are(found):
-    kind, message = found["third"]
+def test_the_error_for_a_missing_gpu_lists_the_available_ones(report):
+    kind, message = report["third"]
     assert kind == "DeviceError" and "expected one of cpu, cuda:0, cuda:1 or auto, got 'cuda:2'" in message

@@ -12,7 +12,7 @@ import pytest
 
 import pointloom as loom
 
-from ..cameras.colmap_oracle import ask_colmap
+from ..cameras.colmap_oracle import query_colmap
 from .sfm_models import LENS, assert_same, ring_model
 
 FORMS = ["bin", "txt"]
@@ -37,7 +37,7 @@ def synthetic(tmp_path_factory):
     folders = [tmp_path_factory.mktemp("binary"), tmp_path_factory.mktemp("text")]
     options = {"num_rigs": 2, "num_cameras_per_rig": 2, "num_frames_per_rig": 3, "num_points3D": 80}
     question = {"options": options, "binary": [str(folders[0])], "text": [str(folders[1])]}
-    return folders, ask_colmap("synthesize", question)
+    return folders, query_colmap("synthesize", question)
 
 
 @pytest.mark.parametrize("which", [0, 1], ids=FORMS)
@@ -58,7 +58,7 @@ def test_a_model_of_colmap_is_read_as_colmap_has_it(synthetic, which):
 
 
 def test_colmap_reads_what_we_write(folder):
-    told = ask_colmap("describe", str(folder))
+    told = query_colmap("describe", str(folder))
     assert sorted(told["pictures"]) == list(MODEL.names)
     assert told["error"] < 1e-3  # the keypoints have three decimals
     assert len(told["points"]) == len(MODEL.points)

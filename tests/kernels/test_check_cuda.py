@@ -1,4 +1,4 @@
-"""Kernels compile for CUDA without a GPU, and what a thread of them holds is read from the cubins."""
+"""Kernels compile for CUDA without a GPU, and memory per thread is read from the cubins."""
 
 import pytest
 import warp as wp
@@ -44,7 +44,7 @@ def test_a_module_compiles_with_its_reductions(compiled):
 
 
 @pytest.mark.slow
-def test_what_only_the_cpu_runs_is_not_compiled_for_cuda_nor_the_other_way_round(compiled):
+def test_kernels_of_one_device_are_not_compiled_for_the_other(compiled):
     assert not any(name.startswith("sum_rows_sum") for name in compiled.usage[90])
     assert not wp.get_module("compiled.cpu").kernels, "made when the CPU first runs one"
     _ = lang.LAUNCHED["compiled"]["sum_rows"].cpu
@@ -59,5 +59,7 @@ def test_a_kernel_without_tiles_shares_no_more_than_the_word_a_thread_that_warp_
     shared = {name.rpartition("_cuda_")[0].rpartition("_")[0]: u.shared_bytes for name, u in compiled.usage[90].items()}
     assert shared["copy_kernel"] == shared["mix_kernel"] == words
     vector = REDUCTION_BLOCK // 32 * 8  # a number of each warp
-    held = shared["sum_rows_tiles"]
-    assert words + 4 * vector <= held == shared["sum_rows_fold_tiles"] < words + 8 * vector, "four numbers at a time"
+    shared_bytes = shared["sum_rows_tiles"]
+    assert words + 4 * vector <= shared_bytes == shared["sum_rows_fold_tiles"] < words + 8 * vector, (
+        "four numbers at a time"
+    )

@@ -1,4 +1,4 @@
-"""Kernels compiled ahead: what is chosen for a GPU, what the wheel holds, what an interrupted build leaves."""
+"""Kernels compiled ahead: the selection for a GPU, the contents of the wheel, and interrupted builds."""
 
 import base64
 import hashlib
@@ -33,7 +33,7 @@ def gpu(architecture, output="ptx"):
 
 
 @pytest.mark.parametrize(
-    ("binaries", "found", "chosen"),
+    ("binaries", "architecture", "chosen"),
     [
         (ALL, gpu(90), "sm90.cubin"),
         (ALL, gpu(75), "sm75.cubin"),
@@ -53,8 +53,8 @@ def gpu(architecture, output="ptx"):
         ([], gpu(90), None),
     ],
 )
-def test_a_gpu_gets_code_that_it_runs_or_none(binaries, found, chosen):
-    assert choose(binaries, found) == chosen
+def test_a_gpu_gets_code_that_it_runs_or_none(binaries, architecture, chosen):
+    assert choose(binaries, architecture) == chosen
 
 
 @pytest.mark.parametrize("manifest", [[], {"made from": 1, "architectures": [], "modules": {}}, {"made from": {}}])
@@ -76,7 +76,7 @@ def built():
     ]
 
 
-def test_an_archive_says_what_it_was_made_from_and_is_the_same_for_the_same_code(built, tmp_path):
+def test_an_archive_lists_its_sources_and_is_reproducible(built, tmp_path):
     content = cuda_cache.archive_of(built)
     assert cuda_cache.archive_of(list(reversed(built))) == content
     path = tmp_path / "kernels.zip"
@@ -87,7 +87,7 @@ def test_an_archive_says_what_it_was_made_from_and_is_the_same_for_the_same_code
     assert archive.modules["ab" * 32]["name"] == "pointloom.kernels.made_up"
 
 
-def test_the_wheel_records_its_files_and_wants_this_pointloom_and_this_warp(built):
+def test_the_wheel_records_its_files_and_requires_the_same_versions(built):
     version = importlib.metadata.version("pointloom")
     name, content = cuda_cache.wheel_of(cuda_cache.archive_of(built), version)
     assert name == f"pointloom_cuda_kernels-{version}-py3-none-any.whl"
@@ -98,8 +98,8 @@ def test_the_wheel_records_its_files_and_wants_this_pointloom_and_this_warp(buil
         assert {line[0] for line in recorded} == set(wheel.namelist())
         for path, digest, size in recorded[:-1]:
             data = wheel.read(path)
-            found = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
-            assert (f"sha256={found}", str(len(data))) == (digest, size)
+            encoded = base64.urlsafe_b64encode(hashlib.sha256(data).digest()).rstrip(b"=").decode()
+            assert (f"sha256={encoded}", str(len(data))) == (digest, size)
     assert f"Requires-Dist: pointloom=={version}\n" in metadata
     assert f"Requires-Dist: warp-lang=={wp.__version__}\n" in metadata
 
@@ -125,7 +125,7 @@ print(built.key, hashlib.sha256(built.code["sm90.ptx"].packed).hexdigest())
 
 
 @pytest.mark.slow
-def test_a_constant_that_warp_s_hash_does_not_see_is_compiled_anew(tmp_path):
+def test_a_constant_outside_the_hash_of_warp_is_recompiled(tmp_path):
     """Warp's hash counts the low 32 bits of a whole number, so both modules have one folder."""
     source = """
         from pointloom.kernels.lang import *
@@ -169,19 +169,19 @@ def command(folder, *options):
 
 
 @pytest.mark.slow
-def test_an_interrupted_build_writes_nothing_and_goes_on_where_it_stopped(tmp_path):
+def test_an_interrupted_build_writes_nothing_and_can_be_continued(tmp_path):
     build = command(tmp_path, "--architectures", "90", "--only", SELECT, "pointloom.kernels.surface.normals")
     assert build.stdout.readline().startswith("[1/2] ")
     build.send_signal(signal.SIGINT)
     _, errors = build.communicate(timeout=120)
     assert (build.returncode, errors) == (130, "interrupted: what is compiled is kept, run it again to go on\n")
     assert list((tmp_path / "dist").iterdir()) == []
-    (kept,) = (tmp_path / "work").glob(f"wp_{SELECT}_*/*.cubin")
-    written = kept.stat().st_mtime_ns
+    (cubin,) = (tmp_path / "work").glob(f"wp_{SELECT}_*/*.cubin")
+    written = cubin.stat().st_mtime_ns
     again = command(tmp_path, "--architectures", "90", "--only", SELECT)
     output, errors = again.communicate(timeout=120)
     assert (again.returncode, errors) == (0, "")
-    assert kept.stat().st_mtime_ns == written
+    assert cubin.stat().st_mtime_ns == written
     (archive,) = (tmp_path / "dist").glob("*.zip")
     with zipfile.ZipFile(archive) as file:
         (module,) = json.loads(file.read("manifest.json"))["modules"].values()

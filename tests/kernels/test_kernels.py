@@ -1,4 +1,4 @@
-"""What holds for every kernel: it is in the language, has few parameters, and a name that says that it is one."""
+"""Conventions for every kernel: it is exported by its package, has few parameters, and has a name of a kernel."""
 
 import importlib
 import pkgutil
@@ -12,7 +12,7 @@ from pointloom.kernels.lang import Func, Kernel, Loop, Reduction
 
 @cache
 def modules():
-    names = [found.name for found in pkgutil.walk_packages(kernels.__path__, "pointloom.kernels.")]
+    names = [module.name for module in pkgutil.walk_packages(kernels.__path__, "pointloom.kernels.")]
     return {name: importlib.import_module(name) for name in names}
 
 

@@ -36,9 +36,9 @@ SHAPES += [
 @pytest.mark.parametrize(("left", "right"), SHAPES)
 def test_products_are_those_of_numpy(left, right, rng):
     a, b = rng.normal(size=left), rng.normal(size=right)
-    found = la.matmul(a, b)
-    assert found.shape == (a @ b).shape
-    np.testing.assert_allclose(found, a @ b, rtol=1e-13, atol=1e-13)
+    result = la.matmul(a, b)
+    assert result.shape == (a @ b).shape
+    np.testing.assert_allclose(result, a @ b, rtol=1e-13, atol=1e-13)
 
 
 def test_the_bits_of_a_product_do_not_depend_on_stacks_and_strides(rng):
@@ -55,7 +55,7 @@ def test_shapes_that_do_not_fit_are_refused():
         la.matmul(np.ones((2, 3)), np.ones((1, 3)))
 
 
-def test_a_product_of_several_goes_from_left_to_right(rng):
+def test_a_product_of_several_is_evaluated_from_left_to_right(rng):
     a, b, c = rng.normal(size=(3, 4, 4))
     np.testing.assert_array_equal(la.matmul(a, b, c), la.matmul(la.matmul(a, b), c))
 
@@ -65,10 +65,10 @@ def test_a_product_of_several_goes_from_left_to_right(rng):
 def test_solutions_and_inverses_leave_no_residual(n, seed):
     rng = np.random.default_rng(seed)
     A, b = rng.normal(size=(4, n, n)), rng.normal(size=(4, n, 2))
-    found, inverse = la.solve(A, b), la.inv(A)
+    result, inverse = la.solve(A, b), la.inv(A)
     sizes = np.abs(A).sum(axis=2).max(axis=1)
-    limits = 1e-13 * sizes * np.abs(found).max(axis=(1, 2)), 1e-13 * sizes * np.abs(inverse).max(axis=(1, 2))
-    assert (np.abs(A @ found - b).max(axis=(1, 2)) <= limits[0]).all()
+    limits = 1e-13 * sizes * np.abs(result).max(axis=(1, 2)), 1e-13 * sizes * np.abs(inverse).max(axis=(1, 2))
+    assert (np.abs(A @ result - b).max(axis=(1, 2)) <= limits[0]).all()
     assert (np.abs(A @ inverse - np.eye(n)).max(axis=(1, 2)) <= limits[1]).all()
     np.testing.assert_array_equal(la.solve(A[0], b[0, :, 0]), la.solve(A[0], b[0, :, :1])[:, 0])
 
@@ -104,8 +104,8 @@ def test_a_single_eigenvector_has_the_sign_of_lapack(n, seed):
 
 
 def test_the_largest_entry_of_a_repeated_eigenvector_is_positive():
-    turn = nearest_rotations(np.random.default_rng(3).normal(size=(1, 3, 3)))[0]
-    _, vectors = la.eigh(turn @ np.diag([2.0, 2.0, 5.0]) @ turn.T)
+    rotation = nearest_rotations(np.random.default_rng(3).normal(size=(1, 3, 3)))[0]
+    _, vectors = la.eigh(rotation @ np.diag([2.0, 2.0, 5.0]) @ rotation.T)
     assert (vectors[:, :2].max(axis=0) == np.abs(vectors[:, :2]).max(axis=0)).all()
 
 
@@ -122,7 +122,7 @@ def test_eigenvalues_of_numbers_that_are_not_finite_are_refused(values):
         la.eigh(np.array(values))
 
 
-def test_a_pseudoinverse_leaves_out_what_is_nothing():
+def test_a_pseudoinverse_ignores_zero_singular_values():
     A = np.diag([4.0, 0.5, 1e-12])
     np.testing.assert_allclose(la.pinvh(A, 1e-9), np.diag([0.25, 2.0, 0.0]), rtol=1e-15)
     np.testing.assert_array_equal(la.pinvh(np.zeros((3, 3)), 1e-9), np.zeros((3, 3)))
@@ -162,11 +162,11 @@ def test_nearest_rotations_are_those_of_the_singular_values(kind, seed):
     U, sizes, Vt = np.linalg.svd(M)
     sign = np.sign(np.linalg.det(U @ Vt))
     U[:, :, 2] *= sign[:, None]
-    found = nearest_rotations(M)
-    np.testing.assert_allclose(found @ found.transpose(0, 2, 1), np.broadcast_to(np.eye(3), M.shape), atol=1e-13)
-    np.testing.assert_allclose(np.linalg.det(found), 1.0, atol=1e-13)
+    result = nearest_rotations(M)
+    np.testing.assert_allclose(result @ result.transpose(0, 2, 1), np.broadcast_to(np.eye(3), M.shape), atol=1e-13)
+    np.testing.assert_allclose(np.linalg.det(result), 1.0, atol=1e-13)
     clear = sizes[:, 1] + sign * sizes[:, 2] > 0.02 * sizes[:, 0]  # else many are as near
-    np.testing.assert_allclose(found[clear], (U @ Vt)[clear], rtol=0, atol=1e-10)
+    np.testing.assert_allclose(result[clear], (U @ Vt)[clear], rtol=0, atol=1e-10)
 
 
 def test_a_rotation_keeps_its_bits(rng):
@@ -189,7 +189,7 @@ print(hashlib.sha256((A @ A.transpose(0, 2, 1)).tobytes()).hexdigest())
 """
 
 
-def test_bits_do_not_depend_on_the_kernels_of_blas():
+def test_results_do_not_depend_on_the_kernels_of_blas():
     lines = []
     for kernels in ("Prescott", "Haswell"):
         command, environment = [sys.executable, "-c", SCRIPT], {**os.environ, "OPENBLAS_CORETYPE": kernels}

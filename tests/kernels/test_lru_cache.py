@@ -12,13 +12,13 @@ class Shelf:
 
     def __init__(self, room):
         self.made, self.dropped = [], []
-        self.kept = LruCache(room, on_evict=self.dropped.append)
+        self.cache = LruCache(room, on_evict=self.dropped.append)
 
     def take(self, key, size=10, beside=None):
-        return self.kept.get(key, size, lambda: self.made.append(key) or key, beside=beside)
+        return self.cache.get(key, size, lambda: self.made.append(key) or key, beside=beside)
 
 
-def test_what_was_not_used_for_longest_makes_room():
+def test_the_least_recently_used_value_is_evicted():
     shelf = Shelf(20)
     for key in (1, 2, 1, 3, 1, 2):
         shelf.take(key)
@@ -32,7 +32,7 @@ def test_the_budget_is_filled_to_its_last_byte():
     assert shelf.dropped == [1]
 
 
-def test_what_is_in_use_makes_no_room():
+def test_values_in_use_are_not_evicted():
     shelf = Shelf(20)
     shelf.take("own")
     for key in (1, 2, 3):
@@ -41,7 +41,7 @@ def test_what_is_in_use_makes_no_room():
     assert shelf.made == ["own", 1, 2, 3] and shelf.dropped == [1, 2]
 
 
-def test_what_is_larger_than_the_budget_is_kept_alone():
+def test_a_value_larger_than_the_budget_is_cached_alone():
     shelf = Shelf(5)
     for key in (1, 1, 2):
         shelf.take(key)
@@ -50,32 +50,32 @@ def test_what_is_larger_than_the_budget_is_kept_alone():
     assert shelf.dropped == [1]
 
 
-def test_what_cannot_be_made_is_not_kept():
+def test_a_value_that_cannot_be_made_is_not_cached():
     shelf = Shelf(20)
     shelf.take(1)
     with pytest.raises(ZeroDivisionError):
-        shelf.kept.get(2, 10, lambda: 1 // 0)
+        shelf.cache.get(2, 10, lambda: 1 // 0)
     assert shelf.take(1) == 1 and shelf.take(2) == 2 and shelf.made == [1, 2]
 
 
 def test_a_value_that_is_put_replaces_the_one_of_its_key_and_pop_removes_it():
     shelf = Shelf(20)
     for key, value in ((1, "a"), (2, "b"), (1, "c")):
-        shelf.kept.put(key, value, 10)
-    assert (shelf.kept.find(1), shelf.kept.find(3), shelf.kept.size, shelf.dropped) == ("c", None, 20, [])
-    shelf.kept.put(4, "d", 10)
-    assert shelf.kept.find(2) is None and shelf.dropped == ["b"]
-    assert (shelf.kept.pop(1), shelf.kept.pop(1), shelf.kept.size) == ("c", None, 10)
-    shelf.kept.clear()
-    assert shelf.dropped == ["b", "d"] and shelf.kept.size == 0
+        shelf.cache.put(key, value, 10)
+    assert (shelf.cache.find(1), shelf.cache.find(3), shelf.cache.size, shelf.dropped) == ("c", None, 20, [])
+    shelf.cache.put(4, "d", 10)
+    assert shelf.cache.find(2) is None and shelf.dropped == ["b"]
+    assert (shelf.cache.pop(1), shelf.cache.pop(1), shelf.cache.size) == ("c", None, 10)
+    shelf.cache.clear()
+    assert shelf.dropped == ["b", "d"] and shelf.cache.size == 0
 
 
-@given(asked=st.lists(st.tuples(st.integers(0, 6), st.integers(1, 9)), max_size=40), room=st.integers(9, 30))
+@given(requests=st.lists(st.tuples(st.integers(0, 6), st.integers(1, 9)), max_size=40), room=st.integers(9, 30))
 @settings(max_examples=25, deadline=None)
-def test_the_budget_holds_whatever_is_asked_for(asked, room):
-    sizes = dict(asked)
+def test_the_budget_is_never_exceeded(requests, room):
+    sizes = dict(requests)
     shelf = Shelf(room)
-    for key, _ in asked:
+    for key, _ in requests:
         shelf.take(key, sizes[key])
-        held = [k for k in set(shelf.made) if shelf.made.count(k) > shelf.dropped.count(k)]
-        assert key in held and sum(sizes[k] for k in held) <= room
+        cached = [k for k in set(shelf.made) if shelf.made.count(k) > shelf.dropped.count(k)]
+        assert key in cached and sum(sizes[k] for k in cached) <= room

@@ -19,15 +19,15 @@ from pointloom.kernels.memory import cast, download, upload
 def test_an_uploaded_array_is_a_copy(device, rng):
     values = rng.random((7, 3)).astype(np.float32)
     array = upload(values, vec3, resolve_device(device))
-    kept = values.copy()
+    original = values.copy()
     values[:] = 0
-    np.testing.assert_array_equal(download(array), kept)
+    np.testing.assert_array_equal(download(array), original)
 
 
 FLOATS = [np.float16, np.float32, np.float64]
-WHOLE = [np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, np.uint64, np.bool_]
-ASKED_FOR = {  # by the operations: to each type from these
-    np.float64: [*FLOATS[:2], *WHOLE],
+INTEGERS = [np.int8, np.int16, np.int32, np.int64, np.uint8, np.uint16, np.uint32, np.uint64, np.bool_]
+CAST_SOURCES = {  # by the operations: to each type from these
+    np.float64: [*FLOATS[:2], *INTEGERS],
     np.float32: [np.float64, np.float16, np.int64, np.uint8],
     np.float16: [np.float64],
     np.int64: [np.uint8, np.int16, np.uint64, np.bool_],
@@ -37,54 +37,56 @@ ASKED_FOR = {  # by the operations: to each type from these
 
 
 def numbers_of(dtype, rng):
-    """Numbers of a type that every other type can hold, and fractions for floats."""
+    """Numbers that every type can represent, and fractions for floats."""
     values = rng.integers(0, 100, 300)
     return (values + (rng.random(300) if np.dtype(dtype).kind == "f" else 0)).astype(dtype)
 
 
-@pytest.mark.parametrize("target", ASKED_FOR)
-def test_a_cast_gives_what_numpy_gives(device, target, rng):
-    for source in ASKED_FOR[target]:
+@pytest.mark.parametrize("target", CAST_SOURCES)
+def test_a_cast_gives_the_result_of_numpy(device, target, rng):
+    for source in CAST_SOURCES[target]:
         values = numbers_of(source, rng)
         array = upload(values, wp.dtype_from_numpy(np.dtype(source)), resolve_device(device))
-        found = download(cast(array, wp.dtype_from_numpy(np.dtype(target))))
+        result = download(cast(array, wp.dtype_from_numpy(np.dtype(target))))
         expected = (values.astype(np.float32) if target == np.float16 else values).astype(target)
-        assert found.dtype == target
-        np.testing.assert_array_equal(found, expected, err_msg=f"from {source.__name__}")
+        assert result.dtype == target
+        np.testing.assert_array_equal(result, expected, err_msg=f"from {source.__name__}")
 
 
-def test_a_cast_rounds_to_the_nearest_even_and_keeps_what_is_not_finite(device):
-    where = resolve_device(device)
+def test_a_cast_rounds_to_the_nearest_even_and_keeps_non_finite_values(device):
+    warp_device = resolve_device(device)
     halfway = np.array([2049, 2051, 65504, 65519.99, 65520, 1e-8, -0.0, np.inf, -np.inf, np.nan, 1 + 2**-11])
     for dtype in (wp.float32, wp.float64):
-        found = download(cast(upload(halfway, dtype, where), wp.float16))
+        result = download(cast(upload(halfway, dtype, warp_device), wp.float16))
         with np.errstate(over="ignore"):
-            np.testing.assert_array_equal(found, halfway.astype(np.float32).astype(np.float16))
+            np.testing.assert_array_equal(result, halfway.astype(np.float32).astype(np.float16))
     wide = np.array([2**53 + 1, -(2**62) - 1, 2**24 + 1], np.int64)
     for target in (np.float32, np.float64):
-        found = download(cast(upload(wide, wp.int64, where), wp.dtype_from_numpy(np.dtype(target))))
-        np.testing.assert_array_equal(found, wide.astype(target))
+        result = download(cast(upload(wide, wp.int64, warp_device), wp.dtype_from_numpy(np.dtype(target))))
+        np.testing.assert_array_equal(result, wide.astype(target))
     wrapped = np.array([-1, 255, 256, -300, 2**31 - 1], np.int32)
-    np.testing.assert_array_equal(download(cast(upload(wrapped, wp.int32, where), wp.uint8)), wrapped.astype(np.uint8))
     np.testing.assert_array_equal(
-        download(cast(upload(wrapped, wp.int32, where), wp.uint64)), wrapped.astype(np.uint64)
+        download(cast(upload(wrapped, wp.int32, warp_device), wp.uint8)), wrapped.astype(np.uint8)
+    )
+    np.testing.assert_array_equal(
+        download(cast(upload(wrapped, wp.int32, warp_device), wp.uint64)), wrapped.astype(np.uint64)
     )
 
 
 def test_arrays_with_gaps_with_columns_of_vectors_and_without_elements_are_cast(device, rng):
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     table, points = rng.random((7, 4)).astype(np.float32), rng.random((5, 3)).astype(np.float32)
-    array = upload(table, wp.float32, where)
+    array = upload(table, wp.float32, warp_device)
     np.testing.assert_array_equal(download(cast(array, wp.float64)), table.astype(np.float64))
     np.testing.assert_array_equal(download(cast(array[:, 1], wp.float64)), table[:, 1].astype(np.float64))
-    np.testing.assert_array_equal(download(cast(upload(points, vec3, where), vec3d)), points.astype(np.float64))
-    assert cast(upload(np.zeros((0, 3)), wp.float64, where), wp.int32).shape == (0, 3)
+    np.testing.assert_array_equal(download(cast(upload(points, vec3, warp_device), vec3d)), points.astype(np.float64))
+    assert cast(upload(np.zeros((0, 3)), wp.float64, warp_device), wp.int32).shape == (0, 3)
 
 
 def test_a_cast_of_another_pair_of_types_compiles_nothing_again(device, monkeypatch, rng):
-    where, loaded = resolve_device(device), []
+    warp_device, loaded = resolve_device(device), []
     load = wp.Module.load
-    arrays = [upload(rng.integers(0, 9, 10), dtype, where) for dtype in (wp.int16, wp.uint32, wp.int8)]
+    arrays = [upload(rng.integers(0, 9, 10), dtype, warp_device) for dtype in (wp.int16, wp.uint32, wp.int8)]
 
     def note(module, *arguments, **options):
         known = list(module.execs.values())
@@ -96,7 +98,7 @@ def test_a_cast_of_another_pair_of_types_compiles_nothing_again(device, monkeypa
     monkeypatch.setattr(wp.Module, "load", note)
     for array in (*arrays, *arrays):
         cast(array, wp.float32)
-    assert len(loaded) == len(set(loaded)) <= (len(arrays) if where.is_cuda else 0)
+    assert len(loaded) == len(set(loaded)) <= (len(arrays) if warp_device.is_cuda else 0)
 
 
 WITHOUT_ROOM = """
@@ -126,7 +128,7 @@ for make in (
 """
 
 
-def test_an_array_without_room_is_a_memory_error_that_says_its_size():
+def test_a_memory_error_reports_the_size_of_the_array():
     done = subprocess.run([sys.executable, "-c", WITHOUT_ROOM], capture_output=True, text=True, check=True, timeout=120)
     sizes = ("3,221,225,472", "4,294,967,296", "4,294,967,296", "536,870,912")
     for line, size in zip(done.stdout.splitlines(), sizes, strict=True):
@@ -134,70 +136,70 @@ def test_an_array_without_room_is_a_memory_error_that_says_its_size():
 
 
 class Pooled:
-    """A GPU whose pool keeps released memory, as far as kernels/memory.py asks of one."""
+    """A GPU whose pool keeps released memory, with the interface that kernels/memory.py uses."""
 
     is_cuda, is_cpu, is_mempool_enabled, alias = True, False, True, "cuda:7"
 
     def __init__(self, monkeypatch, threshold=0):
-        self.threshold, self.kept, self.calls = threshold, 600, []
+        self.threshold, self.reserved, self.calls = threshold, 600, []
         monkeypatch.setattr(wp, "get_mempool_release_threshold", lambda device: device.threshold)
         monkeypatch.setattr(wp, "set_mempool_release_threshold", Pooled.set)
-        monkeypatch.setattr(pools, "reserved_bytes", lambda device: device.kept)
+        monkeypatch.setattr(pools, "reserved_bytes", lambda device: device.reserved)
         monkeypatch.setattr(pools, "trim", Pooled.trim)
         monkeypatch.setattr(memory, "_pools", {"cuda:7"} if threshold else set())
 
     @property
     def free_memory(self):
-        return 1000 - self.kept
+        return 1000 - self.reserved
 
     def set(self, threshold):
         self.calls.append(threshold)
         self.threshold = threshold
 
     def trim(self):
-        before, self.kept = self.kept, 0
+        before, self.reserved = self.reserved, 0
         return before
 
 
-def test_the_pool_of_a_gpu_is_told_once_to_keep_released_memory(monkeypatch):
+def test_the_pool_of_a_gpu_is_configured_once_to_keep_released_memory(monkeypatch):
     gpu = Pooled(monkeypatch)
     memory._keep_pool(gpu)
     memory._keep_pool(gpu)
     assert gpu.calls == [memory.POOL_SHARE]
 
 
-def test_a_threshold_that_somebody_has_set_stays(monkeypatch):
+def test_a_threshold_set_by_the_user_stays(monkeypatch):
     gpu = Pooled(monkeypatch, threshold=123)
     memory._keep_pool(gpu)
     assert gpu.calls == []
 
 
 def test_the_first_array_on_a_gpu_sets_its_pool(device, monkeypatch):
-    where, kept = resolve_device(device), []
-    monkeypatch.setattr(memory, "_keep_pool", kept.append)
-    memory.empty(3, vec3, where)
-    assert kept == ([where] if where.is_cuda else [])
+    warp_device, devices = resolve_device(device), []
+    monkeypatch.setattr(memory, "_keep_pool", devices.append)
+    memory.empty(3, vec3, warp_device)
+    assert devices == ([warp_device] if warp_device.is_cuda else [])
 
 
-def test_what_the_pool_keeps_is_room_and_is_kept_no_longer_than_needed(monkeypatch):
+def test_cached_pool_memory_counts_as_free_and_is_released_when_needed(monkeypatch):
     gpu = Pooled(monkeypatch, threshold=800)
     assert memory.free_bytes(gpu) == 1000
     memory.check_room(gpu, 400, "a small thing")
-    assert gpu.kept == 600
+    assert gpu.reserved == 600
     memory.check_room(gpu, 900, "a large thing")
-    assert (gpu.kept, gpu.threshold) == (0, 800)
+    assert (gpu.reserved, gpu.threshold) == (0, 800)
     with pytest.raises(MemoryError, match="a huge thing would take"):
         memory.check_room(gpu, 1001, "a huge thing")
 
 
-def test_tables_that_go_together_are_what_they_are_alone(device):
+def test_tables_uploaded_together_equal_single_uploads(device):
     tables = [np.arange(3), np.zeros(0, np.int64), np.array([7, -1], np.int32), np.array([5])]
-    found = memory.upload_together(tables, wp.int32, resolve_device(device))
-    assert [download(part).tolist() for part in found] == [table.tolist() for table in tables]
-    assert all(part.dtype == wp.int32 and part.is_contiguous for part in found)
+    parts = memory.upload_together(tables, wp.int32, resolve_device(device))
+    assert [download(part).tolist() for part in parts] == [table.tolist() for table in tables]
+    assert all(part.dtype == wp.int32 and part.is_contiguous for part in parts)
 
 
-def test_what_is_sent_to_the_host_is_what_the_array_held_then(device):
+def test_a_download_contains_the_values_at_the_time_of_the_request(device):
     from pointloom.kernels.lang import int32
     from pointloom.kernels.memory import Readback, upload, write
 

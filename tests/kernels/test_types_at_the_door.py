@@ -75,11 +75,11 @@ def lines_with_errors(folder: Path, sources: dict[str, str]) -> dict[str, set[st
         text=True,
         check=False,
     )
-    found: dict[str, set[str]] = {name: set() for name in sources}
+    lines: dict[str, set[str]] = {name: set() for name in sources}
     for diagnostic in json.loads(ran.stdout)["generalDiagnostics"]:
         name = Path(diagnostic["file"]).name
-        found[name].add(sources[name].splitlines()[diagnostic["range"]["start"]["line"]].strip())
-    return found
+        lines[name].add(sources[name].splitlines()[diagnostic["range"]["start"]["line"]].strip())
+    return lines
 
 
 @pytest.mark.slow

@@ -7,13 +7,13 @@ import pytest
 
 import pointloom as loom
 
-from ..array_library import LIBRARIES, assert_same, package, stand_in
+from ..array_library import LIBRARIES, assert_same, fake_library, package
 
 
 @pytest.fixture(params=LIBRARIES)
 def library(request, device, monkeypatch):
     """A library and what the tests do with it, see tests/array_library.py."""
-    return stand_in(request.param, device, monkeypatch)
+    return fake_library(request.param, device, monkeypatch)
 
 
 def moved(mesh, shift):

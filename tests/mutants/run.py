@@ -1,11 +1,11 @@
-"""Applies small changes of behavior one at a time, and says which of them the tests notice: `make mutants`.
+"""Apply small changes of behavior one at a time, and report which of them the tests detect: `make mutants`.
 
-The changes stand in the .toml files beside this one, each with the tests that must notice it. They are applied to a
-copy of the tree in a temporary folder, and the tests run without real data. Exit code 0 where enough were noticed, 1
-where not, 2 where the list or the tests themselves are wrong: then nothing is said of the mutants.
+The changes are in the .toml files of this folder, each with the tests that must detect it. They are applied to a copy
+of the tree in a temporary folder, and the tests run without real data. Exit code 0 if enough were detected, 1 if not,
+2 if the list or the tests themselves are wrong: then the mutants are not tried.
 
     make mutants ARGS="--only kernels/volumes"     those with this in their name or file
-    make mutants ARGS="--list"                     what there is
+    make mutants ARGS="--list"                     the list of mutants
     make mutants ARGS="--all"                      with the tests of `make test-all`, not those of `make test`
 """
 
@@ -64,7 +64,7 @@ def read_mutants(folder: Path) -> list[Mutant]:
     """The mutants of all .toml files of a folder.
 
     Raises:
-        ListError: A field is missing, one too many, or a name stands there twice.
+        ListError: A field is missing, one too many, or a name is duplicated.
     """
     mutants: list[Mutant] = []
     for path in sorted(folder.glob("*.toml")):
@@ -175,8 +175,10 @@ def try_mutant(tree: Path, mutant: Mutant, choice: Sequence[str]) -> Outcome:
         path.write_bytes(before)
     if code is not None and code > BROKEN and code != NONE_LEFT:
         raise ListError(f"{mutant.name}: its tests could not be run (pytest's exit code {code}):\n{output}")
-    said = [line for line in output.splitlines() if line.startswith(("FAILED ", "ERROR "))]
-    reason = said[0].split(" - ")[0] if said else {None: f"no end in {TIME_LIMIT} s"}.get(code, f"exit code {code}")
+    failures = [line for line in output.splitlines() if line.startswith(("FAILED ", "ERROR "))]
+    reason = (
+        failures[0].split(" - ")[0] if failures else {None: f"no end in {TIME_LIMIT} s"}.get(code, f"exit code {code}")
+    )
     return Outcome(mutant, "" if code in (PASSED, NONE_LEFT) else reason, time.monotonic() - start)
 
 
@@ -213,8 +215,8 @@ def try_all(root: Path, mutants: Sequence[Mutant], jobs: int, choice: Sequence[s
 
 def row(outcome: Outcome) -> str:
     """A line of the table."""
-    verdict = outcome.noticed_by or "NOT NOTICED"
-    return f"{outcome.mutant.name:<62} {outcome.seconds:6.1f} s  {verdict}"
+    status = outcome.noticed_by or "NOT NOTICED"
+    return f"{outcome.mutant.name:<62} {outcome.seconds:6.1f} s  {status}"
 
 
 def main(words: Sequence[str] | None = None, *, root: Path = ROOT, folder: Path | None = None) -> int:

@@ -24,7 +24,7 @@ UNNOTICED = NOTICED | {"name": "no upper limit", "old": "min(max(x, low), high)"
 
 @pytest.fixture
 def tree(tmp_path):
-    """A function that holds a number between two, and a test that looks at the lower one alone."""
+    """A function that clamps a number, and a test of the lower bound only."""
     for folder in ("pcd", "tests", "list"):
         (tmp_path / folder).mkdir()
     (tmp_path / "pcd" / "clamp.py").write_text(SOURCE)
@@ -66,7 +66,7 @@ def test_a_test_that_fails_without_any_mutant_notices_nothing(tree, capsys):
 
 
 @pytest.mark.slow
-def test_a_mutant_that_slow_tests_alone_notice_is_noticed_with_all_tests(tree, capsys):
+def test_a_mutant_only_detected_by_slow_tests_is_detected_with_all_tests(tree, capsys):
     slow = f"import pytest\n{TEST.format(0)}".replace("def test", "@pytest.mark.slow\ndef test")
     (tree / "tests" / "test_clamp.py").write_text(slow)
     with (tree / "pyproject.toml").open("a") as settings:

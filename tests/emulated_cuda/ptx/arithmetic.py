@@ -34,8 +34,10 @@ def mov(f: FunctionTranslator, i: Instruction) -> str | None:
     if source.startswith("{"):
         parts = [x.strip() for x in source[1:-1].split(",")]
         width = 8 * SIZES[i.kind] // len(parts)
-        whole = bits_of(i.kind)
-        packed = " | ".join(f"(({c_type(whole)}){f.value(x, f'b{width}')} << {width * k})" for k, x in enumerate(parts))
+        container = bits_of(i.kind)
+        packed = " | ".join(
+            f"(({c_type(container)}){f.value(x, f'b{width}')} << {width * k})" for k, x in enumerate(parts)
+        )
         return f.set(to, i.kind, packed)
     if to.startswith("{"):
         parts = [x.strip() for x in to[1:-1].split(",")]
@@ -202,8 +204,8 @@ def permute_bytes(f: FunctionTranslator, i: Instruction) -> str | None:
 
 
 @translates("dp2a", pure=True)
-def dot_halves(f: FunctionTranslator, i: Instruction) -> str | None:
-    if i.kinds != ["u32", "u32"]:  # the compiler makes it of sums of bits; nobody has seen a signed one
+def dot_two_way(f: FunctionTranslator, i: Instruction) -> str | None:
+    if i.kinds != ["u32", "u32"]:  # the compiler makes it of sums of bits; no signed one has occurred
         return None
     a, b, c = (f.value(token, "u32") for token in i.operands[1:])
     return f.set(i.operands[0], "u32", f"dp2a({a}, {b}, {c}, {0 if 'lo' in i else 16})")
@@ -238,14 +240,14 @@ def _comparison(name: str, x: str, y: str, is_float: bool) -> str | None:
 
 @translates("setp", "set", pure=True)
 def compare(f: FunctionTranslator, i: Instruction) -> str | None:
-    found = _comparison(i.parts[1], f.float_value(i, 1), f.float_value(i, 2), i.is_float)
-    if found is None:
+    comparison = _comparison(i.parts[1], f.float_value(i, 1), f.float_value(i, 2), i.is_float)
+    if comparison is None:
         return None
     if i.op == "set":
         ones = "1.0f : 0.0f" if i.kinds[0] == "f32" else "0xFFFFFFFFu : 0u"
-        return f.set(i.operands[0], i.kinds[0], f"({found} ? {ones})") if len(i.operands) == 3 else None
+        return f.set(i.operands[0], i.kinds[0], f"({comparison} ? {ones})") if len(i.operands) == 3 else None
     first, _, second = (x.strip() for x in i.operands[0].partition("|"))
-    code = [f"u8 found = {found};", "u8 other = !found;"]
+    code = [f"u8 found = {comparison};", "u8 other = !found;"]
     joined = {"and": "&", "or": "|", "xor": "^"}
     if len(i.operands) > 3:
         sign = joined[i.one_of(*joined)]
@@ -277,8 +279,8 @@ def select(f: FunctionTranslator, i: Instruction) -> str | None:
 def test_float(f: FunctionTranslator, i: Instruction) -> str | None:
     x = f.value(i.operands[1], i.kind)
     tests = {"finite": "isfinite", "infinite": "isinf", "number": "!isnan", "notanumber": "isnan", "normal": "isnormal"}
-    found = f"{tests[i.parts[1]]}({x})" if i.parts[1] in tests else f"fpclassify({x}) == FP_SUBNORMAL"
-    return f.set(i.operands[0], "pred", found)
+    test = f"{tests[i.parts[1]]}({x})" if i.parts[1] in tests else f"fpclassify({x}) == FP_SUBNORMAL"
+    return f.set(i.operands[0], "pred", test)
 
 
 @translates("copysign", pure=True)

@@ -1,6 +1,6 @@
 """One function of PTX: registers, operands and statements.
 
-Registers are containers of bits in C, unsigned and as wide as PTX declares them; each instruction says what they hold.
+Registers are containers of bits in C, unsigned and as wide as PTX declares them; each instruction defines their type.
 """
 
 from __future__ import annotations
@@ -23,9 +23,9 @@ _LANES = {
     "gt": "~((2u << t->lane) - 1)",
     "ge": "~((1u << t->lane) - 1)",
 }
-_PLACES = ("tid", "ctaid", "ntid", "nctaid")
+_INDEX_REGISTERS = ("tid", "ctaid", "ntid", "nctaid")
 SPECIAL = {
-    **{f"%{name}.{axis}": f"t->{name}[{k}]" for name in _PLACES for k, axis in enumerate("xyz")},
+    **{f"%{name}.{axis}": f"t->{name}[{k}]" for name in _INDEX_REGISTERS for k, axis in enumerate("xyz")},
     **{f"%lanemask_{name}": lanes for name, lanes in _LANES.items()},
     **{"%laneid": "t->lane", "%warpid": "(t->linear >> 5)", "%smid": "0u", "WARP_SZ": "32u"},
     **{"%clock": "0u", "%clock64": "0ull", "%globaltimer": "0ull"},
@@ -38,16 +38,16 @@ _CONTAINERS = {1: "u8", 2: "u16", 4: "u32", 8: "u64", 16: "u128"}
 
 def split(text: str) -> list[str]:
     """Operands, parted at the commas outside brackets."""
-    found, depth, start = [], 0, 0
+    parts, depth, start = [], 0, 0
     for k, character in enumerate(text):
         if character in "([{":
             depth += 1
         elif character in ")]}":
             depth -= 1
         elif character == "," and depth == 0:
-            found.append(text[start:k].strip())
+            parts.append(text[start:k].strip())
             start = k + 1
-    return [x for x in [*found, text[start:].strip()] if x]
+    return [x for x in [*parts, text[start:].strip()] if x]
 
 
 def parameter(text: str) -> tuple[str, int, int]:
@@ -118,9 +118,9 @@ class FunctionTranslator:
         self.tables = {name: [t.strip() for t in targets.split(",")] for name, targets in _TABLE.findall(body)}
         body = re.sub(r"(\.loc\s[^\n;]*)", "", _TABLE.sub("", body))
         code, scopes, position = [], [], 0
-        while found := _TOKEN.match(body, position):
-            position = found.end()
-            label, bracket, statement = found.groups()
+        while match := _TOKEN.match(body, position):
+            position = match.end()
+            label, bracket, statement = match.groups()
             if label:
                 code += [*self.shuffles.end(), f"{clean(label)}:;"]
             elif bracket:
@@ -151,9 +151,9 @@ class FunctionTranslator:
         if space == ".reg":
             return self._declare_registers(text)
         if space == ".local":
-            found = re.match(r"\.local\s+(?:\.align\s+(\d+)\s+)?\.(\w+)\s+([%$\w]+)\s*\[(\d+)\]", text)
-            if found:
-                align, kind, name, count = found.groups()
+            match = re.match(r"\.local\s+(?:\.align\s+(\d+)\s+)?\.(\w+)\s+([%$\w]+)\s*\[(\d+)\]", text)
+            if match:
+                align, kind, name, count = match.groups()
                 self._declare_bytes(name, SIZES[kind] * int(count), int(align or 16), self.declared)
                 self.function.local_bytes += SIZES[kind] * int(count)
                 return ""
@@ -170,12 +170,12 @@ class FunctionTranslator:
 
     def _declare_registers(self, text: str) -> str:
         kind, names = re.match(r"\.reg\s+\.(\w+)\s+(.*)", text).groups()  # type: ignore[union-attr]
-        found = []
+        declared = []
         for name, count in re.findall(r"([%$\w]+)(?:<(\d+)>)?\s*(?:,|$)", names):
-            found += [f"{name}{k}" for k in range(int(count))] if count else [name]
-        self.registers |= dict.fromkeys(found, SIZES[kind])
+            declared += [f"{name}{k}" for k in range(int(count))] if count else [name]
+        self.registers |= dict.fromkeys(declared, SIZES[kind])
         # zero, so that a register which is read before it is set is the same in every run
-        return f"{_CONTAINERS[SIZES[kind]]} " + ", ".join(f"{clean(name)} = 0" for name in found) + ";"
+        return f"{_CONTAINERS[SIZES[kind]]} " + ", ".join(f"{clean(name)} = 0" for name in declared) + ";"
 
     def _declare_bytes(self, name: str, size: int, align: int, lines: list[str]) -> None:
         self.spaces.add(name)
@@ -232,10 +232,10 @@ class FunctionTranslator:
         inner = operand.strip()[1:-1].strip()
         if re.match(r"^-?\d+$", inner):
             return f"{inner}ull"
-        found = re.match(r"^([$%\w]+)\s*(?:\+\s*(-?\d+))?$", inner)
-        if not found:
+        match = re.match(r"^([$%\w]+)\s*(?:\+\s*(-?\d+))?$", inner)
+        if not match:
             raise UnknownPtx(f"address {operand}")
-        base, offset = found.groups()
+        base, offset = match.groups()
         start = clean(base) if base in self.registers else self._symbol(base)
         return f"((u64)({start}) + (s64){offset or 0}ll)"
 
@@ -258,9 +258,9 @@ class FunctionTranslator:
     def _statement(self, text: str) -> list[str]:
         if text.startswith("."):
             return [self._declaration(text)]
-        guard, found = "", re.match(r"^@(!?\s*[%$\w]+)\s+(.*)$", text)
-        if found:
-            guard, text = found.group(1).replace(" ", ""), found.group(2)
+        guard, match = "", re.match(r"^@(!?\s*[%$\w]+)\s+(.*)$", text)
+        if match:
+            guard, text = match.group(1).replace(" ", ""), match.group(2)
         opcode, _, operands = text.partition(" ")
         instruction = Instruction(opcode.split("."), split(operands), text, self.number, guard)
         try:
@@ -276,12 +276,12 @@ class FunctionTranslator:
         return self.shuffles.add(instruction, code)
 
     def float_value(self, i: Instruction, position: int) -> str:
-        """A float operand, subnormals flushed where the instruction says so."""
+        """A float operand, subnormals flushed if the instruction requires it."""
         value = self.value(i.operands[position], i.kind)
         return f"flush({value})" if "ftz" in i and i.kind == "f32" else value
 
     def set_float(self, i: Instruction, expression: str) -> str:
-        """Put a float result into the first operand, saturated and flushed as the instruction says."""
+        """Put a float result into the first operand, saturated and flushed if the instruction requires it."""
         if "sat" in i:
             expression = f"saturate_{i.kind}({expression})"
         if "ftz" in i and i.kind == "f32":

@@ -22,12 +22,12 @@ _C_TYPES = {
 }
 
 
-class UnknownPtx(Exception):  # noqa: N818  what it says is a state of the translator, not a mistake of the caller
+class UnknownPtx(Exception):  # noqa: N818  it is a state of the translator, not a mistake of the caller
     """Something in the PTX that the translation does not know."""
 
 
 def c_type(kind: str) -> str:
-    """The C type that holds a PTX type."""
+    """The C type of a PTX type."""
     return _C_TYPES.get(kind, kind)
 
 

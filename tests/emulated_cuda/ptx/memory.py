@@ -14,7 +14,7 @@ _OPERATIONS = ("add", "min", "max", "and", "or", "xor", "exch", "cas", "inc", "d
 
 
 def _space(f: FunctionTranslator, i: Instruction, address: str) -> str:
-    """global, shared, generic, or local: what lies on the host's stack, or is constant, and is not checked."""
+    """global, shared, generic, or local: memory on the host's stack or constant memory, which is not checked."""
     spaces = {p.split("::")[0] for p in i.parts}
     named = re.match(r"^\[\s*([$%\w]+)", address)
     if spaces & {"local", "param", "const"} or (named and named.group(1) in f.variables.data):

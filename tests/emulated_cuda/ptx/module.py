@@ -24,7 +24,7 @@ class Kernel:
     waits: bool  # its threads wait for each other: barriers, shuffles, votes
     max_threads: int
     static_shared: int
-    findings: list[str]  # what the PTX says by itself: float atomics, products that ptxas may fuse, approximations
+    findings: list[str]  # notes about the PTX: float atomics, products that ptxas may fuse, approximations
     statements: int
     local_bytes: int
 
@@ -76,11 +76,11 @@ class Variables:
         content = bytearray(size)
         entries = [e.strip() for e in re.sub(r"[{}]", "", value).split(",") if e.strip()]
         for k, entry in enumerate(entries):
-            place = slice(k * width, (k + 1) * width)
+            byte_range = slice(k * width, (k + 1) * width)
             if _NUMBER.match(entry):
-                content[place] = (int(entry.rstrip("U"), 0) % (1 << 8 * width)).to_bytes(width, "little")
+                content[byte_range] = (int(entry.rstrip("U"), 0) % (1 << 8 * width)).to_bytes(width, "little")
             elif entry[:2].lower() in ("0f", "0d"):
-                content[place] = int(entry[2:], 16).to_bytes(width, "little")
+                content[byte_range] = int(entry[2:], 16).to_bytes(width, "little")
             else:
                 symbol = re.match(r"^(?:generic\()?([$\w]+)\)?(?:\+(\d+))?$", entry)
                 if not symbol:
@@ -109,10 +109,10 @@ class Variables:
 def _matching(text: str, start: int, opening: str = "{", closing: str = "}") -> int:
     """Where the bracket that opens at `start` closes."""
     depth = 0
-    for found in re.compile(f"[{re.escape(opening + closing)}]").finditer(text, start):
-        depth += 1 if found.group() == opening else -1
+    for match in re.compile(f"[{re.escape(opening + closing)}]").finditer(text, start):
+        depth += 1 if match.group() == opening else -1
         if depth == 0:
-            return found.start()
+            return match.start()
     raise UnknownPtx("unbalanced brackets")
 
 
@@ -125,9 +125,9 @@ def _function(head: str, body: str | None) -> Function:
         if not rest.startswith("("):
             return []
         end = _matching(rest, 0, "(", ")")
-        found = [parameter(p) for p in rest[1:end].split(",") if p.strip()]
+        parameters = [parameter(p) for p in rest[1:end].split(",") if p.strip()]
         rest = rest[end + 1 :].strip()
-        return found
+        return parameters
 
     returns = [] if is_kernel else take_list()
     named = re.match(r"[$\w]+", rest)

@@ -22,10 +22,10 @@ def solve_values_kernel(matrices: array(dtype=mat33d), values: array(dtype=vec3d
 
 
 def solve(device, matrices, solver=solve_kernel):
-    where = resolve_device(device)
-    found = empty(len(matrices), vec3d, where)
-    launch(solver, len(matrices), [upload(matrices, mat33d, where), found])
-    return found.numpy()
+    warp_device = resolve_device(device)
+    eigenvalues = empty(len(matrices), vec3d, warp_device)
+    launch(solver, len(matrices), [upload(matrices, mat33d, warp_device), eigenvalues])
+    return eigenvalues.numpy()
 
 
 def rotations(rng, count):
@@ -54,9 +54,9 @@ def assert_solved(device, matrices, tolerances):
     assert residual.max() < tolerances.eigen_residual, scaled[residual.argmax()].tolist()
     expected = np.linalg.eigvalsh(scaled)
     np.testing.assert_allclose(value, expected[:, 0], rtol=0, atol=tolerances.eigenvalue_relative)
-    found = solve(device, matrices, solve_values_kernel) / np.where(size > 0, size, 1)[:, None]
-    np.testing.assert_allclose(found, expected, rtol=0, atol=tolerances.eigenvalue_relative)
-    assert (np.diff(found, axis=1) >= -tolerances.eigenvalue_relative).all()
+    eigenvalues = solve(device, matrices, solve_values_kernel) / np.where(size > 0, size, 1)[:, None]
+    np.testing.assert_allclose(eigenvalues, expected, rtol=0, atol=tolerances.eigenvalue_relative)
+    assert (np.diff(eigenvalues, axis=1) >= -tolerances.eigenvalue_relative).all()
 
 
 @pytest.mark.parametrize(
@@ -80,7 +80,7 @@ def open3d_eigenvectors(o3d, matrices):
     return np.asarray(cloud.normals, np.float32)
 
 
-def test_eigenvectors_have_open3ds_sign(device, rng, oracle):
+def test_eigenvectors_have_the_sign_of_open3d(device, rng, oracle):
     """Whichever eigenvalue is the best separated: its rule follows from the order of its steps."""
     values = [(0.1, 0.5, 1), (1e-6, 0.5, 1), (0.1, 0.9, 1), (0.01, 0.011, 1), (0.0, 1e-3, 1)]
     matrices = np.concatenate([with_values(rng, each, 100) for each in values])
@@ -134,5 +134,5 @@ def test_a_multiple_of_the_identity_gives_the_z_axis(device, factor):
 
 def test_eigenvalues_of_a_diagonal_are_its_entries_in_order(device):
     diagonals = [(1, 2, 3), (3, 2, 1), (2, 3, 1), (1, 1, 0), (0, 0, 0), (-1, 5, -1), (1e-100, 0, 1e100)]
-    found = solve(device, [np.diag(np.array(d, float)) for d in diagonals], solve_values_kernel)
-    np.testing.assert_allclose(found, np.sort(np.array(diagonals, float), axis=1), rtol=1e-15)
+    eigenvalues = solve(device, [np.diag(np.array(d, float)) for d in diagonals], solve_values_kernel)
+    np.testing.assert_allclose(eigenvalues, np.sort(np.array(diagonals, float), axis=1), rtol=1e-15)

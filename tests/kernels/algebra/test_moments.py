@@ -17,9 +17,9 @@ def measure_steps_kernel(sqdist: float, counts: array(dtype=int32), steps: array
 
 @pytest.mark.parametrize("sqdist", [1e-6, 1.0, 3.99, 4.0, 1e8])
 def test_products_of_any_number_of_differences_fit_into_64_bits(device, sqdist):
-    place, counts = resolve_device(device), np.array([1, MAX_EXACT_POINTS, MAX_EXACT_POINTS + 1, 2**31 - 1])
-    steps = empty(len(counts), float32, place)
-    launch(measure_steps_kernel, len(counts), [sqdist, upload(counts, int32, place), steps])
-    found = download(steps).astype(float)
-    assert (counts * (np.sqrt(sqdist) * found + 0.5) ** 2 < 2.0**63).all()
-    assert found[0] == found[1] > found[2] == found[3] and np.sqrt(sqdist) * found[2] >= 2**14
+    warp_device, counts = resolve_device(device), np.array([1, MAX_EXACT_POINTS, MAX_EXACT_POINTS + 1, 2**31 - 1])
+    steps = empty(len(counts), float32, warp_device)
+    launch(measure_steps_kernel, len(counts), [sqdist, upload(counts, int32, warp_device), steps])
+    result = download(steps).astype(float)
+    assert (counts * (np.sqrt(sqdist) * result + 0.5) ** 2 < 2.0**63).all()
+    assert result[0] == result[1] > result[2] == result[3] and np.sqrt(sqdist) * result[2] >= 2**14

@@ -30,15 +30,15 @@ UPPER = np.triu_indices(6)
 
 
 @kernel
-def solve_kernel(systems: array(dtype=triangle), sides: array(dtype=vec6d), found: array(dtype=vec6d)):
+def solve_kernel(systems: array(dtype=triangle), sides: array(dtype=vec6d), solutions: array(dtype=vec6d)):
     i = tid()
-    found[i] = solve_system(systems[i], sides[i])
+    solutions[i] = solve_system(systems[i], sides[i])
 
 
 @kernel
-def diagonalize_kernel(matrices: array(dtype=square), n: int, found: array(dtype=eigensystem)):
+def diagonalize_kernel(matrices: array(dtype=square), n: int, out: array(dtype=eigensystem)):
     i = tid()
-    found[i] = diagonalize(matrices[i], n)
+    out[i] = diagonalize(matrices[i], n)
 
 
 @func
@@ -63,39 +63,41 @@ def fit_kernel(
 
 
 @kernel
-def turn_kernel(
+def rotate_kernel(
     steps: array(dtype=vec6d),
     quaternions: array(dtype=float64, ndim=2),
     points: array(dtype=vec3d),
     motions: array(dtype=mat44d),
-    turned: array(dtype=mat44d),
+    rotated: array(dtype=mat44d),
     moved: array(dtype=vec3d),
     directions: array(dtype=vec3d),
 ):
     i = tid()
     motions[i] = euler_motion(steps[i])
-    turned[i] = rotation_about(quaternions[i, 0], quaternions[i, 1], quaternions[i, 2], quaternions[i, 3])
+    rotated[i] = rotation_about(quaternions[i, 0], quaternions[i, 1], quaternions[i, 2], quaternions[i, 3])
     moved[i] = move(motions[i], points[i])
     directions[i] = rotate(motions[i], points[i])
 
 
 def solve(device, matrices, sides):
-    where = resolve_device(device)
-    found = empty(len(matrices), vec6d, where)
+    warp_device = resolve_device(device)
+    solutions = empty(len(matrices), vec6d, warp_device)
     upper = np.ascontiguousarray(np.asarray(matrices, float)[:, UPPER[0], UPPER[1]])
-    launch(solve_kernel, len(upper), [upload(upper, triangle, where), upload(sides, vec6d, where), found])
-    return found.numpy()
+    launch(
+        solve_kernel, len(upper), [upload(upper, triangle, warp_device), upload(sides, vec6d, warp_device), solutions]
+    )
+    return solutions.numpy()
 
 
 def eigen(device, matrices):
     """Eigenvalues [m, n] and eigenvectors as columns [m, n, n] of symmetric matrices [m, n, n]."""
-    where, n = resolve_device(device), matrices.shape[1]
+    warp_device, n = resolve_device(device), matrices.shape[1]
     rows = np.zeros((len(matrices), 36))
     rows[:, : n * n] = matrices.reshape(len(matrices), -1)
-    found = empty(len(matrices), eigensystem, where)
-    launch(diagonalize_kernel, len(matrices), [upload(rows, square, where), n, found])
-    found = found.numpy()
-    return found[:, 36 : 36 + n], found[:, : n * n].reshape(-1, n, n)
+    systems = empty(len(matrices), eigensystem, warp_device)
+    launch(diagonalize_kernel, len(matrices), [upload(rows, square, warp_device), n, systems])
+    systems = systems.numpy()
+    return systems[:, 36 : 36 + n], systems[:, : n * n].reshape(-1, n, n)
 
 
 def fit(device, sources, targets, weights=None, scaling=False):
@@ -122,57 +124,59 @@ def test_a_system_that_is_not_finite_has_no_step_of_zeros(device):
     for k, (i, j) in enumerate(np.argwhere(np.triu(np.ones((6, 6))))):
         systems[k, i, j] = systems[k, j, i] = np.nan
     systems[21, 2, 2], systems[22, 3, 4] = np.inf, -np.inf
-    found = solve(device, systems, np.ones((24, 6)))
-    assert not np.isfinite(found[:23]).all(axis=1).any() and (found[23] == 1).all()
+    solutions = solve(device, systems, np.ones((24, 6)))
+    assert not np.isfinite(solutions[:23]).all(axis=1).any() and (solutions[23] == 1).all()
 
 
 SIZES = (1e-150, 1e-6, 1.0, 1e9, 1e150)
 
 
 @pytest.mark.parametrize("size", SIZES)
-def test_systems_are_solved_as_by_lapack(device, rng, tolerances, size):
+def test_systems_are_solved_as_with_lapack(device, rng, tolerances, size):
     systems = symmetric(rng, [1, 2, 5, 10, 30, 100], 300)
     sides = rng.normal(size=(300, 6))
-    found = solve(device, systems * size, sides * size)
-    np.testing.assert_allclose(found, np.linalg.solve(systems, sides[..., None])[..., 0], atol=tolerances.solve_of_six)
+    solutions = solve(device, systems * size, sides * size)
+    np.testing.assert_allclose(
+        solutions, np.linalg.solve(systems, sides[..., None])[..., 0], atol=tolerances.solve_of_six
+    )
 
 
-def test_an_unknown_that_nothing_determines_stays_where_it_is(device, rng, tolerances):
+def test_an_undetermined_unknown_stays_zero(device, rng, tolerances):
     systems, sides = symmetric(rng, [1, 2, 5, 10, 30, 100], 6), rng.normal(size=(6, 6))
     for k in range(6):
         systems[k, k] = systems[k, :, k] = 0.0
         sides[k, k] = 0.0
-    found = solve(device, systems, sides)
+    solutions = solve(device, systems, sides)
     for k in range(6):
         rest = np.delete(np.arange(6), k)
-        assert found[k, k] == 0
+        assert solutions[k, k] == 0
         np.testing.assert_allclose(
-            found[k, rest],
+            solutions[k, rest],
             np.linalg.solve(systems[k][np.ix_(rest, rest)], sides[k, rest]),
             atol=tolerances.solve_of_six,
         )
     np.testing.assert_array_equal(solve(device, np.zeros((3, 6, 6)), np.ones((3, 6))), 0)
 
 
-def test_an_unknown_whose_pivot_is_but_rounding_stays_where_it_is(device, rng, tolerances):
+def test_an_unknown_with_a_pivot_of_rounding_error_stays_zero(device, rng, tolerances):
     """Five rows for six unknowns: what is left of the last pivot is noise of 1e-16, of either sign."""
-    turns = np.linalg.qr(rng.normal(size=(300, 5, 5)))[0]
-    rows = turns @ np.concatenate([np.tile(np.eye(5), (300, 1, 1)), 0.2 * rng.normal(size=(300, 5, 1))], axis=2)
+    rotations = np.linalg.qr(rng.normal(size=(300, 5, 5)))[0]
+    rows = rotations @ np.concatenate([np.tile(np.eye(5), (300, 1, 1)), 0.2 * rng.normal(size=(300, 5, 1))], axis=2)
     systems, sides = np.einsum("mki,mkj->mij", rows, rows), np.einsum("mki,mk->mi", rows, rng.normal(size=(300, 5)))
-    found = solve(device, systems, sides)
-    assert (found[:, 5] == 0).all()
+    solutions = solve(device, systems, sides)
+    assert (solutions[:, 5] == 0).all()
     expected = np.linalg.solve(systems[:, :5, :5], sides[:, :5, None])[..., 0]
-    np.testing.assert_allclose(found[:, :5], expected, atol=tolerances.solve_of_six)
+    np.testing.assert_allclose(solutions[:, :5], expected, atol=tolerances.solve_of_six)
 
 
 def test_a_system_of_few_rows_gets_a_step_that_satisfies_it(device, rng, tolerances):
-    """The rows of one or two pairs: the step is finite and reaches the residuals that least squares reaches."""
+    """The rows of one or two pairs: the step is finite and has the residuals of least squares."""
     rows = rng.normal(size=(200, 2, 6))
     sides = np.einsum("mki,mk->mi", rows, rng.normal(size=(200, 2)))
     systems = np.einsum("mki,mkj->mij", rows, rows)
-    found = solve(device, systems, sides)
-    assert np.isfinite(found).all()
-    np.testing.assert_allclose(np.einsum("mij,mj->mi", systems, found), sides, atol=1e-6)  # of pivots cut at 1e-15
+    solutions = solve(device, systems, sides)
+    assert np.isfinite(solutions).all()
+    np.testing.assert_allclose(np.einsum("mij,mj->mi", systems, solutions), sides, atol=1e-6)  # of pivots cut at 1e-15
 
 
 @pytest.mark.parametrize(
@@ -191,14 +195,14 @@ def test_a_system_of_few_rows_gets_a_step_that_satisfies_it(device, rng, toleran
     ],
 )
 @pytest.mark.parametrize("size", [1e-100, 1.0, 1e100])
-def test_eigenvectors_are_those_of_lapack(device, rng, tolerances, values, size):
+def test_eigenvectors_match_lapack(device, rng, tolerances, values, size):
     matrices, n = symmetric(rng, values, 100), len(values)
-    found, vectors = eigen(device, matrices * size)
+    eigenvalues, vectors = eigen(device, matrices * size)
     np.testing.assert_allclose(
-        np.sort(found, axis=1) / size, np.linalg.eigvalsh(matrices), atol=tolerances.jacobi * np.abs(values).max()
+        np.sort(eigenvalues, axis=1) / size, np.linalg.eigvalsh(matrices), atol=tolerances.jacobi * np.abs(values).max()
     )
     np.testing.assert_allclose(vectors.transpose(0, 2, 1) @ vectors, np.tile(np.eye(n), (100, 1, 1)), atol=1e-13)
-    rebuilt = np.einsum("mik,mk,mjk->mij", vectors, found / size, vectors)
+    rebuilt = np.einsum("mik,mk,mjk->mij", vectors, eigenvalues / size, vectors)
     np.testing.assert_allclose(rebuilt, matrices, atol=tolerances.jacobi * np.abs(values).max())
 
 
@@ -217,11 +221,11 @@ def test_pairs_are_fitted_as_by_singular_values(device, rng, tolerances, shape, 
     R = Rotation.random(100, rng=rng).as_matrix()
     targets = sources @ R.transpose(0, 2, 1) * 1.3 + rng.normal(size=(100, 1, 3)) + 0.02 * rng.normal(size=(100, k, 3))
     weights = rng.uniform(0.1, 2, (100, k))
-    found = fit(device, sources, targets, weights, scaling)
+    result = fit(device, sources, targets, weights, scaling)
     expected = [
         fit_by_svd(*pair, weights=w, with_scaling=scaling) for *pair, w in zip(sources, targets, weights, strict=True)
     ]
-    np.testing.assert_allclose(found, expected, atol=tolerances.pair_fit)
+    np.testing.assert_allclose(result, expected, atol=tolerances.pair_fit)
 
 
 def test_mirrored_pairs_get_a_rotation(device, rng):
@@ -239,18 +243,18 @@ def test_mirrored_pairs_get_a_rotation(device, rng):
 
 
 @pytest.mark.parametrize("k", [1, 2, 5])
-def test_pairs_on_a_line_are_turned_by_the_smallest_rotation(device, rng, k):
+def test_collinear_pairs_are_fitted_with_the_smallest_rotation(device, rng, k):
     """What a line leaves open, the turn about itself, is left as it is."""
     along, before = np.linspace(-1, 2, k)[:, None], np.array([1.0, 0, 0])
     after = np.array([np.cos(0.5), np.sin(0.5), 0])
     pose = fit(device, (along * before)[None], (along * after + [1, 2, 3])[None])[0]
     np.testing.assert_allclose(along * before @ pose[:3, :3].T + pose[:3, 3], along * after + [1, 2, 3], atol=1e-9)
-    turned = Rotation.from_matrix(pose[:3, :3]).as_rotvec()
-    np.testing.assert_allclose(turned, [0, 0, 0 if k == 1 else 0.5], atol=1e-5)
+    rotation = Rotation.from_matrix(pose[:3, :3]).as_rotvec()
+    np.testing.assert_allclose(rotation, [0, 0, 0 if k == 1 else 0.5], atol=1e-5)
 
 
 @pytest.mark.parametrize("side", ["targets", "sources"])
-def test_pairs_that_share_a_point_are_not_turned(device, rng, side):
+def test_pairs_that_share_a_point_are_not_rotated(device, rng, side):
     """Many sources of one target, as ICP has them far away: no rotation fits better than another."""
     sources, targets = rng.normal(size=(200, 4, 3)), np.repeat(rng.normal(size=(200, 1, 3)), 4, axis=1)
     poses = fit(device, *((sources, targets) if side == "targets" else (targets, sources)))
@@ -269,7 +273,7 @@ def test_pairs_without_weight_leave_the_identity(device, rng):
     count=st.integers(3, 8),
     seed=st.integers(0, 2**16),
 )
-def test_a_rigid_motion_is_found_again(vector, shift, count, seed):
+def test_a_rigid_motion_is_recovered(vector, shift, count, seed):
     sources = np.random.default_rng(seed).normal(size=(1, count, 3))
     R = Rotation.from_rotvec(vector).as_matrix()
     pose = fit("cpu", sources, sources @ R.T + np.array(shift))[0]
@@ -277,16 +281,20 @@ def test_a_rigid_motion_is_found_again(vector, shift, count, seed):
     np.testing.assert_allclose(pose[:3, :3] @ pose[:3, :3].T, np.eye(3), atol=1e-13)
 
 
-def test_motions_turn_as_scipys_rotations(device, rng):
-    where = resolve_device(device)
+def test_rotations_match_scipy(device, rng):
+    warp_device = resolve_device(device)
     steps, quaternions, points = rng.normal(size=(200, 6)), rng.normal(size=(200, 4)), rng.normal(size=(200, 3))
-    motions, turned, moved, directions = (zeros(200, t, where) for t in (mat44d, mat44d, vec3d, vec3d))
-    given_arrays = [upload(steps, vec6d, where), upload(quaternions, float64, where), upload(points, vec3d, where)]
-    launch(turn_kernel, 200, [*given_arrays, motions, turned, moved, directions])
+    motions, rotated, moved, directions = (zeros(200, t, warp_device) for t in (mat44d, mat44d, vec3d, vec3d))
+    given_arrays = [
+        upload(steps, vec6d, warp_device),
+        upload(quaternions, float64, warp_device),
+        upload(points, vec3d, warp_device),
+    ]
+    launch(rotate_kernel, 200, [*given_arrays, motions, rotated, moved, directions])
     R = Rotation.from_euler("xyz", steps[:, :3]).as_matrix()
     np.testing.assert_allclose(motions.numpy()[:, :3, :3], R, atol=1e-14)
     np.testing.assert_array_equal(motions.numpy()[:, :3, 3], steps[:, 3:])
     np.testing.assert_array_equal(motions.numpy()[:, 3], np.tile([0, 0, 0, 1.0], (200, 1)))
-    np.testing.assert_allclose(turned.numpy()[:, :3, :3], Rotation.from_quat(quaternions).as_matrix(), atol=1e-14)
+    np.testing.assert_allclose(rotated.numpy()[:, :3, :3], Rotation.from_quat(quaternions).as_matrix(), atol=1e-14)
     np.testing.assert_allclose(directions.numpy(), np.einsum("mij,mj->mi", R, points), atol=1e-14)
     np.testing.assert_allclose(moved.numpy(), np.einsum("mij,mj->mi", R, points) + steps[:, 3:], atol=1e-14)

@@ -16,9 +16,9 @@ def fit_kernel(matrices: array(dtype=mat33d), rotations: array(dtype=mat33d)):
 
 
 def fit(device, matrices):
-    where = resolve_device(device)
-    rotations = empty(len(matrices), mat33d, where)
-    launch(fit_kernel, len(matrices), [upload(np.asarray(matrices, float), mat33d, where), rotations])
+    warp_device = resolve_device(device)
+    rotations = empty(len(matrices), mat33d, warp_device)
+    launch(fit_kernel, len(matrices), [upload(np.asarray(matrices, float), mat33d, warp_device), rotations])
     return rotations.numpy()
 
 
@@ -43,13 +43,13 @@ def test_the_rotation_is_that_of_the_decomposition(device, rng, values, scale):
     np.testing.assert_allclose(np.linalg.det(R), 1, rtol=1e-14)
 
 
-def test_a_line_is_turned_the_shortest_way(device):
+def test_a_line_is_rotated_by_the_smallest_angle(device):
     """One pair (p, q) leaves a turn about q open."""
     p, q = np.array([1.0, 0, 0]), np.array([0, 1.0, 0])
     (R,) = fit(device, [np.outer(p, q)])
     np.testing.assert_allclose(R, [[0, -1, 0], [1, 0, 0], [0, 0, 1]], rtol=0, atol=1e-5)  # decided by 1e-12
 
 
-def test_nothing_turns_nothing(device):
+def test_invalid_or_zero_matrices_give_the_identity(device):
     matrices = [np.zeros((3, 3)), np.full((3, 3), np.nan), np.diag([np.inf, 1, 1]), np.eye(3)]
     np.testing.assert_array_equal(fit(device, matrices), [np.eye(3)] * 4)

@@ -12,7 +12,7 @@ from pointloom.kernels.memory import download, upload
 
 
 @pytest.mark.parametrize("size", [1, RUN - 1, RUN, RUN + 1, 2 * RUN + 1])
-def test_the_box_holds_the_finite_points(device, size, rng):
+def test_the_box_contains_the_finite_points(device, size, rng):
     points = rng.normal(size=(size, 3)).astype(np.float32)
     points[rng.integers(0, size, size // 10)] = [np.nan, 99, -99]
     points[rng.integers(0, size, size // 10)] = [50, np.inf, 0]

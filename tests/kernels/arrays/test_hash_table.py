@@ -51,18 +51,18 @@ def fill(keys, device, parts=1):
 
 
 def find(table, keys, device):
-    found, missing = table.find(upload(np.asarray(keys, np.int64), int64, device))
-    assert ((found.numpy() < 0) == missing.numpy().astype(bool)).all()
-    return found.numpy()
+    indices, missing = table.find(upload(np.asarray(keys, np.int64), int64, device))
+    assert ((indices.numpy() < 0) == missing.numpy().astype(bool)).all()
+    return indices.numpy()
 
 
-def test_keys_inserted_in_turn_lie_and_are_found_as_those_inserted_at_once(device, rng, monkeypatch):
+def test_sequential_insertion_equals_batch_insertion(device, rng, monkeypatch):
     keys, tables = random_keys(rng, 1500), []
-    for most in (0, 10_000):
-        monkeypatch.setattr(hash_table, "MAX_SEQUENTIAL", most)
+    for max_sequential in (0, 10_000):
+        monkeypatch.setattr(hash_table, "MAX_SEQUENTIAL", max_sequential)
         tables.append(fill(keys, device, parts=7))
-    at_once, in_turn = tables
-    assert at_once.keys.numpy().tobytes() == in_turn.keys.numpy().tobytes()
+    at_once, sequential = tables
+    assert at_once.keys.numpy().tobytes() == sequential.keys.numpy().tobytes()
     for table in tables:
         np.testing.assert_array_equal(find(table, keys, device), np.arange(len(keys)))
 
@@ -89,28 +89,28 @@ def test_keys_ascend_along_each_probe_sequence(device, rng, count):
         assert (slots[probe] < key).all()
 
 
-def test_each_key_is_found_at_its_place_in_the_list_and_others_are_not(device, rng):
+def test_each_key_has_its_list_index_and_others_are_missing(device, rng):
     keys = random_keys(rng, 4000)
     table = fill(keys[:3000], device)
     np.testing.assert_array_equal(find(table, keys[:3000], device), np.arange(3000))
     np.testing.assert_array_equal(find(table, keys[3000:], device), np.full(1000, -1))
     shuffled = rng.permutation(4000)
     expected = np.where(shuffled < 3000, shuffled, -1)
-    found, missing = table.find(upload(keys[shuffled], int64, device))
-    np.testing.assert_array_equal(found.numpy(), expected)
+    indices, missing = table.find(upload(keys[shuffled], int64, device))
+    np.testing.assert_array_equal(indices.numpy(), expected)
     np.testing.assert_array_equal(missing.numpy(), expected < 0)
 
 
 @pytest.mark.parametrize("parts", [2, 7, 60])
 def test_keys_appended_in_parts_give_the_table_of_keys_appended_at_once(device, rng, parts):
     keys = random_keys(rng, 500)
-    whole, pieces = fill(keys, device), fill(keys, device, parts)
-    assert pieces.capacity == whole.capacity == 1024
-    assert pieces.keys.numpy().tobytes() == whole.keys.numpy().tobytes()
+    at_once, pieces = fill(keys, device), fill(keys, device, parts)
+    assert pieces.capacity == at_once.capacity == 1024
+    assert pieces.keys.numpy().tobytes() == at_once.keys.numpy().tobytes()
     np.testing.assert_array_equal(find(pieces, keys, device), np.arange(500))
 
 
-def test_a_table_grows_by_itself_and_keeps_what_it_holds(device, rng):
+def test_a_table_grows_and_keeps_its_contents(device, rng):
     keys = random_keys(rng, 6000)
     table, on_device, capacities = HashTable(device), upload(keys, int64, device), set()
     for before, count in itertools.pairwise((0, 1, 511, 512, 513, 2000, 2001, 6000)):
@@ -122,13 +122,13 @@ def test_a_table_grows_by_itself_and_keeps_what_it_holds(device, rng):
     assert (table.keys.numpy() != EMPTY).sum() == 6000
 
 
-def test_a_hundred_thousand_keys_find_their_places(device, rng):
+def test_a_hundred_thousand_keys_get_their_slots(device, rng):
     keys = random_keys(rng, 100_000)
     np.testing.assert_array_equal(find(fill(keys, device, 3), keys, device), np.arange(100_000))
 
 
 @pytest.mark.parametrize("key", [0, 1, (1 << 63) - 2])
-def test_a_table_of_one_key_finds_that_key_alone(device, key):
+def test_a_table_of_one_key_finds_only_that_key(device, key):
     table = fill(np.array([key]), device)
     assert find(table, [key, 5, 1 << 40], device).tolist() == [0, -1, -1]
 

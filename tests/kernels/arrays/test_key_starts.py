@@ -13,8 +13,8 @@ from pointloom.kernels.memory import download, empty, upload
 
 @pytest.mark.parametrize("count", [0, 1, 1000])
 def test_starts_are_those_of_numpy_with_numbers_that_no_key_has(device, rng, count):
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     keys = np.sort(rng.integers(0, 60, count))
-    starts = empty(66, int32, where)
-    find_key_starts(upload(keys, int64, where), starts)
+    starts = empty(66, int32, warp_device)
+    find_key_starts(upload(keys, int64, warp_device), starts)
     np.testing.assert_array_equal(download(starts), np.searchsorted(keys, np.arange(66), side="left"))

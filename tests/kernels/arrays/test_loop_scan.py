@@ -13,9 +13,9 @@ from pointloom.kernels.memory import download, empty, upload, zeros
 
 @pytest.mark.parametrize("size", [0, 1, 31, 33, TILE - 1, TILE, TILE + 1, 3 * TILE + 7, TILE * TILE + 1])
 def test_sums_run_through_all_tiles(device, size, rng):
-    place = resolve_device(device)
+    warp_device = resolve_device(device)
     counts = rng.integers(0, 50, size).astype(np.int32)
-    given, sums, scan = upload(counts, int32, place), empty(size, int32, place), LoopScan(size, place)
+    given, sums, scan = upload(counts, int32, warp_device), empty(size, int32, warp_device), LoopScan(size, warp_device)
     scan.run(given, sums, size)
     np.testing.assert_array_equal(download(sums), np.cumsum(counts))
     np.testing.assert_array_equal(download(given), counts)
@@ -23,19 +23,19 @@ def test_sums_run_through_all_tiles(device, size, rng):
     np.testing.assert_array_equal(download(given), np.cumsum(counts))
 
 
-def test_fewer_counts_than_there_is_room_for(device, rng):
-    place, size, most = resolve_device(device), TILE + 5, 3 * TILE
-    counts = rng.integers(0, 50, most).astype(np.int32)
-    sums = upload(np.full(most, -7, np.int32), int32, place)
-    LoopScan(most, place).run(upload(counts, int32, place), sums, size)
-    np.testing.assert_array_equal(download(sums), [*np.cumsum(counts[:size]), *[-7] * (most - size)])
+def test_fewer_counts_than_the_capacity(device, rng):
+    warp_device, size, capacity = resolve_device(device), TILE + 5, 3 * TILE
+    counts = rng.integers(0, 50, capacity).astype(np.int32)
+    sums = upload(np.full(capacity, -7, np.int32), int32, warp_device)
+    LoopScan(capacity, warp_device).run(upload(counts, int32, warp_device), sums, size)
+    np.testing.assert_array_equal(download(sums), [*np.cumsum(counts[:size]), *[-7] * (capacity - size)])
 
 
 @pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
 def test_marks_are_listed_in_their_order(device, rng, share):
-    place, size = resolve_device(device), 2 * TILE + 77
+    warp_device, size = resolve_device(device), 2 * TILE + 77
     mask = (rng.random(size) < share).astype(np.uint8)
-    counts, marks = zeros(3, int32, place), LoopList(size, place)
-    marks.find(upload(mask, uint8, place), size, counts, 1)
+    counts, marks = zeros(3, int32, warp_device), LoopList(size, warp_device)
+    marks.find(upload(mask, uint8, warp_device), size, counts, 1)
     assert download(counts).tolist() == [0, mask.sum(), 0]
     np.testing.assert_array_equal(download(marks.rows)[: mask.sum()], np.flatnonzero(mask))

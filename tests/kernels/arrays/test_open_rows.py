@@ -1,4 +1,4 @@
-"""Rows that are settled in rounds."""
+"""Rows that are resolved in rounds."""
 
 import numpy as np
 import pytest
@@ -11,25 +11,25 @@ from pointloom.kernels.memory import download, upload
 
 @kernel
 def wait_some_rounds_kernel(rows: array(dtype=int32), left: array(dtype=int32), open_rows: array(dtype=uint8)):
-    """A row is settled after as many rounds as are left to it."""
+    """A row is resolved after its given number of rounds."""
     i = tid()
     left[rows[i]] = left[rows[i]] - 1
     open_rows[i] = uint8(1 if left[rows[i]] > 0 else 0)
 
 
-@pytest.mark.parametrize("most", [1, 3, 5, ROUNDS, ROUNDS + 3])
-def test_the_rows_that_are_left_are_those_that_want_more_rounds(device, rng, most):
-    wanted = rng.integers(1, most + 1, 200)
-    wanted[17] = most
-    home, turns = resolve_device(device), []
-    left = upload(wanted, int32, home)
+@pytest.mark.parametrize("max_rounds", [1, 3, 5, ROUNDS, ROUNDS + 3])
+def test_remaining_rows_are_those_that_need_more_rounds(device, rng, max_rounds):
+    round_counts = rng.integers(1, max_rounds + 1, 200)
+    round_counts[17] = max_rounds
+    warp_device, sizes = resolve_device(device), []
+    left = upload(round_counts, int32, warp_device)
 
     def attempt(rows, open_rows):
-        turns.append(rows.size)
+        sizes.append(rows.size)
         launch(wait_some_rounds_kernel, rows.size, [rows, left, open_rows])
 
-    found = resolve_in_rounds(attempt, len(wanted), home)
-    assert download(found).tolist() == np.flatnonzero(wanted > ROUNDS).tolist()
-    looks = range(1, ROUNDS + 1) if home.is_cpu else CHECKED_ROUNDS
-    assert len(turns) == next(look for look in looks if look >= min(most, ROUNDS))
-    assert turns[0] == 200 and turns[-1] == (wanted > max([0, *(n for n in looks if n < len(turns))])).sum()
+    remaining = resolve_in_rounds(attempt, len(round_counts), warp_device)
+    assert download(remaining).tolist() == np.flatnonzero(round_counts > ROUNDS).tolist()
+    looks = range(1, ROUNDS + 1) if warp_device.is_cpu else CHECKED_ROUNDS
+    assert len(sizes) == next(look for look in looks if look >= min(max_rounds, ROUNDS))
+    assert sizes[0] == 200 and sizes[-1] == (round_counts > max([0, *(n for n in looks if n < len(sizes))])).sum()

@@ -25,7 +25,7 @@ def test_a_coordinate_beyond_a_limit_is_seen_and_one_that_is_not_finite_is_none(
         assert has_far_points(upload(far, kind, device), 1.0, 3)[0]
 
 
-def test_points_are_rounded_once_and_come_back(rng, device):
+def test_points_are_rounded_once_and_round_trip(rng, device):
     points = rng.uniform(-100, 100, (300, 3)) + ORIGIN
     points[3] = np.nan, np.inf, 0
     local, lost = subtract_origin(upload(points, vec3d, device), ORIGIN)
@@ -34,7 +34,7 @@ def test_points_are_rounded_once_and_come_back(rng, device):
     np.testing.assert_array_equal(download(add_origin(local, ORIGIN)), download(local).astype(np.float64) + ORIGIN)
 
 
-def test_a_point_that_float32_cannot_hold_raises_the_flag(device):
+def test_a_point_not_representable_in_float32_sets_the_flag(device):
     local, lost = subtract_origin(upload(np.array([[1e39, 0, 0], [0, 0, -1e39]]), vec3d, device), np.zeros(3))
     assert download(lost)[0] == 1
     np.testing.assert_array_equal(download(local), [[np.inf, 0, 0], [0, 0, -np.inf]])
@@ -43,6 +43,6 @@ def test_a_point_that_float32_cannot_hold_raises_the_flag(device):
 def test_of_rays_the_starts_move(rng, device):
     rays = rng.normal(size=(50, 6))
     rays[:, :3] += ORIGIN
-    found = download(shift_rays(upload(rays.ravel(), float64, device), ORIGIN)).reshape(-1, 6)
+    result = download(shift_rays(upload(rays.ravel(), float64, device), ORIGIN)).reshape(-1, 6)
     expected = np.hstack([rays[:, :3] - ORIGIN, rays[:, 3:]]).astype(np.float32)
-    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(result, expected)

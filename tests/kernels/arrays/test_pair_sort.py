@@ -14,7 +14,7 @@ from pointloom.kernels.memory import download, upload
 @pytest.mark.parametrize("size", [0, 1, 100, MIN_PAIRS, MIN_PAIRS + 1])
 def test_the_order_is_that_of_a_stable_sort(rng, device, size, bits):
     count = 9000
-    firsts = rng.integers(0, count - 1, size)  # the last number is nobody's
+    firsts = rng.integers(0, count - 1, size)  # the last number is unused
     keys = (firsts.astype(np.int64) << bits) | rng.integers(0, 1 << bits, size)
     ordered, order = argsort_pairs(upload(keys, int64, device), bits, count)
     expected = np.argsort(keys, kind="stable")

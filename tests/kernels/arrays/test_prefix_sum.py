@@ -1,4 +1,4 @@
-"""Prefix sums: what NumPy gives, and an error where 32 bits do not hold them."""
+"""Prefix sums equal NumPy's, and raise an error on 32-bit overflow."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def test_offsets_are_the_exclusive_sums(device, size, rng):
         [2**20] * 2**12,
     ],
 )
-def test_a_sum_beyond_32_bits_is_an_error_and_not_a_small_number(device, counts):
+def test_an_overflow_of_32_bits_is_an_error(device, counts):
     array = upload(np.array(counts, np.int32), int32, resolve_device(device))
     assert sum_counts(array) == sum(counts)
     with pytest.raises(ValueError, match=rf"{sum(counts)} results are more than 2\^31 - 1"):

@@ -23,30 +23,30 @@ def numbers(count, seed=0):
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 7, 100, 1023])
-def test_quantiles_are_those_of_numpy_to_the_last_bit(device, count):
+def test_quantiles_are_bitwise_identical_to_numpy(device, count):
     values = numbers(count, count)
-    found = quantiles_of(upload(values, float64, wp.get_device(device)), SHARES)
-    assert found == np.quantile(values, SHARES).tolist()
+    quantiles = quantiles_of(upload(values, float64, wp.get_device(device)), SHARES)
+    assert quantiles == np.quantile(values, SHARES).tolist()
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4, 7, 100, 1023])
-def test_a_median_is_that_of_numpy_to_the_last_bit(device, count):
+def test_a_median_is_bitwise_identical_to_numpy(device, count):
     values = numbers(count, count)
-    found = median_above_zero(upload(values, float64, wp.get_device(device)))
-    assert found == np.median(values)
+    median = median_above_zero(upload(values, float64, wp.get_device(device)))
+    assert median == np.median(values)
 
 
-def test_what_is_no_number_does_not_count(device):
+def test_non_finite_values_are_ignored(device):
     values = numbers(200)
     mixed = values.copy()
     mixed[::3], mixed[1::9], mixed[2::9] = np.nan, np.inf, 0.0
-    place = upload(mixed, float64, wp.get_device(device))
-    kept = mixed[np.isfinite(mixed)]
-    assert quantiles_of(place, SHARES) == np.quantile(kept, SHARES).tolist()
-    assert median_above_zero(place) == np.median(kept[kept > 0])
+    device_values = upload(mixed, float64, wp.get_device(device))
+    finite = mixed[np.isfinite(mixed)]
+    assert quantiles_of(device_values, SHARES) == np.quantile(finite, SHARES).tolist()
+    assert median_above_zero(device_values) == np.median(finite[finite > 0])
 
 
 @pytest.mark.parametrize("values", [[], [np.nan, np.inf]])
 def test_without_a_number_there_is_no_quantile(device, values):
-    place = upload(np.array(values), float64, wp.get_device(device))
-    assert quantiles_of(place, SHARES) == [] and median_above_zero(place) is None
+    device_values = upload(np.array(values), float64, wp.get_device(device))
+    assert quantiles_of(device_values, SHARES) == [] and median_above_zero(device_values) is None

@@ -13,14 +13,14 @@ from pointloom.kernels.memory import download, upload
 
 @pytest.mark.parametrize("count", [0, 1, 77])
 def test_each_has_its_type_its_shape_and_its_numbers(device, rng, count):
-    place = resolve_device(device)
-    wide = upload(rng.normal(size=(max(count, 2), 6)), float64, place)
+    warp_device = resolve_device(device)
+    matrix = upload(rng.normal(size=(max(count, 2), 6)), float64, warp_device)
     arrays = [
-        upload(rng.integers(0, 99, count), int32, place),
-        upload(rng.normal(size=(count, 3)), vec3, place),
-        wide,
-        wide[:, 1],  # with gaps
-        upload(rng.integers(0, 2, count), uint8, place),
+        upload(rng.integers(0, 99, count), int32, warp_device),
+        upload(rng.normal(size=(count, 3)), vec3, warp_device),
+        matrix,
+        matrix[:, 1],  # with gaps
+        upload(rng.integers(0, 2, count), uint8, warp_device),
     ]
     for read, values in zip(read_together(arrays), arrays, strict=True):
         alone = download(values)

@@ -27,19 +27,19 @@ def test_distinct_pairs_are_those_of_numpy(rng, device, count):
     pairs = rng.integers(0, 40, (count, 2)).astype(np.int32)
     if count:
         pairs[0] = 2**31 - 1, 2**31 - 2
-    found = download(distinct_pairs(upload(pairs, int32, device)))
-    np.testing.assert_array_equal(found.reshape(-1, 2), np.unique(pairs, axis=0))
+    result = download(distinct_pairs(upload(pairs, int32, device)))
+    np.testing.assert_array_equal(result.reshape(-1, 2), np.unique(pairs, axis=0))
 
 
 def test_partners_are_listed_by_row(rng, device):
     rows = rng.permutation(500)[:300].astype(np.int32)
-    found = rng.integers(-1, 50, 300).astype(np.int32)
-    places = rng.permutation(50).astype(np.int32)
+    partners = rng.integers(-1, 50, 300).astype(np.int32)
+    labels = rng.permutation(50).astype(np.int32)
     order = np.argsort(rows)
-    order = order[found[order] >= 0]
-    for names in (np.zeros(0, np.int32), places):
-        expected = found[order] if not len(names) else names[found[order]]
-        given = [upload(values, int32, device) for values in (rows, found, names)]
+    order = order[partners[order] >= 0]
+    for names in (np.zeros(0, np.int32), labels):
+        expected = partners[order] if not len(names) else names[partners[order]]
+        given = [upload(values, int32, device) for values in (rows, partners, names)]
         np.testing.assert_array_equal(download(list_partners(500, *given)), np.column_stack([rows[order], expected]))
 
 

@@ -21,10 +21,10 @@ def test_means_over_runs_are_those_of_float64(device, rng):
     where = [upload(a, int32, resolve_device(device)) for a in (order, starts)]
     parts = [order[a:b] for a, b in itertools.pairwise(starts)]
     expected = np.array([vectors[p].astype(np.float64).sum(axis=0) / len(p) for p in parts]).astype(np.float32)
-    found = average_vec3(upload(vectors, vec3, resolve_device(device)), *where).numpy()
-    np.testing.assert_array_max_ulp(found, expected, 1)
-    found = sum_columns(upload(columns, float64, resolve_device(device)), *where, mean=True).numpy()
-    np.testing.assert_allclose(found, [columns[p].mean(axis=0) for p in parts], rtol=1e-12, atol=1e-15)
+    result = average_vec3(upload(vectors, vec3, resolve_device(device)), *where).numpy()
+    np.testing.assert_array_max_ulp(result, expected, 1)
+    result = sum_columns(upload(columns, float64, resolve_device(device)), *where, mean=True).numpy()
+    np.testing.assert_allclose(result, [columns[p].mean(axis=0) for p in parts], rtol=1e-12, atol=1e-15)
     assert first_rows(*where).numpy().tolist() == [p[0] for p in parts]
 
 
@@ -32,9 +32,9 @@ def test_a_mean_leaves_out_rows_that_are_not_finite(device):
     values = np.array([[1, 2, 3], [np.nan, 0, 0], [3, 2, 1], [0, np.inf, 0], [np.nan] * 3], np.float32)
     where = [upload(np.array(a), int32, resolve_device(device)) for a in ([0, 1, 2, 3, 4], [0, 4, 5])]
     rows = upload(values.astype(np.float64), float64, resolve_device(device))
-    for found in (
+    for result in (
         average_vec3(upload(values, vec3, resolve_device(device)), *where).numpy(),
         sum_columns(rows, *where, mean=True).numpy(),
     ):
-        assert found[0].tolist() == [2, 2, 2] and np.isnan(found[1]).all()
+        assert result[0].tolist() == [2, 2, 2] and np.isnan(result[1]).all()
     assert np.isnan(sum_columns(rows, *where).numpy()[0]).tolist() == [True, False, False]

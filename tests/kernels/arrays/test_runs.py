@@ -1,4 +1,4 @@
-"""Every element belongs to one thread, whatever the device and the count."""
+"""Every element belongs to one thread for any device and count."""
 
 import numpy as np
 import pytest
@@ -22,21 +22,21 @@ def visit_elements_kernel(runs: Runs, visits: array(dtype=int32), taken: array(d
 
 @pytest.mark.parametrize("count", [0, 1, LENGTH - 1, LENGTH, LENGTH + 1, 1000, CUDA_MIN_LENGTH * CUDA_THREADS + 5])
 def test_each_element_is_taken_once(device, count):
-    where = resolve_device(device)
-    runs = Runs(count, where, LENGTH)
-    visits, taken = zeros(count, int32, where), zeros(runs.rows, int32, where)
+    warp_device = resolve_device(device)
+    runs = Runs(count, warp_device, LENGTH)
+    visits, taken = zeros(count, int32, warp_device), zeros(runs.rows, int32, warp_device)
     launch(visit_elements_kernel, runs.threads, [runs, visits, taken])
     assert (download(visits) == 1).all()
     assert download(taken).sum() == count
 
 
 class Gpu:
-    """All that Runs asks of a device."""
+    """The device properties that Runs uses."""
 
     is_cuda = True
 
 
-def test_a_gpu_has_whole_warps_for_every_few_elements_and_never_more_than_it_holds():
+def test_gpu_launches_use_full_warps_up_to_the_device_limit():
     assert Runs(200_000, Gpu(), 4096).threads == 50_016
     assert Runs(1, Gpu(), 4096).threads == 32
     assert Runs(50_000_000, Gpu(), 4096).threads == CUDA_THREADS

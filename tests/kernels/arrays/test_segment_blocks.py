@@ -39,21 +39,21 @@ def sum_powers(values: array(dtype=float64)) -> pair:
 
 
 @kernel
-def count_down_kernel(turns: array(dtype=int32), running: array(dtype=int32)):
+def count_down_kernel(iterations: array(dtype=int32), running: array(dtype=int32)):
     i = tid()
-    if turns[i] > 0:
-        turns[i] = turns[i] - 1
-        if turns[i] == 0:
+    if iterations[i] > 0:
+        iterations[i] = iterations[i] - 1
+        if iterations[i] == 0:
             atomic_add(running, 0, -1)  # a count: the order does not matter
 
 
 def sums_of(device, values, firsts, counts, live=None, start=None):
-    where = resolve_device(device)
-    blocks = SegmentBlocks(firsts, counts, where)
-    alive = full(len(counts), 1, int32, where) if live is None else upload(np.array(live), int32, where)
-    partials = empty(max(1, blocks.count), pair, where)
-    out = zeros(len(counts), pair, where) if start is None else upload(start, pair, where)
-    reduce_segments(sum_powers, blocks, alive, [upload(values, float64, where)], partials, out)
+    warp_device = resolve_device(device)
+    blocks = SegmentBlocks(firsts, counts, warp_device)
+    alive = full(len(counts), 1, int32, warp_device) if live is None else upload(np.array(live), int32, warp_device)
+    partials = empty(max(1, blocks.count), pair, warp_device)
+    out = zeros(len(counts), pair, warp_device) if start is None else upload(start, pair, warp_device)
+    reduce_segments(sum_powers, blocks, alive, [upload(values, float64, warp_device)], partials, out)
     return out.numpy().copy()
 
 
@@ -66,9 +66,9 @@ def test_blocks_part_the_segments(counts, gap):
     assert blocks.count == len(begin) == starts[-1]
     assert ((end - begin > 0) & (end - begin <= BLOCK)).all()
     for segment, (first, count) in enumerate(zip(firsts, counts, strict=True)):
-        mine = slice(starts[segment], starts[segment + 1])
-        assert (owners[mine] == segment).all()
-        begins, ends = begin[mine].tolist(), end[mine].tolist()
+        rows = slice(starts[segment], starts[segment + 1])
+        assert (owners[rows] == segment).all()
+        begins, ends = begin[rows].tolist(), end[rows].tolist()
         assert [*begins, first + count] == [first, *ends] if count else not begins
     assert blocks.element_count == max([f + c for f, c in zip(firsts, counts, strict=True)], default=0)
 
@@ -76,14 +76,14 @@ def test_blocks_part_the_segments(counts, gap):
 def test_each_segment_has_its_sum(device, rng, tolerances):
     firsts = np.concatenate([[0], np.cumsum(np.array(SIZES) + 3)[:-1]])  # gaps that belong to none
     values = rng.normal(size=firsts[-1] + SIZES[-1] + 10)
-    found = sums_of(device, values, firsts, SIZES)
-    for (first, count), sums in zip(zip(firsts, SIZES, strict=True), found, strict=True):
-        own = values[first : first + count]
-        np.testing.assert_allclose(sums, [own.sum(), (own**2).sum()], atol=tolerances.segment_sum * max(count, 1))
-    assert (found[np.array(SIZES) == 0] == 0).all()
+    result = sums_of(device, values, firsts, SIZES)
+    for (first, count), sums in zip(zip(firsts, SIZES, strict=True), result, strict=True):
+        part = values[first : first + count]
+        np.testing.assert_allclose(sums, [part.sum(), (part**2).sum()], atol=tolerances.segment_sum * max(count, 1))
+    assert (result[np.array(SIZES) == 0] == 0).all()
 
 
-def test_a_segment_has_the_same_bits_alone(device, rng):
+def test_a_segment_alone_is_bitwise_identical(device, rng):
     values = rng.normal(size=sum(SIZES))
     firsts = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
     together = sums_of(device, values, firsts, SIZES)
@@ -91,16 +91,16 @@ def test_a_segment_has_the_same_bits_alone(device, rng):
         np.testing.assert_array_equal(sums_of(device, values[first : first + count], [0], [count])[0], sums)
 
 
-def test_the_dead_are_left_out_and_leave_the_others_alone(device, rng):
+def test_inactive_segments_are_skipped_and_change_no_others(device, rng):
     values, live = rng.normal(size=sum(SIZES)), [1, 0, 1, 0, 1, 0, 1, 0, 1, 1]
     firsts = np.concatenate([[0], np.cumsum(SIZES)[:-1]])
-    whole = sums_of(device, values, firsts, SIZES)
+    all_sums = sums_of(device, values, firsts, SIZES)
     spoiled = values.copy()
     for first, count, alive in zip(firsts, SIZES, live, strict=True):
         spoiled[first : first + count] = spoiled[first : first + count] if alive else np.nan
-    found = sums_of(device, spoiled, firsts, SIZES, live)
+    result = sums_of(device, spoiled, firsts, SIZES, live)
     alive = np.array(live) == 1
-    np.testing.assert_array_equal(found[alive], whole[alive])
+    np.testing.assert_array_equal(result[alive], all_sums[alive])
 
 
 def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
@@ -110,7 +110,7 @@ def test_sums_in_several_launches_are_those_of_one(device, rng, monkeypatch):
     np.testing.assert_array_equal(sums_of(device, values, firsts, SIZES), at_once)
 
 
-def test_the_most_elements_of_one_sum_fill_whole_blocks_of_threads():
+def test_max_elements_of_one_sum_fill_complete_blocks():
     """So the blocks of a plain `reduce` have no more threads than a launch may have."""
     assert segment_launches.MAX_THREADS % segment_launches.REDUCTION_BLOCK == 0
 
@@ -132,13 +132,13 @@ def test_more_segments_than_threads_can_be_numbered_for_are_parted():
     blocks.count = count
     live, partials, out = unread(count, int32), unread(count, pair), unread(count, pair)
     segment_launches.launch_segments(note, kernels, [], blocks, live, partials, out)  # type: ignore[arg-type]
-    most = 2**31 // 256 - 1
-    rest = count - most
+    max_segments = 2**31 // 256 - 1
+    rest = count - max_segments
     assert launches == [
-        ("tiles", most * 256, [0, 0, 0, 0, 0]),
-        ("tiles", rest * 256, [most, most, most, 0, most]),
-        ("fold", most * 256, [0, 0, 0, 0]),
-        ("fold", rest * 256, [most, most, 0, most]),
+        ("tiles", max_segments * 256, [0, 0, 0, 0, 0]),
+        ("tiles", rest * 256, [max_segments, max_segments, max_segments, 0, max_segments]),
+        ("fold", max_segments * 256, [0, 0, 0, 0]),
+        ("fold", rest * 256, [max_segments, max_segments, 0, max_segments]),
     ]
 
 
@@ -151,15 +151,18 @@ def test_many_small_segments_have_their_sums(counts):
     np.testing.assert_array_equal(sums_of("cpu", np.append(values, 0.0), firsts, counts), expected)
 
 
-@pytest.mark.parametrize("turns", [[3], [1, 5, 2, 2], [1]])
-def test_a_loop_runs_until_the_last_is_done(device, turns):
-    where = resolve_device(device)
-    left, running = upload(np.array(turns), int32, where), upload(np.array([len(turns)]), int32, where)
+@pytest.mark.parametrize("iterations", [[3], [1, 5, 2, 2], [1]])
+def test_a_loop_runs_until_the_last_is_done(device, iterations):
+    warp_device = resolve_device(device)
+    left, running = (
+        upload(np.array(iterations), int32, warp_device),
+        upload(np.array([len(iterations)]), int32, warp_device),
+    )
     calls = []
 
     def body():
         calls.append(None)
-        launch(count_down_kernel, len(turns), [left, running])
+        launch(count_down_kernel, len(iterations), [left, running])
 
     loop_while(running, body)
     assert running.numpy()[0] == 0 and not left.numpy().any()
@@ -167,9 +170,9 @@ def test_a_loop_runs_until_the_last_is_done(device, turns):
 
 
 @pytest.mark.parametrize("runs", [2, 5])
-def test_a_kept_loop_runs_anew_without_its_body_being_called_again(device, runs):
-    where = resolve_device(device)
-    left, running = upload(np.array([0]), int32, where), upload(np.array([0]), int32, where)
+def test_a_cached_loop_reruns_without_calling_its_body(device, runs):
+    warp_device = resolve_device(device)
+    left, running = upload(np.array([0]), int32, warp_device), upload(np.array([0]), int32, warp_device)
     calls = []
 
     def body():
@@ -177,17 +180,17 @@ def test_a_kept_loop_runs_anew_without_its_body_being_called_again(device, runs)
         launch(count_down_kernel, 1, [left, running])
 
     loop = DeviceLoop(running, body)
-    for turns in range(1, runs + 1):
-        left.fill_(turns)
+    for iterations in range(1, runs + 1):
+        left.fill_(iterations)
         running.fill_(1)
         loop.run()
         assert running.numpy()[0] == 0 and left.numpy()[0] == 0
     assert len(calls) == 1
 
 
-def test_a_kept_loop_that_is_dropped_leaves_others_as_they_were(device):
-    where = resolve_device(device)
-    arrays = [[full(1, 3, int32, where), full(1, 1, int32, where)] for _ in range(2)]
+def test_dropping_a_cached_loop_leaves_others_unchanged(device):
+    warp_device = resolve_device(device)
+    arrays = [[full(1, 3, int32, warp_device), full(1, 1, int32, warp_device)] for _ in range(2)]
     loops = [
         DeviceLoop(running, lambda a=(left, running): launch(count_down_kernel, 1, [*a])) for left, running in arrays
     ]
@@ -198,8 +201,8 @@ def test_a_kept_loop_that_is_dropped_leaves_others_as_they_were(device):
 
 
 def test_a_loop_that_fails_leaves_launches_as_they_were(device):
-    where = resolve_device(device)
-    left, running = upload(np.array([2]), int32, where), upload(np.array([1]), int32, where)
+    warp_device = resolve_device(device)
+    left, running = upload(np.array([2]), int32, warp_device), upload(np.array([1]), int32, warp_device)
 
     def fail():
         raise RuntimeError("on purpose")
@@ -211,8 +214,8 @@ def test_a_loop_that_fails_leaves_launches_as_they_were(device):
 
 
 def test_a_loop_with_nothing_to_do_does_nothing(device):
-    where = resolve_device(device)
-    left = full(1, 7, int32, where)
-    running = zeros(1, int32, where)
+    warp_device = resolve_device(device)
+    left = full(1, 7, int32, warp_device)
+    running = zeros(1, int32, warp_device)
     loop_while(running, lambda: launch(count_down_kernel, 1, [left, running]))
     assert left.numpy()[0] == 7

@@ -15,9 +15,9 @@ from pointloom.kernels.memory import upload
 @pytest.mark.parametrize("share", [0.0, 0.3, 1.0])
 def test_positions_of_a_mask_are_those_of_flatnonzero(device, size, share, rng):
     mask = (rng.random(size) < share).astype(np.uint8) * rng.integers(1, 256, size).astype(np.uint8)
-    found = positions_of(upload(mask, uint8, resolve_device(device)))
-    assert found.dtype == int32
-    np.testing.assert_array_equal(found.numpy(), np.flatnonzero(mask))
+    result = positions_of(upload(mask, uint8, resolve_device(device)))
+    assert result.dtype == int32
+    np.testing.assert_array_equal(result.numpy(), np.flatnonzero(mask))
 
 
 @pytest.mark.parametrize(
@@ -28,8 +28,8 @@ def test_gathered_rows_are_the_rows(device, dtype, shape, rng):
     values = rng.integers(0, 200, shape)
     rows = rng.integers(0, 90, 400).astype(np.int32)
     for chosen in (rows, rows[:0]):
-        found = gather_rows(
+        gathered = gather_rows(
             upload(values, dtype, resolve_device(device)), upload(chosen, int32, resolve_device(device))
         )
-        assert found.dtype == dtype
-        np.testing.assert_array_equal(found.numpy().reshape(len(chosen), *shape[1:]), values[chosen])
+        assert gathered.dtype == dtype
+        np.testing.assert_array_equal(gathered.numpy().reshape(len(chosen), *shape[1:]), values[chosen])

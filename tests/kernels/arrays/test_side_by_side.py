@@ -10,11 +10,11 @@ from pointloom.kernels.memory import download, fill
 
 
 @kernel
-def raise_kernel(counts: array(dtype=int32), places: array(dtype=vec3d)):
+def raise_kernel(counts: array(dtype=int32), positions: array(dtype=vec3d)):
     """Change an element of two neighbors."""
     i = tid()
     counts[i] = counts[i] + 1
-    places[i] = places[i] + vec3d(1.0, 2.0, 3.0)
+    positions[i] = positions[i] + vec3d(1.0, 2.0, 3.0)
 
 
 def values_of(rng, count):
@@ -31,13 +31,13 @@ def values_of(rng, count):
 def test_arrays_come_back_as_they_were_given(device, rng, count):
     values = values_of(rng, count)
     together = SideBySide(values, resolve_device(device))
-    found = together.download()
-    assert list(found) == list(values)
+    result = together.download()
+    assert list(result) == list(values)
     for name, (value, dtype) in values.items():
         scalar = {int32: np.int32, float32: np.float32}.get(dtype, np.float64)
-        np.testing.assert_array_equal(found[name], value.astype(scalar))
+        np.testing.assert_array_equal(result[name], value.astype(scalar))
         np.testing.assert_array_equal(download(together.arrays[name]).reshape(value.shape), value.astype(scalar))
-        assert found[name].dtype == scalar and together.arrays[name].dtype == dtype
+        assert result[name].dtype == scalar and together.arrays[name].dtype == dtype
     assert list(together.download("rows", "counts")) == ["rows", "counts"]
 
 
@@ -46,14 +46,14 @@ def test_a_launch_changes_its_arrays_and_no_neighbor(device, rng):
     together = SideBySide(values, resolve_device(device))
     launch(raise_kernel, 7, [together.arrays["counts"], together.arrays["places"]])
     fill(together.arrays["shares"], 2.0)
-    found = together.download()
-    np.testing.assert_array_equal(found["counts"], values["counts"][0] + 1)
-    np.testing.assert_array_equal(found["places"], values["places"][0] + [1.0, 2.0, 3.0])
-    np.testing.assert_array_equal(found["shares"], np.full(7, 2.0, np.float32))
+    result = together.download()
+    np.testing.assert_array_equal(result["counts"], values["counts"][0] + 1)
+    np.testing.assert_array_equal(result["places"], values["places"][0] + [1.0, 2.0, 3.0])
+    np.testing.assert_array_equal(result["shares"], np.full(7, 2.0, np.float32))
     for name in ("poses", "rows"):
-        np.testing.assert_array_equal(found[name], values[name][0])
+        np.testing.assert_array_equal(result[name], values[name][0])
 
 
-def test_an_array_outlives_what_it_was_made_with(device):
+def test_an_array_outlives_its_container(device):
     left = SideBySide({"a": (np.arange(5), int32), "b": (np.arange(9.0), float64)}, resolve_device(device)).arrays["b"]
     np.testing.assert_array_equal(download(left), np.arange(9.0))

@@ -33,7 +33,7 @@ def test_keys_are_sorted_stably(device, size, bits, rng):
 
 
 @pytest.mark.parametrize("mean", [MIN_RUN // 4, MIN_RUN, 2000])
-def test_runs_of_keys_that_lie_apart_are_sorted_stably(device, mean, rng):
+def test_runs_of_separate_keys_are_sorted_stably(device, mean, rng):
     sizes = rng.integers(0, 2 * mean + 1, 20)  # some may be empty
     sizes[[3, 19]] = 0
     runs = np.repeat(np.arange(20), sizes)

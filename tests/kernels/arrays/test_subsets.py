@@ -14,7 +14,7 @@ def test_steps_are_those_of_a_slice(device, count, step):
     assert step_rows(count, step, resolve_device(device)).numpy().tolist() == list(range(count))[::step]
 
 
-def test_a_list_is_sorted_and_its_complement_found(device, rng):
+def test_a_list_is_sorted_and_its_complement_computed(device, rng):
     rows = rng.integers(0, 500, 300)
     listed = upload(rows, int32, resolve_device(device))
     assert sort_rows(listed, 500).numpy().tolist() == np.unique(rows).tolist()
@@ -23,11 +23,11 @@ def test_a_list_is_sorted_and_its_complement_found(device, rng):
 
 def test_a_draw_depends_on_seed_and_count_alone(device):
     """The rows written here keep it so from version to version."""
-    where = resolve_device(device)
-    found = draw_rows(10, 4, 3, where).numpy().tolist()
+    warp_device = resolve_device(device)
+    rows = draw_rows(10, 4, 3, warp_device).numpy().tolist()
     with cpu_compiler("warp"):
-        assert found == draw_rows(10, 4, 3, resolve_device("cpu")).numpy().tolist() == [1, 3, 8, 9]
-    assert found != draw_rows(10, 4, 4, where).numpy().tolist()
+        assert rows == draw_rows(10, 4, 3, resolve_device("cpu")).numpy().tolist() == [1, 3, 8, 9]
+    assert rows != draw_rows(10, 4, 4, warp_device).numpy().tolist()
 
 
 def test_every_row_and_every_pair_of_rows_is_drawn_as_often(device):

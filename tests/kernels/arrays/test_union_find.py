@@ -69,8 +69,8 @@ def test_sets_are_the_connected_components_with_their_lowest_number_as_root(devi
     """`hook_roots` gets numbers that are no roots any more, as a thread does where others were faster."""
     n, pairs = graph(kind, rng)
     first, second = (upload(side, int32, device) for side in (pairs[:, 0], pairs[:, 1]))
-    parents, seen = upload(np.arange(n), int32, device), upload(np.zeros(len(pairs)), int32, device)
-    launch(getattr(pairs_kernels, start), len(pairs), [first, second, parents, seen])
+    parents, labels = upload(np.arange(n), int32, device), upload(np.zeros(len(pairs)), int32, device)
+    launch(getattr(pairs_kernels, start), len(pairs), [first, second, parents, labels])
     assert (download(parents) <= np.arange(n)).all(), "links go to lower numbers"
     roots = upload(np.zeros(n), int32, device)
     launch(pairs_kernels.read_roots_kernel, n, [parents, roots])
@@ -83,7 +83,7 @@ def test_sets_are_the_connected_components_with_their_lowest_number_as_root(devi
     np.testing.assert_array_equal(download(parents), lowest[component])
     np.testing.assert_array_equal(download(roots), lowest[component])
     if len(pairs):
-        np.testing.assert_array_equal(component[download(seen)], component[pairs[:, 0]])
+        np.testing.assert_array_equal(component[download(labels)], component[pairs[:, 0]])
 
 
 def test_numbers_with_a_negative_parent_stay_outside(device, pairs_kernels):

@@ -38,15 +38,15 @@ def test_padding_has_no_positions(device, rng, count):
     expected, counts = np.unique(keys, return_counts=True)
     assert unique.count in (len(expected), count)
     assert (download(unique.keys)[: len(expected)] == expected).all()
-    found = download(unique.starts)
-    assert found.tolist() == [0, *np.cumsum(counts), *[count] * (unique.count - len(expected))]
+    starts = download(unique.starts)
+    assert starts.tolist() == [0, *np.cumsum(counts), *[count] * (unique.count - len(expected))]
 
 
-def test_padded_keys_are_cut_together_to_those_that_there_are(device, rng):
+def test_padded_keys_are_cut_to_the_existing_ones(device, rng):
     lists = [rng.integers(0, 40, count) for count in (500, 1, 0, 60)]
     groups = [UniqueKeys(upload(keys, int64, device), 6, padded=True) for keys in lists]
-    (found,) = cut_together(groups, upload(np.array([7, -3]), int32, device))
-    assert found.tolist() == [7, -3]
+    (result,) = cut_together(groups, upload(np.array([7, -3]), int32, device))
+    assert result.tolist() == [7, -3]
     for keys, group in zip(lists, groups, strict=True):
         expected, counts = np.unique(keys, return_counts=True)
         assert group.count == len(expected) and group.summary is None

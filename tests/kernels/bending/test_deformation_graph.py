@@ -48,11 +48,11 @@ def test_points_normals_and_volumes_follow_the_graph(device, count, spread):
     points = np.vstack([nodes[:1], rng.uniform(-1, 1, (6, 3)), [[np.nan, 0, 0]]]).astype(np.float32)
     normals = rng.normal(size=(8, 3)).astype(np.float32)
     normals[1] = 0
-    place = wp.get_device(device)
+    warp_device = wp.get_device(device)
     graph = DeformationGraph(
-        upload(nodes, vec3, place), upload(rotations, mat33d, place), upload(centers, vec3d, place)
+        upload(nodes, vec3, warp_device), upload(rotations, mat33d, warp_device), upload(centers, vec3d, warp_device)
     )
-    influence = Influence(upload(points, vec3, place), graph)
+    influence = Influence(upload(points, vec3, warp_device), graph)
 
     def position(p):
         return bent(p, nodes.astype(float), rotations, centers)
@@ -66,24 +66,24 @@ def test_points_normals_and_volumes_follow_the_graph(device, count, spread):
     slopes = np.array([np.stack([position(p + e) - position(p - e) for e in step], axis=1) for p in finite]) / 2e-6
     volumes = np.linalg.det(slopes)
     np.testing.assert_allclose(download(measure_volumes(graph, influence)), [*volumes, np.nan], rtol=1e-4)
-    turned = volumes[:, None] * np.linalg.solve(slopes.transpose(0, 2, 1), normals[:-1, :, None])[:, :, 0]
-    sizes = np.linalg.norm(turned, axis=1, keepdims=True)
-    turned *= np.linalg.norm(normals[:-1], axis=1, keepdims=True) / np.where(sizes > 0, sizes, 1)
-    found = download(bend_normals(graph, influence, upload(normals, vec3, place)))
-    np.testing.assert_allclose(found, [*turned, normals[-1]], atol=1e-4)
+    transformed = volumes[:, None] * np.linalg.solve(slopes.transpose(0, 2, 1), normals[:-1, :, None])[:, :, 0]
+    sizes = np.linalg.norm(transformed, axis=1, keepdims=True)
+    transformed *= np.linalg.norm(normals[:-1], axis=1, keepdims=True) / np.where(sizes > 0, sizes, 1)
+    result = download(bend_normals(graph, influence, upload(normals, vec3, warp_device)))
+    np.testing.assert_allclose(result, [*transformed, normals[-1]], atol=1e-4)
 
 
 @pytest.mark.parametrize("side", [3, 8])
-def test_the_border_is_where_the_mean_of_the_neighbors_is_aside(device, side):
-    """Of 9 points nothing is said: too few have neighbors enough."""
+def test_borders_are_points_far_from_the_mean_of_their_neighbors(device, side):
+    """9 points give no border: too few have enough neighbors."""
     grid = np.stack(np.meshgrid(*[np.arange(side)] * 2), axis=-1).reshape(-1, 2)
     points = np.column_stack([grid, 0.1 * np.sin(grid[:, 0])]).astype(np.float32)
     points += np.random.default_rng(0).uniform(-0.1, 0.1, points.shape).astype(np.float32)  # no equal distances
     normals = np.tile(np.array([0, 0, 1], np.float32), (side * side, 1))
-    place = wp.get_device(device)
-    found = download(find_borders(PointTree(upload(points, vec3, place)), upload(normals, vec3, place)))
+    warp_device = wp.get_device(device)
+    result = download(find_borders(PointTree(upload(points, vec3, warp_device)), upload(normals, vec3, warp_device)))
     d = np.linalg.norm(points[:, None].astype(float) - points, axis=2)
     near = np.argsort(d, axis=1)[:, :20]
-    aside = np.linalg.norm((points[near].astype(float).mean(axis=1) - points)[:, :2], axis=1)
-    borders = aside > 0.3 * np.take_along_axis(d, near, axis=1)[:, -1]
-    np.testing.assert_array_equal(found, borders if side * side > 10 else False)
+    offsets = np.linalg.norm((points[near].astype(float).mean(axis=1) - points)[:, :2], axis=1)
+    borders = offsets > 0.3 * np.take_along_axis(d, near, axis=1)[:, -1]
+    np.testing.assert_array_equal(result, borders if side * side > 10 else False)

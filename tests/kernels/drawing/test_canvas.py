@@ -62,7 +62,7 @@ def test_strokes_that_cross_are_no_darker_there(sheet):
     assert set(picture(sheet)[[7, 7, 20], [9, 20, 9], 0].tolist()) == {100}
 
 
-def test_blending_mixes_in_whole_numbers_and_clears_the_sheet(sheet):
+def test_blending_uses_integers_and_clears_the_sheet(sheet):
     strokes.cover_box(sheet, ALL, (4.25, 3.5, 20.0, 10.5), (0, 0, 0, 0))
     shares = coverage(sheet)
     assert shares[6, 4] == 64 and shares[6, 10] == 255 and shares[3, 10] == 0 and shares[4, 10] == 255
@@ -74,7 +74,7 @@ def test_blending_mixes_in_whole_numbers_and_clears_the_sheet(sheet):
     assert not sheet.words.numpy().any()
 
 
-def test_letters_are_put_where_they_are_said_to_be_and_cut_off_at_the_edge(sheet):
+def test_letters_are_drawn_at_their_position_and_clipped_at_the_edge(sheet):
     cells = np.arange(1, 13, dtype=np.uint8) * 20
     atlas = memory.upload(cells, uint8, sheet.picture.device)
     strokes.cover_glyphs(sheet, np.array([[0, 4, 3, 5, 6], [0, 4, 3, 46, 35]], np.int32), atlas)
@@ -83,7 +83,7 @@ def test_letters_are_put_where_they_are_said_to_be_and_cut_off_at_the_edge(sheet
     assert coverage(sheet).sum() == cells.sum(dtype=int) + cells[:2].sum(dtype=int)
 
 
-def test_a_halo_reaches_its_radius_and_leaves_the_coverage(sheet):
+def test_a_halo_has_its_radius_and_keeps_the_coverage(sheet):
     strokes.cover_box(sheet, ALL, (19.5, 14.5, 20.5, 15.5), (0, 0, 0, 0))
     strokes.blend_halo(sheet, ALL, 2, Paint((255, 255, 255), 255))
     changed = picture(sheet)[..., 0] != 200
@@ -100,5 +100,5 @@ def test_an_image_is_copied_into_a_box(sheet):
     assert (picture(sheet)[2:] == 200).all()
 
 
-def test_a_box_outside_the_picture_is_empty(sheet):
+def test_a_box_outside_the_image_is_empty(sheet):
     assert clip_box(sheet, 50, 3, 60, 9)[2] == 0 and clip_box(sheet, -9, -9, -1, -1)[2:] == (0, 0)

@@ -41,9 +41,9 @@ def draw(device, vertices, triangles, *, cull=False):
     return unpack(buffer)
 
 
-def splat(device, points, size, *, reach=0.0, start=0):
+def splat(device, points, size, *, radius=0.0, start=0):
     buffer = new_buffer(device)
-    draw_points(upload_points(points, device), VIEW, buffer, splat=Splat(size, reach), start=start)
+    draw_points(upload_points(points, device), VIEW, buffer, splat=Splat(size, radius), start=start)
     return unpack(buffer)
 
 
@@ -79,7 +79,7 @@ def cast(vertices, triangle):
 
 
 def distance_to_edges(vertices, triangle):
-    """How far [cells], shape [h, w], the centers of cells lie from the lines that the triangle's edges are seen as."""
+    """Distances [cells], shape [h, w], of the cell centers from the projected edges of the triangle."""
     a, b, c = np.asarray(vertices, float)[list(triangle)]
     edges = np.stack([np.cross(b, c), np.cross(c, a), np.cross(a, b)])
     return (np.abs(rays() @ edges.T) / (np.linalg.norm(edges[:, :2], axis=1) / 50)).min(axis=-1)
@@ -88,19 +88,19 @@ def distance_to_edges(vertices, triangle):
 TWO = [[0, 2, 1], [0, 3, 2]]  # counterclockwise seen from the origin, where y runs down in the picture
 
 
-def test_the_nearer_of_two_triangles_is_seen_whatever_their_order(device):
+def test_the_nearer_of_two_triangles_is_visible_in_any_order(device):
     near, far = square(2.0, 0.3), square(3.0, 0.6)
     for vertices, nearer in (([*near, *far], {0, 1}), ([*far, *near], {2, 3})):
-        depth, seen = draw(device, vertices, [*TWO, *(np.array(TWO) + 4)])
+        depth, drawn = draw(device, vertices, [*TWO, *(np.array(TWO) + 4)])
         inner = depth[20:28, 28:36]
         assert np.allclose(inner, 2.0, atol=1e-6)
-        assert set(np.unique(seen[20:28, 28:36])) == nearer
+        assert set(np.unique(drawn[20:28, 28:36])) == nearer
         assert depth.max() == pytest.approx(3.0, abs=1e-6)
 
 
 def test_equal_depths_go_to_the_smaller_index(device):
-    _, seen = draw(device, square(2.0, 0.3), [TWO[0], TWO[1], TWO[0], TWO[1]])
-    assert set(np.unique(seen)) == {-1, 0, 1}
+    _, drawn = draw(device, square(2.0, 0.3), [TWO[0], TWO[1], TWO[0], TWO[1]])
+    assert set(np.unique(drawn)) == {-1, 0, 1}
 
 
 def test_a_fan_of_thin_triangles_leaves_no_gap(device):
@@ -116,8 +116,8 @@ def test_a_fan_of_thin_triangles_leaves_no_gap(device):
     assert (depth[outside] == 0).all()
 
 
-def test_pixels_whose_centers_lie_on_an_edge_are_drawn(device):
-    """A square whose corners, and so its diagonal, lie on centers of pixels: no gap between its two triangles."""
+def test_pixels_with_centers_on_an_edge_are_drawn(device):
+    """A square with its corners and diagonal on pixel centers: no gap between its two triangles."""
     left, right = 2 * (np.array([11, 41]) - 31.5) / 50
     top, bottom = 2 * (np.array([9, 39]) - 23.5) / 50
     depth, _ = draw(device, [[left, top, 2], [right, top, 2], [right, bottom, 2], [left, bottom, 2]], TWO)
@@ -133,11 +133,11 @@ def test_depth_of_a_tilted_triangle_is_that_of_its_plane(device):
     shown = depth > 0
     expected = (vertices[0] @ normal) / (rays()[shown] @ normal)
     assert shown.sum() > 200
-    # corners lie on a grid of 1/256 cell, so depth is off by that part of a cell's slope
+    # corners are on a grid of 1/256 cell, so depth is off by that part of a cell's slope
     assert np.abs(depth[shown] - expected).max() < 1e-3
 
 
-def test_culling_leaves_what_looks_at_the_camera(device):
+def test_culling_keeps_front_faces(device):
     vertices = square(2.0, 0.3)
     backward = [t[::-1] for t in TWO]
     assert (draw(device, vertices, TWO, cull=True)[0] > 0).any()
@@ -172,12 +172,12 @@ def test_triangles_that_cannot_be_seen_are_left_out(device, vertices):
     ],
     ids=["one corner behind", "two behind", "a floor under the camera", "beyond the guard band", "a corner at the eye"],
 )
-def test_triangles_are_seen_as_far_as_they_lie_before_the_camera(device, vertices):
+def test_triangles_are_clipped_in_front_of_the_camera(device, vertices):
     depth, _ = draw(device, vertices, [[0, 1, 2]])
     expected = cast(vertices, (0, 1, 2))
     both = (depth > 0) & (expected > 0)
     assert (expected > 0).sum() > 20
-    # edges reach 1/128 of a cell further, by the sum of both axes
+    # edges extend 1/128 of a cell further, by the sum of both axes
     assert distance_to_edges(vertices, (0, 1, 2))[(depth > 0) != (expected > 0)].max(initial=0) < 0.0115
     assert np.abs(depth[both] / expected[both] - 1).max() < 1e-4
 
@@ -187,12 +187,12 @@ def test_a_room_around_the_camera_has_no_gaps(device):
     faces = [[0, 1, 3, 2], [4, 6, 7, 5], [0, 4, 5, 1], [2, 3, 7, 6], [0, 2, 6, 4], [1, 5, 7, 3]]
     triangles = [t for a, b, c, d in faces for t in ([a, b, c], [a, c, d])]
     angle = 0.7
-    turn = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
-    depth, _ = draw(device, vertices @ turn, triangles)
+    rotation = np.array([[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]])
+    depth, _ = draw(device, vertices @ rotation, triangles)
     assert (depth > 0).all()
 
 
-def test_a_triangle_larger_than_the_picture_covers_it(device):
+def test_a_triangle_larger_than_the_image_covers_it(device):
     depth, _ = draw(device, [[-90, -90, 2], [90, -90, 2], [0, 180, 2]], [[0, 1, 2]])
     assert np.allclose(depth, 2.0, atol=1e-5)
 
@@ -202,7 +202,7 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
     rng = np.random.default_rng(3)
     sizes = np.repeat([0.02, 0.2, 1.0, 4.0], 20)[:, None, None]
     middles = rng.normal(size=(80, 1, 3)) * [0.5, 0.4, 0.6] + [0, 0, 1.5]
-    vertices = (middles + sizes * rng.normal(size=(80, 3, 3))).reshape(-1, 3)  # some reach behind the camera
+    vertices = (middles + sizes * rng.normal(size=(80, 3, 3))).reshape(-1, 3)  # some extend behind the camera
     triangles = memory.upload(np.arange(240, dtype=np.int32), int32, device)
     points, behind = upload_points(vertices, device), None
     for _ in range(3):  # layer behind layer
@@ -216,10 +216,10 @@ def test_triangles_drawn_in_tiles_give_the_same_bits(device, cull):
         behind = buffer.words
 
 
-def test_a_list_of_large_shapes_holds_those_alone(device):
-    place, small = resolve_device(device), square(2.0, 0.05)
+def test_a_list_of_large_shapes_contains_only_those(device):
+    warp_device, small = resolve_device(device), square(2.0, 0.05)
     triangles = memory.upload(np.array([*TWO, *(np.array(TWO) + 4)], np.int32).ravel(), int32, device)
-    large = LargeShapes(4, place)
+    large = LargeShapes(4, warp_device)
     drawn = [upload_points([*small, *square(2.0, 0.9)], device), triangles, VIEW, 0, 0, large, new_buffer(device)]
     launch(draw_triangles_kernel, 4, drawn)
     assert memory.download(large.total).tolist() == [(2 << TILE_BITS) + 2 * 4]  # 45 x 45 cells are four tiles
@@ -232,53 +232,53 @@ def test_no_triangles_leave_the_buffer_empty(device):
     assert (draw(device, np.empty((0, 3)), np.empty((0, 3)))[1] == -1).all()
 
 
-def test_points_are_discs_and_the_nearest_is_seen(device):
-    depth, seen = splat(device, [[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], 6.0, start=100)
-    assert set(np.unique(seen)) == {-1, 101}
+def test_points_are_discs_and_the_nearest_is_visible(device):
+    depth, drawn = splat(device, [[0, 0, 2], [0, 0, 1], [0, 0, -1], [np.nan, 0, 1]], 6.0, start=100)
+    assert set(np.unique(drawn)) == {-1, 101}
     assert abs((depth > 0).sum() - np.pi * 36) < 12
 
 
-def test_points_smaller_than_a_cell_are_still_seen(device):
+def test_points_smaller_than_a_cell_are_still_visible(device):
     depth, _ = splat(device, [[0.013, 0.007, 1.0]], 0.01)
     assert (depth > 0).sum() == 1
 
 
 def test_discs_in_metres_are_the_larger_the_nearer(device):
-    areas = [(splat(device, [[0, 0, z]], 0.0, reach=0.1 * 50.0)[0] > 0).sum() for z in (0.5, 1.0)]
+    areas = [(splat(device, [[0, 0, z]], 0.0, radius=0.1 * 50.0)[0] > 0).sum() for z in (0.5, 1.0)]
     assert areas[0] == pytest.approx(np.pi * 10**2, rel=0.05) and areas[1] == pytest.approx(np.pi * 5**2, rel=0.1)
 
 
 @pytest.mark.parametrize("radius", [0.4, 1.0, 2.9, 3.1, 6.0])
 @pytest.mark.parametrize("count", [5, 5000])
-def test_each_cell_shows_the_foremost_disc_that_reaches_it(device, radius, count):
+def test_each_cell_shows_its_nearest_disc(device, radius, count):
     """Of many points the foremost in each cell are drawn around it: within a cell of what is exact."""
     rng = np.random.default_rng(5)
     points = rng.uniform((-0.7, -0.5, 1), (0.7, 0.5, 3), (count, 3)).astype(np.float32)
-    depth, seen = splat(device, points, radius)
+    depth, drawn = splat(device, points, radius)
     u, v = 50 * points[:, :2].T / points[:, 2] + np.array([[31.5], [23.5]])
     rows, columns = np.nonzero(depth)
-    shown = seen[rows, columns].astype(int)
+    shown = drawn[rows, columns].astype(int)
     assert (points[shown, 2] == depth[rows, columns]).all()
-    reach = np.hypot(columns - u[shown], rows - v[shown])
-    assert reach.max() <= radius + 0.75
-    for row, column in zip(rows[::7], columns[::7], strict=True):  # nothing nearer lies well over the cell
+    distances = np.hypot(columns - u[shown], rows - v[shown])
+    assert distances.max() <= radius + 0.75
+    for row, column in zip(rows[::7], columns[::7], strict=True):  # nothing nearer is well over the cell
         over = np.hypot(column - u, row - v) < radius - 0.75
         assert not over.any() or points[over, 2].min() >= depth[row, column] or count > 1000
     if count > 1000:  # of each cell the foremost middle is drawn there or hidden by a nearer one
         nearest = np.full((HEIGHT, WIDTH), np.inf)
         inside = (np.rint(u) >= 0) & (np.rint(v) >= 0) & (np.rint(u) < WIDTH) & (np.rint(v) < HEIGHT)
-        places = np.floor(v[inside] + 0.5).astype(int), np.floor(u[inside] + 0.5).astype(int)
-        np.minimum.at(nearest, places, points[inside, 2])
+        cells = np.floor(v[inside] + 0.5).astype(int), np.floor(u[inside] + 0.5).astype(int)
+        np.minimum.at(nearest, cells, points[inside, 2])
         assert (depth[nearest < np.inf] <= nearest[nearest < np.inf]).all()
 
 
-def test_points_are_counted_where_they_are_seen(device):
+def test_points_are_counted_where_they_are_visible(device):
     points = upload_points([[0.1, 0, 2]] * 7 + [[0.1, 0, 3]] * 5 + [[-0.5, 0, 1]] * 3 + [[0, 0, -2]], device)
     counts, depths = count_in_squares(points, VIEW)
     assert counts.tolist() == [3.0, 7.0] and depths.tolist() == [1.0, 2.0]  # those behind others do not count
 
 
-def test_a_line_is_as_wide_as_asked_and_has_round_ends(device):
+def test_a_line_has_the_given_width_and_round_ends(device):
     depth, _ = stroke(device, [[-0.4, 0.1, 1.0], [0.4, 0.1, 1.0]], [[0, 1]], 3.0)
     assert (depth > 0).sum() == pytest.approx(40 * 6 + np.pi * 9, rel=0.05)
     assert (depth[:, 31] > 0).sum() == 6
@@ -305,7 +305,7 @@ def test_depth_along_a_line_is_that_of_the_line(device):
     [[[0, 0.5, -5.0], [0.0, 0.5, 5.0]], [[-1e6, 0.1, 1.0], [1e6, 0.1, 1.0]], [[0.0, 0.1, 0.0], [0.0, 0.1, 3.0]]],
     ids=["from behind", "far out on both sides", "from beside the eye"],
 )
-def test_lines_are_seen_as_far_as_they_lie_in_the_picture(device, ends):
+def test_lines_are_clipped_to_the_image(device, ends):
     depth, _ = stroke(device, ends, [[0, 1]], 1.0)
     assert (depth > 0).sum() > 15
 
@@ -320,7 +320,7 @@ def test_a_line_of_no_length_is_a_disc(device):
     assert (depth > 0).sum() == pytest.approx(np.pi * 16, rel=0.1)
 
 
-def test_a_line_in_a_tilted_surface_is_seen_whole(device):
+def test_a_line_in_a_tilted_surface_is_fully_visible(device):
     vertices = np.array([[-1, -1, 2], [1, -1, 2.5], [1, 1, 4], [-1, 1, 3.5]])
     surface, _ = draw(device, vertices, TWO)
     corners = vertices[0] * 0.8 + vertices[2] * 0.2, vertices[0] * 0.2 + vertices[2] * 0.8

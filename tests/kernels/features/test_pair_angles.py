@@ -1,4 +1,4 @@
-"""Bins of pair features: float32 gives float64's or says that it cannot tell, and float64's are the formula's."""
+"""Bins of pair features: float32 equals float64 or is flagged as uncertain, and float64 equals the formula."""
 
 import numpy as np
 import pytest
@@ -24,10 +24,10 @@ def bin_pairs_kernel(
 
 
 def both_bins(device, *pairs):
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     count = len(pairs[0])
-    quick, exact = empty(count, int32, where), empty(count, int32, where)
-    launch(bin_pairs_kernel, count, [*(upload(np.float32(a), vec3, where) for a in pairs), quick, exact])
+    quick, exact = empty(count, int32, warp_device), empty(count, int32, warp_device)
+    launch(bin_pairs_kernel, count, [*(upload(np.float32(a), vec3, warp_device) for a in pairs), quick, exact])
     return quick.numpy(), exact.numpy()
 
 

@@ -1,4 +1,4 @@
-"""Matches kept from one pose to the next are those of a search of all points, whatever the poses and margins."""
+"""Matches cached between poses equal a search of all points, for any poses and margins."""
 
 import numpy as np
 import pytest
@@ -27,17 +27,17 @@ def pose(vector=(0, 0, 0), shift=(0, 0, 0)):
 
 def make_loop(device, sources, targets, source_of=None, target_of=None, *, distance, alone):
     """A loop over clouds of float32, every job at the identity."""
-    where = resolve_device(device)
-    if where.is_cuda and alone is False:
+    warp_device = resolve_device(device)
+    if warp_device.is_cuda and alone is False:
         pytest.skip("points search in groups on the CPU alone")
     left, right = (
-        [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, where) for p in c] for c in (sources, targets)
+        [upload(np.asarray(p, np.float32).reshape(-1, 3), vec3, warp_device) for p in c] for c in (sources, targets)
     )
     jobs = Jobs(ManyClouds(left), PointForest(right), source_of or [0], target_of or [0])
     return RegistrationLoop(jobs, np.tile(np.eye(4), (jobs.count, 1, 1)), distance, per_point=alone)
 
 
-def turn(loop, poses, margin):
+def iterate(loop, poses, margin):
     """Bring the jobs to new poses as a step does, and match."""
     loop.matches.earlier.assign(loop.matches.poses)
     loop.matches.poses.assign(np.asarray(poses).reshape(-1, 4, 4))
@@ -50,11 +50,11 @@ def pairs_of(loop, job=0):
     jobs = loop.jobs
     cloud = jobs.source_of[job]
     count, first, base = jobs.counts[job], jobs.firsts[job], jobs.sources.bases[cloud]
-    found = download(loop.matches.pairs)[first : first + count]
+    matches = download(loop.matches.pairs)[first : first + count]
     rows = download(jobs.sources.order)[base : base + count]
-    places = download(jobs.targets.clouds.order)
+    order = download(jobs.targets.clouds.order)
     total = np.full(rows.max(initial=-1) + 1, -1)
-    total[rows] = np.where(found >= 0, places[np.maximum(found, 0)], -1)
+    total[rows] = np.where(matches >= 0, order[np.maximum(matches, 0)], -1)
     return total
 
 
@@ -64,24 +64,24 @@ def moved(points, T):
     return np.stack([T[r, 0] * x + T[r, 1] * y + T[r, 2] * z + T[r, 3] for r in range(3)], axis=1).astype(np.float32)
 
 
-def assert_nearest(found, source, target, T, distance, tolerances):
+def assert_nearest(matches, source, target, T, distance, tolerances):
     """Each point has the nearest target point below the distance; ties of float32 squares may go to either."""
     source, target = np.asarray(source, np.float32), np.asarray(target, np.float32).astype(np.float64)
-    whole = np.isfinite(target).all(axis=1)
-    alive = np.isfinite(source[: len(found)]).all(axis=1)
-    assert (found[~alive] == -1).all()
-    q = moved(np.where(alive[:, None], source[: len(found)], 0), T).astype(np.float64)
-    paired = found >= 0
-    if not whole.any():
+    is_finite = np.isfinite(target).all(axis=1)
+    alive = np.isfinite(source[: len(matches)]).all(axis=1)
+    assert (matches[~alive] == -1).all()
+    q = moved(np.where(alive[:, None], source[: len(matches)], 0), T).astype(np.float64)
+    paired = matches >= 0
+    if not is_finite.any():
         assert not paired.any()
         return
-    least = np.full(len(found), np.inf)
-    least[alive] = np.square(cKDTree(target[whole]).query(q[alive])[0])
-    slack, reach = 1 + tolerances.sqdist_relative, min(squared_radius(distance), 3e38)
-    np.testing.assert_array_equal(paired[least < reach / slack - tolerances.sqdist_absolute], True)
-    np.testing.assert_array_equal(paired[least > reach * slack + tolerances.sqdist_absolute], False)
-    mine = np.square(q[paired] - target[found[paired]]).sum(axis=1)
-    assert (mine <= least[paired] * slack + tolerances.sqdist_absolute).all()  # not of NaN: a lost row
+    min_sqdist = np.full(len(matches), np.inf)
+    min_sqdist[alive] = np.square(cKDTree(target[is_finite]).query(q[alive])[0])
+    slack, max_sqdist = 1 + tolerances.sqdist_relative, min(squared_radius(distance), 3e38)
+    np.testing.assert_array_equal(paired[min_sqdist < max_sqdist / slack - tolerances.sqdist_absolute], True)
+    np.testing.assert_array_equal(paired[min_sqdist > max_sqdist * slack + tolerances.sqdist_absolute], False)
+    sqdist = np.square(q[paired] - target[matches[paired]]).sum(axis=1)
+    assert (sqdist <= min_sqdist[paired] * slack + tolerances.sqdist_absolute).all()  # not of NaN: a lost row
 
 
 def clouds(rng):
@@ -109,7 +109,7 @@ def clouds(rng):
     }
 
 
-def walk(rng, size):
+def pose_sequence(rng, size):
     """Poses in turn: still, creeping, striding, far away and back, from one end to the other."""
     T, steps = np.eye(4), [0, 1e-8, 1e-4, 1e-3, 0, 1e-2, 1e-3, 1e-4, 0.3, 1e-6, 30, -30, 1e-3, 3e-2, 1e-2, 1e-2]
     for step in steps:
@@ -121,12 +121,12 @@ def walk(rng, size):
 
 @ALONE
 @pytest.mark.parametrize("k", range(13), ids=list(clouds(np.random.default_rng(0))))
-def test_kept_matches_are_those_of_a_full_search(device, alone, k, rng, tolerances):
+def test_cached_matches_equal_a_full_search(device, alone, k, rng, tolerances):
     source, target = list(clouds(rng).values())[k]
     distance, margin = [(0.15, 0.0), (0.4, 0.02), (1e3, 1e4), (1e30, 1e-3)][(k + alone) % 4]
     loop = make_loop(device, [source], [target], distance=distance, alone=alone)
-    for T in walk(rng, 1.0):
-        turn(loop, T, margin)
+    for T in pose_sequence(rng, 1.0):
+        iterate(loop, T, margin)
         assert_nearest(pairs_of(loop), source, target, T, distance, tolerances)
 
 
@@ -137,41 +137,41 @@ def test_any_distance_may_be_the_greatest(device, alone, distance, rng, toleranc
     target = np.concatenate([source[::2], rng.random((100, 3))])
     loop = make_loop(device, [source], [target], distance=distance, alone=alone)
     for T in (np.eye(4), pose(shift=[0, 1e-7, 0]), pose([0.1, 0, 0], [0, 0, 1e6]), np.eye(4)):
-        turn(loop, T, 0.01)
+        iterate(loop, T, 0.01)
         assert_nearest(pairs_of(loop), source, target, T, distance, tolerances)
 
 
 @ALONE
-def test_margins_may_change_from_turn_to_turn(device, alone, rng, tolerances):
+def test_margins_may_change_between_iterations(device, alone, rng, tolerances):
     source, target = rng.random((900, 3)), rng.random((1100, 3))
     loop = make_loop(device, [source], [target], distance=0.2, alone=alone)
-    for T, margin in zip(walk(rng, 0.3), [0, 1, 0, 1e-3, 5, 0, 0, 0.1, 1e20, 1e38] * 2, strict=False):
-        turn(loop, T, margin)
+    for T, margin in zip(pose_sequence(rng, 0.3), [0, 1, 0, 1e-3, 5, 0, 0, 0.1, 1e20, 1e38] * 2, strict=False):
+        iterate(loop, T, margin)
         assert_nearest(pairs_of(loop), source, target, T, 0.2, tolerances)
 
 
 @ALONE
-def test_a_match_that_holds_is_not_searched_for_again(device, alone, rng):
+def test_a_valid_match_is_not_searched_again(device, alone, rng):
     """Of points well apart: what a search wrote stays as it is while the cloud moves by less than the gap."""
     target = np.stack(np.meshgrid(*[np.arange(10.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
     loop = make_loop(device, [target + 0.05 * rng.normal(size=target.shape)], [target], distance=2.0, alone=alone)
-    turn(loop, np.eye(4), 0.2)
+    iterate(loop, np.eye(4), 0.2)
     first = download(loop.matches.lowers).copy()
-    turn(loop, pose(shift=[0.02, 0, 0]), 0.2)
-    held = download(loop.matches.lowers)
+    iterate(loop, pose(shift=[0.02, 0, 0]), 0.2)
+    bounds = download(loop.matches.lowers)
     alive = download(loop.matches.nearest) >= 0
-    np.testing.assert_allclose(held[alive], first[alive] - 0.02, atol=1e-4)  # less by the motion, and not made anew
+    np.testing.assert_allclose(bounds[alive], first[alive] - 0.02, atol=1e-4)  # less by the motion, and not made anew
     assert alive.sum() == 1000
 
 
 @ALONE
-def test_jobs_that_are_not_live_are_left_alone(device, alone, rng):
+def test_inactive_jobs_do_not_change(device, alone, rng):
     source, target = rng.random((300, 3)), rng.random((300, 3))
     loop = make_loop(device, [source], [target], [0, 0], [0, 0], distance=0.3, alone=alone)
-    turn(loop, [np.eye(4), np.eye(4)], 0.0)
+    iterate(loop, [np.eye(4), np.eye(4)], 0.0)
     before = download(loop.matches.pairs).copy()
     loop.matches.live.assign(np.array([0, 1], np.int32))
-    turn(loop, [pose(shift=[0.2, 0, 0])] * 2, 0.0)
+    iterate(loop, [pose(shift=[0.2, 0, 0])] * 2, 0.0)
     after, half = download(loop.matches.pairs), len(before) // 2
     np.testing.assert_array_equal(after[:half], before[:half])
     assert (after[half:] != before[half:]).any()
@@ -190,7 +190,7 @@ def test_many_jobs_share_a_launch(device, alone, rng, tolerances):
     loop = make_loop(device, sources, targets, left, right, distance=2.5, alone=alone)
     for margin in (0.01, 0.5, 0.0):
         poses = [pose(0.05 * rng.normal(size=3), 0.05 * rng.normal(size=3)) for _ in jobs]
-        turn(loop, poses, margin)
+        iterate(loop, poses, margin)
         for job, (s, t) in enumerate(jobs):
             assert_nearest(pairs_of(loop, job), sources[s], targets[t], poses[job], 2.5, tolerances)
 
@@ -204,7 +204,9 @@ def test_many_jobs_share_a_launch(device, alone, rng, tolerances):
     distance=st.sampled_from([0.5, 1.5, 1e10]),
     alone=st.booleans(),
 )
-def test_lattices_with_twins_and_holes_match_by_any_walk(tolerances, seed, counts, steps, margin, distance, alone):
+def test_lattices_with_duplicates_and_gaps_match_with_any_traversal(
+    tolerances, seed, counts, steps, margin, distance, alone
+):
     rng = np.random.default_rng(seed)
     source, target = (rng.integers(0, 4, (n, 3)).astype(float) for n in counts)
     source[rng.random(counts[0]) < 0.1] = np.nan
@@ -212,28 +214,28 @@ def test_lattices_with_twins_and_holes_match_by_any_walk(tolerances, seed, count
     loop, T = make_loop("cpu", [source], [target], distance=distance, alone=alone), np.eye(4)
     for step in steps:
         T = pose(step * rng.integers(-1, 2, 3) * 0.2, step * rng.integers(-1, 2, 3)) @ T
-        turn(loop, T, margin)
+        iterate(loop, T, margin)
         assert_nearest(pairs_of(loop), source, target, T, distance, tolerances)
 
 
-def test_points_alone_find_what_lanes_find(device, rng):
+def test_single_points_and_lanes_give_the_same_matches(device, rng):
     source, target = rng.random((2000, 3)), rng.random((2500, 3))
     loops = [make_loop(where, [source], [target], distance=0.3, alone=not k) for k, where in enumerate((device, "cpu"))]
-    for T in walk(rng, 0.3):
+    for T in pose_sequence(rng, 0.3):
         for loop in loops:
-            turn(loop, T, 0.01)
+            iterate(loop, T, 0.01)
         np.testing.assert_array_equal(*(pairs_of(loop) for loop in loops))
 
 
 @ALONE
-def test_a_pair_that_rounding_alone_has_changed_is_found(device, alone):
+def test_a_pair_changed_only_by_rounding_is_matched(device, alone):
     """At 5 km a float32 is a step of 0.49 mm: a motion of 0.26 mm moves the point by a whole one, past the middle."""
     source, target = [[5000, 0, 0]], [[4999.75, 0, 0], [5000.25, 0.02, 0]]
     loop = make_loop(device, [source], [target], distance=10.0, alone=alone)
-    turn(loop, np.eye(4), 1.0)
+    iterate(loop, np.eye(4), 1.0)
     assert pairs_of(loop).tolist() == [0]
     T = pose(shift=[2.6e-4, 0, 0])
-    turn(loop, T, 1.0)
+    iterate(loop, T, 1.0)
     squares = np.square(moved(source, T).astype(np.float64) - np.float32(target)).sum(axis=1)
     assert squares[1] < 0.999 * squares[0]
     assert pairs_of(loop).tolist() == [1]

@@ -10,7 +10,7 @@ from pointloom.kernels.icp.step import job_of, leads
 from pointloom.kernels.lang import WARP, array, float64, int32, kernel, launch, tid, vec3d
 from pointloom.kernels.memory import download, upload, zeros
 
-LEAST = 1e-6
+MIN_EIGENVALUE = 1e-6
 JOBS = 40
 
 
@@ -27,7 +27,9 @@ def solve_systems_kernel(
     i = tid()
     job = job_of(i)
     size = sizes[job]
-    step = constrained_step(h[job], g[job], h[job], centers[job], size, float64(LEAST), job, free_counts, free_ones)
+    step = constrained_step(
+        h[job], g[job], h[job], centers[job], size, float64(MIN_EIGENVALUE), job, free_counts, free_ones
+    )
     if leads() == 1:
         steps[job] = step
 
@@ -66,6 +68,6 @@ def test_determined_systems_are_solved_and_free_motions_left_out(device, unit):
 
 
 @pytest.mark.parametrize("unit", [1.0, 1e-3, 3e4])
-def test_all_devices_give_the_same_bits(device, unit):
-    for found, expected in zip(solve_on(device, unit), solve_on("cpu", unit), strict=True):
-        np.testing.assert_array_equal(found, expected)
+def test_all_devices_are_bitwise_identical(device, unit):
+    for result, expected in zip(solve_on(device, unit), solve_on("cpu", unit), strict=True):
+        np.testing.assert_array_equal(result, expected)

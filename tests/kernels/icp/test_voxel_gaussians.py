@@ -27,7 +27,7 @@ def find_gaussians_kernel(
     segments: array(dtype=int32),
     steps: int,
     voxels: VoxelGaussians,
-    found: array(dtype=int32),
+    rows: array(dtype=int32),
 ):
     i = tid()
     row = -1
@@ -35,7 +35,7 @@ def find_gaussians_kernel(
         row = find_cell_gaussian(cell_of(queries[i], voxels.grid), segments[i], voxels)
     else:
         row = find_nearest_gaussian(queries[i], segments[i], steps, voxels)
-    found[i] = row
+    rows[i] = row
 
 
 @kernel
@@ -61,10 +61,10 @@ def build(points, covariances, size, device, segments=None, **options):
 def find(voxels, queries, segments=None, steps=-1, device="cpu"):
     queries = np.asarray(queries, np.float32).reshape(-1, 3)
     segments = np.zeros(len(queries), np.int32) if segments is None else np.asarray(segments)
-    found = empty(len(queries), int32, device)
+    rows = empty(len(queries), int32, device)
     on_device = [upload(queries, vec3, device), upload(segments, int32, device)]
-    launch(find_gaussians_kernel, len(queries), [*on_device, steps, voxels, found])
-    return found.numpy()
+    launch(find_gaussians_kernel, len(queries), [*on_device, steps, voxels, rows])
+    return rows.numpy()
 
 
 def spread(rng, count):
@@ -89,22 +89,22 @@ def group(points, covariances, size, segments, segment_count=1, corner=(0, 0, 0)
     return gaussians
 
 
-def test_gaussians_are_small_gicps(device, kitti_scan, tolerances):
+def test_gaussians_match_small_gicp(device, kitti_scan, tolerances):
     """The same voxels, the same means; covariances are the means of the points' own, taken from there."""
     gicp = pytest.importorskip("small_gicp")
     scan = gicp.PointCloud(kitti_scan.astype(np.float64))
     gicp.estimate_covariances(scan)
     covariances = np.array([scan.cov(i)[:3, :3].ravel() for i in range(len(kitti_scan))])
-    theirs = gicp.GaussianVoxelMap(1.0)
-    theirs.insert(scan)
-    ours = build(kitti_scan, covariances, 1.0, device)
-    means = theirs.voxel_points()[:, :3]
+    gicp_map = gicp.GaussianVoxelMap(1.0)
+    gicp_map.insert(scan)
+    voxels = build(kitti_scan, covariances, 1.0, device)
+    means = gicp_map.voxel_points()[:, :3]
     order = np.lexsort(np.floor(means.T)[::-1])
-    expected = theirs.voxel_covs().reshape(-1, 4, 4)[order, :3, :3].reshape(-1, 9)[:, UPPER]
-    assert ours.count == theirs.size() > 500
-    found = ours.gaussians.numpy()
-    np.testing.assert_allclose(found[:, :3], means[order], rtol=tolerances.gaussian, atol=tolerances.gaussian)
-    np.testing.assert_allclose(found[:, 3:9], expected, rtol=0, atol=tolerances.gaussian)
+    expected = gicp_map.voxel_covs().reshape(-1, 4, 4)[order, :3, :3].reshape(-1, 9)[:, UPPER]
+    assert voxels.count == gicp_map.size() > 500
+    result = voxels.gaussians.numpy()
+    np.testing.assert_allclose(result[:, :3], means[order], rtol=tolerances.gaussian, atol=tolerances.gaussian)
+    np.testing.assert_allclose(result[:, 3:9], expected, rtol=0, atol=tolerances.gaussian)
 
 
 @pytest.fixture(scope="module")
@@ -125,32 +125,32 @@ def test_gaussians_are_the_means_of_each_voxel_and_segment(tolerances, rows, siz
     points, segments = table[:, :3].astype(np.float32), table[:, 3].astype(np.int32)
     covariances = spread(np.random.default_rng(len(rows)), len(rows))
     covariances[::9, 4] = np.nan
-    ours = build(points, covariances, size, "cpu", segments, segment_count=3, corner=[corner] * 3)
+    voxels = build(points, covariances, size, "cpu", segments, segment_count=3, corner=[corner] * 3)
     expected = group(points, covariances, size, segments, 3, [corner] * 3)
-    assert ours.count == len(expected)
+    assert voxels.count == len(expected)
     if expected:
         rows_expected = np.array(list(expected.values()))
         np.testing.assert_allclose(
-            ours.gaussians.numpy(), rows_expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
+            voxels.gaussians.numpy(), rows_expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
         )
     for row, (own, own_segment) in enumerate(zip(points, segments, strict=True)):
         cell = np.floor((own.astype(np.float64) - corner) * (1.0 / size))
         key = (int(own_segment), *cell.astype(int).tolist()) if np.isfinite(cell).all() else None
-        place = list(expected).index(key) if key in expected else -1
-        assert find(ours, points[row], segments[row : row + 1]).tolist() == [place]
+        index = list(expected).index(key) if key in expected else -1
+        assert find(voxels, points[row], segments[row : row + 1]).tolist() == [index]
 
 
 @pytest.mark.parametrize("steps", [0, 1, 2, 3])
 def test_the_nearest_gaussian_is_that_of_the_voxels_around(device, steps, rng):
     points = rng.uniform(-2, 2, (300, 3)).astype(np.float32)
     segments = rng.integers(0, 2, 300).astype(np.int32)
-    ours = build(points, spread(rng, 300), 0.7, device, segments, segment_count=2)
+    voxels = build(points, spread(rng, 300), 0.7, device, segments, segment_count=2)
     expected = group(points, spread(rng, 300), 0.7, segments, 2)
-    keys, means = np.array(list(expected)), ours.gaussians.numpy()[:, :3]
+    keys, means = np.array(list(expected)), voxels.gaussians.numpy()[:, :3]
     queries = rng.uniform(-3.5, 3.5, (400, 3)).astype(np.float32)
-    asked = rng.integers(0, 2, 400).astype(np.int32)
-    found = find(ours, queries, asked, steps, device)
-    for query, segment, row in zip(queries, asked, found, strict=True):
+    query_segments = rng.integers(0, 2, 400).astype(np.int32)
+    rows = find(voxels, queries, query_segments, steps, device)
+    for query, segment, row in zip(queries, query_segments, rows, strict=True):
         cell = np.floor(query.astype(np.float64) * (1 / 0.7))
         away = np.abs(keys[:, 1:] - cell)
         near = (keys[:, 0] == segment) & (away.max(axis=1) <= 1) & (away.sum(axis=1) <= steps)
@@ -159,15 +159,15 @@ def test_the_nearest_gaussian_is_that_of_the_voxels_around(device, steps, rng):
             continue
         distances = np.where(near, np.linalg.norm(means - query, axis=1), np.inf)
         assert near[row] and distances[row] <= distances.min() * (1 + 1e-6)
-    assert (found >= 0).any() and (found < 0).any()
+    assert (rows >= 0).any() and (rows < 0).any()
 
 
-def test_what_kernels_read_of_a_gaussian_is_what_was_stored(device, rng):
+def test_kernels_read_the_stored_gaussians(device, rng):
     covariances = spread(rng, 30)
-    ours = build(np.repeat(np.arange(15), 6).reshape(30, 3) * 1.0, covariances, 1.0, device)
-    out = empty((ours.count, 13), float32, device)
-    launch(read_gaussians_kernel, ours.count, [ours.gaussians, out])
-    stored = ours.gaussians.numpy()
+    voxels = build(np.repeat(np.arange(15), 6).reshape(30, 3) * 1.0, covariances, 1.0, device)
+    out = empty((voxels.count, 13), float32, device)
+    launch(read_gaussians_kernel, voxels.count, [voxels.gaussians, out])
+    stored = voxels.gaussians.numpy()
     matrices = out.numpy()[:, 3:12].reshape(-1, 3, 3)
     np.testing.assert_array_equal(matrices, matrices.transpose(0, 2, 1))
     np.testing.assert_array_equal(out.numpy()[:, [0, 1, 2, 3, 4, 5, 7, 8, 11, 12]], stored)
@@ -175,12 +175,12 @@ def test_what_kernels_read_of_a_gaussian_is_what_was_stored(device, rng):
 
 def test_points_outside_of_every_voxel_find_nothing(device, rng):
     points = rng.uniform(0, 1, (50, 3))
-    ours = build(points, spread(rng, 50), 0.25, device)
+    voxels = build(points, spread(rng, 50), 0.25, device)
     far = [[np.nan, 0, 0], [np.inf, 0, 0], [-1e30, 0, 0], [3e38, 3e38, 3e38], [0.1, 0.1, -0.1], [0.1, 1.3, 0.1]]
     for steps in (-1, 0):
-        assert find(ours, far, steps=steps, device=device).tolist() == [-1] * 6
-        assert find(ours, points[:3], [1, -1, 7], steps, device).tolist() == [-1] * 3
-    assert (find(ours, points, device=device) >= 0).all()
+        assert find(voxels, far, steps=steps, device=device).tolist() == [-1] * 6
+        assert find(voxels, points[:3], [1, -1, 7], steps, device).tolist() == [-1] * 3
+    assert (find(voxels, points, device=device) >= 0).all()
 
 
 def test_a_full_grid_ends_at_its_sides(device):
@@ -188,30 +188,30 @@ def test_a_full_grid_ends_at_its_sides(device):
     grid = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), axis=-1).reshape(-1, 3) + 0.5
     segments = np.repeat([0, 1], 64)
     twice = np.tile(grid, (2, 1))
-    ours = build(twice, np.tile(np.eye(3).ravel(), (128, 1)), 1.0, device, segments, segment_count=2)
-    assert find(ours, twice, segments, device=device).tolist() == list(range(128))
+    voxels = build(twice, np.tile(np.eye(3).ravel(), (128, 1)), 1.0, device, segments, segment_count=2)
+    assert find(voxels, twice, segments, device=device).tolist() == list(range(128))
     for axis in range(3):
         for shift in (-4.0, 4.0):
-            assert (find(ours, twice + shift * np.eye(3)[axis], segments, device=device) == -1).all()
+            assert (find(voxels, twice + shift * np.eye(3)[axis], segments, device=device) == -1).all()
 
 
 @pytest.mark.parametrize("points", [np.empty((0, 3)), [[np.nan, 0, 0]], [[np.inf] * 3] * 4], ids=["none", "nan", "inf"])
 def test_without_usable_points_there_are_no_gaussians(device, points):
-    ours = build(points, np.tile(np.eye(3).ravel(), (len(points), 1)), 0.5, device)
-    assert ours.count == 0 and ours.gaussians.shape == (0, 10)
-    assert find(ours, [[0, 0, 0], [np.nan] * 3], device=device).tolist() == [-1, -1]
-    assert find(ours, [[0, 0, 0]], steps=3, device=device).tolist() == [-1]
+    voxels = build(points, np.tile(np.eye(3).ravel(), (len(points), 1)), 0.5, device)
+    assert voxels.count == 0 and voxels.gaussians.shape == (0, 10)
+    assert find(voxels, [[0, 0, 0], [np.nan] * 3], device=device).tolist() == [-1, -1]
+    assert find(voxels, [[0, 0, 0]], steps=3, device=device).tolist() == [-1]
 
 
-def test_one_voxel_holds_them_all(device, rng, tolerances):
+def test_one_voxel_contains_all_points(device, rng, tolerances):
     points, covariances = rng.uniform(-1, 1, (1000, 3)).astype(np.float32), spread(rng, 1000)
-    ours = build(points, covariances, 100.0, device, corner=[-50.0] * 3)
-    assert ours.count == 1 and ours.gaussians.numpy()[0, 9] == 1000
+    voxels = build(points, covariances, 100.0, device, corner=[-50.0] * 3)
+    assert voxels.count == 1 and voxels.gaussians.numpy()[0, 9] == 1000
     expected = np.concatenate(
         [points.mean(axis=0, dtype=np.float64), covariances.mean(axis=0, dtype=np.float64)[UPPER]]
     )
     np.testing.assert_allclose(
-        ours.gaussians.numpy()[0, :9], expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
+        voxels.gaussians.numpy()[0, :9], expected, rtol=tolerances.gaussian, atol=tolerances.gaussian
     )
 
 

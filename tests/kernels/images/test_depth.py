@@ -29,7 +29,7 @@ def test_raw_depth_is_divided_and_cut_behind_the_farthest(device):
     np.testing.assert_array_equal(meters(device, raw, uint16, 5000.0, np.inf), expected)
 
 
-def test_depth_in_metres_is_kept_where_it_is_a_measurement(device):
+def test_valid_depth_in_meters_stays(device):
     raw = np.array([0, -1, np.nan, np.inf, -np.inf, 0.5, 3.0, 3.0001, 1e-30], np.float32)
     expected = np.array([0, 0, 0, 0, 0, 0.5, 3.0, 0, 1e-30], np.float32)
     np.testing.assert_array_equal(meters(device, raw, float32, 1.0, 3.0), expected)
@@ -49,7 +49,7 @@ def test_depth_of_any_number_of_pixels_is_converted(device, count, rng):
 
 @pytest.mark.parametrize("stride", [1, 2, 3, 7])
 @pytest.mark.parametrize(("height", "width"), [(1, 1), (5, 7), (12, 9)])
-def test_pixels_are_unprojected_as_the_pinhole_model_says(device, height, width, stride, rng):
+def test_pixels_are_unprojected_with_the_pinhole_model(device, height, width, stride, rng):
     depth = (rng.random((height, width)) * 4).astype(np.float32)
     depth[rng.random((height, width)) < 0.3] = 0
     fx, fy, cx, cy = 5.5, 6.5, 3.2, 2.1

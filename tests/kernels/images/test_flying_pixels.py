@@ -9,11 +9,11 @@ from pointloom.kernels.lang import float32
 from pointloom.kernels.memory import download, upload
 
 
-def kept(depth, device, reach=4, jump=0.03):
+def filtered(depth, device, radius=4, jump=0.03):
     depth = np.asarray(depth, np.float32)
     height, width = depth.shape
     flat = upload(np.ascontiguousarray(depth).reshape(-1), float32, resolve_device(device))
-    return download(drop_flying(flat, width, height, reach, jump)).reshape(height, width)
+    return download(drop_flying(flat, width, height, radius, jump)).reshape(height, width)
 
 
 def ramp_between(near, far, steps, width=60, height=9):
@@ -23,43 +23,43 @@ def ramp_between(near, far, steps, width=60, height=9):
 
 
 @pytest.mark.parametrize("steps", [1, 2, 3, 4])
-@pytest.mark.parametrize("turned", [False, True])
-def test_a_ramp_between_two_walls_goes_and_the_walls_stay(device, steps, turned):
+@pytest.mark.parametrize("transposed", [False, True])
+def test_a_ramp_between_two_walls_is_removed_and_the_walls_stay(device, steps, transposed):
     depth, flies = ramp_between(1.0, 3.0, steps)
-    found = kept(depth.T, device).T if turned else kept(depth, device)
-    np.testing.assert_array_equal(found == 0, np.tile(flies, (9, 1)))
-    np.testing.assert_array_equal(found[:, ~flies], depth.astype(np.float32)[:, ~flies])
+    result = filtered(depth.T, device).T if transposed else filtered(depth, device)
+    np.testing.assert_array_equal(result == 0, np.tile(flies, (9, 1)))
+    np.testing.assert_array_equal(result[:, ~flies], depth.astype(np.float32)[:, ~flies])
 
 
-def test_planes_stay_however_slanted(device):
+def test_slanted_planes_stay(device):
     v, u = np.mgrid[:80, :120]
     for tilt in (0.0, 0.01, 0.1):  # inverse depth a pixel, of 0.2: at 0.1 the plane is seen almost along itself
         depth = 1 / (0.2 + tilt * u + 0.02 * tilt * v)
-        np.testing.assert_array_equal(kept(depth, device, reach=16), depth.astype(np.float32))
+        np.testing.assert_array_equal(filtered(depth, device, radius=16), depth.astype(np.float32))
 
 
 def test_a_corner_of_a_room_and_a_sharp_edge_stay(device):
     u = np.tile(np.arange(60.0), (9, 1))
     corner = 1 / (0.3 + 0.01 * np.abs(u - 30))
-    np.testing.assert_array_equal(kept(corner, device), corner.astype(np.float32))
+    np.testing.assert_array_equal(filtered(corner, device), corner.astype(np.float32))
     step = np.where(u < 30, 1.0, 3.0)
-    np.testing.assert_array_equal(kept(step, device), step.astype(np.float32))
+    np.testing.assert_array_equal(filtered(step, device), step.astype(np.float32))
 
 
 def test_a_thin_post_before_a_wall_stays(device):
     u = np.tile(np.arange(60), (9, 1))
     for width in (1, 2, 3, 4, 6):
         post = np.where((u >= 30) & (u < 30 + width), 1.0, 3.0)
-        np.testing.assert_array_equal(kept(post, device), post.astype(np.float32))
+        np.testing.assert_array_equal(filtered(post, device), post.astype(np.float32))
 
 
 def test_holes_are_no_surface_and_stay_holes(device):
     depth, _ = ramp_between(1.0, 3.0, 3)
     depth[:, :32] = 0
-    found = kept(depth, device)
-    np.testing.assert_array_equal(found, depth.astype(np.float32))  # nothing to fly from
-    assert not kept(np.zeros((1, 1)), device).any()
-    assert kept(np.ones((1, 7)), device).all()
+    result = filtered(depth, device)
+    np.testing.assert_array_equal(result, depth.astype(np.float32))  # nothing to fly from
+    assert not filtered(np.zeros((1, 1)), device).any()
+    assert filtered(np.ones((1, 7)), device).all()
 
 
 def test_a_plain_python_reading_of_the_rule_agrees(device):
@@ -85,4 +85,4 @@ def test_a_plain_python_reading_of_the_rule_agrees(device):
         if flies(w[v], u) or flies(w[:, u], v):
             expected[v, u] = 0
     assert 0 < (expected == 0).sum() - (depth == 0).sum() < depth.size
-    np.testing.assert_array_equal(kept(depth, device, reach=3), expected)
+    np.testing.assert_array_equal(filtered(depth, device, radius=3), expected)

@@ -18,15 +18,15 @@ def records(caplog) -> list[str]:
     return [record.getMessage() for record in caplog.records if record.name == "pointloom"]
 
 
-@pytest.mark.parametrize("holds_all_threads", [False, True])
-def test_what_lasts_is_announced_once(caplog, monkeypatch, holds_all_threads):
+@pytest.mark.parametrize("blocks_all_threads", [False, True])
+def test_slow_compilations_are_announced_once(caplog, monkeypatch, blocks_all_threads):
     now, timers = [1.0], []
     monkeypatch.setattr(compile_notices, "time", SimpleNamespace(monotonic=lambda: now[0]))
     monkeypatch.setattr(compile_notices.threading.Timer, "start", lambda timer: timers.append(timer))
 
     def take(seconds):
         now[0] += seconds
-        if timers and not holds_all_threads:  # as Taichi's compiler does
+        if timers and not blocks_all_threads:  # as Taichi's compiler does
             timers.pop().function()
 
     with caplog.at_level(logging.INFO, "pointloom"):
@@ -55,7 +55,7 @@ def test_an_error_ends_the_announcement(caplog, monkeypatch):
     assert records(caplog) == []
 
 
-def test_the_first_launch_of_a_kernel_alone_is_announced(write_kernels, device, monkeypatch):
+def test_only_the_first_launch_of_a_kernel_is_announced(write_kernels, device, monkeypatch):
     source = "@kernel\ndef double_it_kernel(a: array(dtype=float)):\n    i = tid()\n    a[i] = a[i] * 2.0\n"
     kernel = write_kernels(f"announced_{device[:3]}_{lang.current_cpu_compiler()}", source).double_it_kernel
     named = []
@@ -67,14 +67,14 @@ def test_the_first_launch_of_a_kernel_alone_is_announced(write_kernels, device, 
 
 
 @pytest.mark.slow
-def test_what_an_earlier_process_left_is_not_compiled(write_kernels, monkeypatch):
-    """A module is told to be compiled where Warp's cache does not have it, and only there."""
+def test_modules_cached_by_an_earlier_process_are_not_compiled(write_kernels, monkeypatch):
+    """A compilation is reported only for modules that are not in Warp's cache."""
     factor = f"1.{time.time_ns()}"  # which no earlier run had
     source = f"@kernel\ndef triple_it_kernel(a: array(dtype=float)):\n    i = tid()\n    a[i] = a[i] * {factor}\n"
-    module, told = write_kernels("in_no_cache", source).triple_it_kernel.on_host.module, []
-    monkeypatch.setattr(module_loading, "compiling", lambda: told.append(True))
+    module, compiled = write_kernels("in_no_cache", source).triple_it_kernel.on_host.module, []
+    monkeypatch.setattr(module_loading, "compiling", lambda: compiled.append(True))
     module_loading.load_module(module, wp.get_device("cpu"))
-    assert told == [True]
+    assert compiled == [True]
     module.execs.clear()  # as in the next process
     module_loading.load_module(module, wp.get_device("cpu"))
-    assert told == [True]
+    assert compiled == [True]

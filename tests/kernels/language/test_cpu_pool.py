@@ -1,4 +1,4 @@
-"""Launches on the CPU are shared by threads: every thread of a launch runs once, on whatever threads there are."""
+"""Threads share launches on the CPU: every index of a launch runs exactly once."""
 
 import os
 import signal
@@ -78,30 +78,30 @@ def device_array(values, dtype):
 
 
 def run_program(program: str, *, timeout: float = 120, **environment: str) -> subprocess.CompletedProcess:
-    kept = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_CPU")}
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_CPU")}
     command = [sys.executable, "-W", "ignore::ResourceWarning", "-c", textwrap.dedent(program)]
-    return subprocess.run(command, env=kept | environment, capture_output=True, text=True, timeout=timeout)
+    return subprocess.run(command, env=inherited | environment, capture_output=True, text=True, timeout=timeout)
 
 
 @pytest.mark.parametrize("threads", [1, 2, 3, 7, 64])
 def test_each_thread_of_a_launch_runs_once(kernels, threads):
     loom.set_num_threads(threads)
     for count in COUNTS:
-        seen, total = device_array(np.zeros(count, np.int32), int), device_array([0], int)
+        visits, total = device_array(np.zeros(count, np.int32), int), device_array([0], int)
         for _ in range(3):
-            lang.launch(kernels.count_kernel, count, [seen, total])
-        assert (seen.numpy() == 3).all() and total.numpy()[0] == 3 * count
+            lang.launch(kernels.count_kernel, count, [visits, total])
+        assert (visits.numpy() == 3).all() and total.numpy()[0] == 3 * count
 
 
 def test_launches_in_quick_succession_lose_no_thread(kernels):
     """Workers that come late, between two launches, or to one that has ended find the one that is open, or none."""
     loom.set_num_threads(5)
-    seen, total = device_array(np.zeros(500, np.int32), int), device_array([0], int)
-    for turn in range(3000):
-        lang.launch(kernels.count_kernel, 1 + turn % 500, [seen, total])
-        if turn % 1000 == 0:
+    visits, total = device_array(np.zeros(500, np.int32), int), device_array([0], int)
+    for iteration in range(3000):
+        lang.launch(kernels.count_kernel, 1 + iteration % 500, [visits, total])
+        if iteration % 1000 == 0:
             time.sleep(0.01)  # they sleep
-    assert total.numpy()[0] == sum(1 + turn % 500 for turn in range(3000)) == seen.numpy().sum()
+    assert total.numpy()[0] == sum(1 + iteration % 500 for iteration in range(3000)) == visits.numpy().sum()
 
 
 @pytest.mark.parametrize("threads", [2, 7])
@@ -139,30 +139,30 @@ def test_a_worker_takes_part_from_the_first_launch_on():
 
 
 @pytest.mark.parametrize("count", [0, 1, 1024, 1025, 50_000])
-def test_a_sum_has_the_same_bits_for_any_number_of_threads(kernels, rng, count):
+def test_a_sum_is_bitwise_identical_for_any_number_of_threads(kernels, rng, count):
     values = device_array(rng.normal(size=count).astype(np.float32), float)
-    found = set()
+    results = set()
     for threads in (1, 2, 3, 8):
         loom.set_num_threads(threads)
-        found.add(lang.reduce(kernels.sums, count, [values]).numpy().tobytes())
-    assert len(found) == 1
-    assert np.frombuffer(found.pop())[2] == count
+        results.add(lang.reduce(kernels.sums, count, [values]).numpy().tobytes())
+    assert len(results) == 1
+    assert np.frombuffer(results.pop())[2] == count
 
 
-def test_sums_of_segments_have_the_same_bits_for_any_number_of_threads(kernels, rng):
+def test_sums_of_segments_are_bitwise_identical_for_any_number_of_threads(kernels, rng):
     counts = [0, 1, 5000, 3, 2047, 40_000]
     values = device_array(rng.normal(size=sum(counts)).astype(np.float32), float)
     blocks = SegmentBlocks(np.cumsum([0, *counts[:-1]]), counts, wp.get_device("cpu"))
     live = device_array([1, 1, 1, 0, 1, 1], int)
-    found = set()
+    results = set()
     for threads in (1, 2, 5):
         loom.set_num_threads(threads)
         partials, out = (memory.zeros(n, lang.vec2d, "cpu") for n in (blocks.count, len(counts)))
         lang.reduce_segments(kernels.segment_sums, blocks, live, [values], partials, out)
-        found.add(out.numpy().tobytes())
-    assert len(found) == 1
+        results.add(out.numpy().tobytes())
+    assert len(results) == 1
     expected = [0.0 if k == 3 else float(n) for k, n in enumerate(counts)]
-    assert np.frombuffer(found.pop()).reshape(-1, 2)[:, 1].tolist() == expected
+    assert np.frombuffer(results.pop()).reshape(-1, 2)[:, 1].tolist() == expected
 
 
 def test_the_number_of_threads_is_the_program_s_to_choose(monkeypatch):
@@ -194,22 +194,22 @@ def test_a_share_of_the_machine_s_time_counts_as_cores(monkeypatch):
 
 
 def test_where_the_system_refuses_threads_there_are_fewer(kernels, monkeypatch):
-    start, begun = threading.Thread.start, []
+    start, started = threading.Thread.start, []
 
     def start_one(thread):
-        if begun:
+        if started:
             raise RuntimeError("can't start new thread")
-        begun.append(start(thread))
+        started.append(start(thread))
 
     monkeypatch.setattr(threading.Thread, "start", start_one)
     loom.set_num_threads(4)
-    seen, total = device_array(np.zeros(1000, np.int32), int), device_array([0], int)
+    visits, total = device_array(np.zeros(1000, np.int32), int), device_array([0], int)
     with pytest.warns(RuntimeWarning, match=r"uses 2 of 4 threads: can't start new thread; POINTLOOM_CPU_THREADS"):
-        lang.launch(kernels.count_kernel, 1000, [seen, total])
+        lang.launch(kernels.count_kernel, 1000, [visits, total])
     assert total.numpy()[0] == 1000
 
 
-def test_python_threads_take_turns(kernels):
+def test_python_threads_share_the_pool(kernels):
     loom.set_num_threads(3)
     arrays = [(device_array(np.zeros(2000, np.int32), int), device_array([0], int)) for _ in range(4)]
 
@@ -236,14 +236,14 @@ def test_a_signal_handler_may_launch(kernels):
     before = signal.signal(signal.SIGALRM, handle)
     try:
         signal.setitimer(signal.ITIMER_REAL, 0.002, 0.002)
-        turns = 0
+        rounds = 0
         while len(calls) < 20:
             lang.launch(kernels.count_kernel, 3000, outer)
-            turns += 1
+            rounds += 1
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, before)
-    assert (outer[1].numpy()[0], inner[1].numpy()[0]) == (3000 * turns, 3000 * len(calls))
+    assert (outer[1].numpy()[0], inner[1].numpy()[0]) == (3000 * rounds, 3000 * len(calls))
 
 
 THIN = """
@@ -273,7 +273,7 @@ assert thin() == expected
 
 
 @pytest.mark.slow
-def test_a_fork_in_the_midst_of_another_thread_s_launches_works():
+def test_a_fork_during_launches_of_another_thread_works():
     done = run_program(
         THIN
         + """
@@ -299,14 +299,14 @@ worker.join()
 
 @pytest.mark.slow
 def test_a_handler_at_exit_can_still_work():
-    """Ours ends the threads, and runs before one that was registered earlier."""
+    """The handler of pointloom ends the threads, and runs before one that was registered earlier."""
     done = run_program(
         "import atexit\natexit.register(lambda: print(thin()))" + THIN + "thin()", POINTLOOM_CPU_THREADS="2"
     )
     assert (done.returncode, done.stderr) == (0, "") and int(done.stdout) > 100
 
 
-def test_ctrl_c_ends_a_program_in_the_midst_of_launches():
+def test_ctrl_c_ends_a_program_during_launches():
     """At the first press but where it falls into `__del__` of one of Warp's arrays: Python drops what is raised there.
 
     That was 51 of 3,000 presses; nothing else lost one.
@@ -356,7 +356,7 @@ assert "pointloom uses one CPU core, and slower code: Warp" in warning and EXPEC
         ("header.replace('array_t<T>', 'matrix_t<T>')", "build failed"),
     ],
 )
-def test_a_warp_that_does_not_take_the_header_serves_on_one_core_with_one_warning(change, expected):
+def test_a_warp_without_the_header_runs_on_one_core_with_one_warning(change, expected):
     program = FALLBACK.replace("CHANGED", change).replace("EXPECTED", repr(expected))
     done = run_program(program, POINTLOOM_CPU_THREADS="4")
     assert done.returncode == 0, done.stderr

@@ -43,7 +43,7 @@ def move_elements_kernel(rows: array(dtype=int32), row: array(dtype=float32), ou
     atomic_add(rows, j, 1)
 
 
-def test_elements_lie_where_they_should(device):
+def test_elements_have_the_expected_offsets(device):
     row, table = upload(np.arange(6, dtype=np.float32), float32, device), full((6, 5), -1.0, float32, device)
     block, counts = full((6, 5, 4), 7, int64, device), full((3, 5), 0, int32, device)
     ends = upload(np.array([0, 99, -1], np.int32), int32, device)
@@ -62,8 +62,8 @@ def test_no_element_costs_a_product_of_64_bits(tmp_path):
     assert module.options["extra_build_options"].extra_cuda_preamble == cuda_code.header()
     (path,) = wp.compile_aot_module(module, arch=[90], module_dir=str(tmp_path), use_ptx=True)
     text = Path(path).read_text()
-    (own,) = (part for part in text.split(".entry")[1:] if "move_elements_kernel" in part[:100])
-    own = own[own.index("move_elements") :]
-    assert len(re.findall(r"mul\.wide\.s32", own)) >= 2
-    assert not re.search(r"(mul|mad)\.lo\.s64", own), "strides of Warp's arrays"
-    assert "setp.lt.s32" not in own, "indices that count from the end"
+    (code,) = (part for part in text.split(".entry")[1:] if "move_elements_kernel" in part[:100])
+    code = code[code.index("move_elements") :]
+    assert len(re.findall(r"mul\.wide\.s32", code)) >= 2
+    assert not re.search(r"(mul|mad)\.lo\.s64", code), "strides of Warp's arrays"
+    assert "setp.lt.s32" not in code, "indices that count from the end"

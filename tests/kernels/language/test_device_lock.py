@@ -57,7 +57,7 @@ def test_an_array_dropped_while_another_thread_works_is_released_when_one_is_mad
     assert released == [(1, 10)]
 
 
-def test_the_thread_that_holds_the_lock_releases_at_once():
+def test_the_thread_that_has_the_lock_releases_at_once():
     released = []
     array = device_lock.own(device_array(released))
     with device_lock.lock:
@@ -75,9 +75,9 @@ def test_taichi_takes_the_same_lock():
 
 
 def test_arrays_are_filled_cloned_cast_and_moved(device, rng):
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     values = rng.integers(0, 100, 20).astype(np.int32)
-    array = upload(values, int32, where)
+    array = upload(values, int32, warp_device)
     copied, gaps = clone(array), array[::3]
     fill(array, 7)
     np.testing.assert_array_equal(download(array), np.full(20, 7))
@@ -86,9 +86,9 @@ def test_arrays_are_filled_cloned_cast_and_moved(device, rng):
     np.testing.assert_array_equal(download(contiguous(gaps)), np.ones(7))
     np.testing.assert_array_equal(download(gaps), np.ones(7))
     np.testing.assert_array_equal(download(array)[:4], [1, 7, 7, 1])
-    assert contiguous(array) is array and move(array, where) is array
+    assert contiguous(array) is array and move(array, warp_device) is array
     moved = move(copied, resolve_device("cpu"))
     host_view(moved)[0] = -5
     np.testing.assert_array_equal(download(moved), [-5, *values[1:]])
     assert download(cast(copied, int32)).dtype == np.int32
-    assert download(empty((0, 3), int32, where)).shape == (0, 3)
+    assert download(empty((0, 3), int32, warp_device)).shape == (0, 3)

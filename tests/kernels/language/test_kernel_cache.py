@@ -37,10 +37,10 @@ def cache(tmp_path) -> Path:
 
 
 def run(cache: Path, program: str = WORK) -> str:
-    kept = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_CPU")}
+    inherited = {name: value for name, value in os.environ.items() if not name.startswith("POINTLOOM_CPU")}
     done = subprocess.run(
         [sys.executable, "-c", textwrap.dedent(program)],
-        env=kept | {"WARP_CACHE_PATH": str(cache)}, capture_output=True, text=True, timeout=200,
+        env=inherited | {"WARP_CACHE_PATH": str(cache)}, capture_output=True, text=True, timeout=200,
     )  # fmt: skip
     assert (done.returncode, done.stderr) == (0, "")
     return done.stdout
@@ -51,7 +51,7 @@ def files_of(cache: Path) -> list[Path]:
 
 
 @pytest.mark.slow
-def test_the_second_process_reads_no_kernel_and_gives_the_same_bits(cache):
+def test_the_second_process_compiles_nothing_and_is_bitwise_identical(cache):
     first, second = run(cache).split(), run(cache).split()
     assert int(first[0]) >= int(first[1]) > 5 and (int(second[0]), second[1:]) == (0, first[1:])
 
@@ -64,7 +64,7 @@ def test_the_second_process_reads_no_kernel_and_gives_the_same_bits(cache):
         *(pytest.param(harm, marks=pytest.mark.slow) for harm in ("broken", "of other making", "other places")),
     ],
 )
-def test_what_is_amiss_is_not_used(cache, harm):
+def test_damaged_entries_are_not_used(cache, harm):
     before = run(cache).split()
     for path in files_of(cache):
         entries = json.loads(path.read_text())
@@ -82,7 +82,7 @@ def test_what_is_amiss_is_not_used(cache, harm):
 
 
 def test_other_sources_keep_apart(monkeypatch, tmp_path):
-    kept = kernel_cache.CachedKernel([], "a", "=Q", "symbol", "code.o")
+    stored = kernel_cache.CachedKernel([], "a", "=Q", "symbol", "code.o")
     module = f"{kernel_cache.PACKAGE}.room.file"
     monkeypatch.setattr(kernel_cache.wp.config, "kernel_cache_dir", str(tmp_path))
 
@@ -95,10 +95,10 @@ def test_other_sources_keep_apart(monkeypatch, tmp_path):
         for number in range(kernel_cache.MAX_FOLDERS + 3):
             folder_of(f"sources {number}")
             assert kernel_cache.find(module, "k") is None
-            kernel_cache.store(module, "k", kept)
-            assert kernel_cache.find(module, "k") == kept
+            kernel_cache.store(module, "k", stored)
+            assert kernel_cache.find(module, "k") == stored
         assert len(list((tmp_path / kernel_cache.FOLDER).iterdir())) == kernel_cache.MAX_FOLDERS
-        kernel_cache.store("elsewhere.kernels", "k", kept)
+        kernel_cache.store("elsewhere.kernels", "k", stored)
         assert kernel_cache.find("elsewhere.kernels", "k") is None
     finally:
         monkeypatch.undo()

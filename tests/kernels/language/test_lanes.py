@@ -76,11 +76,11 @@ def others(i: int, row: Row) -> tuple[int, float]:
 
 @others.on_cuda
 def others_of_lanes(i: int, row: Row) -> tuple[int, float]:
-    own = row.values[i]
-    chosen = ballot(1 if own > 0.5 else 0)
+    value_here = row.values[i]
+    chosen = ballot(1 if value_here > 0.5 else 0)
     sync_lanes()
     for other in range(32):
-        value = shuffle(own, other)
+        value = shuffle(value_here, other)
         if ((chosen >> other) & 1) == 1:
             j = (i // 32) * 32 + other
             yield j, value
@@ -91,12 +91,12 @@ def sum_groups_kernel(row: Row, totals: array(dtype=int32), sums: array(dtype=fl
     i = tid()
     totals[i] = twice_the_total(i, row)
     total = float(0.0)
-    seen = int(-1)
+    last_index = int(-1)
     for j, value in others(i, row):
         total += value
-        seen = j
+        last_index = j
     sums[i] = total
-    last[i] = seen
+    last[i] = last_index
 
 
 @kernel
@@ -118,32 +118,32 @@ def fill_in_lanes_kernel(row: Row, out: array(dtype=int32)):
 
 
 @func
-def turned_around(i: int, values: array(dtype=float64)) -> float64:
+def exchanged(i: int, values: array(dtype=float64)) -> float64:
     return values[i - i % 32 + 31 - i % 32] - values[i ^ 1]
 
 
-@turned_around.on_cuda
-def turned_around_of_lanes(i: int, values: array(dtype=float64)) -> float64:
+@exchanged.on_cuda
+def exchanged_of_lanes(i: int, values: array(dtype=float64)) -> float64:
     return shuffle(values[i], 31 - i % 32) - shuffle_xor(values[i], 1)
 
 
 @kernel
-def turn_around_kernel(values: array(dtype=float64), out: array(dtype=float64)):
+def exchange_kernel(values: array(dtype=float64), out: array(dtype=float64)):
     i = tid()
-    out[i] = turned_around(i, values)
+    out[i] = exchanged(i, values)
 
 
-def test_lanes_hand_on_all_bits_of_float64(device):
+def test_shuffles_keep_all_bits_of_float64(device):
     values = np.random.default_rng(0).normal(size=64) * 1e300
     out = empty(64, float64, device)
-    launch(turn_around_kernel, 64, [upload(values, float64, device), out])
+    launch(exchange_kernel, 64, [upload(values, float64, device), out])
     rows = values.reshape(2, 32)
     expected = rows[:, ::-1] - rows.reshape(2, 16, 2)[:, :, ::-1].reshape(2, 32)
     np.testing.assert_array_equal(download(out), expected.ravel())
 
 
 @pytest.mark.parametrize("groups", [1, 3, 40])
-def test_a_variant_gives_what_the_walk_gives(device, groups):
+def test_a_variant_gives_the_result_of_the_original(device, groups):
     rng = np.random.default_rng(groups)
     values, counts = rng.random(32 * groups).astype(np.float32), rng.integers(0, 100, 32 * groups).astype(np.int32)
     row = Row(upload(values, float32, device), upload(counts, int32, device))
@@ -163,7 +163,7 @@ def test_only_what_uses_a_variant_has_a_twin():
     assert twice_the_total.twin is not twice_the_total and twice_the_total.twin.twin is twice_the_total.twin
 
 
-def test_a_variant_takes_what_its_walk_takes():
+def test_a_variant_has_the_parameters_of_the_original():
     with pytest.raises(TypeError, match=r"^other:.*group_total"):
 
         @group_total.on_cuda
@@ -185,7 +185,7 @@ def test_lanes_are_refused_outside_a_variant():
             return lane_total(x)
 
 
-def test_lanes_take_whole_numbers_of_32_bits_and_floats():
+def test_lanes_accept_32_bit_integers_and_floats():
     @cuda_func
     def far(x: float) -> float:
         return shuffle(x, x)
@@ -211,13 +211,13 @@ def test_a_kernel_for_the_cpu_is_not_made_for_cuda(device):
         launch(count_on_the_cpu_kernel, 32, [row, totals])
         assert (download(totals) == 64).all()
     lang.resolve_module(__name__)
-    made = {found.key for module in modules_for_cuda(__name__) for found in module.kernels.values()}
+    made = {kernel.key for module in modules_for_cuda(__name__) for kernel in module.kernels.values()}
     assert "copy_kernel" in made and "count_on_the_cpu_kernel" not in made
 
 
 def test_a_variant_is_not_made_for_the_cpu():
     """All kernels of a file are compiled together there: one that is CUDA's would take the others along."""
-    variants = [found for found in globals().values() if isinstance(found, lang.Kernel) and found.for_cuda]
+    variants = [kernel for kernel in globals().values() if isinstance(kernel, lang.Kernel) and kernel.for_cuda]
     assert variants == [fill_in_lanes_kernel]
     before = set(wp.get_module(f"{__name__}.cpu").kernels)
     for variant in variants:

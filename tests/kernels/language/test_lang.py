@@ -1,6 +1,6 @@
 """Every word and statement of the kernel language computes what NumPy computes, through each compiler and device.
 
-Both CPU compilers also give the same bits, wherever the arithmetic is exact or correctly rounded.
+Both CPU compilers are also bitwise identical, if the arithmetic is exact or correctly rounded.
 """
 
 from typing import NamedTuple
@@ -14,7 +14,7 @@ from pointloom.kernels import lang
 pytestmark = pytest.mark.both_compilers
 
 X = np.array([0.25, -1.5, 3.0, 0.7, -0.1, 100.0, -7.9, 0.0])
-WHOLE = np.array([0, 1, 2, 3, 7, 100, 30, 5])
+INTEGERS = np.array([0, 1, 2, 3, 7, 100, 30, 5])
 SIGNED = np.array([0, -1, 2, -3, 7, -100, 30, -5])
 V = np.array([[1.0, 2.0, 2.0], [0.5, -0.25, 4.0], [0.0, 0.0, 0.0], [-3.0, 1.0, 0.1]])
 M = np.array([np.arange(9.0).reshape(3, 3), np.eye(3) * 2.0, -np.ones((3, 3)), [[0, 1, 0], [0, 0, 1], [1, 0, 0]]])
@@ -68,9 +68,9 @@ def scalar_cases(kind: str) -> list[Case]:
 
 def integer_cases(kind: str) -> list[Case]:
     c = "" if kind == "int32" else kind
-    whole, signed = WHOLE.astype(kind), (SIGNED if kind[0] == "i" else WHOLE).astype(kind)
+    integers, signed = INTEGERS.astype(kind), (SIGNED if kind[0] == "i" else INTEGERS).astype(kind)
     mask = (1 << (20 if kind.endswith("32") else 40)) - 1
-    found = [
+    pairs = [
         (f"a[i] * {c}(3) + {c}(5)", signed * 3 + 5),
         (f"a[i] // {c}(3)", signed // 3),
         (f"a[i] % {c}(3)", np.fmod(signed, 3)),
@@ -82,9 +82,9 @@ def integer_cases(kind: str) -> list[Case]:
         (f"min(a[i], {c}(5))", np.minimum(signed, 5)),
         (f"max(a[i], {c}(5))", np.maximum(signed, 5)),
     ]
-    cases = [Case(body, signed, kind, kind, e) for body, e in found]
-    cases += [Case("bit_count(a[i])", whole, kind, "int32", [int(v).bit_count() for v in whole])]
-    cases += [Case(f"{c or 'int'}(1) << a[i]", whole % 31, kind, kind, 1 << (whole % 31))]
+    cases = [Case(body, signed, kind, kind, e) for body, e in pairs]
+    cases += [Case("bit_count(a[i])", integers, kind, "int32", [int(v).bit_count() for v in integers])]
+    cases += [Case(f"{c or 'int'}(1) << a[i]", integers % 31, kind, kind, 1 << (integers % 31))]
     if kind[0] == "i":
         cases += [Case("abs(a[i])", signed, kind, kind, np.abs(signed))]
     return cases
@@ -132,12 +132,12 @@ CASTS = [
     Case("float(a[i])", SIGNED, "int32", "float32", SIGNED.astype(np.float32)),
     Case("int(a[i])", SIGNED + 2**33, "int64", "int32", SIGNED),
     Case("uint32(a[i])", SIGNED, "int32", "uint32", SIGNED.astype(np.int32).astype(np.uint32)),
-    Case("int(a[i]) * 2", WHOLE * 2, "uint8", "int32", WHOLE * 4),
-    Case("uint8(int(a[i]) * 2)", WHOLE * 2, "uint8", "uint8", WHOLE * 4),
-    Case("uint16(int(a[i]) * 655)", WHOLE, "uint16", "uint16", WHOLE * 655),
+    Case("int(a[i]) * 2", INTEGERS * 2, "uint8", "int32", INTEGERS * 4),
+    Case("uint8(int(a[i]) * 2)", INTEGERS * 2, "uint8", "uint8", INTEGERS * 4),
+    Case("uint16(int(a[i]) * 655)", INTEGERS, "uint16", "uint16", INTEGERS * 655),
     Case("(int64(a[i]) << int64(32)) | int64(7)", SIGNED, "int32", "int64", (SIGNED << 32) | 7),
-    Case("a[i] * uint64(0x9E3779B97F4A7C15) >> uint64(33)", WHOLE, "uint64", "uint64",
-         WHOLE.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15) >> np.uint64(33)),
+    Case("a[i] * uint64(0x9E3779B97F4A7C15) >> uint64(33)", INTEGERS, "uint64", "uint64",
+         INTEGERS.astype(np.uint64) * np.uint64(0x9E3779B97F4A7C15) >> np.uint64(33)),
     Case("int64(WIDE) & a[i]", SIGNED, "int64", "int64", SIGNED & 0xFF_FFFF_FFFF),
     Case("float_bits(a[i])", X, "float32", "int32", X.astype(np.float32).view(np.int32)),
     Case("bits_float(a[i])", X.astype(np.float32).view(np.int32), "int32", "float32", X.astype(np.float32)),
@@ -146,12 +146,13 @@ CASTS = [
     Case("int(isfinite(a[i]))", np.array([[1, 2, 3], [1, np.nan, 3], [np.inf, 0, 0], [3e38, 3e38, 3e38]]), "vec3",
          "int32", [1, 0, 0, 1]),
     Case("int(not (a[i] > 0.0))", X, "float32", "int32", ~(X > 0)),
-    Case("int(a[i] != 3 or (a[i] > 1 and a[i] <= 3))", WHOLE, "int32", "int32", np.ones(8)),
-    Case("-7 // 2 + -7 % 4 * 10 + a[i]", WHOLE, "int32", "int32", WHOLE - 34),
+    Case("int(a[i] != 3 or (a[i] > 1 and a[i] <= 3))", INTEGERS, "int32", "int32", np.ones(8)),
+    Case("-7 // 2 + -7 % 4 * 10 + a[i]", INTEGERS, "int32", "int32", INTEGERS - 34),
     Case("a[i] * (TENTH * 3.3)", X, "float32", "float32", X.astype(np.float32) * (np.float32(0.1) * np.float32(3.3))),
     Case("a[i] * float64(1.0 / 3.0)", X, "float64", "float64", X * np.float64(np.float32(1) / np.float32(3))),
     Case("vec3d(0.1, 0.2, a[i])", X, "float64", "vec3d", np.stack([0 * X + 0.1, 0 * X + 0.2, X], 1)),
-    Case("vec3i(1, 2, a[i]) * 2", WHOLE, "int32", "vec3i", np.stack([0 * WHOLE + 2, 0 * WHOLE + 4, WHOLE * 2], 1)),
+    Case("vec3i(1, 2, a[i]) * 2", INTEGERS, "int32", "vec3i",
+         np.stack([0 * INTEGERS + 2, 0 * INTEGERS + 4, INTEGERS * 2], 1)),
 ]  # fmt: skip
 CASES = [
     *scalar_cases("float32"), *scalar_cases("float64"), *integer_cases("int32"), *integer_cases("int64"),
@@ -189,22 +190,22 @@ def run_group(module, name: str, device: str) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", GROUPS)
-def test_an_expression_gives_what_numpy_gives(expressions, device, name):
-    for case, found in zip(GROUPS[name], run_group(expressions, name, device), strict=True):
+def test_an_expression_gives_the_result_of_numpy(expressions, device, name):
+    for case, result in zip(GROUPS[name], run_group(expressions, name, device), strict=True):
         expected = np.asarray(case.expected)
-        if found.dtype.kind != "f":
-            np.testing.assert_array_equal(found, expected.astype(found.dtype), err_msg=case.body)
+        if result.dtype.kind != "f":
+            np.testing.assert_array_equal(result, expected.astype(result.dtype), err_msg=case.body)
             continue
-        rounding = 1e-6 if found.dtype == np.float32 else 1e-14  # sums in another order, libm against ours
-        np.testing.assert_allclose(found, expected, rtol=rounding, atol=rounding, err_msg=case.body)
+        rounding = 1e-6 if result.dtype == np.float32 else 1e-14  # sums in another order, different libm
+        np.testing.assert_allclose(result, expected, rtol=rounding, atol=rounding, err_msg=case.body)
 
 
 @pytest.mark.taichi
-def test_both_cpu_compilers_give_the_same_bits(expressions):
+def test_both_cpu_compilers_are_bitwise_identical(expressions):
     for name, group in GROUPS.items():
-        found = []
+        results = []
         for compiler in ("taichi", "warp"):
             with lang.cpu_compiler(compiler):
-                found.append(run_group(expressions, name, "cpu") + 0)  # + 0: the sign of zero is not promised
-        for case, one, other in zip(group, *found, strict=True):
+                results.append(run_group(expressions, name, "cpu") + 0)  # + 0: the sign of zero is not promised
+        for case, one, other in zip(group, *results, strict=True):
             assert not case.exact or one.tobytes() == other.tobytes(), case.body

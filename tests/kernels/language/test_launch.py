@@ -1,4 +1,4 @@
-"""Launches and reductions: who runs them, what is refused and what is safe; a sum has the same bits in every run."""
+"""Launches and reductions: compilers, refused input and thread safety; sums are bitwise reproducible."""
 
 import contextlib
 import os
@@ -66,8 +66,8 @@ def kernels(write_kernels):
 
 
 def arrays(device, count=4):
-    where = resolve_device(device)
-    return memory.upload(np.arange(count), lang.float32, where), memory.zeros(count, lang.float32, where)
+    warp_device = resolve_device(device)
+    return memory.upload(np.arange(count), lang.float32, warp_device), memory.zeros(count, lang.float32, warp_device)
 
 
 def test_no_threads_touch_nothing(kernels, device):
@@ -109,10 +109,10 @@ def test_an_argument_of_another_kind_is_refused(kernels, device, position, value
 
 
 def test_an_array_of_another_type_is_refused(kernels, device):
-    wide = wp.zeros(4, dtype=wp.float64, device=device)
+    doubles = wp.zeros(4, dtype=wp.float64, device=device)
     flat = wp.zeros((4, 1), dtype=wp.float32, device=device)
     expected = "TypeError: double_kernel: a: expected array of float32, got "
-    assert refused(kernels, device, 0, wide) == expected + "array of float64"
+    assert refused(kernels, device, 0, doubles) == expected + "array of float64"
     assert refused(kernels, device, 0, flat) == expected + "2-D array of float32"
 
 
@@ -164,9 +164,9 @@ def test_threads_of_the_program_may_launch_at_once(kernels, device):
 def test_a_reduction_sums_in_double_precision(kernels, device, rng, count):
     a = rng.normal(size=count)
     values = wp.array(a, dtype=wp.float64, device=device)
-    found = lang.reduce(kernels.moments, count, [values, 7, 0.25, [0.0, 0.0, 1.0]]).numpy()
+    sums = lang.reduce(kernels.moments, count, [values, 7, 0.25, [0.0, 0.0, 1.0]]).numpy()
     x = a / 3.0 + np.where(np.arange(count) % 2 == 0, 0.25, 0.0)
-    np.testing.assert_allclose(found, [[x.sum(), (x * x).sum(), 8.0 * count]], rtol=1e-13, atol=1e-13)
+    np.testing.assert_allclose(sums, [[x.sum(), (x * x).sum(), 8.0 * count]], rtol=1e-13, atol=1e-13)
 
 
 def test_a_reduction_takes_a_part_of_an_array(kernels, device):
@@ -174,7 +174,7 @@ def test_a_reduction_takes_a_part_of_an_array(kernels, device):
     assert lang.reduce(kernels.sum_points, 4097, [points]).numpy().tolist() == [[4097.0] * 4]
 
 
-def test_a_reduction_gives_the_same_bits_in_every_run(kernels, device, rng):
+def test_a_reduction_is_bitwise_identical_in_every_run(kernels, device, rng):
     points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device=device)
     runs = {lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes() for _ in range(5)}
     assert len(runs) == 1
@@ -184,28 +184,30 @@ def test_a_reduction_gives_the_same_bits_in_every_run(kernels, device, rng):
 def ran(monkeypatch):
     """The compilers that CPU launches went through, in their order."""
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
-    seen = []
+    compilers = []
     for name in ("_run_on_cpu", "_run_taichi"):
         run = getattr(launches, name)
-        said = "warp" if name == "_run_on_cpu" else "taichi"
-        monkeypatch.setattr(launches, name, lambda *a, run=run, said=said: seen.append(said) or run(*a))
-    return seen
+        compiler = "warp" if name == "_run_on_cpu" else "taichi"
+        monkeypatch.setattr(
+            launches, name, lambda *a, run=run, compiler=compiler: compilers.append(compiler) or run(*a)
+        )
+    return compilers
 
 
-@pytest.mark.parametrize("asked", [None, "warp", "taichi"])
-def test_who_asks_for_a_compiler_has_it_for_all_sizes_and_warp_is_the_default(kernels, ran, asked):
-    with lang.cpu_compiler(asked) if asked else contextlib.nullcontext():
+@pytest.mark.parametrize("compiler", [None, "warp", "taichi"])
+def test_a_requested_compiler_runs_all_sizes_and_warp_is_the_default(kernels, ran, compiler):
+    with lang.cpu_compiler(compiler) if compiler else contextlib.nullcontext():
         for count in (10, 100_000):
             a, out = arrays("cpu", count)
             lang.launch(kernels.double_kernel, count, [a, 3.0, 0, [0, 0, 0], out])
             np.testing.assert_array_equal(out.numpy(), 3.0 * a.numpy())
-    assert ran == [asked or "warp"] * 2
+    assert ran == [compiler or "warp"] * 2
 
 
 def test_a_loop_repeats_its_launches(kernels, ran, device):
-    where = resolve_device(device)
-    left, idle = (memory.full(1, count, lang.int32, where) for count in (5, 0))
-    small, large = (memory.zeros(count, lang.float32, where) for count in (10, 5000))
+    warp_device = resolve_device(device)
+    left, idle = (memory.full(1, count, lang.int32, warp_device) for count in (5, 0))
+    small, large = (memory.zeros(count, lang.float32, warp_device) for count in (10, 5000))
     calls = []
 
     def body():
@@ -217,7 +219,7 @@ def test_a_loop_repeats_its_launches(kernels, ran, device):
     lang.loop_while(left, body)
     assert (small.numpy() == 5).all() and (large.numpy() == 5).all()
     assert len(calls) == 1
-    assert ran == ([] if where.is_cuda else [lang.current_cpu_compiler()] * 2)
+    assert ran == ([] if warp_device.is_cuda else [lang.current_cpu_compiler()] * 2)
 
 
 @pytest.fixture
@@ -229,16 +231,16 @@ def share():
 
 @pytest.mark.taichi
 @pytest.mark.parametrize("count", [1, 1024, 2048, 2049, 50_000])
-def test_a_sum_has_the_same_bits_by_both_compilers(kernels, rng, share, count):
+def test_a_sum_is_bitwise_identical_with_both_compilers(kernels, rng, share, count):
     points = wp.array(rng.normal(size=(count, 3)) * 1e3, dtype=wp.vec3, device="cpu")
-    found = set()
+    results = set()
     with lang.cpu_compiler("taichi"):
-        found.add(lang.reduce(kernels.sum_points, count, [points]).numpy().tobytes())
+        results.add(lang.reduce(kernels.sum_points, count, [points]).numpy().tobytes())
     with lang.cpu_compiler("warp"):
         for threads in (1, 3):
             share(threads)
-            found.add(lang.reduce(kernels.sum_points, count, [points]).numpy().tobytes())
-    assert len(found) == 1
+            results.add(lang.reduce(kernels.sum_points, count, [points]).numpy().tobytes())
+    assert len(results) == 1
 
 
 PROGRAM = """
@@ -258,21 +260,21 @@ print(total.numpy().tobytes().hex())
 
 @pytest.mark.slow
 @pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_a_reduction_gives_the_same_bits_for_every_number_of_threads(kernels, rng, share, compiler):
+def test_a_reduction_is_bitwise_identical_for_any_number_of_threads(kernels, rng, share, compiler):
     points = wp.array(rng.normal(size=(100_003, 3)) * 1e3, dtype=wp.vec3, device="cpu")
-    found = set()
+    results = set()
     with lang.cpu_compiler("warp"):
         for threads in (1, 2, 7):
             share(threads)
-            found.add(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
+            results.add(lang.reduce(kernels.sum_points, 100_003, [points]).numpy().tobytes().hex())
     for threads in ("2", "3"):
         environment = {**os.environ, "POINTLOOM_CPU": compiler, "POINTLOOM_CPU_THREADS": threads}
         command = [sys.executable, "-c", PROGRAM, str(Path(kernels.__file__).parent)]
         run = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
         count, bits = run.stdout.split()
         assert count == threads
-        found.add(bits)
-    assert len(found) == 1
+        results.add(bits)
+    assert len(results) == 1
 
 
 FIRST = """
@@ -296,7 +298,7 @@ def test_threads_that_launch_a_kernel_first_at_once_make_it_once(write_kernels, 
     monkeypatch.delenv("POINTLOOM_CPU", raising=False)
     kernel = write_kernels("first_at_once", SOURCE).double_kernel
     made, make = [], kernel.make
-    kernel.make = lambda place: made.append(place) or make(place)
+    kernel.make = lambda target: made.append(target) or make(target)
     vars(kernel).pop("cpu", None)
     given = [arrays("cpu", 8) for _ in range(8)]
     rest = [2.0, 1, [0.0, 0.0, 0.0]]
@@ -308,13 +310,13 @@ def test_threads_that_launch_a_kernel_first_at_once_make_it_once(write_kernels, 
     assert made == ["cpu"]
 
 
-def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, device, monkeypatch):
+def test_compilers_are_locked_while_another_thread_may_launch(kernels, device, monkeypatch):
     """Neither compiler is made for several threads; what goes wrong else does so once in many runs."""
-    held = []
+    locked = []
 
     def try_lock():
-        held.append(not device_lock.lock.acquire(blocking=False))
-        if not held[-1]:
+        locked.append(not device_lock.lock.acquire(blocking=False))
+        if not locked[-1]:
             device_lock.lock.release()
 
     def watched(run):
@@ -331,7 +333,7 @@ def test_nothing_reaches_a_compiler_while_another_thread_may_launch(kernels, dev
     monkeypatch.setattr(CudaLaunch, "__call__", watched(CudaLaunch.__call__))
     a, out = arrays(device)
     lang.launch(kernels.double_kernel, 4, [a, 2.0, 1, [0, 0, 0], out])
-    assert held == [True]
+    assert locked == [True]
     values = memory.upload(np.arange(5000.0), lang.float64, resolve_device(device))
     lang.reduce(kernels.moments, 5000, [values, 1, 0.25, [0.0, 0.0, 0.0]])
-    assert len(held) > 1 and all(held)
+    assert len(locked) > 1 and all(locked)

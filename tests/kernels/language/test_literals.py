@@ -1,4 +1,4 @@
-"""Numbers as they are written take the type of what they stand beside, and begin variables where they are changed."""
+"""Literals take the type of the other operand, and become variables where they are changed."""
 
 import ast
 
@@ -140,7 +140,7 @@ def values(write_kernels):
 
 
 @pytest.mark.parametrize(("written", "seen"), WRITTEN, ids=[written for written, _ in WRITTEN])
-def test_a_number_takes_the_type_of_what_it_stands_beside(write_kernels, written, seen):
+def test_a_number_takes_the_type_of_the_other_operand(write_kernels, written, seen):
     lines = "".join(f"    {line}\n" for line in written.splitlines())
     kernel = write_kernels("texts", KERNEL + lines).text_kernel
     assert ast.unparse(kernel.source.definition.body[1:]) == ast.unparse(ast.parse(seen).body)
@@ -148,7 +148,7 @@ def test_a_number_takes_the_type_of_what_it_stands_beside(write_kernels, written
 
 
 @pytest.mark.parametrize(("written", "line", "message"), REFUSED, ids=[written for written, _, _ in REFUSED])
-def test_a_number_that_does_not_fit_is_refused_where_it_stands(write_kernels, written, line, message):
+def test_errors_for_numbers_out_of_range_give_the_line(write_kernels, written, line, message):
     lines = "".join(f"    {text}\n" for text in written.splitlines())
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("texts", KERNEL + lines)
@@ -163,15 +163,15 @@ def test_a_file_need_not_import_the_types_that_its_numbers_take(tmp_path, write_
         "@kernel\ndef half_kernel(x: array(dtype=real)):\n    i = tid()\n    x[i] = (x[i] + 1.0) * 0.5 + x[i]\n"
     )
     kernel = write_kernels("without", source).half_kernel
-    found = wp.array([3.0], dtype=wp.float64, device="cpu")
-    lang.launch(kernel, 1, [found])
-    assert found.numpy().tolist() == [5.0]
+    values = wp.array([3.0], dtype=wp.float64, device="cpu")
+    lang.launch(kernel, 1, [values])
+    assert values.numpy().tolist() == [5.0]
 
 
 def test_a_number_beside_a_float64_has_all_its_digits(values, device):
-    found = wp.array([0.3, 0.0, 7.0], dtype=wp.float64, device=device)
-    lang.launch(values.tenth_kernel, 3, [found])
-    assert found.numpy().tolist() == [0.3 * 0.1 + 1e-20, 1e-20, 7.0 * 0.1 + 1e-20]
+    result = wp.array([0.3, 0.0, 7.0], dtype=wp.float64, device=device)
+    lang.launch(values.tenth_kernel, 3, [result])
+    assert result.numpy().tolist() == [0.3 * 0.1 + 1e-20, 1e-20, 7.0 * 0.1 + 1e-20]
 
 
 def test_a_variable_that_begins_as_a_constant_or_a_parameter_leaves_that_as_it_is(values, device):

@@ -8,7 +8,7 @@ from pointloom.kernels.language.source import KernelLanguageError
 
 pytestmark = pytest.mark.both_compilers
 
-WALKS = """
+TRAVERSALS = """
 LIMIT = 4
 STEP = 3
 
@@ -70,7 +70,7 @@ def twice(i: int, of: callback) -> int:
         yield of(i) + j
 """
 KERNELS = (
-    WALKS
+    TRAVERSALS
     + """
 @func
 def scaled(factor: int, n: int) -> int:
@@ -170,11 +170,11 @@ def run(device, kernels):
     return launch
 
 
-def row(i, most=100):
-    return [j for j in range(FIRSTS[i], LASTS[i]) if j < most][:4]
+def row(i, limit=100):
+    return [j for j in range(FIRSTS[i], LASTS[i]) if j < limit][:4]
 
 
-def test_a_loop_hands_out_its_values_in_order(run):
+def test_a_loop_yields_its_values_in_order(run):
     digits = [int("0" + "".join(str(j) for j in row(i, 7) if j != 3)) for i in range(5)]
     assert run("places_kernel", run.table, 8) == digits
 
@@ -183,14 +183,14 @@ def test_a_loop_sees_what_its_body_changes(run):
     assert run("bound_kernel", run.table) == [3, 1, 0, 2, 1]  # after the first value only those below 3
 
 
-def test_a_loop_hands_out_several_values_and_may_be_left(run):
+def test_a_loop_can_yield_several_values_and_be_left(run):
     expected = [
         sum(0.5 * n for n in range(i, 20, 3)) + sum(100 * n for n in range(0, 2 * i, 3) if n <= 6) for i in range(5)
     ]
     assert run("steps_kernel", dtype=lang.float32) == expected
 
 
-def test_loops_stand_in_loops(run):
+def test_loops_can_be_nested(run):
     expected = []
     for i in range(5):
         count = 1
@@ -210,7 +210,7 @@ def test_functions_are_arguments(run):
     assert run("callbacks_kernel", run.table) == expected
 
 
-def test_reductions_hold_loops(device, kernels, run):
+def test_reductions_can_contain_loops(device, kernels, run):
     total = memory.download(lang.reduce(kernels.sum_places, 5, [run.table]))
     np.testing.assert_array_equal(total, [[sum(sum(row(i)) for i in range(5)), 5.0]])
 
@@ -239,9 +239,9 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("body", REFUSED)
-def test_what_loops_cannot_do_is_refused(write_kernels, body):
+def test_unsupported_loops_are_refused(write_kernels, body):
     text = "".join(f"    {line}\n" for line in body.splitlines())
-    source = f"{WALKS}\n@kernel\ndef k(table: Table, out: array(dtype=int32)):\n    i = tid()\n{text}"
+    source = f"{TRAVERSALS}\n@kernel\ndef k(table: Table, out: array(dtype=int32)):\n    i = tid()\n{text}"
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("faulty_walks", source)
     assert REFUSED[body] in caught.value.msg
@@ -265,7 +265,7 @@ DECLARATIONS = {
 
 
 @pytest.mark.parametrize("source", DECLARATIONS)
-def test_a_faulty_loop_is_refused_where_it_stands(write_kernels, source):
+def test_errors_of_faulty_loops_give_the_line(write_kernels, source):
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("faulty_walks", source)
     assert DECLARATIONS[source] in caught.value.msg and caught.value.filename.endswith("faulty_walks.py")
@@ -333,7 +333,7 @@ def k(out: array(dtype=int32)):
 def test_a_loop_leaves_its_variable_as_python_does(device, write_kernels):
     module = write_kernels(
         "after",
-        WALKS
+        TRAVERSALS
         + """
 @kernel
 def k(out: array(dtype=int32)):
@@ -349,7 +349,7 @@ def k(out: array(dtype=int32)):
     assert memory.download(out).tolist() == [100, 0, 3, 6, 9, 0, 0, 3, 6, 9]
 
 
-def test_a_walk_may_use_words_and_widths_that_its_caller_does_not(device, write_kernels):
+def test_a_traversal_may_use_words_and_widths_that_its_caller_does_not_use(device, write_kernels):
     write_kernels(
         "wide_walk",
         """
@@ -385,7 +385,7 @@ def k(out: array(dtype=float32)):
 def test_a_loop_has_no_names_in_common_with_its_caller(device, write_kernels):
     module = write_kernels(
         "hygiene",
-        WALKS
+        TRAVERSALS
         + """
 @kernel
 def k(table: Table, out: array(dtype=int32)):

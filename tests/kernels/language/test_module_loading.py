@@ -36,7 +36,7 @@ cloud = loom.PointCloud(points).voxel_down_sample(0.1)
 print(json.dumps({"compiled": compiled, "points": cloud.points.tolist()}))
 """
 
-HOLD = """
+LOCK_PROGRAM = """
 import sys, time
 from pointloom.kernels import lang  # starts Warp, whose folder the turns are in
 from pointloom.kernels.language.module_loading import locked
@@ -55,24 +55,24 @@ def start(program, cache, **settings):
 def finished(process):
     out, err = process.communicate(timeout=300)
     assert process.returncode == 0, err[-2000:]
-    assert not [line for line in err.splitlines() if not line.startswith("pointloom: compil")]  # which a script is told
+    assert not [line for line in err.splitlines() if not line.startswith("pointloom: compil")]  # reported to a script
     return json.loads(out)
 
 
 @pytest.mark.slow
 def test_four_processes_at_once_compile_each_module_once_between_them(tmp_path):
-    found = [finished(process) for process in [start(PROGRAM, tmp_path) for _ in range(4)]]
-    compiled = [name for each in found for name in each["compiled"]]
+    reports = [finished(process) for process in [start(PROGRAM, tmp_path) for _ in range(4)]]
+    compiled = [name for each in reports for name in each["compiled"]]
     assert len(compiled) > 3, "the cache was empty"
     assert sorted(compiled) == sorted(set(compiled))
-    assert all(each["points"] == found[0]["points"] for each in found)
+    assert all(each["points"] == reports[0]["points"] for each in reports)
     assert finished(start(PROGRAM, tmp_path))["compiled"] == []
 
 
 @pytest.fixture
 def holder(monkeypatch, tmp_path):
     """A process that has the turn of "a module" in an empty cache, which is this process's too."""
-    process = start(HOLD, tmp_path)
+    process = start(LOCK_PROGRAM, tmp_path)
     assert process.stdout.readline() == "held\n"
     monkeypatch.setattr(wp.config, "kernel_cache_dir", str(tmp_path / wp.__version__))
     yield process
@@ -81,9 +81,9 @@ def holder(monkeypatch, tmp_path):
     process.communicate()
 
 
-def test_a_turn_is_waited_for_until_its_process_ends_and_not_for_ever(holder, monkeypatch):
+def test_a_lock_is_awaited_until_its_process_ends_or_a_timeout(holder, monkeypatch):
     with monkeypatch.context() as patched:
-        patched.setattr(module_loading, "PAUSE", 1e6)  # who waited would sleep
+        patched.setattr(module_loading, "PAUSE", 1e6)  # a waiting process would sleep
         with module_loading.locked("another module"):
             pass
     monkeypatch.setattr(module_loading, "LONGEST_WAIT", 0.2)
@@ -99,7 +99,7 @@ def test_a_turn_is_waited_for_until_its_process_ends_and_not_for_ever(holder, mo
         assert time.monotonic() - begin < 30
 
 
-def test_a_cache_without_locks_is_used_without_turns(monkeypatch, tmp_path):
+def test_a_cache_without_locks_works_unlocked(monkeypatch, tmp_path):
     monkeypatch.setattr(wp.config, "kernel_cache_dir", str(tmp_path / "nowhere"))
     done = []
     with module_loading.locked("a module"):
@@ -129,19 +129,19 @@ print(json.dumps(dict(sorted(hashes.items()))))
 
 
 @pytest.mark.nightly
-def test_what_a_module_holds_does_not_depend_on_what_was_used_first():
+def test_module_contents_do_not_depend_on_the_order_of_use():
     """Else a cache would have as many of it as there are programs."""
-    found = []
+    reports = []
     for order in ("forward", "backward"):
         command = [sys.executable, "-c", ORDERS, order]
         done = subprocess.run(command, env=os.environ | {"PYTHONPATH": SRC}, capture_output=True, text=True)
         assert done.returncode == 0, done.stderr[-2000:]
-        found.append(json.loads(done.stdout))
-    assert len(found[0]) > 100
-    assert found[0] == found[1]
+        reports.append(json.loads(done.stdout))
+    assert len(reports[0]) > 100
+    assert reports[0] == reports[1]
 
 
-def test_a_module_that_is_loaded_takes_no_turn(monkeypatch, write_kernels):
+def test_a_loaded_module_needs_no_lock(monkeypatch, write_kernels):
     module = write_kernels(
         "loaded_once",
         """
@@ -225,15 +225,15 @@ def test_a_file_that_others_can_write_is_compiled_again(loaded, mode, monkeypatc
     assert (load(), load()) == (1, 0)
 
 
-def test_a_cache_without_room_is_replaced_by_a_temporary_one(loaded, monkeypatch):
+def test_a_full_cache_folder_is_replaced_by_a_temporary_one(loaded, monkeypatch):
     load, files = loaded
     files[0].unlink()
     folder = wp.config.kernel_cache_dir
-    monkeypatch.setattr(module_loading, "is_writable", lambda place, size: place != folder)
+    monkeypatch.setattr(module_loading, "is_writable", lambda path, size: path != folder)
     assert load() == 1 and wp.config.kernel_cache_dir != folder and not files[0].exists()
 
 
-def test_an_error_names_the_folders_that_have_no_room(loaded, monkeypatch):
+def test_an_error_lists_the_full_folders(loaded, monkeypatch):
     load, files = loaded
     files[0].unlink()
 
@@ -249,14 +249,14 @@ def test_an_error_names_the_folders_that_have_no_room(loaded, monkeypatch):
     ("mode", "part", "writers"),
     [(0o755, "", ""), (0o700, "", ""), (0o777, "", "all users"), (0o777, "1.0", "all users"), (0o775, "", "group")],
 )
-def test_a_cache_that_other_users_can_write_is_found(tmp_path, monkeypatch, mode, part, writers):
+def test_a_cache_writable_by_other_users_is_detected(tmp_path, monkeypatch, mode, part, writers):
     monkeypatch.setattr(cache_folders, "_is_own_group", lambda group: False)
     (tmp_path / "warp" / "1.0").mkdir(parents=True)
     for folder in (tmp_path / "warp", tmp_path / "warp" / "1.0"):
         folder.chmod(0o755)
     (tmp_path / "warp" / part).chmod(mode)
-    found = cache_folders.other_writers(tmp_path / "warp")
-    assert writers in found and bool(found) == bool(writers)
+    others = cache_folders.other_writers(tmp_path / "warp")
+    assert writers in others and bool(others) == bool(writers)
     monkeypatch.setattr(os, "getuid", lambda: 12345)
     assert tmp_path.stat().st_uid == 0 or "belongs to user" in cache_folders.other_writers(tmp_path / "warp")
 

@@ -1,4 +1,4 @@
-"""Prepared launches: what a kernel gets in its later launches is what it was given, whatever it was given before."""
+"""Prepared launches: later launches of a kernel get their own arguments."""
 
 from __future__ import annotations
 
@@ -67,15 +67,15 @@ FIRST = dict(
 def noted(kernels, device, **changed):
     """What the kernel saw, and what it was given."""
     given = {**FIRST, **changed}
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     R = given["R"] * np.arange(9.0).reshape(3, 3)
-    out, whole = memory.zeros(16, lang.float64, where), memory.zeros(5, lang.int64, where)
+    out, integers = memory.zeros(16, lang.float64, warp_device), memory.zeros(5, lang.int64, warp_device)
     arguments = [
-        memory.zeros(given["shape"], lang.float32, where),
-        memory.upload(np.array([[0, 0, given["z"]]]), lang.vec3d, where),
-        memory.upload(np.array([given["small"]], np.uint8), lang.uint8, where),
+        memory.zeros(given["shape"], lang.float32, warp_device),
+        memory.upload(np.array([[0, 0, given["z"]]]), lang.vec3d, warp_device),
+        memory.upload(np.array([given["small"]], np.uint8), lang.uint8, warp_device),
         *(given[name] for name in ("limit", "wide", "count", "far", "key", "shift", "cell")),
-        R, out, whole,
+        R, out, integers,
     ]  # fmt: skip
     lang.launch(kernels.note_arguments_kernel, 1, arguments)
     rows, columns = given["shape"]
@@ -83,7 +83,7 @@ def noted(kernels, device, **changed):
         limit = np.float32(given["limit"])
     floats = [rows * 1000 + columns, given["z"], limit, given["wide"], *given["shift"], *R.ravel()]
     numbers = [given["small"], given["count"], given["far"], given["key"] >> 1, given["cell"][2]]
-    return memory.download(out), memory.download(whole), np.array(floats), np.array(numbers)
+    return memory.download(out), memory.download(integers), np.array(floats), np.array(numbers)
 
 
 @pytest.mark.parametrize(
@@ -109,30 +109,30 @@ def noted(kernels, device, **changed):
 )
 def test_a_launch_brings_each_argument_that_changed(kernels, device, changed):
     for case in ({}, changed, {}):
-        out, whole, floats, numbers = noted(kernels, device, **case)
+        out, integers, floats, numbers = noted(kernels, device, **case)
         np.testing.assert_array_equal(out, floats)
-        np.testing.assert_array_equal(whole, numbers)
+        np.testing.assert_array_equal(integers, numbers)
 
 
-def test_an_array_of_another_shape_at_the_same_place_is_set_again(kernels, device):
-    where = resolve_device(device)
-    memory_of_both = memory.zeros(6, lang.float32, where)
-    found = []
+def test_an_array_of_another_shape_at_the_same_address_is_set_again(kernels, device):
+    warp_device = resolve_device(device)
+    memory_of_both = memory.zeros(6, lang.float32, warp_device)
+    results = []
     for shape in ((2, 3), (3, 2)):
-        out, whole = memory.zeros(16, lang.float64, where), memory.zeros(5, lang.int64, where)
-        points, small = memory.zeros(1, lang.vec3d, where), memory.zeros(1, lang.uint8, where)
+        out, integers = memory.zeros(16, lang.float64, warp_device), memory.zeros(5, lang.int64, warp_device)
+        points, small = memory.zeros(1, lang.vec3d, warp_device), memory.zeros(1, lang.uint8, warp_device)
         others = [*(FIRST[name] for name in ("limit", "wide", "count", "far", "key", "shift", "cell")), np.eye(3)]
-        arguments = [memory_of_both.reshape(shape), points, small, *others, out, whole]
+        arguments = [memory_of_both.reshape(shape), points, small, *others, out, integers]
         lang.launch(kernels.note_arguments_kernel, 1, arguments)
-        found.append(memory.download(out)[0])
-    assert found == [2003.0, 3002.0]
+        results.append(memory.download(out)[0])
+    assert results == [2003.0, 3002.0]
 
 
 def test_a_negative_zero_is_no_positive_one(kernels, device):
     signs = []
     for factor in (0.0, -0.0, 0.0):
-        where = resolve_device(device)
-        a, out = memory.full(4, 1.0, lang.float32, where), memory.zeros(4, lang.float32, where)
+        warp_device = resolve_device(device)
+        a, out = memory.full(4, 1.0, lang.float32, warp_device), memory.zeros(4, lang.float32, warp_device)
         lang.launch(kernels.scale_kernel, 4, [a, factor, out])
         signs.append(bool(np.signbit(memory.download(out)).all()))
     assert signs == [False, True, False]
@@ -144,13 +144,13 @@ def test_a_number_beyond_float32_is_infinity(kernels, device):
         assert out[2] == (np.inf if limit > 1 else 1.0)
 
 
-def test_a_sum_takes_its_arguments_anew(kernels, device):
-    where = resolve_device(device)
-    found = []
+def test_a_sum_updates_its_arguments(kernels, device):
+    warp_device = resolve_device(device)
+    results = []
     for count, factor in ((3000, 1.0), (10, 2.0), (3000, 0.5), (0, 1.0)):
-        a = memory.full(max(count, 1), 1.0, lang.float32, where)
-        found.append(memory.download(lang.reduce(kernels.add_up, count, [a, factor]))[0].tolist())
-    assert found == [[3000.0, 3000.0], [20.0, 10.0], [1500.0, 3000.0], [0.0, 0.0]]
+        a = memory.full(max(count, 1), 1.0, lang.float32, warp_device)
+        results.append(memory.download(lang.reduce(kernels.add_up, count, [a, factor]))[0].tolist())
+    assert results == [[3000.0, 3000.0], [20.0, 10.0], [1500.0, 3000.0], [0.0, 0.0]]
 
 
 def prepared(kernel, compiler):
@@ -163,15 +163,15 @@ def host_arrays():
 
 @pytest.mark.parametrize("compiler", ["warp", "taichi"])
 def test_a_kernel_is_prepared_once(kernels, compiler):
-    found = []
+    launches = []
     with lang.cpu_compiler(compiler):
         for factor in (1.0, 2.0):
             lang.launch(kernels.scale_kernel, 8, [*host_arrays()[:1], factor, host_arrays()[1]])
-            found.append(prepared(kernels.scale_kernel, compiler))
-    assert found[0] is found[1]
+            launches.append(prepared(kernels.scale_kernel, compiler))
+    assert launches[0] is launches[1]
 
 
-def test_arguments_lie_as_warp_lays_them(kernels):
+def test_arguments_have_the_layout_of_warp(kernels):
     with lang.cpu_compiler("warp"):
         noted(kernels, "cpu")
     launch = prepared(kernels.note_arguments_kernel, "warp")
@@ -240,7 +240,7 @@ def test_a_launch_within_a_launch_of_the_same_kernel_changes_nothing_of_it(kerne
 
 
 @pytest.mark.parametrize("compiler", ["warp", "taichi"])
-def test_prepared_launches_hold_no_array(kernels, compiler):
+def test_prepared_launches_store_no_array(kernels, compiler):
     a, out = host_arrays()
     with lang.cpu_compiler(compiler):
         for _ in range(2):

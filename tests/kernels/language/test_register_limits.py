@@ -19,8 +19,8 @@ def bounded_kernel() -> object:
     return double_numbers_kernel
 
 
-def made(place: str) -> object:
-    return bounded_kernel().make(place)
+def made(device: str) -> object:
+    return bounded_kernel().make(device)
 
 
 def test_a_kernel_keeps_its_own_bound_where_none_is_tried(monkeypatch):
@@ -34,9 +34,9 @@ def test_a_bound_that_is_tried_is_part_of_the_hash_of_its_module(monkeypatch):
     hashes = {}
     for text, expected in (("", 80), ("double_numbers_kernel=96", 96), ("double_numbers_kernel=0", None)):
         monkeypatch.setenv(VARIABLE, text)
-        found = made("cuda")
-        assert found.options.get("cuda_max_registers") == expected
-        hashes[text] = found.module.get_module_hash()
+        kernel = made("cuda")
+        assert kernel.options.get("cuda_max_registers") == expected
+        hashes[text] = kernel.module.get_module_hash()
     assert len(set(hashes.values())) == 3
 
 

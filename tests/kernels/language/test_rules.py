@@ -173,7 +173,7 @@ def test_a_kernel_outside_the_language_is_refused(write_kernels, tmp_path, body,
     assert caught.value.filename.endswith("faulty.py") and caught.value.lineno == FIRST_LINE + line
 
 
-WHOLE = {
+INVALID_KERNELS = {
     "@kernel\ndef k(a: array(dtype=int32)):\n    a[0] = 1\n": "the first statement of a kernel is `i = tid()`",
     "@kernel\ndef k(a):\n    i = tid()\n": "parameter a needs a type",
     "@kernel\ndef k(a: bool):\n    i = tid()\n": "parameter a is no number, vector, matrix or array of them; write int",
@@ -197,11 +197,11 @@ WHOLE = {
 }
 
 
-@pytest.mark.parametrize("source", WHOLE, ids=list(WHOLE.values()))
+@pytest.mark.parametrize("source", INVALID_KERNELS, ids=list(INVALID_KERNELS.values()))
 def test_a_function_outside_the_language_is_refused(write_kernels, source):
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("faulty", source)
-    assert WHOLE[source] in caught.value.msg
+    assert INVALID_KERNELS[source] in caught.value.msg
 
 
 def test_the_error_is_printed_with_file_and_line(write_kernels):

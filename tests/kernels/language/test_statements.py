@@ -193,7 +193,7 @@ def test_arrays_may_have_two_axes_and_small_integers(statements, device, rng):
     assert (flags.numpy() == a + 250).all()
 
 
-def test_atomics_settle_races(statements, device, rng):
+def test_atomics_resolve_races(statements, device, rng):
     a = rng.integers(1, 1000, 5000)
     counts = wp.zeros(3, dtype=wp.int64, device=device)
     low, ticket = put([np.inf, -np.inf], wp.float32, device), wp.zeros(5001, dtype=wp.int32, device=device)

@@ -1,4 +1,4 @@
-"""Structures reach both compilers as the fields that are used; errors name them as they are written."""
+"""Both compilers get the used fields of structures; errors name them as in the source."""
 
 from types import SimpleNamespace
 
@@ -122,7 +122,7 @@ REFUSED = {
 
 
 @pytest.mark.parametrize("body", REFUSED)
-def test_what_structures_cannot_do_is_refused(write_kernels, body):
+def test_unsupported_structures_are_refused(write_kernels, body):
     source = f"{STRUCTURES}\n@kernel\ndef k(tree: Tree, out: array(dtype=float32)):\n    i = tid()\n    {body}\n"
     with pytest.raises(KernelLanguageError) as caught:
         write_kernels("faulty_structures", source)

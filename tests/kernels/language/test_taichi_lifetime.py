@@ -35,11 +35,11 @@ def cache(tmp_path) -> Path:
 def run(cache) -> Callable[..., subprocess.CompletedProcess]:
     def run(after: str = "", before: str = "", preexec: Callable[[], None] | None = None, **environment: str):
         program = textwrap.dedent(before) + SMALL_WORK + textwrap.dedent(after)
-        kept = {name: value for name, value in os.environ.items() if not name.startswith(("POINTLOOM_CPU", "TI_"))}
-        kept |= {"XDG_CACHE_HOME": str(cache.parent.parent), "POINTLOOM_CPU": "taichi", **environment}
+        inherited = {name: value for name, value in os.environ.items() if not name.startswith(("POINTLOOM_CPU", "TI_"))}
+        inherited |= {"XDG_CACHE_HOME": str(cache.parent.parent), "POINTLOOM_CPU": "taichi", **environment}
         return subprocess.run(
             [sys.executable, "-c", program],
-            env=kept, preexec_fn=preexec, capture_output=True, text=True, timeout=300,
+            env=inherited, preexec_fn=preexec, capture_output=True, text=True, timeout=300,
         )  # fmt: skip
 
     return run
@@ -54,8 +54,8 @@ def kernels(cache: Path) -> set[str]:
 
 
 @pytest.mark.slow
-def test_what_a_killed_process_left_behind_does_not_keep_others_from_the_folder(cache, run):
-    """Taichi's own lock is a file that nobody removes when its process is gone."""
+def test_files_of_a_killed_process_do_not_block_the_folder(cache, run):
+    """Taichi's lock is a file that remains when its process ends."""
     cache.mkdir(parents=True)
     left = cache / "ticache.lock"
     left.touch()
@@ -66,7 +66,7 @@ def test_what_a_killed_process_left_behind_does_not_keep_others_from_the_folder(
 
 
 @pytest.mark.slow
-def test_kernels_whose_files_are_gone_are_kept_again(cache, run):
+def test_kernels_with_deleted_files_are_stored_again(cache, run):
     run()
     before = kernels(cache)
     for name in list(before)[::2]:
@@ -76,7 +76,7 @@ def test_kernels_whose_files_are_gone_are_kept_again(cache, run):
 
 
 @pytest.mark.slow
-def test_a_program_whose_folder_goes_away_ends_well(run):
+def test_a_program_with_a_deleted_folder_ends_normally(run):
     """Taichi's destructor would throw, and the process abort."""
     done = run(
         """
@@ -100,13 +100,13 @@ def is_free(folder: Path) -> bool:
     return True
 
 
-def test_one_process_at_a_time_has_its_turn(tmp_path):
+def test_only_one_process_at_a_time_has_the_lock(tmp_path):
     with KernelFolder(str(tmp_path)).locked():
         assert not is_free(tmp_path)
     assert is_free(tmp_path)
 
 
-def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
+def test_the_lock_of_a_killed_process_is_released(tmp_path):
     program = """
         import os, signal, sys
         from pointloom.kernels.language.taichi_compiler import KernelFolder
@@ -118,7 +118,7 @@ def test_the_turn_of_a_process_that_is_killed_ends(tmp_path):
     assert is_free(tmp_path)
 
 
-def test_a_turn_that_does_not_come_is_done_without(tmp_path, monkeypatch):
+def test_a_lock_that_is_never_released_is_skipped(tmp_path, monkeypatch):
     monkeypatch.setattr(taichi_compiler, "LOCK_TIMEOUT", 0.0)
     with KernelFolder(str(tmp_path)).locked(), KernelFolder(str(tmp_path)).locked():
         pass
@@ -139,7 +139,7 @@ def refuse_a_second_thread() -> None:
 @pytest.mark.skipif(
     resource.getrlimit(resource.RLIMIT_STACK)[1] != resource.RLIM_INFINITY, reason="the size of stacks is limited"
 )
-def test_where_the_system_refuses_threads_the_reason_is_said(run):
+def test_refused_threads_are_reported_with_the_reason(run):
     """Taichi would abort: "terminate called without an active exception"."""
     done = run(preexec=refuse_a_second_thread, POINTLOOM_CPU_THREADS="4", OPENBLAS_NUM_THREADS="1")
     assert done.returncode == 1
@@ -164,7 +164,7 @@ def test_threads_that_were_started_to_see_whether_they_may_be_are_ended(monkeypa
 
 
 @pytest.mark.slow
-def test_kernels_compile_in_whatever_thread_asks_for_them_first(run):
+def test_kernels_compile_in_any_thread(run):
     """LLVM would abort: "Opaque pointers are only supported in -opaque-pointers mode"."""
     done = run(
         """
@@ -187,12 +187,12 @@ def test_kernels_compile_in_whatever_thread_asks_for_them_first(run):
         assert len(done) == 4
         """
     )
-    said = [line for line in done.stderr.splitlines() if not line.startswith("pointloom: compil")]
-    assert (done.returncode, said) == (0, [])
+    lines = [line for line in done.stderr.splitlines() if not line.startswith("pointloom: compil")]
+    assert (done.returncode, lines) == (0, [])
 
 
 @pytest.mark.slow
-def test_no_thread_asks_the_internet_for_a_newer_taichi(cache, run):
+def test_no_thread_checks_the_internet_for_a_newer_taichi(cache, run):
     assert_silent(run("import threading\nassert threading.active_count() == 1"))
     assert not (cache.parent / "version_info").exists()
 
@@ -214,7 +214,7 @@ def test_a_fork_that_comes_to_its_end_ends(run):
 
 @pytest.mark.slow
 def test_a_handler_at_exit_can_still_work(run):
-    """Handlers run in the reverse order of their registration: this one when ours has ended Taichi."""
+    """Handlers run in the reverse order of their registration: this one after Taichi's shutdown."""
     done = run(
         before="""
         import atexit

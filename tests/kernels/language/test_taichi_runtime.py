@@ -50,9 +50,9 @@ def run(tmp_path):
     def run(program: str, **environment: str) -> subprocess.CompletedProcess:
         path = tmp_path / "program.py"
         path.write_text(PROGRAM + textwrap.dedent(program))
-        kept = {k: v for k, v in os.environ.items() if not k.startswith(("POINTLOOM_CPU", "TI_"))}
+        inherited = {k: v for k, v in os.environ.items() if not k.startswith(("POINTLOOM_CPU", "TI_"))}
         command = [sys.executable, str(path)]
-        return subprocess.run(command, env={**kept, **environment}, capture_output=True, text=True)
+        return subprocess.run(command, env={**inherited, **environment}, capture_output=True, text=True)
 
     return run
 
@@ -62,14 +62,14 @@ def assert_silent(done: subprocess.CompletedProcess) -> None:
 
 
 @pytest.mark.slow
-@pytest.mark.parametrize("asked", ["", "warp"])
-def test_warp_serves_in_silence_and_needs_no_taichi(run, asked):
-    assert_silent(run("assert check() == 'warp'\nassert 'taichi' not in sys.modules", POINTLOOM_CPU=asked))
+@pytest.mark.parametrize("compiler", ["", "warp"])
+def test_warp_prints_nothing_and_needs_no_taichi(run, compiler):
+    assert_silent(run("assert check() == 'warp'\nassert 'taichi' not in sys.modules", POINTLOOM_CPU=compiler))
 
 
 @pytest.mark.slow
 @pytest.mark.taichi
-def test_taichi_serves_in_silence_and_survives_a_restart_by_the_program(run):
+def test_taichi_prints_nothing_and_survives_a_restart_by_the_program(run):
     program = """
         assert check() == "taichi"
         import taichi as ti
@@ -101,8 +101,8 @@ def test_starting_taichi_leaves_numpy_its_subnormal_numbers(run):
 
 @pytest.mark.slow
 @pytest.mark.taichi
-def test_a_taichi_that_the_program_started_is_used_as_it_stands(run):
-    """Its fields live on, its settings come back, and in our kernels ours hold: NaN is no number, 2.0 is float32."""
+def test_a_taichi_started_by_the_program_is_used_unchanged(run):
+    """Its fields survive and its settings are restored; kernels use pointloom's: NaN is no number, 2.0 is float32."""
     program = """
         import contextlib, io
         with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
@@ -128,7 +128,7 @@ def test_a_taichi_that_the_program_started_is_used_as_it_stands(run):
 
 
 @pytest.mark.slow
-def test_a_taichi_that_does_not_import_matters_to_who_asks_for_it_alone(run, tmp_path):
+def test_a_broken_taichi_matters_only_if_requested(run, tmp_path):
     package = tmp_path / "broken" / "taichi"
     package.mkdir(parents=True)
     error = "libX11.so.6: cannot open shared object file: No such file or directory"

@@ -26,13 +26,13 @@ def fresh():
     warp_parts.is_known.cache_clear()
 
 
-def test_what_is_gone_is_named_and_not_used(monkeypatch, fresh):
+def test_missing_parts_are_listed_and_not_used(monkeypatch, fresh):
     class array_t(ctypes.Structure):  # noqa: N801  Warp's name
         _fields_ = (("data", ctypes.c_uint64), ("shape", ctypes.c_int32 * 4))
 
     monkeypatch.setattr(warp_parts.types, "array_t", array_t)
     monkeypatch.setitem(warp_parts.FUNCTIONS, "wp_cuda_launch_kernel", 12)
     monkeypatch.setattr(warp_parts, "ARRAY", {*warp_parts.ARRAY, "_place"})
-    said = warp_parts.missing()
-    assert said[0].startswith("array_t") and "array._place" in said
+    missing = warp_parts.missing()
+    assert missing[0].startswith("array_t") and "array._place" in missing
     assert not warp_parts.is_known()

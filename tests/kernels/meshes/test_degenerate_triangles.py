@@ -21,8 +21,8 @@ FACES = np.array([[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]])
 @pytest.fixture
 def put(device):
     """A function that uploads an array of a given type to the device."""
-    place = resolve_device(device)
-    return lambda values, kind: upload(np.asarray(values), kind, place)
+    warp_device = resolve_device(device)
+    return lambda values, kind: upload(np.asarray(values), kind, warp_device)
 
 
 def test_triangles_that_name_a_vertex_twice_repeat_their_rotations(put):
@@ -32,13 +32,15 @@ def test_triangles_that_name_a_vertex_twice_repeat_their_rotations(put):
 
 def test_a_triangle_that_has_an_edge_twice_counts_once(put):
     edges = MeshEdges(put([[0, 1, 0], [0, 1, 2]], vec3i), 3)
-    found = {(a, b): n for a, b, n in zip(*map(download, (edges.lows, edges.highs, count_sharers(edges))), strict=True)}
-    assert found == {(0, 0): 1, (0, 1): 2, (1, 2): 1, (0, 2): 1}
+    counts = {
+        (a, b): n for a, b, n in zip(*map(download, (edges.lows, edges.highs, count_sharers(edges))), strict=True)
+    }
+    assert counts == {(0, 0): 1, (0, 1): 2, (1, 2): 1, (0, 2): 1}
 
 
 def test_open_half_edges_without_length_belong_to_no_edge(put):
-    found = OpenEdges(put([[0, 1, 1], [0, 1, 2]], vec3i), 3, put([0, 1, 0, 1, 1, 1], uint8))
-    assert found.count == 3 and sorted(download(found.half_edges)[: download(found.starts)[3]]) == [3, 4, 5]
+    edges = OpenEdges(put([[0, 1, 1], [0, 1, 2]], vec3i), 3, put([0, 1, 0, 1, 1, 1], uint8))
+    assert edges.count == 3 and sorted(download(edges.half_edges)[: download(edges.starts)[3]]) == [3, 4, 5]
 
 
 def test_masks_are_joined(put):

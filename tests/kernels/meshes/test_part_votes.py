@@ -14,33 +14,39 @@ from pointloom.kernels.meshes.part_votes import follow_majority, keep_alone
 
 
 @pytest.mark.parametrize("other", [False, True])
-def test_parts_of_which_most_are_marked_turn_over(device, other):
+def test_parts_with_a_majority_of_marks_flip(device, other):
     """Part 0 has two marks of three, part 3 one of two, part 5 none of one."""
-    place = resolve_device(device)
+    warp_device = resolve_device(device)
     names, marks = (
-        upload(np.array([0, 0, 0, 3, 3, 5]), int32, place),
-        upload(np.array([1, 0, 1, 1, 0, 0]), uint8, place),
+        upload(np.array([0, 0, 0, 3, 3, 5]), int32, warp_device),
+        upload(np.array([1, 0, 1, 1, 0, 0]), uint8, warp_device),
     )
     follow_majority(names, marks, other)
-    wanted = np.array([0, 1, 0, 1, 0, 0])
-    np.testing.assert_array_equal(download(marks), 1 - wanted if other else wanted)
+    majority = np.array([0, 1, 0, 1, 0, 0])
+    np.testing.assert_array_equal(download(marks), 1 - majority if other else majority)
 
 
-def test_marks_stay_on_triangles_that_are_alone(device):
-    place = resolve_device(device)
-    names, mask = upload(np.array([0, 1, 1, 3, 4]), int32, place), upload(np.array([1, 1, 0, 0, 1]), uint8, place)
+def test_marks_stay_on_isolated_triangles(device):
+    warp_device = resolve_device(device)
+    names, mask = (
+        upload(np.array([0, 1, 1, 3, 4]), int32, warp_device),
+        upload(np.array([1, 1, 0, 0, 1]), uint8, warp_device),
+    )
     keep_alone(names, mask)
     assert download(mask).tolist() == [1, 0, 0, 0, 1]
 
 
-def test_places_where_a_row_was_listed_before(device, rng):
+def test_positions_of_repeated_rows(device, rng):
     rows = rng.permutation(np.r_[np.arange(40), rng.integers(0, 40, 60)])
-    later = download(repeated_positions(upload(rows, int32, resolve_device(device)), 40))
+    repeated = download(repeated_positions(upload(rows, int32, resolve_device(device)), 40))
     first = np.unique(rows, return_index=True)[1]
-    np.testing.assert_array_equal(later, np.setdiff1d(np.arange(100), first))
+    np.testing.assert_array_equal(repeated, np.setdiff1d(np.arange(100), first))
 
 
-def test_parts_that_hold_a_mark_among_the_first_triangles(device):
-    place = resolve_device(device)
-    labels, marks = upload(np.array([0, 2, 1, 2, 3]), int64, place), upload(np.array([0, 0, 1, 1]), uint8, place)
+def test_parts_with_a_mark_among_the_first_triangles(device):
+    warp_device = resolve_device(device)
+    labels, marks = (
+        upload(np.array([0, 2, 1, 2, 3]), int64, warp_device),
+        upload(np.array([0, 0, 1, 1]), uint8, warp_device),
+    )
     assert has_marked(labels, marks, 4).tolist() == [False, True, True, False]

@@ -15,16 +15,16 @@ from pointloom.kernels.search import neighbor_limits
 from pointloom.kernels.search.point_tree import PointTree
 
 
-def by_rounds(points: np.ndarray, kept: int, widest: float, device: str) -> np.ndarray:
+def by_rounds(points: np.ndarray, count: int, widest: float, device: str) -> np.ndarray:
     tree = PointTree(upload(points, vec3, resolve_device(device)))
-    return download(poisson_disk.eliminate_samples(tree, kept, widest)).copy()
+    return download(poisson_disk.eliminate_samples(tree, count, widest)).copy()
 
 
-def by_heap(points: np.ndarray, kept: int, widest: float) -> np.ndarray:
+def by_heap(points: np.ndarray, count: int, widest: float) -> np.ndarray:
     """Yuksel's algorithm as he gives it: the heaviest sample goes, of equal ones the one of the highest index."""
     points = points.astype(np.float32)
     rows = np.flatnonzero(np.isfinite(points).all(axis=1))
-    narrowest = widest * 0.65 * (1 - (kept / len(rows)) ** 1.5)
+    narrowest = widest * 0.65 * (1 - (count / len(rows)) ** 1.5)
     gaps = points[rows][:, None] - points[rows][None]
     squares = gaps[..., 0] ** 2 + gaps[..., 1] ** 2 + gaps[..., 2] ** 2
     distances = np.sqrt(squares.astype(np.float64))
@@ -36,7 +36,7 @@ def by_heap(points: np.ndarray, kept: int, widest: float) -> np.ndarray:
     left = np.ones(len(rows), bool)
     heap = [(-total[i], -i) for i in range(len(rows))]
     heapq.heapify(heap)
-    while left.sum() > kept:
+    while left.sum() > count:
         weight, i = heapq.heappop(heap)
         i = -i
         if not left[i] or -weight != total[i]:
@@ -49,7 +49,7 @@ def by_heap(points: np.ndarray, kept: int, widest: float) -> np.ndarray:
 
 
 def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
-    """Points, and the area that they stand for."""
+    """Points, and the area that they cover."""
     if name == "square":
         return np.column_stack([rng.random((500, 2)), np.zeros(500)]), 1.0
     if name == "ball":
@@ -59,7 +59,7 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
         return np.stack(np.meshgrid(np.arange(21), np.arange(21), [0]), -1).reshape(-1, 3) / 21.0, 1.0
     if name == "copies":
         return np.repeat(rng.random((60, 3)), 10, axis=0), 1.0
-    if name == "strays":  # none within reach of another
+    if name == "strays":  # no two within the radius
         return rng.random((400, 3)) * 1e4, 1.0
     if name == "nowhere":
         points = rng.random((400, 3)) * [1, 1, 0]
@@ -69,16 +69,16 @@ def scene(name: str, rng: np.random.Generator) -> tuple[np.ndarray, float]:
     return points, 1.0
 
 
-@pytest.mark.parametrize(("kept", "in_rounds"), [(57, False), (300, True)])
+@pytest.mark.parametrize(("count", "in_rounds"), [(57, False), (300, True)])
 @pytest.mark.parametrize("name", ["square", "ball", "grid", "copies", "strays", "nowhere", "crowd and strays"])
-def test_the_samples_are_those_that_a_heap_leaves(device, rng, monkeypatch, name, kept, in_rounds):
+def test_the_samples_equal_those_of_a_heap(device, rng, monkeypatch, name, count, in_rounds):
     monkeypatch.setattr(poisson_disk, "MAX_SEQUENTIAL", 0 if in_rounds else 2**16)
     points, area = scene(name, rng)
-    widest = 2 * np.sqrt(area / kept / (2 * np.sqrt(3)))
-    np.testing.assert_array_equal(by_rounds(points, kept, widest, device), by_heap(points, kept, widest))
+    widest = 2 * np.sqrt(area / count / (2 * np.sqrt(3)))
+    np.testing.assert_array_equal(by_rounds(points, count, widest, device), by_heap(points, count, widest))
 
 
-def test_more_samples_within_reach_than_a_group_gathers_are_weighed_too(device, rng, monkeypatch):
+def test_more_samples_within_the_radius_than_a_group_gathers_are_weighted_too(device, rng, monkeypatch):
     monkeypatch.setattr(neighbor_limits, "LIST_SIZE", 1)  # 512 of them
     points = rng.random((560, 3)) * [1, 1, 0]
     widest = 2 * np.sqrt(1 / 2 / (2 * np.sqrt(3)))

@@ -28,15 +28,15 @@ def distances(p):
     return np.linalg.norm(p[:, None].astype(np.float64) - p[None], axis=2)
 
 
-def brute_edges(p, q, bound, least):
+def brute_edges(p, q, bound, min_length):
     """The edges, and which of them no rounding can change."""
     a, b = distances(p), distances(q)
-    sure = (np.abs(np.abs(a - b) - bound) > 1e-5) & (np.abs(np.minimum(a, b) - least) > 1e-5)
-    return (np.abs(a - b) <= bound) & (np.minimum(a, b) > least), sure
+    sure = (np.abs(np.abs(a - b) - bound) > 1e-5) & (np.abs(np.minimum(a, b) - min_length) > 1e-5)
+    return (np.abs(a - b) <= bound) & (np.minimum(a, b) > min_length), sure
 
 
 @pytest.mark.parametrize("count", [1, 2, 31, 32, 33, 200])
-def test_edges_join_what_keeps_its_distance(device, rng, count):
+def test_edges_connect_pairs_of_equal_length(device, rng, count):
     p, q = rng.random((2, count, 3)).astype(np.float32)
     graph = CompatibilityGraph(make_pairs(p, q, device), 0.1, 0.2)
     edges = edges_of(graph)
@@ -65,29 +65,29 @@ def test_counts_are_those_of_brute_force_on_lattices_and_duplicates(compiler, ro
         assert (graph.common(chosen).numpy().reshape(-1, len(points)) == common[::3]).all()
 
 
-def test_support_counts_the_vertices_with_most_edges_first(device, rng):
+def test_support_counts_the_vertices_of_highest_degree_first(device, rng):
     p, q = rng.random((2, 100, 3)).astype(np.float32)
     graph = CompatibilityGraph(make_pairs(p, q, device), 0.2, 0.0)
-    whole, degrees = graph.support().numpy(), graph.degrees.numpy()
+    full_support, degrees = graph.support().numpy(), graph.degrees.numpy()
     part = graph.support(work=int(degrees.sum()) * graph.words // 4).numpy()
     counted = part > 0
-    assert 0 < counted.sum() < 60 and (part[counted] == whole[counted]).all()
+    assert 0 < counted.sum() < 60 and (part[counted] == full_support[counted]).all()
     assert degrees[counted].min() >= degrees[~counted].max()
 
 
-def test_peaks_are_the_strongest_of_their_places(device, rng):
+def test_peaks_are_local_maxima(device, rng):
     p, q = rng.random((2, 150, 3)).astype(np.float32)
     graph = CompatibilityGraph(make_pairs(p, q, device), 0.2, 0.0)
     sums = graph.support()
-    values, reach = sums.numpy(), 0.4
-    near = (distances(p) < reach) & (distances(q) < reach)
+    values, radius = sums.numpy(), 0.4
+    near = (distances(p) < radius) & (distances(q) < radius)
     index = np.arange(150)
     stronger = (values[None] > values[:, None]) | ((values[None] == values[:, None]) & (index[None] < index[:, None]))
     expected = np.flatnonzero(~(near & stronger).any(axis=1) & (values > 0))
     expected = expected[np.argsort(-values[expected], kind="stable")]
     assert 10 < len(expected) < 140
-    assert graph.peaks(sums, reach, 1000).numpy().tolist() == expected.tolist()
-    assert graph.peaks(sums, reach, 7).numpy().tolist() == expected[:7].tolist()
+    assert graph.peaks(sums, radius, 1000).numpy().tolist() == expected.tolist()
+    assert graph.peaks(sums, radius, 7).numpy().tolist() == expected[:7].tolist()
 
 
 def test_descending_order_keeps_ties_in_order(device):
@@ -121,6 +121,6 @@ def test_fewer_than_three_correspondences_give_no_pose(device, rng, count):
     assert poses.shape == (0, 4, 4) and saved.shape == (0,)
 
 
-def test_correspondences_at_one_place_give_no_pose(device):
+def test_coincident_correspondences_give_no_pose(device):
     p = np.ones((50, 3))
     assert len(find_consensus(make_pairs(p, p + 1, device), 0.1, 0.1, np.eye(3))[0]) == 0

@@ -46,19 +46,19 @@ class Bent:
         self.device = resolve_device(device)
         self.points = (rng.random((count, 3)) * 2 - 1).astype(np.float32)
         self.lattice = make_lattice(SIZE, self.upload(self.points))
-        places = corners_of(self.lattice) * SIZE
-        self.shifts = 0.02 * np.sin(2 * places @ rng.normal(size=(3, 3)))
+        positions = corners_of(self.lattice) * SIZE
+        self.shifts = 0.02 * np.sin(2 * positions @ rng.normal(size=(3, 3)))
         write(self.lattice.shifts, self.shifts)
 
     def upload(self, rows, kind=vec3):
         return upload(np.asarray(rows), kind, self.device)
 
 
-def test_anchors_are_the_corners_of_the_cells_that_hold_points(device, rng):
+def test_anchors_are_the_corners_of_occupied_cells(device, rng):
     bent = Bent(device, rng, count=20)
     cells = np.floor(bent.points.astype(np.float64) / SIZE).astype(int)
-    wanted = np.unique((cells[:, None] + np.array(list(np.ndindex(2, 2, 2)))).reshape(-1, 3), axis=0)
-    assert (corners_of(bent.lattice) == wanted).all()
+    expected = np.unique((cells[:, None] + np.array(list(np.ndindex(2, 2, 2)))).reshape(-1, 3), axis=0)
+    assert (corners_of(bent.lattice) == expected).all()
 
 
 def test_a_lattice_does_not_depend_on_the_order_of_the_points(device, rng):
@@ -78,19 +78,19 @@ def test_points_move_by_the_anchors_about_them(device, rng, tolerances):
     bent = Bent(device, rng)
     around = (rng.random((300, 3)) * 4 - 2).astype(np.float32)  # in cells without all of their anchors, too
     for points in (bent.points, around):
-        found = download(bend_points(bent.upload(points), bent.lattice))
-        wanted = bend_in_numpy(points, bent.lattice, bent.shifts)
-        assert np.abs(found - wanted).max() <= tolerances.float32_relative * 2
+        result = download(bend_points(bent.upload(points), bent.lattice))
+        expected = bend_in_numpy(points, bent.lattice, bent.shifts)
+        assert np.abs(result - expected).max() <= tolerances.float32_relative * 2
 
 
-def test_points_that_are_nowhere_stay(device, rng):
+def test_non_finite_points_stay(device, rng):
     bent = Bent(device, rng)
     points = np.array([[50, 0, 0], [np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]], np.float32)
-    found = download(bend_points(bent.upload(points), bent.lattice))
-    assert np.array_equal(found, points, equal_nan=True)
+    result = download(bend_points(bent.upload(points), bent.lattice))
+    assert np.array_equal(result, points, equal_nan=True)
 
 
-def test_points_that_are_nowhere_make_no_cells_and_do_not_count_for_the_motion(device, rng):
+def test_non_finite_points_add_no_cells_and_do_not_affect_the_motion(device, rng):
     bent, nowhere = Bent(device, rng), np.array([[np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]], np.float32)
     lattice = make_lattice(SIZE, bent.upload(np.vstack([nowhere, bent.points])))
     assert (download(lattice.anchor_keys) == download(bent.lattice.anchor_keys)).all()
@@ -104,9 +104,9 @@ def test_points_are_located_in_the_cells_of_the_lattice_or_in_none(device, rng):
     points = np.vstack([bent.points, [[50, 0, 0], [np.nan, 0, 0], [0, np.inf, 0], [3e38, 0, 0]]])
     cells = empty(len(points), int32, bent.device)
     launch(locate_points_kernel, len(points), [bent.upload(points), bent.lattice, cells])
-    found, places = download(cells), np.floor(bent.points.astype(float) / SIZE).astype(int)
-    known = np.unique(places, axis=0)
-    assert (known[found[:40]] == places).all() and (found[40:] == -1).all()
+    result, grid_cells = download(cells), np.floor(bent.points.astype(float) / SIZE).astype(int)
+    known = np.unique(grid_cells, axis=0)
+    assert (known[result[:40]] == grid_cells).all() and (result[40:] == -1).all()
 
 
 def test_normals_without_length_or_a_finite_point_stay(device, rng):
@@ -122,31 +122,31 @@ def test_normals_stay_perpendicular_to_the_bent_surface(device, rng):
     normals /= np.linalg.norm(normals, axis=1)[:, None]
     first = np.cross(normals, rng.normal(size=normals.shape))
     second, step = np.cross(normals, first), 1e-5
-    found = download(bend_normals(bent.upload(bent.points), bent.upload(normals), bent.lattice)).astype(np.float64)
-    assert np.abs(np.linalg.norm(found, axis=1) - 1).max() < 1e-6
+    result = download(bend_normals(bent.upload(bent.points), bent.upload(normals), bent.lattice)).astype(np.float64)
+    assert np.abs(np.linalg.norm(result, axis=1) - 1).max() < 1e-6
     points = bent.points.astype(np.float64)
     inside = (np.abs(points / SIZE - np.round(points / SIZE)) > 1e-3).all(axis=1)  # slopes differ from cell to cell
     for tangent in (first, second):
         a, b = (bend_in_numpy(points + s * step * tangent, bent.lattice, bent.shifts) for s in (-1, 1))
         along = (b - a) / np.linalg.norm(b - a, axis=1)[:, None]
-        assert np.abs((found * along).sum(axis=1))[inside].max() < 1e-6
+        assert np.abs((result * along).sum(axis=1))[inside].max() < 1e-6
 
 
 def test_an_affine_bend_is_met_exactly(device, rng, tolerances):
     bent = Bent(device, rng)
     A, t = np.eye(3) + 0.02 * rng.normal(size=(3, 3)), rng.normal(size=3) * 0.1
-    places = corners_of(bent.lattice) * SIZE
-    write(bent.lattice.shifts, places @ A.T + t - places)
-    found = download(bend_points(bent.upload(bent.points), bent.lattice))
-    assert np.abs(found - (bent.points @ A.T + t)).max() <= 4 * tolerances.float32_relative
+    positions = corners_of(bent.lattice) * SIZE
+    write(bent.lattice.shifts, positions @ A.T + t - positions)
+    result = download(bend_points(bent.upload(bent.points), bent.lattice))
+    assert np.abs(result - (bent.points @ A.T + t)).max() <= 4 * tolerances.float32_relative
 
 
-def test_cells_that_are_added_keep_the_shifts_there_are(device, rng):
+def test_added_cells_keep_the_existing_shifts(device, rng):
     bent = Bent(device, rng, count=50)
     more = make_lattice(SIZE, bent.upload(rng.random((50, 3)) * 3), bent.lattice)
     known = {tuple(c): s for c, s in zip(corners_of(bent.lattice).tolist(), bent.shifts, strict=True)}
-    wanted = [known.get(tuple(c), np.zeros(3)) for c in corners_of(more).tolist()]
-    assert more.anchor_count > len(known) and (download(more.shifts) == wanted).all()
+    expected = [known.get(tuple(c), np.zeros(3)) for c in corners_of(more).tolist()]
+    assert more.anchor_count > len(known) and (download(more.shifts) == expected).all()
 
 
 @pytest.mark.parametrize("count", [0, 1, 2])
@@ -167,6 +167,6 @@ def test_the_motion_of_a_bend_is_the_rigid_one_nearest_to_it(device, rng, tolera
     assert np.abs(motion[:3, :3] - R).max() < 1e-7 and np.abs(motion[:3, 3] - [0.1, -0.2, 0.3]).max() < 1e-7
 
 
-def test_shifts_are_kept_in_64_bits(device, rng):
+def test_shifts_are_stored_in_64_bits(device, rng):
     bent = Bent(device, rng)
     assert bent.lattice.shifts.dtype == vec3d and (download(bent.lattice.shifts) == bent.shifts).all()

@@ -47,7 +47,7 @@ class Scene:
         self.shifts = 0.01 * np.sin(corners_of(self.lattice) @ rng.normal(size=(3, 3)))
         write(self.lattice.shifts, self.shifts)
         self.fragments = Fragments(points, normals, [len(part) for part in self.parts], self.lattice)
-        self.held = np.array([True, False, False])
+        self.is_fixed = np.array([True, False, False])
 
     @staticmethod
     def surface(rng, count=120):
@@ -59,7 +59,7 @@ class Scene:
     def task(self):
         pairs = Pairs(ENDS, self.fragments, DISTANCE, 0.5, sided=True)
         rows = pairs.match(self.poses)
-        return FragmentStep(rows, self.lattice, StepSystem(self.lattice, self.held, ENDS, TIE))
+        return FragmentStep(rows, self.lattice, StepSystem(self.lattice, self.is_fixed, ENDS, TIE))
 
 
 class Oracle:
@@ -103,8 +103,8 @@ class Oracle:
         for cell, k in self.anchors.items():
             others = [self.anchors.get(tuple(np.add(cell, d))) for d in (*np.eye(3, dtype=int), *-np.eye(3, dtype=int))]
             others = [o for o in others if o is not None]
-            places = np.array(list(self.anchors)) * SIZE
-            rest = places[k] - places[others]
+            positions = np.array(list(self.anchors)) * SIZE
+            rest = positions[k] - positions[others]
             now = rest + self.scene.shifts[k] - self.scene.shifts[others]
             U, _, Vt = np.linalg.svd(now.T @ rest)
             R = U @ np.diag([1, 1, np.linalg.det(U @ Vt)]) @ Vt
@@ -122,7 +122,7 @@ class Oracle:
         r = np.concatenate([self.residuals, tie_residuals])
         H = J.T @ J
         H += DAMPING * np.diag(np.diag(H))
-        free = np.repeat(~self.scene.held, 6).tolist() + [True] * (self.size - 6 * len(self.scene.parts))
+        free = np.repeat(~self.scene.is_fixed, 6).tolist() + [True] * (self.size - 6 * len(self.scene.parts))
         x = np.zeros(self.size)
         x[free] = np.linalg.solve(H[np.ix_(free, free)], -(J.T @ r)[free])
         return x
@@ -130,8 +130,8 @@ class Oracle:
 
 def solve_closely(task):
     """The solution as far as float64 goes: the rows' slopes are float32."""
-    solution, turns = task.solve(1e-10)
-    return download(solution).reshape(-1), turns
+    solution, iterations = task.solve(1e-10)
+    return download(solution).reshape(-1), iterations
 
 
 @pytest.mark.parametrize("bends", [True, False], ids=["bent", "rigid"])
@@ -142,24 +142,24 @@ def test_a_step_is_that_of_a_dense_solver(device, bends):
     squares, count, stretch = task.errors()
     assert squares == pytest.approx(np.sum(np.square(oracle.residuals)), rel=1e-5) and count == task.rows.count
     assert stretch == pytest.approx(np.sum(np.square(oracle.ties()[1])), rel=1e-9)
-    found, wanted = solve_closely(task)[0], oracle.step()
-    assert np.abs(found - wanted).max() < 2e-4 * np.abs(wanted).max()
+    solution, expected = solve_closely(task)[0], oracle.step()
+    assert np.abs(solution - expected).max() < 2e-4 * np.abs(expected).max()
 
 
 def test_the_step_taken_is_close_to_the_one_solved_for(device):
     scene = Scene(device)
     exact, more = solve_closely(scene.task())
-    solution, turns = scene.task().solve()
-    assert turns < more
-    reach = np.abs(exact[6 * len(scene.parts) :]).max()
-    assert np.abs(download(solution).reshape(-1) - exact)[6 * len(scene.parts) :].max() < 0.02 * reach
+    solution, iterations = scene.task().solve()
+    assert iterations < more
+    max_shift = np.abs(exact[6 * len(scene.parts) :]).max()
+    assert np.abs(download(solution).reshape(-1) - exact)[6 * len(scene.parts) :].max() < 0.02 * max_shift
 
 
-def test_fragments_that_are_held_or_alone_stay(device):
+def test_fixed_and_isolated_fragments_stay(device):
     scene = Scene(device)
-    scene.held = np.array([True, False, True])
-    found = solve_closely(scene.task())[0]
-    assert not found[:6].any() and found[6:12].any() and not found[12:18].any()
+    scene.is_fixed = np.array([True, False, True])
+    solution = solve_closely(scene.task())[0]
+    assert not solution[:6].any() and solution[6:12].any() and not solution[12:18].any()
 
 
 def test_a_step_lowers_the_error(device):

@@ -1,4 +1,4 @@
-"""What stands before a surface is in the way of who sees it, from each place from which it can have been seen."""
+"""Objects before a surface hide it from the possible viewpoints."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ def points_of(rows, device):
 
 
 def shifted(rows, device):
-    """Points of a cloud on the device, and where its origin lies."""
+    """Points of a cloud on the device, and its origin."""
     cloud = loom.PointCloud(rows, device=device)
     return cloud.array("points"), np.asarray(cloud.origin, float)
 
@@ -31,7 +31,7 @@ def shifted(rows, device):
     [(1.0, (-0.4, 0.4), 1), (1.75, (-0.4, 0.4), 0), (3.0, (-0.4, 0.4), 0), (1.0, (2.0, 2.5), 0)],
     ids=["before", "too near to it to tell", "behind", "beside"],
 )
-def test_what_stands_before_a_wall_is_in_the_way(device, x, y, share):
+def test_an_object_before_a_wall_is_in_the_way(device, x, y, share):
     wall, there = shifted(plate(2.0), device)
     screen, origin = shifted(plate(x, y, (-0.4, 0.4)), device)
     pose = np.eye(4)
@@ -40,7 +40,7 @@ def test_what_stands_before_a_wall_is_in_the_way(device, x, y, share):
     assert counts.numpy().tolist() == [share * screen.size]
 
 
-def test_what_lies_behind_another_plate_is_hidden(device):
+def test_a_surface_behind_another_plate_is_hidden(device):
     rows = np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0)]
     points, origin = shifted(rows, device)
     hidden = Sight(points, EYE - origin, 0.1).count_hidden(points)[0]
@@ -48,15 +48,15 @@ def test_what_lies_behind_another_plate_is_hidden(device):
     assert hidden == pytest.approx(shadow.sum(), rel=0.05)
 
 
-def test_places_are_kept_from_which_least_is_hidden(device):
+def test_viewpoints_with_minimal_occlusion_are_selected(device):
     points = points_of(np.r_[plate(1.0, (-0.5, 0.5), (-0.5, 0.5)), plate(2.0), plate(-2.0)], device)
-    found = find_sight(points, 0.1)
-    assert found is not None and 0 < found.viewpoint_count <= MAX_VIEWPOINTS
-    x = np.asarray(found.viewpoints.numpy())[:, 0]
+    sight = find_sight(points, 0.1)
+    assert sight is not None and 0 < sight.viewpoint_count <= MAX_VIEWPOINTS
+    x = np.asarray(sight.viewpoints.numpy())[:, 0]
     assert x.min() > 0.5  # farther back the small plate hides the wall behind it
 
 
-def test_a_cloud_that_no_place_shows_has_no_sight(device, rng, monkeypatch):
+def test_a_cloud_invisible_from_every_viewpoint_has_no_sight(device, rng, monkeypatch):
     ways = rng.normal(size=(8000, 3))
     ways /= np.linalg.norm(ways, axis=1, keepdims=True)
     ways[:3000] *= 0.6  # a ball in a ball

@@ -1,4 +1,4 @@
-"""The main planes of points are those that most lie on; what is left beside them is what a brute search leaves."""
+"""The planes with the most points; the remaining points equal those of a brute-force search."""
 
 from __future__ import annotations
 
@@ -29,17 +29,17 @@ def sheets(rng, counts, noise=0.002):
 def on_device(points, normals, device, rows=None):
     import pointloom as loom
 
-    place = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
+    warp_device = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
     mask = np.zeros(len(points), np.uint8)
     mask[slice(None) if rows is None else rows] = 1
-    return [upload(points, vec3, place), upload(normals, vec3, place), upload(mask, uint8, place)]
+    return [upload(points, vec3, warp_device), upload(normals, vec3, warp_device), upload(mask, uint8, warp_device)]
 
 
-def planes_of(arrays, most):
-    return find_main_planes(*arrays, most, *LIMITS).read()
+def planes_of(arrays, max_planes):
+    return find_main_planes(*arrays, max_planes, *LIMITS).read()
 
 
-def test_the_planes_come_by_how_many_points_they_hold(device, rng):
+def test_planes_are_ordered_by_their_number_of_points(device, rng):
     points, normals = sheets(rng, (500, 2000, 1000, 200))
     middles, directions = planes_of(on_device(points, normals, device), 3)
     assert np.abs(directions).argmax(axis=1).tolist() == [1, 2, 0]
@@ -62,7 +62,7 @@ def test_parallel_planes_are_two(device, rng):
     np.testing.assert_allclose(middles[:, 0], [1.5, 3.5], atol=0.003)
 
 
-def test_of_many_points_some_stand_for_all(device, rng):
+def test_large_clouds_are_subsampled(device, rng):
     points, normals = sheets(rng, (6 * VOTERS, 3 * VOTERS))
     _, directions = planes_of(on_device(points, normals, device), 2)
     assert np.abs(directions).argmax(axis=1).tolist() == [0, 1]
@@ -71,11 +71,11 @@ def test_of_many_points_some_stand_for_all(device, rng):
 @pytest.mark.parametrize("count", [0, 1, 4])
 def test_fewer_than_five_points_make_no_plane(device, rng, count):
     points, normals = sheets(rng, (count,))
-    found = planes_of(on_device(points, normals, device), 3)
-    assert [values.shape for values in found] == [(0, 3), (0, 3)]
+    planes = planes_of(on_device(points, normals, device), 3)
+    assert [values.shape for values in planes] == [(0, 3), (0, 3)]
 
 
-def test_five_points_make_one_and_the_same_place_five_times_too(device, rng):
+def test_five_points_make_a_plane_even_if_they_coincide(device, rng):
     points, normals = sheets(rng, (5,))
     assert len(planes_of(on_device(points, normals, device), 3)[0]) == 1
     points, normals = np.tile(points[:1], (6, 1)), np.tile(normals[:1], (6, 1))
@@ -92,7 +92,7 @@ def test_planes_that_do_not_cross_have_no_edge(device):
     assert download(nearest).tolist() == [4, NO_POINT]
 
 
-def test_what_is_left_out_lies_on_a_plane_or_where_two_cross(device, rng):
+def test_remaining_points_are_on_a_plane_or_an_intersection(device, rng):
     points = rng.uniform(-1, 1, (2000, 3))
     normals = rng.normal(size=(2000, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)

@@ -20,7 +20,7 @@ def test_moments_are_the_sums_of_coordinates_and_their_products(device, rng):
 
 
 def test_pairs_agree_where_two_poses_bring_them_within_the_distance(device, rng):
-    place, count = resolve_device(device), 300
+    warp_device, count = resolve_device(device), 300
     source, target = rng.random((2, count, 3)).astype(np.float32)
     rows, distances = rng.permutation(count), rng.random(count).astype(np.float32)
     keys = (distances.view(np.int32).astype(np.int64) << 32) | rows
@@ -32,6 +32,6 @@ def test_pairs_agree_where_two_poses_bring_them_within_the_distance(device, rng)
     is_pair = keys != NO_POINT
     gaps = np.linalg.norm(a - b[rows], axis=1)
     limit = float(np.median(gaps[is_pair]))
-    arrays = upload(source, vec3, place), upload(target, vec3, place), upload(keys, int64, place)
-    found = download(count_agreeing(*arrays, tuple(origins), tuple(poses), limit + 1e-9))
-    assert np.asarray(found).reshape(-1).tolist() == [is_pair.sum(), (gaps[is_pair] <= limit + 1e-9).sum()]
+    arrays = upload(source, vec3, warp_device), upload(target, vec3, warp_device), upload(keys, int64, warp_device)
+    counts = download(count_agreeing(*arrays, tuple(origins), tuple(poses), limit + 1e-9))
+    assert np.asarray(counts).reshape(-1).tolist() == [is_pair.sum(), (gaps[is_pair] <= limit + 1e-9).sum()]

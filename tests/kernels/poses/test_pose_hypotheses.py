@@ -54,9 +54,9 @@ def test_matched_points_of_each_pose_are_counted(device, rng, count, distance):
     counts = search.fitness.count(upload(poses, mat44d, device), distance)
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     finite = [cloud[np.isfinite(cloud).all(axis=1)].astype(float) for cloud in (source, target)]
-    for pose, found in zip(poses, counts, strict=True):
+    for pose, matched_count in zip(poses, counts, strict=True):
         d = np.linalg.norm((moved(finite[0] - a, pose) + b)[:, None] - finite[1], axis=2).min(axis=1, initial=np.inf)
-        assert found == (d < distance).sum() or np.abs(d - distance).min() < 1e-5
+        assert matched_count == (d < distance).sum() or np.abs(d - distance).min() < 1e-5
 
 
 def test_counts_are_those_of_the_nearest_points(device, rng):
@@ -81,7 +81,7 @@ def test_empty_clouds_match_nothing(device, rng, empties):
 
 
 def test_refinement_ends_at_the_pose_of_the_matches(device, rng):
-    """A grid of places far apart: each point matches its own, so the first fit is exact."""
+    """A grid of distant positions: each point matches itself, so the first fit is exact."""
     target = np.stack(np.meshgrid(*[np.arange(6.0)] * 3), -1).reshape(-1, 3) + rng.uniform(-0.2, 0.2, (216, 3))
     true = near_poses(rng, 1, 0.02, 0.05)[0]
     middle = target.mean(axis=0)
@@ -100,10 +100,10 @@ def clutter(rng):
     pose = random_poses(rng, 1)[0]
     normals = rng.normal(size=(400, 3))
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-    target, turned = moved(source, pose) + 0.01 * rng.normal(size=(400, 3)), normals @ pose[:3, :3].T
+    target, rotated = moved(source, pose) + 0.01 * rng.normal(size=(400, 3)), normals @ pose[:3, :3].T
     pairs = identity_pairs(400)
     pairs[150:, 1] = rng.integers(0, 400, 250)
-    return source, target, normals, turned, pairs
+    return source, target, normals, rotated, pairs
 
 
 def draw(search, count, sample_size, similarity=0.0, seed=0, first=0):
@@ -125,9 +125,9 @@ def test_a_sample_is_the_same_in_any_round(device, clutter):
     source, target, _, _, pairs = clutter
     search = search_over(source, target, pairs, device)
     rows, samples, _ = draw(search, 300, 3)
-    later_rows, later, _ = draw(search, 100, 3, first=200)
-    np.testing.assert_array_equal(rows[rows >= 200] - 200, later_rows)
-    np.testing.assert_array_equal(samples[rows[rows >= 200]], later[later_rows])
+    second_rows, second_samples, _ = draw(search, 100, 3, first=200)
+    np.testing.assert_array_equal(rows[rows >= 200] - 200, second_rows)
+    np.testing.assert_array_equal(samples[rows[rows >= 200]], second_samples[second_rows])
     assert (draw(search, 300, 3, seed=1)[1] != samples).any()
 
 
@@ -140,7 +140,7 @@ def open3d_poses(o3d, clouds, samples, with_scaling):
 
 
 @pytest.mark.parametrize(("with_scaling", "sample_size"), [(False, 3), (True, 5)])
-def test_poses_of_samples_are_open3ds(device, clutter, oracle, with_scaling, sample_size, tolerances):
+def test_poses_of_samples_match_open3d(device, clutter, oracle, with_scaling, sample_size, tolerances):
     source, target, _, _, pairs = (array.astype(np.float32) for array in clutter)
     search = search_over(source, target, pairs, device)
     rows, samples, drawn = draw(search, 200, sample_size)
@@ -148,9 +148,11 @@ def test_poses_of_samples_are_open3ds(device, clutter, oracle, with_scaling, sam
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     chosen = pairs.astype(np.int32)[samples[rows]]
     expected = oracle(f"kernels/pose_hypotheses/{sample_size}", open3d_poses, (source, target), chosen, with_scaling)
-    for sample, pose, wanted in zip(chosen, download(poses), expected, strict=True):
+    for sample, pose, pose_expected in zip(chosen, download(poses), expected, strict=True):
         points = source[sample[:, 0]]
-        np.testing.assert_allclose(moved(points - a, pose) + b, moved(points, wanted), atol=tolerances.sampled_pose)
+        np.testing.assert_allclose(
+            moved(points - a, pose) + b, moved(points, pose_expected), atol=tolerances.sampled_pose
+        )
 
 
 CHECKS = {
@@ -179,12 +181,12 @@ def open3d_checks(o3d, clouds, normals, samples, poses, checks):
 
 
 @pytest.mark.parametrize("name", CHECKS)
-def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutter, oracle, name):
-    source, target, normals, turned, pairs = (array.astype(np.float32) for array in clutter)
+def test_accepted_hypotheses_match_the_checkers_of_open3d(device, clutter, oracle, name):
+    source, target, normals, rotated, pairs = (array.astype(np.float32) for array in clutter)
     pairs, checks = pairs.astype(np.int32), CHECKS[name]
     search = search_over(source, target, pairs, device)
     similar, _, drawn = draw(search, 500, 3, checks.similarity)
-    device_normals = [upload(n, vec3, device) for n in (normals, turned)]
+    device_normals = [upload(n, vec3, device) for n in (normals, rotated)]
     _, scores = drawn.fit(checks, device_normals, False)
     passed = np.zeros(500, bool)
     passed[similar[download(scores) != REFUSED]] = True
@@ -192,9 +194,9 @@ def test_hypotheses_that_pass_are_those_that_open3ds_checkers_pass(device, clutt
     poses = download(everything.fit(Checks(), device_normals, False)[0]).copy()
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     poses[:, :3, 3] += b - poses[:, :3, :3] @ a
-    asked = (source, target), (normals, turned), pairs[samples[rows]], poses, checks
+    arguments = (source, target), (normals, rotated), pairs[samples[rows]], poses, checks
     expected = np.zeros(500, bool)
-    expected[rows] = oracle(f"kernels/pose_hypotheses/{name}", open3d_checks, *asked)
+    expected[rows] = oracle(f"kernels/pose_hypotheses/{name}", open3d_checks, *arguments)
     np.testing.assert_array_equal(passed, expected)
     assert 0 < passed.sum() < 450, "else the check was never put to the test"
 
@@ -218,11 +220,11 @@ def test_scores_are_the_correspondences_that_agree(device, rng, count, pose_coun
 
 def test_a_correspondence_at_the_distance_does_not_agree_as_in_open3d(device):
     points = np.array([[x, y, z] for x in (-4, 4) for y in (-2, 2) for z in (-1, 1)], np.float32)
-    search, beside = search_over(points, points, identity_pairs(8), device), np.eye(4)
-    beside[0, 3] = 0.5
+    search, shifted = search_over(points, points, identity_pairs(8), device), np.eye(4)
+    shifted[0, 3] = 0.5
     for distance, count in ((0.5, 0), (0.51, 8)):
         scores = upload(np.zeros(1), int32, device)
-        score_poses(search.ranking, upload(beside[None], mat44d, device), distance, scores)
+        score_poses(search.ranking, upload(shifted[None], mat44d, device), distance, scores)
         assert download(scores).tolist() == [count]
 
 
@@ -232,7 +234,7 @@ def test_coincident_and_collapsing_samples_are_refused(device, rng):
     search = search_over(source, source, identity_pairs(80), device)
     rows, samples, _ = draw(search, 500, 3)
     assert len(rows) and ((samples[rows] < 40).sum(axis=1) <= 1).all()
-    # three points on a line whose targets lie in the other order along it: no turn but a scale of nearly zero fits
+    # three collinear points whose targets are in reverse order: no rotation but a scale of nearly zero fits
     target = source.copy()
     source[:3], target[:3] = [[-1, 0, 0], [0, 0, 0], [1, 0, 0]], [[0, -1, 0], [0, 2, 0], [0, -1, 1e-9]]
     search = search_over(source, target, np.array([[0, 0], [1, 1], [2, 2]]), device)
@@ -245,13 +247,13 @@ def first_apart(poses, scores, size, distance):
     order = np.argsort(-scores, kind="stable")
     order = order[scores[order] > REFUSED][:RANKED]
     probes = np.concatenate([poses[:, :3, 3:], poses[:, :3, :3] * size + poses[:, :3, 3:]], axis=2)[order]
-    left, kept = np.ones(len(order), bool), []
-    while left.any() and len(kept) < MAX_DISTINCT:
+    left, selected = np.ones(len(order), bool), []
+    while left.any() and len(selected) < MAX_DISTINCT:
         first = int(np.argmax(left))
-        kept.append(first)
+        selected.append(first)
         left &= ((probes - probes[first]) ** 2).sum(axis=1).max(axis=1) > distance * distance
         left[first] = False
-    return order[kept]
+    return order[selected]
 
 
 @pytest.mark.parametrize(
@@ -262,12 +264,12 @@ def test_the_best_poses_that_are_unlike_each_other_are_chosen(device, rng, count
     poses = near_poses(rng, count, 0.2, 0.2)
     poses[rng.random(count) < 0.3] = poses[0]
     scores = rng.integers(REFUSED, 20, count).astype(np.int32)
-    found = search._select_distinct(upload(poses, mat44d, device), upload(scores, int32, device), distance)
-    chosen, kept = first_apart(poses, scores, search.fitness.size, distance), download(search._distinct)
-    assert download(search._distinct_count)[0] == len(chosen) and found in (len(chosen), MAX_DISTINCT)
-    np.testing.assert_array_equal(kept[: len(chosen)], poses[chosen])
+    chosen_count = search._select_distinct(upload(poses, mat44d, device), upload(scores, int32, device), distance)
+    chosen, selected = first_apart(poses, scores, search.fitness.size, distance), download(search._distinct)
+    assert download(search._distinct_count)[0] == len(chosen) and chosen_count in (len(chosen), MAX_DISTINCT)
+    np.testing.assert_array_equal(selected[: len(chosen)], poses[chosen])
     if len(chosen):
-        assert (kept[len(chosen) :] == kept[0]).all()
+        assert (selected[len(chosen) :] == selected[0]).all()
 
 
 def test_where_all_poses_are_refused_none_is_chosen(device, rng):
@@ -300,12 +302,12 @@ def test_annealing_finds_the_minimum_of_the_geman_mcclure_cost(device, clutter):
     pose = upload(np.eye(4)[None], mat44d, device)
     mu = 0.05
     coordinates.anneal(pose, 4.0, mu * 1.0001, 4.0 / mu, 40, 120)
-    found = download(pose)[0].copy()
+    result = download(pose)[0].copy()
     a, b = (middle.astype(float) for middle in search.fitness.middles)
     p, q = source[pairs[:, 0]] - a, target[pairs[:, 1]] - b
 
     def cost(twist):
-        T = found.copy()
+        T = result.copy()
         T[:3, :3] = Rotation.from_rotvec(twist[:3]).as_matrix() @ T[:3, :3]
         sqdist = ((moved(p, T) + twist[3:] - q) ** 2).sum(axis=1)
         return (mu * sqdist / (mu + sqdist)).sum()
@@ -319,10 +321,10 @@ def test_pairs_that_are_not_finite_are_left_out(device, rng):
     source[3], target[5, 1] = np.nan, np.inf
     pairs = np.column_stack([np.arange(20), np.roll(np.arange(20), 1)])
     clouds = [upload(c, vec3, device) for c in (source, target)]
-    found = PairCoordinates(*clouds, upload(pairs, int32, device), np.zeros(3), np.zeros(3))
+    pair_coordinates = PairCoordinates(*clouds, upload(pairs, int32, device), np.zeros(3), np.zeros(3))
     expected = pairs[(pairs[:, 0] != 3) & (pairs[:, 1] != 5)]
-    np.testing.assert_array_equal(download(found.rows), expected)
-    coordinates = download(found.coordinates).reshape(6, -1).T
+    np.testing.assert_array_equal(download(pair_coordinates.rows), expected)
+    coordinates = download(pair_coordinates.coordinates).reshape(6, -1).T
     np.testing.assert_array_equal(coordinates[:, :3], source[expected[:, 0]].astype(np.float32))
     np.testing.assert_array_equal(coordinates[:, 3:], target[expected[:, 1]].astype(np.float32))
 
@@ -340,10 +342,10 @@ def test_members_of_similar_triples_have_similar_sides(device, clutter):
     assert (rows < 150).mean() > 0.8, "a third were right"
 
 
-def test_triples_are_found_in_the_order_of_their_numbers(device, clutter):
+def test_triples_are_listed_in_the_order_of_their_numbers(device, clutter):
     source, target, _, _, pairs = clutter
     search = search_over(source, target, pairs, device)
-    few, many = (download(similar_tuples(search.pairs, 0, 40000, 0.95, most)).copy() for most in (20, 100))
+    few, many = (download(similar_tuples(search.pairs, 0, 40000, 0.95, max_count)).copy() for max_count in (20, 100))
     np.testing.assert_array_equal(few, many[:60])
     assert (download(similar_tuples(search.pairs, 1, 40000, 0.95, 20)) != few).any()
     assert download(similar_tuples(search.pairs, 0, 50, 0.999, 20)).shape[0] < 60, "no more trials than asked for"

@@ -1,4 +1,4 @@
-"""The tree over triangles: each stands in it once, inside the boxes above it."""
+"""The tree over triangles contains each triangle once, inside the boxes above it."""
 
 from __future__ import annotations
 
@@ -23,27 +23,27 @@ def soup(count: int, seed: int = 0):
     return corners.reshape(-1, 3).astype(np.float32), np.arange(3 * count).reshape(-1, 3)
 
 
-def placed_corners(tree: TriangleTree) -> np.ndarray:
-    """The corners by place, [places, 3, 3]."""
+def corners_in_tree(tree: TriangleTree) -> np.ndarray:
+    """The corners by slot, [slots, 3, 3]."""
     return download(tree.corners).reshape(-1, 3, 3, LEAF).transpose(0, 3, 1, 2).reshape(-1, 3, 3)
 
 
 @pytest.mark.parametrize("count", [1, 2, 7, 8, 9, 63, 64, 65, 200, 700])
-def test_each_triangle_stands_in_the_tree_once_with_its_corners(device, count):
+def test_the_tree_contains_each_triangle_once(device, count):
     vertices, triangles = soup(count)
     tree = tree_over(vertices, triangles, device)
     order = download(tree.order)
     assert (tree.count, len(order)) == (count, -(-count // LEAF) * LEAF)
     assert np.sort(order[:count]).tolist() == list(range(count))
     assert (order[count:] == order[count - 1]).all()
-    np.testing.assert_array_equal(placed_corners(tree), vertices[triangles[order]])
+    np.testing.assert_array_equal(corners_in_tree(tree), vertices[triangles[order]])
 
 
 @pytest.mark.parametrize("count", [1, 9, 65, 700])
 def test_a_box_is_that_of_the_triangles_below_it(device, count):
     tree = tree_over(*soup(count), device)
     boxes = download(tree.boxes).reshape(-1, 2, 3, FAN)
-    corners = placed_corners(tree)
+    corners = corners_in_tree(tree)
     low, high = (f(corners.reshape(-1, LEAF * 3, 3), axis=1) for f in (np.min, np.max))
     for level, first in enumerate(tree.level_firsts[:-1]):
         records = boxes[first : tree.level_firsts[level + 1]].transpose(1, 0, 3, 2).reshape(2, -1, 3)
@@ -82,6 +82,6 @@ def test_a_run_is_halved_along_its_longest_side(device):
         assert sorted(x[order[8 * run : 8 * run + 8]]) == list(range(8 * run, 8 * run + 8))
 
 
-def test_points_in_one_place_stand_by_number(device):
+def test_coincident_points_are_ordered_by_number(device):
     mesh = TriangleMesh(np.ones((100, 3)), device=device)
     assert download(ordered(mesh)).tolist() == list(range(100))

@@ -1,4 +1,4 @@
-"""The Delaunay tetrahedra of a few points by whole-number arithmetic over all sets of four: the oracle of the tests.
+"""Delaunay tetrahedra of a few points by integer arithmetic over all sets of four: the oracle of the tests.
 
 Ties are settled by a real perturbation: every point is lifted by its square less a number so small that it decides
 nothing else, the first point's the largest.
@@ -21,7 +21,7 @@ def dot(a: Any, b: Any) -> int:
     return sum(x * y for x, y in zip(a, b, strict=True))
 
 
-def whole_numbers(points: np.ndarray) -> tuple[list[list[int]], Fraction]:
+def to_integers(points: np.ndarray) -> tuple[list[list[int]], Fraction]:
     """float32 coordinates as multiples of a unit, and the unit."""
     exact = [[Fraction(float(x)) for x in p] for p in np.asarray(points, np.float32)]
     unit = Fraction(1, max(x.denominator for p in exact for x in p))
@@ -29,7 +29,7 @@ def whole_numbers(points: np.ndarray) -> tuple[list[list[int]], Fraction]:
 
 
 def sphere(arms: list[list[int]], lifts: list[int]) -> tuple[list[int], int]:
-    """(N, D): a point p seen from the first corner lies inside where dot(p, N) > lift D, for D > 0."""
+    """(N, D): a point p seen from the first corner is inside if dot(p, N) > lift D, for D > 0."""
     b, c, d = arms
     parts = [cross(c, d), cross(d, b), cross(b, c)]
     return [sum(lift * part[k] for lift, part in zip(lifts, parts, strict=True)) for k in range(3)], dot(b, parts[0])
@@ -37,27 +37,28 @@ def sphere(arms: list[list[int]], lifts: list[int]) -> tuple[list[int], int]:
 
 def exact_tetrahedra(points: np.ndarray) -> dict[tuple[int, ...], Fraction]:
     """The squared circumradius of each Delaunay tetrahedron of float32 points, by its ascending corners."""
-    places, unit = whole_numbers(points)
-    count = len(places)
-    step = 4 * max(abs(x) for p in places for x in p).bit_length() + 40  # more bits than a coefficient has
-    lifts = [(dot(p, p) << step * (count + 1)) - (1 << step * (count - i)) for i, p in enumerate(places)]
-    found = {}
+    coordinates, unit = to_integers(points)
+    count = len(coordinates)
+    step = 4 * max(abs(x) for p in coordinates for x in p).bit_length() + 40  # more bits than a coefficient has
+    lifts = [(dot(p, p) << step * (count + 1)) - (1 << step * (count - i)) for i, p in enumerate(coordinates)]
+    tetrahedra = {}
     for corners in combinations(range(count), 4):
         a, *others = corners
-        seen = [[x - y for x, y in zip(p, places[a], strict=True)] for p in places]
+        relative = [[x - y for x, y in zip(p, coordinates[a], strict=True)] for p in coordinates]
         # lifts seen from a: the same up to a linear function of the place, which moves no point inside or outside
         raised = [
-            lift - lifts[a] - 2 * (dot(places[a], p) << step * (count + 1)) for lift, p in zip(lifts, seen, strict=True)
+            lift - lifts[a] - 2 * (dot(coordinates[a], p) << step * (count + 1))
+            for lift, p in zip(lifts, relative, strict=True)
         ]
-        arms = [seen[i] for i in others]
+        arms = [relative[i] for i in others]
         N, D = sphere(arms, [raised[i] for i in others])
         if D == 0:
             continue
         side = 1 if D > 0 else -1
-        if not any(side * dot(seen[i], N) > side * raised[i] * D for i in range(count) if i not in corners):
+        if not any(side * dot(relative[i], N) > side * raised[i] * D for i in range(count) if i not in corners):
             flat, _ = sphere(arms, [dot(arm, arm) for arm in arms])
-            found[corners] = Fraction(dot(flat, flat), 4 * D * D) * unit**2
-    return found
+            tetrahedra[corners] = Fraction(dot(flat, flat), 4 * D * D) * unit**2
+    return tetrahedra
 
 
 def boundary(tetrahedra: list[tuple[int, ...]]) -> set[tuple[int, ...]]:

@@ -1,4 +1,4 @@
-"""Trees over oriented samples for the tests of the octree and of the Poisson equation, and what they hold, in NumPy."""
+"""Trees over oriented samples for the tests of the octree and of the Poisson equation, in NumPy."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ def tree_of(points, depth, device, normals=None, samples_per_cell=1.5):
     """A DensityPyramid over points, by default of the unit sphere, in a cube of edge 2.2."""
     import warp as wp
 
-    place = wp.get_device(device)
-    points, normals = (upload(a, vec3, place) for a in (points, points if normals is None else normals))
+    warp_device = wp.get_device(device)
+    points, normals = (upload(a, vec3, warp_device) for a in (points, points if normals is None else normals))
     rows = sample_rows(points, normals)
     cells = gather_samples(points, normals, rows, Cube(CORNER, SIDE), depth)
     return grow_tree(cells, rows.size, depth, max(1, depth - 2), samples_per_cell)
 
 
-def slot_places(level):
+def slot_cells(level):
     """int [8 blocks, 3]."""
     corners = np.stack([np.arange(8) >> axis & 1 for axis in range(3)], axis=1)
     return (2 * download(level.positions).reshape(-1, 1, 3) + corners).reshape(-1, 3)
@@ -45,16 +45,16 @@ def is_cell(level):
 
 
 def leaves_of(pyramid):
-    """(places, depths) of the cells that are not divided."""
-    places, depths = [], []
+    """(cells, depths) of the undivided cells."""
+    cells, depths = [], []
     for level in pyramid.levels[1:]:
         chosen = is_cell(level) & (download(level.divided) == 0)
-        places.append(slot_places(level)[chosen])
+        cells.append(slot_cells(level)[chosen])
         depths.append(np.full(chosen.sum(), level.depth))
-    return np.concatenate(places), np.concatenate(depths)
+    return np.concatenate(cells), np.concatenate(depths)
 
 
-def code_places(codes):
+def code_cells(codes):
     """Cells of Morton codes, int [n, 3]."""
     codes = codes[:, None].astype(np.int64)
     bits = np.arange(21)

@@ -20,7 +20,7 @@ ODD = np.array([0.1234567, 0.7654321, 0.3333333], np.float32)
 MIRRORED = np.array(list(product((1, -1), repeat=3))) * ODD  # eight points of 24 bits on one sphere
 RINGS = np.array([sign * ODD[list(order)] for order in permutations(range(3)) for sign in (1, -1)])  # in two planes
 ROUND = [(math.cos(t), math.sin(t), 0) for t in np.arange(8) * math.pi / 4]
-WHOLE = [(3, 4, 0), (4, 3, 0), (-3, 4, 0), (5, 0, 0), (0, -5, 0), (-4, -3, 0), (0, 0, 5), (0, 0, 0)]
+INTEGER_POINTS = [(3, 4, 0), (4, 3, 0), (-3, 4, 0), (5, 0, 0), (0, -5, 0), (-4, -3, 0), (0, 0, 5), (0, 0, 0)]
 # of determinant 1 with rows of millions: tetrahedra whose volume drowns in the rounding of float64
 SKEW = np.array([[2468508, -1667380, -303299], [-1650503, 2347748, -3940184], [-839939, 990009, -1317098]]) / 2**22
 SETS = {
@@ -34,7 +34,7 @@ SETS = {
     "nearly flat": np.column_stack([RNG.random((9, 2)), RNG.random(9) * 1e-7]),
     "coordinates of all sizes": RNG.normal(size=(8, 3)) * 10.0 ** RNG.integers(-12, 1, (8, 3)),
     "a ring and its poles": [*ROUND, (0, 0, 1), (0, 0, -1)],
-    "a ring of whole numbers": WHOLE,
+    "a ring of whole numbers": INTEGER_POINTS,
 }
 
 
@@ -43,8 +43,8 @@ def find(points, alphas, device="cpu"):
     cloud = PointCloud(points, device=device)
     tree = cloud.search_tree()
     rows = tree.order[: tree.count]
-    found = alpha_faces.find_alpha_shapes(tree, rows, len(cloud), alphas, True)
-    return [(download(faces).reshape(-1, 3), download(corners).reshape(-1, 4)) for faces, corners in found]
+    shapes = alpha_faces.find_alpha_shapes(tree, rows, len(cloud), alphas, True)
+    return [(download(faces).reshape(-1, 3), download(corners).reshape(-1, 4)) for faces, corners in shapes]
 
 
 def as_set(rows):
@@ -58,18 +58,18 @@ def test_tetrahedra_and_faces_are_those_of_exact_arithmetic(device, name):
     radii = sorted(exact.values())
     alphas = [math.sqrt(radii[len(radii) // 2]) * 1.01, math.inf]
     for alpha, (faces, corners) in zip(alphas, find(points, alphas, device), strict=True):
-        kept = [key for key, square in exact.items() if math.isinf(alpha) or square <= Fraction(alpha) ** 2]
-        assert as_set(corners) == set(kept) and len(corners) == len(kept)
-        assert as_set(faces) == boundary(kept) and len(faces) == len(boundary(kept))
+        selected = [key for key, square in exact.items() if math.isinf(alpha) or square <= Fraction(alpha) ** 2]
+        assert as_set(corners) == set(selected) and len(corners) == len(selected)
+        assert as_set(faces) == boundary(selected) and len(faces) == len(boundary(selected))
 
 
-def test_a_radius_of_exactly_alpha_is_kept_and_one_above_is_not(device):
+def test_a_radius_of_exactly_alpha_is_included(device):
     box = np.array(list(product((0, 1), (0, 2), (0, 2))), np.float32) / 8 + 3  # circumradius 1.5 / 8, a whole 3 / 16
     alphas = [np.nextafter(0.1875, 0), 0.1875]
     assert [len(corners) > 0 for _, corners in find(box, alphas, device)] == [False, True]
 
 
-def test_tetrahedra_are_turned_the_positive_way_and_faces_outwards(device):
+def test_tetrahedra_are_positively_oriented_and_faces_point_outwards(device):
     points = np.float32(np.random.default_rng(1).random((40, 3)))
     ((faces, corners),) = find(points, [0.3], device)
     a, b, c, d = (points[corners[:, k]].astype(float) for k in range(4))
@@ -79,7 +79,7 @@ def test_tetrahedra_are_turned_the_positive_way_and_faces_outwards(device):
     assert np.linalg.det(np.stack([x, y, z], 1)).sum() / 6 == pytest.approx(volumes.sum(), rel=1e-12)
 
 
-def test_a_star_that_outgrows_its_room_is_built_again(device):
+def test_a_star_that_exceeds_its_memory_is_rebuilt(device):
     around = np.random.default_rng(2).normal(size=(150, 3))
     around /= np.linalg.norm(around, axis=1)[:, None]  # 296 triangles around the middle
     assert 2 * len(around) - 4 > alpha_faces.ROOM
@@ -89,25 +89,25 @@ def test_a_star_that_outgrows_its_room_is_built_again(device):
 
 def test_tables_that_are_too_small_are_made_again(device, monkeypatch):
     points = np.random.default_rng(3).random((60, 3))
-    whole = find(points, [0.3], device)
+    expected = find(points, [0.3], device)
     monkeypatch.setattr(alpha_faces, "FACES_A_POINT", 0)
     monkeypatch.setattr(alpha_faces, "TETRAHEDRA_A_POINT", 0)
-    for (faces, corners), (others, more) in zip(find(points, [0.3], device), whole, strict=True):
+    for (faces, corners), (others, more) in zip(find(points, [0.3], device), expected, strict=True):
         np.testing.assert_array_equal(faces, others)
         np.testing.assert_array_equal(corners, more)
 
 
 def test_launches_in_parts_change_nothing(device, monkeypatch):
     points = np.random.default_rng(4).random((300, 3))
-    whole = find(points, [0.2], device)
+    expected = find(points, [0.2], device)
     monkeypatch.setattr(alpha_faces, "SCRATCH", alpha_faces.ROOM * alpha_faces.NUMBERS)
     monkeypatch.setattr(alpha_faces, "RUN", 7)
-    for (faces, corners), (others, more) in zip(find(points, [0.2], device), whole, strict=True):
+    for (faces, corners), (others, more) in zip(find(points, [0.2], device), expected, strict=True):
         np.testing.assert_array_equal(faces, others)
         np.testing.assert_array_equal(corners, more)
 
 
-def test_several_alphas_give_what_each_gives_alone(device):
+def test_several_alphas_give_the_results_of_each_alone(device):
     points = np.random.default_rng(6).random((80, 3))
     alphas = [0.15, 0.2, 0.25, 0.5, math.inf]
     together = find(points, alphas, device)
@@ -119,7 +119,7 @@ def test_several_alphas_give_what_each_gives_alone(device):
     assert sizes == sorted(sizes) and sizes[0] < sizes[-1]
 
 
-def test_the_largest_alpha_gives_the_whole_triangulation(device):
+def test_the_largest_alpha_gives_the_complete_triangulation(device):
     points = np.random.default_rng(7).random((12, 3))
     ((_, corners),) = find(points, [1e300], device)
     assert as_set(corners) == set(exact_tetrahedra(points))

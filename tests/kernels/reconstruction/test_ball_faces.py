@@ -20,18 +20,18 @@ def faces_of(points, normals, radius, device):
     """The triangles as rows of the cloud, the lowest first, none left out or refused; and their circles' widths."""
     cloud = loom.PointCloud(points, normals=normals, device=device, origin=[0, 0, 0])
     tree = cloud.search_tree()
-    asked = full(tree.count, 1, uint8, tree.device)
-    ball = BallPoints(tree, gather_rows(cloud.array("normals"), tree.order), asked, radius)
+    mask = full(tree.count, 1, uint8, tree.device)
+    ball = BallPoints(tree, gather_rows(cloud.array("normals"), tree.order), mask, radius)
     corners, widths = list_faces(ball, positions(tree.count, tree.device))
     rows = download(tree.order)[download(corners).reshape(-1, 3)]
     first = rows.argmin(axis=1)
-    turned = np.stack([rows[np.arange(len(rows)), (first + k) % 3] for k in range(3)], axis=1)
-    return turned, download(widths)
+    rolled = np.stack([rows[np.arange(len(rows)), (first + k) % 3] for k in range(3)], axis=1)
+    return rolled, download(widths)
 
 
 def brute_faces(points, normals, radius):
     """All triples, one after the other: the ball's center by the circumcenter, and its distance to all points."""
-    found = set()
+    faces = set()
     for a, b, c in itertools.combinations(range(len(points)), 3):
         B, C = points[b] - points[a], points[c] - points[a]
         n = np.cross(B, C)
@@ -46,8 +46,8 @@ def brute_faces(points, normals, radius):
         center = points[a] + middle + side * u * np.sqrt(rest)
         distances = np.delete(np.linalg.norm(points - center, axis=1), [a, b, c])
         if (distances > radius).all():
-            found.add((a, b, c) if side > 0 else (a, c, b))
-    return found
+            faces.add((a, b, c) if side > 0 else (a, c, b))
+    return faces
 
 
 def as_set(triangles):
@@ -67,30 +67,30 @@ def bumpy(rng, count, thickness):
 @pytest.mark.parametrize(("thickness", "radius"), [(0.05, 0.2), (0.3, 0.4), (1.0, 0.4), (0.3, 2.0)])
 def test_the_triangles_are_those_of_brute_force(device, rng, thickness, radius):
     points, normals = bumpy(rng, 26, thickness)
-    found, _ = faces_of(points, normals, radius, device)
+    faces, _ = faces_of(points, normals, radius, device)
     expected = brute_faces(points, normals, radius)
-    assert len(found) == len(expected) > 0
-    assert as_set(found) == expected
+    assert len(faces) == len(expected) > 0
+    assert as_set(faces) == expected
 
 
-def test_each_circle_is_told_as_a_share_of_the_ball(device, rng):
+def test_circle_widths_are_fractions_of_the_ball(device, rng):
     points, normals = bumpy(rng, 50, 0.1)
-    found, widths = faces_of(points, normals, 0.3, device)
-    a, b, c = (points[found[:, k]] for k in range(3))
+    faces, widths = faces_of(points, normals, 0.3, device)
+    a, b, c = (points[faces[:, k]] for k in range(3))
     sides = [np.linalg.norm(p - q, axis=1) for p, q in ((a, b), (b, c), (c, a))]
     radii = np.prod(sides, axis=0) / (2 * np.linalg.norm(np.cross(b - a, c - a), axis=1))
     np.testing.assert_allclose(widths, (radii / 0.3) ** 2, rtol=1e-6)  # rounded to float32
 
 
-def test_points_with_more_neighbors_than_there_is_room_for_at_first_are_done_again(device, rng, monkeypatch):
+def test_points_with_too_many_neighbors_are_processed_again(device, rng, monkeypatch):
     points, normals = bumpy(rng, 300, 0.1)
     expected, _ = faces_of(points, normals, 0.3, device)
     monkeypatch.setattr(ball_faces, "FIRST_ROOM", 4)
     monkeypatch.setattr(ball_faces, "FIRST_SLOTS", 1)
     monkeypatch.setattr(ball_faces, "PART", 70)
-    found, _ = faces_of(points, normals, 0.3, device)
-    assert len(found) == len(expected)
-    assert as_set(found) == as_set(expected)
+    faces, _ = faces_of(points, normals, 0.3, device)
+    assert len(faces) == len(expected)
+    assert as_set(faces) == as_set(expected)
 
 
 def grid(count, spacing=1.0):
@@ -109,11 +109,11 @@ def area_of(points, triangles):
 )
 def test_a_grid_has_two_triangles_a_cell_and_none_overlap(device, spacing, radius):
     points, normals = grid(20, spacing)
-    found, _ = faces_of(points, normals, radius * spacing, device)
-    areas = area_of(points / spacing, found)
-    assert len(found) == 2 * 19 * 19
+    faces, _ = faces_of(points, normals, radius * spacing, device)
+    areas = area_of(points / spacing, faces)
+    assert len(faces) == 2 * 19 * 19
     np.testing.assert_allclose(areas, 0.5, rtol=1e-5)  # rounding to float32
-    cells = (points / spacing)[found].min(axis=1).round()
+    cells = (points / spacing)[faces].min(axis=1).round()
     assert (np.unique(cells, axis=0, return_counts=True)[1] == 2).all()
 
 
@@ -121,10 +121,10 @@ def test_a_grid_has_two_triangles_a_cell_and_none_overlap(device, spacing, radiu
 def test_points_on_one_circle_are_a_fan_about_the_first(device, seed):
     circle = {(x, y) for x in range(-5, 6) for y in range(-5, 6) if x * x + y * y == 25}
     points = np.random.default_rng(seed).permutation([(x, y, 7.0) for x, y in sorted(circle)])
-    found, _ = faces_of(points, np.tile([0.0, 0, 2], (12, 1)), 6.0, device)
-    assert len(found) == 10
-    assert (found[:, 0] == 0).all()
-    assert (area_of(points, found) > 0).all()
+    faces, _ = faces_of(points, np.tile([0.0, 0, 2], (12, 1)), 6.0, device)
+    assert len(faces) == 10
+    assert (faces[:, 0] == 0).all()
+    assert (area_of(points, faces) > 0).all()
 
 
 CORNERS = itertools.product((-1, 1), repeat=2)
@@ -142,16 +142,16 @@ def test_the_corners_of_a_solid_make_its_closed_surface_from_outside_and_from_in
     corners, count = SOLIDS[solid]
     points = np.random.default_rng(seed).permutation(np.array(corners, float))
     radius = 0.9 * np.linalg.norm(points[0])  # from inside the ball through all corners is the first that does not fit
-    found, _ = faces_of(points, side * points, radius, device)
-    mesh = loom.TriangleMesh(points, found)
-    assert len(found) == count
+    faces, _ = faces_of(points, side * points, radius, device)
+    mesh = loom.TriangleMesh(points, faces)
+    assert len(faces) == count
     assert mesh.is_watertight()
-    volume = np.einsum("ij,ij->i", points[found[:, 0]], np.cross(points[found[:, 1]], points[found[:, 2]])).sum()
+    volume = np.einsum("ij,ij->i", points[faces[:, 0]], np.cross(points[faces[:, 1]], points[faces[:, 2]])).sum()
     assert np.sign(volume) == side
 
 
 @pytest.mark.parametrize("solid", SOLIDS)
-def test_a_ball_that_is_held_from_all_sides_does_not_fit(device, solid):
+def test_a_ball_blocked_from_all_sides_does_not_fit(device, solid):
     points = np.array(SOLIDS[solid][0], float)
     assert len(faces_of(points, -points, np.linalg.norm(points[0]), device)[0]) == 0
 
@@ -176,17 +176,17 @@ def test_a_normal_at_a_right_angle_agrees_and_three_do_not(device):
 def test_a_power_of_two_as_scale_changes_no_triangle(device, rng, power):
     points, normals = bumpy(rng, 200, 0.2)
     expected, widths = faces_of(points, normals, 0.2, device)
-    scaled, found_widths = faces_of(np.ldexp(points, power), normals, 0.2 * 2.0**power, device)
+    scaled, scaled_widths = faces_of(np.ldexp(points, power), normals, 0.2 * 2.0**power, device)
     assert len(scaled) == len(expected) > 100
-    assert by_corners(scaled, found_widths) == by_corners(expected, widths)
+    assert by_corners(scaled, scaled_widths) == by_corners(expected, widths)
 
 
-def test_both_compilers_and_any_order_of_threads_give_the_same_bits(device, rng):
+def test_compilers_and_thread_orders_are_bitwise_identical(device, rng):
     from pointloom.kernels.lang import cpu_compiler
 
     points, normals = bumpy(rng, 400, 0.3)
-    found, widths = faces_of(points, normals, 0.15, device)
+    faces, widths = faces_of(points, normals, 0.15, device)
     with cpu_compiler("warp"):
         expected, expected_widths = faces_of(points, normals, 0.15, "cpu")
-    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(faces, expected)
     np.testing.assert_array_equal(widths, expected_widths)

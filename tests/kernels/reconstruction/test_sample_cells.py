@@ -10,7 +10,7 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.reconstruction.sample_cells import Cube, gather_samples, sample_rows
 from pointloom.kernels.reconstruction.sample_density import ENDS, ON
 
-from .octree_trees import CORNER, SIDE, ball_samples, code_places, tree_of
+from .octree_trees import CORNER, SIDE, ball_samples, code_cells, tree_of
 
 
 def spline(t):
@@ -20,7 +20,7 @@ def spline(t):
 
 
 @pytest.mark.parametrize("by_length", [False, True])
-def test_cells_hold_the_sums_of_their_points(device, by_length):
+def test_cells_contain_the_sums_of_their_points(device, by_length):
     import warp as wp
 
     rng = np.random.default_rng(1)
@@ -31,19 +31,19 @@ def test_cells_hold_the_sums_of_their_points(device, by_length):
     arrays = [upload(a, vec3, wp.get_device(device)) for a in (points, normals)]
     rows = sample_rows(*arrays)
     np.testing.assert_array_equal(download(rows), np.delete(np.arange(500), [7, 8, 9]))
-    places = (points.astype(float)[download(rows)] - CORNER) / SIDE
+    positions = (points.astype(float)[download(rows)] - CORNER) / SIDE
     sizes = np.linalg.norm(normals.astype(float)[download(rows)], axis=1, keepdims=True)
     weights = sizes if by_length else np.ones_like(sizes)
     units = normals.astype(float)[download(rows)] / sizes * weights
     levels = gather_samples(*arrays, rows, Cube(CORNER, SIDE), 4, by_length)
     assert len(levels) == 5 and levels[0].count == 1
     for depth, cells in enumerate(levels):
-        wanted, member = np.unique(np.floor(places * 2**depth).astype(int), axis=0, return_inverse=True)
-        own = code_places(download(cells.codes))
-        order = np.lexsort(own.T[::-1])
-        np.testing.assert_array_equal(own[order], wanted)
-        sums = [np.zeros((len(wanted), k)) for k in (1, 3, 3, 1)]
-        for total, values in zip(sums, (np.ones_like(sizes), places, units, weights), strict=True):
+        expected, member = np.unique(np.floor(positions * 2**depth).astype(int), axis=0, return_inverse=True)
+        cell_indices = code_cells(download(cells.codes))
+        order = np.lexsort(cell_indices.T[::-1])
+        np.testing.assert_array_equal(cell_indices[order], expected)
+        sums = [np.zeros((len(expected), k)) for k in (1, 3, 3, 1)]
+        for total, values in zip(sums, (np.ones_like(sizes), positions, units, weights), strict=True):
             np.add.at(total, member.ravel(), values)
         count, mean, normal, weight = sums
         np.testing.assert_array_equal(download(cells.counts)[order], count[:, 0])
@@ -54,20 +54,20 @@ def test_cells_hold_the_sums_of_their_points(device, by_length):
 
 def test_the_density_is_that_of_splines_by_brute_force(device):
     pyramid = tree_of(ball_samples(600), 4, device)
-    assert len(pyramid.densities) == 3  # asked up to two levels above the finest
+    assert len(pyramid.densities) == 3  # evaluated up to two levels above the finest
     above = np.full(1, 600 / 1.5)
     for depth in (1, 2):
-        cells, reach, n = pyramid.cells[depth], pyramid.nodes[depth], 1 << depth
+        cells, nodes, n = pyramid.cells[depth], pyramid.nodes[depth], 1 << depth
         at = download(cells.means).astype(float) * n
         centers = np.stack(np.meshgrid(*[np.arange(n) + 0.5] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
         weights = spline(at[:, None] - centers).prod(axis=2)  # [cells of samples, cells]
         w = weights @ (download(cells.counts) @ weights) / (1.5 * 0.59375)
-        np.testing.assert_allclose(download(reach.densities), w, rtol=1e-5)
+        np.testing.assert_allclose(download(nodes.densities), w, rtol=1e-5)
         parents = download(cells.parents)
         between = depth - 1 + np.log(np.maximum(above[parents], 1)) / np.log(np.maximum(above[parents], 1) / w)
         local = np.where(w < 1, between, depth + (np.log(np.maximum(w, 1)) / np.log(4) if depth == 2 else 1))
-        np.testing.assert_allclose(download(reach.depths), local, atol=1e-5)
-        np.testing.assert_array_equal(download(reach.states), np.where(local > depth, ON, ENDS))
+        np.testing.assert_allclose(download(nodes.depths), local, atol=1e-5)
+        np.testing.assert_array_equal(download(nodes.states), np.where(local > depth, ON, ENDS))
         above = w
 
 
@@ -96,10 +96,10 @@ def test_the_splines_of_all_cells_add_up_to_one(device, write_kernels):
             sums[i] = vec3(total, slope - f[0], corners)
         """,
     )
-    place = wp.get_device(device)
+    warp_device = wp.get_device(device)
     shares = np.random.default_rng(0).random((100, 3))
     shares[0], shares[1] = 0, 1
-    sums = empty(100, vec3, place)
-    launch(module.sum_splines_kernel, 100, [upload(shares, vec3, place), sums])
+    sums = empty(100, vec3, warp_device)
+    launch(module.sum_splines_kernel, 100, [upload(shares, vec3, warp_device), sums])
     np.testing.assert_allclose(download(sums), np.tile([1.0, 0, 1], (100, 1)), atol=3e-7)
     assert float32

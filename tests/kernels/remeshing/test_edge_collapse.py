@@ -32,27 +32,27 @@ from ...meshing.simplification_scenes import bumpy_torus, grid
 
 def started(vertices, triangles, device: str, materials=None, target=10) -> CollapseRounds:
     """A mesh whose edges have their prices."""
-    place = resolve_device(device)
-    arrays = [upload(vertices, vec3, place)]
-    ids = None if materials is None else upload(materials, int32, place)
-    job = Decimation(upload(triangles, vec3i, place), arrays, [], None, ids, target, np.inf, 1.0)
+    warp_device = resolve_device(device)
+    arrays = [upload(vertices, vec3, warp_device)]
+    ids = None if materials is None else upload(materials, int32, warp_device)
+    job = Decimation(upload(triangles, vec3i, warp_device), arrays, [], None, ids, target, np.inf, 1.0)
     rounds = CollapseRounds(job.mesh, [], target, np.inf)
     rounds.price_edges()
     return rounds
 
 
-def number(mesh: CollapseMesh, place: int) -> int:
-    return int(download(mesh.numbers)[place])
+def number(mesh: CollapseMesh, index: int) -> int:
+    return int(download(mesh.numbers)[index])
 
 
-def note(mesh: CollapseMesh, place: int, value: int) -> None:
-    write(mesh.numbers[place : place + 1], np.array([value], np.int32))
+def note(mesh: CollapseMesh, index: int, value: int) -> None:
+    write(mesh.numbers[index : index + 1], np.array([value], np.int32))
 
 
-def chosen_of(job: CollapseRounds, edges, turns: int) -> np.ndarray:
+def chosen_of(job: CollapseRounds, edges, rounds: int) -> np.ndarray:
     """Which of some edges may collapse at once."""
     note(job.mesh, EDGES, edges.size)
-    job.choice.run(job.mesh, edges, turns)
+    job.choice.run(job.mesh, edges, rounds)
     return download(job.choice.chosen)[: edges.size] == 1
 
 
@@ -82,11 +82,11 @@ def test_vertices_are_free_on_a_line_or_corners(device):
     middles = vertices[triangles].mean(axis=1)
     materials = np.where(middles[:, 0] < 2, 0, np.where(middles[:, 1] < 2, 1, 2))
     kinds = download(started(vertices, triangles, device, materials).mesh.kinds).reshape(5, 5)
-    wanted = np.full((5, 5), FREE)
-    wanted[[0, 4], :] = wanted[:, [0, 4]] = LINE
-    wanted[:, 2] = wanted[2, 2:] = LINE
-    wanted[2, 2] = wanted[0, 2] = wanted[4, 2] = wanted[2, 4] = CORNER
-    np.testing.assert_array_equal(kinds, wanted)
+    expected = np.full((5, 5), FREE)
+    expected[[0, 4], :] = expected[:, [0, 4]] = LINE
+    expected[:, 2] = expected[2, 2:] = LINE
+    expected[2, 2] = expected[0, 2] = expected[4, 2] = expected[2, 4] = CORNER
+    np.testing.assert_array_equal(kinds, expected)
 
 
 def test_each_edge_has_one_owner(device):
@@ -96,12 +96,12 @@ def test_each_edge_has_one_owner(device):
     assert len(edges) == len(np.unique(edges, axis=0)) == 3 * len(triangles) // 2
 
 
-@pytest.mark.parametrize("turns", [1, 3, 40])
-def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, turns):
+@pytest.mark.parametrize("rounds", [1, 3, 40])
+def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, rounds):
     vertices, triangles = bumpy_torus(24, 16)
     job, rings = started(vertices, triangles, device), rings_of(triangles, 24 * 16)
     edges = owners(job)
-    chosen, ends = chosen_of(job, edges, turns), ends_of(job, edges)
+    chosen, ends = chosen_of(job, edges, rounds), ends_of(job, edges)
     near = [rings[a] | rings[b] for a, b in ends]
     taken = np.flatnonzero(chosen)
     assert len(taken) > 5
@@ -111,12 +111,12 @@ def test_chosen_edges_are_apart_and_in_the_end_no_other_is(device, turns):
     assert set(np.flatnonzero(download(job.mesh.touched)).tolist()) == around
     keys = download(job.mesh.keys)[download(edges)]
     free = [i for i in np.flatnonzero(keys < 2**63 - 3) if not set(map(int, ends[i])) & around]
-    assert not free or turns < 40
+    assert not free or rounds < 40
     # the cheapest edge of all that may collapse is among them
     assert chosen[np.argmin(np.where(keys < 2**63 - 3, keys, 2**63 - 1))]
 
 
-def test_as_many_of_the_cheapest_edges_are_taken_as_triangles_are_to_go(device):
+def test_the_number_of_collapsed_edges_matches_the_target(device):
     vertices, triangles = grid(12)
     job = started(vertices, triangles, device)
     edges = owners(job)
@@ -124,17 +124,17 @@ def test_as_many_of_the_cheapest_edges_are_taken_as_triangles_are_to_go(device):
     border = ((ends % 12 == 0) | (ends % 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 12)
     border |= ((ends // 12 == 0) | (ends // 12 == 11)).all(axis=1) & (np.ptp(ends, axis=1) == 1)
     order = np.argsort(download(job.mesh.keys)[download(edges)])
-    gone = np.cumsum(np.where(border, 1, 2)[order])
+    removed = np.cumsum(np.where(border, 1, 2)[order])
     note(job.mesh, PICKED, edges.size)
-    for most in (1, 2, 7, 100, int(gone[-1]), len(edges) // 2, 2 * len(edges)):
+    for max_count in (1, 2, 7, 100, int(removed[-1]), len(edges) // 2, 2 * len(edges)):
         bins, mask = (
-            EdgeBins(len(triangles) - most, job.mesh.numbers),
+            EdgeBins(len(triangles) - max_count, job.mesh.numbers),
             upload(np.zeros(edges.size), uint8, edges.device),
         )
         bins.mark_cheapest(job.mesh, edges, edges.size, mask)
-        wanted = np.zeros(len(order), np.uint8)
-        wanted[order[: np.searchsorted(gone, most) + 1]] = 1
-        np.testing.assert_array_equal(download(mask), wanted)
+        expected = np.zeros(len(order), np.uint8)
+        expected[order[: np.searchsorted(removed, max_count) + 1]] = 1
+        np.testing.assert_array_equal(download(mask), expected)
         assert not download(bins.bins).any()
 
 
@@ -153,14 +153,14 @@ def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
         rows = np.flatnonzero(left[:, 0] >= 0)
         assert len(rows) == count
         vertices = number(mesh, VERTICES)
-        wanted = CornersByVertex(upload(left[rows], vec3i, mesh.triangles.device), vertices)
+        expected = CornersByVertex(upload(left[rows], vec3i, mesh.triangles.device), vertices)
         starts, corners = download(mesh.starts)[: vertices + 1], download(mesh.corners)[: 3 * count]
-        np.testing.assert_array_equal(starts, download(wanted.starts))
-        places = np.full(len(left), -1)
-        places[rows] = np.arange(len(rows))
-        mine = 3 * places[corners // 3] + corners % 3
+        np.testing.assert_array_equal(starts, download(expected.starts))
+        new_rows = np.full(len(left), -1)
+        new_rows[rows] = np.arange(len(rows))
+        renumbered = 3 * new_rows[corners // 3] + corners % 3
         for first, last in itertools.pairwise(starts):
-            assert sorted(mine[first:last]) == download(wanted.corners)[first:last].tolist()
+            assert sorted(renumbered[first:last]) == download(expected.corners)[first:last].tolist()
         flat, h = left.reshape(-1), corners
         spokes = np.stack([flat[h // 3 * 3 + (h + 1) % 3], flat[h // 3 * 3 + (h + 2) % 3]], axis=1)
         np.testing.assert_array_equal(download(mesh.spokes)[: 3 * count], spokes)
@@ -169,13 +169,13 @@ def test_lists_that_are_joined_are_those_of_the_new_triangles(device):
     assert number(mesh, SLOTS) == count
 
 
-def test_no_two_edges_have_one_key_however_often_they_are_renumbered(device):
-    """All squares of a flat grid cost the same, so numbers alone tell their edges apart; equal ones both collapse."""
+def test_keys_of_edges_stay_unique_after_renumbering(device):
+    """All squares of a flat grid have equal costs, so numbers order their edges; both of two equal ones collapse."""
     vertices, triangles = grid(40)
     job = started(vertices, triangles, device)
-    mesh, seen = job.mesh, []
+    mesh, slot_counts = job.mesh, []
     while number(mesh, TRIANGLES) > 300:
-        seen.append(number(mesh, SLOTS))
+        slot_counts.append(number(mesh, SLOTS))
         job.run_round()
         assert number(mesh, CHOSEN)
         job.price_edges()
@@ -185,19 +185,22 @@ def test_no_two_edges_have_one_key_however_often_they_are_renumbered(device):
         assert len(keys) == len(np.unique(keys))
         left = download(mesh.triangles).reshape(-1, 3)[:slots, 0] >= 0
         assert left.sum() == number(mesh, TRIANGLES)
-    assert len(np.unique(seen)) > 4
+    assert len(np.unique(slot_counts)) > 4
 
 
 @pytest.mark.parametrize("target", [5, 40])
 def test_the_mesh_that_was_given_stays(device, target):
     """Rounds write in place: to copies."""
     vertices, triangles = grid(12)
-    place = resolve_device(device)
-    given, materials = upload(triangles, vec3i, place), upload(np.arange(len(triangles)) // 121, int32, place)
-    uvs = upload(np.repeat(vertices[triangles].reshape(-1, 3)[:, :2], 1, axis=0), vec2, place)
-    kept = [download(values).copy() for values in (given, uvs, materials)]
-    job = Decimation(given, [upload(vertices, vec3, place)], [], uvs, materials, target, np.inf, 1.0)
+    warp_device = resolve_device(device)
+    given, materials = (
+        upload(triangles, vec3i, warp_device),
+        upload(np.arange(len(triangles)) // 121, int32, warp_device),
+    )
+    uvs = upload(np.repeat(vertices[triangles].reshape(-1, 3)[:, :2], 1, axis=0), vec2, warp_device)
+    originals = [download(values).copy() for values in (given, uvs, materials)]
+    job = Decimation(given, [upload(vertices, vec3, warp_device)], [], uvs, materials, target, np.inf, 1.0)
     job.run()
     assert job.mesh.triangles.size <= target
-    for values, was in zip((given, uvs, materials), kept, strict=True):
+    for values, was in zip((given, uvs, materials), originals, strict=True):
         np.testing.assert_array_equal(download(values), was)

@@ -24,18 +24,18 @@ class System:
         self.count, mesh = len(vertices), TriangleMesh(vertices, triangles, device=device)
         self.edges, where = MeshEdges(mesh.array("triangles"), self.count), mesh.device
         self.weights = 10.0 ** rng.uniform(-3, 3, self.edges.count) * (rng.random(self.edges.count) > 0.2)
-        self.held = np.arange(self.count) % 9 == 0
+        self.fixed = np.arange(self.count) % 9 == 0
         self.start, self.right = rng.normal(size=(2, self.count, 3))
-        self.right[self.held] = 0
-        reached = self.reach()
-        self.free = ~self.held & reached
+        self.right[self.fixed] = 0
+        reached = self.connected_to_fixed()
+        self.free = ~self.fixed & reached
         excess, free = zeros((self.count, 1), float64, where), upload(self.free, int32, where)
         self.level = Level(self.edges, upload(self.weights, float64, where), excess, free)
         self.solution, self.sides = upload(self.start, vec3d, where), upload(self.right, vec3d, where)
 
-    def reach(self):
+    def connected_to_fixed(self):
         lows, highs = self.edges.lows.numpy(), self.edges.highs.numpy()
-        reached = self.held.copy()
+        reached = self.fixed.copy()
         for _ in range(self.count):
             for a, b in ((lows, highs), (highs, lows)):
                 reached[b[(self.weights > 0) & reached[a]]] = True
@@ -55,24 +55,24 @@ def test_solutions_are_those_of_a_dense_solver(device):
     for scale in (1.0, 2.0):  # the second solve begins where the first one ended
         right = scale * system.right
         solver.solve(upload(right, vec3d, system.solution.device))
-        wanted = system.start.copy()
-        wanted[free] = np.linalg.solve(A[np.ix_(free, free)], (right - A[:, ~free] @ system.start[~free])[free])
-        found = system.solution.numpy()
-        np.testing.assert_array_equal(found[~free], system.start[~free])
+        expected = system.start.copy()
+        expected[free] = np.linalg.solve(A[np.ix_(free, free)], (right - A[:, ~free] @ system.start[~free])[free])
+        result = system.solution.numpy()
+        np.testing.assert_array_equal(result[~free], system.start[~free])
         # weights over six decades, of which 1e-3 bring errors of 1e-12 in forces to some 1e-9 in positions of 1e3
-        np.testing.assert_allclose(found[free], wanted[free], rtol=1e-9, atol=1e-8)
+        np.testing.assert_allclose(result[free], expected[free], rtol=1e-9, atol=1e-8)
     solver.check()
 
 
-def test_coarser_levels_are_smaller_and_keep_what_holds_them(device):
+def test_coarser_levels_are_smaller_and_keep_the_springs_to_fixed_vertices(device):
     solver = LaplacianSolver(System(device, rounds=3).level, System(device, rounds=3).solution, 1e-20)
     counts = [level.count for level in solver.preconditioner.levels]
     assert len(counts) >= 3 and all(b < 0.5 * a for a, b in pairwise(counts))
     fine, *coarse = solver.preconditioner.levels
-    held = np.flatnonzero(fine.free.numpy() == 0)
+    fixed = np.flatnonzero(fine.free.numpy() == 0)
     lows, highs, weights = fine.edges.lows.numpy(), fine.edges.highs.numpy(), fine.weights.numpy()
-    across = weights[np.isin(lows, held) != np.isin(highs, held)].sum()
-    for level in coarse:  # a vector of ones feels what holds the mesh and nothing else
+    across = weights[np.isin(lows, fixed) != np.isin(highs, fixed)].sum()
+    for level in coarse:  # a vector of ones measures only the springs to fixed vertices
         starts, pulls = level.around.starts.numpy(), level.pulls.numpy()
         rows = level.diagonal.numpy() - np.add.reduceat(np.append(pulls, 0), starts[:-1]) * (np.diff(starts) > 0)
         assert rows.sum() == pytest.approx(across, rel=1e-9)
@@ -81,10 +81,13 @@ def test_coarser_levels_are_smaller_and_keep_what_holds_them(device):
 def test_vertices_without_springs_move_by_their_own_weights(device, rng):
     """More vertices than a matrix is inverted for, and none to make a coarser level of."""
     system = System(device)
-    place, weights = system.solution.device, rng.uniform(1, 2, (system.count, 1))
-    free, springs = upload(np.ones(system.count, np.int32), int32, place), zeros(system.edges.count, float64, place)
+    warp_device, weights = system.solution.device, rng.uniform(1, 2, (system.count, 1))
+    free, springs = (
+        upload(np.ones(system.count, np.int32), int32, warp_device),
+        zeros(system.edges.count, float64, warp_device),
+    )
     solver = LaplacianSolver(
-        Level(system.edges, springs, upload(weights, float64, place), free), system.solution, 1e-24
+        Level(system.edges, springs, upload(weights, float64, warp_device), free), system.solution, 1e-24
     )
     assert solver.preconditioner.inverse is None
     solver.solve(system.sides)

@@ -1,4 +1,4 @@
-"""Vertices move as far as no triangle turns over."""
+"""Vertices move only as far as no triangle flips."""
 
 from __future__ import annotations
 
@@ -14,17 +14,20 @@ SQUARE = np.array([[0, 0, 0], [2, 0, 0], [2, 2, 0], [0, 2, 0], [1, 1, 0], [5, 5,
 FANS = np.array([[0, 1, 4], [1, 2, 4], [2, 3, 4], [3, 0, 4], [5, 6, 7]])
 
 
-def test_vertices_of_triangles_that_would_turn_stay(device):
+def test_vertices_of_triangles_that_would_flip_stay(device):
     """The last triangle has no area, so nothing can turn there."""
-    place = resolve_device(device)
+    warp_device = resolve_device(device)
     for step, stays in ((0.5, False), (1.5, True)):
-        faces, count = upload(FANS, vec3i, place), len(SQUARE)
+        faces, count = upload(FANS, vec3i, warp_device), len(SQUARE)
         mesh = CreasedMesh(
-            upload(SQUARE, vec3, place), faces, zeros(3 * len(FANS), uint8, place), zeros(count, uint8, place)
+            upload(SQUARE, vec3, warp_device),
+            faces,
+            zeros(3 * len(FANS), uint8, warp_device),
+            zeros(count, uint8, warp_device),
         )
         moved = SQUARE.copy()
         moved[4:6, 0] += step
-        move_without_flips(mesh, upload(moved, vec3, place))
+        move_without_flips(mesh, upload(moved, vec3, warp_device))
         expected = moved.copy()
         if stays:
             expected[4] = SQUARE[4]

@@ -1,4 +1,4 @@
-"""Codes of frames: the same place is known again, holes and exposure aside."""
+"""Codes of frames recognize the same view despite holes and exposure."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def difference(code, other):
     return int(common), different / max(common, 1)
 
 
-def test_a_picture_differs_from_itself_in_nothing_and_from_another_in_much(device, rng):
+def test_an_image_equals_itself_and_differs_from_another(device, rng):
     one, other = picture(rng), picture(rng)
     code = code_of(device, *one)
     assert difference(code, code) == (4 * FERNS, 0.0)
@@ -39,13 +39,13 @@ def test_a_picture_differs_from_itself_in_nothing_and_from_another_in_much(devic
     assert common == 4 * FERNS and share > 0.15
 
 
-def test_noise_and_exposure_change_few_answers(device, rng):
+def test_noise_and_exposure_change_few_bits(device, rng):
     depth, brightness = picture(rng)
     noisy = depth + rng.normal(0, 0.01, depth.shape).astype(np.float32)
     assert difference(code_of(device, depth, brightness), code_of(device, noisy, 0.6 * brightness))[1] < 0.03
 
 
-def test_holes_answer_nothing(device, rng):
+def test_holes_give_no_bits(device, rng):
     depth, brightness = picture(rng)
     torn = depth.copy()
     torn[:, ::2] = 0
@@ -62,7 +62,7 @@ def test_without_color_depth_decides(device, rng):
     assert difference(gray, code_of(device, depth, brightness)) == (2 * FERNS, 0.0)
 
 
-def test_codes_lie_in_rows_and_each_is_compared(device, rng):
+def test_codes_are_stored_in_rows_and_each_is_compared(device, rng):
     codes = zeros(3 * FERNS, uint8, resolve_device(device))
     pictures = [picture(rng) for _ in range(3)]
     for row, (depth, brightness) in enumerate(pictures):
@@ -71,25 +71,25 @@ def test_codes_lie_in_rows_and_each_is_compared(device, rng):
     assert counts[1, 1] == 0 and counts[0, 1] > 0 and counts[2, 1] > 0
 
 
-def test_a_picture_may_lie_anywhere_in_its_array(device, rng):
+def test_an_image_may_start_anywhere_in_its_array(device, rng):
     depth, brightness = picture(rng)
     shifted = [np.concatenate([np.full(7, 9, np.float32), x.reshape(-1)]) for x in (depth, brightness)]
     assert difference(code_of(device, depth, brightness), code_of(device, *shifted, first=7)) == (4 * FERNS, 0.0)
 
 
 @pytest.mark.parametrize("seed", [1, 2**31 - 1])
-def test_another_seed_asks_other_questions(device, rng, seed):
+def test_another_seed_gives_other_comparisons(device, rng, seed):
     depth, brightness = picture(rng)
     codes = [download(code_of(device, depth, brightness, s)).copy() for s in (0, seed)]
     assert (codes[0] != codes[1]).any()
 
 
-def test_a_pixel_seen_by_numpy_answers_the_same(device):
-    """A picture of one pixel: every test asks that pixel, and depth exceeds a threshold as often as it should."""
+def test_the_code_of_a_pixel_matches_numpy(device):
+    """An image of one pixel: every test compares that pixel, and depth exceeds a threshold at the expected rate."""
     depth, brightness = np.array([2.4], np.float32), np.array([0.5], np.float32)
     arrays = [upload(x, float32, resolve_device(device)) for x in (depth, brightness)]
     code = download(encode_frame(*arrays, 0, 1, 1, seed=0)).astype(int)
     assert (code >> 4 == 15).all()
     assert abs((code & 1).mean() - 0.5) < 0.1, "thresholds lie between 0.4 and 4.4 m"
-    for place in (1, 2, 3):
-        assert abs((code >> place & 1).mean() - 4 / 9) < 0.1, "ratios lie between 0.6 and 1.5"
+    for bit in (1, 2, 3):
+        assert abs((code >> bit & 1).mean() - 4 / 9) < 0.1, "ratios lie between 0.6 and 1.5"

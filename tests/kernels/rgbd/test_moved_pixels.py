@@ -21,9 +21,9 @@ def hidden(device, before, now, T=None):
     earlier = OdometryFrame(before.astype(np.float32), CAMERA, device=device)
     depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
     views = [(FreeSpace(earlier.levels), np.eye(4) if T is None else T)]
-    kept = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
-    assert ((kept == now.astype(np.float32)) | (kept == 0)).all()
-    return (kept == 0) & (now > 0)
+    filtered = download(hide_moved(depth, CAMERA, views)).reshape(now.shape)
+    assert ((filtered == now.astype(np.float32)) | (filtered == 0)).all()
+    return (filtered == 0) & (now > 0)
 
 
 def wall():
@@ -36,7 +36,7 @@ def with_box(column, depth=1.2):
     return picture
 
 
-def test_what_came_in_is_hidden_and_what_it_uncovered_is_not(device):
+def test_new_objects_are_hidden_and_uncovered_surfaces_are_not(device):
     came = hidden(device, wall(), with_box(20))
     inner = np.zeros_like(came)
     inner[10:40, 20:32] = True
@@ -44,7 +44,7 @@ def test_what_came_in_is_hidden_and_what_it_uncovered_is_not(device):
     assert not hidden(device, with_box(20), wall()).any()
 
 
-def test_what_stays_is_kept(device):
+def test_static_surfaces_stay(device):
     assert not hidden(device, with_box(20), with_box(20)).any()
     assert not hidden(device, wall(), wall() - 0.08).any(), "less than the margin"
 
@@ -58,7 +58,7 @@ def test_where_the_earlier_frame_saw_nothing_nothing_is_known(device):
 
 
 @pytest.mark.parametrize("shift", [-0.2, 0.2])
-def test_the_earlier_camera_may_have_stood_elsewhere(device, shift):
+def test_the_earlier_camera_may_have_another_pose(device, shift):
     """A box that stays where it is falls on itself; one that came falls on the wall."""
     T = np.eye(4)
     T[0, 3] = shift
@@ -67,7 +67,7 @@ def test_the_earlier_camera_may_have_stood_elsewhere(device, shift):
     assert hidden(device, wall(), with_box(20), T)[12:38, 22:30].all()
 
 
-def test_beyond_the_picture_and_behind_the_camera_nothing_is_known(device):
+def test_pixels_outside_the_earlier_view_are_not_hidden(device):
     T = np.eye(4)
     T[0, 3] = 50.0
     assert not hidden(device, wall(), with_box(20), T).any()
@@ -75,13 +75,13 @@ def test_beyond_the_picture_and_behind_the_camera_nothing_is_known(device):
     assert not hidden(device, wall(), with_box(20), T).any()
 
 
-def test_either_of_two_earlier_frames_tells(device):
-    """One saw the box, the other the wall behind it; pixels of a picture of twice the size are asked for by fours."""
-    wide = PinholeCameraIntrinsic(128, 96, 120.0, 120.0, 63.5, 47.5)
+def test_either_of_two_earlier_frames_is_enough(device):
+    """One saw the box, the other the wall behind it; pixels of an image of twice the size are tested in fours."""
+    wide_camera = PinholeCameraIntrinsic(128, 96, 120.0, 120.0, 63.5, 47.5)
     now = np.kron(with_box(20), np.ones((2, 2)))
-    seen = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
+    frames = [OdometryFrame(f.astype(np.float32), CAMERA, device=device) for f in (with_box(20), wall())]
     depth = upload(now.astype(np.float32).reshape(-1), float32, resolve_device(device))
     for order in ([0, 1], [1, 0]):
-        views = [(FreeSpace(seen[k].levels), np.eye(4)) for k in order]
-        kept = download(hide_moved(depth, wide, views)).reshape(now.shape)
-        assert np.array_equal(kept == 0, now < WALL)
+        views = [(FreeSpace(frames[k].levels), np.eye(4)) for k in order]
+        filtered = download(hide_moved(depth, wide_camera, views)).reshape(now.shape)
+        assert np.array_equal(filtered == 0, now < WALL)

@@ -1,4 +1,4 @@
-"""Pyramids of frames: near and far are not mixed, holes do not grow, pixels keep their places, planes are right."""
+"""Pyramids of frames: near and far are not mixed, holes do not grow, pixels keep their positions, planes are right."""
 
 from __future__ import annotations
 
@@ -10,19 +10,19 @@ from pointloom.kernels.memory import download, upload
 from pointloom.kernels.rgbd.pyramid import level_sizes, make_levels
 
 
-def levels_of(depth, device, *, shade=None, normals=None, most=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
-    place = wp.get_device(device)
+def levels_of(depth, device, *, shade=None, normals=None, max_pixels=10**6, lens=(50.0, 50.0, 15.5, 11.5)):
+    warp_device = wp.get_device(device)
     height, width = depth.shape
-    brightness = None if shade is None else upload(shade.reshape(-1), float32, place)
-    numbers = {"max_pixels": most, "min_side": 4, "radius": 2}
-    numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, place)
-    return make_levels(upload(depth.reshape(-1), float32, place), brightness, width, height, lens, **numbers)
+    brightness = None if shade is None else upload(shade.reshape(-1), float32, warp_device)
+    numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
+    numbers["normals"] = None if normals is None else upload(normals.reshape(-1, 3), vec3, warp_device)
+    return make_levels(upload(depth.reshape(-1), float32, warp_device), brightness, width, height, lens, **numbers)
 
 
 def image(levels, values, k):
     (width, height), first = levels.sizes[k], int(levels.firsts[k])
-    whole = download(values)
-    return whole[first : first + width * height].reshape(height, width, *whole.shape[1:])
+    pixels = download(values)
+    return pixels[first : first + width * height].reshape(height, width, *pixels.shape[1:])
 
 
 def test_near_and_far_are_not_mixed(device):
@@ -43,7 +43,7 @@ def test_a_hole_does_not_grow(device):
     assert np.argwhere(image(levels, levels.depth, 1) == 0).tolist() == [[4, 3]]
 
 
-def test_a_camera_keeps_the_borders_of_its_picture():
+def test_a_camera_keeps_the_borders_of_its_image():
     sizes, lenses, halvings = level_sizes(640, 480, (500.0, 510.0, 319.5, 239.5), 100_000, 24)
     assert sizes[0] == (320, 240) and halvings == 1
     for (width, height), (fx, fy, cx, cy) in zip(sizes, lenses, strict=True):
@@ -68,14 +68,14 @@ def test_a_plane_does_not_bridge_two_surfaces(device):
     depth[:, 16:] = 1.5
     levels = levels_of(depth, device)
     planes = image(levels, levels.planes, 0)
-    found = planes[planes[..., 3] != 0]
-    assert np.abs(found[:, :3] - [0, 0, -1]).max() < 1e-4
+    valid = planes[planes[..., 3] != 0]
+    assert np.abs(valid[:, :3] - [0, 0, -1]).max() < 1e-4
 
 
 def test_given_normals_are_taken(device):
     depth = np.full((24, 32), 2.0, np.float32)
     normals = np.zeros((24, 32, 3), np.float32)
-    normals[..., 2] = 1.5  # away from the camera, not of unit length: both are mended
+    normals[..., 2] = 1.5  # away from the camera, not of unit length: both are fixed
     normals[3, 4] = np.nan
     levels = levels_of(depth, device, normals=normals)
     planes = image(levels, levels.planes, 0)
@@ -84,12 +84,12 @@ def test_given_normals_are_taken(device):
 
 
 def test_colors_are_weighed_as_brightness(device):
-    place = wp.get_device(device)
+    warp_device = wp.get_device(device)
     pixels = np.tile(np.array([255, 0, 0], np.uint8), (24 * 32, 1))
-    depth = upload(np.full(24 * 32, 1.0), float32, place)
-    for most in (10**6, 500):
-        numbers = {"max_pixels": most, "min_side": 4, "radius": 2}
-        levels = make_levels(depth, upload(pixels, uint8, place), 32, 24, (50.0, 50.0, 15.5, 11.5), **numbers)
+    depth = upload(np.full(24 * 32, 1.0), float32, warp_device)
+    for max_pixels in (10**6, 500):
+        numbers = {"max_pixels": max_pixels, "min_side": 4, "radius": 2}
+        levels = make_levels(depth, upload(pixels, uint8, warp_device), 32, 24, (50.0, 50.0, 15.5, 11.5), **numbers)
         assert np.allclose(download(levels.brightness), 0.299, atol=1e-6)
 
 

@@ -12,7 +12,7 @@ from pointloom.kernels.rgbd import stream_views as at
 from pointloom.kernels.rgbd.stream_views import compare_views, hide_near, view_stream
 from pointloom.rgbd.slam.dense_slam import shift_of
 
-WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a rim that no cell holds
+WIDTH, HEIGHT = 330, 250  # 82 x 62 cells of 4 x 4, and a border outside all cells
 
 
 def pictures(shift=(0.0, 0.0)):
@@ -25,9 +25,9 @@ def pictures(shift=(0.0, 0.0)):
 
 
 def view(device, depth, color=None):
-    where = resolve_device(device)
-    pixels = None if color is None else upload(color.reshape(-1, 3), uint8, where)
-    return view_stream(upload(depth.reshape(-1), float32, where), pixels, WIDTH, HEIGHT)
+    warp_device = resolve_device(device)
+    pixels = None if color is None else upload(color.reshape(-1, 3), uint8, warp_device)
+    return view_stream(upload(depth.reshape(-1), float32, warp_device), pixels, WIDTH, HEIGHT)
 
 
 def sums(now, before):
@@ -36,35 +36,35 @@ def sums(now, before):
 
 def test_a_cell_is_the_mean_of_its_pixels(device):
     depth, color = pictures()
-    seen = view(device, depth, color)
+    stream_view = view(device, depth, color)
     columns, rows = WIDTH // 4, HEIGHT // 4
-    assert (seen.columns, seen.rows) == (columns, rows)
+    assert (stream_view.columns, stream_view.rows) == (columns, rows)
 
     def means(picture):
         return picture[: rows * 4, : columns * 4].reshape(rows, 4, columns, 4).mean(axis=(1, 3)).reshape(-1)
 
-    assert np.allclose(download(seen.nearness), means(1 / depth.astype(np.float64)), atol=1e-6)
-    assert np.allclose(download(seen.brightness), means(color[..., 0] / 255), atol=1e-6)
+    assert np.allclose(download(stream_view.nearness), means(1 / depth.astype(np.float64)), atol=1e-6)
+    assert np.allclose(download(stream_view.brightness), means(color[..., 0] / 255), atol=1e-6)
 
 
 def test_a_cell_that_is_measured_in_part_has_no_nearness_and_without_color_there_is_no_brightness(device):
     depth, _ = pictures()
     depth[:4, :4].flat[:5] = 0.0
     depth[4:8, :4].flat[:4] = 0.0
-    seen = view(device, depth)
-    nearness = download(seen.nearness).reshape(seen.rows, seen.columns)
+    stream_view = view(device, depth)
+    nearness = download(stream_view.nearness).reshape(stream_view.rows, stream_view.columns)
     assert nearness[0, 0] == 0.0 and nearness[1, 0] > 0.0
-    assert (download(seen.brightness) < 0).all()
+    assert (download(stream_view.brightness) < 0).all()
 
 
 @pytest.mark.parametrize("shift", [(0.4, 0.0), (0.0, -0.7), (-0.5, 0.3)])
-def test_both_pictures_tell_the_shift(device, shift):
-    found = sums(view(device, *pictures(shift)), view(device, *pictures()))
-    assert np.allclose(shift_of(found, at.BRIGHT), shift, atol=0.03)
-    assert np.allclose(shift_of(found, at.NEAR), shift, atol=0.03)
+def test_both_images_give_the_shift(device, shift):
+    result = sums(view(device, *pictures(shift)), view(device, *pictures()))
+    assert np.allclose(shift_of(result, at.BRIGHT), shift, atol=0.03)
+    assert np.allclose(shift_of(result, at.NEAR), shift, atol=0.03)
 
 
-def test_a_depth_picture_is_the_same_to_the_last_bit_or_it_is_another(device):
+def test_depth_images_are_compared_bitwise(device):
     depth, color = pictures()
     before = view(device, depth, color)
     assert sums(view(device, depth, color), before)[at.OTHER] == 0
@@ -75,8 +75,8 @@ def test_a_depth_picture_is_the_same_to_the_last_bit_or_it_is_another(device):
 
 def test_a_blank_wall_has_no_shift(device):
     flat = view(device, np.full((HEIGHT, WIDTH), 2.0, np.float32), np.full((HEIGHT, WIDTH, 3), 90, np.uint8))
-    found = sums(flat, flat)
-    assert np.isnan(shift_of(found, at.BRIGHT)).all() and np.isnan(shift_of(found, at.NEAR)).all()
+    result = sums(flat, flat)
+    assert np.isnan(shift_of(result, at.BRIGHT)).all() and np.isnan(shift_of(result, at.NEAR)).all()
 
 
 def test_what_is_near_is_hidden(device):

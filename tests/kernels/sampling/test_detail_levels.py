@@ -22,8 +22,8 @@ def plain_priority(index):
 
 
 def cells_of(points, corner, side):
-    places = np.floor((points.astype(np.float64) - corner) * (2.0**DEPTH / side)).astype(np.int64)
-    return np.minimum(places, LAST_CELL)
+    cells = np.floor((points.astype(np.float64) - corner) * (2.0**DEPTH / side)).astype(np.int64)
+    return np.minimum(cells, LAST_CELL)
 
 
 def plain_levels(points, corner, side):
@@ -43,20 +43,20 @@ def plain_levels(points, corner, side):
 def levels_by_index(points, corner, side, device):
     _, order, levels = find_levels(upload(points, vec3, resolve_device(device)), corner, side)
     assert np.array_equal(np.sort(order), np.flatnonzero(np.isfinite(points).all(axis=1)))
-    found = np.empty(len(points), np.int64)
-    found[order] = levels
-    return found
+    result = np.empty(len(points), np.int64)
+    result[order] = levels
+    return result
 
 
 def clouds(rng):
     ball = rng.normal(size=(700, 3)) * 0.02 + 0.5
     scales = 0.5 + rng.normal(size=(700, 3)) * 10.0 ** rng.uniform(-7, -1.2, (700, 1))
-    few_places = rng.integers(0, 4, (500, 3)) / 4
+    few_positions = rng.integers(0, 4, (500, 3)) / 4
     return {
         "plane": rng.random((900, 3)) * [1, 1, 0],
         "ball": ball,
         "many scales": scales,
-        "equal points": few_places,
+        "equal points": few_positions,
         "two": rng.random((2, 3)),
         "one": np.full((1, 3), 0.999999999),
         "a line that ends in the last cell": np.linspace(0, 1, 333)[:, None] * [1, 1, 1],
@@ -70,7 +70,7 @@ def test_levels_are_those_of_the_definition(device, name, rng):
     assert np.array_equal(levels_by_index(points, corner, side, device), plain_levels(points, corner, side))
 
 
-def test_a_level_holds_one_point_a_voxel(device, rng):
+def test_a_level_has_one_point_per_voxel(device, rng):
     """140,000 points, half of them in one place, so that walks pass blocks of blocks."""
     points = (rng.random((140_000, 3)) * [40, 40, 2] - 7).astype(np.float32)
     points[::2] = points[5]
@@ -91,19 +91,19 @@ def test_keys_ascend_and_equal_ones_by_index(device, rng):
     points[3] = [np.inf, 0, 0]
     keys, order, _ = find_levels(upload(points, vec3, resolve_device(device)), np.zeros(3), 4.0)
     assert len(order) == np.isfinite(points).all(axis=1).sum()
-    steps, turns = np.diff(keys), np.diff(order)
+    steps, index_steps = np.diff(keys), np.diff(order)
     assert (steps >= 0).all()
-    assert (turns[steps == 0] > 0).all()
+    assert (index_steps[steps == 0] > 0).all()
 
 
 @pytest.mark.parametrize("points", [np.zeros((0, 3)), np.full((4, 3), np.nan)], ids=["no point", "none finite"])
 def test_of_no_points_there_are_no_levels(device, points):
-    found = find_levels(upload(points.astype(np.float32), vec3, resolve_device(device)), np.zeros(3), 1.0)
-    assert [part.size for part in found] == [0, 0, 0]
+    result = find_levels(upload(points.astype(np.float32), vec3, resolve_device(device)), np.zeros(3), 1.0)
+    assert [part.size for part in result] == [0, 0, 0]
 
 
 def test_the_priority_is_no_order_of_its_own():
-    """Neighbors by index are scattered: of 4,096 ranks the first half holds about half of any run."""
+    """Neighbors by index are scattered: the first half of 4,096 ranks contains about half of any run."""
     ranks = np.argsort(np.argsort([plain_priority(i) for i in range(4096)]))
     for run in ranks.reshape(16, 256):
         assert 90 < (run < 2048).sum() < 166

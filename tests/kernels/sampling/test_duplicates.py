@@ -1,4 +1,4 @@
-"""First occurrences, whatever the hash."""
+"""First occurrences, for any hash."""
 
 import numpy as np
 import pytest
@@ -15,11 +15,11 @@ def test_first_occurrences_do_not_depend_on_the_hash(device, hash_bits, rng, mon
     """With one or three bits nearly all points share their hash with others."""
     points = rng.integers(-2, 3, (200, 3)).astype(np.float32) / 3
     points[::17, 0] = np.nan
-    expected, seen = [], set()
+    expected, visited = [], set()
     for row, point in enumerate(points.tolist()):
-        if np.isnan(point).any() or tuple(point) not in seen:
+        if np.isnan(point).any() or tuple(point) not in visited:
             expected.append(row)
-        seen.add(tuple(point))
+        visited.add(tuple(point))
     monkeypatch.setattr(duplicates, "WORD_BITS", 8 + hash_bits)
     assert first_occurrences(upload(points, vec3, resolve_device(device))).numpy().tolist() == expected
 

@@ -23,8 +23,8 @@ def plain(points, count, start):
         with np.errstate(over="ignore", invalid="ignore"):
             d = points - points[start]
             d *= d
-            found = (d[:, 0] + d[:, 1]) + d[:, 2]
-        distances = np.where(found < distances, found, distances)
+            sqdist = (d[:, 0] + d[:, 1]) + d[:, 2]
+        distances = np.where(sqdist < distances, sqdist, distances)
         start = int(np.argmax(distances))
         if distances[start] <= 0:
             break
@@ -48,18 +48,18 @@ def test_choices_are_those_of_the_plain_algorithm(device, count, shape, rng):
 def test_points_equally_far_are_chosen_by_index(device, shape, rng):
     lattice = np.stack(np.meshgrid(*[np.arange(7)] * 3), -1).reshape(-1, 3)
     points = np.repeat(lattice, 2, axis=0)[rng.permutation(686)].astype(np.float32)
-    found = choose(device, points, 400, 5, SHAPES[shape])
-    assert found == plain(points, 400, 5)
-    assert len(found) == 343, "each position once"
+    result = choose(device, points, 400, 5, SHAPES[shape])
+    assert result == plain(points, 400, 5)
+    assert len(result) == 343, "each position once"
 
 
 @pytest.mark.parametrize("shape", SHAPES)
 def test_points_that_are_not_finite_are_never_chosen(device, shape, rng):
     points = rng.random((300, 3)).astype(np.float32)
     points[::3, 1], points[1] = np.nan, [np.inf, 0, 0]
-    found = choose(device, points, 300, 2, SHAPES[shape])
-    assert found == plain(points, 300, 2)
-    assert sorted(found) == np.flatnonzero(np.isfinite(points).all(axis=1)).tolist()
+    result = choose(device, points, 300, 2, SHAPES[shape])
+    assert result == plain(points, 300, 2)
+    assert sorted(result) == np.flatnonzero(np.isfinite(points).all(axis=1)).tolist()
 
 
 @pytest.mark.parametrize("shape", SHAPES)
@@ -69,7 +69,7 @@ def test_distances_beyond_float32_are_chosen_first(device, shape, rng):
     assert choose(device, points, 150, 3, SHAPES[shape]) == plain(points, 150, 3)
 
 
-def test_choices_go_on_from_one_launch_to_the_next(device, rng, monkeypatch):
+def test_choices_continue_across_launches(device, rng, monkeypatch):
     points = rng.random((700, 3)).astype(np.float32)
     expected = plain(points, 200, 9)
     for choices in (1, 2, 199, 200):
@@ -77,7 +77,7 @@ def test_choices_go_on_from_one_launch_to_the_next(device, rng, monkeypatch):
         assert choose(device, points, 200, 9, False) == expected
 
 
-def test_choices_go_on_from_one_loop_to_the_next(device, rng, monkeypatch):
+def test_choices_continue_across_loops(device, rng, monkeypatch):
     points = rng.random((700, 3)).astype(np.float32)
     expected = plain(points, 200, 9)
     for choices in (farthest_points.STEPS, 2 * farthest_points.STEPS, 10 * farthest_points.STEPS):

@@ -1,4 +1,4 @@
-"""Voxel groups: every finite point in the voxel that float64 arithmetic says, runs in ascending order of the key."""
+"""Voxel groups: every finite point in its voxel by float64 arithmetic, runs in ascending order of the key."""
 
 from __future__ import annotations
 
@@ -46,8 +46,8 @@ def test_points_fall_into_the_voxels_that_a_dictionary_gives(device, count, size
 
 def test_points_on_the_faces_of_voxels_belong_to_the_upper_voxel(device):
     points = np.stack(np.meshgrid(*[np.arange(-3, 4)] * 3), -1).reshape(-1, 3).astype(np.float32) / 4
-    found = group(device, points, 0.25)
-    assert found == expected_groups(points, 0.25) and all(len(rows) == 1 for rows in found)
+    groups = group(device, points, 0.25)
+    assert groups == expected_groups(points, 0.25) and all(len(rows) == 1 for rows in groups)
 
 
 @pytest.mark.parametrize("axis", range(3))

@@ -49,8 +49,8 @@ def reference_grain(camera, T, depth, colors, seed=1):
     v, u = np.mgrid[: camera.height, : camera.width].reshape(2, -1)
     rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], axis=1)
     q = rays * depth.astype(np.float64)[:, None]
-    turned = [(T[r, 0] * q[:, 0] + T[r, 1] * q[:, 1]) + T[r, 2] * q[:, 2] for r in range(3)]
-    p = (T[:3, 3] + np.stack(turned, axis=1)).astype(np.float32)
+    rotated = [(T[r, 0] * q[:, 0] + T[r, 1] * q[:, 1]) + T[r, 2] * q[:, 2] for r in range(3)]
+    p = (T[:3, 3] + np.stack(rotated, axis=1)).astype(np.float32)
     octaves = [
         np.float32(weight) * reference_noise(p / np.float32(size), seed + k)
         for k, (size, weight) in enumerate([(0.12, 0.45), (0.04, 0.33), (0.015, 0.22)])
@@ -62,7 +62,7 @@ def reference_grain(camera, T, depth, colors, seed=1):
 
 
 @pytest.mark.parametrize("seed", [0, 1, -3, 2**31 - 1])
-def test_noise_has_the_bits_of_plain_numpy(device, seed):
+def test_noise_is_bitwise_identical_to_numpy(device, seed):
     rng = np.random.default_rng(5)
     points = np.concatenate([rng.uniform(-400, 400, (3000, 3)), rng.integers(-9, 9, (200, 3))]).astype(np.float32)
     assert np.array_equal(noise_of(points, seed, device), reference_noise(points, seed))
@@ -89,7 +89,7 @@ def test_other_seeds_give_other_noise(device):
     assert abs(np.corrcoef(first, second)[0, 1]) < 0.08
 
 
-def test_a_picture_gets_the_grain_of_the_places_it_shows(device):
+def test_an_image_has_the_grain_of_its_surface_points(device):
     rng = np.random.default_rng(3)
     count = CAMERA.width * CAMERA.height
     depth = rng.uniform(0.5, 4, count).astype(np.float32)
@@ -102,7 +102,7 @@ def test_a_picture_gets_the_grain_of_the_places_it_shows(device):
     assert (made != colors).mean() > 0.8
 
 
-def test_sensor_noise_is_normal_of_the_deviation_asked_for(device):
+def test_sensor_noise_is_normal_with_the_given_deviation(device):
     colors = upload(np.full(60_000, 128, np.uint8), uint8, device)
     noise = np.array(download(measure_colors(colors, sigma=8.0, seed=1, frame=0))).astype(float) - 128
     assert abs(noise.mean()) < 0.1
@@ -112,7 +112,7 @@ def test_sensor_noise_is_normal_of_the_deviation_asked_for(device):
     assert abs(np.corrcoef(noise[::3], noise[1::3])[0, 1]) < 0.02
 
 
-def test_sensor_noise_has_the_same_bits_everywhere_and_stays_in_range(device):
+def test_sensor_noise_is_bitwise_identical_on_all_devices_and_stays_in_range(device):
     colors = upload(np.array([0, 0, 0, 255, 255, 255, 100, 100], np.uint8), uint8, device)
     made = [
         np.array(download(measure_colors(colors, sigma=sigma, seed=seed, frame=frame))).tolist()

@@ -15,7 +15,7 @@ from pointloom.kernels.search.point_tree import FAN, LEAF, SIDES, PointTree, mea
 @kernel
 def list_leaves_kernel(
     points: array(dtype=vec3),
-    reaches: array(dtype=float32),
+    radii: array(dtype=float32),
     tree: PointTree,
     scratch: GroupScratch,
     sizes: array(dtype=int32),
@@ -34,7 +34,7 @@ def list_leaves_kernel(
                     p = points[j]
                     low = vec3(min(low[0], p[0]), min(low[1], p[1]), min(low[2], p[2]))
                     high = vec3(max(high[0], p[0]), max(high[1], p[1]), max(high[2], p[2]))
-                    widest = max(widest, reaches[j])
+                    widest = max(widest, radii[j])
                 if measure_box(tree.boxes, leaf // FAN, leaf % FAN, low, high) <= widest:
                     near = 1
             if near == 1:
@@ -46,39 +46,41 @@ def list_leaves_kernel(
 @list_leaves_kernel.on_cuda
 def list_leaves_of_lanes_kernel(
     points: array(dtype=vec3),
-    reaches: array(dtype=float32),
+    radii: array(dtype=float32),
     tree: PointTree,
     scratch: GroupScratch,
     sizes: array(dtype=int32),
 ):
     """By the lanes of one warp."""
     i = tid()
-    size = list_leaves(points[lane()], reaches[lane()], 0, tree, scratch, 0)
+    size = list_leaves(points[lane()], radii[lane()], 0, tree, scratch, 0)
     if i == 0:
         sizes[0] = size
 
 
 @pytest.mark.parametrize("apart", [0.0, 0.4], ids=["together", "apart"])
 def test_leaves_near_each_eight_points_are_listed_and_no_others(device, apart, rng, monkeypatch):
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k: 1024)
-    tree = PointTree(upload(rng.random((4000, 3)).astype(np.float32), vec3, where))
+    tree = PointTree(upload(rng.random((4000, 3)).astype(np.float32), vec3, warp_device))
     centers = np.repeat(np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 1]], np.float32), LEAF, axis=0)
     points = (0.3 + apart * centers + 0.05 * rng.random((WARP, 3))).astype(np.float32)
-    reaches = np.repeat(np.float32([0.001, 0.002, 0.004, 0.01]), LEAF)
-    reaches[::3] = 0.0
-    scratch, sizes = GroupScratch(where, WARP, 8), empty(1, int32, where)
+    radii = np.repeat(np.float32([0.001, 0.002, 0.004, 0.01]), LEAF)
+    radii[::3] = 0.0
+    scratch, sizes = GroupScratch(warp_device, WARP, 8), empty(1, int32, warp_device)
     launch(
-        list_leaves_kernel, WARP, [upload(points, vec3, where), upload(reaches, float32, where), tree, scratch, sizes]
+        list_leaves_kernel,
+        WARP,
+        [upload(points, vec3, warp_device), upload(radii, float32, warp_device), tree, scratch, sizes],
     )
     size = int(download(sizes)[0])
     boxes = download(tree.boxes)[: -(-tree.count // (LEAF * FAN)) * SIDES].reshape(-1, 2, 3, FAN)
     low, high = (boxes[:, side].transpose(0, 2, 1).reshape(-1, 3) for side in (0, 1))
     near = np.zeros(len(low), bool)
     for eight in range(WARP // LEAF):
-        own = slice(eight * LEAF, (eight + 1) * LEAF)
-        gaps = np.maximum(np.maximum(low - points[own].max(0), points[own].min(0) - high), 0)
-        near |= (gaps.astype(np.float64) ** 2).sum(1) <= reaches[own].max()
+        group = slice(eight * LEAF, (eight + 1) * LEAF)
+        gaps = np.maximum(np.maximum(low - points[group].max(0), points[group].min(0) - high), 0)
+        near |= (gaps.astype(np.float64) ** 2).sum(1) <= radii[group].max()
     leaves = np.flatnonzero(near)
     assert 4 < len(leaves) < 60 + 300 * (apart == 0)
     np.testing.assert_array_equal(np.sort(download(scratch.ids[:size])), leaves * LEAF)

@@ -1,4 +1,4 @@
-"""A limit a point stands for its list of neighbors, however these are found again."""
+"""A limit per point replaces its list of neighbors for any search."""
 
 import numpy as np
 import pytest
@@ -67,11 +67,11 @@ def crowded(rng, count=3000):
 
 @pytest.mark.parametrize("make", [clustered, crowded])
 @pytest.mark.parametrize(("radius", "max_nn"), [(0.2, 12), (np.inf, 12), (0.2, None)])
-def test_walks_and_groups_find_the_same_neighbors(device, make, radius, max_nn, rng, tolerances, monkeypatch):
+def test_traversals_and_groups_give_the_same_neighbors(device, make, radius, max_nn, rng, tolerances, monkeypatch):
     tree = tree_of(device, make(rng))
     normals = rng.normal(size=(tree.count, 3))
     normals = upload(np.float32(normals / np.linalg.norm(normals, axis=1, keepdims=True)), vec3, tree.device)
-    found = []
+    results = []
     for room in (group_scratch.candidate_room, lambda device, k: 0):
         monkeypatch.setattr(group_scratch, "candidate_room", room)
         neighborhood = Neighborhood(tree, radius, max_nn)
@@ -79,12 +79,12 @@ def test_walks_and_groups_find_the_same_neighbors(device, make, radius, max_nn, 
         histograms = count_angles(neighborhood, normals, neighborhood.positions)
         features = empty((tree.count, 33), float32, tree.device)
         sum_histograms(neighborhood, histograms, neighborhood.positions, neighborhood.positions, features)
-        found.append((moments, histograms.numpy(), features.numpy()))
-    (moments, histograms, features), walked = found
-    np.testing.assert_array_equal(moments[:, 0], walked[0][:, 0])
-    np.testing.assert_allclose(moments, walked[0], rtol=0, atol=1e-12 * np.abs(moments).max())
-    np.testing.assert_array_equal(histograms, walked[1])
-    np.testing.assert_allclose(features, walked[2], rtol=0, atol=tolerances.fpfh_block)
+        results.append((moments, histograms.numpy(), features.numpy()))
+    (moments, histograms, features), traversal = results
+    np.testing.assert_array_equal(moments[:, 0], traversal[0][:, 0])
+    np.testing.assert_allclose(moments, traversal[0], rtol=0, atol=1e-12 * np.abs(moments).max())
+    np.testing.assert_array_equal(histograms, traversal[1])
+    np.testing.assert_allclose(features, traversal[2], rtol=0, atol=tolerances.fpfh_block)
 
 
 def test_marks_are_the_points_and_their_neighbors(device, rng):

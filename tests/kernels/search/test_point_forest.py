@@ -15,19 +15,19 @@ def test_a_tree_that_is_known_gives_the_same_forest(device, rng, count):
     values = np.float32(rng.normal(size=(count, 3)))
     values[3::11] = np.nan
     points = upload(values, vec3, resolve_device(device))
-    sorted_anew, from_tree = PointForest([points]), PointForest([points], PointTree(points))
+    rebuilt, from_tree = PointForest([points]), PointForest([points], PointTree(points))
     for name in ("points", "order", "owners", "starts", "first_positions", "finite_counts", "codes"):
-        arrays = [download(getattr(forest.clouds, name)) for forest in (sorted_anew, from_tree)]
+        arrays = [download(getattr(forest.clouds, name)) for forest in (rebuilt, from_tree)]
         np.testing.assert_array_equal(*arrays)
     for name in ("bucket_counts", "levels", "roots"):
-        np.testing.assert_array_equal(download(getattr(sorted_anew, name)), download(getattr(from_tree, name)))
-    boxes = download(sorted_anew.boxes)
+        np.testing.assert_array_equal(download(getattr(rebuilt, name)), download(getattr(from_tree, name)))
+    boxes = download(rebuilt.boxes)
     np.testing.assert_array_equal(boxes, download(from_tree.boxes)[: boxes.size])
-    curves = [(list(f.clouds.curve.low), f.clouds.curve.scale, f.clouds.curve.levels) for f in (sorted_anew, from_tree)]
+    curves = [(list(f.clouds.curve.low), f.clouds.curve.scale, f.clouds.curve.levels) for f in (rebuilt, from_tree)]
     assert curves[0] == curves[1]
 
 
 def test_clouds_without_finite_points_have_empty_trees(device):
-    nowhere = upload(np.full((3, 3), np.nan, np.float32), vec3, resolve_device(device))
-    forest = PointForest([nowhere], PointTree(nowhere))
+    invalid = upload(np.full((3, 3), np.nan, np.float32), vec3, resolve_device(device))
+    forest = PointForest([invalid], PointTree(invalid))
     assert forest.clouds.counts.tolist() == [0] and (download(forest.clouds.order) == -1).all()

@@ -1,4 +1,4 @@
-"""The search tree: a curve that visits every cell once and next to the last, and boxes that hold their points."""
+"""The search tree: a curve through every cell between neighbors, and boxes that contain their points."""
 
 import itertools
 
@@ -27,8 +27,8 @@ from pointloom.kernels.search.tree_search import squared_radius
 @kernel
 def encode_cells_kernel(cells: array(dtype=int32), levels: int, codes: array(dtype=int64)):
     i = tid()
-    found = hilbert_codes(lanes(cells[3 * i]), lanes(cells[3 * i + 1]), lanes(cells[3 * i + 2]), levels)
-    codes[i] = found[i % 8]
+    lane_codes = hilbert_codes(lanes(cells[3 * i]), lanes(cells[3 * i + 1]), lanes(cells[3 * i + 2]), levels)
+    codes[i] = lane_codes[i % 8]
 
 
 @kernel
@@ -38,15 +38,15 @@ def spread_kernel(values: array(dtype=int32), spread: array(dtype=int64)):
 
 
 @kernel
-def keep_kernel(keys: array(dtype=int64), held: int, k: int, room: int, kept: array(dtype=int32)):
+def keep_kernel(keys: array(dtype=int64), count: int, k: int, room: int, counts: array(dtype=int32)):
     i = tid()
-    kept[i] = keep_nearest(keys, i * (room + k), 1, held, k, room)
+    counts[i] = keep_nearest(keys, i * (room + k), 1, count, k, room)
 
 
 @kernel
-def thin_kernel(keys: array(dtype=int64), held: int, k: int, reach: float, kept: array(dtype=int32)):
+def thin_kernel(keys: array(dtype=int64), count: int, k: int, max_sqdist: float, counts: array(dtype=int32)):
     i = tid()
-    kept[i] = thin_keys(keys, 0, 1, held, k, reach) + i
+    counts[i] = thin_keys(keys, 0, 1, count, k, max_sqdist) + i
 
 
 @kernel
@@ -92,7 +92,7 @@ def test_bits_are_spread_by_two_zeros(device, rng):
 
 
 @pytest.mark.parametrize("count", [0, 1, LEAF, LEAF + 1, 2 * LEAF, 3 * LEAF, 1003])
-def test_the_order_holds_every_point_once_and_the_rest_last(device, count, rng):
+def test_the_order_contains_every_point_once_and_the_rest_at_the_end(device, count, rng):
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points[::5, 0] = np.nan
     curve = HilbertOrder(upload(points, vec3, resolve_device(device)))
@@ -114,52 +114,52 @@ def test_each_box_of_a_node_is_the_box_of_its_points_and_a_missing_child_is_empt
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points[3::50] = np.nan
     tree = PointTree(upload(points, vec3, resolve_device(device)))
-    held = tree.points.numpy()[: tree.count]
-    assert tree.count == np.isfinite(points).all(axis=1).sum() == len(held)
-    np.testing.assert_array_equal(held, points[tree.order.numpy()[: tree.count]])
+    stored = tree.points.numpy()[: tree.count]
+    assert tree.count == np.isfinite(points).all(axis=1).sum() == len(stored)
+    np.testing.assert_array_equal(stored, points[tree.order.numpy()[: tree.count]])
     boxes = tree.boxes.numpy().reshape(-1, 2, 3, FAN).transpose(0, 3, 1, 2)
     size = LEAF
     for first, last in levels_of(tree):
         children = boxes[first:last].reshape(-1, 2, 3)
         assert len(children) * size >= tree.count
         for child, sides in enumerate(children):
-            np.testing.assert_array_equal(sides, box(held[child * size : (child + 1) * size]))
+            np.testing.assert_array_equal(sides, box(stored[child * size : (child + 1) * size]))
         size *= FAN
     assert levels_of(tree)[-1][1] - levels_of(tree)[-1][0] == 1 and size >= tree.count
 
 
-@pytest.mark.parametrize(("held", "k"), [(0, 3), (1, 3), (3, 3), (4, 3), (40, 7), (40, 40)])
-def test_the_nearest_keys_are_kept_in_order(device, held, k, rng):
+@pytest.mark.parametrize(("count", "k"), [(0, 3), (1, 3), (3, 3), (4, 3), (40, 7), (40, 40)])
+def test_the_nearest_keys_are_stored_in_order(device, count, k, rng):
     room, rows = 48, 5
     keys = np.zeros((rows, room + k), np.int64)
     for row in keys:
-        row[:held] = rng.permutation(2**40 + np.arange(held) * 2**33)
-    array_, kept = upload(keys.reshape(-1), int64, resolve_device(device)), empty(rows, int32, resolve_device(device))
-    launch(keep_kernel, rows, [array_, held, k, room, kept])
-    left = min(held, k)
-    assert (kept.numpy() == left).all()
-    np.testing.assert_array_equal(array_.numpy().reshape(rows, -1)[:, :left], np.sort(keys[:, :held])[:, :left])
+        row[:count] = rng.permutation(2**40 + np.arange(count) * 2**33)
+    array_, counts = upload(keys.reshape(-1), int64, resolve_device(device)), empty(rows, int32, resolve_device(device))
+    launch(keep_kernel, rows, [array_, count, k, room, counts])
+    left = min(count, k)
+    assert (counts.numpy() == left).all()
+    np.testing.assert_array_equal(array_.numpy().reshape(rows, -1)[:, :left], np.sort(keys[:, :count])[:, :left])
 
 
 @pytest.mark.parametrize("spread", ["surface", "all at the reach", "all at zero"])
 def test_thinning_never_loses_one_of_the_nearest(device, spread, rng):
-    held, k, reach = 200, 20, 2.0
-    squares = {"surface": rng.random(held) * reach, "all at the reach": np.full(held, reach)}.get(
-        spread, np.zeros(held)
+    count, k, max_sqdist = 200, 20, 2.0
+    squares = {"surface": rng.random(count) * max_sqdist, "all at the reach": np.full(count, max_sqdist)}.get(
+        spread, np.zeros(count)
     )
     bits = squares.astype(np.float32).view(np.int32).astype(np.int64)
-    keys = (bits << 32) | rng.permutation(held)
-    array_, kept = upload(keys, int64, resolve_device(device)), empty(1, int32, resolve_device(device))
-    launch(thin_kernel, 1, [array_, held, k, reach, kept])
-    left = int(kept.numpy()[0])
-    assert k <= left <= held
+    keys = (bits << 32) | rng.permutation(count)
+    array_, counts = upload(keys, int64, resolve_device(device)), empty(1, int32, resolve_device(device))
+    launch(thin_kernel, 1, [array_, count, k, max_sqdist, counts])
+    left = int(counts.numpy()[0])
+    assert k <= left <= count
     np.testing.assert_array_equal(np.sort(array_.numpy()[:left])[:k], np.sort(keys)[:k])
     if spread == "surface":
-        assert left < held / 2, "it does thin"
+        assert left < count / 2, "it does thin"
 
 
 @pytest.mark.parametrize("size", [0, 1, 2, 3, 10, 257])
-def test_rows_of_keys_are_sorted_in_place(device, size, rng):
+def test_rows_of_keys_are_sorted_within_the_array(device, size, rng):
     rows = 6
     keys = rng.integers(0, 2**62, (rows, max(size, 1)), dtype=np.int64)
     keys[1] = np.sort(keys[1])
@@ -172,34 +172,34 @@ def test_rows_of_keys_are_sorted_in_place(device, size, rng):
 
 
 @pytest.mark.parametrize("radius", [1e-18, 0.1, 0.25, 1 / 3, 1.0, 2.0, 7e5, 1e18])
-def test_the_reach_is_the_largest_float32_below_the_square(radius):
-    reach = np.float32(squared_radius(radius))
-    assert float(reach) < radius * radius <= float(np.nextafter(reach, np.float32(np.inf)))
+def test_squared_radius_is_the_largest_float32_below_the_square(radius):
+    squared = np.float32(squared_radius(radius))
+    assert float(squared) < radius * radius <= float(np.nextafter(squared, np.float32(np.inf)))
 
 
-def test_the_reach_of_extreme_radii_is_zero_or_the_largest_number():
+def test_squared_radius_of_extreme_radii_is_zero_or_the_largest_number():
     assert squared_radius(1e-200) == 0.0
     assert squared_radius(1e200) == squared_radius(1.7e308) == squared_radius(np.inf) == float(np.finfo(np.float32).max)
 
 
 @kernel
-def walk_kernel(start: int, reach: float, tree: PointTree, visits: array(dtype=int32)):
+def visit_buckets_kernel(start: int, max_sqdist: float, tree: PointTree, visits: array(dtype=int32)):
     i = tid()
     step = start_traversal(start + i)
     p = tree.points[start * BUCKET]
     while int(step[0]) <= tree.root:
         bucket = min(int(step[2]), visits.shape[0] - 1)
         visits[bucket] = visits[bucket] + 1
-        step = next_bucket(step, p, p, reach, tree)
+        step = next_bucket(step, p, p, max_sqdist, tree)
 
 
 @pytest.mark.parametrize("count", [1, BUCKET + 1, 3 * BUCKET, FAN * BUCKET + 1, 10 * FAN * BUCKET + 1])
-def test_a_walk_without_a_radius_comes_to_each_bucket_once_and_to_none_that_is_not_there(device, count, rng):
+def test_a_traversal_without_a_radius_visits_each_bucket_once(device, count, rng):
     tree = PointTree(upload(rng.normal(size=(count, 3)).astype(np.float32), vec3, resolve_device(device)))
     buckets = -(-count // BUCKET)
     for start in {0, buckets // 2, buckets - 1}:
         visits = zeros(buckets + 1, int32, resolve_device(device))
-        launch(walk_kernel, 1, [start, squared_radius(np.inf), tree, visits])
+        launch(visit_buckets_kernel, 1, [start, squared_radius(np.inf), tree, visits])
         np.testing.assert_array_equal(visits.numpy(), [1] * buckets + [0])
 
 
@@ -213,13 +213,13 @@ def test_the_order_along_the_curve_does_not_depend_on_where_the_box_is_known(dev
     np.testing.assert_array_equal(download(order_in_box(given, 10)), download(expected))
 
 
-def test_a_part_on_the_curve_of_the_whole_has_the_order_of_the_whole(device):
+def test_a_part_on_the_full_curve_has_the_full_order(device):
     points = np.round(np.random.default_rng(4).random((3000, 3)), 1).astype(np.float32)  # many at one place
     device = resolve_device(device)
-    whole = HilbertOrder(upload(points, vec3, device))
+    full = HilbertOrder(upload(points, vec3, device))
     rows = np.flatnonzero((abs(points - 0.6) < 0.25).all(axis=1))
-    part = download(PointTree(upload(points[rows], vec3, device), whole.curve).order)
-    in_whole = download(whole.order)
-    np.testing.assert_array_equal(rows[part], in_whole[np.isin(in_whole, rows)])
-    own = download(PointTree(upload(points[rows], vec3, device)).order)
-    assert not np.array_equal(own, part)
+    part = download(PointTree(upload(points[rows], vec3, device), full.curve).order)
+    full_order = download(full.order)
+    np.testing.assert_array_equal(rows[part], full_order[np.isin(full_order, rows)])
+    part_order = download(PointTree(upload(points[rows], vec3, device)).order)
+    assert not np.array_equal(part_order, part)

@@ -24,7 +24,7 @@ def boxes_of_runs(points, run, slots):
 
 
 def check_levels(points, levels, root, boxes):
-    """Every record of every level; `levels` says where they begin."""
+    """Every record of every level; `levels` gives their offsets."""
     run = LEAF
     for level in range(root + 1):
         records = max(1, -(-len(points) // (run * FAN)))
@@ -37,22 +37,22 @@ def check_levels(points, levels, root, boxes):
 
 
 @pytest.mark.parametrize("count", COUNTS)
-def test_boxes_are_those_of_the_points_below_and_places_hold_them(device, count, rng):
+def test_boxes_bound_their_points_and_contain_their_positions(device, count, rng):
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points[rng.integers(0, max(count, 1), count // 20)] = np.nan
     tree = PointTree(upload(points, vec3, resolve_device(device)))
     order = download(tree.order)[: tree.count]
     assert tree.count == np.isfinite(points).all(axis=1).sum()
-    placed, behind = np.split(download(tree.points).reshape(-1, 3), [tree.count])
+    tree_points, behind = np.split(download(tree.points).reshape(-1, 3), [tree.count])
     assert len(behind) == -tree.count % 8 and np.isinf(behind).all()
-    np.testing.assert_array_equal(placed, points[order].reshape(-1, 3))
-    check_levels(placed, download(tree.levels), tree.root, download(tree.boxes))
+    np.testing.assert_array_equal(tree_points, points[order].reshape(-1, 3))
+    check_levels(tree_points, download(tree.levels), tree.root, download(tree.boxes))
 
 
 def test_boxes_of_a_forest_are_those_of_each_tree(device, rng):
     clouds = [rng.normal(size=(count, 3)).astype(np.float32) for count in (5, 70, FAN * BUCKET + 1, 1)]
     forest = PointForest([upload(cloud, vec3, resolve_device(device)) for cloud in clouds])
     levels, roots = download(forest.levels).reshape(-1, HEIGHTS), download(forest.roots)
-    placed, first = download(forest.clouds.points).reshape(-1, 3), forest.clouds.bases
+    forest_points, first = download(forest.clouds.points).reshape(-1, 3), forest.clouds.bases
     for k, cloud in enumerate(clouds):
-        check_levels(placed[first[k] : first[k] + len(cloud)], levels[k], roots[k], download(forest.boxes))
+        check_levels(forest_points[first[k] : first[k] + len(cloud)], levels[k], roots[k], download(forest.boxes))

@@ -1,4 +1,4 @@
-"""Windows over a grid of heights open it as their definition says, and springs fill its gaps."""
+"""Morphological opening of a grid of heights, and springs that fill its gaps."""
 
 from __future__ import annotations
 
@@ -13,10 +13,10 @@ from pointloom.kernels.segmentation.ground import DIAGONAL, DILATION, EROSION, H
 
 def grid_of(heights, device):
     """A grid with these heights, NaN or infinite where there is none."""
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     columns, rows = heights.shape
-    grid = HeightGrid(upload(np.zeros((0, 3)), vec3, where), np.zeros(3), 1.0, columns, rows)
-    grid.heights = upload(heights.astype(np.float32).ravel(), float32, where)
+    grid = HeightGrid(upload(np.zeros((0, 3)), vec3, warp_device), np.zeros(3), 1.0, columns, rows)
+    grid.heights = upload(heights.astype(np.float32).ravel(), float32, warp_device)
     return grid
 
 
@@ -36,8 +36,8 @@ def swept(heights, dx, dy, half, choose):
     columns, rows = heights.shape
     for x in range(columns):
         for y in range(rows):
-            places = [(x + k * dx, y + k * dy) for k in range(-half, half + 1)]
-            out[x, y] = choose([heights[a, b] for a, b in places if 0 <= a < columns and 0 <= b < rows])
+            cells = [(x + k * dx, y + k * dy) for k in range(-half, half + 1)]
+            out[x, y] = choose([heights[a, b] for a, b in cells if 0 <= a < columns and 0 <= b < rows])
     return out
 
 
@@ -76,9 +76,9 @@ def _eroded(grid, heights, radius):
     diagonal = int(DIAGONAL * radius + 0.5)
     straight = radius - 2 * diagonal
     for dx, dy, half in ((1, 0, straight), (0, 1, straight), (1, 1, diagonal), (1, -1, diagonal)):
-        for reach in pass_distances(half):
+        for distance in pass_distances(half):
             out = empty(grid.size, float32, grid.device)
-            launch(filter_along_kernel, grid.size, [heights, grid.columns, grid.rows, dx, dy, reach, EROSION, out])
+            launch(filter_along_kernel, grid.size, [heights, grid.columns, grid.rows, dx, dy, distance, EROSION, out])
             heights = out
     return download(heights).reshape(grid.columns, grid.rows)
 
@@ -102,7 +102,7 @@ def filled_once(grid, unwanted):
 
 
 def test_a_grid_is_filled_again_with_other_flags(device, rng):
-    """Prepared once; each time the flags count that stand there then."""
+    """Prepared once; each call uses the current flags."""
     grid = grid_of(rng.normal(size=(9, 14)), device)
     flags = (rng.random(grid.size) < 0.4).astype(np.uint8)
     unwanted = zeros(grid.size, uint8, grid.device)

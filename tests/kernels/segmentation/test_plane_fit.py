@@ -23,7 +23,7 @@ def drawn_planes(search, sample_size, count, seed, first=0):
 
 
 def brute_counts(search, points, planes, threshold):
-    """Inliers of each plane in float64, and whether some point lies too close to the threshold to tell in float32."""
+    """Inliers of each plane in float64, and whether some point is too close to the threshold for float32."""
     local = points - search.center
     heights = np.abs(local @ planes[:, :3].T + planes[:, 3])
     unclear = (np.abs(heights - threshold) < 1e-6 * (1 + search.size)).any(axis=0)
@@ -32,15 +32,15 @@ def brute_counts(search, points, planes, threshold):
 
 @pytest.mark.parametrize("count", [3, 4, BLOCK - 1, BLOCK, BLOCK + 1, 5 * BLOCK + 77])
 @pytest.mark.parametrize("plane_count", [1, 8, 29])
-def test_counts_of_inliers_are_numpys(device, rng, count, plane_count):
+def test_counts_of_inliers_match_numpy(device, rng, count, plane_count):
     """Sorted along x, so that blocks are thin slabs and most are passed over."""
     points = rng.normal(size=(count, 3)).astype(np.float32)
     points = points[np.argsort(points[:, 0])]
     search = search_over(points, device)
     planes = search._draw(3, plane_count, 1, 0)
     expected, unclear = brute_counts(search, points.astype(float), download(planes), 0.05)
-    found = download(search._score(planes, plane_count, 0.05))
-    assert (found == expected)[~unclear].all() and (np.abs(found - expected) <= 2).all()
+    counts = download(search._score(planes, plane_count, 0.05))
+    assert (counts == expected)[~unclear].all() and (np.abs(counts - expected) <= 2).all()
     assert (~unclear).any() or count > BLOCK
 
 
@@ -53,7 +53,7 @@ def test_a_point_at_the_threshold_is_no_inlier_as_in_open3d(device):
 
 
 @pytest.mark.parametrize("scale", [1.0, 3000.0], ids=["room", "city"])
-def test_no_inlier_lies_in_a_block_that_is_passed_over(device, rng, scale):
+def test_skipped_blocks_contain_no_inlier(device, rng, scale):
     """Blocks that are small cubes, so that planes pass many of them by and cut the corners of others.
 
     Over kilometers float32 is off by a tenth of a millimetre: the slack must cover it.
@@ -64,14 +64,14 @@ def test_no_inlier_lies_in_a_block_that_is_passed_over(device, rng, scale):
     planes = search._draw(3, 200, 0, 0)
     threshold = 0.001 * scale
     expected, _ = brute_counts(search, points.astype(float), download(planes), threshold)
-    found = download(search._score(planes, 200, threshold))
-    assert np.abs(found - expected).max() <= 2, "points within rounding of the threshold"
+    counts = download(search._score(planes, 200, threshold))
+    assert np.abs(counts - expected).max() <= 2, "points within rounding of the threshold"
     assert expected.max() > 50
 
 
 @pytest.mark.parametrize("sample_size", [3, 4, 7])
 def test_samples_are_distinct_and_all_points_alike(device, rng, sample_size):
-    """Of points in convex position only those of a sample lie on its plane, so planes of three tell their samples."""
+    """Of points in convex position only the sample is on its plane, so planes of three identify their samples."""
     points = rng.normal(size=(9, 3))
     points /= np.linalg.norm(points, axis=1, keepdims=True)
     points = points.astype(np.float32)
@@ -100,14 +100,14 @@ def test_plane_of_a_larger_sample_is_its_least_squares_plane(device, rng):
     assert abs(plane[:3] @ local.mean(axis=0) + plane[3]) < 1e-12
 
 
-def test_a_sample_is_the_same_in_whatever_batch_it_is_drawn(device, rng):
+def test_a_sample_does_not_depend_on_its_batch(device, rng):
     search = search_over(rng.random((100, 3)), device)
     together = drawn_planes(search, 3, 50, 7)
     np.testing.assert_array_equal(together[20:], drawn_planes(search, 3, 30, 7, first=20))
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_best_plane_has_the_most_inliers_and_of_equals_the_smallest_distances(device, rng, seed):
+def test_best_plane_has_maximal_inliers_then_minimal_distances(device, rng, seed):
     """Few points on a lattice: many planes have as many inliers as the best."""
     points = rng.integers(0, 4, (60, 3)).astype(np.float32) + 0.01 * rng.normal(size=(60, 3)).astype(np.float32)
     search = search_over(points, device)
@@ -120,7 +120,7 @@ def test_best_plane_has_the_most_inliers_and_of_equals_the_smallest_distances(de
     np.testing.assert_array_equal(best, planes[expected])
 
 
-def test_chosen_rows_alone_are_searched(device, rng):
+def test_only_selected_rows_are_searched(device, rng):
     points = rng.random((300, 3))
     points[::2, 2] = 0.0
     search = search_over(points, device, np.arange(0, 300, 2))
@@ -137,7 +137,7 @@ def test_samples_needed_are_those_of_fischler_and_bolles():
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 1000])
-def test_order_statistics_of_runs_are_numpys(device, rng, count):
+def test_order_statistics_of_runs_match_numpy(device, rng, count):
     runs = np.sort(np.concatenate([np.arange(7), rng.integers(0, 7, count)]))
     values = rng.normal(size=len(runs)).astype(np.float32) * 10.0 ** rng.integers(-30, 30, len(runs))
     values[::5] = rng.choice([0.0, -0.0, 1.0, -1.0], len(values[::5]))

@@ -24,8 +24,8 @@ def made(kind, rng, count=700, noise=0.004):
     """Points of a shape with noise, float32, and their true normals."""
     p, r, s = np.array(TRUE[kind][:3]), *TRUE[kind][6:]
     u = np.cross(AXIS, [1.0, 0, 0]) / np.linalg.norm(np.cross(AXIS, [1.0, 0, 0]))
-    turn, share = rng.random((2, count)) * [[2 * np.pi], [1]]
-    e = np.cos(turn)[:, None] * u + np.sin(turn)[:, None] * np.cross(AXIS, u)
+    angle, share = rng.random((2, count)) * [[2 * np.pi], [1]]
+    e = np.cos(angle)[:, None] * u + np.sin(angle)[:, None] * np.cross(AXIS, u)
     h = share[:, None]
     normals, points = e, r * e + (h - 0.3) * AXIS
     if kind == PLANE:
@@ -75,7 +75,7 @@ def begun(kind, rng):
 
 
 @pytest.mark.parametrize("kind", NAMES, ids=NAMES.get)
-def test_fits_from_several_starts_end_where_scipys_least_squares_does(device, rng, kind):
+def test_fits_from_several_starts_match_scipy_least_squares(device, rng, kind):
     points = made(kind, rng)[0]
     starts = [begun(kind, rng) for _ in range(3)]
     fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
@@ -101,7 +101,7 @@ def test_fits_of_several_kinds_are_each_that_of_its_own(device, rng):
         assert one.rms == other.rms
 
 
-def test_a_cylinder_and_a_plane_stand_at_the_mean_of_their_rows(device, rng):
+def test_a_cylinder_and_a_plane_are_at_the_mean_of_their_rows(device, rng):
     for kind in (PLANE, CYLINDER):
         points = made(kind, rng)[0]
         start = np.array(TRUE[kind])
@@ -137,13 +137,13 @@ def test_rows_on_a_shape_are_chosen_again_while_they_grow(device, rng):
     assert fitter.refine_all([SPHERE], [start], rows, once, EXACT)[0][1] <= count
 
 
-def test_a_fit_far_from_its_points_is_given_up_and_one_near_them_is_not(device, rng):
+def test_only_a_fit_far_from_its_points_is_stopped_early(device, rng):
     points = made(TORUS, rng)[0]
     fitter = ShapeFitter(there(points, vec3, device), np.zeros(3), 1.0)
     rows = there(np.arange(700), int32, device)
     slow = np.array([*TRUE[TORUS][:3], *AXIS, 5.0, 4.0])
-    whole, given_up = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 1e-6))
-    assert given_up.rms > 1.01 * whole.rms
+    complete_fit, given_up = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 1e-6))
+    assert given_up.rms > 1.01 * complete_fit.rms
     near, same = (fitter.fit_all([TORUS], [slow], rows, EXACT, hopeless)[0] for hopeless in (0.0, 10.0))
     np.testing.assert_array_equal(near.shape, same.shape)
 

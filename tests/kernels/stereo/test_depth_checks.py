@@ -50,12 +50,12 @@ def surface(u, v, depth):
     return u, v, total
 
 
-def oracle(depth, source_depth, pair, there, back, max_pixels, max_relative):
+def oracle(depth, source_depth, pair, T_source_reference, back, max_pixels, max_relative):
     """Which pixels a source confirms, and its inverse depths there, pixel by pixel."""
     counts, totals = np.zeros(depth.shape, np.int32), np.zeros(depth.shape)
     for y, x in np.argwhere(depth > 0):
         d = float(depth[y, x])
-        u, v, w = seen(np.array(moved(there, lifted(x, y, d, pair.reference))), pair.source)
+        u, v, w = seen(np.array(moved(T_source_reference, lifted(x, y, d, pair.reference))), pair.source)
         if not w > 0:
             continue
         at = surface(u, v, source_depth)
@@ -71,41 +71,41 @@ def oracle(depth, source_depth, pair, there, back, max_pixels, max_relative):
 
 def checked(depths, posed, i, others, device, max_pixels=1.0, max_relative=0.01):
     """Counts, totals and kept depth of picture i, on a device."""
-    where = wp.get_device(device)
-    arrays = [upload(depth.reshape(-1), wp.float32, where) for depth in depths]
+    warp_device = wp.get_device(device)
+    arrays = [upload(depth.reshape(-1), wp.float32, warp_device) for depth in depths]
     checks = DepthChecks(arrays[i], max_pixels, max_relative)
     for j in others:
         checks.compare(arrays[j], pair_of(posed[i], posed[j]))
-    sure = upload(np.ones(depths[i].size, np.float32), wp.float32, where)
+    sure = upload(np.ones(depths[i].size, np.float32), wp.float32, warp_device)
     shape = depths[i].shape
     return [download(a).reshape(shape).copy() for a in (checks.counts, checks.totals, checks.mean(1, sure, 0.0))]
 
 
 @pytest.mark.parametrize("limits", [(1.0, 0.01), (0.04, 1.0)], ids=["depth decides", "pixels decide"])
-def test_counts_and_sums_are_those_of_float64_bit_for_bit(device, rng, limits):
+def test_counts_and_sums_are_bitwise_identical_to_float64(device, rng, limits):
     posed = cameras(2)
     depths = []
     for camera in posed:
         depth = true_map(camera).depth * (1 + 0.006 * rng.normal(size=true_map(camera).depth.shape))
         depth[rng.random(depth.shape) < 0.1] = 0
         depths.append(depth.astype(np.float32))
-    there = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
+    T_source_reference = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
     counts, totals, _ = checked(depths, posed, 0, [1], device, *limits)
     pair = pair_of(*posed)
-    expected = oracle(*depths, pair, there, np.linalg.inv(there), *limits)
+    expected = oracle(*depths, pair, T_source_reference, np.linalg.inv(T_source_reference), *limits)
     assert 0.3 < expected[0].mean() < 0.9  # both answers occur
     np.testing.assert_array_equal(counts, expected[0])
     np.testing.assert_array_equal(totals, expected[1])
 
 
-def test_a_plane_comes_back_exactly(device):
-    """Inverse depth is linear over a plane, so what lies between pixels is exact too."""
+def test_a_plane_is_recovered_exactly(device):
+    """Inverse depth is linear over a plane, so values between pixels are exact too."""
     posed = cameras(3)
     depths = [true_map(camera, balls=()).depth for camera in posed]
-    counts, _, kept = checked(depths, posed, 1, [0, 2], device, max_pixels=1e-3, max_relative=1e-6)
+    counts, _, filtered = checked(depths, posed, 1, [0, 2], device, max_pixels=1e-3, max_relative=1e-6)
     inside = (slice(4, -4), slice(12, -12))
     assert (counts[inside] == 2).all()
-    np.testing.assert_allclose(kept[inside], depths[1][inside], rtol=3e-7)
+    np.testing.assert_allclose(filtered[inside], depths[1][inside], rtol=3e-7)
 
 
 @pytest.mark.parametrize("wrong", [0.9, 0.985, 1.015, 1.3])
@@ -120,16 +120,16 @@ def test_planted_wrong_depth_is_refused_and_all_else_stays(device, wrong, rng):
     np.testing.assert_array_equal(after[~planted], before[~planted])
 
 
-def test_what_another_surface_hides_is_not_confirmed(device):
+def test_occluded_pixels_are_not_confirmed(device):
     """The wall beside the ball: the other camera sees the ball there."""
     posed = cameras(2, step=0.6)
     depths = [true_map(camera).depth for camera in posed]
     counts, _, _ = checked(depths, posed, 0, [1], device)
     pair = pair_of(*posed)
-    there = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
+    T_source_reference = posed[1].T_camera_world @ np.linalg.inv(posed[0].T_camera_world)
     v, u = np.mgrid[: depths[0].shape[0], : depths[0].shape[1]]
     z = depths[0].astype(np.float64)
-    p = np.array(moved(there, lifted(u, v, z, pair.reference)))
+    p = np.array(moved(T_source_reference, lifted(u, v, z, pair.reference)))
     column, row, w = seen(p, pair.source)
     nearest = depths[1][np.rint(row).astype(int), np.rint(column).astype(int)]
     hidden = (w > 0) & (nearest < 0.9 / np.where(w > 0, w, 1))
@@ -138,9 +138,9 @@ def test_what_another_surface_hides_is_not_confirmed(device):
 
 
 @pytest.mark.parametrize("bad", [1e-38, 1e-30, 1e30, 3e38])
-def test_depth_of_any_size_is_answered(device, bad):
+def test_depth_of_any_magnitude_gives_finite_results(device, bad):
     posed = cameras(2)
     depths = [np.full(true_map(camera).depth.shape, bad, np.float32) for camera in posed]
-    _, totals, kept = checked(depths, posed, 0, [1], device)
+    _, totals, filtered = checked(depths, posed, 0, [1], device)
     assert np.isfinite(totals).all()
-    assert np.isfinite(kept).all()
+    assert np.isfinite(filtered).all()

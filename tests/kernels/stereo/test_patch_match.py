@@ -1,4 +1,4 @@
-"""PatchMatch's parts: planes are exact over the picture, costs know a shifted patch, a hidden source is not asked."""
+"""PatchMatch's parts: planes are exact over the image, costs detect a shifted patch, hidden sources are ignored."""
 
 from __future__ import annotations
 
@@ -21,29 +21,29 @@ SHIFT = 4  # [px] at inverse depth SHIFT / (FOCAL * BASELINE) = 0.5
 
 
 def resized(pixels: np.ndarray, width: int, height: int, device: str) -> np.ndarray:
-    where = resolve_device(device)
-    out = empty(width * height, float32, where)
+    warp_device = resolve_device(device)
+    out = empty(width * height, float32, warp_device)
     channels = 3 if pixels.ndim == 3 else 1
     rows, columns = pixels.shape[:2]
-    flat = upload(pixels.reshape(-1), uint8, where)
+    flat = upload(pixels.reshape(-1), uint8, warp_device)
     launch(resize_brightness_kernel, width * height, [flat, channels, columns, rows, width, height, 0, out])
     return download(out).reshape(height, width)
 
 
 def problem(device: str, count: int = 1, hidden: int = -1):
     """A picture and sources that see all of it SHIFT pixels to the left; a hidden one shows something else."""
-    where, rng = resolve_device(device), np.random.default_rng(0)
+    warp_device, rng = resolve_device(device), np.random.default_rng(0)
     wide = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
     pictures = [wide[:, :WIDTH]]
     for k in range(count):
         pictures.append(rng.random((HEIGHT, WIDTH)).astype(np.float32) if k == hidden else wide[:, SHIFT:])
-    values = upload(np.concatenate([each.ravel() for each in pictures]), float32, where)
+    values = upload(np.concatenate([each.ravel() for each in pictures]), float32, warp_device)
     there = np.column_stack([np.eye(3), [-FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
     back = np.column_stack([np.eye(3), [FOCAL * BASELINE, 0.0, 0.0]])[None].repeat(count, 0)
     layout = [(WIDTH, HEIGHT, (1 + k) * WIDTH * HEIGHT) for k in range(count)]
-    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, where)
+    maps = upload(np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1)), vec4, warp_device)
     sources = Sources(there, there, back, layout, [(WIDTH, HEIGHT, 0)] * count, values, maps)
-    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, where)), sources
+    return Reference(WIDTH, HEIGHT, 0, LENS, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, warp_device)), sources
 
 
 def planes_of(w: float, device: str):
@@ -57,7 +57,7 @@ def costs_of(w: float, device: str, geometric: float = 0.0) -> np.ndarray:
     return np.array(download(costs)).reshape(HEIGHT, WIDTH)
 
 
-def test_a_smaller_picture_is_the_mean_of_what_its_pixels_cover(device):
+def test_a_smaller_image_is_the_mean_of_the_covered_pixels(device):
     rng = np.random.default_rng(1)
     pixels = rng.integers(0, 256, (12, 16), dtype=np.uint8)
     halved = pixels.reshape(6, 2, 8, 2).mean(axis=(1, 3)) / 255
@@ -69,16 +69,16 @@ def test_a_smaller_picture_is_the_mean_of_what_its_pixels_cover(device):
     np.testing.assert_allclose(resized(color, 16, 12, device), gray, atol=1e-6)
 
 
-def test_a_plane_is_the_same_plane_in_a_larger_picture(device):
-    where = resolve_device(device)
+def test_a_plane_is_the_same_plane_in_a_larger_image(device):
+    warp_device = resolve_device(device)
     v, u = np.mgrid[:6, :8]
     small = np.stack([0.5 + 0.01 * u - 0.02 * v, *np.broadcast_arrays(0.01, -0.02, u * 0.0)[:3]], -1).reshape(-1, 4)
-    planes = empty(16 * 12, vec4, where)
-    launch(refine_planes_kernel, 16 * 12, [upload(small, vec4, where), 8, 6, 16, 12, planes])
-    found = np.array(download(planes)).reshape(12, 16, 4)
+    planes = empty(16 * 12, vec4, warp_device)
+    launch(refine_planes_kernel, 16 * 12, [upload(small, vec4, warp_device), 8, 6, 16, 12, planes])
+    result = np.array(download(planes)).reshape(12, 16, 4)
     v, u = (np.mgrid[:12, :16] + 0.5) / 2 - 0.5
-    np.testing.assert_allclose(found[..., 0], 0.5 + 0.01 * u - 0.02 * v, atol=1e-6)
-    np.testing.assert_allclose(found[..., 1:3].reshape(-1, 2), np.tile([0.005, -0.01], (192, 1)), atol=1e-7)
+    np.testing.assert_allclose(result[..., 0], 0.5 + 0.01 * u - 0.02 * v, atol=1e-6)
+    np.testing.assert_allclose(result[..., 1:3].reshape(-1, 2), np.tile([0.005, -0.01], (192, 1)), atol=1e-7)
 
 
 def test_the_true_plane_costs_nothing_and_others_do(device):
@@ -107,42 +107,42 @@ def test_the_way_there_and_back_counts_in_pixels(device):
     np.testing.assert_allclose(difference[inside], 0.1, atol=1e-4)
 
 
-def test_planes_spread_to_the_truth_past_a_source_that_shows_something_else(device):
+def test_planes_converge_despite_an_occluded_source(device):
     reference, sources = problem(device, count=3, hidden=1)
     planes = empty(WIDTH * HEIGHT, vec4, resolve_device(device))
     costs = start_planes(reference, sources, planes, seed=3, is_given=False, geometric=0.0, chosen=2)
     for number in range(4):
         for color in (0, 1):
-            turn = HalfIteration(3, number, color, 8, 4, 2, 0.5 * 0.5**number, 0.0, 0.8)
-            spread_planes(turn, reference, sources, planes, costs)
-    found = np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)[4:-4, SHIFT + 4 : -4]
-    assert (np.abs(found[..., 0] - 0.5) * FOCAL * BASELINE < 0.25).mean() > 0.9  # a quarter of a pixel
-    assert np.median(found[..., 3]) < 0.1  # the hidden source, whose cost is 1, has no say
+            iteration = HalfIteration(3, number, color, 8, 4, 2, 0.5 * 0.5**number, 0.0, 0.8)
+            spread_planes(iteration, reference, sources, planes, costs)
+    result = np.array(download(planes)).reshape(HEIGHT, WIDTH, 4)[4:-4, SHIFT + 4 : -4]
+    assert (np.abs(result[..., 0] - 0.5) * FOCAL * BASELINE < 0.25).mean() > 0.9  # a quarter of a pixel
+    assert np.median(result[..., 3]) < 0.1  # the hidden source, whose cost is 1, has no influence
 
 
-def test_costs_that_are_kept_are_those_of_the_planes_that_are_kept(device):
-    where = resolve_device(device)
+def test_stored_costs_belong_to_the_stored_planes(device):
+    warp_device = resolve_device(device)
     reference, sources = problem(device, count=3, hidden=1)
     rng = np.random.default_rng(2)
     table = np.tile(np.float32([0.5, 0, 0, 0]), (WIDTH * HEIGHT, 1))
     table[:, 0] += rng.uniform(-0.1, 0.1, len(table)).astype(np.float32)
-    planes, given = upload(table, vec4, where), {"seed": 0, "is_given": True, "geometric": 0.1, "chosen": 2}
+    planes, given = upload(table, vec4, warp_device), {"seed": 0, "is_given": True, "geometric": 0.1, "chosen": 2}
     costs = start_planes(reference, sources, planes, **given)
     for color in (0, 1):
         spread_planes(HalfIteration(3, 0, color, 8, 4, 2, 0.3, 0.1, 0.8), reference, sources, planes, costs)
-    kept = np.array(download(costs))
+    stored = np.array(download(costs))
     assert (np.array(download(planes)).reshape(-1, 4)[:, 0] != table[:, 0]).mean() > 0.5
-    np.testing.assert_array_equal(kept, np.array(download(start_planes(reference, sources, planes, **given))))
+    np.testing.assert_array_equal(stored, np.array(download(start_planes(reference, sources, planes, **given))))
 
 
 @pytest.mark.parametrize("slopes", [(0.0, 0.0), (0.004, -0.003)])
 def test_depth_and_normals_are_those_of_the_plane(device, slopes):
-    where = resolve_device(device)
+    warp_device = resolve_device(device)
     reference, sources = problem(device)
     v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
     w = 0.5 + slopes[0] * (u - 19.5) + slopes[1] * (v - 14.5)
     table = np.stack([w, w * 0 + slopes[0], w * 0 + slopes[1], w * 0 + 0.2], -1)
-    planes = upload(table.reshape(-1, 4), vec4, where)
+    planes = upload(table.reshape(-1, 4), vec4, warp_device)
     depth, normals, confidence = (np.array(download(each)) for each in finish_planes(reference, sources, planes))
     np.testing.assert_allclose(depth, 1 / w.ravel(), rtol=1e-5)
     points = np.stack([(u - 19.5) / FOCAL / w, (v - 14.5) / FOCAL / w, 1 / w], -1)
@@ -154,5 +154,5 @@ def test_depth_and_normals_are_those_of_the_plane(device, slopes):
         np.testing.assert_allclose(trust[:, SHIFT:], 0.4, atol=1e-6)  # (1 - 0.2) / 2: one source agrees
         assert not trust[:, : SHIFT - 1].any()
     table[..., 3] = 1.0
-    depth = download(finish_planes(reference, sources, upload(table.reshape(-1, 4), vec4, where))[0])
+    depth = download(finish_planes(reference, sources, upload(table.reshape(-1, 4), vec4, warp_device))[0])
     assert not np.array(depth).any()  # patches that have nothing to do with each other

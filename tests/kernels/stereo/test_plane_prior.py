@@ -1,4 +1,4 @@
-"""Plain places are found, and sure depth; a prior stands there unless pictures speak clearly against it."""
+"""Textureless regions and reliable depth are detected; a prior applies there unless images clearly contradict it."""
 
 from __future__ import annotations
 
@@ -21,19 +21,19 @@ TEXTURED = (slice(6, -6), slice(SHIFT + 6, EDGE - 6))
 
 
 def half_plain(device: str):
-    """A wall that is textured on the left and gray, but for a camera's noise, on the right, seen from two places."""
-    where, rng = resolve_device(device), np.random.default_rng(0)
-    wide = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
-    wide[:, EDGE:] = 0.5
-    seen = [wide[:, :WIDTH], wide[:, SHIFT:]]
-    noisy = [each + rng.normal(0, 0.006, each.shape).astype(np.float32) for each in seen]
-    values = upload(np.concatenate([each.ravel() for each in noisy]), float32, where)
+    """A wall that is textured on the left and gray, but for a camera's noise, on the right, in two views."""
+    warp_device, rng = resolve_device(device), np.random.default_rng(0)
+    canvas = rng.random((HEIGHT, WIDTH + SHIFT)).astype(np.float32)
+    canvas[:, EDGE:] = 0.5
+    views = [canvas[:, :WIDTH], canvas[:, SHIFT:]]
+    noisy = [each + rng.normal(0, 0.006, each.shape).astype(np.float32) for each in views]
+    values = upload(np.concatenate([each.ravel() for each in noisy]), float32, warp_device)
     there = np.column_stack([np.eye(3), np.array([-FOCAL * BASELINE, 0.0, 0.0])])[None]
     back = np.column_stack([np.eye(3), np.array([FOCAL * BASELINE, 0.0, 0.0])])[None]
-    maps = upload(table(TRUE, 0.0), vec4, where)
+    maps = upload(table(TRUE, 0.0), vec4, warp_device)
     sources = Sources(there, there, back, [(WIDTH, HEIGHT, WIDTH * HEIGHT)], [(WIDTH, HEIGHT, 0)], values, maps)
     lens = (FOCAL, FOCAL, 29.5, 14.5)
-    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, where)), sources
+    return Reference(WIDTH, HEIGHT, 0, lens, (0.2, 1.0), FOCAL * BASELINE, patch_on(PATCH, warp_device)), sources
 
 
 def table(w: float, last: float) -> np.ndarray:
@@ -58,7 +58,7 @@ def test_a_gray_wall_is_plain_in_spite_of_noise_and_a_textured_one_is_not(device
     assert not plain[TEXTURED].any()
 
 
-def test_depth_is_sure_where_it_fits_and_the_source_says_the_same(device):
+def test_depth_is_sure_where_it_fits_and_the_source_agrees(device):
     reference, sources = half_plain(device)
     sure = []
     for w, cost in ((TRUE, 0.1), (TRUE, 0.6), (TRUE * 1.1, 0.1)):
@@ -66,7 +66,7 @@ def test_depth_is_sure_where_it_fits_and_the_source_says_the_same(device):
         sure.append(np.array(download(judge_pixels(reference, sources, planes))).reshape(HEIGHT, WIDTH, 2)[..., 1])
     assert (sure[0][:, SHIFT:] == 1).all()  # one source is all that there is
     assert not sure[1].any()  # does not fit
-    assert not sure[2].any()  # fits, but the source says something else
+    assert not sure[2].any()  # fits, but the source disagrees
 
 
 def test_plain_pixels_take_the_prior_and_textured_ones_take_it_only_where_it_fits(device):
@@ -74,7 +74,7 @@ def test_plain_pixels_take_the_prior_and_textured_ones_take_it_only_where_it_fit
     assert (far[INNER][..., 0] == np.float32(TRUE)).mean() > 0.8
     assert (far[TEXTURED][..., 0] == np.float32(TRUE)).mean() > 0.95
     wrong = after_priors(device, TRUE, 0.3, 0.25)
-    assert (wrong[TEXTURED][..., 0] == np.float32(TRUE)).mean() > 0.95  # though told that they are a little plain
+    assert (wrong[TEXTURED][..., 0] == np.float32(TRUE)).mean() > 0.95  # although marked as slightly textureless
     assert (far[INNER][..., 3] < 1.0).all()  # depth that counts
 
 
@@ -83,13 +83,13 @@ def test_a_prior_without_weight_or_out_of_range_is_none(device):
         assert (after_priors(device, 0.3, prior, weight)[..., 0] == np.float32(0.3)).all()
 
 
-def test_a_sure_pixel_between_two_places_counts_once_for_each(device):
+def test_a_sure_pixel_between_two_regions_counts_once_for_each(device):
     width, height, seam = 21, 18, 10
     judged = np.zeros((height, width, 2), np.float32)
     judged[:, :, 0] = 1.0
     judged[:, seam] = (0.0, 1.0)
-    places = find_regions(upload(judged.reshape(-1, 2), vec2, resolve_device(device)), width)
-    assert places is not None
-    pairs = np.array(download(places.pairs))
+    regions = find_regions(upload(judged.reshape(-1, 2), vec2, resolve_device(device)), width)
+    assert regions is not None
+    pairs = np.array(download(regions.pairs))
     pixels = np.arange(height) * width + seam
     np.testing.assert_array_equal(pairs, np.concatenate([pixels, (1 << 32) + pixels]))

@@ -1,4 +1,4 @@
-"""Spanning trees carry the signs that Kruskal's algorithm gives for the same order of edges, whatever the graph."""
+"""Spanning trees give the signs of Kruskal's algorithm for the same order of edges, for any graph."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def bridge_by_kruskal(kruskal, points, normals):
         kruskal.join(u[pair], v[pair], sign(normals, u[pair], v[pair]))
 
 
-def found_in(forest):
+def read_forest(forest):
     """As Kruskal.relative, of a Forest."""
     links = download(forest.links)
     labels, signs = links >> 1, 1.0 - 2 * (links & 1)
@@ -82,8 +82,8 @@ def found_in(forest):
 
 
 def assert_same(forest, kruskal):
-    for found, expected in zip(found_in(forest), kruskal.relative(), strict=True):
-        np.testing.assert_array_equal(found, expected)
+    for result, expected in zip(read_forest(forest), kruskal.relative(), strict=True):
+        np.testing.assert_array_equal(result, expected)
 
 
 def span(device, lists, normals, cut):
@@ -97,7 +97,7 @@ def span(device, lists, normals, cut):
 
 @given(seed=st.integers(0, 10_000), count=st.integers(1, 60), k=st.integers(1, 5), kinds=st.sampled_from([2, 5, 60]))
 @SETTINGS
-def test_signs_are_those_along_the_least_spanning_trees(device, seed, count, k, kinds):
+def test_signs_follow_the_minimum_spanning_trees(device, seed, count, k, kinds):
     """Any directed graph, loops, repeats and equal weights among its edges, in one part or in two."""
     rng = np.random.default_rng(seed)
     lists, normals = rng.integers(0, count, (count, k)), unit_normals(rng, count, kinds)
@@ -140,11 +140,11 @@ def test_chains_of_any_length_are_one_component_after_one_round(device, count):
 
 
 def test_a_component_far_from_a_dense_one_is_bridged_by_the_nearest_pair(device, rng):
-    """The walk skips what lies in its own component: both parts are larger than many buckets."""
+    """The traversal skips its own component: both parts are larger than many buckets."""
     points = np.concatenate([rng.random((3000, 3)), rng.random((2000, 3)) + np.array([40, 0, 0])]).astype(np.float32)
     tree = PointTree(upload(points, vec3, device))
-    held = download(tree.points)[: tree.count]
-    right = held[:, 0] > 20
+    tree_points = download(tree.points)[: tree.count]
+    right = tree_points[:, 0] > 20
     follow = np.arange(5000)  # each vertex lists the next of its side: two components
     for side in (right, ~right):
         ranks = np.flatnonzero(side)
@@ -157,7 +157,7 @@ def test_a_component_far_from_a_dense_one_is_bridged_by_the_nearest_pair(device,
     links = download(forest.links)
     signs = 1.0 - 2 * (links & 1)
     a, b = np.flatnonzero(~right), np.flatnonzero(right)
-    d = held[b][None] - held[a][:, None]
+    d = tree_points[b][None] - tree_points[a][:, None]
     sqdists = d[..., 0] * d[..., 0] + d[..., 1] * d[..., 1] + d[..., 2] * d[..., 2]
     i, j = np.unravel_index(sqdists.argmin(), sqdists.shape)
     assert signs[a[i]] * signs[b[j]] == sign(normals, a[i], b[j])
@@ -167,8 +167,8 @@ def test_a_component_far_from_a_dense_one_is_bridged_by_the_nearest_pair(device,
 
 @pytest.mark.parametrize("count", [2, BUCKET + 1, FAN * BUCKET + 1, 700])
 def test_children_that_are_not_there_belong_to_no_component(device, count, rng, monkeypatch):
-    """Whatever lay in the memory before: here the number of a component that there is."""
-    monkeypatch.setattr(orientation, "empty", lambda shape, dtype, place: full(shape, 1, dtype, place))
+    """For any previous contents of the memory: here the number of an existing component."""
+    monkeypatch.setattr(orientation, "empty", lambda shape, dtype, target: full(shape, 1, dtype, target))
     tree = PointTree(upload(rng.random((count, 3)), vec3, device))
     bridges = orientation.Bridges(tree, Forest(count, device))
     bridges.label_nodes()
@@ -182,7 +182,7 @@ def test_children_that_are_not_there_belong_to_no_component(device, count, rng, 
 
 
 def test_components_whose_squared_distance_is_infinite_are_bridged(device, rng):
-    """Then no distance bounds the walk: what keeps it inside the tree is that nobody owns what is not there."""
+    """Then no distance bounds the traversal: it stays inside the tree because missing children have no component."""
     points = rng.random((8 * BUCKET + 1, 3))
     points[7] = [1e25, 0, 0]
     forest, normals = Forest(len(points), device), upload(unit_normals(rng, len(points)), vec3, device)

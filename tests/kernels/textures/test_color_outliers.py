@@ -18,24 +18,24 @@ from pointloom.kernels.textures.face_views import FaceViews
 
 
 def likely(colors):
-    """The mask of one triangle's colors, and how many Gaussians were fitted until it was settled."""
+    """The mask of one triangle's colors, and the number of Gaussians fitted until convergence."""
     if len(colors) < MIN_VIEWS:
         return np.ones(len(colors), bool), 0
     gaps = np.linalg.norm(colors[:, None] - colors, axis=2)
     middle = gaps[gaps.sum(axis=1).argmin()]
     keep = middle <= max(NEAR * np.sort(middle)[(len(colors) - 1) // 2], MIN_DISTANCE)
-    for turn in range(MAX_ITERATIONS):
+    for iteration in range(MAX_ITERATIONS):
         if keep.sum() < MIN_VIEWS:
-            return np.ones(len(colors), bool), turn
+            return np.ones(len(colors), bool), iteration
         off = colors - colors[keep].mean(axis=0)
         inverse = np.linalg.inv(np.cov(colors[keep].T, bias=True) + NOISE_VARIANCE * np.eye(3))
         before, keep = keep, np.einsum("ni,ij,nj->n", off, inverse, off) <= UNLIKELY
         if (keep == before).all():
             break
-    return keep, turn
+    return keep, iteration
 
 
-def test_the_likely_views_are_those_of_a_gaussian_that_is_fitted_until_it_settles(device, rng):
+def test_likely_views_belong_to_a_gaussian_fitted_until_convergence(device, rng):
     faces = [np.zeros((0, 3)), rng.random((3, 3)), rng.random((4, 3))]
     for count in rng.integers(4, 20, 60):
         spread = rng.choice([0.01, 0.05], count)[:, None]
@@ -43,12 +43,16 @@ def test_the_likely_views_are_those_of_a_gaussian_that_is_fitted_until_it_settle
         faces.append(rng.uniform(0.2, 0.6, 3) + spread * rng.normal(size=(count, 3)) + far)
     faces.append(np.vstack([np.zeros((2, 3)), np.eye(3)]))  # only the two equal ones are near: all stay
     faces = [face.astype(np.float32) for face in faces]
-    place, starts = resolve_device(device), np.cumsum([0, *map(len, faces)])
+    warp_device, starts = resolve_device(device), np.cumsum([0, *map(len, faces)])
     count = int(starts[-1])
     numbers = np.zeros(count)
-    arrays = (upload(starts, int32, place), upload(numbers, int32, place), upload(numbers, float64, place))
-    found = download(keep_likely(FaceViews(*arrays, upload(np.vstack(faces), vec3, place))))
+    arrays = (
+        upload(starts, int32, warp_device),
+        upload(numbers, int32, warp_device),
+        upload(numbers, float64, warp_device),
+    )
+    mask = download(keep_likely(FaceViews(*arrays, upload(np.vstack(faces), vec3, warp_device))))
     expected = [likely(face.astype(float)) for face in faces]
-    np.testing.assert_array_equal(found, np.concatenate([keep for keep, _ in expected]))
-    assert max(turns for _, turns in expected) > 0 and 0.5 < found[: -len(faces[-1])].mean() < 0.99
-    assert found[-len(faces[-1]) :].all()
+    np.testing.assert_array_equal(mask, np.concatenate([keep for keep, _ in expected]))
+    assert max(iterations for _, iterations in expected) > 0 and 0.5 < mask[: -len(faces[-1])].mean() < 0.99
+    assert mask[-len(faces[-1]) :].all()

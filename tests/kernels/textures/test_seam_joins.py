@@ -7,7 +7,7 @@ import pointloom as loom
 from ...meshing.picture_scenes import CAMERA, sampled, wall_scene
 
 texture = loom.color_map.texture_from_pictures
-PLACES = np.linspace(0.02, 0.98, 9)
+POSITIONS = np.linspace(0.02, 0.98, 9)
 
 
 def wedges(device):
@@ -25,31 +25,31 @@ def wedges(device):
     return mesh, pictures, [scene.extrinsics[1]] * 3
 
 
-def steps_at(found, places):
+def steps_at(result, positions):
     """The steps between each two of the triangles, along the edge from the middle, in the mean of channels."""
     steps = []
-    triangles = np.asarray(found.mesh.triangles)
+    triangles = np.asarray(result.mesh.triangles)
     for a in range(3):
         b = (a + 1) % 3
         shared = next(v for v in triangles[a] if v and v in triangles[b])
-        for place in places:
+        for position in positions:
             colors = []
             for row in (a, b):
                 share = np.zeros(3)
-                share[triangles[row] == 0], share[triangles[row] == shared] = 1 - place, place
-                colors.append(sampled(found.mesh, row, share))
+                share[triangles[row] == 0], share[triangles[row] == shared] = 1 - position, position
+                colors.append(sampled(result.mesh, row, share))
             steps.append(np.abs(colors[0] - colors[1]).mean())
     return np.array(steps)
 
 
-def test_three_pictures_that_meet_have_one_color_there(device):
+def test_three_adjacent_images_have_one_color_at_their_corner(device):
     mesh, pictures, poses = wedges(device)
     how = {"exposures": False, "seam_leveling": False, "smoothness": 0.0, "outliers": False}
     plain = texture(mesh, pictures, CAMERA, poses, local_leveling=False, **how)
-    assert len(set(plain.views.tolist())) == 3 and steps_at(plain, PLACES).min() > 15
-    found = texture(mesh, pictures, CAMERA, poses, **how)
-    assert steps_at(found, PLACES).max() < 1.5
-    middle = [sampled(found.mesh, row, np.asarray(found.mesh.triangles)[row] == 0).mean() for row in range(3)]
+    assert len(set(plain.views.tolist())) == 3 and steps_at(plain, POSITIONS).min() > 15
+    result = texture(mesh, pictures, CAMERA, poses, **how)
+    assert steps_at(result, POSITIONS).max() < 1.5
+    middle = [sampled(result.mesh, row, np.asarray(result.mesh.triangles)[row] == 0).mean() for row in range(3)]
     assert np.ptp(middle) < 1.5
     assert 126 < np.mean(middle) < 142  # 130, the mean of all three, with up to 12 of detail
 
@@ -60,7 +60,7 @@ def test_far_from_seams_nothing_changes(device):
     finer = [np.repeat(np.repeat(picture, 4, 0), 4, 1) for picture in pictures]
     how = {"exposures": False, "seam_leveling": False, "smoothness": 0.0, "outliers": False}
     plain = texture(mesh, finer, large, poses, local_leveling=False, **how)
-    found = texture(mesh, finer, large, poses, **how)
+    result = texture(mesh, finer, large, poses, **how)
     for row in range(3):
         outer = np.where(np.asarray(mesh.triangles)[row] == 0, 0.2, 0.4)
-        assert np.array_equal(sampled(found.mesh, row, outer), sampled(plain.mesh, row, outer))
+        assert np.array_equal(sampled(result.mesh, row, outer), sampled(plain.mesh, row, outer))

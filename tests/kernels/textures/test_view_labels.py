@@ -14,13 +14,13 @@ from pointloom.kernels.textures.charts import find_twins
 from pointloom.kernels.textures.view_labels import UNIT, LabelGraph, choose_labels, energy_of
 
 
-def make_graph(triangles, costs, price, place):
+def make_graph(triangles, costs, price, warp_device):
     """A graph of a mesh whose triangles may take the pictures with a cost of 0 or more."""
     shown = costs >= 0
     starts = np.concatenate([[0], np.cumsum(shown.sum(1))])
-    twins = find_twins(upload(triangles, vec3i, place), int(triangles.max()) + 1)
+    twins = find_twins(upload(triangles, vec3i, warp_device), int(triangles.max()) + 1)
     numbers = (starts, np.nonzero(shown)[1], costs[shown])
-    return LabelGraph(*(upload(part, int32, place) for part in numbers), twins, price)
+    return LabelGraph(*(upload(part, int32, warp_device) for part in numbers), twins, price)
 
 
 def energy_by_hand(triangles, costs, price, views):
@@ -33,22 +33,22 @@ def energy_by_hand(triangles, costs, price, views):
 
 
 def grid(columns, rows):
-    place = np.arange((columns + 1) * (rows + 1)).reshape(rows + 1, columns + 1)
-    a, b, c, d = (part.ravel() for part in (place[:-1, :-1], place[:-1, 1:], place[1:, 1:], place[1:, :-1]))
+    numbers = np.arange((columns + 1) * (rows + 1)).reshape(rows + 1, columns + 1)
+    a, b, c, d = (part.ravel() for part in (numbers[:-1, :-1], numbers[:-1, 1:], numbers[1:, 1:], numbers[1:, :-1]))
     return np.concatenate([np.stack([a, b, c], 1), np.stack([a, c, d], 1)])
 
 
 @pytest.mark.parametrize("price", [0, 0.2, 0.6])
-def test_a_strip_of_triangles_takes_the_pictures_of_least_energy(device, rng, price):
-    """Its graph is a tree, on which what triangles tell each other is exact."""
-    place, triangles = (
+def test_a_strip_of_triangles_gets_the_images_of_minimal_energy(device, rng, price):
+    """Its graph is a tree, on which the messages between triangles are exact."""
+    warp_device, triangles = (
         wp.get_device(device),
         np.array([(t, t + 1, t + 2) if t % 2 else (t + 1, t, t + 2) for t in range(7)]),
     )
     costs = rng.integers(0, UNIT, (7, 3))
     costs[rng.random(costs.shape) < 0.2] = -1
     costs[:, 0] = np.maximum(costs[:, 0], 0)
-    graph = make_graph(triangles, costs, round(price * UNIT), place)
+    graph = make_graph(triangles, costs, round(price * UNIT), warp_device)
     labels = choose_labels(graph)
     choices = itertools.product(*(np.flatnonzero(row >= 0) for row in costs))
     best = min(energy_by_hand(triangles, costs, graph.price, views)[0] for views in choices)
@@ -58,25 +58,25 @@ def test_a_strip_of_triangles_takes_the_pictures_of_least_energy(device, rng, pr
 
 
 @pytest.mark.parametrize("price", [0.1, 0.3, 0.8])
-def test_two_pictures_of_a_grid_come_within_a_hundredth_of_the_least_cut(device, rng, price):
-    place, triangles = wp.get_device(device), grid(12, 9)
+def test_two_images_of_a_grid_are_within_a_percent_of_the_minimum_cut(device, rng, price):
+    warp_device, triangles = wp.get_device(device), grid(12, 9)
     costs = rng.integers(0, UNIT, (len(triangles), 2))
-    graph = make_graph(triangles, costs, round(price * UNIT), place)
-    found = energy_of(graph, choose_labels(graph))
+    graph = make_graph(triangles, costs, round(price * UNIT), warp_device)
+    energy = energy_of(graph, choose_labels(graph))
     count = len(triangles)
     _, met = energy_by_hand(triangles, costs, 0, np.zeros(count, int))
     capacity = np.zeros((count + 2, count + 2), np.int32)
     capacity[count, :count], capacity[:count, count + 1] = costs[:, 1], costs[:, 0]
     for a, b in met:
         capacity[a, b] = capacity[b, a] = graph.price
-    least = maximum_flow(csr_matrix(capacity), count, count + 1).flow_value
-    assert least <= found <= 1.01 * least
+    min_cut = maximum_flow(csr_matrix(capacity), count, count + 1).flow_value
+    assert min_cut <= energy <= 1.01 * min_cut
 
 
-def test_triangles_without_a_picture_stay_without_and_cost_nothing(device):
-    place, triangles = wp.get_device(device), grid(2, 1)
+def test_triangles_without_an_image_stay_without_and_cost_nothing(device):
+    warp_device, triangles = wp.get_device(device), grid(2, 1)
     costs = np.array([[5, 9], [-1, -1], [9, 5], [5, 5]])
-    graph = make_graph(triangles, costs, 100, place)
+    graph = make_graph(triangles, costs, 100, warp_device)
     labels = choose_labels(graph)
     assert download(labels)[1] == -1 and energy_of(graph, labels) <= 5 + 9 + 5
 
@@ -84,14 +84,14 @@ def test_triangles_without_a_picture_stay_without_and_cost_nothing(device):
 @pytest.mark.parametrize("price", [0.1, 0.4])
 def test_after_no_messages_no_single_change_lowers_the_energy(device, rng, price):
     """The start is the cheapest view of each triangle; changes of single triangles lead to a local minimum."""
-    place, triangles = wp.get_device(device), grid(7, 5)
+    warp_device, triangles = wp.get_device(device), grid(7, 5)
     costs = rng.integers(0, UNIT, (len(triangles), 3))
-    graph = make_graph(triangles, costs, round(price * UNIT), place)
+    graph = make_graph(triangles, costs, round(price * UNIT), warp_device)
     views = download(graph.views)[download(choose_labels(graph, iterations=0))]
     start, _ = energy_by_hand(triangles, costs, graph.price, costs.argmin(axis=1))
-    least, _ = energy_by_hand(triangles, costs, graph.price, views)
-    assert least < start
+    energy, _ = energy_by_hand(triangles, costs, graph.price, views)
+    assert energy < start
     for triangle, view in itertools.product(range(len(triangles)), range(3)):
         changed = views.copy()
         changed[triangle] = view
-        assert energy_by_hand(triangles, costs, graph.price, changed)[0] >= least
+        assert energy_by_hand(triangles, costs, graph.price, changed)[0] >= energy

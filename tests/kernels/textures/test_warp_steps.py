@@ -15,13 +15,13 @@ from pointloom.kernels.textures.warp_steps import WarpSearch
 SIZES = ((48, 36), (40, 30))
 
 
-def make_pictures(place, rng, paint=None):
+def make_pictures(warp_device, rng, paint=None):
     """Two pictures of different sizes, and their poses."""
     pixels, layout, first = [], [], 0
     for width, height in SIZES:
         v, u = np.mgrid[:height, :width]
         values = rng.integers(0, 255, (height, width, 3)) if paint is None else np.stack([paint(u, v)] * 3, -1)
-        pixels.append(upload(values.reshape(-1, 3).astype(np.uint8), uint8, place))
+        pixels.append(upload(values.reshape(-1, 3).astype(np.uint8), uint8, warp_device))
         layout.append((width, height, first))
         first += width * height
     layout, every = np.array(layout), concatenate_rows(pixels)
@@ -31,10 +31,10 @@ def make_pictures(place, rng, paint=None):
     return PosedPictures(layout, lenses, poses, every, smooth_brightness(every, layout), 1)
 
 
-def make_vertices(place, rng, count=400):
+def make_vertices(warp_device, rng, count=400):
     points = rng.uniform((-0.35, -0.25, 0.95), (0.35, 0.25, 1.3), (count, 3)).astype(np.float32)
     rows = [np.arange(count), np.flatnonzero(rng.random(count) < 0.7)]
-    return upload(points, vec3, place), Sightings([upload(r, int32, place) for r in rows], count)
+    return upload(points, vec3, warp_device), Sightings([upload(r, int32, warp_device) for r in rows], count)
 
 
 def dense_system(search, image):
@@ -60,18 +60,18 @@ def dense_system(search, image):
 
 @pytest.mark.parametrize("anchors", [2, 3, 5])
 def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
-    place = wp.get_device(device)
-    pictures, (vertices, sightings) = make_pictures(place, rng), make_vertices(place, rng)
-    warps = Warps(pictures.layout, anchors, place)
+    warp_device = wp.get_device(device)
+    pictures, (vertices, sightings) = make_pictures(warp_device, rng), make_vertices(warp_device, rng)
+    warps = Warps(pictures.layout, anchors, warp_device)
     start = rng.normal(0, 0.3, (warps.count, 2))
-    copy(warps.shifts, upload(start, vec2d, place), count=warps.count)
+    copy(warps.shifts, upload(start, vec2d, warp_device), count=warps.count)
     search = WarpSearch(vertices, sightings, pictures, warps, 1, 0.9)
     poses = download(pictures.poses).copy()
     assert search.iterate()
     damping = 1 + 1e-6  # FIRST_DAMPING
     shifts = download(warps.shifts).copy()
     moved = download(pictures.poses)
-    copy(warps.shifts, upload(start, vec2d, place), count=warps.count)  # the ties are about the start
+    copy(warps.shifts, upload(start, vec2d, warp_device), count=warps.count)  # the ties are about the start
     for image in range(2):
         A, b = dense_system(search, image)
         A[range(len(A)), range(len(A))] *= damping
@@ -86,11 +86,11 @@ def test_a_step_is_the_solution_of_the_dense_system(device, rng, anchors):
 
 def test_slopes_are_those_of_the_residuals(device, rng):
     """Of a picture whose brightness rises evenly, where bilinear values and Sobel's slopes are exact."""
-    place = wp.get_device(device)
-    pictures = make_pictures(place, rng, lambda u, v: 3 * u + 2 * v)
-    vertices, sightings = make_vertices(place, rng, 200)
-    warps = Warps(pictures.layout, 3, place)
-    copy(warps.shifts, upload(rng.normal(0, 0.2, (warps.count, 2)), vec2d, place), count=warps.count)
+    warp_device = wp.get_device(device)
+    pictures = make_pictures(warp_device, rng, lambda u, v: 3 * u + 2 * v)
+    vertices, sightings = make_vertices(warp_device, rng, 200)
+    warps = Warps(pictures.layout, 3, warp_device)
+    copy(warps.shifts, upload(rng.normal(0, 0.2, (warps.count, 2)), vec2d, warp_device), count=warps.count)
     search = ColorSearch(vertices, sightings, pictures, warps, 0)
     search.measure()
     sums = download(search.sums).copy()
@@ -106,11 +106,11 @@ def test_slopes_are_those_of_the_residuals(device, rng):
             else:
                 motion[unknown - 3, 3] = sign * h
             tried = ColorSearch(vertices, sightings, pictures, warps, 0)
-            copy(pictures.poses, upload(motion @ poses, pictures.poses.dtype, place), count=2)
+            copy(pictures.poses, upload(motion @ poses, pictures.poses.dtype, warp_device), count=2)
             tried.measure()
             copy(tried.proxies, proxies, count=vertices.size)  # held
             errors.append(squares_with(tried))
-        copy(pictures.poses, upload(poses, pictures.poses.dtype, place), count=2)
+        copy(pictures.poses, upload(poses, pictures.poses.dtype, warp_device), count=2)
         slope = (errors[0] - errors[1]) / (4 * h)  # of half the squares
         scale = np.abs(sums[:, 21:27]).max()
         # brightness is float32 in 0..1: 6e-8 over 2 h
@@ -118,7 +118,7 @@ def test_slopes_are_those_of_the_residuals(device, rng):
 
 
 def squares_with(search):
-    """The squares of each picture with the means as they stand."""
+    """The squares of each image with the current means."""
     from pointloom.kernels.lang import reduce_segments
     from pointloom.kernels.textures.color_steps import SQUARES, sum_pair_rows
 

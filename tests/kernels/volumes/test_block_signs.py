@@ -67,13 +67,13 @@ def test_cells_are_those_with_a_corner_behind_a_surface(device, rng):
         assert 0 < (parts > 0).mean() < 1
 
 
-def test_neighbors_taken_further_are_those_found_anew(device, rng):
+def test_updated_neighbors_equal_recomputed_ones(device, rng):
     counts = []
     for volume in volumes_of_frames(device, rng):
         blocks = volume._blocks
-        anew = BlockNeighbors(blocks.changes, blocks.device).update(blocks)
+        rebuilt = BlockNeighbors(blocks.changes, blocks.device).update(blocks)
         used = 27 * blocks.count
-        np.testing.assert_array_equal(neighbors_of(blocks).numpy()[:used], anew.numpy()[:used])
+        np.testing.assert_array_equal(neighbors_of(blocks).numpy()[:used], rebuilt.numpy()[:used])
         counts.append(blocks.count)
     assert len(set(counts)) > 2, "the volume grew"
 
@@ -81,21 +81,21 @@ def test_neighbors_taken_further_are_those_found_anew(device, rng):
 def test_signs_follow_voxels_that_are_put_in_by_other_means(device, rng):
     *_, volume = volumes_of_frames(device, rng, 2)
     signs_of(volume._blocks)
-    turned = -volume._blocks.distances.numpy()
-    set_voxels(volume, "distances", turned)
+    negated = -volume._blocks.distances.numpy()
+    set_voxels(volume, "distances", negated)
     signs = signs_of(volume._blocks)
     np.testing.assert_array_equal(bits_of(signs.cells, volume.block_count), cells_behind(volume))
 
 
-def test_signs_after_several_frames_are_those_found_anew(device, rng):
+def test_signs_after_several_frames_equal_recomputed_ones(device, rng):
     for k, volume in enumerate(volumes_of_frames(device, rng)):
         if k in (0, 3, 4):
             blocks = volume._blocks
-            kept = signs_of(blocks)
-            anew = BlockSigns(blocks.changes, blocks.device)
-            anew.update(blocks)
+            updated = signs_of(blocks)
+            rebuilt = BlockSigns(blocks.changes, blocks.device)
+            rebuilt.update(blocks)
             for name, each in (("signs", SIDE), ("cells", SIDE), ("parts", 1)):
-                a, b = (getattr(s, name).numpy()[: blocks.count * each] for s in (kept, anew))
+                a, b = (getattr(s, name).numpy()[: blocks.count * each] for s in (updated, rebuilt))
                 np.testing.assert_array_equal(a, b)
 
 
@@ -106,7 +106,7 @@ def test_signs_of_an_empty_volume_are_none(device):
 
 
 @pytest.mark.parametrize("other", ["copied", "loaded"])
-def test_a_picture_is_the_same_whatever_was_cast_before(device, tmp_path, other):
+def test_an_image_does_not_depend_on_earlier_rays(device, tmp_path, other):
     watched, T = (
         loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device),
         look_at((1.0, 0.5, 0.4)),

@@ -73,7 +73,7 @@ def test_the_triangles_of_a_case_use_all_its_crossing_edges_and_no_others():
         assert EDGE_MASK[case] == sum(1 << e for e in crossing_edges(case))
 
 
-def test_inner_sides_of_a_case_have_their_opposites_and_the_rest_lie_on_faces():
+def test_inner_sides_of_a_case_have_opposites_and_the_rest_are_on_faces():
     for case in CASES:
         sides, outer = directed_sides(case), boundary(case)
         assert len(set(sides)) == len(sides)
@@ -87,7 +87,7 @@ def test_neighboring_cells_draw_the_same_contour_on_their_common_face_in_opposit
     low, high = FACES[2 * axis], FACES[2 * axis + 1]
 
     def contours(face, drop):
-        found = {}
+        by_signs = {}
         for case in CASES:
             signs = tuple(case >> c & 1 for c in sorted(face))
             on_face = {(a, b) for a, b in boundary(case) if faces_of(a) & faces_of(b) == {FACES.index(face)}}
@@ -95,8 +95,8 @@ def test_neighboring_cells_draw_the_same_contour_on_their_common_face_in_opposit
                 tuple(tuple(np.delete(MIDPOINTS[e], drop)) for e in (segment if face is high else segment[::-1]))
                 for segment in on_face
             }
-            found.setdefault(signs, set()).add(frozenset(ends))
-        return found
+            by_signs.setdefault(signs, set()).add(frozenset(ends))
+        return by_signs
 
     upper, lower = contours(high, axis), contours(low, axis)
     assert upper == lower
@@ -119,7 +119,7 @@ def test_normals_point_from_inside_to_outside():
         assert np.cross(p[1] - p[0], p[2] - p[0]) @ (p[0] - corner) > 0
 
 
-def test_turned_and_mirrored_cells_have_as_many_triangles_and_the_same_loops():
+def test_rotated_and_mirrored_cells_have_the_same_triangles_and_loops():
     for axes in permutations(range(3)):
         for flips in product((0, 1), repeat=3):
             moved = np.abs(CORNERS[:, axes] - flips)

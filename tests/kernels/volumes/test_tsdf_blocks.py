@@ -16,9 +16,9 @@ WIDTH, HEIGHT = 32, 24
 SLACK = 1e-9  # [blocks] a ray this near to a face may or may not count as touching the block behind it
 
 
-def random_pose(rng, reach=3.0):
+def random_pose(rng, extent=3.0):
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.random(rng=rng).as_matrix(), rng.uniform(-reach, reach, 3)
+    T[:3, :3], T[:3, 3] = Rotation.random(rng=rng).as_matrix(), rng.uniform(-extent, extent, 3)
     return T
 
 
@@ -46,12 +46,12 @@ def segments(depth, T, truncation, voxel_size, camera=CAMERA):
 
 def sampled_blocks(a, b, count=2000):
     """The blocks at densely sampled points of the segments; points next to a face are left out."""
-    found = set()
+    blocks = set()
     for s in np.linspace(0, 1, count):
         p = a + (b - a) * s
         clear = np.abs(p - np.round(p)).min(axis=1) > SLACK
-        found |= set(map(tuple, np.unique(np.floor(p[clear]).astype(int), axis=0)))
-    return found
+        blocks |= set(map(tuple, np.unique(np.floor(p[clear]).astype(int), axis=0)))
+    return blocks
 
 
 def distance_between(a, b, blocks):
@@ -87,12 +87,12 @@ def test_a_camera_among_negative_coordinates_touches_the_same_blocks_moved(devic
     voxel_size, shift = 0.02, np.array([-400, -300, -200])
     T = random_pose(rng)
     depth = rng.uniform(0.5, 2.0, (HEIGHT, WIDTH))
-    here = touched(depth, T, 0.08, voxel_size, device)
+    shifted = touched(depth, T, 0.08, voxel_size, device)
     T[:3, 3] += shift * SIDE * voxel_size
-    there = touched(depth, T, 0.08, voxel_size, device)
-    same = set(map(tuple, here + shift)) ^ set(map(tuple, there))
+    original = touched(depth, T, 0.08, voxel_size, device)
+    same = set(map(tuple, shifted + shift)) ^ set(map(tuple, original))
     assert len(same) <= 2  # a ray within 1e-14 of a corner
-    assert there.max() < 0
+    assert original.max() < 0
 
 
 @pytest.mark.parametrize("kind", ["noise", "wall"])
@@ -121,7 +121,7 @@ def test_a_box_too_large_for_the_grid_is_sorted(device, rng):
 
 @pytest.mark.parametrize("pixel", [(0, 0), (0, 5), (7, 0), (23, 31), (23, 2), (9, 31), (22, 30)])
 @pytest.mark.parametrize("path", [1 << 24, 0])
-def test_depth_at_the_border_of_the_picture_is_seen(device, monkeypatch, pixel, path):
+def test_depth_at_the_border_of_the_image_is_used(device, monkeypatch, pixel, path):
     """A picture fine enough for a stride of 4; only single pixels away from the border may be passed over."""
     monkeypatch.setattr(tsdf_blocks, "MAX_GRID", path)
     camera, T = (400.0, 400.0, 15.5, 11.5), np.eye(4)
@@ -152,7 +152,7 @@ def test_neighboring_rays_are_less_than_half_a_block_apart(device, distance, foc
     assert expected <= set(map(tuple, blocks))
 
 
-def test_all_pixels_of_real_like_slopes_lie_in_touched_blocks(device, rng):
+def test_all_pixels_of_realistic_slopes_are_in_touched_blocks(device, rng):
     """What the stride leaves out on a tilted, wavy surface is less than a thousandth of the pixels."""
     width, height, voxel_size = 320, 240, 0.01
     camera = (262.5, 262.5, 159.5, 119.5)
@@ -176,14 +176,14 @@ def test_a_frame_without_depth_touches_nothing(device, monkeypatch):
 
 
 @pytest.mark.parametrize("shape", [(1, 1), (1, 7), (9, 1)])
-def test_pictures_of_one_row_or_column_work(device, shape):
+def test_images_of_one_row_or_column_work(device, shape):
     depth = np.full(shape, 0.9)
     a, b = segments(depth, np.eye(4), 0.08, 0.02)
     blocks = touched(depth, np.eye(4), 0.08, 0.02, device)
     assert sampled_blocks(a, b) == set(map(tuple, blocks))
 
 
-def test_rays_begin_at_the_camera_where_the_truncation_reaches_behind_it(device):
+def test_rays_begin_at_the_camera_if_the_truncation_extends_behind_it(device):
     blocks = touched(np.full((HEIGHT, WIDTH), 0.05), np.eye(4), 0.5, 0.02, device)
     assert blocks[:, 2].min() == 0
 
