@@ -1,4 +1,4 @@
-"""A ball before a wall, painted by a smooth function of the place, seen by cameras whose poses are exact."""
+"""A ball in front of a wall with a smooth position-dependent color, seen by cameras with exact poses."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ BALL, RADIUS, WALL = np.array([0.0, 0.0, 1.2]), 0.3, 1.6
 
 @dataclass
 class Scene:
-    """The mesh, what the cameras take, and where they truly are (camera to world)."""
+    """The mesh, the images, and the true camera poses (camera to world)."""
 
     mesh: loom.TriangleMesh
     frames: list[loom.RGBDImage]
@@ -27,7 +27,7 @@ class Scene:
 
 
 def paint(points):
-    """Colors 0..1 at places [..., 3]."""
+    """Colors 0..1 at positions [..., 3]."""
     x, y, z = points[..., 0], points[..., 1], points[..., 2]
     red = np.sin(11 * x + 3 * z) * np.cos(9 * y) + 0.4 * np.sin(23 * y + 17 * x)
     green = np.cos(8 * x - 5 * y) + 0.5 * np.sin(19 * x + 4 * z)
@@ -36,7 +36,7 @@ def paint(points):
 
 
 def take(camera, pose, bend=0.0):
-    """Colors uint8 and depth [m] of the scene; `bend` shifts pixels outwards by that share of the squared radius."""
+    """Colors uint8 and depth [m] of the scene; `bend` shifts pixels outwards by that fraction of the squared radius."""
     v, u = np.mgrid[: camera.height, : camera.width].astype(float)
     x, y = (u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy
 
@@ -69,7 +69,7 @@ def wall_and_ball(rows=41):
 
 
 def make_scene(device="cpu", *, views=5, width=160, height=120, rows=41, bend=0.0, shift=(0.0, 0.0, 0.0)):
-    # no vertex of the grid projects exactly between two pixels, where rounding may go either way
+    # no vertex of the grid projects exactly between two pixels, where rounding is ambiguous
     middle = (width / 2 - 0.363, height / 2 - 0.441)
     camera = loom.PinholeCameraIntrinsic(width, height, 0.95 * width, 0.95 * width, *middle)
     angles = np.linspace(0, 2 * np.pi, views, endpoint=False)
@@ -87,7 +87,7 @@ def make_scene(device="cpu", *, views=5, width=160, height=120, rows=41, bend=0.
 
 
 def perturb(poses, degrees=0.5, meters=0.01, seed=0):
-    """Poses with each turned and moved a little on its own."""
+    """Poses, each rotated and shifted a little at random."""
     rng, result = np.random.default_rng(seed), poses.copy()
     for pose in result:
         axis = rng.normal(size=3)
@@ -100,11 +100,11 @@ def perturb(poses, degrees=0.5, meters=0.01, seed=0):
     return result
 
 
-def pose_errors(found, true):
-    """Degrees and meters by which the pictures' mutual poses differ from the true ones, all relative to the first."""
-    turns, moves = [], []
-    for a, b in zip(found[1:], true[1:], strict=True):
-        D = np.linalg.inv(np.linalg.inv(true[0]) @ b) @ (np.linalg.inv(found[0]) @ a)
-        turns.append(np.degrees(np.arccos(np.clip((np.trace(D[:3, :3]) - 1) / 2, -1, 1))))
+def pose_errors(estimated, true):
+    """Mean rotation [degrees] and translation [m] errors of the poses relative to the first."""
+    angles, moves = [], []
+    for a, b in zip(estimated[1:], true[1:], strict=True):
+        D = np.linalg.inv(np.linalg.inv(true[0]) @ b) @ (np.linalg.inv(estimated[0]) @ a)
+        angles.append(np.degrees(np.arccos(np.clip((np.trace(D[:3, :3]) - 1) / 2, -1, 1))))
         moves.append(np.linalg.norm(D[:3, 3]))
-    return float(np.mean(turns)), float(np.mean(moves))
+    return float(np.mean(angles)), float(np.mean(moves))

@@ -1,4 +1,4 @@
-"""Meshes in Open3D's form, what it makes of them as plain arrays, and its answers to many small ones in few arrays."""
+"""Meshes in Open3D's form, its results as plain arrays, and batches of its results for many small meshes."""
 
 from __future__ import annotations
 
@@ -40,7 +40,7 @@ def arrays_of(peer: Any, *names: str) -> tuple[np.ndarray, ...]:
 
 
 def open3d_arrays(o3d: Any, mesh: TriangleMesh, method: str, *arguments: Any, names: Sequence[str] = ()) -> Any:
-    """Arrays of the mesh that a method of Open3D's makes, or of the mesh that it changes."""
+    """Arrays of the mesh that an Open3D method returns or modifies."""
     peer = in_open3d(o3d, mesh)
     made = getattr(peer, method)(*arguments)
     return arrays_of(peer if made is None else made, *names)
@@ -56,13 +56,13 @@ def for_each(o3d: Any, compute: Callable[..., Sequence[Any]], scenes: Sequence[A
 
 
 def one_by_one(answer: list[tuple[Any, Any]]) -> list[tuple[Any, ...]]:
-    """The arrays of each scene out of an answer of `for_each`."""
+    """The arrays of each scene from a result of `for_each`."""
     parts = [np.split(values, np.cumsum(counts)[:-1]) for counts, values in answer]
     return list(zip(*parts, strict=True))
 
 
 def assert_meshes_are_open3ds(oracle: Callable[..., Any], name: str, scenes: Sequence[tuple[Any, ...]]) -> None:
-    """Open3D's vertices and triangles of scenes (mesh, method, *arguments) are those that the same call makes here."""
+    """The same call gives Open3D's vertices and triangles for scenes (mesh, method, *arguments)."""
     answer = one_by_one(oracle(name, for_each, open3d_arrays, scenes))
     for (mesh, method, *arguments), (vertices, triangles) in zip(scenes, answer, strict=True):
         made = getattr(mesh, method)(*arguments)

@@ -1,4 +1,4 @@
-"""A wavy wall before cameras that take it at exposures of their own."""
+"""A wavy wall seen by cameras with different exposures."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ CAMERA = loom.PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
 
 
 class WallScene(NamedTuple):
-    """The mesh, pictures, and poses, world to camera."""
+    """The mesh, images, and poses (world to camera)."""
 
     mesh: Any
     pictures: list[NDArray[np.uint8]]
@@ -21,21 +21,21 @@ class WallScene(NamedTuple):
 
 
 def wall_colors(x: NDArray[np.float64], y: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Colors of places on the wall, 0..1."""
+    """Colors of positions on the wall, 0..1."""
     return np.stack([0.5 + 0.1 * np.sin(9 * x), 0.45 + 0.1 * np.cos(7 * y), 0.5 + 0.1 * np.sin(5 * (x + y))], -1)
 
 
 def wall_mesh(side: int = 17, **options: Any) -> Any:
     """A square of 1.6 m at z = 0, its triangles facing -z."""
     j, i = np.mgrid[:side, :side]
-    place, at = np.stack([i, j], -1).reshape(-1, 2) / (side - 1), (j * side + i)[:-1, :-1].ravel()
+    uv, at = np.stack([i, j], -1).reshape(-1, 2) / (side - 1), (j * side + i)[:-1, :-1].ravel()
     triangles = np.concatenate([np.stack([at, at + side, at + 1], 1), np.stack([at + 1, at + side, at + side + 1], 1)])
-    vertices = np.column_stack([1.6 * place - 0.8, np.zeros(len(place))])
+    vertices = np.column_stack([1.6 * uv - 0.8, np.zeros(len(uv))])
     return loom.TriangleMesh(vertices, triangles, **options)
 
 
 def wall_scene(gains: Any = (1.0, 1.0, 1.0), device: Any = "cpu") -> WallScene:
-    """Pictures of the wall from 1 m away, left to right, multiplied by gains."""
+    """Images of the wall from 1 m away, left to right, multiplied by gains."""
     v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
     pictures, extrinsics = [], []
     for k, gain in enumerate(gains):
@@ -48,7 +48,7 @@ def wall_scene(gains: Any = (1.0, 1.0, 1.0), device: Any = "cpu") -> WallScene:
 
 
 def sampled(mesh: Any, row: int, share: Any) -> NDArray[np.float64]:
-    """The texture at a place of a triangle, by the shares of its corners, bilinear, 0..255."""
+    """The bilinear texture value at barycentric coordinates of a triangle, 0..255."""
     picture = mesh.textures[0].astype(np.float64)
     u, v = np.asarray(share) @ np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[row]
     x, y = u * picture.shape[1] - 0.5, (1 - v) * picture.shape[0] - 0.5
@@ -59,7 +59,7 @@ def sampled(mesh: Any, row: int, share: Any) -> NDArray[np.float64]:
 
 
 def steps_of(mesh: Any, views: NDArray[np.int32]) -> NDArray[np.float64]:
-    """The steps in the middle of edges between triangles of different pictures, in the mean of channels, 0..255."""
+    """The color steps in the middle of edges between triangles of different images, averaged over channels, 0..255."""
     edges: dict[frozenset[int], list[tuple[int, NDArray[np.float64]]]] = {}
     for t, corners in enumerate(np.asarray(mesh.triangles).tolist()):
         for k in range(3):

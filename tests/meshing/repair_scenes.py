@@ -1,4 +1,4 @@
-"""Meshes as other programs write them, valid and not: for tests that a repair makes none of them worse."""
+"""Valid and invalid meshes as written by other programs: a repair must not make any of them worse."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .mesh_soups import FAR, grid
 
 
 def joined(*meshes: TriangleMesh) -> TriangleMesh:
-    """Meshes as one, their vertices apart."""
+    """Meshes as one, without shared vertices."""
     firsts = np.cumsum([0] + [len(mesh.vertices) for mesh in meshes])
     triangles = [mesh.triangles + first for mesh, first in zip(meshes, firsts, strict=False)]
     return TriangleMesh(np.vstack([mesh.vertices for mesh in meshes]), np.vstack(triangles))
@@ -23,23 +23,23 @@ def moved(mesh: TriangleMesh, shift: Any) -> TriangleMesh:
     return TriangleMesh(mesh.vertices + np.asarray(shift, float), mesh.triangles)
 
 
-def turned(mesh: TriangleMesh) -> TriangleMesh:
-    """The mesh inside out."""
+def flipped(mesh: TriangleMesh) -> TriangleMesh:
+    """The mesh with reversed triangles."""
     return TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1])
 
 
 def two_sided(mesh: TriangleMesh) -> TriangleMesh:
-    """Each triangle once each way round, over the same vertices."""
+    """Each triangle in both orientations, over the same vertices."""
     return TriangleMesh(mesh.vertices, np.vstack([mesh.triangles, mesh.triangles[:, ::-1]]))
 
 
 def with_more(mesh: TriangleMesh, triangles: Any) -> TriangleMesh:
-    """The mesh with more triangles between its vertices."""
+    """The mesh with additional triangles between its vertices."""
     return TriangleMesh(mesh.vertices, np.vstack([mesh.triangles, triangles]))
 
 
 def loose(mesh: TriangleMesh, seed: int = 0) -> TriangleMesh:
-    """Triangles in any order that share no vertex."""
+    """Triangles in random order without shared vertices."""
     corners = np.random.default_rng(seed).permutation(mesh.triangles)
     return TriangleMesh(mesh.vertices[corners].reshape(-1, 3), np.arange(corners.size).reshape(-1, 3))
 
@@ -48,7 +48,7 @@ def welded(mesh: TriangleMesh) -> TriangleMesh:
     return mesh.remove_duplicated_vertices()
 
 
-def partly_turned(mesh: TriangleMesh, share: float = 0.3) -> TriangleMesh:
+def partly_flipped(mesh: TriangleMesh, share: float = 0.3) -> TriangleMesh:
     triangles = mesh.triangles.copy()
     chosen = np.random.default_rng(0).random(len(triangles)) < share
     triangles[chosen] = triangles[chosen][:, ::-1]
@@ -64,29 +64,29 @@ def box(*shift: float) -> TriangleMesh:
 
 
 def shells(count: int) -> TriangleMesh:
-    """A solid in a hollow in a solid, and so on."""
+    """Nested closed surfaces: a solid in a cavity in a solid, and so on."""
     parts = [sphere(1 / (1 + k)) for k in range(count)]
-    return joined(*(turned(part) if k % 2 else part for k, part in enumerate(parts)))
+    return joined(*(flipped(part) if k % 2 else part for k, part in enumerate(parts)))
 
 
 def sheet(size: int = 5) -> TriangleMesh:
-    places = np.argwhere(np.ones((size, size))).astype(float)
-    return TriangleMesh(np.column_stack([places, np.zeros(len(places))]), grid(size, size))
+    positions = np.argwhere(np.ones((size, size))).astype(float)
+    return TriangleMesh(np.column_stack([positions, np.zeros(len(positions))]), grid(size, size))
 
 
 def blocks(full: NDArray[np.bool_]) -> TriangleMesh:
-    """The surface of some cubes of a grid, one vertex a place: edges of four triangles where cubes touch at an edge."""
+    """The surface of some cubes of a grid with merged vertices: edges of four triangles where cubes touch."""
     numbers: dict[tuple[int, ...], int] = {}
-    triangles, filled = [], {tuple(place) for place in np.argwhere(full).tolist()}
-    for place in sorted(filled):
+    triangles, filled = [], {tuple(cell) for cell in np.argwhere(full).tolist()}
+    for cell in sorted(filled):
         for axis, side in ((axis, side) for axis in range(3) for side in (0, 1)):
-            beyond = list(place)
+            beyond = list(cell)
             beyond[axis] += 2 * side - 1
             if tuple(beyond) in filled:
                 continue
             corners = []
             for u, v in ((0, 0), (1, 0), (1, 1), (0, 1)):
-                corner = list(place)
+                corner = list(cell)
                 corner[axis] += side
                 corner[(axis + 1) % 3] += u
                 corner[(axis + 2) % 3] += v
@@ -97,7 +97,7 @@ def blocks(full: NDArray[np.bool_]) -> TriangleMesh:
 
 
 def fans(count: int) -> TriangleMesh:
-    """Half discs of several triangles that share one edge, as the pages of a book."""
+    """Half discs of several triangles that share one edge, like the pages of a book."""
     angle = 2 * np.pi * np.arange(count) / count
     tips = [[r * np.cos(a), r * np.sin(a), z] for a in angle for r, z in ((1, 0), (1, 1))]
     pages = [[[0, 1, 3 + 2 * k], [0, 3 + 2 * k, 2 + 2 * k]] for k in range(count)]
@@ -105,7 +105,7 @@ def fans(count: int) -> TriangleMesh:
 
 
 def ring() -> TriangleMesh:
-    """Seven cubes in a ring that touches itself along an edge, which is thus twice between the same two vertices."""
+    """Seven cubes in a ring that touches itself along an edge, which exists twice between the same two vertices."""
     full = np.zeros((2, 2, 3), bool)
     full[:, :, [0, 2]] = [[[True], [True]], [[False], [True]]]
     full[0, 0, 1] = full[1, 1, 1] = True
@@ -114,7 +114,7 @@ def ring() -> TriangleMesh:
 
 SIDE_BY_SIDE = joined(box(), box(1, 0, 0))
 DIAGONAL = joined(box(), box(1, 1, 0))
-# what is right, and stays as it is
+# valid meshes that a repair does not change
 VALID = {
     "a ball": sphere(),
     "two boxes side by side": SIDE_BY_SIDE,
@@ -127,24 +127,24 @@ VALID = {
     "a ball that fills a hollow": joined(shells(2), sphere(0.5)),
     "a sheet": sheet(),
 }
-# name -> (what is wrong, what it is when mended)
-MENDED = {
-    "a ball inside out": (turned(sphere()), sphere()),
+# name -> (damaged mesh, expected repaired mesh)
+REPAIR_CASES = {
+    "a ball inside out": (flipped(sphere()), sphere()),
     "a ball of loose triangles": (loose(sphere()), sphere()),
-    "a ball wound both ways": (partly_turned(sphere()), sphere()),
+    "a ball wound both ways": (partly_flipped(sphere()), sphere()),
     "a ball with two sides": (two_sided(sphere()), sphere()),
-    "a ball within its other side": (joined(turned(sphere()), sphere()), sphere()),
+    "a ball within its other side": (joined(flipped(sphere()), sphere()), sphere()),
     "a ball given twice": (joined(sphere(), sphere()), sphere()),
     "a ball with some triangles twice": (with_more(sphere(), sphere().triangles[5:9]), sphere()),
     "a ball far away": (moved(two_sided(sphere()), FAR), sphere()),
     "two boxes side by side, welded": (welded(SIDE_BY_SIDE), SIDE_BY_SIDE),
     "two boxes at an edge, welded": (welded(DIAGONAL), DIAGONAL),
     "two boxes at an edge, loose": (loose(DIAGONAL), DIAGONAL),
-    "a hollow ball inside out": (turned(shells(2)), shells(2)),
+    "a hollow ball inside out": (flipped(shells(2)), shells(2)),
     "a hollow ball with two sides": (two_sided(shells(2)), shells(2)),
-    "shells three deep wound both ways": (partly_turned(shells(3)), shells(3)),
+    "shells three deep wound both ways": (partly_flipped(shells(3)), shells(3)),
     "a box with two walls in one": (with_more(box(), box().triangles[:2, ::-1]), box()),
-    "a ball with two sides wound both ways": (partly_turned(two_sided(sphere())), sphere()),
+    "a ball with two sides wound both ways": (partly_flipped(two_sided(sphere())), sphere()),
     "a sheet with two sides": (two_sided(sheet()), sheet()),
     "cubes that touch themselves": (ring(), ring()),
 }  # fmt: skip

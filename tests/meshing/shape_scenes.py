@@ -1,4 +1,4 @@
-"""Meshes that tests smooth, split, bend and measure."""
+"""Meshes for tests of smoothing, subdivision, deformation and measurements."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ UTM = np.array([5.0e5, 5.4e6, 100.0])
 
 
 def icosphere(rounds: int, radius: float = 1.0) -> tuple[np.ndarray, np.ndarray]:
-    """Vertices on a sphere and triangles between them, 10 * 4^rounds + 2 and 20 * 4^rounds."""
+    """An icosphere with 10 * 4^rounds + 2 vertices and 20 * 4^rounds triangles."""
     golden = (1 + 5**0.5) / 2
     corners = [[-1, golden, 0], [1, golden, 0], [-1, -golden, 0], [1, -golden, 0]]
     corners = np.array([np.roll(c, shift) for shift in range(3) for c in corners], float)
@@ -32,13 +32,13 @@ def icosphere(rounds: int, radius: float = 1.0) -> tuple[np.ndarray, np.ndarray]
 
 
 def shaken_grid(cells: int, shake: float = 0.3) -> tuple[np.ndarray, np.ndarray]:
-    """A flat square of side 1 with an open rim; its inner vertices are shaken within the plane, in parts of a cell."""
+    """A flat open square of side 1; its inner vertices are shifted randomly in the plane, in fractions of a cell."""
     rng, ticks = np.random.default_rng(1), np.linspace(0, 1, cells + 1)
-    places = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1)
-    places[1:-1, 1:-1] += rng.uniform(-shake / cells, shake / cells, (cells - 1, cells - 1, 2))
+    positions = np.stack(np.meshgrid(ticks, ticks, indexing="ij"), axis=-1)
+    positions[1:-1, 1:-1] += rng.uniform(-shake / cells, shake / cells, (cells - 1, cells - 1, 2))
     rows = np.arange((cells + 1) ** 2).reshape(cells + 1, cells + 1)
     a, b, c, d = rows[:-1, :-1].ravel(), rows[1:, :-1].ravel(), rows[1:, 1:].ravel(), rows[:-1, 1:].ravel()
-    flat = np.c_[places.reshape(-1, 2), np.zeros(rows.size)]
+    flat = np.c_[positions.reshape(-1, 2), np.zeros(rows.size)]
     return flat, np.concatenate([np.c_[a, b, c], np.c_[a, c, d]])
 
 
@@ -52,16 +52,16 @@ def torn_ball(device: str, rounds: int = 2, **options: Any) -> TriangleMesh:
     return TriangleMesh(vertices, triangles[:-25], device=device, **arrays)
 
 
-# Triangles over eight vertices, so that many share edges and vertices, some vertices are loose and some repeat.
+# Triangles over eight vertices: many shared edges and vertices, unreferenced vertices, repeated corners.
 hostile_triangles = st.lists(st.tuples(*[st.integers(0, 7)] * 3), min_size=1, max_size=14)
-eight_places = np.random.default_rng(0).normal(size=(8, 3)).astype(np.float32)
+eight_vertices = np.random.default_rng(0).normal(size=(8, 3)).astype(np.float32)
 
 
-def eight_place_meshes(count: int = 25, *, whole: bool = False) -> list[TriangleMesh]:
-    """Meshes as of `hostile_triangles`, or of triangles with three corners, the same in each run."""
+def eight_vertex_meshes(count: int = 25, *, distinct: bool = False) -> list[TriangleMesh]:
+    """Meshes as in `hostile_triangles`, or of triangles with distinct corners; the same in each run."""
     rng, meshes = np.random.default_rng(11), []
     for _ in range(count):
         size = int(rng.integers(1, 15))
-        rows = rng.permuted(np.tile(np.arange(8), (size, 1)), axis=1) if whole else rng.integers(0, 8, (size, 3))
-        meshes.append(TriangleMesh(eight_places, rows[:, :3]))
+        rows = rng.permuted(np.tile(np.arange(8), (size, 1)), axis=1) if distinct else rng.integers(0, 8, (size, 3))
+        meshes.append(TriangleMesh(eight_vertices, rows[:, :3]))
     return meshes

@@ -1,4 +1,4 @@
-"""Meshes to be thinned, and what their tests measure."""
+"""Meshes for simplification, and measures of the result."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .open3d_meshes import arrays_of, in_open3d
 
 
 def grid(count: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """A flat square of count x count vertices, one unit apart."""
+    """A flat square of count x count vertices with unit spacing."""
     x, y = np.meshgrid(np.arange(float(count)), np.arange(float(count)))
     first = (np.arange(count - 1)[:, None] * count + np.arange(count - 1)).ravel()
     lower = np.c_[first, first + 1, first + count]
@@ -23,7 +23,7 @@ def grid(count: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
 
 
 def bumpy_torus(around: int = 40, across: int = 24) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """A closed surface of genus one with dents, a bit rough; multiples of 2^-20, which float32 holds, also far away."""
+    """A closed bumpy surface of genus one; multiples of 2^-20, exact in float32 even far away."""
     u, v = np.meshgrid(np.arange(around), np.arange(across), indexing="ij")
     a, b = 2 * np.pi * u.ravel() / around, 2 * np.pi * v.ravel() / across
     small = 0.4 + 0.05 * np.sin(3 * a) * np.cos(2 * b)
@@ -36,39 +36,39 @@ def bumpy_torus(around: int = 40, across: int = 24) -> tuple[NDArray[np.float64]
 
 
 def box(cells: int) -> tuple[NDArray[np.float64], NDArray[np.int64]]:
-    """The surface of a unit cube with cells x cells squares a side, closed."""
+    """The closed surface of a unit cube with cells x cells squares per side."""
     corners, triangles = [], []
     flat, faces = grid(cells + 1)
     for axis, side in itertools.product(range(3), (0, 1)):
-        place = np.full((len(flat), 3), float(side * cells))
-        place[:, (axis + 1) % 3], place[:, (axis + 2) % 3] = flat[:, 0], flat[:, 1]
+        positions = np.full((len(flat), 3), float(side * cells))
+        positions[:, (axis + 1) % 3], positions[:, (axis + 2) % 3] = flat[:, 0], flat[:, 1]
         triangles.append((faces if side else faces[:, ::-1]) + len(flat) * (2 * axis + side))
-        corners.append(place)
+        corners.append(positions)
     vertices, numbers = np.unique(np.concatenate(corners), axis=0, return_inverse=True)
     return vertices / cells, numbers.reshape(-1)[np.concatenate(triangles)]
 
 
 def edge_counts(triangles: NDArray[np.int32]) -> dict[tuple[int, int], int]:
-    """How many triangles each edge has."""
+    """The number of triangles of each edge."""
     ends = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     edges, counts = np.unique(ends, axis=0, return_counts=True)
     return {(int(a), int(b)): int(n) for (a, b), n in zip(edges, counts, strict=True)}
 
 
 def euler(mesh: TriangleMesh) -> int:
-    """Vertices less edges plus triangles."""
+    """The Euler characteristic."""
     return len(np.unique(mesh.triangles)) - len(edge_counts(mesh.triangles)) + len(mesh)
 
 
 def rms_from(mesh: TriangleMesh, points: NDArray[np.float64]) -> float:
-    """The root of the mean squared distance of points from a mesh."""
+    """The root mean squared distance of points from a mesh."""
     scene = RaycastingScene(mesh.device)
     scene.add_triangles(mesh)
     return float(np.sqrt((scene.compute_distance(points).astype(np.float64) ** 2).mean()))
 
 
 def open3d_simplified(o3d: Any, mesh: TriangleMesh, scale: float, method: str, *given: Any) -> Any:
-    """(vertices, triangles) of Open3D's mesh in another unit, and its vertices back in ours, as 32-bit numbers."""
+    """(vertices, triangles) of Open3D's mesh in another unit, with vertices scaled back, as 32-bit numbers."""
     options = [getattr(o3d.geometry.SimplificationContraction, v) if isinstance(v, str) else v for v in given]
     vertices, triangles = arrays_of(getattr(in_open3d(o3d, mesh, scale), method)(*options))
     return (vertices / scale).astype(np.float32), triangles.astype(np.int32)

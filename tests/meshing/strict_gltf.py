@@ -1,4 +1,4 @@
-"""What the glTF 2.0 specification asks of a .glb file: faults, in words. It shares no code with our reader."""
+"""An independent checker of .glb files against the glTF 2.0 specification."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ WRAPS, FILTERS = (33071, 33648, 10497), (9728, 9729, 9984, 9985, 9986, 9987)
 
 
 def faults_of_glb(path: Path) -> list[str]:
-    """What is wrong with a file: nothing where it is sound."""
+    """The faults of a file; empty if it is valid."""
     data = path.read_bytes()
     faults: list[str] = []
 
-    def claim(holds: Any, words: str) -> None:
-        if not holds:
+    def claim(condition: Any, words: str) -> None:
+        if not condition:
             faults.append(words)
 
     magic, version, length = struct.unpack("<4sII", data[:12])
@@ -78,9 +78,9 @@ def _check_accessor(doc: dict[str, Any], k: int, binary: bytes, claim: Any) -> A
 
 
 def _check_part(doc: dict[str, Any], part: dict[str, Any], arrays: list[Any], claim: Any) -> None:
-    places = part["attributes"]["POSITION"]
-    claim({"min", "max"} <= set(doc["accessors"][places]), "POSITION: min and max")
-    count = doc["accessors"][places]["count"]
+    position_accessor = part["attributes"]["POSITION"]
+    claim({"min", "max"} <= set(doc["accessors"][position_accessor]), "POSITION: min and max")
+    count = doc["accessors"][position_accessor]["count"]
     for name, k in part["attributes"].items():
         claim(doc["accessors"][k]["count"] == count, f"{name}: count")
         claim(
@@ -117,6 +117,6 @@ def _check_pictures(doc: dict[str, Any], binary: bytes, claim: Any) -> None:
             view = doc["bufferViews"][image["bufferView"]]
             claim("byteStride" not in view and "target" not in view, f"images[{k}]: its view")
             begin = view.get("byteOffset", 0)
-            found = Image.open(io.BytesIO(binary[begin : begin + view["byteLength"]]))
-            found.load()
-            claim(f"image/{str(found.format).lower()}" == image["mimeType"], f"images[{k}].mimeType")
+            decoded = Image.open(io.BytesIO(binary[begin : begin + view["byteLength"]]))
+            decoded.load()
+            claim(f"image/{str(decoded.format).lower()}" == image["mimeType"], f"images[{k}].mimeType")

@@ -1,4 +1,4 @@
-"""Distances, insides and meetings of triangles by brute force: every triangle, float64 or whole numbers."""
+"""Brute-force distances, inside tests and intersections of triangles in float64 or integers."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ def segment_distances(p: NDArray[Any], a: NDArray[Any], b: NDArray[Any]) -> NDAr
 
 
 def distances_to_triangles(points: NDArray[Any], corners: NDArray[Any]) -> NDArray[np.float64]:
-    """[n, t]: the distance of each point from each triangle, corners [t, 3, 3]."""
+    """[n, t]: distances of points to triangles with corners [t, 3, 3]."""
     p = np.asarray(points, np.float64)[:, None]
     a, b, c = (np.asarray(corners, np.float64)[None, :, k] for k in range(3))
     n = np.cross(b - a, c - a)
@@ -30,7 +30,7 @@ def distances_to_triangles(points: NDArray[Any], corners: NDArray[Any]) -> NDArr
 
 
 def winding_numbers(points: NDArray[Any], corners: NDArray[Any]) -> NDArray[np.float64]:
-    """Van Oosterom and Strackee's solid angles of all triangles."""
+    """Generalized winding numbers by van Oosterom and Strackee's solid angles of all triangles."""
     a, b, c = (np.asarray(corners, np.float64)[None, :, k] - np.asarray(points)[:, None] for k in range(3))
     x, y, z = (np.linalg.norm(e, axis=-1) for e in (a, b, c))
     volume = (a * np.cross(b, c)).sum(-1)
@@ -39,11 +39,11 @@ def winding_numbers(points: NDArray[Any], corners: NDArray[Any]) -> NDArray[np.f
 
 
 def triangles_meet(s: NDArray[Any], t: NDArray[Any]) -> bool:
-    """Whether two triangles of small whole coordinates meet: no direction of all that can part them does."""
+    """True if two triangles with small integer coordinates intersect: no candidate axis separates them."""
     edges = [s[1] - s[0], s[2] - s[1], s[0] - s[2], t[1] - t[0], t[2] - t[1], t[0] - t[2]]
     across = [np.cross(a, b) for a, b in itertools.combinations(edges, 2)]
     axes = [*edges, *across, *(np.cross(a, e) for a in across for e in edges)]
-    # what joins them, and its parts across what spans them: for points and edges in one line or plane
+    # directions between the edges, and for coplanar or collinear cases their components across the span
     joint = t[0] - s[0]
     axes += [joint, *(np.cross(joint, e) for e in edges), *(np.cross(np.cross(joint, e), e) for e in edges)]
     low, high = np.array(axes) @ s.T, np.array(axes) @ t.T
@@ -51,10 +51,11 @@ def triangles_meet(s: NDArray[Any], t: NDArray[Any]) -> bool:
 
 
 def meeting_pairs(vertices: NDArray[Any], triangles: NDArray[Any]) -> list[list[int]]:
-    whole = np.asarray(vertices)
-    whole = whole.astype(np.int64 if np.abs(whole).max() < 2**14 else object)  # six factors fit, or Python's numbers
+    integers = np.asarray(vertices)
+    # int64 where a product of six factors fits, otherwise Python's integers
+    integers = integers.astype(np.int64 if np.abs(integers).max() < 2**14 else object)
     return [
         [i, j]
         for i, j in itertools.combinations(range(len(triangles)), 2)
-        if not set(triangles[i]) & set(triangles[j]) and triangles_meet(whole[triangles[i]], whole[triangles[j]])
+        if not set(triangles[i]) & set(triangles[j]) and triangles_meet(integers[triangles[i]], integers[triangles[j]])
     ]

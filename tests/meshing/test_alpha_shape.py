@@ -1,4 +1,4 @@
-"""Alpha shapes of clouds: Open3D's faces in general position, closed and unique where points tie; bad input."""
+"""Alpha shapes of clouds: Open3D's faces in general position, closed and unique results for ties, bad input."""
 
 from __future__ import annotations
 
@@ -26,26 +26,26 @@ def face_set(faces) -> set[tuple[int, ...]]:
 
 
 def faces_of_cloud(mesh: TriangleMesh, points: np.ndarray) -> set[tuple[int, ...]]:
-    """A mesh's triangles as rows of the points, by their float32 coordinates about the mesh's origin."""
+    """A mesh's triangles as point indices, matched by float32 coordinates relative to the mesh's origin."""
     rows = {tuple(p): i for i, p in reversed(list(enumerate((points - mesh.origin).astype(np.float32).tolist())))}
-    places = [rows[tuple(p)] for p in (mesh.vertices - mesh.origin).astype(np.float32).tolist()]
-    return face_set(np.array(places)[mesh.triangles])
+    indices = [rows[tuple(p)] for p in (mesh.vertices - mesh.origin).astype(np.float32).tolist()]
+    return face_set(np.array(indices)[mesh.triangles])
 
 
 def open3d_faces(o3d, points: np.ndarray, alpha: float) -> np.ndarray:
-    """Triangles as sorted rows of the points."""
+    """Triangles as sorted point indices."""
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.asarray(points, np.float64)))
     mesh = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, alpha)
     rows = {tuple(p): i for i, p in enumerate(np.asarray(points, np.float64).tolist())}
-    places = np.array([rows[tuple(p)] for p in np.asarray(mesh.vertices).tolist()])
-    return np.unique(np.sort(places[np.asarray(mesh.triangles)], axis=1), axis=0).astype(np.int32)
+    indices = np.array([rows[tuple(p)] for p in np.asarray(mesh.vertices).tolist()])
+    return np.unique(np.sort(indices[np.asarray(mesh.triangles)], axis=1), axis=0).astype(np.int32)
 
 
 def is_closed(triangles: np.ndarray) -> bool:
-    """Whether each edge is walked as often one way as the other."""
+    """True if each edge occurs equally often in both directions."""
     edges = np.concatenate([triangles[:, [0, 1]], triangles[:, [1, 2]], triangles[:, [2, 0]]])
-    walks, counts = np.unique(edges, axis=0, return_counts=True)
-    ways = dict(zip(map(tuple, walks.tolist()), counts.tolist(), strict=True))
+    directed_edges, counts = np.unique(edges, axis=0, return_counts=True)
+    ways = dict(zip(map(tuple, directed_edges.tolist()), counts.tolist(), strict=True))
     return all(ways.get((b, a)) == count for (a, b), count in ways.items())
 
 
@@ -56,7 +56,7 @@ def bumpy_ball(rng, count=200):
 
 
 @pytest.mark.parametrize("alpha", [0.3, 0.6, 5.0])
-def test_the_faces_are_those_of_open3d(device, oracle, rng, alpha):
+def test_the_faces_match_open3d(device, oracle, rng, alpha):
     points = bumpy_ball(rng)
     mesh = alpha_shape(PointCloud(points, device=device), alpha)
     assert faces_of_cloud(mesh, points) == face_set(
@@ -66,7 +66,7 @@ def test_the_faces_are_those_of_open3d(device, oracle, rng, alpha):
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("8,171 stars")
-def test_the_faces_of_the_whole_bunny_are_those_of_open3d(device, o3d, real_file):
+def test_full_bunny_has_the_faces_of_open3d(device, o3d, real_file):
     path = real_file("reg-bunny-scans/reconstruction/bun_zipper_res2.ply")
     points = np.unique((loom.read_point_cloud(path).points * 1000).astype(np.float32), axis=0).astype(np.float64)
     mesh = alpha_shape(PointCloud(points, device=device), 6.0)
@@ -88,7 +88,7 @@ def test_the_hull_is_that_of_the_convex_hull(device, rng):
 @pytest.mark.parametrize(
     ("sizes", "offset"), [((2, 2, 2), 0), ((3, 2, 2), FAR), ((4, 3, 2), 0), ((5, 5, 5), FAR), ((8, 8, 8), 0)]
 )
-def test_a_grid_is_one_closed_box(device, sizes, offset):
+def test_a_grid_gives_one_closed_box(device, sizes, offset):
     mesh = alpha_shape(PointCloud(grid(*sizes) + offset, device=device), 0.9)
     a, b, c = (size - 1 for size in sizes)
     assert len(mesh) == 4 * (a * b + b * c + c * a)
@@ -99,14 +99,14 @@ def test_a_grid_is_one_closed_box(device, sizes, offset):
 @pytest.mark.filterwarnings("ignore:cloud. .* no alpha gives a surface")  # of points in one plane
 @settings(max_examples=25, deadline=None)
 @given(st.sets(st.tuples(*[st.integers(0, 3)] * 3), min_size=4, max_size=40), st.sampled_from([0.9, 1.3, 2.0, 50.0]))
-def test_what_is_left_of_a_grid_is_closed_in_any_order(chosen, alpha):
+def test_grid_remainders_are_closed_in_any_order(chosen, alpha):
     points = np.array(sorted(chosen), float)
     for order in (points, np.random.default_rng(len(points)).permutation(points)):
         mesh, tetrahedra, _ = alpha_shape(PointCloud(order), alpha, return_tetrahedra=True)
         assert is_closed(mesh.triangles)
         corners = order[tetrahedra]
         volumes = np.linalg.det(corners[:, 1:] - corners[:, :1]) / 6
-        assert (volumes > 0.1).all()  # no flat ones; the least in a grid is a sixth
+        assert (volumes > 0.1).all()  # no flat ones; the smallest in a grid is a sixth
         assert np.linalg.det(mesh.vertices[mesh.triangles]).sum() / 6 == pytest.approx(volumes.sum(), abs=1e-9)
 
 
@@ -119,7 +119,7 @@ def test_the_shape_does_not_depend_on_the_unit_of_length(device, rng, exponent):
     np.testing.assert_array_equal(one.triangles, other.triangles)
 
 
-def test_points_that_are_not_finite_and_repeats_are_left_out(device, rng):
+def test_non_finite_and_duplicate_points_are_excluded(device, rng):
     points = rng.random((100, 3))
     points[7] = np.nan
     points[50], points[60] = points[20], points[20]
@@ -127,14 +127,14 @@ def test_points_that_are_not_finite_and_repeats_are_left_out(device, rng):
     mesh, tetrahedra, point_map = alpha_shape(PointCloud(points, device=device), 0.4, return_tetrahedra=True)
     assert not {7, 50, 60, 70} & set(tetrahedra.ravel().tolist()) and 20 in tetrahedra
     clean = np.delete(points, [7, 50, 60, 70], axis=0)
-    kept = np.delete(np.arange(100), [7, 50, 60, 70])
+    remaining = np.delete(np.arange(100), [7, 50, 60, 70])
     other, more, rows = alpha_shape(PointCloud(clean, device=device), 0.4, return_tetrahedra=True)
     np.testing.assert_array_equal(mesh.triangles, other.triangles)
-    np.testing.assert_array_equal(tetrahedra, kept[more])
-    np.testing.assert_array_equal(point_map, kept[rows])
+    np.testing.assert_array_equal(tetrahedra, remaining[more])
+    np.testing.assert_array_equal(point_map, remaining[rows])
 
 
-def test_normals_and_colors_come_along_and_vertices_keep_their_order(device, rng):
+def test_normals_and_colors_are_copied_and_vertices_keep_their_order(device, rng):
     points, normals, colors = rng.random((3, 150, 3)).astype(np.float32)
     cloud = PointCloud(points, normals=normals, colors=colors, device=device)
     mesh, _, point_map = alpha_shape(cloud, 0.3, return_tetrahedra=True)
@@ -146,7 +146,7 @@ def test_normals_and_colors_come_along_and_vertices_keep_their_order(device, rng
     assert alpha_shape(PointCloud(points, device=device), 0.3).vertex_normals is None
 
 
-def test_several_alphas_give_their_shapes_in_their_order(device, rng):
+def test_several_alphas_give_shapes_in_the_given_order(device, rng):
     cloud = PointCloud(rng.random((150, 3)), device=device)
     alphas = [0.3, 0.2, 5.0, 0.3]
     for mesh, alpha in zip(alpha_shape(cloud, alphas), alphas, strict=True):
@@ -158,10 +158,10 @@ def test_several_alphas_give_their_shapes_in_their_order(device, rng):
     assert tetrahedra.shape[1] == 4 and len(mesh) == len(alpha_shape(cloud, 0.3))
 
 
-def test_auto_makes_one_closed_shape_of_an_even_surface(device):
+def test_auto_gives_one_closed_shape_for_an_even_surface(device):
     i = np.arange(500) + 0.5  # a Fibonacci ball
-    z, turn = 1 - i / 250, i * 2.399963
-    ball = np.column_stack([np.sqrt(1 - z * z) * np.cos(turn), np.sqrt(1 - z * z) * np.sin(turn), z])
+    z, angle = 1 - i / 250, i * 2.399963
+    ball = np.column_stack([np.sqrt(1 - z * z) * np.cos(angle), np.sqrt(1 - z * z) * np.sin(angle), z])
     mesh = alpha_shape(PointCloud(ball, device=device))
     assert len(mesh.vertices) == 500 and len(mesh) == 996 and mesh.is_watertight()  # a ball, by Euler
 
@@ -179,15 +179,15 @@ FLAT = {
 
 
 @pytest.mark.parametrize("name", FLAT)
-def test_points_that_span_no_tetrahedron_make_an_empty_mesh_with_the_reason(device, name):
+def test_points_without_a_tetrahedron_give_an_empty_mesh_and_the_reason(device, name):
     reason = "one plane" if name == "a plane" else "one line" if name == "a line" else "distinct finite points, fewer"
     for alpha in (1.0, "auto", math.inf):
         with pytest.warns(UserWarning, match=f"cloud: .*{reason}.*so no alpha gives a surface"):
-            found = alpha_shape(PointCloud(FLAT[name], device=device), alpha, return_tetrahedra=True)
-        assert len(found[0].vertices) == 0 and [len(part) for part in found] == [0, 0, 0]
+            result = alpha_shape(PointCloud(FLAT[name], device=device), alpha, return_tetrahedra=True)
+        assert len(result[0].vertices) == 0 and [len(part) for part in result] == [0, 0, 0]
 
 
-def test_an_alpha_that_is_too_small_makes_an_empty_mesh(device, rng):
+def test_a_too_small_alpha_gives_an_empty_mesh(device, rng):
     cloud = PointCloud(rng.random((50, 3)), device=device)
     with pytest.warns(loom.UnitWarning, match=r"^alpha:.*1e-05.*1e-09.*4"):
         assert [len(mesh) > 0 for mesh in alpha_shape(cloud, [1e-5, 0.5, 1e-9, 5e-324])] == [False, True, False, False]
@@ -202,6 +202,6 @@ def test_four_points_are_one_tetrahedron(device):
 
 
 @pytest.mark.parametrize("alpha", [0, -1, math.nan, -math.inf, [], [1.0, -1.0], "wide", "0.1"])
-def test_an_alpha_out_of_range_is_refused(alpha):
+def test_an_alpha_out_of_range_is_rejected(alpha):
     with pytest.raises(ValueError, match=r"^alpha:"):
         alpha_shape(PointCloud(grid(2, 2, 2)), alpha)

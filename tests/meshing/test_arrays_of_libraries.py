@@ -1,4 +1,4 @@
-"""Meshes, scenes and volumes take arrays of other libraries where they are, and answer in such."""
+"""Meshes, scenes and volumes accept and return arrays of other libraries."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ from ..array_library import LIBRARIES, assert_same, fake_library, package
 
 @pytest.fixture(params=LIBRARIES)
 def library(request, device, monkeypatch):
-    """A library and what the tests do with it, see tests/array_library.py."""
+    """A library and its array functions, see tests/array_library.py."""
     return fake_library(request.param, device, monkeypatch)
 
 
@@ -29,7 +29,7 @@ def ball(device):
 
 @pytest.fixture
 def meshes(library, ball, device):
-    """The same mesh twice: of the library's arrays, and of NumPy's."""
+    """The same mesh with arrays of the library and with NumPy arrays."""
     vertices, triangles = ball.vertices.astype(np.float32), ball.triangles
     return (
         loom.TriangleMesh(library.make(vertices), library.make(triangles)),
@@ -37,7 +37,7 @@ def meshes(library, ball, device):
     )
 
 
-def test_a_mesh_shares_what_it_was_made_of(library, device, ball):
+def test_a_mesh_shares_its_input_arrays(library, device, ball):
     vertices, triangles = library.make(ball.vertices.astype(np.float32)), library.make(ball.triangles)
     mesh = loom.TriangleMesh(vertices, triangles)
     assert str(mesh.device) == device
@@ -46,7 +46,7 @@ def test_a_mesh_shares_what_it_was_made_of(library, device, ball):
     np.testing.assert_array_equal(mesh.triangles, ball.triangles)
 
 
-def test_operations_of_a_mesh_give_arrays_of_its_library(library, meshes):
+def test_mesh_operations_return_arrays_of_its_library(library, meshes):
     operations = {
         "areas": lambda m: m.compute_triangle_areas(),
         "edges": lambda m: m.get_boundary_edges(),
@@ -63,32 +63,32 @@ def test_operations_of_a_mesh_give_arrays_of_its_library(library, meshes):
         "error": lambda m: m.compute_error_map(moved(m, [0.1, 0, 0]))[1],
         "samples": lambda m: m.sample_points_uniformly(50, seed=1).compute_nearest_neighbor_distance(),
     }
-    theirs, ours = meshes
+    theirs, reference = meshes
     for name, operation in operations.items():
         try:
-            assert_same(library, operation(theirs), operation(ours))
+            assert_same(library, operation(theirs), operation(reference))
         except AssertionError as error:
             raise AssertionError(name) from error
 
 
-def test_masks_and_indices_of_a_mesh_come_as_arrays_of_any_library(library, meshes):
-    theirs, ours = meshes
-    mask = np.arange(len(ours)) % 3 == 0
-    corners = ours.vertices[:, 2] > 0.5
+def test_masks_and_indices_can_be_arrays_of_any_library(library, meshes):
+    theirs, reference = meshes
+    mask = np.arange(len(reference)) % 3 == 0
+    corners = reference.vertices[:, 2] > 0.5
     rows = np.array([3, -1, 3])
-    for found, expected in (
-        (theirs.remove_triangles_by_mask(library.make(mask)), ours.remove_triangles_by_mask(mask)),
-        (theirs.remove_vertices_by_mask(library.make(corners)), ours.remove_vertices_by_mask(corners)),
-        (theirs.remove_triangles_by_index(library.make(rows)), ours.remove_triangles_by_index(rows)),
-        (theirs.select_by_index(library.make(np.arange(9))), ours.select_by_index(np.arange(9))),
+    for result, expected in (
+        (theirs.remove_triangles_by_mask(library.make(mask)), reference.remove_triangles_by_mask(mask)),
+        (theirs.remove_vertices_by_mask(library.make(corners)), reference.remove_vertices_by_mask(corners)),
+        (theirs.remove_triangles_by_index(library.make(rows)), reference.remove_triangles_by_index(rows)),
+        (theirs.select_by_index(library.make(np.arange(9))), reference.select_by_index(np.arange(9))),
     ):
-        np.testing.assert_array_equal(found.vertices, expected.vertices)
-        np.testing.assert_array_equal(found.triangles, expected.triangles)
+        np.testing.assert_array_equal(result.vertices, expected.vertices)
+        np.testing.assert_array_equal(result.triangles, expected.triangles)
     with pytest.raises(IndexError, match="vertex_indices:"):
         theirs.remove_vertices_by_index(library.make(np.array([0, 999])))
 
 
-def test_triangles_without_their_vertices_are_refused(library, ball):
+def test_triangles_without_their_vertices_are_rejected(library, ball):
     vertices, triangles = ball.vertices.astype(np.float32), ball.triangles.copy()
     triangles[2, 1] = len(vertices)
     with pytest.raises(ValueError, match="triangles:"):
@@ -97,7 +97,7 @@ def test_triangles_without_their_vertices_are_refused(library, ball):
         loom.TriangleMesh(library.make(vertices), library.make(vertices))
 
 
-def test_a_scene_answers_in_the_form_of_what_it_is_asked(library, ball, device, rng):
+def test_scene_returns_the_array_type_of_its_queries(library, ball, device, rng):
     for shift in ([0, 0, 0], [5e5, 5.4e6, 0]):
         scene, empty = loom.RaycastingScene(device), loom.RaycastingScene(device)
         scene.add_triangles(moved(ball, shift))
@@ -105,27 +105,27 @@ def test_a_scene_answers_in_the_form_of_what_it_is_asked(library, ball, device, 
         points = rng.normal(size=(5, 7, 3)) + shift
         if library.name == "jax":
             if any(shift):
-                continue  # its float32 does not hold such places
+                continue  # float32 cannot represent such coordinates
             rays, points = rays.astype(np.float32), points.astype(np.float32)
         for each in (scene, empty):
-            for ask, given in (
+            for query, given in (
                 (each.cast_rays, rays), (each.list_intersections, rays), (each.compute_closest_points, points),
             ):  # fmt: skip
-                expected, found = ask(given), ask(library.make(given))
-                assert found.keys() == expected.keys()
+                expected, result = query(given), query(library.make(given))
+                assert result.keys() == expected.keys()
                 for name, values in expected.items():
-                    assert package(found[name]) == library.name
-                    np.testing.assert_array_equal(library.host(found[name]), values, err_msg=name)
-            for ask, given in (
+                    assert package(result[name]) == library.name
+                    np.testing.assert_array_equal(library.host(result[name]), values, err_msg=name)
+            for query, given in (
                 (each.test_occlusions, rays), (each.count_intersections, rays), (each.compute_distance, points),
                 (each.compute_signed_distance, points), (each.compute_occupancy, points),
             ):  # fmt: skip
-                assert_same(library, ask(library.make(given)), ask(given))
+                assert_same(library, query(library.make(given)), query(given))
     with pytest.raises(ValueError, match="rays:"):
         scene.cast_rays(library.make(np.zeros(3, np.float32)))
 
 
-def test_a_volume_answers_in_the_form_of_its_frames(library, device, rng):
+def test_a_volume_returns_the_array_type_of_its_frames(library, device, rng):
     camera = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
     depth = rng.integers(950, 1050, (24, 32)).astype(np.uint16)
     color = rng.integers(0, 256, (24, 32, 3)).astype(np.uint8)
@@ -136,6 +136,6 @@ def test_a_volume_answers_in_the_form_of_its_frames(library, device, rng):
         seen.append(volume.ray_cast(camera, np.eye(4), weight_threshold=0))
         assert package(volume.extract_point_cloud(0).compute_nearest_neighbor_distance()) == package(make(depth))
     for name in ("depth", "points", "normals", "colors"):
-        found, expected = getattr(seen[0], name), getattr(seen[1], name)
-        assert package(found) == library.name
-        np.testing.assert_array_equal(library.host(found), expected.astype(library.host(found).dtype))
+        result, expected = getattr(seen[0], name), getattr(seen[1], name)
+        assert package(result) == library.name
+        np.testing.assert_array_equal(library.host(result), expected.astype(library.host(result).dtype))

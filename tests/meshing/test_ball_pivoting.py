@@ -1,4 +1,4 @@
-"""TriangleMesh.create_from_point_cloud_ball_pivoting: Open3D's triangles and more, manifold, the same in any order."""
+"""TriangleMesh.create_from_point_cloud_ball_pivoting: contains Open3D's triangles, manifold, independent of order."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ UP = (0.0, 0.0, 1.0)
 
 
 def jittered(corner, spacing, count, rng):
-    """A flat patch of points near a grid's."""
+    """A flat patch of points near grid positions."""
     x, y = np.meshgrid(np.arange(count), np.arange(count), indexing="ij")
     plane = np.stack([x.ravel(), y.ravel()], axis=1) * spacing
     plane = plane + rng.uniform(-0.1, 0.1, plane.shape) * spacing
@@ -55,7 +55,7 @@ def as_open3d_has_them(cloud):
 
 
 def assert_manifold(mesh):
-    """No directed edge twice: hence no edge with more than two triangles, and neighbors that turn the same way."""
+    """No duplicate directed edge: no edge has more than two triangles, and neighbors are consistently oriented."""
     assert max(directed_edges(mesh.triangles).values()) == 1
 
 
@@ -64,39 +64,39 @@ def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, oracl
     cloud = sphere(1000, rng, device, noise)
     mesh = pivot(cloud, [0.21])
     theirs = oracle(f"meshing/pivoting/sphere_{noise}", open3d_triangles, *as_open3d_has_them(cloud), [0.21])
-    ours = directed_edges(mesh.triangles)
+    edge_counts = directed_edges(mesh.triangles)
     assert_manifold(mesh)
     missing = corner_sets(theirs) - corner_sets(mesh.triangles)
     for a, b, c in missing:
-        assert sum(ours[e] for e in ((a, b), (b, c), (c, a), (b, a), (c, b), (a, c))) > 0
+        assert sum(edge_counts[e] for e in ((a, b), (b, c), (c, a), (b, a), (c, b), (a, c))) > 0
     assert len(missing) <= 0.06 * len(theirs)
     assert len(mesh) >= len(theirs) - len(missing)
 
 
 @pytest.mark.parametrize("radius", [0.002, 0.003])
-def test_the_bunny_has_open3d_s_triangles_and_no_more_edges_of_holes(o3d, real_file, radius):
+def test_the_bunny_has_open3ds_triangles_and_no_more_hole_edges(o3d, real_file, radius):
     path = real_file("reg-bunny-scans/reconstruction/bun_zipper_res2.ply")
     bunny = loom.read_triangle_mesh(path).remove_unreferenced_vertices().compute_vertex_normals()
     cloud = loom.PointCloud(bunny.vertices, normals=bunny.vertex_normals)
-    # Open3D's threshold of area makes nothing of triangles of 2 mm in meters: it gets millimeters
+    # Open3D's area threshold rejects triangles of 2 mm in meters: use millimeters
     millimeters = loom.PointCloud(bunny.vertices.astype(np.float32) * 1000.0, normals=bunny.vertex_normals)
     mesh = pivot(cloud, [radius])
     theirs = open3d_triangles(o3d, *as_open3d_has_them(millimeters), [radius * 1000])
-    ours, others = directed_edges(mesh.triangles), directed_edges(theirs)
+    edge_counts, others = directed_edges(mesh.triangles), directed_edges(theirs)
     missing = corner_sets(theirs) - corner_sets(mesh.triangles)
     assert_manifold(mesh)
     assert len(mesh) > len(theirs)
     assert len(missing) < 0.005 * len(theirs)
     for a, b, c in missing:
-        assert sum(ours[e] for e in ((a, b), (b, c), (c, a), (b, a), (c, b), (a, c))) > 0
+        assert sum(edge_counts[e] for e in ((a, b), (b, c), (c, a), (b, a), (c, b), (a, c))) > 0
     if radius == 0.003:  # a ball of 2 mm falls through
-        assert sum((b, a) not in ours for a, b in ours) <= sum((b, a) not in others for a, b in others)
+        assert sum((b, a) not in edge_counts for a, b in edge_counts) <= sum((b, a) not in others for a, b in others)
 
 
-def test_vertices_are_all_the_points_in_their_order(device, rng):
+def test_vertices_are_all_points_in_order(device, rng):
     cloud = sphere(200, rng, device)
     cloud.colors = rng.random((200, 3))
-    mesh = pivot(cloud, 0.1)  # most points stay without a triangle
+    mesh = pivot(cloud, 0.1)  # the majority has no triangle
     np.testing.assert_array_equal(mesh.vertices, cloud.points)
     np.testing.assert_array_equal(mesh.vertex_normals, cloud.normals)
     np.testing.assert_array_equal(mesh.vertex_colors, cloud.colors)
@@ -114,10 +114,10 @@ def test_a_patch_that_only_the_large_ball_can_cover_is_covered(device, rng, radi
 
 @settings(max_examples=15, deadline=None)
 @given(st.integers(0, 2**31), st.lists(st.sampled_from([0.1, 0.2, 0.4, 1.0]), min_size=1, max_size=3))
-def test_any_cloud_and_radii_make_a_manifold_that_faces_the_normals(seed, radii):
+def test_any_cloud_and_radii_give_a_manifold_that_faces_the_normals(seed, radii):
     rng = np.random.default_rng(seed)
     points = rng.random((120, 3)) * [1, 1, rng.choice([0.02, 0.2, 1.0])]
-    points[::7] = points[3]  # some at one place
+    points[::7] = points[3]  # some coincident
     normals = rng.normal(size=(120, 3)) * 0.5 + UP
     mesh = pivot(loom.PointCloud(points, normals=normals), radii)
     triangles = mesh.triangles
@@ -138,13 +138,13 @@ def test_radii_from_the_spacing_close_a_sphere_of_any_size(device, rng, scale):
     assert sum((b, a) not in edges for a, b in edges) < 20
 
 
-def test_radii_are_doubled_until_most_points_have_a_neighbor(device, rng):
+def test_radii_double_until_the_majority_has_a_neighbor(device, rng):
     near, far = jittered([0, 0, 0], 1.0, 20, rng), jittered([1000, 0, 0], 16.0, 10, rng)
     triangles = pivot(flat(np.r_[near, far], device)).triangles
     assert (triangles >= 400).all(axis=1).sum() >= 150  # of 162
 
 
-def test_the_order_of_the_points_changes_no_triangle(device, rng):
+def test_triangles_do_not_depend_on_point_order(device, rng):
     cloud = sphere(1500, rng, noise=0.03)
     order = rng.permutation(1500)
     mixed = loom.PointCloud(cloud.points[order], normals=cloud.normals[order], device=device)
@@ -152,7 +152,7 @@ def test_the_order_of_the_points_changes_no_triangle(device, rng):
     assert corner_sets(order[pivot(mixed, [0.1, 0.2]).triangles]) == expected
 
 
-def test_points_without_a_place_or_a_normal_take_no_part(device, rng):
+def test_points_without_finite_position_or_normal_are_ignored(device, rng):
     points, normals = jittered([0, 0, 0], 1.0, 12, rng), np.tile(UP, (144, 1))
     points[10], points[77, 1] = np.nan, np.inf
     normals[30], normals[50, 0], normals[99, 2] = 0, np.nan, np.inf
@@ -165,7 +165,7 @@ def test_points_without_a_place_or_a_normal_take_no_part(device, rng):
     assert len(mesh.vertices) == 144
 
 
-def test_of_points_at_one_place_the_first_counts(device, rng):
+def test_of_coincident_points_the_first_is_used(device, rng):
     points = jittered([0, 0, 0], 1.0, 10, rng)
     again = np.r_[points, points[::-1], points]
     np.testing.assert_array_equal(pivot(flat(again, device), 1.2).triangles, pivot(flat(points, device), 1.2).triangles)
@@ -182,20 +182,20 @@ SETS = {
 
 
 @pytest.mark.parametrize("points", SETS.values(), ids=SETS)
-def test_points_that_span_no_triangle_make_a_mesh_without_any(device, points):
+def test_points_without_a_triangle_give_an_empty_mesh(device, points):
     for radii in (None, 1.0, [1.0, 5.0, 2.0]):
         mesh = pivot(flat(points, device), radii)
         assert len(mesh) == 0
         np.testing.assert_array_equal(mesh.vertices, points)
 
 
-def test_a_ball_that_is_too_small_or_hardly_larger_than_the_cloud_is_no_error(device, rng):
+def test_too_small_or_too_large_balls_are_no_error(device, rng):
     cloud = flat(jittered([0, 0, 0], 1.0, 8, rng), device)
     for radius in (1e-300, 5e-324):
         with pytest.warns(loom.UnitWarning, match=r"^radii:"):
             assert len(pivot(cloud, radius)) == 0
     assert len(pivot(cloud, 0.3)) == 0
-    assert 98 <= len(pivot(cloud, 5e4)) <= 98 + 28  # of the hull's rim slivers too
+    assert 98 <= len(pivot(cloud, 5e4)) <= 98 + 28  # including slivers of the hull's boundary
 
 
 @pytest.mark.parametrize(
@@ -205,12 +205,12 @@ def test_a_ball_that_is_too_small_or_hardly_larger_than_the_cloud_is_no_error(de
         *[(wrong, TypeError) for wrong in ("0.1", ["0.1"], True, object())],
     ],
 )
-def test_radii_that_are_none_are_refused_by_name(rng, radii, error):
+def test_invalid_radii_are_rejected_by_name(rng, radii, error):
     with pytest.raises(error, match=r"^radii: "):
         pivot(sphere(50, rng), radii)
 
 
-def test_a_search_that_would_take_hours_is_refused_with_its_size(rng, monkeypatch):
+def test_a_search_of_hours_is_rejected_with_its_size(rng, monkeypatch):
     monkeypatch.setattr(mesh_reconstruction, "MAX_NEIGHBORS", 50_000)
     cloud = sphere(1000, rng)
     assert len(pivot(cloud, 0.1)) > 0

@@ -1,4 +1,4 @@
-"""Color maps: conformance with Open3D, poses and bent pictures that come back, and bad input."""
+"""Color maps: agreement with Open3D, recovery of poses and warped images, bad input."""
 
 import numpy as np
 import pytest
@@ -12,10 +12,10 @@ from .open3d_meshes import in_open3d
 color_map = loom.color_map
 RIGID, BENT = color_map.RigidOptimizerOption, color_map.NonRigidOptimizerOption
 FORMS = {"rigid": (color_map.run_rigid_optimizer, RIGID), "non-rigid": (color_map.run_non_rigid_optimizer, BENT)}
-FINE = 81  # vertices a side: enough a cell of the anchors to bend a picture by
+FINE = 81  # vertices per side: enough per anchor cell to warp an image
 
 
-def open3d_colors_and_poses(o3d, scene, poses, turns, form="rigid"):
+def open3d_colors_and_poses(o3d, scene, poses, iterations, form="rigid"):
     pipeline, camera, mesh = o3d.pipelines.color_map, scene.camera, in_open3d(o3d, scene.mesh)
     images, parameters = [], []
     for frame, pose in zip(scene.frames, poses, strict=True):
@@ -30,13 +30,13 @@ def open3d_colors_and_poses(o3d, scene, poses, turns, form="rigid"):
     path = o3d.camera.PinholeCameraTrajectory()
     path.parameters = parameters
     if form == "rigid":
-        option = pipeline.RigidOptimizerOption(maximum_iteration=turns)
+        option = pipeline.RigidOptimizerOption(maximum_iteration=iterations)
         mesh, path = pipeline.run_rigid_optimizer(mesh, images, path, option)
     else:
-        option = pipeline.NonRigidOptimizerOption(maximum_iteration=turns)
+        option = pipeline.NonRigidOptimizerOption(maximum_iteration=iterations)
         mesh, path = pipeline.run_non_rigid_optimizer(mesh, images, path, option)
-    found = np.array([np.linalg.inv(parameter.extrinsic) for parameter in path.parameters])
-    return np.asarray(mesh.vertex_colors), found
+    optimized_poses = np.array([np.linalg.inv(parameter.extrinsic) for parameter in path.parameters])
+    return np.asarray(mesh.vertex_colors), optimized_poses
 
 
 def open3d_colors(*given):
@@ -47,16 +47,16 @@ def open3d_poses(*given):
     return open3d_colors_and_poses(*given)[1]
 
 
-def color(scene, poses=None, turns=0, form="rigid", images=None, **options):
+def color(scene, poses=None, iterations=0, form="rigid", images=None, **options):
     run, kind = FORMS[form]
     named = {k: options.pop(k) for k in ("occlusion",) if k in options}
-    option = kind(maximum_iteration=turns, **options)
+    option = kind(maximum_iteration=iterations, **options)
     images = scene.frames if images is None else images
     return run(scene.mesh, images, scene.path(poses), option, intrinsic=scene.camera, **named)
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_colors_without_turns_are_open3ds_where_pictures_show_the_vertex(device, oracle, form):
+def test_colors_without_iterations_match_open3d_where_images_show_the_vertex(device, oracle, form):
     scene = make_scene(device, rows=21)
     bad = perturb(scene.poses)
     result = color(scene, bad, form=form)
@@ -67,7 +67,7 @@ def test_colors_without_turns_are_open3ds_where_pictures_show_the_vertex(device,
     assert (result.trajectory.poses == bad).all()
 
 
-def test_vertices_that_no_picture_shows_take_the_mean_of_the_three_nearest_that_have_a_color(device):
+def test_unseen_vertices_take_the_mean_of_the_three_nearest_colored_ones(device):
     scene = make_scene(device)
     result = color(scene)
     vertices, colors, seen = scene.mesh.vertices, result.mesh.vertex_colors, result.seen
@@ -82,30 +82,30 @@ def test_vertices_that_no_picture_shows_take_the_mean_of_the_three_nearest_that_
     assert (black[~seen] == 0).all() and (black[seen] == colors[seen]).all()
 
 
-def test_poses_come_back_and_the_residual_falls(device):
+def test_poses_are_recovered_and_the_residual_decreases(device):
     scene = make_scene(device)
     bad = perturb(scene.poses, 0.5, 0.01)
     result = color(scene, bad, 50)
-    turned, moved = pose_errors(bad, scene.poses)
-    turned_after, moved_after = pose_errors(result.trajectory.poses, scene.poses)
+    rotation_error, moved = pose_errors(bad, scene.poses)
+    rotation_error_after, moved_after = pose_errors(result.trajectory.poses, scene.poses)
     assert result.residual < 0.05 * result.residual_before
-    assert turned_after < 0.2 * turned and moved_after < 0.2 * moved
+    assert rotation_error_after < 0.2 * rotation_error and moved_after < 0.2 * moved
     assert result.iterations <= 50
     true, seen = paint(scene.mesh.vertices), result.seen
     errors = [np.abs(r.mesh.vertex_colors - true)[seen].mean() for r in (color(scene, bad), result)]
     assert errors[1] < 0.7 * errors[0]
 
 
-@pytest.mark.parametrize("turns", [5, 50])
-def test_the_residual_is_not_worse_than_open3ds_after_as_many_turns(device, oracle, turns):
-    """Open3D's slopes are Sobel's without their 1/8, so its Gauss-Newton steps are an eighth of what they should be."""
+@pytest.mark.parametrize("iterations", [5, 50])
+def test_residual_is_at_most_that_of_open3d_after_equal_iterations(device, oracle, iterations):
+    """Open3D's gradients lack Sobel's factor 1/8, so its Gauss-Newton steps are an eighth of the correct ones."""
     scene = make_scene(device, rows=21)
     bad = perturb(scene.poses, seed=3)
-    theirs = oracle(f"meshing/color_map/poses_{turns}", open3d_poses, scene, bad, turns)
-    assert color(scene, bad, turns).residual <= 1.001 * color(scene, theirs).residual
+    theirs = oracle(f"meshing/color_map/poses_{iterations}", open3d_poses, scene, bad, iterations)
+    assert color(scene, bad, iterations).residual <= 1.001 * color(scene, theirs).residual
 
 
-def test_the_start_is_never_left_for_a_worse_place(device):
+def test_initial_poses_are_never_replaced_by_worse_ones(device):
     scene = make_scene(device, rows=15, width=64, height=48)
     far = perturb(scene.poses, 3.0, 0.08, seed=1)
     for form in FORMS:
@@ -113,9 +113,9 @@ def test_the_start_is_never_left_for_a_worse_place(device):
         assert result.residual <= result.residual_before
 
 
-def test_bent_pictures_are_straightened(device):
+def test_warped_images_are_rectified(device):
     scene = make_scene(device, rows=FINE, bend=0.15)
-    rigid, bent = color(scene, turns=20), color(scene, turns=20, form="non-rigid")
+    rigid, bent = color(scene, iterations=20), color(scene, iterations=20, form="non-rigid")
     assert bent.residual < 0.5 * rigid.residual < 0.5 * rigid.residual_before
     true, seen = paint(scene.mesh.vertices), rigid.seen
     assert np.abs(bent.mesh.vertex_colors - true)[seen].mean() < np.abs(rigid.mesh.vertex_colors - true)[seen].mean()
@@ -126,7 +126,7 @@ def test_bent_pictures_are_straightened(device):
 
 
 def check_unwarped(scene, bent):
-    """An unwarped picture reads the picture where the warp points."""
+    """An unwarped image samples the source image at the warped coordinates."""
     picture, flat = scene.frames[1].color.astype(float), bent.unwarped_image(1)
     warp, step = bent.warp(1), 8
     v, u = 61, 83
@@ -144,7 +144,7 @@ def check_unwarped(scene, bent):
     assert (plain.unwarped_image(0) == scene.frames[0].color).all() and plain.warp(0).size == 0
 
 
-def test_without_depth_rays_say_what_the_mesh_hides(device):
+def test_without_depth_rays_determine_occlusion(device):
     scene = make_scene(device)
     by_rays = color(scene, images=[frame.color for frame in scene.frames])
     by_depth = color(scene)
@@ -153,8 +153,8 @@ def test_without_depth_rays_say_what_the_mesh_hides(device):
     true = paint(scene.mesh.vertices)
     # neighboring pixels of this paint differ by less
     assert np.abs(by_rays.mesh.vertex_colors - true)[both].max() < 0.06
-    asked = color(scene, occlusion="rays")
-    assert (asked.mesh.vertex_colors == by_rays.mesh.vertex_colors).all()
+    requested = color(scene, occlusion="rays")
+    assert (requested.mesh.vertex_colors == by_rays.mesh.vertex_colors).all()
 
 
 def test_far_from_zero_works_as_at_zero(device):
@@ -166,11 +166,11 @@ def test_far_from_zero_works_as_at_zero(device):
     assert abs(results[1].residual - results[0].residual) < 1e-6
     seen = results[0].seen & results[1].seen
     close = np.abs(results[1].mesh.vertex_colors - results[0].mesh.vertex_colors).max(axis=1) < 1e-6
-    assert close[seen].mean() > 0.99  # but for places half way between two pixels
+    assert close[seen].mean() > 0.99  # except positions halfway between two pixels
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_a_picture_that_sees_nothing_stays_where_it_is(device, form):
+def test_an_image_that_sees_nothing_keeps_its_pose(device, form):
     scene = make_scene(device, rows=25)
     poses = perturb(scene.poses)
     poses[2, :3, 3] = 50.0
@@ -179,7 +179,7 @@ def test_a_picture_that_sees_nothing_stays_where_it_is(device, form):
     assert result.residual < result.residual_before
 
 
-def test_no_picture_that_sees_anything_is_an_error(device):
+def test_no_image_that_sees_the_mesh_is_an_error(device):
     scene = make_scene(device, rows=15)
     poses = scene.poses.copy()
     poses[:, 2, 3] += 40
@@ -192,12 +192,12 @@ def test_vertices_that_are_not_finite_are_not_seen_and_stay_black(device):
     vertices = scene.mesh.vertices.copy()
     vertices[7] = np.nan
     scene.mesh = loom.TriangleMesh(vertices, scene.mesh.triangles, device=device)
-    result = color(scene, turns=3)
+    result = color(scene, iterations=3)
     assert not result.seen[7] and (result.mesh.vertex_colors[7] == 0).all()
     assert np.isfinite(result.mesh.vertex_colors).all()
 
 
-def test_a_mesh_without_triangles_is_colored_by_depth_and_refused_by_rays(device):
+def test_a_mesh_without_triangles_is_colored_by_depth_and_rejected_by_rays(device):
     scene = make_scene(device, rows=15)
     colors = color(scene).mesh.vertex_colors
     scene.mesh = loom.TriangleMesh(scene.mesh.vertices, device=device)

@@ -1,4 +1,4 @@
-"""Distance fields: scipy's transform to the last bit, brute force around clouds, spheres that never touch unseen."""
+"""Distance fields: SciPy's transform bitwise, brute force around clouds, collision checks."""
 
 from __future__ import annotations
 
@@ -20,16 +20,16 @@ from pointloom.kernels.volumes import distance_blocks
 FAR = 2**31 - 1
 UTM = np.array([500000.0, 5400000.0, 200.0])
 FAR_AWAY = np.array([90_000.0, 0, 0])
-SIZE, REACH = 0.25, 2.0
+SIZE, MAX_DISTANCE = 0.25, 2.0
 
 
 def squared(occupied):
-    """scipy's squared distances, whole numbers."""
+    """SciPy's squared distances as integers."""
     return np.rint(ndimage.distance_transform_edt(~occupied) ** 2).astype(np.int64)
 
 
 def first_nearest(occupied, cells):
-    """The nearest occupied voxel of each of some; of equally near ones the first along x, then y, then z."""
+    """The nearest occupied voxel of each query; ties go to the first along x, then y, then z."""
     there = np.argwhere(occupied)
     return there[((cells[:, None] - there[None]) ** 2).sum(axis=2).argmin(axis=1)]
 
@@ -63,17 +63,19 @@ def test_a_box_has_scipys_distances_and_the_first_of_the_nearest(device, name):
 
 @settings(max_examples=15, deadline=None)
 @given(st.integers(0, 2**32 - 1), st.floats(0.5, 9.0))
-def test_reach_cuts_a_box_and_changes_nothing_within_it(seed, reach):
+def test_max_distance_cuts_a_box_and_changes_nothing_within_it(seed, max_distance):
     rng = np.random.default_rng(seed)
     occupied = rng.random(rng.integers(1, 20, 3)) < rng.choice([0.003, 0.1, 0.7])
     occupied[0, 0, 0] = True
-    cut = loom.DistanceField.from_array(occupied, max_distance=reach, signed=True)
+    cut = loom.DistanceField.from_array(occupied, max_distance=max_distance, signed=True)
     outer = squared(occupied)
     inner = squared(~occupied) if not occupied.all() else np.full(occupied.shape, FAR)
-    expected = np.where(occupied, np.where(inner <= reach**2, -inner, -FAR), np.where(outer <= reach**2, outer, FAR))
+    expected = np.where(
+        occupied, np.where(inner <= max_distance**2, -inner, -FAR), np.where(outer <= max_distance**2, outer, FAR)
+    )
     np.testing.assert_array_equal(cut.to_array(values="squared"), expected)
     np.testing.assert_array_equal(cut.to_array(values="known"), np.abs(expected) != FAR)
-    assert np.abs(cut.to_array()).max() <= np.float32(reach)
+    assert np.abs(cut.to_array()).max() <= np.float32(max_distance)
 
 
 def test_signed_distances_are_scipys_two_transforms(device):
@@ -88,7 +90,7 @@ def test_signed_distances_are_scipys_two_transforms(device):
 
 @pytest.fixture(scope="module")
 def scan():
-    """Some walls at UTM, one point far away, and a point that is none."""
+    """Some walls at UTM coordinates, one far point, and one invalid point."""
     rng = np.random.default_rng(5)
     points = rng.random((1500, 3)) * (12, 9, 3)
     points[:500, 0], points[500:1000, 1] = 3.1, 4.2
@@ -96,7 +98,7 @@ def scan():
 
 
 def field_of(scan, device):
-    return loom.DistanceField.from_point_cloud(loom.PointCloud(scan, device=device), SIZE, REACH)
+    return loom.DistanceField.from_point_cloud(loom.PointCloud(scan, device=device), SIZE, MAX_DISTANCE)
 
 
 def centers_of(field):
@@ -114,19 +116,19 @@ def test_a_cloud_at_utm_has_the_distances_of_brute_force(device, scan):
     queries = UTM + np.random.default_rng(6).uniform((-4, -4, -4), (16, 13, 7), (4000, 3))
     middles = (np.floor((queries - field.origin) / SIZE) + 0.5) * SIZE + field.origin
     distances, _ = cKDTree(centers).query(middles)
-    known = distances <= REACH + 1e-9
+    known = distances <= MAX_DISTANCE + 1e-9
     assert 500 < known.sum() < 3500
     np.testing.assert_array_equal(field.is_known(queries), known)
-    np.testing.assert_allclose(field.distances(queries), np.where(known, distances, REACH), rtol=1e-6)
-    found = field.nearest_obstacles(queries)
-    np.testing.assert_array_equal(found.rows >= 0, known)
-    np.testing.assert_array_equal(found.positions[known], centers[found.rows[known]])
-    np.testing.assert_allclose(np.linalg.norm(found.positions - middles, axis=1)[known], distances[known], rtol=1e-9)
+    np.testing.assert_allclose(field.distances(queries), np.where(known, distances, MAX_DISTANCE), rtol=1e-6)
+    result = field.nearest_obstacles(queries)
+    np.testing.assert_array_equal(result.rows >= 0, known)
+    np.testing.assert_array_equal(result.positions[known], centers[result.rows[known]])
+    np.testing.assert_allclose(np.linalg.norm(result.positions - middles, axis=1)[known], distances[known], rtol=1e-9)
 
 
-def test_a_wild_point_takes_no_more_than_its_own_blocks(scan):
+def test_an_outlier_point_uses_only_its_own_blocks(scan):
     with_it, without = field_of(scan, "cpu"), field_of(scan[:-2], "cpu")
-    alone = loom.DistanceField.from_voxels([[0, 0, 0]], SIZE, REACH)
+    alone = loom.DistanceField.from_voxels([[0, 0, 0]], SIZE, MAX_DISTANCE)
     assert with_it.block_count <= without.block_count + 2 * alone.block_count
     assert with_it.slice("z", UTM[2] + 1).distances.shape[1] > FAR_AWAY[0] / SIZE
     with pytest.raises(ValueError, match="bounds:"):
@@ -146,21 +148,21 @@ def test_between_voxels_distances_are_linear_and_gradients_their_differences(dev
     slopes = np.stack([(between(queries + step) - between(queries - step)) / 0.5 for step in steps], axis=1)
     np.testing.assert_allclose(field.gradients(queries), slopes, atol=1e-5)
     cut = loom.DistanceField.from_array(occupied, 0.5, origin=UTM, max_distance=2.0, device=device)
-    is_whole = np.isfinite(RegularGridInterpolator(axes, np.where(cut.to_array(values="known"), 0, np.nan))(queries))
-    expected = np.where(is_whole, field.distances(queries, interpolate=True), cut.distances(queries))
+    is_known = np.isfinite(RegularGridInterpolator(axes, np.where(cut.to_array(values="known"), 0, np.nan))(queries))
+    expected = np.where(is_known, field.distances(queries, interpolate=True), cut.distances(queries))
     np.testing.assert_array_equal(cut.distances(queries, interpolate=True), expected)
-    assert 100 < is_whole.sum() < 1900 and np.isnan(cut.gradients(queries[~is_whole])).all()
+    assert 100 < is_known.sum() < 1900 and np.isnan(cut.gradients(queries[~is_known])).all()
     outside = [UTM - 1, UTM + 1e9, [np.nan, 0, 0]]
     assert np.isnan(field.distances(outside)).all() and np.isnan(field.gradients(outside)).all()
     assert not field.is_known(outside).any() and field.collides(outside, 0.0).all()
 
 
-def test_nowhere_is_no_nearest_obstacle_and_beyond_the_reach_none_is_known(device):
+def test_invalid_queries_and_those_beyond_max_distance_have_no_nearest_obstacle(device):
     field = loom.DistanceField.from_voxels([[0, 0, 0]], 0.5, 1.0, device=device)
-    found = field.nearest_obstacles([[0.3, 0.2, 0.1], [np.nan, 0, 0], [0, np.inf, 0], [1e3, 0, 0]])
-    assert found.rows.tolist() == [0, -1, -1, -1] and np.isnan(found.positions[1:]).all()
-    np.testing.assert_array_equal(found.positions[0], [0.25, 0.25, 0.25])
-    assert np.isnan(found.distances[1:3]).all() and found.distances[3] == 1.0
+    result = field.nearest_obstacles([[0.3, 0.2, 0.1], [np.nan, 0, 0], [0, np.inf, 0], [1e3, 0, 0]])
+    assert result.rows.tolist() == [0, -1, -1, -1] and np.isnan(result.positions[1:]).all()
+    np.testing.assert_array_equal(result.positions[0], [0.25, 0.25, 0.25])
+    assert np.isnan(result.distances[1:3]).all() and result.distances[3] == 1.0
     bounds = [[-20.0, 0, 0], [5.0, 0.5, 0.5]]
     cells = np.arange(-40, 10)
     known = np.abs(cells) <= 2
@@ -170,7 +172,7 @@ def test_nowhere_is_no_nearest_obstacle_and_beyond_the_reach_none_is_known(devic
     np.testing.assert_array_equal(squared, np.where(known, cells**2, 2**31 - 1))
 
 
-def test_no_sphere_that_touches_is_told_to_be_free(device, scan):
+def test_no_touching_sphere_is_reported_free(device, scan):
     field, walls = field_of(scan, device), cKDTree(scan[:-1])
     rng = np.random.default_rng(7)
     centers, radii = UTM + rng.uniform((-3, -3, -3), (15, 12, 6), (20_000, 3)), rng.uniform(0, 1.2, 20_000)
@@ -180,17 +182,17 @@ def test_no_sphere_that_touches_is_told_to_be_free(device, scan):
     assert not collides[apart > radii + 2 * np.sqrt(3) * SIZE].any()
     spheres = np.array([[0, 0, 0, 0.3], [0.9, 0, 0.2, 0.5], [-0.4, 0.1, 0, 0.2]])
     poses = np.tile(np.eye(4), (500, 1, 1))
-    turns = np.linalg.qr(rng.normal(size=(500, 3, 3)))[0]
-    poses[:, :3, :3], poses[:, :3, 3] = turns * np.linalg.det(turns)[:, None, None], centers[:500]
-    found = field.collides_bodies(spheres, poses)
+    rotations = np.linalg.qr(rng.normal(size=(500, 3, 3)))[0]
+    poses[:, :3, :3], poses[:, :3, 3] = rotations * np.linalg.det(rotations)[:, None, None], centers[:500]
+    result = field.collides_bodies(spheres, poses)
     parts = np.einsum("mij,kj->mki", poses[:, :3, :3], spheres[:, :3]) + poses[:, None, :3, 3]
     one_by_one = field.collides(parts.reshape(-1, 3), np.tile(spheres[:, 3], 500)).reshape(500, 3).any(axis=1)
-    np.testing.assert_array_equal(found.collides, one_by_one)
+    np.testing.assert_array_equal(result.collides, one_by_one)
     truth = (walls.query(parts)[0] - spheres[:, 3]).min(axis=1)
-    assert (found.clearance <= truth).all() and 50 < found.collides.sum() < 450
+    assert (result.clearance <= truth).all() and 50 < result.collides.sum() < 450
 
 
-def test_nothing_occupied_is_infinitely_far_or_at_least_the_reach(device):
+def test_empty_space_is_at_infinite_or_maximum_distance(device):
     box = loom.DistanceField.from_array(np.zeros((3, 4, 5), bool), device=device)
     assert np.isposinf(box.to_array()).all() and not box.collides([[1, 1, 1]], 1e6).any()
     empty = loom.DistanceField.from_point_cloud(loom.PointCloud([[np.nan] * 3], device=device), 0.1, 1)
@@ -199,19 +201,19 @@ def test_nothing_occupied_is_infinitely_far_or_at_least_the_reach(device):
         loom.draw_slice(empty.slice("z", 0))
 
 
-def test_a_layer_is_the_arrays_and_its_picture_shows_it(scan):
+def test_a_slice_and_its_image_match_the_array(scan):
     field = field_of(scan[:-2], "cpu")
     layer = field.slice("y", UTM[1] + 4.2)
     low, high = field.bounds
-    whole = field.to_array()[:, int((UTM[1] + 4.2 - low[1]) / SIZE)]
-    np.testing.assert_array_equal(layer.distances, whole.T)
+    section = field.to_array()[:, int((UTM[1] + 4.2 - low[1]) / SIZE)]
+    np.testing.assert_array_equal(layer.distances, section.T)
     np.testing.assert_array_equal(layer.extent, np.array([low, high])[:, [0, 2]])
     picture = loom.draw_slice(layer, size=(480, 360))
     colors = {tuple(color) for color in picture.reshape(-1, 3).tolist()}
     assert {(26, 26, 26), (153, 153, 153)} <= colors and len(colors) > 50
 
 
-def test_a_field_comes_back_from_its_file_and_from_pickle(tmp_path, scan):
+def test_a_field_round_trips_through_files_and_pickle(tmp_path, scan):
     signed = loom.DistanceField.from_array(BOXES["half"], 0.5, origin=UTM, signed=True)
     for field in (field_of(scan, "cpu"), signed):
         field.save(tmp_path / "field.npz")
@@ -239,9 +241,9 @@ def test_a_damaged_file_is_a_named_error(tmp_path):
     path = tmp_path / "field.npz"
     loom.DistanceField.from_array(BOXES["one"]).save(path)
     with np.load(path) as file:
-        whole = dict(file)
+        contents = dict(file)
     for reason, damage in DAMAGE.items():
-        arrays = dict(whole)
+        arrays = dict(contents)
         damage(arrays)
         np.savez(tmp_path / "damaged.npz", **arrays)
         with pytest.raises(FileError, match=reason):
@@ -253,7 +255,7 @@ def test_a_damaged_file_is_a_named_error(tmp_path):
         loom.DistanceField.from_array(BOXES["one"]).save(path, overwrite=False)
 
 
-def test_what_does_not_fit_is_refused_by_its_size(monkeypatch):
+def test_too_large_fields_are_rejected_with_their_size(monkeypatch):
     with pytest.raises(ValueError, match=r"would need [\d,]+ blocks"):
         loom.DistanceField.from_voxels([[0, 0, 0]], 0.01, 20.0)
     with pytest.raises(ValueError, match="max_distance:"):
@@ -265,7 +267,7 @@ def test_what_does_not_fit_is_refused_by_its_size(monkeypatch):
         loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 2.0)
 
 
-def test_radii_beyond_what_is_known_are_refused():
+def test_radii_beyond_the_known_distance_are_rejected():
     field = loom.DistanceField.from_voxels([[0, 0, 0]], 1.0, 4.0)
     with pytest.raises(ValueError, match="radii:"):
         field.collides([[9, 9, 9]], 3.0)
@@ -275,15 +277,15 @@ def test_radii_beyond_what_is_known_are_refused():
         loom.DistanceField()
 
 
-def test_arrays_of_other_libraries_are_answered_in_kind(device):
+def test_results_have_the_array_type_of_the_queries(device):
     occupied, points = BOXES["half"], np.random.default_rng(8).uniform(0, 9, (50, 3))
-    mask, places = wp.array(occupied, dtype=wp.bool, device=device), wp.array(points, dtype=wp.vec3d, device=device)
+    mask, queries = wp.array(occupied, dtype=wp.bool, device=device), wp.array(points, dtype=wp.vec3d, device=device)
     field = loom.DistanceField.from_array(mask, device=device)
     np.testing.assert_array_equal(field.to_array(values="squared"), squared(occupied))
-    found = field.distances(places)
-    assert isinstance(found, wp.array) and str(found.device) == device
-    np.testing.assert_array_equal(found.numpy(), field.distances(points))
+    result = field.distances(queries)
+    assert isinstance(result, wp.array) and str(result.device) == device
+    np.testing.assert_array_equal(result.numpy(), field.distances(points))
     radii = wp.full(50, 0.5, dtype=wp.float32, device=device)
-    np.testing.assert_array_equal(field.collides(places, radii).numpy(), field.collides(points, 0.5))
+    np.testing.assert_array_equal(field.collides(queries, radii).numpy(), field.collides(points, 0.5))
     cloud = loom.PointCloud(points.astype(np.float32), device=device)
     np.testing.assert_array_equal(field.distances(cloud), field.distances(cloud.points))

@@ -1,4 +1,4 @@
-"""Marching cubes: the same surface as scikit-image, closed for every field, the same bits every time."""
+"""Marching cubes: the surface of scikit-image, closed for every field, bitwise reproducible."""
 
 from __future__ import annotations
 
@@ -55,12 +55,12 @@ def test_a_smooth_surface_has_the_vertices_and_triangles_of_scikit_image(device)
     vertices, triangles, _, _ = measure.marching_cubes(field, 0.0)
     assert len(mesh) == len(triangles) > 40_000
     assert len(mesh.vertices) == len(vertices)
-    for ours, theirs in ((mesh.vertices, vertices), (vertices, mesh.vertices)):
-        assert cKDTree(theirs).query(ours)[0].max() < 1e-4  # [samples] float32 at indices up to 255
+    for queries, theirs in ((mesh.vertices, vertices), (vertices, mesh.vertices)):
+        assert cKDTree(theirs).query(queries)[0].max() < 1e-4  # [samples] float32 at indices up to 255
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_noise_of_any_shape_is_closed_when_its_border_is_outside(device, shape):
+def test_noise_of_any_shape_is_closed_if_its_border_is_outside(device, shape):
     for seed in range(4):
         mesh = marching_cubes(bordered(noise(shape, seed)), device=device)
         assert_closed(mesh)
@@ -69,16 +69,16 @@ def test_noise_of_any_shape_is_closed_when_its_border_is_outside(device, shape):
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_vertices_are_the_crossings_of_the_grid_and_lie_in_the_field_s_order(device, shape):
+def test_vertices_are_the_edge_crossings_in_field_order(device, shape):
     field, level = noise(shape, 7), 0.25
     mesh = marching_cubes(field, level, device=device)
     expected = []
     for axis in range(3):
         a, b = (np.delete(field, s, axis=axis).astype(np.float64) for s in (-1, 0))
         index = np.argwhere((a < level) != (b < level))
-        places = index.astype(np.float64)
-        places[:, axis] += ((level - a) / (b - a))[tuple(index.T)]
-        expected.append(np.column_stack([index, np.full(len(index), axis), places]))
+        positions = index.astype(np.float64)
+        positions[:, axis] += ((level - a) / (b - a))[tuple(index.T)]
+        expected.append(np.column_stack([index, np.full(len(index), axis), positions]))
     rows = np.concatenate(expected)
     rows = rows[np.lexsort(rows[:, 3::-1].T)]
     np.testing.assert_allclose(mesh.vertices, rows[:, 4:], atol=1e-5)
@@ -93,7 +93,7 @@ def test_vertices_are_the_crossings_of_the_grid_and_lie_in_the_field_s_order(dev
         elements=st.sampled_from([-1.0, -0.25, 0.0, 0.5, 1.0]),
     )
 )
-def test_fields_that_touch_the_level_are_closed_too(field):
+def test_fields_that_touch_the_level_are_closed_as_well(field):
     mesh = marching_cubes(bordered(field))
     assert_closed(mesh)
     assert np.isfinite(mesh.vertices).all()
@@ -120,8 +120,8 @@ def test_only_the_cells_around_values_that_are_not_finite_are_left_out(device, s
     open_cells = np.ones(np.array(shape) - 1, bool)
     for x, y, z in np.argwhere(holes):
         open_cells[max(x - 1, 0) : x + 1, max(y - 1, 0) : y + 1, max(z - 1, 0) : z + 1] = False
-    kept = filled.triangles[open_cells[tuple(cells.T)]]
-    np.testing.assert_array_equal(mesh.vertices[mesh.triangles], filled.vertices[kept])
+    remaining = filled.triangles[open_cells[tuple(cells.T)]]
+    np.testing.assert_array_equal(mesh.vertices[mesh.triangles], filled.vertices[remaining])
 
 
 def test_a_sample_at_the_level_counts_as_above_it(device):
@@ -149,11 +149,11 @@ def test_spacing_of_any_size_scales_the_surface(device, step):
     np.testing.assert_allclose(scaled.vertices / step, unit.vertices, atol=2e-6 * 20)
 
 
-def test_spacing_and_origin_place_each_axis(device):
+def test_spacing_and_origin_apply_to_each_axis(device):
     field = noise((6, 7, 8))
     unit = marching_cubes(field, device=device)
-    placed = marching_cubes(field, spacing=(0.5, 2.0, 4.0), origin=(1, -2, 3), device=device)
-    np.testing.assert_allclose(placed.vertices, unit.vertices * (0.5, 2.0, 4.0) + (1, -2, 3), atol=1e-5)
+    scaled = marching_cubes(field, spacing=(0.5, 2.0, 4.0), origin=(1, -2, 3), device=device)
+    np.testing.assert_allclose(scaled.vertices, unit.vertices * (0.5, 2.0, 4.0) + (1, -2, 3), atol=1e-5)
 
 
 def test_a_grid_far_from_zero_keeps_its_precision(device):
@@ -184,7 +184,7 @@ def test_the_type_and_order_of_the_field_do_not_matter(device):
         np.testing.assert_array_equal(mesh.triangles, expected.triangles)
 
 
-def test_device_arrays_are_taken_where_they_lie(device):
+def test_device_arrays_are_used_on_their_device(device):
     field = noise((5, 6, 7))
     expected = marching_cubes(field, device=device)
     for dtype in (wp.float32, wp.float64):

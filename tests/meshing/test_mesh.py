@@ -1,4 +1,4 @@
-"""TriangleMesh: Open3D's normals, areas, volumes and manifold tests; exact far from zero; nothing changed in place."""
+"""TriangleMesh: Open3D's normals, areas, volumes and manifold tests; exact far from zero; no in-place changes."""
 
 from __future__ import annotations
 
@@ -42,7 +42,7 @@ def open3d_measures(o3d, mesh):
     return *(values.astype(np.float32) for values in normals), *sizes
 
 
-def test_normals_area_volume_and_box_are_those_of_open3d(device, oracle):
+def test_normals_area_volume_and_box_match_open3d(device, oracle):
     mesh = rough_ball(device, noise=0.004, samples=12)  # in rougher ones Open3D finds triangles that touch
     at_vertices, of_triangles, area, volume, low, high = oracle("meshing/mesh/measures", open3d_measures, mesh)
     normals = mesh.compute_vertex_normals().vertex_normals
@@ -76,7 +76,7 @@ MESHES = {
 
 
 def open3d_manifolds(o3d, mesh):
-    """Open3D's watertight meshes have one fan at each vertex, too."""
+    """Open3D's watertight meshes also have one fan at each vertex."""
     peer = in_open3d(o3d, mesh)
     edges = [peer.is_edge_manifold(), peer.is_edge_manifold(allow_boundary_edges=False), peer.is_vertex_manifold()]
     return [np.array([*edges, peer.is_watertight()])]
@@ -105,7 +105,7 @@ def test_vertices_without_area_point_up_and_vertices_that_are_not_finite_have_no
     np.testing.assert_array_equal([*mesh.get_axis_aligned_bounding_box()], [[0, 0, 0], [5, 5, 5]])
 
 
-def test_distances_from_a_mesh_with_a_corner_that_is_not_finite_are_refused_or_warned_of(device):
+def test_distances_from_a_mesh_with_a_non_finite_corner_are_rejected_or_warned_about(device):
     box = TriangleMesh.create_box(device=device)
     broken = TriangleMesh(np.where(np.arange(8)[:, None] == 7, np.nan, box.vertices), box.triangles, device=device)
     for distances in (
@@ -127,7 +127,7 @@ def test_normals_do_not_depend_on_the_size_of_the_mesh(device, scale):
     np.testing.assert_allclose(mesh.vertex_normals[0], [-(3**-0.5)] * 3, atol=1e-6)
 
 
-def test_an_empty_mesh_takes_every_operation(device):
+def test_all_operations_accept_an_empty_mesh(device):
     mesh = TriangleMesh(device=device)
     assert (len(mesh), mesh.vertices.shape, mesh.triangles.shape) == (0, (0, 3), (0, 3))
     assert mesh.compute_vertex_normals().vertex_normals.shape == (0, 3)
@@ -137,7 +137,7 @@ def test_an_empty_mesh_takes_every_operation(device):
     np.testing.assert_array_equal([*mesh.get_axis_aligned_bounding_box()], np.zeros((2, 3)))
 
 
-def test_volume_is_refused_where_there_is_none(device):
+def test_an_undefined_volume_is_rejected(device):
     vertices, triangles = TETRAHEDRON
     with pytest.raises(ValueError, match="expected a watertight mesh"):
         TriangleMesh(vertices, triangles[:3], device=device).get_volume()
@@ -146,7 +146,7 @@ def test_volume_is_refused_where_there_is_none(device):
 
 
 @pytest.mark.parametrize(("shift", "mirror"), [((0, 0, 0), 1), (tuple(FAR), -1)])
-def test_normals_turn_with_the_mesh_whatever_the_matrix(device, shift, mirror):
+def test_normals_rotate_with_the_mesh_for_any_matrix(device, shift, mirror):
     T = np.eye(4)
     T[:3, :3] = Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix() @ np.diag([mirror, 2.0, 0.5])
     T[:3, 3] = shift
@@ -156,41 +156,41 @@ def test_normals_turn_with_the_mesh_whatever_the_matrix(device, shift, mirror):
     face = mesh.compute_triangle_normals() @ np.linalg.inv(T[:3, :3])
     face /= np.linalg.norm(face, axis=1, keepdims=True)
     alignment = np.einsum("ij,ij->i", moved.compute_triangle_normals(), face)
-    assert np.median(alignment) > 0.9999 and alignment.min() > 0  # slivers of the ball turn a little
+    assert np.median(alignment) > 0.9999 and alignment.min() > 0  # slivers of the ball rotate a little
     expected = mesh.vertex_normals @ np.linalg.inv(T[:3, :3])
     expected /= np.linalg.norm(expected, axis=1, keepdims=True)
     np.testing.assert_allclose(moved.vertex_normals, expected, atol=1e-6)
     assert moved.get_volume() == pytest.approx(mesh.get_volume(), rel=1e-5)
 
 
-TURN = Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix()
+ROTATION = Rotation.from_rotvec([0.3, -0.8, 0.5]).as_matrix()
 
 
 def open3d_motions(o3d, mesh):
     peer = in_open3d(o3d, mesh)
     return peer.get_center(), [
-        *arrays_of(copy.deepcopy(peer).rotate(TURN), "vertices"),
-        *arrays_of(copy.deepcopy(peer).rotate(TURN, [1, 2, 3]), "vertices"),
+        *arrays_of(copy.deepcopy(peer).rotate(ROTATION), "vertices"),
+        *arrays_of(copy.deepcopy(peer).rotate(ROTATION, [1, 2, 3]), "vertices"),
         *arrays_of(copy.deepcopy(peer).scale(2.5, peer.get_center()), "vertices"),
         *arrays_of(copy.deepcopy(peer).translate([1, 2, 3]), "vertices"),
         *arrays_of(copy.deepcopy(peer).translate([1, 2, 3], relative=False), "vertices"),
     ]
 
 
-@pytest.mark.parametrize(("place", "shift"), [("near", (0, 0, 0)), ("far", tuple(FAR))])
-def test_a_mesh_is_moved_turned_and_scaled_about_its_middle_as_in_open3d(device, oracle, place, shift):
+@pytest.mark.parametrize(("location", "shift"), [("near", (0, 0, 0)), ("far", tuple(FAR))])
+def test_translate_rotate_and_scale_match_open3d(device, oracle, location, shift):
     mesh = TriangleMesh(*MESHES["two tetrahedra at a vertex"], device=device).translate(shift)
-    center, wanted = oracle(f"meshing/mesh/motions_{place}", open3d_motions, mesh)
+    center, wanted = oracle(f"meshing/mesh/motions_{location}", open3d_motions, mesh)
     np.testing.assert_allclose(mesh.get_center(), center, rtol=1e-12, atol=1e-7)
     moves = (
-        mesh.rotate(TURN), mesh.rotate(TURN, [1, 2, 3]), mesh.scale(2.5), mesh.translate([1, 2, 3]),
+        mesh.rotate(ROTATION), mesh.rotate(ROTATION, [1, 2, 3]), mesh.scale(2.5), mesh.translate([1, 2, 3]),
         mesh.translate([1, 2, 3], relative=False),
     )  # fmt: skip
-    for ours, theirs in zip(moves, wanted, strict=True):
-        np.testing.assert_allclose(ours.vertices, theirs, atol=2e-6, rtol=2e-7)
+    for result, theirs in zip(moves, wanted, strict=True):
+        np.testing.assert_allclose(result.vertices, theirs, atol=2e-6, rtol=2e-7)
 
 
-def test_a_painted_mesh_has_one_color_and_the_old_one_keeps_its_own(device):
+def test_a_painted_mesh_has_one_color_and_the_original_is_unchanged(device):
     mesh = rough_ball(device)
     painted = mesh.paint_uniform_color([1, 0.5, 0.25])
     assert (painted.vertex_colors == [1, 0.5, 0.25]).all() and len(painted.vertex_colors) == len(mesh.vertices)
@@ -198,21 +198,21 @@ def test_a_painted_mesh_has_one_color_and_the_old_one_keeps_its_own(device):
         mesh.paint_uniform_color([255, 0, 0])
 
 
-def test_unreferenced_vertices_go_and_the_rest_keep_their_order_and_values(device):
+def test_unreferenced_vertices_are_removed_and_the_rest_is_unchanged(device):
     mesh = colored(device)
-    kept = mesh.triangles[::7]
+    selected = mesh.triangles[::7]
     cut = TriangleMesh(
-        mesh.vertices, kept, vertex_normals=mesh.vertex_normals, vertex_colors=mesh.vertex_colors, device=device
+        mesh.vertices, selected, vertex_normals=mesh.vertex_normals, vertex_colors=mesh.vertex_colors, device=device
     )
     clean = cut.remove_unreferenced_vertices()
-    used = np.unique(kept)
+    used = np.unique(selected)
     np.testing.assert_array_equal(clean.vertices, mesh.vertices[used])
     np.testing.assert_array_equal(clean.vertex_colors, mesh.vertex_colors[used])
     np.testing.assert_array_equal(clean.vertex_normals, mesh.vertex_normals[used])
-    np.testing.assert_array_equal(used[clean.triangles], kept)
+    np.testing.assert_array_equal(used[clean.triangles], selected)
 
 
-def test_operations_return_new_meshes_that_share_what_they_leave(device):
+def test_operations_return_new_meshes_that_share_unchanged_arrays(device):
     mesh = rough_ball(device)
     with_normals = mesh.compute_vertex_normals()
     assert mesh.vertex_normals is None
@@ -221,7 +221,7 @@ def test_operations_return_new_meshes_that_share_what_they_leave(device):
     assert mesh.to(device) is mesh
 
 
-def test_what_is_read_is_a_copy_that_cannot_be_written(device):
+def test_arrays_are_read_only_copies(device):
     mesh = colored(device)
     for name in ("vertices", "triangles", "vertex_normals", "vertex_colors", "origin"):
         with pytest.raises(ValueError, match="read-only"):
@@ -229,7 +229,7 @@ def test_what_is_read_is_a_copy_that_cannot_be_written(device):
         getattr(mesh, name).copy()[:] = 7
 
 
-def test_far_vertices_move_the_origin_and_a_given_origin_is_kept(device):
+def test_far_vertices_move_the_origin_but_a_given_origin_stays(device):
     vertices = np.array(TETRAHEDRON[0]) + FAR
     mesh = TriangleMesh(vertices, TETRAHEDRON[1], device=device)
     assert np.abs(mesh.origin - FAR).max() <= 1
@@ -239,14 +239,14 @@ def test_far_vertices_move_the_origin_and_a_given_origin_is_kept(device):
     np.testing.assert_array_equal(given.vertices, vertices)
 
 
-def test_a_mesh_says_what_it_is():
+def test_repr_describes_the_mesh():
     mesh = TriangleMesh(*TETRAHEDRON, vertex_colors=np.zeros((4, 3)))
     assert repr(mesh) == "TriangleMesh(4 vertices, 4 triangles, vertex_colors, cpu)"
     assert len(mesh) == 4
 
 
 @pytest.mark.parametrize("layout", ["triples", "flat", "table"])
-def test_kernel_made_meshes_share_the_arrays_that_they_are_given(device, layout):
+def test_kernel_results_share_their_arrays(device, layout):
     vertices = wp.array(np.array(TETRAHEDRON[0], np.float32), dtype=wp.vec3, device=device)
     rows = np.array(TETRAHEDRON[1], np.int32)
     triangles = {
@@ -292,7 +292,7 @@ def test_a_missing_array_and_a_flat_matrix_are_refused():
 
 
 @pytest.mark.parametrize(("ascii", "shift"), [(False, (0, 0, 0)), (True, tuple(FAR))])
-def test_a_mesh_survives_a_ply_file(device, tmp_path, ascii, shift):
+def test_a_mesh_round_trips_through_ply(device, tmp_path, ascii, shift):
     T = np.eye(4)
     T[:3, 3] = shift
     mesh = colored(device).transform(T)
@@ -305,7 +305,7 @@ def test_a_mesh_survives_a_ply_file(device, tmp_path, ascii, shift):
 
 
 @pytest.mark.parametrize("suffix", [".ply", ".obj", ".stl"])
-def test_open3d_reads_what_we_write(o3d, tmp_path, suffix):
+def test_open3d_reads_written_files(o3d, tmp_path, suffix):
     mesh = rough_ball()
     write_triangle_mesh(tmp_path / f"mesh{suffix}", mesh)
     peer = o3d.io.read_triangle_mesh(str(tmp_path / f"mesh{suffix}"))
@@ -314,7 +314,7 @@ def test_open3d_reads_what_we_write(o3d, tmp_path, suffix):
     np.testing.assert_allclose(corners, mesh.vertices[mesh.triangles], atol=1e-6)
 
 
-def test_unknown_formats_and_existing_files_are_refused(tmp_path):
+def test_unknown_formats_and_existing_files_are_rejected(tmp_path):
     mesh = TriangleMesh(*TETRAHEDRON)
     with pytest.raises(FileError, match=r"/mesh\.fbx:"):
         write_triangle_mesh(tmp_path / "mesh.fbx", mesh)
@@ -327,6 +327,6 @@ def test_unknown_formats_and_existing_files_are_refused(tmp_path):
         write_triangle_mesh(tmp_path / "mesh.stl", mesh, ascii=True)
 
 
-def test_a_mesh_is_not_moved_beyond_what_float32_holds():
+def test_a_mesh_is_not_moved_beyond_float32_range():
     with pytest.raises(ValueError, match="scale, center:"):
         TriangleMesh.create_box().scale(1e60)

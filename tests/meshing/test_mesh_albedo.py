@@ -1,4 +1,4 @@
-"""Textures from posed pictures: colors, what hides what, gutters, files, and bad input."""
+"""Textures from posed images: colors, occlusion, gutters, files, and bad input."""
 
 import numpy as np
 import pytest
@@ -11,14 +11,14 @@ ROWS = 25
 
 
 def with_uvs(mesh, rows=ROWS):
-    """The wall in the lower left quarter of the texture, the ball in the lower right one."""
+    """The wall in the lower left quarter of the texture, the ball in the lower right quarter."""
     triangles, vertices = mesh.triangles, mesh.vertices
     half = len(triangles) // 2
     uvs = np.zeros((len(triangles), 3, 2))
     uvs[:half] = (vertices[triangles[:half]][..., :2] + 1) / 2 * 0.48 + 0.01
-    place = triangles[half:] - rows * rows
-    uvs[half:, :, 0] = place % rows / (rows - 1) * 0.48 + 0.51
-    uvs[half:, :, 1] = place // rows / (rows - 1) * 0.48 + 0.01
+    index = triangles[half:] - rows * rows
+    uvs[half:, :, 0] = index % rows / (rows - 1) * 0.48 + 0.51
+    uvs[half:, :, 1] = index // rows / (rows - 1) * 0.48 + 0.01
     mesh = mesh.copy()
     mesh.triangle_uvs = uvs.reshape(-1, 2)
     return mesh
@@ -32,7 +32,7 @@ def bake(scene, size=128, mesh=None, images=None):
 
 
 def wall_texels(size):
-    """The wall's places [m] of the texels of the lower left quarter, and their rows and columns."""
+    """Wall positions [m] of the texels of the lower left quarter, and their rows and columns."""
     row, column = np.mgrid[:size, :size]
     u, v = (column + 0.5) / size, 1 - (row + 0.5) / size
     inside = (u > 0.02) & (u < 0.48) & (v > 0.02) & (v < 0.48)
@@ -40,20 +40,20 @@ def wall_texels(size):
     return np.stack([x, y, np.full_like(x, WALL)], -1), row[inside], column[inside]
 
 
-def test_texels_have_the_paint_of_their_places(device):
+def test_texels_have_the_color_of_their_position(device):
     scene = make_scene(device, rows=ROWS)
     texture = bake(scene).textures[0]
-    places, row, column = wall_texels(128)
-    found = texture[row, column] / 255
-    seen = found.max(axis=1) > 0
-    errors = np.abs(found - paint(places))[seen].max(axis=1)
+    positions, row, column = wall_texels(128)
+    result = texture[row, column] / 255
+    seen = result.max(axis=1) > 0
+    errors = np.abs(result - paint(positions))[seen].max(axis=1)
     assert seen.mean() > 0.5
-    # bilinear between pixels of 10 mm, and of two bytes
+    # bilinear between pixels of 10 mm, two roundings to bytes
     assert np.median(errors) < 0.01 and errors.max() < 0.1
 
 
-def test_what_stands_before_is_not_painted_on_what_stands_behind(device):
-    """A red ball before a wall of another color, both plain: no red on the wall, and no wall on the ball."""
+def test_foreground_and_background_do_not_mix_colors(device):
+    """A red ball in front of a wall of another color: no red on the wall, no wall color on the ball."""
     scene = make_scene(device, rows=ROWS)
     plain = []
     for frame, pose in zip(scene.frames, scene.poses, strict=True):
@@ -80,7 +80,7 @@ def test_faces_that_look_away_are_not_painted(device):
     assert sums[0] == 0 and sums[1] > 0
 
 
-def test_the_nearer_picture_counts_more(device):
+def test_the_nearer_image_has_more_weight(device):
     camera = loom.PinholeCameraIntrinsic(64, 48, 150.0, 150.0, 31.5, 23.5)
     mesh = loom.TriangleMesh([[-0.3, -0.3, 2], [0.3, -0.3, 2], [-0.3, 0.3, 2]], [[0, 2, 1]], device=device)
     mesh.triangle_uvs = [[0, 0], [0, 1], [1, 0]]
@@ -89,7 +89,7 @@ def test_the_nearer_picture_counts_more(device):
     back[2, 3] = 2.0  # twice as far: a sixteenth of the weight
     texture = mesh.project_images_to_albedo([red, blue], [camera, camera.matrix], [np.eye(4), back], 32).textures[0]
     ratio = texture[20, 9].astype(float)
-    # the angle at which the place is seen falls as well: cos^4 / z^4
+    # the viewing angle decreases as well: cos^4 / z^4
     x, y = -0.3 + 0.6 * (9.5 / 32), -0.3 + 0.6 * (1 - 20.5 / 32)
     weights = [(z / np.sqrt(x * x + y * y + z * z) / z) ** 4 for z in (2.0, 4.0)]
     assert np.abs(ratio[[0, 2]] - 240 * np.array(weights) / sum(weights)).max() <= 1
@@ -97,7 +97,7 @@ def test_the_nearer_picture_counts_more(device):
 
 def test_texels_beside_a_triangle_repeat_it(device):
     mesh = loom.TriangleMesh([[-1, -1, 2], [1, -1, 2], [-1, 1, 2]], [[0, 2, 1]], device=device)
-    mesh.vertex_colors = np.tile([0, 99 / 255, 0], (3, 1))  # where the picture ends
+    mesh.vertex_colors = np.tile([0, 99 / 255, 0], (3, 1))  # where the image ends
     mesh.triangle_uvs = [[0.5, 0.5], [0.5, 0.75], [0.75, 0.5]]
     camera = loom.PinholeCameraIntrinsic(64, 48, 20.0, 20.0, 31.5, 23.5)
     green = np.full((48, 64, 3), (0, 99, 0), np.uint8)
@@ -111,13 +111,13 @@ def test_what_no_picture_shows_takes_the_colors_of_vertices(device):
     mesh = with_uvs(scene.mesh)
     mesh.vertex_colors = paint(mesh.vertices)
     texture = bake(scene, mesh=mesh).textures[0]
-    places, row, column = wall_texels(128)
+    positions, row, column = wall_texels(128)
     # linear across triangles of 8 cm
-    assert np.median(np.abs(texture[row, column] / 255 - paint(places)).max(axis=1)) < 0.02
+    assert np.median(np.abs(texture[row, column] / 255 - paint(positions)).max(axis=1)) < 0.02
     assert texture[row, column].max(axis=1).min() > 0
 
 
-def test_scale_and_place_do_not_matter(device):
+def test_scale_and_position_do_not_matter(device):
     """At 1e-6 and 1e6, and at UTM coordinates."""
     scene = make_scene(device, rows=ROWS, width=80, height=60)
     expected = bake(scene, 64).textures[0].astype(int)
@@ -127,9 +127,9 @@ def test_scale_and_place_do_not_matter(device):
         poses[:, :3, 3] = poses[:, :3, 3] * scale + shift
         moved = make_scene(device, rows=ROWS, width=80, height=60)
         moved.mesh, moved.poses = mesh, poses
-        found = bake(moved, 64, mesh=with_uvs_of(mesh, scene.mesh)).textures[0].astype(int)
-        # a texel beside an edge may fall to either side
-        assert (np.abs(found - expected).max(axis=-1) > 2).mean() < 0.01
+        result = bake(moved, 64, mesh=with_uvs_of(mesh, scene.mesh)).textures[0].astype(int)
+        # a texel beside an edge may belong to either side
+        assert (np.abs(result - expected).max(axis=-1) > 2).mean() < 0.01
 
 
 def with_uvs_of(mesh, other):

@@ -1,4 +1,4 @@
-"""Charts of a mesh on a picture, and vertex colors drawn there."""
+"""Charts of a mesh in a texture image, and vertex colors drawn into it."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ pytestmark = pytest.mark.skipif(sys.version_info >= (3, 14), reason="xatlas has 
 
 
 def covered(uvs: np.ndarray, size: int, slack: float = 0.0) -> np.ndarray:
-    """How many triangles have each texel's center well within them, or (with slack) no further than that outside."""
+    """The number of triangles that contain each texel center with a margin, or (with slack) nearly contain it."""
     counts = np.zeros((size, size), int)
-    places = uvs.reshape(-1, 3, 2) * [size, -size] + [0, size]
-    for corners in places:
+    pixels = uvs.reshape(-1, 3, 2) * [size, -size] + [0, size]
+    for corners in pixels:
         low = np.maximum(np.floor(corners.min(axis=0) - slack).astype(int), 0)
         high = np.minimum(np.ceil(corners.max(axis=0) + slack).astype(int), size)
         y, x = np.mgrid[low[1] : high[1], low[0] : high[0]] + 0.5
@@ -50,7 +50,7 @@ def test_no_two_triangles_share_a_texel(name):
     atlas = mesh.compute_uvatlas(256)
     counts = covered(atlas.triangle_uvs, 256)
     assert counts.max() == 1
-    assert (counts > 0).mean() > 0.4  # most of the picture is used
+    assert (counts > 0).mean() > 0.4  # large parts of the image are used
     np.testing.assert_array_equal(atlas.vertices, mesh.vertices)
     np.testing.assert_array_equal(atlas.triangles, mesh.triangles)
     np.testing.assert_array_equal(atlas.triangle_uvs, SHAPES[name]().compute_uvatlas(256).triangle_uvs)
@@ -62,7 +62,7 @@ def test_charts_keep_their_distance(size, gutter):
     charts = [covered(box.triangle_uvs[6 * k : 6 * k + 6], size, gutter / 2 - 0.01) > 0 for k in range(6)]
     sides = {tuple(np.argwhere(chart)[0]) for chart in charts}
     assert len(sides) == 6
-    assert np.sum(charts, axis=0).max() == 1  # widened by half of it, no two faces of the box meet
+    assert np.sum(charts, axis=0).max() == 1  # widened by half of it, no two faces of the box overlap
 
 
 def test_units_do_not_change_the_charts():
@@ -73,7 +73,7 @@ def test_units_do_not_change_the_charts():
         np.testing.assert_array_equal(again.triangle_uvs, uvs)
 
 
-def test_odd_triangles_keep_their_places_in_the_list(device):
+def test_odd_triangles_keep_their_indices(device):
     mesh = TriangleMesh(
         [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [2, 2, 2]],
         [[0, 1, 2], [0, 0, 1], [1, 3, 2], [4, 4, 4], [0, 1, 2]],
@@ -88,7 +88,7 @@ def test_odd_triangles_keep_their_places_in_the_list(device):
     assert atlas.device == mesh.device
 
 
-def test_what_makes_no_atlas_is_refused(monkeypatch):
+def test_invalid_atlas_input_is_rejected(monkeypatch):
     mesh = TriangleMesh.create_torus()
     for arguments, error, reason in (
         ({"size": 0}, ValueError, "size"),
@@ -117,11 +117,11 @@ def colored(mesh: TriangleMesh) -> TriangleMesh:
 
 
 def sampled(picture: np.ndarray, uvs: np.ndarray) -> np.ndarray:
-    """The picture at texture coordinates, interpolated between four texels, in 0..1."""
+    """The image at texture coordinates, bilinear, in 0..1."""
     size = len(picture)
-    place = np.clip(uvs * [size, -size] + [-0.5, size - 0.5], 0, size - 1.001)
-    x, y = np.floor(place).astype(int).T
-    s, t = (place - np.floor(place)).T[:, :, None]
+    pixels = np.clip(uvs * [size, -size] + [-0.5, size - 0.5], 0, size - 1.001)
+    x, y = np.floor(pixels).astype(int).T
+    s, t = (pixels - np.floor(pixels)).T[:, :, None]
     rows = picture.astype(float) / 255
     upper, lower = rows[y, x] * (1 - s) + rows[y, x + 1] * s, rows[y + 1, x] * (1 - s) + rows[y + 1, x + 1] * s
     return upper * (1 - t) + lower * t
@@ -144,12 +144,12 @@ def test_texels_are_the_colors_at_their_centers(device):
     plane = TriangleMesh.create_plane(create_uv_map=True, device=device)
     plane.vertex_colors = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
     (picture,) = plane.bake_vertex_colors(16, gutter=0).textures
-    places = (np.arange(16) + 0.5) / 16
-    expected = np.stack([np.tile(places, (16, 1)), np.tile(places[::-1, None], 16), np.zeros((16, 16))], axis=-1)
+    centers = (np.arange(16) + 0.5) / 16
+    expected = np.stack([np.tile(centers, (16, 1)), np.tile(centers[::-1, None], 16), np.zeros((16, 16))], axis=-1)
     np.testing.assert_array_equal(picture, np.floor(expected * 255 + 0.5).astype(np.uint8))
 
 
-def test_the_gutter_is_as_wide_as_asked(device):
+def test_gutter_has_the_requested_width(device):
     mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], device=device)
     mesh.vertex_colors, mesh.triangle_uvs = [[1, 1, 1]] * 3, [[0.5, 0.5], [0.75, 0.5], [0.5, 0.75]]
     inside = covered(mesh.triangle_uvs, 32, 1e-6) > 0
@@ -165,7 +165,7 @@ def test_the_gutter_is_as_wide_as_asked(device):
 
 @settings(max_examples=15, derandomize=True, deadline=None, database=None)
 @given(st.integers(0, 10**6), st.integers(1, 40))
-def test_any_triangles_in_a_picture_color_the_texels_that_they_cover(seed, size):
+def test_triangles_of_a_texture_color_the_texels_that_they_cover(seed, size):
     rng = np.random.default_rng(seed)
     mesh = TriangleMesh(rng.random((12, 3)), np.arange(12).reshape(-1, 3))
     mesh.vertex_colors, mesh.triangle_uvs = np.ones((12, 3)), rng.random((12, 2))
@@ -175,7 +175,7 @@ def test_any_triangles_in_a_picture_color_the_texels_that_they_cover(seed, size)
     assert (picture[~perhaps] == 0).all()
 
 
-def test_a_baked_mesh_looks_the_same_from_every_file(tmp_path):
+def test_a_baked_mesh_looks_the_same_in_every_file_format(tmp_path):
     baked = colored(TriangleMesh.create_box()).compute_uvatlas(64, 2).bake_vertex_colors(64)
     for suffix in (".obj", ".glb", ".ply"):
         loom.write_triangle_mesh(tmp_path / f"m{suffix}", baked)
@@ -184,7 +184,7 @@ def test_a_baked_mesh_looks_the_same_from_every_file(tmp_path):
         np.testing.assert_allclose(again.triangle_uvs, baked.triangle_uvs, atol=2**-24)  # 1 - v rounds in .glb
 
 
-def test_what_cannot_be_baked_is_refused():
+def test_invalid_baking_input_is_rejected():
     mesh = TriangleMesh.create_plane(create_uv_map=True)
     with pytest.raises(ValueError, match=r"^bake_vertex_colors:"):
         mesh.bake_vertex_colors()

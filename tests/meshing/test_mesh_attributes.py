@@ -1,4 +1,4 @@
-"""Attributes of vertices and of triangles follow whatever a mesh goes through, in their own types."""
+"""Vertex and triangle attributes follow all mesh operations with unchanged types."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pointloom import AxisAlignedBoundingBox, TriangleMesh, read_triangle_mesh, 
 
 
 def labeled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
-    """A mesh whose attributes say where a vertex and which triangle each was."""
+    """A mesh whose attributes encode each vertex position and triangle number."""
     mesh = TriangleMesh.create_sphere(1.0, 6, device=device) if mesh is None else mesh
     mesh.vertex_attributes["place"] = mesh.vertices
     mesh.vertex_attributes["number"] = np.arange(len(mesh.vertices), dtype=np.uint16)
@@ -23,7 +23,7 @@ def labeled(device=None, mesh: TriangleMesh | None = None) -> TriangleMesh:
     return mesh
 
 
-def held(mesh: TriangleMesh) -> dict[str, tuple[str, list[int]]]:
+def attributes_of(mesh: TriangleMesh) -> dict[str, tuple[str, list[int]]]:
     both = dict(mesh.vertex_attributes) | dict(mesh.triangle_attributes)
     return {name: (str(values.dtype), list(values.shape[1:])) for name, values in both.items()}
 
@@ -35,7 +35,7 @@ KINDS = {"place": ("float64", [3]), "number": ("uint16", []), "row": ("int64", [
 
 def test_values_keep_their_types_and_shapes(device):
     mesh = labeled(device)
-    assert held(mesh) == KINDS
+    assert attributes_of(mesh) == KINDS
     assert repr(mesh).endswith(
         f"vertex_attributes[place, number], triangle_attributes[row, middle, even], {mesh.device})"
     )
@@ -45,18 +45,18 @@ def test_values_keep_their_types_and_shapes(device):
         mesh.vertex_attributes["place"][0] = 0
 
 
-def test_copies_hold_their_own_attributes(device):
+def test_copies_have_independent_attributes(device):
     mesh = labeled(device)
     other = mesh.copy()
     del other.vertex_attributes["place"]
     other.triangle_attributes["row"] = np.zeros(len(mesh))
-    assert held(mesh) == KINDS and list(other.vertex_attributes) == ["number"]
+    assert attributes_of(mesh) == KINDS and list(other.vertex_attributes) == ["number"]
     for same in (pickle.loads(pickle.dumps(mesh)), copy.deepcopy(mesh), mesh.to(device)):
-        assert held(same) == KINDS
+        assert attributes_of(same) == KINDS
         np.testing.assert_array_equal(same.triangle_attributes["row"], mesh.triangle_attributes["row"])
 
 
-def test_the_constructor_takes_them():
+def test_the_constructor_accepts_attributes():
     mesh = TriangleMesh(
         np.eye(3), [[0, 1, 2]], vertex_attributes={"a": [1, 2, 3]}, triangle_attributes={"b": np.array([[0.5, 1]])}
     )
@@ -73,7 +73,7 @@ def test_the_constructor_takes_them():
         ("a", np.zeros(8, np.longdouble), TypeError, "at most 64 bits"),
     ],
 )
-def test_what_is_no_attribute_is_refused(name, values, kind, message):
+def test_invalid_attributes_are_rejected(name, values, kind, message):
     with pytest.raises(kind, match=message):
         TriangleMesh.create_box().vertex_attributes[name] = values
 
@@ -91,9 +91,9 @@ CHANGES = {
 
 
 @pytest.mark.parametrize("name", CHANGES)
-def test_what_stays_keeps_its_attributes(device, name):
+def test_remaining_elements_keep_their_attributes(device, name):
     changed = CHANGES[name](labeled(device))
-    assert held(changed) == KINDS
+    assert attributes_of(changed) == KINDS
     np.testing.assert_array_equal(changed.vertex_attributes["place"], changed.vertices)
     middles = changed.vertices[changed.triangles].mean(axis=1)
     np.testing.assert_allclose(changed.triangle_attributes["middle"], middles, atol=1e-6)
@@ -103,17 +103,17 @@ def test_what_stays_keeps_its_attributes(device, name):
 def test_new_vertices_have_the_values_between(device, name):
     mesh = labeled(device)
     changed = mesh.subdivide_midpoint(2) if name == "midpoint" else mesh.trim(mesh.vertices @ [0.3, 0.2, 0.9], 0.1)
-    assert held(changed) == KINDS and len(changed.vertices) > 6
+    assert attributes_of(changed) == KINDS and len(changed.vertices) > 6
     np.testing.assert_allclose(changed.vertex_attributes["place"], changed.vertices, atol=1e-6)
     near = mesh.vertices[changed.vertex_attributes["number"].astype(int)]
-    assert np.linalg.norm(near - changed.vertices, axis=1).max() < 0.6  # a whole number is one of its neighbors'
+    assert np.linalg.norm(near - changed.vertices, axis=1).max() < 0.6  # an integer is copied from a neighbor
     corners = mesh.vertices[mesh.triangles[changed.triangle_attributes["row"]]]
     normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
     off = np.einsum("tc,tkc->tk", normals, changed.vertices[changed.triangles] - corners[:, :1])
     assert abs(off).max() < 1e-6  # a part of a triangle lies in it
 
 
-def test_a_row_that_does_not_count_gives_no_nan():
+def test_an_unused_row_gives_no_nan():
     mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0]], [[0, 1, 2], [2, 1, 3]])
     mesh.vertex_attributes["a"] = [1.0, 2.0, 3.0, np.nan]
     values = mesh.subdivide_midpoint().vertex_attributes["a"]
@@ -121,16 +121,16 @@ def test_a_row_that_does_not_count_gives_no_nan():
 
 
 @pytest.mark.parametrize("name", ["decimation", "clustering"])
-def test_fewer_triangles_take_the_values_of_their_place(name):
+def test_simplified_triangles_take_values_at_their_position(name):
     mesh = labeled(mesh=TriangleMesh.create_sphere(1.0, 20))
     changed = mesh.simplify_quadric_decimation(300) if name == "decimation" else mesh.simplify_vertex_clustering(0.2)
-    assert held(changed) == KINDS
+    assert attributes_of(changed) == KINDS
     np.testing.assert_allclose(changed.vertex_attributes["place"], changed.vertices, atol=0.02)
     middles = changed.vertices[changed.triangles].mean(axis=1)
     assert np.linalg.norm(changed.triangle_attributes["middle"] - middles, axis=1).max() < 0.15
 
 
-def test_a_change_that_brings_none_along_says_so():
+def test_operations_that_drop_attributes_warn():
     mesh, box = labeled(), TriangleMesh.create_box()
     with pytest.warns(UserWarning, match="vertex_attributes place, number:"):
         bare = mesh._with_arrays(
@@ -140,7 +140,7 @@ def test_a_change_that_brings_none_along_says_so():
 
 
 @pytest.mark.parametrize("as_text", [False, True])
-def test_ply_keeps_attributes_of_vertices(tmp_path, as_text):
+def test_ply_stores_vertex_attributes(tmp_path, as_text):
     mesh = TriangleMesh.create_box()
     mesh.vertex_attributes["quality"] = np.linspace(0, 1, 8)
     mesh.vertex_attributes["label"] = np.arange(8, dtype=np.int32)
@@ -152,11 +152,11 @@ def test_ply_keeps_attributes_of_vertices(tmp_path, as_text):
 
 
 @pytest.mark.parametrize("suffix", [".obj", ".stl"])
-def test_formats_that_hold_no_attributes_say_so(tmp_path, suffix):
+def test_formats_without_attributes_warn(tmp_path, suffix):
     path = tmp_path / f"m{suffix}"
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         write_triangle_mesh(path, labeled())
-    said = " ".join(str(warning.message) for warning in caught)
-    assert all(name in said for name in ("place", "number", "row", "middle", "even")) and "left out" in said
+    messages = " ".join(str(warning.message) for warning in caught)
+    assert all(name in messages for name in ("place", "number", "row", "middle", "even")) and "left out" in messages
     assert not read_triangle_mesh(path).vertex_attributes

@@ -1,4 +1,4 @@
-"""Solids joined, cut and intersected: their volumes, what goes along, and what is refused and why."""
+"""Boolean operations on solids: volumes, attributes, and rejected input."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ VOLUMES = {"boolean_union": 1 + 1 - 0.125, "boolean_difference": 1 - 0.125, "boo
 
 @pytest.mark.parametrize("name", VOLUMES)
 @pytest.mark.parametrize("where", [np.zeros(3), FAR])
-def test_boxes_are_combined_to_closed_solids_near_zero_and_far_from_it(device, name, where):
+def test_booleans_of_boxes_are_closed_near_zero_and_far_away(device, name, where):
     combined = getattr(box(where, device), name)(box(where + 0.5, device))
     assert combined.is_watertight() and combined.device == box(0, device).device
     assert combined.get_volume() == pytest.approx(VOLUMES[name], rel=1e-6)  # float32 corners
 
 
-def test_solids_with_nothing_in_common_and_empty_ones_are_combined(device):
+def test_disjoint_and_empty_solids_are_combined(device):
     assert len(box(0, device).boolean_intersection(box(5, device))) == 0
     assert len(box(0, device).boolean_union(box(5, device))) == 24
     empty = TriangleMesh(device=device)
@@ -37,7 +37,7 @@ def test_solids_with_nothing_in_common_and_empty_ones_are_combined(device):
     assert len(empty.boolean_difference(box(0, device))) == 0
 
 
-def test_colors_go_along_and_normals_are_made_anew_where_both_have_them(device):
+def test_colors_are_preserved_and_normals_recomputed_if_both_have_them(device):
     red = box(0, device, vertex_colors=np.tile([1.0, 0, 0], (8, 1))).compute_vertex_normals()
     blue = box(0.5, device, vertex_colors=np.tile([0, 0, 1.0], (8, 1))).compute_vertex_normals()
     union = red.boolean_union(blue)
@@ -65,7 +65,7 @@ def test_what_is_no_solid_is_refused_with_the_reason(device, reason):
         box(0, device).boolean_difference(bad)
 
 
-def test_the_missing_package_is_named_with_the_way_to_get_it(monkeypatch):
+def test_a_missing_package_is_named_with_the_install_command(monkeypatch):
     monkeypatch.setitem(sys.modules, "manifold3d", None)
     with pytest.raises(ImportError, match=r'pip install "pointloom\[mesh\]"'):
         box().boolean_union(box(0.5))

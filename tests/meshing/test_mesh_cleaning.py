@@ -1,4 +1,4 @@
-"""Meshes cleaned: what Open3D drops and merges, its slips put right, the same whatever the order of the work."""
+"""Mesh cleaning: Open3D's results with its errors corrected, independent of execution order."""
 
 from __future__ import annotations
 
@@ -17,19 +17,19 @@ from .test_mesh_texture import corner_table, textured
 HYPOTHESIS = settings(deadline=None, max_examples=25)
 
 
-def least_turn(t: list[int]) -> tuple[int, ...]:
+def canonical_rotation(t: list[int]) -> tuple[int, ...]:
     return min(tuple(t[k:] + t[:k]) for k in range(3))
 
 
 @pytest.mark.parametrize(
     ("method", "good"), [("remove_degenerate_triangles", False), ("remove_duplicated_triangles", True)]
 )
-def test_triangles_left_are_those_of_open3d(oracle, method, good):
+def test_remaining_triangles_match_open3d(oracle, method, good):
     scenes = [(mesh, method) for mesh in fixed_soups(good=good)]
     assert_meshes_are_open3ds(oracle, f"meshing/cleaning/{method}", scenes)
 
 
-def test_triangles_without_area_go_where_it_is_asked_for(device):
+def test_triangles_without_area_are_removed_on_request(device):
     corners = [[0, 0, 0], [1, 0, 0], [2, 0, 0], [0, 1, 0], [np.nan, 0, 0]]
     mesh = TriangleMesh(corners, [[0, 1, 2], [0, 1, 3], [1, 1, 3], [0, 1, 4]], device=device)
     assert mesh.remove_degenerate_triangles().triangles.tolist() == [[0, 1, 2], [0, 1, 3], [0, 1, 4]]
@@ -38,17 +38,17 @@ def test_triangles_without_area_go_where_it_is_asked_for(device):
 
 @HYPOTHESIS
 @given(SOUPS)
-def test_of_triangles_equal_but_for_a_turn_the_first_stays(triangles):
-    seen, kept = set(), []
+def test_duplicates_up_to_rotation_keep_the_first(triangles):
+    seen, expected = set(), []
     for t in map(list, triangles):
-        if least_turn(t) not in seen:
-            kept.append(t)
-        seen.add(least_turn(t))
-    assert soup(triangles).remove_duplicated_triangles().triangles.tolist() == kept
+        if canonical_rotation(t) not in seen:
+            expected.append(t)
+        seen.add(canonical_rotation(t))
+    assert soup(triangles).remove_duplicated_triangles().triangles.tolist() == expected
 
 
 def greedy_manifold(mesh: TriangleMesh) -> list[list[int]]:
-    """Smallest triangles first, one after the other."""
+    """Process the smallest triangles first, one at a time."""
     triangles = mesh.triangles
     counts = edge_counts(triangles)
 
@@ -57,19 +57,19 @@ def greedy_manifold(mesh: TriangleMesh) -> list[list[int]]:
 
     folded = [len(set(t)) < 3 and any(counts[e] > 2 for e in edges(t)) for t in triangles.tolist()]
     triangles = triangles[~np.array(folded, bool)]
-    counts, kept = edge_counts(triangles), np.ones(len(triangles), bool)
+    counts, remaining = edge_counts(triangles), np.ones(len(triangles), bool)
     areas = TriangleMesh(mesh.vertices, triangles).compute_triangle_areas().astype(np.float32)
     for row in np.argsort(areas, kind="stable"):
         if any(counts[e] > 2 for e in edges(triangles[row].tolist())):
-            kept[row] = False
+            remaining[row] = False
             for e in edges(triangles[row].tolist()):
                 counts[e] -= 1
-    return triangles[kept].tolist()
+    return triangles[remaining].tolist()
 
 
 @HYPOTHESIS
 @given(SOUPS)
-def test_crowded_edges_lose_their_smallest_triangles_first(triangles):
+def test_non_manifold_edges_lose_their_smallest_triangles_first(triangles):
     mesh = soup(triangles)
     left = mesh.remove_non_manifold_edges()
     assert left.is_edge_manifold()
@@ -88,7 +88,7 @@ def test_crowded_edges_lose_the_triangles_that_open3d_drops(device, oracle):
     assert left.triangles.tolist() == wanted.tolist() and len(left) == 4
 
 
-def test_duplicated_vertices_are_those_of_open3d(device, oracle):
+def test_duplicated_vertices_match_open3d(device, oracle):
     rng = np.random.default_rng(0)
     colors = rng.random((12, 3)).astype(np.float32)
     corners, triangles = rng.integers(0, 2, (12, 3)), rng.integers(0, 12, (20, 3))
@@ -103,14 +103,14 @@ def test_duplicated_vertices_are_those_of_open3d(device, oracle):
     assert len(merged.vertices) < 9
 
 
-def test_vertices_with_nan_equal_none_and_minus_zero_is_zero(device):
+def test_nan_vertices_are_distinct_and_minus_zero_equals_zero(device):
     corners = [[0, 0, 0], [np.nan, 0, 0], [np.nan, 0, 0], [-0.0, 0, 0]]
     mesh = TriangleMesh(corners, [[0, 1, 2], [3, 2, 1]], device=device).remove_duplicated_vertices()
     assert mesh.triangles.tolist() == [[0, 1, 2], [0, 2, 1]]
 
 
 def greedy_groups(points: np.ndarray, eps: float) -> np.ndarray:
-    """The vertex that each one joins, one after the other as Open3D does it."""
+    """The vertex that each vertex is merged into, sequentially as in Open3D."""
     owners = np.full(len(points), -1)
     for v in range(len(points)):
         if owners[v] < 0:
@@ -128,11 +128,11 @@ def greedy_groups(points: np.ndarray, eps: float) -> np.ndarray:
 )
 def test_close_vertices_join_the_first_that_stays(positions, eps, scale):
     points = np.float32(np.array(positions, float) * scale).astype(float)
-    reach = eps * float(np.float32(scale))
+    distance = eps * float(np.float32(scale))
     mesh = TriangleMesh(points, np.arange(len(points))[:, None].repeat(3, 1), origin=[0, 0, 0])
-    owners = greedy_groups(points, reach)
+    owners = greedy_groups(points, distance)
     _, numbers = np.unique(owners, return_inverse=True)
-    np.testing.assert_array_equal(mesh.merge_close_vertices(reach).triangles[:, 0], numbers)
+    np.testing.assert_array_equal(mesh.merge_close_vertices(distance).triangles[:, 0], numbers)
 
 
 @pytest.mark.parametrize("eps", [0.03, 0.15, 0.6, 10.0])
@@ -150,8 +150,8 @@ def test_close_vertices_are_merged_as_in_open3d(device, oracle, eps):
         np.testing.assert_allclose(getattr(merged, name), values, atol=2e-7)  # float32
 
 
-def test_vertices_in_a_row_in_order_of_their_numbers_are_merged_in_that_order(device):
-    count = 3000  # each waits for the one before it
+def test_sorted_chains_of_vertices_are_merged_in_order(device):
+    count = 3000  # each depends on the previous one
     points = np.arange(count)[:, None] * [0.6, 0, 0]
     for order in (np.arange(count), np.arange(count)[::-1]):
         mesh = TriangleMesh(points[order], [[0, 1, 2]], device=device, origin=[0, 0, 0]).merge_close_vertices(1)
@@ -169,7 +169,7 @@ def test_merged_normals_have_unit_length_unlike_in_open3d(device):
     np.testing.assert_allclose(mesh.merge_close_vertices(1).vertex_normals, [[0.5**0.5, 0.5**0.5, 0]], atol=1e-7)
 
 
-def test_a_distance_too_small_to_tell_is_refused():
+def test_a_distance_below_resolution_is_rejected():
     mesh = TriangleMesh([[1e6, 0, 0]], [], origin=[0, 0, 0])
     with pytest.raises(ValueError, match="eps:"):
         mesh.merge_close_vertices(1e-20)
@@ -177,37 +177,37 @@ def test_a_distance_too_small_to_tell_is_refused():
         mesh.merge_close_vertices(0)
 
 
-def test_selections_and_removals_by_index_are_those_of_open3d(oracle):
+def test_selections_and_removals_by_index_match_open3d(oracle):
     rng, scenes = np.random.default_rng(3), []
     for mesh in fixed_soups(30):
-        # for triangles of two corners see the copies that Open3D misses
-        whole = mesh.remove_degenerate_triangles()
+        # for triangles of two corners include the duplicates that Open3D misses
+        cleaned = mesh.remove_degenerate_triangles()
         indices = rng.integers(0, 7, rng.integers(0, 9)).tolist()
-        scenes += [(whole, "select_by_index", indices, cleanup) for cleanup in (True, False)]
+        scenes += [(cleaned, "select_by_index", indices, cleanup) for cleanup in (True, False)]
         scenes.append((mesh, "remove_vertices_by_index", indices))
         scenes.append((mesh, "remove_triangles_by_index", [i for i in indices if i < len(mesh)]))
     assert_meshes_are_open3ds(oracle, "meshing/cleaning/by_index", scenes)
 
 
-TURN = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
+ROTATION = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
 CORNERS = np.array([[2.1, 2.2, 0], [12.3, 4.1, 0], [5.2, 11.3, 0]])
 
 
 def open3d_crops(o3d, mesh):
-    """Triangles left in a box, in a turned box and in a polygon; all vertices come along in Open3D's order."""
+    """Triangles inside a box, a rotated box and a polygon, with all vertices in Open3D's order."""
     peer, volume = in_open3d(o3d, mesh), o3d.visualization.SelectionPolygonVolume()
     volume.orthogonal_axis, volume.axis_min, volume.axis_max = "Z", 2, 9
     volume.bounding_polygon = o3d.utility.Vector3dVector(CORNERS)
     boxes = (
         o3d.geometry.AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14]),
-        o3d.geometry.OrientedBoundingBox([7, 7, 7], TURN, [9, 5, 30]),
+        o3d.geometry.OrientedBoundingBox([7, 7, 7], ROTATION, [9, 5, 30]),
     )
     return [*(arrays_of(peer.crop(box)) for box in boxes), arrays_of(volume.crop_triangle_mesh(peer))]
 
 
-def test_crops_are_those_of_open3d(device, oracle):
+def test_crops_match_open3d(device, oracle):
     mesh, box = ball(device), AxisAlignedBoundingBox([3, 3, 3], [11, 9, 14])
-    volumes = (box, OrientedBoundingBox([7, 7, 7], TURN, [9, 5, 30]), SelectionPolygonVolume(CORNERS, "Z", 2, 9))
+    volumes = (box, OrientedBoundingBox([7, 7, 7], ROTATION, [9, 5, 30]), SelectionPolygonVolume(CORNERS, "Z", 2, 9))
     for volume, (vertices, triangles) in zip(
         volumes, oracle("meshing/cleaning/crops", open3d_crops, mesh), strict=True
     ):
@@ -223,18 +223,18 @@ def test_crops_are_those_of_open3d(device, oracle):
     assert not ((outside >= box.min_bound) & (outside <= box.max_bound)).all(axis=1).any()
 
 
-def test_selections_take_colors_normals_and_texture_along(device):
+def test_selections_keep_colors_normals_and_texture(device):
     mesh = textured(device)
     mesh.vertex_colors = np.random.default_rng(0).random((32, 3))
     rows = np.random.default_rng(2).permutation(32)[:24]
     left = mesh.select_by_index(rows, cleanup=False)
-    whole = np.isin(mesh.triangles, rows).all(axis=1)
-    assert 5 < whole.sum() < 35
-    np.testing.assert_array_equal(corner_table(left), corner_table(mesh)[np.repeat(whole, 3)])
+    is_selected = np.isin(mesh.triangles, rows).all(axis=1)
+    assert 5 < is_selected.sum() < 35
+    np.testing.assert_array_equal(corner_table(left), corner_table(mesh)[np.repeat(is_selected, 3)])
     np.testing.assert_array_equal(left.vertex_colors, mesh.vertex_colors[rows])
 
 
-def test_cleaning_keeps_texture_at_its_corners(device):
+def test_cleaning_preserves_texture_corners(device):
     mesh = textured(device)
     for cleaned in (
         mesh.remove_duplicated_vertices(),
@@ -248,7 +248,7 @@ def test_cleaning_keeps_texture_at_its_corners(device):
 
 
 @pytest.mark.parametrize("method", ["select_by_index", "remove_vertices_by_index", "remove_triangles_by_index"])
-def test_indices_beyond_the_mesh_are_refused_and_negative_ones_count_from_the_end(method):
+def test_indices_out_of_range_are_rejected_and_negative_ones_count_from_the_end(method):
     mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]] * 3)
     with pytest.raises(IndexError, match=r"3\.\.3 are out of range for a mesh of 3"):
         getattr(mesh, method)([3])
@@ -282,7 +282,7 @@ def test_cleaning_an_empty_mesh_leaves_an_empty_mesh(device):
 def strip(device=None) -> TriangleMesh:
     rng = np.random.default_rng(0)
     vertices, normals, colors = rng.random((3, 60, 3)).astype(np.float32)
-    triangles = rng.permuted(np.tile(np.arange(50), (80, 1)), axis=1)[:, :3]  # ten vertices are in none
+    triangles = rng.permuted(np.tile(np.arange(50), (80, 1)), axis=1)[:, :3]  # ten vertices are unreferenced
     return TriangleMesh(vertices, triangles, vertex_normals=normals, vertex_colors=colors, device=device)
 
 
@@ -302,7 +302,7 @@ def test_what_is_left_is_as_in_open3d(device, oracle, method):
     assert len(mesh) == 80 and len(mesh.vertices) == 60
 
 
-def test_a_mesh_of_nothing_takes_masks_of_nothing(device):
+def test_an_empty_mesh_accepts_empty_masks(device):
     mesh = TriangleMesh(device=device)
     for mask in ([], np.zeros(0, bool)):
         assert len(mesh.remove_vertices_by_mask(mask)) == len(mesh.remove_triangles_by_mask(mask)) == 0

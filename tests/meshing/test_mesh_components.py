@@ -1,4 +1,4 @@
-"""The parts of a mesh: Open3D's labels, counts and areas; the small ones dropped."""
+"""Connected components of a mesh: Open3D's labels, counts and areas; removal of small ones."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pointloom import TriangleMesh
 from .mesh_soups import fixed_soups
 from .open3d_meshes import for_each, in_open3d, one_by_one
 
-# Two squares, and a triangle apart; the squares share a vertex.
+# Two squares and a separate triangle; the squares share a vertex.
 CORNERS = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [2, 1, 0], [2, 2, 0], [1, 2, 0], [5, 5, 5], [6, 5, 5], [5, 8, 5]]
 PARTS = [[2, 4, 5], [7, 8, 9], [0, 1, 2], [2, 5, 6], [3, 0, 2]]
 
@@ -27,7 +27,7 @@ def assert_parts_are(mesh: TriangleMesh, wanted) -> None:
     np.testing.assert_allclose(areas, wanted[2], rtol=1e-12)
 
 
-def test_parts_are_those_of_open3d(device, oracle):
+def test_components_match_open3d(device, oracle):
     ball = TriangleMesh.create_sphere(1.0, 20)
     triangles = np.random.default_rng(0).permutation(ball.triangles)[: int(0.45 * len(ball))]
     mesh = TriangleMesh(ball.vertices, triangles, device=device)
@@ -36,8 +36,8 @@ def test_parts_are_those_of_open3d(device, oracle):
     assert_parts_are(mesh, wanted)
 
 
-def test_parts_are_those_of_open3d_whatever_the_triangles(oracle):
-    """Among them edges of three triangles, triangles of one corner, and the same triangle twice."""
+def test_components_match_open3d_for_any_triangles(oracle):
+    """Includes edges of three triangles, triangles with coincident corners, and duplicate triangles."""
     soups = [mesh for mesh in fixed_soups() if len(mesh)]
     answers = oracle("meshing/components/soups", for_each, open3d_parts, [(mesh,) for mesh in soups])
     for mesh, wanted in zip(soups, one_by_one(answers), strict=True):
@@ -50,14 +50,14 @@ def test_parts_that_share_but_a_vertex_are_two(device):
     assert (counts.tolist(), areas.tolist()) == ([2, 1, 2], [1.0, 1.5, 1.0])
 
 
-def test_a_mesh_without_triangles_has_no_parts(device):
+def test_a_mesh_without_triangles_has_no_components(device):
     for mesh in (TriangleMesh(device=device), TriangleMesh([[0, 0, 0]], device=device)):
         assert [len(values) for values in mesh.cluster_connected_triangles()] == [0, 0, 0]
         assert len(mesh.remove_small_components(min_triangles=5)) == 0
 
 
 @pytest.mark.parametrize(
-    ("limits", "kept"),
+    ("limits", "selected"),
     [
         ({}, [0, 1, 2, 3, 4]),
         ({"min_triangles": 2}, [0, 2, 3, 4]),
@@ -67,11 +67,11 @@ def test_a_mesh_without_triangles_has_no_parts(device):
         ({"min_triangles": 2, "min_area": 1.2}, []),
     ],
 )
-def test_small_parts_go_with_their_vertices(device, limits, kept):
+def test_small_parts_go_with_their_vertices(device, limits, selected):
     colors = np.random.default_rng(0).random((len(CORNERS), 3)).astype(np.float32)
     mesh = TriangleMesh(CORNERS, PARTS, vertex_colors=colors, device=device)
     left = mesh.remove_small_components(**limits)
-    triangles = np.array(PARTS)[kept].reshape(-1, 3)
+    triangles = np.array(PARTS)[selected].reshape(-1, 3)
     used = np.unique(triangles)
     np.testing.assert_array_equal(left.triangles, np.searchsorted(used, triangles))
     np.testing.assert_array_equal(left.vertices, np.array(CORNERS)[used])
@@ -87,6 +87,6 @@ def test_small_parts_go_with_their_vertices(device, limits, kept):
         ({"min_area": np.nan}, ValueError, "min_area"),
     ],
 )
-def test_limits_out_of_range_are_refused(limits, error, message):
+def test_limits_out_of_range_are_rejected(limits, error, message):
     with pytest.raises(error, match=message):
         TriangleMesh(CORNERS, PARTS).remove_small_components(**limits)

@@ -1,4 +1,4 @@
-"""Curvature at vertices: that of spheres, cylinders, saddles and planes, and NaN where there is none."""
+"""Vertex curvature of spheres, cylinders, saddles and planes, and NaN where it is undefined."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from .shape_scenes import icosphere, shaken_grid
 
 
 def around(device, height, cells=24):
-    """A grid over -1/2 .. 1/2 lifted to a function of x and y, and its middle vertex."""
-    places, triangles = shaken_grid(cells, shake=0.0)
-    x, y = places[:, 0] - 0.5, places[:, 1] - 0.5
+    """A grid over -1/2 .. 1/2 as a height field of x and y, and its middle vertex."""
+    positions, triangles = shaken_grid(cells, shake=0.0)
+    x, y = positions[:, 0] - 0.5, positions[:, 1] - 0.5
     middle = int(np.argmin(x * x + y * y))
     return TriangleMesh(np.c_[x, y, height(x, y)], triangles, device=device).compute_vertex_curvature(), middle
 
@@ -23,14 +23,14 @@ def test_a_sphere_has_one_over_its_radius(device, radius):
     errors = []
     for rounds in (2, 3):
         curvature = TriangleMesh(*icosphere(rounds, radius), device=device).compute_vertex_curvature()
-        np.testing.assert_allclose(curvature.mean * radius, 1, rtol=0, atol=1e-3)  # cut off: edges of 0.3 radii
+        np.testing.assert_allclose(curvature.mean * radius, 1, rtol=0, atol=1e-3)  # truncated: edges of 0.3 radii
         errors.append(np.abs(curvature.gaussian * radius**2 - 1).max())
         assert (curvature.least <= curvature.mean).all() and (curvature.mean <= curvature.largest).all()
     assert errors[0] < 0.03 and errors[1] < errors[0] / 3  # falls with the square of the edges
 
 
 def test_angles_of_a_closed_mesh_add_up(device):
-    """Gauss and Bonnet: over a sphere, curvature times area is 4 pi; the areas are those of Voronoi cells."""
+    """Gauss-Bonnet: over a sphere, curvature times mixed Voronoi area sums to 4 pi."""
     rng = np.random.default_rng(0)
     vertices, triangles = icosphere(1)
     mesh = TriangleMesh(vertices * (1 + 1.5 * rng.random((len(vertices), 1))), triangles, device=device)
@@ -57,7 +57,7 @@ def mixed_areas(vertices, triangles):
 
 
 @pytest.mark.parametrize(
-    ("height", "least", "largest"),
+    ("height", "smallest", "largest"),
     [
         (lambda x, y: 0 * x, 0, 0),
         (lambda x, y: -(x * x + y * y) / 2, 1, 1),
@@ -66,15 +66,15 @@ def mixed_areas(vertices, triangles):
     ],
     ids=["plane", "cap", "saddle", "ridge"],
 )
-def test_surfaces_over_a_plane_have_their_second_derivatives(device, height, least, largest):
+def test_surfaces_over_a_plane_have_their_second_derivatives(device, height, smallest, largest):
     curvature, middle = around(device, height)
-    found = [values[middle] for values in curvature]
-    wanted = [(least + largest) / 2, least * largest, least, largest]
-    np.testing.assert_allclose(found, wanted, rtol=0, atol=0.02)  # cells of 1/24: some 1/24^2 of the curvature
+    result = [values[middle] for values in curvature]
+    wanted = [(smallest + largest) / 2, smallest * largest, smallest, largest]
+    np.testing.assert_allclose(result, wanted, rtol=0, atol=0.02)  # cells of 1/24: some 1/24^2 of the curvature
     assert np.isnan(curvature.mean[0])  # at the rim
 
 
-def test_only_rings_of_triangles_that_turn_alike_have_a_curvature(device):
+def test_only_consistently_oriented_rings_have_a_curvature(device):
     vertices, triangles = icosphere(0)
     plain = TriangleMesh(vertices, triangles, device=device).compute_vertex_curvature().mean
     assert np.isfinite(plain).all()
@@ -90,8 +90,8 @@ def test_only_rings_of_triangles_that_turn_alike_have_a_curvature(device):
         np.testing.assert_array_equal(curvature.mean[~wrong], plain[~wrong])
 
 
-def test_two_fans_at_a_vertex_are_no_ring(device):
-    """Two closed surfaces that touch in a vertex."""
+def test_two_fans_at_a_vertex_have_no_curvature(device):
+    """Two closed surfaces that touch at a vertex."""
     vertices, triangles = icosphere(0)
     other = np.where(triangles == 0, 0, triangles + 11)
     touching = np.vstack([vertices, 2 * vertices[0] - vertices[1:]])
@@ -102,9 +102,9 @@ def test_two_fans_at_a_vertex_are_no_ring(device):
 def test_no_area_and_no_number_make_no_curvature(device):
     vertices, triangles = icosphere(0)
     for spoilt in ([np.nan, 0, 0], vertices[triangles[0, 1]]):  # the latter flattens two triangles
-        places = vertices.copy()
-        places[triangles[0, 0]] = spoilt
-        curvature = TriangleMesh(places, triangles, device=device).compute_vertex_curvature()
+        positions = vertices.copy()
+        positions[triangles[0, 0]] = spoilt
+        curvature = TriangleMesh(positions, triangles, device=device).compute_vertex_curvature()
         assert np.isnan(curvature.mean[triangles[0]]).all()
         assert np.isfinite(curvature.mean).sum() >= 4
     assert [len(values) for values in TriangleMesh(device=device).compute_vertex_curvature()] == [0] * 4
@@ -112,7 +112,7 @@ def test_no_area_and_no_number_make_no_curvature(device):
 
 
 @pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
-def test_curvature_is_one_over_a_length(device, scale):
+def test_curvature_scales_with_inverse_length(device, scale):
     vertices, triangles = icosphere(1)
     one, other = (
         TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]).compute_vertex_curvature()

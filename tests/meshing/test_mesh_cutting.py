@@ -1,4 +1,4 @@
-"""Planes cut meshes: what is closed stays closed, both halves fit, and sections are the lines where they meet."""
+"""Plane cuts of meshes: closed parts remain closed, both parts fit, and sections lie in the plane."""
 
 from __future__ import annotations
 
@@ -20,9 +20,9 @@ SHAPES = {
 }
 
 
-def hollow(cavity_turned: bool = True) -> TriangleMesh:
+def hollow(cavity_flipped: bool = True) -> TriangleMesh:
     outer, inner = TriangleMesh.create_sphere(1.0, 10), TriangleMesh.create_sphere(0.5, 10)
-    inside = inner.triangles[:, ::-1] if cavity_turned else inner.triangles
+    inside = inner.triangles[:, ::-1] if cavity_flipped else inner.triangles
     return TriangleMesh(np.r_[outer.vertices, inner.vertices], np.r_[outer.triangles, inside + len(outer.vertices)])
 
 
@@ -51,15 +51,15 @@ def open3d_cuts(o3d):
     )
 
 
-def test_clips_and_slices_are_those_of_open3d(device, oracle):
+def test_clips_and_slices_match_open3d(device, oracle):
     clips, slices = oracle("meshing/cutting/planes", open3d_cuts)
     for name, (area, low, high) in clips.items():
         clipped = SHAPES[name].to(device).clip_plane(POINT, NORMAL)
         assert clipped.get_surface_area() == pytest.approx(area, rel=1e-5)
         np.testing.assert_allclose([*clipped.get_axis_aligned_bounding_box()], [low, high], atol=1e-6)
-    ours = SHAPES["box"].slice_plane([0, 0.5, 0], [1, 1, 1])
+    result = SHAPES["box"].slice_plane([0, 0.5, 0], [1, 1, 1])
     several = SHAPES["ball"].slice_plane([0, 0, 0], [0, 0, 1], [-0.4, 0.05, 0.5])
-    assert len(ours) == slices[0][0] and lengths(ours).sum() == pytest.approx(slices[0][1], rel=1e-6)
+    assert len(result) == slices[0][0] and lengths(result).sum() == pytest.approx(slices[0][1], rel=1e-6)
     assert lengths(several).sum() == pytest.approx(slices[1][1], rel=1e-5)
 
 
@@ -75,48 +75,48 @@ def lengths(lines: LineSet):
     normal=st.tuples(*[st.integers(-2, 2)] * 3).filter(any),
     is_far=st.booleans(),
 )
-def test_two_capped_halves_are_closed_and_fill_the_whole(name, point, normal, is_far):
-    mesh, place = SHAPES[name], np.array(point)
+def test_capped_parts_are_closed_and_fill_the_volume(name, point, normal, is_far):
+    mesh, position = SHAPES[name], np.array(point)
     if is_far:
-        mesh, place = mesh.translate(FAR), place + FAR
-    halves = [mesh.clip_plane(place, way, cap=True) for way in (normal, np.negative(normal))]
-    assert all(half.is_watertight() for half in halves if len(half))
-    volumes = [half.get_volume() for half in halves if len(half)]
+        mesh, position = mesh.translate(FAR), position + FAR
+    parts = [mesh.clip_plane(position, way, cap=True) for way in (normal, np.negative(normal))]
+    assert all(half.is_watertight() for half in parts if len(half))
+    volumes = [half.get_volume() for half in parts if len(half)]
     assert sum(volumes) == pytest.approx(mesh.get_volume(), rel=1e-5)
-    for half, way in zip(halves, (1, -1), strict=True):
-        heights = (half.vertices - place) @ np.array(normal) * way
+    for half, way in zip(parts, (1, -1), strict=True):
+        heights = (half.vertices - position) @ np.array(normal) * way
         assert (heights > -3e-6).all()
 
 
 @pytest.mark.parametrize("normal", [[0, 0, 1], [0, 0, -1]])
-def test_a_face_in_the_plane_belongs_to_what_stands_on_it(device, normal):
+def test_a_face_in_the_plane_belongs_to_the_adjacent_body(device, normal):
     box = textured_box(device)
     below, above = ([0, 0, 0], [0, 0, 1]) if normal[2] > 0 else ([0, 0, 1], [0, 0, 0])
-    whole, nothing = box.clip_plane(below, normal, cap=True), box.clip_plane(above, normal, cap=True)
-    assert len(nothing) == 0 and len(box.clip_plane(above, normal)) == 2  # without a lid what lies in the plane stays
-    np.testing.assert_array_equal(whole.triangle_attributes["row"], np.arange(12))  # and is no new lid
+    complete, nothing = box.clip_plane(below, normal, cap=True), box.clip_plane(above, normal, cap=True)
+    assert len(nothing) == 0 and len(box.clip_plane(above, normal)) == 2  # without a cap, triangles in the plane stay
+    np.testing.assert_array_equal(complete.triangle_attributes["row"], np.arange(12))  # and no new cap is added
 
 
-def test_cavities_stay_cavities():
+def test_cavities_are_preserved():
     plane = ([0.0, 0.0, 0.1], [0.0, 0.2, 1.0])
-    halves = [hollow().clip_plane(plane[0], np.multiply(plane[1], way), cap=True) for way in (1, -1)]
-    assert all(half.is_watertight() for half in halves)
-    assert sum(half.get_volume() for half in halves) == pytest.approx(hollow().get_volume(), rel=1e-6)
+    parts = [hollow().clip_plane(plane[0], np.multiply(plane[1], way), cap=True) for way in (1, -1)]
+    assert all(half.is_watertight() for half in parts)
+    assert sum(half.get_volume() for half in parts) == pytest.approx(hollow().get_volume(), rel=1e-6)
     assert [len(loop) > 8 for loop in hollow().section_loops(*plane)] == [True, True]
 
 
-def test_triangles_that_turn_any_way_get_a_lid_by_parity():
-    mesh = hollow(cavity_turned=False)
+def test_inconsistent_triangles_are_capped_by_parity():
+    mesh = hollow(cavity_flipped=False)
     corners = mesh.triangles.copy()
     corners[::3] = corners[::3, ::-1]
     rough = TriangleMesh(mesh.vertices, corners).clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
     topology = rough.edge_topology()
     assert not topology.has_boundary and not topology.has_crowded_edge
-    whole = hollow().clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
-    assert rough.get_surface_area() == pytest.approx(whole.get_surface_area(), rel=1e-6)  # a ring, and no disc
+    reference = hollow().clip_plane([0, 0, 0.1], [0, 0, 1], cap=True)
+    assert rough.get_surface_area() == pytest.approx(reference.get_surface_area(), rel=1e-6)  # a ring, and no disc
 
 
-def test_an_open_mesh_is_cut_and_gets_no_lid():
+def test_an_open_mesh_is_cut_without_a_cap():
     ball = TriangleMesh.create_sphere(1.0, 8)
     bowl = ball.remove_triangles_by_mask(ball.vertices[ball.triangles].mean(axis=1)[:, 0] > 0.3)
     with pytest.warns(UserWarning, match=r"^cap:.*1"):
@@ -126,7 +126,7 @@ def test_an_open_mesh_is_cut_and_gets_no_lid():
     assert not (path[0] == path[-1]).all()
 
 
-def test_two_outlines_that_touch_at_a_vertex_are_two_loops():
+def test_outlines_that_touch_at_a_vertex_are_two_loops():
     corners = [[0, 0], [1, 1], [0, 1], [-1, -1], [0, -1]]
     columns = np.array([[x, y, z] for z in (-1, 1) for x, y in corners], float)
     walls = [(a, b, b + 5, a + 5) for a, b in ((0, 1), (1, 2), (2, 0), (0, 3), (3, 4), (4, 0))]
@@ -137,7 +137,7 @@ def test_two_outlines_that_touch_at_a_vertex_are_two_loops():
     np.testing.assert_allclose(areas, [0.5, 0.5], atol=1e-6)
 
 
-def test_a_cut_takes_everything_along(device):
+def test_a_cut_interpolates_all_attributes(device):
     box = textured_box(device)
     half = box.clip_plane([0.25, 0, 0], [1, 0, 0], cap=True)
     np.testing.assert_allclose(half.vertex_attributes["place"], half.vertices, atol=1e-6)
@@ -145,17 +145,17 @@ def test_a_cut_takes_everything_along(device):
     np.testing.assert_allclose(np.linalg.norm(half.vertex_normals, axis=1), 1, atol=1e-6)
     np.testing.assert_array_equal(half.triangle_material_ids, half.triangle_attributes["row"] // 2)
     walls = np.abs((half.vertices[half.triangles] - 0.25)[:, :, 0]).max(axis=1) > 1e-6
-    # On a wall the texture is the linear function of the place that it was.
+    # On a wall the texture is the same linear function of position as before.
     for row in np.unique(half.triangle_attributes["row"][walls]):
         own = walls & (half.triangle_attributes["row"] == row)
         system = np.c_[box.vertices[box.triangles[row]], np.ones(3)]
-        found, *_ = np.linalg.lstsq(system, box.triangle_uvs[3 * row : 3 * row + 3], rcond=None)
-        places = np.concatenate([np.c_[half.vertices[t], np.ones(3)] for t in half.triangles[own]])
+        coefficients, *_ = np.linalg.lstsq(system, box.triangle_uvs[3 * row : 3 * row + 3], rcond=None)
+        homogeneous = np.concatenate([np.c_[half.vertices[t], np.ones(3)] for t in half.triangles[own]])
         uvs = half.triangle_uvs.reshape(-1, 3, 2)[own].reshape(-1, 2)
-        np.testing.assert_allclose(places @ found, uvs, atol=1e-6)
+        np.testing.assert_allclose(homogeneous @ coefficients, uvs, atol=1e-6)
 
 
-def test_nothing_and_next_to_nothing_is_cut(device):
+def test_empty_and_degenerate_cuts_are_handled(device):
     for corners in ([], [[0, 1, 2]], [[0, 0, 1]], [[0, 1, 2], [0, 1, 2], [1, 0, 2]]):
         mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 0, 1], [np.nan] * 3], corners, device=device)
         for cap in (False, True) if not corners else (False,):
@@ -169,13 +169,13 @@ def test_nothing_and_next_to_nothing_is_cut(device):
     ("point", "normal", "message"),
     [([0, 0], [0, 0, 1], "point: "), ([0, 0, 0], [0, 0, 0], "normal: "), ([0, 0, np.inf], [0, 0, 1], "point: ")],
 )
-def test_what_is_no_plane_is_refused(point, normal, message):
+def test_invalid_planes_are_rejected(point, normal, message):
     for method in ("clip_plane", "slice_plane"):
         with pytest.raises(ValueError, match=message):
             getattr(TriangleMesh.create_box(), method)(point, normal)
 
 
-def test_slice_plane_with_a_lid_is_the_clipped_mesh():
+def test_slice_plane_with_a_cap_is_the_clipped_mesh():
     box = TriangleMesh.create_box()
     sliced, clipped = (getattr(box, name)([0.5, 0, 0], [1, 0, 0], cap=True) for name in ("slice_plane", "clip_plane"))
     np.testing.assert_array_equal(sliced.triangles, clipped.triangles)

@@ -1,4 +1,4 @@
-"""Bent meshes: Open3D's positions by another solver, rigid where they may be, and what Open3D has no solution for."""
+"""Deformed meshes: Open3D's positions by another solver, rigid motions, and cases that Open3D cannot solve."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
 from .open3d_meshes import in_open3d
-from .shape_scenes import UTM, eight_places, hostile_triangles, icosphere, shaken_grid
+from .shape_scenes import UTM, eight_vertices, hostile_triangles, icosphere, shaken_grid
 
-# Of a mesh of size 1: one rounding to float32 (6e-8), and what a solve to 1e-8 of the mesh's stretch leaves.
+# Of a mesh of size 1: one rounding to float32 (6e-8), and the residual of a solve to 1e-8.
 CLOSE = 2e-7
 
 
@@ -24,130 +24,133 @@ def bumpy_ball(device, rounds=2):
 
 
 def pulled(mesh):
-    """Some vertices that stay below, some that are pulled aside above."""
+    """Fixed vertices at the bottom and displaced vertices at the top."""
     vertices = mesh.vertices
-    held = np.flatnonzero((vertices[:, 2] < -0.7) | (vertices[:, 2] > 0.8))
-    return held, vertices[held] + (vertices[held, 2:] > 0) * [0.5, 0.2, 0.4]
+    handles = np.flatnonzero((vertices[:, 2] < -0.7) | (vertices[:, 2] > 0.8))
+    return handles, vertices[handles] + (vertices[handles, 2:] > 0) * [0.5, 0.2, 0.4]
 
 
-def open3d_positions(o3d, mesh, held, targets, turns, energy, alpha):
+def open3d_positions(o3d, mesh, handles, targets, iterations, energy, alpha):
     kind = getattr(o3d.geometry.DeformAsRigidAsPossibleEnergy, energy.capitalize())
-    indices, places = o3d.utility.IntVector([int(i) for i in held]), o3d.utility.Vector3dVector(targets)
+    indices, positions = o3d.utility.IntVector([int(i) for i in handles]), o3d.utility.Vector3dVector(targets)
     peer = in_open3d(o3d, mesh)
-    bent = peer.deform_as_rigid_as_possible(indices, places, turns, energy=kind, smoothed_alpha=alpha)
+    bent = peer.deform_as_rigid_as_possible(indices, positions, iterations, energy=kind, smoothed_alpha=alpha)
     return np.array(bent.vertices)
 
 
 @pytest.mark.parametrize(
-    ("turns", "energy", "alpha"),
+    ("iterations", "energy", "alpha"),
     [(1, "spokes", 0.01), (15, "spokes", 0.01), (2, "smoothed", 0.01), (15, "smoothed", 1.0)],
 )
-def test_positions_are_those_of_open3d(device, oracle, turns, energy, alpha):
+def test_positions_match_open3d(device, oracle, iterations, energy, alpha):
     mesh = bumpy_ball(device)
-    held, targets = pulled(mesh)
-    given = held, targets, turns, energy, alpha
-    ours = mesh.deform_as_rigid_as_possible(*given)
-    wanted = oracle(f"meshing/deformation/{energy}_{turns}", open3d_positions, mesh, *given)
-    np.testing.assert_allclose(ours.vertices, wanted, rtol=0, atol=CLOSE)
-    assert np.abs(ours.vertices - mesh.vertices).max() > 0.3
+    handles, targets = pulled(mesh)
+    given = handles, targets, iterations, energy, alpha
+    result = mesh.deform_as_rigid_as_possible(*given)
+    wanted = oracle(f"meshing/deformation/{energy}_{iterations}", open3d_positions, mesh, *given)
+    np.testing.assert_allclose(result.vertices, wanted, rtol=0, atol=CLOSE)
+    assert np.abs(result.vertices - mesh.vertices).max() > 0.3
 
 
 def test_open_meshes_bend_as_open3ds_do(device, oracle):
-    """At the rim, where Open3D's weights are not halved."""
-    places, triangles = shaken_grid(9)
-    mesh = TriangleMesh(places, triangles, device=device)
-    held = np.flatnonzero((places[:, 0] == 0) | (places[:, 0] == 1))
-    targets = mesh.vertices[held] + (places[held, :1] == 1) * [-0.3, 0, 0.4]
-    ours = mesh.deform_as_rigid_as_possible(held, targets, 10).vertices
-    wanted = oracle("meshing/deformation/sheet", open3d_positions, mesh, held, targets, 10, "spokes", 0.01)
-    np.testing.assert_allclose(ours, wanted, rtol=0, atol=CLOSE)
+    """At the boundary, where Open3D's weights are not halved."""
+    positions, triangles = shaken_grid(9)
+    mesh = TriangleMesh(positions, triangles, device=device)
+    handles = np.flatnonzero((positions[:, 0] == 0) | (positions[:, 0] == 1))
+    targets = mesh.vertices[handles] + (positions[handles, :1] == 1) * [-0.3, 0, 0.4]
+    result = mesh.deform_as_rigid_as_possible(handles, targets, 10).vertices
+    wanted = oracle("meshing/deformation/sheet", open3d_positions, mesh, handles, targets, 10, "spokes", 0.01)
+    np.testing.assert_allclose(result, wanted, rtol=0, atol=CLOSE)
 
 
-def test_energies_differ_and_open3ds_are_taken(device, o3d):
+def test_energies_differ_and_open3ds_enums_are_accepted(device, o3d):
     mesh, energies = bumpy_ball(device, 1), o3d.geometry.DeformAsRigidAsPossibleEnergy
-    held, targets = pulled(mesh)
+    handles, targets = pulled(mesh)
     results = {
-        name: mesh.deform_as_rigid_as_possible(held, targets, 5, name, 1.0).vertices for name in ("spokes", "smoothed")
+        name: mesh.deform_as_rigid_as_possible(handles, targets, 5, name, 1.0).vertices
+        for name in ("spokes", "smoothed")
     }
     assert np.abs(results["spokes"] - results["smoothed"]).max() > 1e-3
     for name, kind in (("spokes", energies.Spokes), ("smoothed", energies.Smoothed)):
-        ours = mesh.deform_as_rigid_as_possible(held, targets, 5, kind, 1.0)
-        np.testing.assert_array_equal(ours.vertices, results[name])
+        result = mesh.deform_as_rigid_as_possible(handles, targets, 5, kind, 1.0)
+        np.testing.assert_array_equal(result.vertices, results[name])
 
 
-def test_a_motion_of_the_held_vertices_moves_all(device):
-    """Three vertices turned and moved take the mesh and its normals along."""
+def test_a_rigid_motion_of_the_handles_moves_the_mesh(device):
+    """Three rotated and shifted vertices move the mesh and its normals."""
     mesh = bumpy_ball(device, 1).compute_vertex_normals()
     mesh.vertex_colors = np.full(mesh.vertices.shape, 0.5)
     c, s = np.cos(1.0), np.sin(1.0)
     R, t = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]]), [3, 1, 2]
-    held = [0, 17, 30]
-    ours = mesh.deform_as_rigid_as_possible(held, mesh.vertices[held] @ R.T + t, 400)
-    # turns of rotations and positions near their end slowly: what is left falls by some percent a turn
-    np.testing.assert_allclose(ours.vertices, mesh.vertices @ R.T + t, rtol=0, atol=1e-3)
-    np.testing.assert_allclose(ours.vertex_normals, mesh.vertex_normals @ R.T, rtol=0, atol=2e-3)
-    np.testing.assert_array_equal(ours.vertex_colors, mesh.vertex_colors)
+    handles = [0, 17, 30]
+    result = mesh.deform_as_rigid_as_possible(handles, mesh.vertices[handles] @ R.T + t, 400)
+    # the alternation converges slowly near the end: the error falls by some percent per iteration
+    np.testing.assert_allclose(result.vertices, mesh.vertices @ R.T + t, rtol=0, atol=1e-3)
+    np.testing.assert_allclose(result.vertex_normals, mesh.vertex_normals @ R.T, rtol=0, atol=2e-3)
+    np.testing.assert_array_equal(result.vertex_colors, mesh.vertex_colors)
 
 
-def test_parts_without_a_held_vertex_stay(device):
-    """With loose vertices, or a part that hangs on nothing, Open3D's matrix has no inverse."""
+def test_parts_without_a_handle_stay(device):
+    """With unreferenced vertices or a part without handles, Open3D's matrix is singular."""
     vertices, triangles = icosphere(1)
     count = len(vertices)
     both = np.vstack([vertices, vertices + np.array([5, 0, 0]), [[9, 9, 9], [np.nan, 0, 0]]])
     mesh = TriangleMesh(both, np.vstack([triangles, triangles + count]), device=device)
     alone = TriangleMesh(vertices, triangles, device=device)
-    held, targets = pulled(alone)
-    ours = mesh.deform_as_rigid_as_possible(held, targets, 4)
-    np.testing.assert_array_equal(ours.vertices[count:], mesh.vertices[count:])
-    wanted = alone.deform_as_rigid_as_possible(held, targets, 4).vertices
-    np.testing.assert_allclose(ours.vertices[:count], wanted, rtol=0, atol=CLOSE)
+    handles, targets = pulled(alone)
+    result = mesh.deform_as_rigid_as_possible(handles, targets, 4)
+    np.testing.assert_array_equal(result.vertices[count:], mesh.vertices[count:])
+    wanted = alone.deform_as_rigid_as_possible(handles, targets, 4).vertices
+    np.testing.assert_allclose(result.vertices[:count], wanted, rtol=0, atol=CLOSE)
 
 
 def test_triangles_without_area_and_vertices_that_are_not_finite_weigh_nothing(device):
     vertices, triangles = icosphere(1)
     spoilt = np.vstack([vertices, [[np.nan] * 3, vertices[3]]])
     more = np.vstack([triangles, [[0, 1, len(vertices)], [3, len(vertices) + 1, 7], [4, 4, 9]]])
-    held, targets = pulled(TriangleMesh(vertices, triangles))
-    ours, wanted = (
-        TriangleMesh(v, t, device=device).deform_as_rigid_as_possible(held, targets, 4).vertices
+    handles, targets = pulled(TriangleMesh(vertices, triangles))
+    result, wanted = (
+        TriangleMesh(v, t, device=device).deform_as_rigid_as_possible(handles, targets, 4).vertices
         for v, t in ((spoilt, more), (vertices, triangles))
     )
-    np.testing.assert_allclose(ours[: len(vertices)], wanted, rtol=0, atol=CLOSE)
-    np.testing.assert_array_equal(ours[len(vertices) + 1], ours[3])  # at one place, so it goes with the other
+    np.testing.assert_allclose(result[: len(vertices)], wanted, rtol=0, atol=CLOSE)
+    np.testing.assert_array_equal(result[len(vertices) + 1], result[3])  # coincident, so it moves with the other
 
 
 @settings(deadline=None, max_examples=25)
 @given(hostile_triangles, st.lists(st.integers(0, 7), min_size=1, max_size=4, unique=True))
-def test_any_mesh_gives_numbers(triangles, held):
+def test_any_mesh_gives_numbers(triangles, handles):
     with cpu_compiler("warp"):
-        mesh = TriangleMesh(eight_places, triangles)
-        targets = mesh.vertices[held] + 0.5
-        ours = mesh.deform_as_rigid_as_possible(held, targets, 3).vertices
-        assert np.isfinite(ours).all()
-        np.testing.assert_array_equal(ours[held], targets.astype(np.float32))
+        mesh = TriangleMesh(eight_vertices, triangles)
+        targets = mesh.vertices[handles] + 0.5
+        result = mesh.deform_as_rigid_as_possible(handles, targets, 3).vertices
+        assert np.isfinite(result).all()
+        np.testing.assert_array_equal(result[handles], targets.astype(np.float32))
 
 
 @pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
 def test_size_does_not_matter(device, scale):
     mesh = bumpy_ball(device, 1)
-    held, targets = pulled(mesh)
+    handles, targets = pulled(mesh)
     other = TriangleMesh(mesh.vertices * scale, mesh.triangles, device=device, origin=[0, 0, 0])
-    ours = other.deform_as_rigid_as_possible(held, targets * scale, 5).vertices / scale
-    wanted = mesh.deform_as_rigid_as_possible(held, targets, 5).vertices
-    np.testing.assert_allclose(ours, wanted, rtol=0, atol=CLOSE)
+    result = other.deform_as_rigid_as_possible(handles, targets * scale, 5).vertices / scale
+    wanted = mesh.deform_as_rigid_as_possible(handles, targets, 5).vertices
+    np.testing.assert_allclose(result, wanted, rtol=0, atol=CLOSE)
 
 
 def test_far_from_zero_it_is_as_near_it(device):
     vertices, triangles = icosphere(1)
     vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
     near, far = (TriangleMesh(vertices + o, triangles, device=device, origin=o) for o in (np.zeros(3), UTM))
-    held, targets = pulled(near)
+    handles, targets = pulled(near)
     targets = np.round(targets * 1024) / 1024
-    ours = far.deform_as_rigid_as_possible(held, targets + UTM, 5).array("vertices").numpy()
-    np.testing.assert_array_equal(ours, near.deform_as_rigid_as_possible(held, targets, 5).array("vertices").numpy())
+    result = far.deform_as_rigid_as_possible(handles, targets + UTM, 5).array("vertices").numpy()
+    np.testing.assert_array_equal(
+        result, near.deform_as_rigid_as_possible(handles, targets, 5).array("vertices").numpy()
+    )
 
 
-def test_no_turns_and_no_triangles_change_nothing(device):
+def test_zero_iterations_and_no_triangles_change_nothing(device):
     mesh = bumpy_ball(device, 1)
     np.testing.assert_array_equal(mesh.deform_as_rigid_as_possible([0], [[9, 9, 9]], 0).vertices, mesh.vertices)
     loose = TriangleMesh([[1, 2, 3]], device=device)

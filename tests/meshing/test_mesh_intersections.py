@@ -1,4 +1,4 @@
-"""Triangles that meet: Open3D's pairs where it is right, whole numbers where it is not."""
+"""Triangle intersections: Open3D's pairs where it is right, integer arithmetic where it is not."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def pairs_of(vertices, triangles, device=None) -> list[list[int]]:
     return TriangleMesh(vertices, triangles, device=device).get_self_intersecting_triangles().tolist()
 
 
-def test_the_pairs_are_those_of_open3d(device, oracle):
+def test_pairs_match_open3d(device, oracle):
     rng = np.random.default_rng(0)
     crowd = rng.random((240, 3)), rng.permutation(240).reshape(-1, 3)
     spread = rng.random((900, 3)) * 0.15 + rng.random((300, 3)).repeat(3, 0), np.arange(900).reshape(-1, 3)
@@ -36,7 +36,7 @@ def test_the_pairs_are_those_of_open3d(device, oracle):
         assert pairs == oracle(f"meshing/intersections/{name}", open3d_pairs, *scene).tolist() and len(pairs) > 10
 
 
-def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device, oracle):
+def test_a_torus_intersects_itself_only_after_self_penetration(device, oracle):
     vertices, triangles = torus()
     assert not TriangleMesh(vertices, triangles, device=device).is_self_intersecting()
     two = np.vstack([vertices, vertices + np.array([0.5, 0, 0])]), np.vstack([triangles, triangles + len(vertices)])
@@ -44,9 +44,9 @@ def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device, orac
     pairs = mesh.get_self_intersecting_triangles().tolist()
     theirs = oracle("meshing/intersections/torus", open3d_pairs, *two).tolist()
     assert mesh.is_self_intersecting() and all(pair in pairs for pair in theirs)
-    whole = (mesh.vertices * 2.0**40).astype(np.int64).astype(object)  # exactly
-    for pair in pairs:  # those that touch are in no doubt either
-        assert pair in theirs or meeting_pairs(whole, two[1][pair]) == [[0, 1]]
+    integers = (mesh.vertices * 2.0**40).astype(np.int64).astype(object)  # exactly
+    for pair in pairs:  # pairs that touch are decided as well
+        assert pair in theirs or meeting_pairs(integers, two[1][pair]) == [[0, 1]]
     assert len(pairs) > len(theirs) > 100
 
 
@@ -54,7 +54,7 @@ def test_a_torus_does_not_meet_itself_until_it_is_moved_into_itself(device, orac
     ("last", "pairs"), [([1, 0, 0], [[0, 1]]), ([0, 0, 0], [[0, 1]]), ([1, -1, 0], []), ([-1, 0, 0], [])]
 )
 def test_triangles_that_touch_in_one_point_meet(device, last, pairs):
-    corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [-1, -3, -1], [-1, -3, 1], last]  # an edge of the first, a corner, none
+    corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [-1, -3, -1], [-1, -3, 1], last]  # shared: an edge, a corner, nothing
     assert pairs_of(corners, [[0, 1, 2], [3, 4, 5]], device) == pairs
 
 
@@ -71,7 +71,7 @@ def test_touching_is_decided_exactly(points):
 
 
 def test_triangles_without_area_meet_where_their_segments_do(device):
-    """Differences of these coordinates have more bits than a float32, so that float64 leaves many signs open."""
+    """Differences of these coordinates have more bits than float32, so many signs are undecided in float64."""
     axes = np.array([[1398101, 699051, 466033], [-466033, 1398101, 699051], [3, -5, 7]])
     flat = [
         *([-5, 0, 0], [1, 0, 0], [3, 0, 0]),
@@ -91,7 +91,7 @@ def test_triangles_without_area_meet_where_their_segments_do(device):
 @pytest.mark.parametrize("scale", [2.0**-20, 1.0, 2.0**20])
 def test_touching_is_decided_exactly_in_slanted_planes_at_all_scales(device, scale):
     rng = np.random.default_rng(1)
-    axes = np.array([[3, 1, 2], [1, -4, 5]])  # a plane in which whole coordinates are still exact
+    axes = np.array([[3, 1, 2], [1, -4, 5]])  # a plane in which integer coordinates are still exact
     vertices = rng.integers(-40, 40, (90, 2)) @ axes
     vertices[:30, 2] += rng.integers(0, 2, 30)
     triangles = np.arange(90).reshape(-1, 3)
@@ -103,35 +103,35 @@ def open3d_counts(o3d, scenes):
     return [len(open3d_pairs(o3d, vertices, [[0, 1, 2], [3, 4, 5]])) for vertices in scenes]
 
 
-def test_triangles_apart_in_one_plane_do_not_meet_where_open3d_says_they_do(device, oracle):
-    # of the kind of Open3D's issue 5117: two triangles of one plane, beside each other
+def test_coplanar_disjoint_triangles_do_not_intersect_unlike_open3d(device, oracle):
+    # as in Open3D's issue 5117: two adjacent coplanar triangles
     rng, pair = np.random.default_rng(2), [[0, 1, 2], [3, 4, 5]]
     scenes = [rng.integers(0, 6, (6, 3)) * [0, 1, 1] for _ in range(40)]
-    ours = [pairs_of(whole, pair, device) for whole in scenes]
-    assert ours == [meeting_pairs(whole, np.array(pair)) for whole in scenes]
-    theirs, counts = oracle("meshing/intersections/plane", open3d_counts, scenes), [len(p) for p in ours]
+    result = [pairs_of(scene, pair, device) for scene in scenes]
+    assert result == [meeting_pairs(scene, np.array(pair)) for scene in scenes]
+    theirs, counts = oracle("meshing/intersections/plane", open3d_counts, scenes), [len(p) for p in result]
     assert sum(counts) and counts != theirs
 
 
-def test_a_pair_of_a_rough_ball_is_apart_where_open3d_says_it_meets(device, oracle):
+def test_a_rough_ball_pair_is_apart_where_open3d_reports_an_intersection(device, oracle):
     ball = rough_ball(device)
     theirs = oracle("meshing/intersections/rough_ball", open3d_pairs, ball.vertices, ball.triangles).tolist()
-    whole = (ball.vertices * 2.0**60).astype(object)  # exactly: float32 of this size are multiples of 2^-60
-    whole = np.vectorize(int, otypes=[object])(whole)
-    assert len(theirs) == 1 and meeting_pairs(whole, ball.triangles[theirs[0]]) == []
+    integers = (ball.vertices * 2.0**60).astype(object)  # exactly: float32 of this size are multiples of 2^-60
+    integers = np.vectorize(int, otypes=[object])(integers)
+    assert len(theirs) == 1 and meeting_pairs(integers, ball.triangles[theirs[0]]) == []
     assert not ball.is_self_intersecting()
 
 
-def test_one_unit_in_the_last_place_parts_two_triangles(device):
+def test_one_ulp_separates_two_triangles(device):
     touching = np.array([[0, 0, 0], [3, 0, 0], [0, 3, 0], [1, 1, 0], [1, 1, 2], [2, 1, 2]], np.float32)
     apart = touching.copy()
-    apart[3, 2] = np.nextafter(np.float32(0), np.float32(1)) * 2**30  # 6e-37, below all that float64 can tell of sums
+    apart[3, 2] = np.nextafter(np.float32(0), np.float32(1)) * 2**30  # 6e-37, below the resolution of float64 sums
     triangles = [[0, 1, 2], [3, 4, 5]]
     assert pairs_of(touching, triangles, device) == [[0, 1]]
     assert pairs_of(apart, triangles, device) == []
 
 
-def test_meshes_meet_where_their_surfaces_do_and_not_where_one_holds_the_other(device):
+def test_meshes_intersect_at_their_surfaces_and_not_by_containment(device):
     cube = np.array(CUBE[0], float)
     mesh = TriangleMesh(cube, CUBE[1], device=device)
     for shift, size, meets in (
@@ -160,11 +160,11 @@ def test_what_cannot_meet_does_not(device):
         cube.is_intersecting("cube")
 
 
-def test_a_corner_that_lies_in_a_slanted_plane_touches_where_float64_says_that_it_does_not(device, rng):
+def test_a_corner_in_a_slanted_plane_touches_although_float64_disagrees(device, rng):
     for _ in range(40):
         u, v = rng.integers(-999, 1000, (2, 3))
         normal = np.cross(u, v)
-        corner = rng.integers(1, 2000) * u + rng.integers(1, 2000) * v  # whole numbers below 2^24: exact in float32
+        corner = rng.integers(1, 2000) * u + rng.integers(1, 2000) * v  # integers below 2^24: exact in float32
         above = np.round(1000 * normal / np.linalg.norm(normal)).astype(int)
         floor = TriangleMesh([0 * u, 4001 * u, 4001 * v], [[0, 1, 2]], device=device, origin=[0, 0, 0])
         standing = [corner, corner + above, corner + above + u]

@@ -1,4 +1,4 @@
-"""Meshes put together, bounded, swept along lines and about axes; polygons filled."""
+"""Joining, bounding, extrusion and revolution of meshes; triangulation of polygons."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ def dressed(device=None) -> TriangleMesh:
     return box
 
 
-def test_a_sum_has_the_triangles_of_both_and_all_that_belongs_to_them(device):
+def test_a_sum_has_all_triangles_and_attributes_of_both(device):
     box = dressed(device)
     both = box + box.translate(FAR)
     np.testing.assert_array_equal(both.vertices, np.r_[box.vertices, box.vertices + FAR])
@@ -36,7 +36,7 @@ def test_a_sum_has_the_triangles_of_both_and_all_that_belongs_to_them(device):
     np.testing.assert_array_equal(both.triangle_attributes["b"][12:], box.triangle_attributes["b"])
 
 
-def test_sums_of_many_and_of_none(device):
+def test_sums_of_many_meshes_and_of_none(device):
     box = dressed(device)
     assert len(sum([box] * 3)) == 36 and len(TriangleMesh(device=device) + box) == 12
     box += box
@@ -47,7 +47,7 @@ def test_sums_of_many_and_of_none(device):
         box + 1
 
 
-def test_what_not_all_meshes_have_is_left_out():
+def test_attributes_missing_in_one_mesh_are_dropped():
     with pytest.warns(UserWarning, match=r"^textures:"):
         both = dressed() + TriangleMesh.create_box()
     assert not both.has_vertex_normals and not both.has_triangle_uvs and not both.vertex_attributes
@@ -58,7 +58,7 @@ def test_what_not_all_meshes_have_is_left_out():
         bare + other
 
 
-def test_boxes_and_hulls_are_those_of_the_vertices(device):
+def test_boxes_and_hulls_match_those_of_the_vertices(device):
     mesh = TriangleMesh.create_torus(2, 0.5, 12, 8).rotate(np.linalg.qr(np.ones((3, 3)) + np.eye(3))[0]).to(device)
     cloud = PointCloud(mesh.vertices)
     low, high = mesh.get_axis_aligned_bounding_box()
@@ -71,10 +71,10 @@ def test_boxes_and_hulls_are_those_of_the_vertices(device):
     np.testing.assert_allclose(hull.vertices, mesh.vertices[indices])
 
 
-def test_open3ds_questions_are_answered():
+def test_open3ds_has_methods_are_available():
     mesh = dressed()
-    held = ("vertices", "triangles", "vertex_normals", "vertex_colors", "triangle_uvs", "textures")
-    assert all(getattr(mesh, f"has_{name}")() and not getattr(TriangleMesh(), f"has_{name}") for name in held)
+    names = ("vertices", "triangles", "vertex_normals", "vertex_colors", "triangle_uvs", "textures")
+    assert all(getattr(mesh, f"has_{name}")() and not getattr(TriangleMesh(), f"has_{name}") for name in names)
     assert TriangleMesh().is_empty() and not mesh.is_empty and mesh.has_textures()
     doubled = mesh._with_arrays()
     doubled.vertex_normals = 2 * mesh.vertex_normals
@@ -88,25 +88,25 @@ def open3d_isosurfaces(o3d, volume):
     return tuple(peer.vertex.positions.shape), peer.get_min_bound().numpy()
 
 
-def test_isosurfaces_are_those_of_open3d(oracle):
+def test_isosurfaces_match_open3d(oracle):
     grid = np.stack(np.meshgrid(*(np.linspace(-1, 1, n) for n in (12, 14, 16)), indexing="ij"), -1)
     volume = (0.7 - np.linalg.norm(grid, axis=-1)).astype(np.float32)
-    ours = TriangleMesh.create_isosurfaces(volume, [0, 0.2])
+    result = TriangleMesh.create_isosurfaces(volume, [0, 0.2])
     shape, lowest = oracle("meshing/joining/isosurfaces", open3d_isosurfaces, volume)
-    assert ours.vertices.shape == shape
-    np.testing.assert_allclose(ours.get_min_bound(), lowest, atol=1e-5)
-    assert ours.get_volume() > 0  # it faces to where the field is below; Open3D's as well
+    assert result.vertices.shape == shape
+    np.testing.assert_allclose(result.get_min_bound(), lowest, atol=1e-5)
+    assert result.get_volume() > 0  # it faces the lower field values, as in Open3D
 
 
 @settings(max_examples=25, deadline=None)
 @given(
     way=st.tuples(*[st.integers(-3, 3)] * 2, st.sampled_from([-2, -1, 1, 2])),
-    turned=st.booleans(),
+    is_reversed=st.booleans(),
     is_far=st.booleans(),
 )
-def test_a_prism_is_closed_and_has_its_volume(way, turned, is_far):
+def test_a_prism_is_closed_and_has_its_volume(way, is_reversed, is_far):
     outline = np.array([[0, 0], [4, 0], [4, 4], [2, 1], [0, 4]])
-    base = TriangleMesh.from_polygon(outline[::-1] if turned else outline, [[[1, 0.5], [2, 0.5], [1.5, 0.75]]])
+    base = TriangleMesh.from_polygon(outline[::-1] if is_reversed else outline, [[[1, 0.5], [2, 0.5], [1.5, 0.75]]])
     base = base.translate(FAR) if is_far else base
     prism = base.extrude_linear(way)
     assert prism.is_watertight()
@@ -114,20 +114,20 @@ def test_a_prism_is_closed_and_has_its_volume(way, turned, is_far):
     assert prism._signed_volume() > 0
 
 
-def test_a_spring_is_that_of_open3ds_example():
+def test_a_spring_matches_open3ds_example():
     spring = TriangleMesh(*TRIANGLE).extrude_rotation(3 * 360, [0, 1, 0], resolution=3 * 16, translation=2)
     assert (len(spring.vertices), len(spring)) == (147, 290) and spring.is_watertight()
 
 
 @pytest.mark.parametrize("angle", [360, -360, 90, -90])
-def test_a_half_disc_turns_into_a_ball(angle):
+def test_a_half_disc_revolves_into_a_ball(angle):
     corners = [[np.cos(a), np.sin(a)] for a in np.linspace(-np.pi / 2, np.pi / 2, 33)]
     half = TriangleMesh.from_polygon(corners).rotate([[1, 0, 0], [0, 0, -1], [0, 1, 0]])
     ball = half.extrude_rotation(angle, [0, 0, 1], resolution=abs(angle) // 5)
     assert ball.is_watertight() and ball.get_volume() == pytest.approx(4 / 3 * np.pi * abs(angle) / 360, rel=0.01)
 
 
-def test_sweeps_take_colors_and_attributes_along(device):
+def test_sweeps_copy_colors_and_attributes(device):
     plane = TriangleMesh.create_plane(device=device).paint_uniform_color([0, 1, 0]).compute_vertex_normals()
     plane.vertex_attributes["a"], plane.triangle_attributes["b"] = np.arange(4), np.array([7, 8])
     block = plane.extrude_linear([0, 0, 1])
@@ -137,7 +137,7 @@ def test_sweeps_take_colors_and_attributes_along(device):
     assert len(plane.extrude_linear([0, 0, 1], capping=False)) == 8
 
 
-def test_profiles_turn_about_the_axis():
+def test_profiles_revolve_about_the_axis():
     assert TriangleMesh.revolve([[0, 0], [1, 0], [1, 2], [0, 2]], resolution=256).get_volume() == pytest.approx(
         2 * np.pi, rel=1e-3
     )
@@ -146,8 +146,8 @@ def test_profiles_turn_about_the_axis():
     assert len(TriangleMesh.revolve([[1, 0], [1, 1]], 90, 4).get_boundary_edges()) == 10
 
 
-def test_polygons_use_all_their_corners_and_no_others():
-    outline = [[0, 0], [1, 0], [2, 0], [3, 0], [3, 3], [0, 3], [0, 0]]  # corners on a line, the first one again
+def test_triangulations_use_exactly_the_polygon_corners():
+    outline = [[0, 0], [1, 0], [2, 0], [3, 0], [3, 3], [0, 3], [0, 0]]  # collinear corners, the first one repeated
     holes = [[[1, 1], [2, 1], [2, 2], [1, 2]], [[1, 2], [0.5, 2.5], [1, 2.5]]]  # two that touch
     mesh = TriangleMesh.from_polygon(outline, holes)
     assert len(mesh.vertices) == 13 and mesh.get_surface_area() == pytest.approx(8 - 0.125)
@@ -167,6 +167,6 @@ def test_polygons_use_all_their_corners_and_no_others():
         ([[0, 0], [np.nan, 0], [1, 1]], "finite"),
     ],
 )
-def test_what_is_no_polygon_is_refused(outline, message):
+def test_invalid_polygons_are_rejected(outline, message):
     with pytest.raises(ValueError, match=message):
         TriangleMesh.from_polygon(outline)

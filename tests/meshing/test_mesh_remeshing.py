@@ -1,4 +1,4 @@
-"""Remeshing makes edges of one length, and leaves the surface what and where it is."""
+"""Remeshing gives edges of equal length and preserves the surface."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def edge_lengths(mesh: TriangleMesh):
     return np.linalg.norm(ends[:, 1] - ends[:, 0], axis=1)
 
 
-def least_angles(mesh: TriangleMesh):
+def smallest_angles(mesh: TriangleMesh):
     corners = mesh.vertices[mesh.triangles]
     to, back = np.roll(corners, -1, axis=1) - corners, np.roll(corners, 1, axis=1) - corners
     cosines = (to * back).sum(axis=2) / np.linalg.norm(to, axis=2) / np.linalg.norm(back, axis=2)
@@ -26,7 +26,7 @@ def least_angles(mesh: TriangleMesh):
 
 
 def wavy_sheet(device=None) -> TriangleMesh:
-    """An open sheet, bent, with triangles of very different sizes."""
+    """A bent open sheet with triangles of very different sizes."""
     x, y = np.meshgrid(np.linspace(0, 1, 25) ** 2, np.linspace(0, 1, 9))
     corners = np.c_[x.ravel(), y.ravel(), 0.1 * np.sin(4 * x.ravel())]
     first = (np.arange(8)[:, None] * 25 + np.arange(24)).ravel()
@@ -35,17 +35,17 @@ def wavy_sheet(device=None) -> TriangleMesh:
 
 
 @pytest.mark.parametrize(("shape", "length"), [("sphere", 0.15), ("torus", 0.12)])
-def test_triangles_become_alike_and_stay_on_the_surface(shape, length):
+def test_triangles_become_uniform_and_stay_on_the_surface(shape, length):
     mesh = getattr(TriangleMesh, f"create_{shape}")()
     made = mesh.remesh_isotropic(length, 5)
     lengths = edge_lengths(made) / length
-    assert ((lengths > 0.8) & (lengths < 4 / 3)).mean() > 0.98 and np.median(least_angles(made)) > 50
-    assert least_angles(made).min() > 25
+    assert ((lengths > 0.8) & (lengths < 4 / 3)).mean() > 0.98 and np.median(smallest_angles(made)) > 50
+    assert smallest_angles(made).min() > 25
     assert made.is_watertight() and made.euler_poincare_characteristic() == mesh.euler_poincare_characteristic()
     assert made.get_volume() == pytest.approx(mesh.get_volume(), rel=0.01) and made._signed_volume() > 0
-    # Edges between the faces of the round shape are cut off where no vertex lies on them.
-    found = made.compute_metrics(mesh, n_sampled_points=500)
-    assert max(found.max) < 0.15 * length and not made.is_self_intersecting()
+    # Edges between the faces of the round shape are cut where they have no vertex.
+    metrics = made.compute_metrics(mesh, n_sampled_points=500)
+    assert max(metrics.max) < 0.15 * length and not made.is_self_intersecting()
 
 
 @pytest.mark.parametrize("is_far", [False, True])
@@ -70,19 +70,19 @@ def test_edges_between_a_crease_and_a_corner_collapse_onto_the_corner_whatever_t
 
 @pytest.mark.slow
 @pytest.mark.parametrize("is_rough", [False, True])
-def test_every_device_makes_the_same_mesh_however_often_vertices_are_taken_back(device, monkeypatch, rng, is_rough):
+def test_every_device_gives_the_same_mesh_for_any_number_of_passes(device, monkeypatch, rng, is_rough):
     mesh, length = (TriangleMesh.create_sphere(resolution=12) if is_rough else TriangleMesh.create_cone()), 0.3
     mesh.vertices = mesh.vertices + 0.4 * is_rough * rng.normal(size=mesh.vertices.shape)
-    first, redone, settle = mesh.remesh_isotropic(length, 8), [], Course._is_converged
-    monkeypatch.setattr(Course, "_is_converged", lambda *given: redone.append(settle(*given)) or redone[-1])
-    for turns in (relaxed_vertices.PASSES, 1):  # with one, the host finds that more would have to be taken back
-        monkeypatch.setattr(relaxed_vertices, "PASSES", turns)
+    first, redone, original = mesh.remesh_isotropic(length, 8), [], Course._is_converged
+    monkeypatch.setattr(Course, "_is_converged", lambda *given: redone.append(original(*given)) or redone[-1])
+    for passes in (relaxed_vertices.PASSES, 1):  # with one, the host detects that more moves would have to be undone
+        monkeypatch.setattr(relaxed_vertices, "PASSES", passes)
         made = mesh.to(device).remesh_isotropic(length, 8)
         assert (made.triangles == first.triangles).all() and (made.vertices == first.vertices).all()
     assert all(redone) == (not is_rough or mesh.to(device).device.is_cpu)
 
 
-def test_borders_stay_and_sheets_stay_open(device):
+def test_boundaries_are_preserved(device):
     sheet = wavy_sheet(device)
     made = sheet.remesh_isotropic(0.08, 4)
     assert made.euler_poincare_characteristic() == 1 and made.is_edge_manifold()
@@ -92,7 +92,7 @@ def test_borders_stay_and_sheets_stay_open(device):
     off = np.abs(made.vertices[border][:, :2] - 0.5).max(axis=1)
     np.testing.assert_allclose(off, 0.5, atol=1e-6)
     normals = made.compute_triangle_normals()
-    assert (normals[:, 2] > 0.5).all()  # none turned over
+    assert (normals[:, 2] > 0.5).all()  # no flipped triangles
 
 
 def test_values_follow(device):
@@ -123,7 +123,7 @@ ODD = {
 
 
 @pytest.mark.parametrize("name", ODD)
-def test_odd_meshes_keep_their_surface(name):
+def test_degenerate_meshes_keep_their_surface(name):
     mesh = TriangleMesh(*ODD[name])
     made = mesh.remesh_isotropic(0.2, 3)
     assert np.isfinite(made.vertices[made.triangles]).all()
@@ -142,6 +142,6 @@ def test_odd_meshes_keep_their_surface(name):
         (0.1, {"feature_angle": 200}, "feature_angle: expected 0 to 180"),
     ],
 )
-def test_what_cannot_be_done_is_refused(length, options, message):
+def test_invalid_requests_are_rejected(length, options, message):
     with pytest.raises(ValueError, match=message):
         TriangleMesh.create_box().remesh_isotropic(length, **options)

@@ -1,4 +1,4 @@
-"""Holes filled and meshes repaired: closed, turned alike, no edge of three triangles, and a true report."""
+"""Hole filling and mesh repair: closed, consistently oriented, edge-manifold, with a correct report."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from pointloom import TriangleMesh
 
 from .mesh_soups import BOX, BOX_SIDES, FAR, GOOD_SOUPS, SOUPS, ball, grid, soup
 from .test_mesh_texture import PICTURE, corner_table
-from .test_mesh_topology import turns_alike
+from .test_mesh_topology import is_consistent
 
 HYPOTHESIS = settings(deadline=None, max_examples=20)
 
@@ -20,31 +20,31 @@ def without_sides(removed: list[int], device=None, **options) -> TriangleMesh:
     return TriangleMesh(BOX, np.delete(BOX_SIDES, removed, axis=0), device=device, **options)
 
 
-def test_a_missing_side_is_filled_as_it_was_where_open3d_turns_it_inwards(device):
+def test_a_missing_side_is_filled_outwards_unlike_open3d(device):
     mesh = without_sides([0, 1], device)
     filled = mesh.fill_holes()
     np.testing.assert_array_equal(filled.triangles[:10], mesh.triangles)
     assert filled.is_watertight() and filled.get_volume() == pytest.approx(1)
-    assert turns_alike(filled.triangles)  # unlike in Open3D
+    assert is_consistent(filled.triangles)  # unlike in Open3D
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
 @pytest.mark.parametrize("where", [0.0, 1.0])
-def test_holes_of_a_ball_are_closed_at_any_scale_and_place(device, scale, where):
-    whole = ball(device)
-    middles = whole.vertices[whole.triangles].mean(axis=1)
-    torn = whole.remove_triangles_by_mask((middles[:, 2] > 11.5) | (middles[:, 2] < 4))
-    place = FAR * where if scale == 1 else np.zeros(3)
-    torn = TriangleMesh(torn.vertices * scale + place, torn.triangles, device=device)
+def test_holes_of_a_ball_are_closed_at_any_scale_and_position(device, scale, where):
+    complete = ball(device)
+    middles = complete.vertices[complete.triangles].mean(axis=1)
+    torn = complete.remove_triangles_by_mask((middles[:, 2] > 11.5) | (middles[:, 2] < 4))
+    offset = FAR * where if scale == 1 else np.zeros(3)
+    torn = TriangleMesh(torn.vertices * scale + offset, torn.triangles, device=device)
     filled = torn.fill_holes(1e3 * scale)
-    assert filled.is_watertight() and turns_alike(filled.triangles)
+    assert filled.is_watertight() and is_consistent(filled.triangles)
     assert filled.euler_poincare_characteristic() == 2
-    flat = 0.9 * whole.get_volume() * scale**3
-    assert flat * 0.8 < filled.get_volume() < whole.get_volume() * scale**3
+    flat = 0.9 * complete.get_volume() * scale**3
+    assert flat * 0.8 < filled.get_volume() < complete.get_volume() * scale**3
 
 
-def least_weight(points: np.ndarray) -> float:
-    """The least sum of squared sides of all triangulations of a polygon, one after the other."""
+def minimal_weight(points: np.ndarray) -> float:
+    """The minimal sum of squared side lengths over all triangulations of a polygon, by enumeration."""
     n, sq = len(points), ((points[:, None] - points[None]) ** 2).sum(axis=2)
     best = np.zeros((n, n))
     for d in range(2, n):
@@ -54,7 +54,7 @@ def least_weight(points: np.ndarray) -> float:
     return best[0, n - 1]
 
 
-def test_a_flat_convex_hole_takes_the_triangulation_of_the_shortest_sides(device):
+def test_a_flat_convex_hole_gets_the_minimal_triangulation(device):
     rng = np.random.default_rng(0)
     angle = np.sort(rng.random(12)) * 2 * np.pi
     rim = np.column_stack([2 * np.cos(angle), np.sin(angle), np.zeros(12)])
@@ -67,24 +67,24 @@ def test_a_flat_convex_hole_takes_the_triangulation_of_the_shortest_sides(device
     added = mesh.fill_holes(2.5).triangles[24:]
     corners = np.vstack([rim, outer]).astype(np.float32).astype(float)[added]
     weight = sum(((corners[:, a] - corners[:, b]) ** 2).sum() for a, b in ((0, 1), (1, 2), (2, 0)))
-    assert weight == pytest.approx(least_weight(rim.astype(np.float32).astype(float)), rel=1e-9)
+    assert weight == pytest.approx(minimal_weight(rim.astype(np.float32).astype(float)), rel=1e-9)
 
 
 @HYPOTHESIS
 @given(GOOD_SOUPS)
-def test_filling_makes_no_crowded_edge_and_changes_no_triangle(triangles):
+def test_filling_adds_no_non_manifold_edge_and_changes_no_triangle(triangles):
     mesh = soup(triangles)
     filled = mesh.fill_holes()
     np.testing.assert_array_equal(filled.triangles[: len(mesh)], mesh.triangles)
     np.testing.assert_array_equal(filled.get_non_manifold_edges(), mesh.get_non_manifold_edges())
-    if mesh.is_edge_manifold() and turns_alike(mesh.triangles):
-        assert turns_alike(filled.triangles)
+    if mesh.is_edge_manifold() and is_consistent(mesh.triangles):
+        assert is_consistent(filled.triangles)
     assert all(len(set(t)) == 3 for t in filled.triangles.tolist())
 
 
 def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
-    """Two square holes with the same two opposite corners: the short diagonal joins these in both."""
-    # Corners 0 and 1 are shared; around each hole runs a fan to a tip of its own side.
+    """Two square holes with the same two opposite corners: the short diagonal is the same in both."""
+    # Corners 0 and 1 are shared; around each hole a fan leads to an apex on its own side.
     corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [1, 0, -1.1], [-1, 0, -1.1]]
     corners += [[0, 0, 2], [0, 0, -2]]
     upper = [[0, 2, 6], [2, 1, 6], [1, 3, 6], [3, 0, 6]]
@@ -97,7 +97,7 @@ def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
 
 
 def test_a_chord_that_is_an_edge_already_is_not_taken(device):
-    """A square hole whose short diagonal is an edge of a tetrahedron there."""
+    """A square hole whose short diagonal is already an edge of a tetrahedron."""
     corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [0, 0, 2], [0.3, 0, -2], [-0.3, 0, -2]]
     roof = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4]]
     tetrahedron = [[0, 5, 1], [0, 1, 6], [0, 6, 5], [1, 5, 6]]
@@ -120,7 +120,7 @@ def test_only_holes_up_to_the_size_are_filled_and_a_lone_triangle_is_none(device
     assert len(alone.fill_holes()) == 1
 
 
-def test_holes_with_a_vertex_that_is_not_finite_or_too_many_are_left_and_counted(device):
+def test_holes_with_non_finite_or_too_many_vertices_are_skipped_and_counted(device):
     broken = BOX.copy()
     broken[0] = np.nan
     assert len(TriangleMesh(broken, BOX_SIDES[2:], device=device).fill_holes()) == 10
@@ -134,7 +134,7 @@ def test_holes_with_a_vertex_that_is_not_finite_or_too_many_are_left_and_counted
     assert (report.holes_left, report.filled_holes, report.boundary_edges) == (1, 0, count)
 
 
-def test_new_triangles_take_texture_from_the_border(device):
+def test_new_triangles_take_texture_from_the_boundary(device):
     mesh = without_sides([0, 1], device)
     mesh.triangle_uvs = np.random.default_rng(0).random((30, 2))
     mesh.triangle_material_ids = np.arange(10) % 2
@@ -147,16 +147,16 @@ def test_new_triangles_take_texture_from_the_border(device):
     np.testing.assert_array_equal(filled.vertex_colors, BOX)
 
 
-def test_a_repair_says_what_it_did(device):
+def test_repair_report_lists_all_changes(device):
     rng = np.random.default_rng(0)
     loose = BOX[BOX_SIDES].reshape(-1, 3)  # a box of triangles that share no vertex
     sides = np.arange(36).reshape(12, 3)
     sides[[2, 5]] = sides[[2, 5], ::-1]
     sides = np.vstack([sides[:-1], sides[3:4, [1, 2, 0]], [[0, 3, 3], [3, 36, 37]], [[39, 40, 38]]])
     vertices = np.vstack([loose, [[np.nan, 0, 0], [7, 7, 7]], [[0.01, 0.5, 0.1]], loose[3:5], [[9, 9, 9]]])
-    mended, report = TriangleMesh(vertices, rng.permutation(sides), device=device).repair(hole_size=2)
-    assert mended.is_watertight() and mended.get_volume() == pytest.approx(1) and len(mended) == 12
-    assert mended._signed_volume() > 0
+    repaired, report = TriangleMesh(vertices, rng.permutation(sides), device=device).repair(hole_size=2)
+    assert repaired.is_watertight() and repaired.get_volume() == pytest.approx(1) and len(repaired) == 12
+    assert repaired._signed_volume() > 0
     assert report.removed_non_finite_triangles == 1
     assert report.merged_vertices == 33 - 8
     assert report.removed_degenerate_triangles == 1
@@ -171,36 +171,36 @@ def test_a_repair_says_what_it_did(device):
 
 @HYPOTHESIS
 @given(SOUPS, st.sampled_from([None, 10.0]), st.sampled_from([None, 0.3]))
-def test_whatever_the_mesh_a_repair_is_manifold_and_its_report_true(triangles, hole_size, merge_distance):
+def test_repairs_of_any_mesh_are_manifold_with_a_correct_report(triangles, hole_size, merge_distance):
     mesh = soup(triangles)
-    mended, report = mesh.repair(hole_size=hole_size, merge_distance=merge_distance)
-    assert mended.is_edge_manifold() and mended.is_vertex_manifold()
+    repaired, report = mesh.repair(hole_size=hole_size, merge_distance=merge_distance)
+    assert repaired.is_edge_manifold() and repaired.is_vertex_manifold()
     gone = report.removed_degenerate_triangles + report.removed_duplicated_triangles + report.removed_crowding_triangles
-    assert len(mended) == len(mesh) - gone - report.removed_non_finite_triangles + report.added_triangles
+    assert len(repaired) == len(mesh) - gone - report.removed_non_finite_triangles + report.added_triangles
     left = len(mesh.vertices) - report.merged_vertices - report.removed_vertices
-    assert len(mended.vertices) == left + report.split_vertices
-    assert report.is_watertight == mended.is_watertight()
-    assert report.is_orientable == mended.is_orientable() == (turns_alike(mended.triangles) or len(mended) == 0)
-    assert report.boundary_edges == len(mended.get_boundary_edges())
-    assert report.non_manifold_vertices == len(mended.get_non_manifold_vertices())
+    assert len(repaired.vertices) == left + report.split_vertices
+    assert report.is_watertight == repaired.is_watertight()
+    assert report.is_orientable == repaired.is_orientable() == (is_consistent(repaired.triangles) or len(repaired) == 0)
+    assert report.boundary_edges == len(repaired.get_boundary_edges())
+    assert report.non_manifold_vertices == len(repaired.get_non_manifold_vertices())
     assert (report.holes_left is None) == (hole_size is None)
-    if hole_size is None:  # what fills a hole between vertices at one place is sewn up by another repair
-        again, second = mended.repair()
-        assert len(again) == len(mended) and second.flipped_triangles == 0
+    if hole_size is None:  # patches between coincident vertices are sewn by another repair
+        again, second = repaired.repair()
+        assert len(again) == len(repaired) and second.flipped_triangles == 0
 
 
 def test_a_good_mesh_comes_back_as_it_is(device):
     mesh = ball(device)
-    mended, report = mesh.repair(hole_size=10)
-    np.testing.assert_array_equal(mended.triangles, mesh.triangles)
+    repaired, report = mesh.repair(hole_size=10)
+    np.testing.assert_array_equal(repaired.triangles, mesh.triangles)
     assert report.is_watertight and report.flipped_triangles == report.added_triangles == report.merged_vertices == 0
     reversed_mesh = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
-    turned, report = reversed_mesh.repair()
-    assert report.flipped_triangles == len(mesh) and turned.get_volume() == pytest.approx(mesh.get_volume())
+    reoriented, report = reversed_mesh.repair()
+    assert report.flipped_triangles == len(mesh) and reoriented.get_volume() == pytest.approx(mesh.get_volume())
 
 
 @pytest.mark.parametrize("option", ["hole_size", "merge_distance"])
 @pytest.mark.parametrize("value", [0, -1, np.nan, np.inf])
-def test_sizes_that_are_none_are_refused_by_name(option, value):
+def test_invalid_sizes_are_rejected_by_name(option, value):
     with pytest.raises(ValueError, match=option):
         without_sides([0]).repair(**{option: value})

@@ -1,4 +1,4 @@
-"""clean_mesh, simplify_mesh, smooth_mesh and compare_meshes: what the commands do, for meshes in memory."""
+"""clean_mesh, simplify_mesh, smooth_mesh and compare_meshes: the commands for meshes in memory."""
 
 import json
 from dataclasses import replace
@@ -39,16 +39,16 @@ def test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, devic
     report = command(tmp_path / "in.ply", tmp_path / "out.ply", device=device, **options)
     mesh = loom.read_triangle_mesh(tmp_path / "in.ply", device=device)
     before = mesh.vertices
-    found = call(mesh, **arguments)
+    result = call(mesh, **arguments)
     written = loom.read_triangle_mesh(tmp_path / "out.ply")
     for array in ("vertices", "triangles", "vertex_normals"):
-        np.testing.assert_array_equal(getattr(written, array), getattr(found.mesh, array))
-    np.testing.assert_array_equal(mesh.vertices, before)  # what was given stays
-    figures, all_figures = json.loads(json.dumps(found.to_dict())), json.loads(json.dumps(report.to_dict()))
+        np.testing.assert_array_equal(getattr(written, array), getattr(result.mesh, array))
+    np.testing.assert_array_equal(mesh.vertices, before)  # the input is unchanged
+    figures, all_figures = json.loads(json.dumps(result.to_dict())), json.loads(json.dumps(report.to_dict()))
     assert figures == {key: all_figures[key] for key in figures}
-    assert figures["reliable"] == found.reliable and figures["warnings"] == list(found.warnings)
-    assert report.fields()[: len(found.fields())] == found.fields()
-    assert [line.split()[0] for line in str(found).splitlines()] == [label for label, _ in found.fields()]
+    assert figures["reliable"] == result.reliable and figures["warnings"] == list(result.warnings)
+    assert report.fields()[: len(result.fields())] == result.fields()
+    assert [line.split()[0] for line in str(result).splitlines()] == [label for label, _ in result.fields()]
 
 
 def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
@@ -57,13 +57,13 @@ def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
     options = {"samples": 500, "limit": 0.05, "seed": 3}
     report = compare_mesh_files(tmp_path / "a.ply", tmp_path / "b.ply", device=device, **options).to_dict()
     meshes = [loom.read_triangle_mesh(tmp_path / name, device=device) for name in ("a.ply", "b.ply")]
-    found = loom.compare_meshes(*meshes, **options)
-    assert found.to_dict() == {key: report[key] for key in found.to_dict()}
-    assert report["fscore"].keys() == {str(0.01 * found.diagonal)} and "more than 0.05 m" in str(found.warnings)
+    result = loom.compare_meshes(*meshes, **options)
+    assert result.to_dict() == {key: report[key] for key in result.to_dict()}
+    assert report["fscore"].keys() == {str(0.01 * result.diagonal)} and "more than 0.05 m" in str(result.warnings)
     assert loom.compare_meshes(meshes[0], meshes[0], thresholds=[], samples=100).reliable
 
 
-def test_a_mesh_without_triangles_is_unreliable_and_no_error():
+def test_a_mesh_without_triangles_is_unreliable_but_no_error():
     for mesh in (TriangleMesh(), TriangleMesh([[0, 0, 0], [np.nan, 1, 2]])):
         assert loom.clean_mesh(mesh).warnings == ("no triangles remain",)
         assert "no triangles remain" in loom.simplify_mesh(mesh, ratio=0.5).warnings[0]
@@ -73,11 +73,11 @@ def test_a_mesh_without_triangles_is_unreliable_and_no_error():
     assert loom.smooth_mesh(TriangleMesh([[np.nan] * 3])).moved is None
 
 
-def test_the_remedy_is_named_as_a_caller_gives_it():
+def test_the_remedy_names_the_python_argument():
     merged = loom.clean_mesh(TriangleMesh.create_sphere(), merge_distance=0.9)
     shrunk = loom.smooth_mesh(TriangleMesh.create_sphere(), "simple", 50)
-    for found, argument in ((merged, "merge_distance"), (shrunk, "method='taubin'")):
-        assert argument in found.warnings[0]
+    for result, argument in ((merged, "merge_distance"), (shrunk, "method='taubin'")):
+        assert argument in result.warnings[0]
 
 
 def test_a_repair_that_cost_too_much_is_unreliable():
@@ -92,7 +92,7 @@ def test_a_repair_that_cost_too_much_is_unreliable():
 
 
 @pytest.mark.parametrize(
-    ("call", "said"),
+    ("call", "message"),
     [
         (lambda mesh: loom.simplify_mesh(mesh), "pass one of triangles, ratio and voxel_size, got none"),
         (lambda mesh: loom.simplify_mesh(mesh, triangles=9, ratio=0.5), "got triangles and ratio"),
@@ -105,13 +105,13 @@ def test_a_repair_that_cost_too_much_is_unreliable():
         (lambda mesh: loom.compare_meshes(mesh, mesh, limit=0), "limit: expected a number > 0"),
     ],
 )
-def test_what_makes_no_sense_is_refused_by_name(call, said):
-    with pytest.raises(ValueError, match=said):
+def test_what_makes_no_sense_is_rejected_by_name(call, message):
+    with pytest.raises(ValueError, match=message):
         call(torn())
 
 
 @pytest.mark.parametrize("method", ["taubin", "sharpen"])
-def test_saturated_colors_stay_within_0_and_1_and_are_written(method, tmp_path):
+def test_saturated_colors_are_clamped_and_written(method, tmp_path):
     mesh = TriangleMesh.create_sphere(1.0, 12)
     mesh.vertex_colors = np.where(mesh.vertices[:, 2:] > 0, [1.0, 1.0, 1.0], 0.0)
     beyond = mesh.filter_smooth_taubin(10) if method == "taubin" else mesh.filter_sharpen(10)

@@ -1,4 +1,4 @@
-"""Points of a mesh's surface: by area, exact far from zero, the same bits from run to run; spread as Open3D spreads."""
+"""Surface samples of a mesh: proportional to area, exact far from zero, reproducible, with Open3D's spacing."""
 
 from __future__ import annotations
 
@@ -16,19 +16,19 @@ from .open3d_meshes import in_open3d
 SQUARE = ([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], [[0, 1, 2], [0, 2, 3]])
 
 
-def uneven(device=None, *, place=(0, 0, 0), size=1.0) -> TriangleMesh:
-    """Forty triangles of very different areas, in all directions, some with none, with normals and colors."""
+def uneven(device=None, *, offset=(0, 0, 0), size=1.0) -> TriangleMesh:
+    """Forty triangles of very different areas and directions, some degenerate, with normals and colors."""
     rng = np.random.default_rng(3)
     vertices = rng.normal(size=(60, 3))
     triangles = rng.permuted(np.tile(np.arange(60), (40, 1)), axis=1)[:, :3]
     triangles[::9, 2] = triangles[::9, 1]
     normals, colors = rng.normal(size=(60, 3)), rng.random((60, 3))
-    at = vertices * size + np.asarray(place)
+    at = vertices * size + np.asarray(offset)
     return TriangleMesh(at, triangles, vertex_normals=normals, vertex_colors=colors, device=device)
 
 
-def places_of(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """The triangle nearest to each point, the weights of its corners there, and how far off its plane [m] it is."""
+def locate(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
+    """The triangle nearest to each point, the barycentric weights, and the distance [m] to its plane."""
     corners = mesh.vertices[mesh.triangles]
     a, u, v = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
     n = np.cross(u, v)
@@ -48,17 +48,17 @@ def places_of(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.nd
 
 def test_triangles_get_points_in_proportion_to_their_areas(device):
     mesh, count = uneven(device), 20_000
-    chosen, _, off = places_of(mesh.sample_points_uniformly(count, seed=4).points, mesh)
+    chosen, _, off = locate(mesh.sample_points_uniformly(count, seed=4).points, mesh)
     assert off.max() < 1e-5
     corners = mesh.vertices[mesh.triangles]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1)
-    found = np.bincount(chosen, minlength=len(areas))
-    assert (found[areas == 0] == 0).all()
+    counts = np.bincount(chosen, minlength=len(areas))
+    assert (counts[areas == 0] == 0).all()
     expected = count * areas / areas.sum()
-    assert stats.chisquare(found[areas > 0], expected[areas > 0]).pvalue > 1e-3
+    assert stats.chisquare(counts[areas > 0], expected[areas > 0]).pvalue > 1e-3
 
 
-def test_points_lie_anywhere_in_a_triangle_alike(device):
+def test_points_are_uniform_within_a_triangle(device):
     mesh = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]], device=device)
     x, y, _ = mesh.sample_points_uniformly(20_000).points.T
     cells = np.bincount((8 * x).astype(int) + 8 * (8 * y).astype(int), minlength=64).reshape(8, 8)
@@ -70,21 +70,21 @@ def test_points_lie_anywhere_in_a_triangle_alike(device):
 
 
 def open3d_samples(o3d, mesh):
-    """Points of Open3D and their attributes, then normals of triangles."""
+    """Points of Open3D and their attributes, then triangle normals."""
     peer = in_open3d(o3d, mesh)
     o3d.utility.random.seed(0)
     cloud, flat = peer.sample_points_uniformly(60), peer.sample_points_uniformly(10, use_triangle_normal=True)
     return [np.array(values) for values in (cloud.points, cloud.colors, cloud.normals, flat.normals)]
 
 
-def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(device, oracle):
+def test_attributes_match_open3d_where_they_are_linear_in_position(device, oracle):
     slope = np.array([[0.3, 0.1, 0.2], [0.1, 0.4, 0.3], [0, 0, 0]])
     vertices = np.array(SQUARE[0], float)
     colors, normals = vertices @ slope, np.array([0, 0, 1.0]) + vertices @ slope
     mesh = TriangleMesh(*SQUARE, vertex_normals=normals, vertex_colors=colors, device=device)
     *theirs, flat = oracle("meshing/sampling/square", open3d_samples, mesh)
-    ours = mesh.sample_points_uniformly(300)
-    for points, shades, directions, unit in ((*theirs, False), (ours.points, ours.colors, ours.normals, True)):
+    result = mesh.sample_points_uniformly(300)
+    for points, shades, directions, unit in ((*theirs, False), (result.points, result.colors, result.normals, True)):
         wanted = np.array([0, 0, 1.0]) + points @ slope
         wanted = wanted / np.linalg.norm(wanted, axis=1, keepdims=True) if unit else wanted
         np.testing.assert_allclose(shades, points @ slope, atol=1e-6)
@@ -92,7 +92,7 @@ def test_attributes_are_those_of_open3d_where_they_are_linear_in_the_position(de
     np.testing.assert_array_equal(flat, mesh.sample_points_uniformly(10, use_triangle_normal=True).normals)
 
 
-def test_the_first_of_many_points_are_those_of_fewer_and_a_seed_chooses_others(device):
+def test_samples_are_prefixes_of_larger_ones_and_depend_on_the_seed(device):
     mesh = uneven(device)
     many, few, others = (mesh.sample_points_uniformly(n, seed=s).points for n, s in ((400, 7), (50, 7), (400, 8)))
     assert many[:50].tobytes() == few.tobytes()
@@ -100,23 +100,23 @@ def test_the_first_of_many_points_are_those_of_fewer_and_a_seed_chooses_others(d
 
 
 @pytest.mark.parametrize("size", [1e-15, 1e-6, 1e6])
-def test_the_scale_of_a_mesh_changes_nothing(device, size):
+def test_samples_do_not_depend_on_scale(device, size):
     points = uneven(device, size=size).sample_points_uniformly(300).points / size
     np.testing.assert_allclose(points, uneven(device).sample_points_uniformly(300).points, atol=2e-5)
 
 
-def ball(device=None, *, size=1.0, place=(0, 0, 0)) -> TriangleMesh:
+def ball(device=None, *, size=1.0, offset=(0, 0, 0)) -> TriangleMesh:
     mesh = TriangleMesh.create_sphere(1.0, resolution=40)
-    return TriangleMesh(mesh.vertices * size + np.asarray(place), mesh.triangles, device=device)
+    return TriangleMesh(mesh.vertices * size + np.asarray(offset), mesh.triangles, device=device)
 
 
 def nearest(points: np.ndarray, area: float) -> np.ndarray:
-    """The distance of each point to the next, in parts of what could be if all were equal."""
+    """The distance of each point to its nearest neighbor, relative to the spacing of a regular pattern."""
     return cKDTree(points).query(points, k=2)[0][:, 1] / (2 * np.sqrt(area / len(points) / (2 * np.sqrt(3))))
 
 
 def open3d_spread(o3d, mesh, count):
-    """The least distances of four runs, and the mean of quantiles: one run's largest distances vary by 0.03."""
+    """The minimal distances of four runs, and mean quantiles: the largest distances of one run vary by 0.03."""
     peer, runs = in_open3d(o3d, mesh), []
     for seed in range(4):
         o3d.utility.random.seed(seed)
@@ -125,32 +125,32 @@ def open3d_spread(o3d, mesh, count):
     return [run.min() for run in runs], np.mean([np.quantile(run, [0.05, 0.5, 0.95]) for run in runs], axis=0)
 
 
-def test_points_are_spread_as_open3d_spreads_them(device, oracle):
+def test_poisson_disk_spacing_matches_open3d(device, oracle):
     mesh, count = ball(device), 1000
     area = mesh.get_surface_area()
-    ours = nearest(mesh.sample_points_poisson_disk(count).points, area)
-    least, spread = oracle("meshing/sampling/spread", open3d_spread, mesh, count)
-    assert len(ours) == count and ours.min() > min(least) - 0.005
-    np.testing.assert_allclose(np.quantile(ours, [0.05, 0.5, 0.95]), spread, atol=0.02)
-    assert ours.mean() > 0.77 > 0.5 > nearest(mesh.sample_points_uniformly(count).points, area).mean()
+    spacings = nearest(mesh.sample_points_poisson_disk(count).points, area)
+    minimum, spread = oracle("meshing/sampling/spread", open3d_spread, mesh, count)
+    assert len(spacings) == count and spacings.min() > min(minimum) - 0.005
+    np.testing.assert_allclose(np.quantile(spacings, [0.05, 0.5, 0.95]), spread, atol=0.02)
+    assert spacings.mean() > 0.77 > 0.5 > nearest(mesh.sample_points_uniformly(count).points, area).mean()
 
 
-def open3d_kept(o3d, mesh, points, count):
+def open3d_selection(o3d, mesh, points, count):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(points))
     return np.array(in_open3d(o3d, mesh).sample_points_poisson_disk(count, pcl=cloud).points, np.float32)
 
 
-def test_the_points_of_a_cloud_are_those_that_open3d_keeps(device, oracle):
-    """Of the same points: all but the few where sums in another order, or a tie, decide otherwise."""
+def test_poisson_disk_selection_of_a_cloud_matches_open3d(device, oracle):
+    """From the same points: all but the few that depend on summation order or ties."""
     mesh = ball(device)
     start = mesh.sample_points_uniformly(2000, seed=3)
-    theirs = oracle("meshing/sampling/kept", open3d_kept, mesh, start.points.copy(), 400)
-    ours = mesh.sample_points_poisson_disk(400, pcl=start).points
-    assert len(ours) == len(theirs) == 400
-    assert (cKDTree(theirs).query(ours)[0] < 1e-6).mean() > 0.99
+    theirs = oracle("meshing/sampling/kept", open3d_selection, mesh, start.points.copy(), 400)
+    result = mesh.sample_points_poisson_disk(400, pcl=start).points
+    assert len(result) == len(theirs) == 400
+    assert (cKDTree(theirs).query(result)[0] < 1e-6).mean() > 0.99
 
 
-def test_a_cloud_keeps_its_attributes_and_order_and_points_that_are_not_finite_go(device):
+def test_a_cloud_keeps_attributes_and_order_and_loses_non_finite_points(device):
     mesh = TriangleMesh(*SQUARE, device=device)
     points = mesh.sample_points_uniformly(300).points.copy()
     points[::10] = np.nan
@@ -165,7 +165,7 @@ def test_a_cloud_keeps_its_attributes_and_order_and_points_that_are_not_finite_g
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 100])
-def test_exactly_as_many_points_come_back_as_were_asked_for(device, count):
+def test_exact_number_of_points_is_returned(device, count):
     mesh = uneven(device)
     assert len(mesh.sample_points_poisson_disk(count)) == count
     assert len(mesh.sample_points_poisson_disk(count, init_factor=1)) == count
@@ -173,7 +173,7 @@ def test_exactly_as_many_points_come_back_as_were_asked_for(device, count):
 
 
 @pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])
-def test_a_mesh_without_a_surface_is_refused(device, method):
+def test_a_mesh_without_a_surface_is_rejected(device, method):
     for mesh in (TriangleMesh(device=device), TriangleMesh([[0, 0, 0]], device=device)):
         with pytest.raises(ValueError, match=f"{method}:"):
             getattr(mesh, method)(10)
@@ -184,12 +184,12 @@ def test_a_mesh_without_a_surface_is_refused(device, method):
 
 @pytest.mark.parametrize("method", ["sample_points_uniformly", "sample_points_poisson_disk"])
 @pytest.mark.parametrize("count", [0, -1, 2**31, 10**30])
-def test_a_count_out_of_range_is_refused(method, count):
+def test_a_count_out_of_range_is_rejected(method, count):
     with pytest.raises(ValueError, match="number_of_points"):
         getattr(TriangleMesh(*SQUARE), method)(count)
 
 
-def test_more_points_than_an_even_choice_takes_are_refused(device, monkeypatch):
+def test_more_points_than_poisson_disk_sampling_supports_are_rejected(device, monkeypatch):
     mesh = TriangleMesh(*SQUARE, device=device)
     with pytest.raises(ValueError, match="number_of_points, init_factor:"):
         mesh.sample_points_poisson_disk(4_000_000)
@@ -202,9 +202,9 @@ def test_more_points_than_an_even_choice_takes_are_refused(device, monkeypatch):
         mesh.sample_points_poisson_disk(2, pcl=loom.PointCloud(SQUARE[0]))
 
 
-def test_more_pairs_of_points_than_fit_are_refused_with_what_to_do(device, monkeypatch):
-    for name, most in (("MAX_PAIRS", 100), ("MAX_ROOM", 0)):
-        monkeypatch.setattr(f"pointloom.kernels.meshes.poisson_disk.{name}", most)
+def test_too_many_point_pairs_are_rejected_with_advice(device, monkeypatch):
+    for name, limit in (("MAX_PAIRS", 100), ("MAX_ROOM", 0)):
+        monkeypatch.setattr(f"pointloom.kernels.meshes.poisson_disk.{name}", limit)
     mesh = TriangleMesh(*SQUARE, device=device)
     with pytest.raises(ValueError, match="number_of_points, init_factor:"):
         mesh.sample_points_poisson_disk(20)
@@ -212,7 +212,7 @@ def test_more_pairs_of_points_than_fit_are_refused_with_what_to_do(device, monke
         mesh.sample_points_poisson_disk(2, pcl=mesh.sample_points_uniformly(20))
 
 
-def test_more_points_than_there_is_memory_for_are_refused_before_any_is_drawn(device, monkeypatch):
+def test_too_many_points_for_memory_are_rejected_before_sampling(device, monkeypatch):
     monkeypatch.setattr("pointloom.kernels.memory.free_bytes", lambda device: 64_000)
     mesh = TriangleMesh(*SQUARE, device=device)
     assert len(mesh.sample_points_uniformly(1000)) == 1000

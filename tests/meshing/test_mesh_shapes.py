@@ -29,23 +29,23 @@ FACES = ("box", {"map_texture_to_each_face": True})
 
 
 def open3d_shapes(o3d):
-    """Arrays of all shapes, as 32-bit numbers."""
-    make, found = o3d.geometry.TriangleMesh, []
+    """Arrays of all shapes as 32-bit numbers."""
+    make, meshes = o3d.geometry.TriangleMesh, []
     for name, options in SHAPES + PLAIN:
         peer = getattr(make, f"create_{name}")(**options)
-        found.append([np.array(peer.vertices, np.float32), np.array(peer.triangles, np.int16)])
-    return found
+        meshes.append([np.array(peer.vertices, np.float32), np.array(peer.triangles, np.int16)])
+    return meshes
 
 
-def test_shapes_are_open3ds_vertex_by_vertex(device, oracle):
+def test_shapes_match_open3d_vertex_by_vertex(device, oracle):
     for (name, options), (vertices, triangles) in zip(
         SHAPES + PLAIN, oracle("meshing/shapes/arrays", open3d_shapes), strict=True
     ):
-        ours = getattr(TriangleMesh, f"create_{name}")(**options, device=device)
+        result = getattr(TriangleMesh, f"create_{name}")(**options, device=device)
         # vertices are float32, and numpy's sine may differ in the last bit of float64
-        np.testing.assert_allclose(ours.vertices, vertices, rtol=1e-6, atol=1e-7, err_msg=f"{name} {options}")
-        np.testing.assert_array_equal(ours.triangles, triangles)
-        assert ours.triangle_uvs is None and ours.device == TriangleMesh(device=device).device
+        np.testing.assert_allclose(result.vertices, vertices, rtol=1e-6, atol=1e-7, err_msg=f"{name} {options}")
+        np.testing.assert_array_equal(result.triangles, triangles)
+        assert result.triangle_uvs is None and result.device == TriangleMesh(device=device).device
 
 
 def open3d_textures(o3d):
@@ -56,11 +56,11 @@ def open3d_textures(o3d):
     ]
 
 
-def test_texture_coordinates_are_open3ds(oracle):
+def test_texture_coordinates_match_open3d(oracle):
     wanted = oracle("meshing/shapes/textures", open3d_textures)
     for (name, options), uvs in zip([*SHAPES, FACES], wanted, strict=True):
-        ours = getattr(TriangleMesh, f"create_{name}")(**options, create_uv_map=True)
-        np.testing.assert_allclose(ours.triangle_uvs, uvs, atol=2e-7, err_msg=f"{name} {options}")  # float32, twice
+        result = getattr(TriangleMesh, f"create_{name}")(**options, create_uv_map=True)
+        np.testing.assert_allclose(result.triangle_uvs, uvs, atol=2e-7, err_msg=f"{name} {options}")  # float32, twice
 
 
 def open3d_frame(o3d):
@@ -68,21 +68,21 @@ def open3d_frame(o3d):
     return np.array(peer.vertex_normals, np.float32)[::7], np.array(peer.vertex_colors, np.float32)[::7]
 
 
-def test_a_coordinate_frame_has_open3ds_normals_and_colors(device, oracle):
-    ours = TriangleMesh.create_coordinate_frame(2, device=device)
+def test_a_coordinate_frame_has_the_normals_and_colors_of_open3d(device, oracle):
+    result = TriangleMesh.create_coordinate_frame(2, device=device)
     normals, colors = oracle("meshing/shapes/coordinate_frame", open3d_frame)
-    np.testing.assert_allclose(ours.vertex_normals[::7], normals, atol=1e-6)
-    np.testing.assert_array_equal(ours.vertex_colors[::7], colors)
+    np.testing.assert_allclose(result.vertex_normals[::7], normals, atol=1e-6)
+    np.testing.assert_array_equal(result.vertex_colors[::7], colors)
 
 
-def test_a_coordinate_frame_far_away_is_as_sharp_as_at_zero():
+def test_a_far_coordinate_frame_keeps_its_precision():
     far = TriangleMesh.create_coordinate_frame(0.01, [5e5, 5.4e6, 100])
     near = TriangleMesh.create_coordinate_frame(0.01)
     np.testing.assert_allclose(far.vertices - [5e5, 5.4e6, 100], near.vertices, atol=2e-9)  # a bit of 5.4e6
     np.testing.assert_allclose(far.get_surface_area(), near.get_surface_area(), rtol=1e-5)
 
 
-def test_a_plane_shows_the_whole_picture():
+def test_a_plane_shows_the_full_image():
     mesh = TriangleMesh.create_plane(2, 3, create_uv_map=True)
     np.testing.assert_array_equal(mesh.triangle_uvs * [2, 3], mesh.vertices[mesh.triangles.reshape(-1), :2])
     np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[0, 0, 1]] * 2)
@@ -109,7 +109,7 @@ def test_a_plane_shows_the_whole_picture():
         ("coordinate_frame", {"origin": [0, np.inf, 0]}, ValueError),
     ],
 )
-def test_sizes_that_make_no_shape_are_refused(name, options, error):
+def test_invalid_sizes_are_rejected(name, options, error):
     with pytest.raises(
         error, match=r"expected at most 2\^22 vertices" if 10**6 in options.values() else f"^{next(iter(options))}"
     ):

@@ -1,4 +1,4 @@
-"""Smoothed and sharpened meshes: Open3D's values scope by scope, and none of its faults."""
+"""Smoothing and sharpening of meshes: Open3D's values for each scope, without its faults."""
 
 from __future__ import annotations
 
@@ -11,9 +11,9 @@ from pointloom import TriangleMesh
 from pointloom.kernels.lang import cpu_compiler
 
 from .open3d_meshes import arrays_of, for_each, in_open3d, one_by_one
-from .shape_scenes import eight_place_meshes, eight_places, hostile_triangles, icosphere, torn_ball
+from .shape_scenes import eight_vertex_meshes, eight_vertices, hostile_triangles, icosphere, torn_ball
 
-# The end alone is rounded to float32, by 6.0e-8 of a number; sums of float64 in another order are far below that.
+# Only the result is rounded to float32, by 6.0e-8; reordered float64 sums differ far less.
 RELATIVE, ABSOLUTE = 6.1e-8, 1e-12
 
 FILTERS = {
@@ -34,8 +34,8 @@ def directions(rows):
     return rows / np.linalg.norm(rows, axis=1, keepdims=True)
 
 
-def assert_close(ours, theirs):
-    np.testing.assert_allclose(ours, theirs, rtol=RELATIVE, atol=ABSOLUTE)
+def assert_close(actual, theirs):
+    np.testing.assert_allclose(actual, theirs, rtol=RELATIVE, atol=ABSOLUTE)
 
 
 ARRAYS = ("vertices", "vertex_colors", "vertex_normals")
@@ -50,15 +50,15 @@ def open3d_filtered(o3d, mesh, name, iterations=2):
 @pytest.mark.parametrize("iterations", [1, 5])
 def test_values_are_those_of_open3d(device, oracle, name, iterations):
     mesh = torn_ball(device, 1)
-    ours = filtered(mesh, name, iterations)
+    result = filtered(mesh, name, iterations)
     theirs = oracle(f"meshing/smoothing/{name}_{iterations}", open3d_filtered, mesh, name, iterations)
     used = np.unique(mesh.triangles)
     assert len(used) < len(mesh.vertices)
-    assert_close(ours.vertices[used], theirs[0][used])
-    assert_close(ours.vertex_colors[used], theirs[1][used])
+    assert_close(result.vertices[used], theirs[0][used])
+    assert_close(result.vertex_colors[used], theirs[1][used])
     wanted = directions(theirs[2][used])  # Open3D's are shorter
-    np.testing.assert_allclose(ours.vertex_normals[used], wanted, rtol=0, atol=RELATIVE)
-    np.testing.assert_array_equal(ours.triangles, mesh.triangles)
+    np.testing.assert_allclose(result.vertex_normals[used], wanted, rtol=0, atol=RELATIVE)
+    np.testing.assert_array_equal(result.triangles, mesh.triangles)
 
 
 @every_filter
@@ -66,7 +66,7 @@ def test_values_are_those_of_open3d(device, oracle, name, iterations):
     ("scope", "changed"), [("vertex", "vertices"), ("normal", "vertex_normals"), ("color", "vertex_colors")]
 )
 def test_a_scope_changes_nothing_else(device, name, scope, changed):
-    """Where Open3D is asked for normals or colors alone, its vertices are what lay in memory."""
+    """Where normals or colors alone are requested, Open3D's vertices are uninitialized memory."""
     mesh = torn_ball(device)
     part = filtered(mesh, name, 1, scope)
     for array in {"vertices", "vertex_normals", "vertex_colors"} - {changed}:
@@ -76,17 +76,17 @@ def test_a_scope_changes_nothing_else(device, name, scope, changed):
         np.testing.assert_array_equal(getattr(part, changed), getattr(filtered(mesh, name, 1), changed))
 
 
-def test_open3ds_scopes_are_taken(device, o3d):
+def test_open3ds_scopes_are_accepted(device, o3d):
     mesh, scopes = torn_ball(device), o3d.geometry.FilterScope
-    for ours in ("all", "vertex", "normal", "color"):
-        theirs = getattr(scopes, ours.capitalize())
-        a, b = filtered(mesh, "simple", 1, ours), filtered(mesh, "simple", 1, theirs)
+    for scope in ("all", "vertex", "normal", "color"):
+        theirs = getattr(scopes, scope.capitalize())
+        a, b = filtered(mesh, "simple", 1, scope), filtered(mesh, "simple", 1, theirs)
         for array in ("vertices", "vertex_normals", "vertex_colors"):
             np.testing.assert_array_equal(getattr(a, array), getattr(b, array))
 
 
-def test_normals_weigh_neighbors_by_where_they_are(device):
-    """Several passes over normals alone take the weights of vertices that do not move."""
+def test_normals_weight_neighbors_by_position(device):
+    """Several iterations over normals alone use the weights of fixed vertices."""
     mesh = torn_ball(device)
     normals = mesh.vertex_normals.astype(float)
     vertices, pairs = mesh.vertices, np.unique(np.sort(mesh.triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
@@ -104,74 +104,74 @@ def test_normals_weigh_neighbors_by_where_they_are(device):
 
 
 @every_filter
-def test_a_vertex_that_is_not_finite_stays_and_pulls_no_neighbor(device, name):
-    """The others move as on the mesh without its triangles, where only neighbors that are finite count."""
+def test_a_non_finite_vertex_stays_and_affects_no_neighbor(device, name):
+    """The others move as on the mesh without its triangles, where only finite neighbors count."""
     vertices, triangles = icosphere(1)
-    places = vertices.astype(np.float32).astype(float)
+    positions = vertices.astype(np.float32).astype(float)
     vertices[7] = np.nan
-    ours = filtered(TriangleMesh(vertices, triangles).to(device), name, 1).vertices
+    result = filtered(TriangleMesh(vertices, triangles).to(device), name, 1).vertices
     pairs = np.unique(np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2)), axis=0)
     pairs = pairs[(pairs != 7).all(axis=1)]
     near = np.zeros((len(vertices), len(vertices)))
     near[pairs[:, 0], pairs[:, 1]] = near[pairs[:, 1], pairs[:, 0]] = 1
 
-    def approached(places, share):
-        gaps = np.linalg.norm(places[:, None] - places[None], axis=2) + 1e-12
+    def approached(positions, share):
+        gaps = np.linalg.norm(positions[:, None] - positions[None], axis=2) + 1e-12
         weights = near / gaps
         total = weights.sum(axis=1, keepdims=True)
-        return places + share * (weights @ places / np.maximum(total, 1e-300) - places)
+        return positions + share * (weights @ positions / np.maximum(total, 1e-300) - positions)
 
     if name == "simple":
-        expected = (places + near @ places) / (1 + near.sum(axis=1, keepdims=True))
+        expected = (positions + near @ positions) / (1 + near.sum(axis=1, keepdims=True))
     elif name == "sharpen":
-        expected = places + 0.1 * (near.sum(axis=1, keepdims=True) * places - near @ places)
+        expected = positions + 0.1 * (near.sum(axis=1, keepdims=True) * positions - near @ positions)
     else:
-        expected = approached(places, 0.7 if name == "laplacian" else 0.4)
+        expected = approached(positions, 0.7 if name == "laplacian" else 0.4)
         expected = approached(expected, -0.45) if name == "taubin" else expected
     rest = np.arange(len(vertices)) != 7
-    assert np.isnan(ours[7]).all()
-    assert_close(ours[rest], expected[rest])
+    assert np.isnan(result[7]).all()
+    assert_close(result[rest], expected[rest])
 
 
 @every_filter
-def test_vertices_without_neighbors_stay(device, name):
+def test_vertices_without_neighbors_are_unchanged(device, name):
     """Open3D's Laplacian and Taubin filters divide by zero there in some versions."""
     mesh = torn_ball(device)
     loose = np.setdiff1d(np.arange(len(mesh.vertices)), mesh.triangles)
-    ours = filtered(mesh, name, 3)
+    result = filtered(mesh, name, 3)
     assert len(loose)
-    np.testing.assert_array_equal(ours.vertices[loose], mesh.vertices[loose])
-    np.testing.assert_array_equal(ours.vertex_colors[loose], mesh.vertex_colors[loose])
+    np.testing.assert_array_equal(result.vertices[loose], mesh.vertices[loose])
+    np.testing.assert_array_equal(result.vertex_colors[loose], mesh.vertex_colors[loose])
 
 
 @settings(deadline=None, max_examples=25)
 @given(hostile_triangles, st.sampled_from(sorted(FILTERS)), st.integers(0, 3))
-def test_no_mesh_makes_a_number_that_is_none(triangles, name, iterations):
-    """Nor do vertices at one place, triangles of one corner, and the same triangle twice (Open3D's issue 5360)."""
-    places = eight_places.copy()
-    places[5] = places[2]
+def test_results_are_finite_for_any_mesh(triangles, name, iterations):
+    """Also with coincident vertices, degenerate triangles and duplicate triangles (Open3D's issue 5360)."""
+    positions = eight_vertices.copy()
+    positions[5] = positions[2]
     with cpu_compiler("warp"):
-        mesh = TriangleMesh(places, triangles, vertex_colors=np.full((8, 3), 0.5))
-        ours = filtered(mesh, name, iterations)
-        assert np.isfinite(ours.vertices).all()
-        np.testing.assert_allclose(ours.vertex_colors, 0.5, rtol=RELATIVE)  # differences of equals are zero
+        mesh = TriangleMesh(positions, triangles, vertex_colors=np.full((8, 3), 0.5))
+        result = filtered(mesh, name, iterations)
+        assert np.isfinite(result.vertices).all()
+        np.testing.assert_allclose(result.vertex_colors, 0.5, rtol=RELATIVE)  # differences of equals are zero
 
 
 @every_filter
-def test_values_are_those_of_open3d_whatever_the_triangles(oracle, name):
-    meshes = eight_place_meshes(whole=True)
+def test_values_match_open3d_for_any_triangles(oracle, name):
+    meshes = eight_vertex_meshes(distinct=True)
     answers = oracle(f"meshing/smoothing/{name}_soups", for_each, open3d_filtered, [(mesh, name) for mesh in meshes])
     for mesh, (theirs,) in zip(meshes, one_by_one(answers), strict=True):
         used = np.unique(mesh.triangles)
-        # sharpening by four neighbors of some units subtracts numbers that are larger than what is left
+        # sharpening by four neighbors subtracts numbers larger than the result
         np.testing.assert_allclose(filtered(mesh, name).vertices[used], theirs[used], rtol=RELATIVE, atol=1e-9)
 
 
 def test_a_vertex_is_no_neighbor_of_itself(device):
-    """A triangle of two corners pins its vertex in Open3D, whose weight for itself is 1e12."""
-    places = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
-    pinned = TriangleMesh(places, [[0, 1, 2], [0, 0, 1]], device=device)
-    plain = TriangleMesh(places, [[0, 1, 2]], device=device)
+    """A triangle with a repeated corner pins its vertex in Open3D, whose weight for itself is 1e12."""
+    positions = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
+    pinned = TriangleMesh(positions, [[0, 1, 2], [0, 0, 1]], device=device)
+    plain = TriangleMesh(positions, [[0, 1, 2]], device=device)
     for name in FILTERS:
         np.testing.assert_array_equal(filtered(pinned, name).vertices, filtered(plain, name).vertices)
 
@@ -182,7 +182,7 @@ def test_size_does_not_matter(device, name, scale):
     vertices, triangles = icosphere(1)
     small, large = (TriangleMesh(s * vertices, triangles, device=device, origin=[0, 0, 0]) for s in (1, scale))
     wanted = filtered(small, name).vertices
-    # each is rounded once going in and once going out; 1e-12 m beside edges of 5e-7 m is what weights have of a metre
+    # rounded once on input and once on output; 1e-12 m at edges of 5e-7 m is the precision of weights in meters
     np.testing.assert_allclose(filtered(large, name).vertices / scale, wanted, rtol=0, atol=5e-6 if scale < 1 else 3e-7)
 
 

@@ -1,4 +1,4 @@
-"""Texture coordinates, material numbers and pictures stay with their triangles."""
+"""Texture coordinates, material numbers and images follow their triangles."""
 
 from __future__ import annotations
 
@@ -27,14 +27,14 @@ def textured(device=None) -> TriangleMesh:
 
 
 def corner_table(mesh: TriangleMesh) -> np.ndarray:
-    """Position, texture coordinates and material of each corner: what a mesh looks like, whatever its numbering."""
+    """Position, texture coordinates and material of each corner: the appearance, independent of numbering."""
     assert mesh.triangle_uvs is not None and mesh.triangle_material_ids is not None
     return np.column_stack(
         [mesh.vertices[mesh.triangles.reshape(-1)], mesh.triangle_uvs, np.repeat(mesh.triangle_material_ids, 3)]
     )
 
 
-def test_a_reflection_keeps_texture_at_its_corners(device):
+def test_a_reflection_preserves_texture_corners(device):
     mesh = textured(device)
     mirrored = mesh.transform(np.diag([-1.0, 1, 1, 1]))
     there = corner_table(mesh) * [-1, 1, 1, 1, 1, 1]
@@ -43,20 +43,20 @@ def test_a_reflection_keeps_texture_at_its_corners(device):
     np.testing.assert_array_equal(corner_table(mirrored)[1::3], there[2::3])
 
 
-def test_texture_travels_through_copies_pickles_and_devices(device):
+def test_texture_survives_copies_pickles_and_devices(device):
     mesh = textured(device)
     for again in (mesh.copy(), copy.deepcopy(mesh), pickle.loads(pickle.dumps(mesh)), mesh.to("cpu")):
         np.testing.assert_array_equal(corner_table(again), corner_table(mesh))
         np.testing.assert_array_equal(again.textures[1], PICTURE[::-1])
 
 
-def test_dropping_texture_coordinates_drops_pictures():
+def test_dropping_texture_coordinates_drops_images():
     mesh = textured()
     mesh.triangle_uvs = None
     assert mesh.triangle_uvs is None and mesh.triangle_material_ids is None and mesh.textures == ()
 
 
-def test_what_is_no_texture_is_refused():
+def test_invalid_textures_are_rejected():
     mesh = textured()
     for name, value, error in (
         ("triangle_uvs", np.zeros((40, 2)), ValueError),

@@ -1,4 +1,4 @@
-"""Edges, fans, borders and turning of meshes: Open3D's answers, its slips put right, one-sided surfaces."""
+"""Edges, fans, boundaries and orientation of meshes: Open3D's results with its errors corrected, one-sided surfaces."""
 
 from __future__ import annotations
 
@@ -17,20 +17,20 @@ HYPOTHESIS = settings(deadline=None, max_examples=25)
 
 
 def open3d_topology(o3d, mesh):
-    """Edges that are crowded, those and borders, neighbors and their counts, and Euler's characteristic."""
-    peer, whole = in_open3d(o3d, mesh), in_open3d(o3d, mesh.remove_unreferenced_vertices())
+    """Non-manifold edges, these and boundary edges, neighbors and their counts, and the Euler characteristic."""
+    peer, cleaned = in_open3d(o3d, mesh), in_open3d(o3d, mesh.remove_unreferenced_vertices())
     edges = [np.array(peer.get_non_manifold_edges(allow), np.int16).reshape(-1, 2) for allow in (True, False)]
-    # Open3D makes a vertex its own neighbor where a triangle names it twice
+    # Open3D makes a vertex its own neighbor if a triangle contains it twice
     neighbors = [sorted(set(near) - {v}) for v, near in enumerate(peer.compute_adjacency_list().adjacency_list)]
     return [
         *(pairs[np.lexsort(pairs.T[::-1])] for pairs in edges),
         np.array([v for near in neighbors for v in near], np.int16),
         np.array([len(near) for near in neighbors], np.int16),
-        [whole.euler_poincare_characteristic()],
+        [cleaned.euler_poincare_characteristic()],
     ]
 
 
-def test_edges_neighbors_and_the_euler_characteristic_are_those_of_open3d(oracle):
+def test_edges_neighbors_and_the_euler_characteristic_match_open3d(oracle):
     soups = fixed_soups()
     answers = one_by_one(oracle("meshing/topology/soups", for_each, open3d_topology, [(mesh,) for mesh in soups]))
     for mesh, (crowded, split, near, counts, (euler,)) in zip(soups, answers, strict=True):
@@ -44,7 +44,7 @@ def test_edges_neighbors_and_the_euler_characteristic_are_those_of_open3d(oracle
         assert mesh.get_boundary_edges().tolist() == sorted(list(e) for e, count in edges.items() if count == 1)
 
 
-def test_a_stray_vertex_does_not_change_the_euler_characteristic_unlike_in_open3d(device):
+def test_an_unreferenced_vertex_does_not_change_the_euler_characteristic_unlike_in_open3d(device):
     mesh = TriangleMesh(np.vstack([BOX, [[9, 9, 9]]]), BOX_SIDES, device=device)
     assert mesh.euler_poincare_characteristic() == 2
     assert surface(5, 6, wrap=True, close=True).euler_poincare_characteristic() == 0
@@ -55,8 +55,8 @@ def open3d_fans(o3d, mesh):
     return [sorted(peer.get_non_manifold_vertices()), [peer.is_vertex_manifold()]]
 
 
-def test_split_vertices_are_those_of_open3d(oracle):
-    # Open3D reads beyond a container's end at vertices all of whose triangles name them twice
+def test_split_vertices_match_open3d(oracle):
+    # Open3D reads beyond a container's end at vertices whose triangles all contain them twice
     soups = fixed_soups(good=True)
     answers = one_by_one(oracle("meshing/topology/fans", for_each, open3d_fans, [(mesh,) for mesh in soups]))
     for mesh, (split, (is_manifold,)) in zip(soups, answers, strict=True):
@@ -64,7 +64,7 @@ def test_split_vertices_are_those_of_open3d(oracle):
         assert mesh.is_vertex_manifold() == is_manifold
 
 
-def test_a_vertex_of_folded_triangles_alone_is_manifold(device):
+def test_a_vertex_of_folded_triangles_only_is_manifold(device):
     assert soup([[3, 3, 3], [2, 3, 3]], device).is_vertex_manifold()
 
 
@@ -73,7 +73,7 @@ def open3d_borders(o3d, mesh):
     return [list(loop) for loop in half_edges.get_boundaries()]
 
 
-def test_borders_are_those_of_open3d(device, oracle):
+def test_boundaries_match_open3d(device, oracle):
     mesh = ball(device)
     middles = mesh.vertices[mesh.triangles].mean(axis=1)
     torn = mesh.remove_triangles_by_mask((middles[:, 2] > 11.5) | (middles[:, 2] < 4)).remove_unreferenced_vertices()
@@ -83,7 +83,7 @@ def test_borders_are_those_of_open3d(device, oracle):
 
 @HYPOTHESIS
 @given(GOOD_SOUPS)
-def test_loops_are_closed_ways_along_the_border(triangles):
+def test_loops_are_closed_paths_along_the_boundary(triangles):
     mesh = soup(triangles)
     half_edges = {(t[k], t[(k + 1) % 3]) for t in mesh.triangles.tolist() for k in range(3)}
     border, seen = {tuple(e) for e in mesh.get_boundary_edges().tolist()}, set()
@@ -106,12 +106,12 @@ def test_a_border_that_passes_a_vertex_twice_is_two_loops(device):
     assert sorted(sorted(loop.tolist()) for loop in loops[1:]) == [[6, 7, 11, 12], [12, 13, 17, 18]]
 
 
-def test_where_triangles_turn_different_ways_the_border_is_no_loop(device):
+def test_inconsistent_orientation_leaves_no_boundary_loop(device):
     assert TriangleMesh(BOX[:4], [[0, 1, 2], [1, 2, 3]], device=device).get_boundaries() == []
     assert TriangleMesh(BOX[:5], [[0, 1, 2], [0, 1, 3], [0, 1, 4]], device=device).get_boundaries() == []
 
 
-def turns_alike(triangles: np.ndarray) -> bool:
+def is_consistent(triangles: np.ndarray) -> bool:
     half_edges = [(t[k], t[(k + 1) % 3]) for t in triangles.tolist() for k in range(3)]
     return len(set(half_edges)) == len(half_edges)
 
@@ -133,8 +133,8 @@ def test_one_sided_surfaces_cannot_be_oriented(device, name):
     shuffled = np.where(flips[:, None], mesh.triangles[:, ::-1], mesh.triangles)
     mesh = TriangleMesh(mesh.vertices, shuffled, device=device)
     assert mesh.is_edge_manifold() and mesh.is_orientable() == orientable
-    oriented, found = mesh.orient_triangles()
-    assert found == orientable and turns_alike(oriented.triangles) == orientable
+    oriented, is_orientable = mesh.orient_triangles()
+    assert is_orientable == orientable and is_consistent(oriented.triangles) == orientable
     assert oriented.triangles[0].tolist() == mesh.triangles[0].tolist()
     if not orientable:
         np.testing.assert_array_equal(oriented.triangles, mesh.triangles)
@@ -144,26 +144,26 @@ def open3d_orientable(o3d, mesh):
     return [[in_open3d(o3d, mesh).is_orientable()]]
 
 
-def test_what_open3d_can_orient_is_oriented(oracle):
+def test_meshes_orientable_by_open3d_are_oriented(oracle):
     soups = [mesh.remove_non_manifold_edges() for mesh in fixed_soups(good=True)]
     soups += [surface(5, 6, **joined) for joined, _ in SURFACES.values()]
     answers = one_by_one(oracle("meshing/topology/orientable", for_each, open3d_orientable, [(m,) for m in soups]))
     for mesh, ((wanted,),) in zip(soups, answers, strict=True):
         oriented, orientable = mesh.orient_triangles()
         assert orientable == mesh.is_orientable() == wanted
-        assert not orientable or turns_alike(oriented.triangles)
+        assert not orientable or is_consistent(oriented.triangles)
         np.testing.assert_array_equal(np.sort(oriented.triangles, axis=1), np.sort(mesh.triangles, axis=1))
     assert [wanted for ((wanted,),) in answers[-5:]] == [orientable for _, orientable in SURFACES.values()]
 
 
 @pytest.mark.parametrize("where", [np.zeros(3), FAR])
-def test_closed_parts_can_be_turned_outwards_and_open_ones_stay(device, where):
+def test_closed_components_can_be_oriented_outwards_and_open_ones_stay(device, where):
     rng = np.random.default_rng(0)
     sides = np.vstack([BOX_SIDES[:, ::-1], BOX_SIDES + 8, BOX_SIDES[1:, ::-1] + 16])
     sides = np.where(rng.random(len(sides))[:, None] < 0.3, sides[:, [0, 2, 1]], sides)
     mesh = TriangleMesh(np.vstack([BOX, BOX + 3, BOX + 9]) + where, sides, device=device)
     oriented, orientable = mesh.orient_triangles(outward=True)
-    assert orientable and turns_alike(oriented.triangles)
+    assert orientable and is_consistent(oriented.triangles)
     for first in (0, 12):
         part = TriangleMesh(oriented.vertices, oriented.triangles[first : first + 12])
         assert part.get_volume() == pytest.approx(1, rel=1e-6)
@@ -171,7 +171,7 @@ def test_closed_parts_can_be_turned_outwards_and_open_ones_stay(device, where):
     assert oriented.triangles[24].tolist() == mesh.triangles[24].tolist()
 
 
-def test_a_triangle_that_is_not_finite_does_not_turn_its_part(device):
+def test_a_non_finite_triangle_does_not_flip_its_component(device):
     vertices = np.vstack([BOX, [[np.nan, 0, 0]]])
     sides = np.vstack([BOX_SIDES[:, ::-1], [[0, 1, 8]]])
     oriented, _ = TriangleMesh(vertices, sides[1:], device=device).orient_triangles(outward=True)
@@ -179,7 +179,7 @@ def test_a_triangle_that_is_not_finite_does_not_turn_its_part(device):
     np.testing.assert_array_equal(oriented.triangles[:-1], expected.triangles)
 
 
-def test_texture_turns_with_its_triangle(device):
+def test_texture_follows_flipped_triangles(device):
     mesh = textured(device).remove_non_manifold_edges()
     oriented, _ = mesh.orient_triangles()
     flipped = (oriented.triangles != mesh.triangles).any(axis=1)
@@ -189,7 +189,7 @@ def test_texture_turns_with_its_triangle(device):
     np.testing.assert_array_equal(after[~flipped], before[~flipped])
 
 
-def test_a_volume_with_a_flipped_triangle_is_refused(device):
+def test_a_volume_with_a_flipped_triangle_is_rejected(device):
     sides = BOX_SIDES.copy()
     sides[2] = sides[2, ::-1]
     mesh = TriangleMesh(BOX, sides, device=device)
@@ -198,7 +198,7 @@ def test_a_volume_with_a_flipped_triangle_is_refused(device):
     assert mesh.orient_triangles()[0].get_volume() == pytest.approx(1)
 
 
-def test_a_hollow_is_subtracted_and_a_part_beside_added(device):
+def test_a_cavity_is_subtracted_and_a_separate_part_added(device):
     vertices = np.vstack([BOX * 4, BOX + 1, BOX + 9])
     sides = np.vstack([BOX_SIDES, BOX_SIDES[:, ::-1] + 8, BOX_SIDES + 16])
     assert TriangleMesh(vertices, sides, device=device).get_volume() == pytest.approx(64)
@@ -209,7 +209,7 @@ def open3d_areas(o3d, mesh):
     return peer.triangle.areas.numpy()
 
 
-def test_areas_of_triangles_are_those_of_open3d(device, oracle):
+def test_triangle_areas_match_open3d(device, oracle):
     mesh = ball(device, 8)
     wanted = oracle("meshing/topology/areas", open3d_areas, mesh)
     np.testing.assert_allclose(mesh.compute_triangle_areas(), wanted, rtol=1e-5)  # its float32
@@ -218,7 +218,7 @@ def test_areas_of_triangles_are_those_of_open3d(device, oracle):
     assert np.isnan(broken.compute_triangle_areas()).all()
 
 
-def test_an_empty_mesh_has_no_edges_borders_or_faults(device):
+def test_an_empty_mesh_has_no_edges_boundaries_or_faults(device):
     for mesh in (TriangleMesh(device=device), TriangleMesh(BOX, device=device)):
         assert mesh.get_non_manifold_edges(False).shape == mesh.get_boundary_edges().shape == (0, 2)
         assert mesh.get_boundaries() == [] and mesh.get_non_manifold_vertices().tolist() == []

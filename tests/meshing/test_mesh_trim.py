@@ -1,4 +1,4 @@
-"""A mesh cut where values at its vertices pass a level: by brute force, triangle for triangle."""
+"""Meshes cut at a level of vertex values: agreement with brute force for each triangle."""
 
 from __future__ import annotations
 
@@ -16,29 +16,29 @@ from .poisson_scenes import edges_by_use, poisson, sphere
 
 
 def grid(size: int, device=None, **arrays) -> TriangleMesh:
-    """The square from 0 to `size`, two triangles a unit; vertex (x, y) is number x (size + 1) + y."""
-    places = np.stack(np.meshgrid(np.arange(size + 1), np.arange(size + 1), indexing="ij"), axis=-1).reshape(-1, 2)
-    corner = (places[:, 0] * (size + 1) + places[:, 1])[(places < size).all(axis=1)]
+    """The square from 0 to `size`, two triangles per unit; vertex (x, y) has index x (size + 1) + y."""
+    positions = np.stack(np.meshgrid(np.arange(size + 1), np.arange(size + 1), indexing="ij"), axis=-1).reshape(-1, 2)
+    corner = (positions[:, 0] * (size + 1) + positions[:, 1])[(positions < size).all(axis=1)]
     right, up = corner + size + 1, corner + 1
     triangles = np.concatenate([np.stack([corner, right, up], axis=1), np.stack([right, right + 1, up], axis=1)])
-    vertices = np.concatenate([places, np.zeros((len(places), 1))], axis=1)
+    vertices = np.concatenate([positions, np.zeros((len(positions), 1))], axis=1)
     return TriangleMesh(vertices, triangles, device=device, **arrays)
 
 
 def clip(corners, values, level):
     """The polygon of a triangle above the level, float64 [k, d], by Sutherland and Hodgman."""
-    kept = []
+    clipped = []
     for k in range(3):
         (p, a), (q, b) = (corners[k], values[k]), (corners[(k + 1) % 3], values[(k + 1) % 3])
         if a >= level:
-            kept.append(p)
+            clipped.append(p)
         if (a > level > b) or (a < level < b):
-            kept.append(p + (q - p) * (level - a) / (b - a))
-    return np.array(kept).reshape(-1, corners.shape[1])
+            clipped.append(p + (q - p) * (level - a) / (b - a))
+    return np.array(clipped).reshape(-1, corners.shape[1])
 
 
 def signed_areas(vertices, triangles):
-    """Of triangles in the plane z = 0."""
+    """Signed areas of triangles in the plane z = 0."""
     a, b, c = (vertices[triangles[:, k]] for k in range(3))
     return ((b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0]) / 2
 
@@ -79,24 +79,26 @@ def test_a_ball_is_cut_as_by_brute_force(device):
     cut = (values[a] - 0.25) * (values[b] - 0.25) < 0
     a, b = a[cut], b[cut]
     share = ((0.25 - values[a]) / (values[b] - values[a]))[:, None]
-    places = np.float32(vertices[a] * (1 - share) + vertices[b] * share)
-    kept = np.unique(triangles[(values[triangles] > 0.25).any(axis=1)])
-    kept = kept[values[kept] >= 0.25]
-    np.testing.assert_array_equal(left.vertices, np.float64(np.concatenate([np.float32(vertices[kept]), places])))
+    positions = np.float32(vertices[a] * (1 - share) + vertices[b] * share)
+    remaining = np.unique(triangles[(values[triangles] > 0.25).any(axis=1)])
+    remaining = remaining[values[remaining] >= 0.25]
+    np.testing.assert_array_equal(
+        left.vertices, np.float64(np.concatenate([np.float32(vertices[remaining]), positions]))
+    )
     normals = mesh.vertex_normals.astype(float)
     between = normals[a] * (1 - share) + normals[b] * share
     between /= np.linalg.norm(between, axis=1, keepdims=True)
-    np.testing.assert_allclose(left.vertex_normals, np.concatenate([normals[kept], between]), atol=1e-7)
+    np.testing.assert_allclose(left.vertex_normals, np.concatenate([normals[remaining], between]), atol=1e-7)
 
 
-def test_colors_lie_between_those_of_the_edge(device):
+def test_colors_are_interpolated_along_the_edge(device):
     mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]], vertex_colors=np.eye(3), device=device)
     left = mesh.trim([0, 4, 0], 1)
     np.testing.assert_array_equal(left.vertex_colors, np.float32([[0, 1, 0], [0.75, 0.25, 0], [0, 0.25, 0.75]]))
     assert left.vertex_normals is None
 
 
-def test_a_level_that_nothing_passes_leaves_all_or_nothing(device):
+def test_a_level_out_of_range_keeps_all_or_nothing(device):
     mesh = grid(4, device)
     values = np.arange(25.0)
     for level in (-1, 0):
@@ -108,11 +110,11 @@ def test_a_level_that_nothing_passes_leaves_all_or_nothing(device):
     assert len(TriangleMesh(device=device).trim([], 0)) == 0
 
 
-def dots(size, *places, inside=1.0):
-    """Values 0 at all vertices of a grid but 1 at some (or the other way round)."""
+def dots(size, *cells, inside=1.0):
+    """Values 1 at some vertices of a grid and 0 elsewhere (or the other way round)."""
     values = np.full((size + 1, size + 1), 1.0 - inside)
-    for place in places:
-        values[place] = inside
+    for cell in cells:
+        values[cell] = inside
     return values.ravel()
 
 
@@ -120,10 +122,10 @@ def area_of(mesh, values, level=0.5, **options):
     return mesh.trim(values, level, **options).get_surface_area()
 
 
-DOT = 6 * 0.5**3  # six triangles about a vertex, each cut half way
+DOT = 6 * 0.5**3  # six triangles around a vertex, each cut halfway
 
 
-def test_holes_smaller_than_the_ratio_are_kept_whole(device):
+def test_holes_below_the_ratio_are_preserved(device):
     mesh = grid(10, device)
     values = dots(10, (2, 2), inside=0.0)
     assert abs(area_of(mesh, values, island_ratio=0) - (100 - DOT)) < 1e-4
@@ -131,13 +133,13 @@ def test_holes_smaller_than_the_ratio_are_kept_whole(device):
     left = mesh.trim(values, 0.5, island_ratio=0.0076)
     assert abs(left.get_surface_area() - 100) < 1e-4
     _, counts, _ = edges_by_use(left.triangles)
-    assert counts.max() == 2 and (counts == 1).sum() == 40  # the square's border alone: no crack along the hole
+    assert counts.max() == 2 and (counts == 1).sum() == 40  # the square's boundary alone: no crack along the hole
 
 
 def test_a_piece_gone_at_the_border_is_no_hole(device):
     mesh = grid(10, device)
-    for place, share in (((0, 5), 3), ((0, 0), 1)):
-        values = dots(10, place, inside=0.0)
+    for cell, share in (((0, 5), 3), ((0, 0), 1)):
+        values = dots(10, cell, inside=0.0)
         assert abs(area_of(mesh, values, island_ratio=0.5) - (100 - share / 8)) < 1e-4
 
 
@@ -151,7 +153,7 @@ def test_a_part_below_the_level_that_touches_nothing_goes(device):
 
 
 def parts_of(triangles, chosen):
-    """Sets of chosen triangles that hang together by edges, by flooding."""
+    """Edge-connected components of chosen triangles, by flood fill."""
     at = {}
     for i in np.flatnonzero(chosen):
         for k in range(3):
@@ -173,13 +175,13 @@ def parts_of(triangles, chosen):
 
 @settings(deadline=None, max_examples=40)
 @given(st.integers(0, 10**6), st.sampled_from([0.0, 0.01, 0.05, 0.2]), st.floats(0.1, 0.9))
-def test_islands_and_holes_are_those_of_flooding(seed, ratio, share):
+def test_islands_and_holes_match_flood_fill(seed, ratio, share):
     """Values of 0 and 1, so that every cut is in the middle of an edge."""
     rng = np.random.default_rng(seed)
     mesh = grid(8)
-    corners = mesh.triangles[rng.permutation(128)[:120]]  # some missing: a border within
+    corners = mesh.triangles[rng.permutation(128)[:120]]  # some missing: an inner boundary
     wanted = rng.random(len(corners)) < share
-    vertices = mesh.vertices[corners].reshape(-1, 3)  # a value for each corner: triangles of their own, then one mesh
+    vertices = mesh.vertices[corners].reshape(-1, 3)  # a value per corner: separate triangles, then one mesh
     values = np.repeat(wanted, 3) * 2.0 - 1
     levels = np.zeros(81)
     levels[corners[wanted].ravel()] = 1.0
@@ -189,8 +191,8 @@ def test_islands_and_holes_are_those_of_flooding(seed, ratio, share):
         left = joined.trim(levels, 0.5, island_ratio=ratio)
         apart = TriangleMesh(vertices, np.arange(360).reshape(-1, 3)).trim(values, 0.0, island_ratio=0)
     assert abs(apart.get_surface_area() - wanted.sum() / 2) < 1e-4
-    pieces, above, places = pieces_of(mesh.vertices, corners, levels)
-    areas, total = np.abs(signed_areas(places, pieces)), len(corners) / 2
+    pieces, above, positions = pieces_of(mesh.vertices, corners, levels)
+    areas, total = np.abs(signed_areas(positions, pieces)), len(corners) / 2
     assert abs(areas[above].sum() - split.get_surface_area()) < 1e-4
     for part in parts_of(pieces, above):
         if areas[list(part)].sum() < ratio * total - 1e-9:
@@ -199,24 +201,24 @@ def test_islands_and_holes_are_those_of_flooding(seed, ratio, share):
     for i, t in enumerate(pieces):
         for k in range(3):
             uses.setdefault(frozenset((t[k], t[(k + 1) % 3])), []).append(i)
-    kept = above.copy()
+    selected = above.copy()
     for part in parts_of(pieces, ~above):
         around = [uses[frozenset((pieces[i][k], pieces[i][(k + 1) % 3]))] for i in part for k in range(3)]
         enclosed = all(len(at) > 1 for at in around) and any(above[j] for at in around for j in at)
         if enclosed and areas[list(part)].sum() < ratio * total - 1e-9:
-            kept[list(part)] = True
-    assert abs(left.get_surface_area() - areas[kept].sum()) < 1e-4
+            selected[list(part)] = True
+    assert abs(left.get_surface_area() - areas[selected].sum()) < 1e-4
 
 
 def pieces_of(vertices, triangles, values):
-    """(triangles, above, places) of a mesh whose edges between 0 and 1 are halved, by hand."""
-    places, numbers, pieces, above = list(vertices), {}, [], []
+    """(triangles, above, positions) of a mesh whose edges between 0 and 1 are split by hand."""
+    positions, numbers, pieces, above = list(vertices), {}, [], []
 
     def middle(a, b):
         key = frozenset((a, b))
         if key not in numbers:
-            numbers[key] = len(places)
-            places.append((vertices[a] + vertices[b]) / 2)
+            numbers[key] = len(positions)
+            positions.append((vertices[a] + vertices[b]) / 2)
         return numbers[key]
 
     for t in triangles:
@@ -230,10 +232,10 @@ def pieces_of(vertices, triangles, values):
         p, q = middle(a, b), middle(a, c)
         pieces += [(a, p, q), (p, b, c), (p, c, q)]
         above += [bool(high[lone])] + [not high[lone]] * 2
-    return np.array(pieces), np.array(above), np.array(places)
+    return np.array(pieces), np.array(above), np.array(positions)
 
 
-def test_huge_values_are_cut_where_they_should_be(device):
+def test_huge_values_are_cut_correctly(device):
     mesh = TriangleMesh([[0, 0, 0], [4, 0, 0], [0, 4, 0]], [[0, 1, 2]], device=device)
     np.testing.assert_array_equal(mesh.trim([-1e100, 1e100, -1e100], 0).vertices, [[4, 0, 0], [2, 0, 0], [2, 2, 0]])
 
@@ -251,7 +253,7 @@ def test_huge_values_are_cut_where_they_should_be(device):
         ((np.zeros(25), 0, 2), ValueError, "island_ratio: expected a fraction from 0 to 1"),
     ],
 )
-def test_arguments_that_make_no_sense_are_refused(arguments, error, message):
+def test_invalid_arguments_are_rejected(arguments, error, message):
     values, level, *ratio = arguments
     with pytest.raises(error, match=message):
         grid(4).trim(values, level, **({"island_ratio": ratio[0]} if ratio else {}))

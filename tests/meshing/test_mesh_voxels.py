@@ -1,4 +1,4 @@
-"""Voxels of a mesh: Open3D's set, a brute-force solid, and what bounds, scales and bad meshes do."""
+"""Voxels of a mesh: Open3D's set, a brute-force solid, bounds, scales and bad meshes."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def as_set(grid) -> set[tuple[int, ...]]:
 
 
 def soup(seed: int, count: int = 60, scale: float = 1.0) -> TriangleMesh:
-    """Triangles of every size, some of them flat, all in a box of edge 2."""
+    """Triangles of all sizes, some of them flat, in a box of edge 2."""
     rng = np.random.default_rng(seed)
     corners = rng.uniform(-1, 1, (count, 1, 3)) + rng.normal(size=(count, 3, 3)) * rng.uniform(0, 0.6, (count, 1, 1))
     corners[::7, 2] = corners[::7, 1]  # no area
@@ -36,7 +36,7 @@ def soup(seed: int, count: int = 60, scale: float = 1.0) -> TriangleMesh:
 
 
 def assert_touched_as_in_open3d(oracle, name, mesh: TriangleMesh, size: float, bounds=None) -> None:
-    """Ours are Open3D's within the bounds, and besides only such as triangles but touch from outside."""
+    """Within the bounds the voxels are Open3D's, plus voxels that triangles only touch from outside."""
     grid = mesh.voxelize(size, *(bounds or ()))
     theirs = oracle(f"meshing/voxels/{name}", open3d_voxels, mesh, size, bounds)
     theirs = set(map(tuple, theirs[((theirs >= 0) & (theirs < grid.counts)).all(axis=1)].tolist()))
@@ -47,7 +47,7 @@ def assert_touched_as_in_open3d(oracle, name, mesh: TriangleMesh, size: float, b
 
 
 def gap_to(mesh: TriangleMesh, center: np.ndarray, size: float) -> float:
-    """How far the nearest triangle is from a voxel, along the best axis that parts them; below 0 how deep."""
+    """The gap between a voxel and the nearest triangle along the best separating axis; negative if they overlap."""
     corners = mesh.vertices[mesh.triangles] - center
     edges = np.roll(corners, -1, axis=1) - corners
     crosses = np.cross(edges[:, :, None], np.eye(3)[None, None]).reshape(len(corners), 9, 3)
@@ -56,8 +56,8 @@ def gap_to(mesh: TriangleMesh, center: np.ndarray, size: float) -> float:
     lengths = np.linalg.norm(axes, axis=2, keepdims=True)
     axes = np.divide(axes, lengths, out=np.zeros_like(axes), where=lengths > 0)
     along = np.einsum("tak,tck->tac", axes, corners)
-    reach = size / 2 * np.abs(axes).sum(axis=2)
-    gaps = np.maximum(along.min(axis=2) - reach, -along.max(axis=2) - reach)
+    radius = size / 2 * np.abs(axes).sum(axis=2)
+    gaps = np.maximum(along.min(axis=2) - radius, -along.max(axis=2) - radius)
     gaps[lengths[:, :, 0] == 0] = -np.inf
     return float(gaps.max(axis=1).min())
 
@@ -72,14 +72,14 @@ SCENES = {
 }
 
 
-def test_a_stack_of_plates_has_all_its_voxels_whatever_was_made_room_for(device):
-    edge, count = 12, 60  # one above the other: far more columns than a surface of as many triangles in this grid has
+def test_a_stack_of_plates_has_all_voxels_for_any_initial_capacity(device):
+    edge, count = 12, 60  # stacked: far more columns than a surface of as many triangles has in this grid
     corners = np.array([[0.25, 0.25, 0], [edge - 0.25, 0.25, 0], [edge - 0.25, edge - 0.25, 0], [0.25, edge - 0.25, 0]])
     heights = np.linspace(0.25, 1.75, count)
     plates = (corners + heights[:, None, None] * [0, 0, 1]).reshape(-1, 3)
     triangles = (np.array([[0, 1, 2], [0, 2, 3]]) + 4 * np.arange(count)[:, None, None]).reshape(-1, 3)
-    found = TriangleMesh(plates, triangles, device=device).voxelize(1, np.zeros(3), [edge, edge, 2])
-    assert as_set(found) == {(x, y, z) for x in range(edge) for y in range(edge) for z in range(2)}
+    voxels = TriangleMesh(plates, triangles, device=device).voxelize(1, np.zeros(3), [edge, edge, 2])
+    assert as_set(voxels) == {(x, y, z) for x in range(edge) for y in range(edge) for z in range(2)}
 
 
 @pytest.mark.parametrize("name", SCENES)
@@ -96,14 +96,14 @@ def test_touched_voxels_are_open3ds(device, oracle, name):
 
 def test_a_triangle_with_a_corner_that_is_not_finite_touches_no_voxel(device):
     vertices, triangles = [[0, 0, 0], [3, 1, 2], [1, 2, 0], [np.nan, 0, 0]], [[0, 1, 2], [0, 1, 3]]
-    whole, part = (
+    complete, part = (
         TriangleMesh(vertices, triangles[:n], device=device).voxelize(0.3, [0, 0, 0], [3, 2, 2]) for n in (2, 1)
     )
-    assert as_set(whole) == as_set(part) and len(part) > 50
+    assert as_set(complete) == as_set(part) and len(part) > 50
 
 
 @pytest.mark.parametrize("seed", range(5))
-def test_any_triangles_in_any_bounds_touch_open3ds_voxels(oracle, seed):
+def test_touched_voxels_match_open3d_for_any_triangles_and_bounds(oracle, seed):
     rng, mesh = np.random.default_rng(seed), soup(seed, 12)
     size, bounds = rng.uniform(0.15, 0.8), np.sort(rng.uniform(-1.2, 1.2, (2, 3)), axis=0)
     assert_touched_as_in_open3d(oracle, f"bounds_{seed}", mesh, size, tuple(bounds))
@@ -112,7 +112,7 @@ def test_any_triangles_in_any_bounds_touch_open3ds_voxels(oracle, seed):
     assert grid.counts == tuple(int(n) for n in np.floor((bounds[1] - bounds[0]) / size + 0.5))
 
 
-def test_what_touches_a_voxel_from_outside_is_in_it():
+def test_voxels_touched_from_outside_are_included():
     square = TriangleMesh([[0, 0, 1], [2, 0, 1], [0, 2, 1]], [[0, 1, 2]])
     grid = square.voxelize(1, [0, 0, 0], [3, 3, 3])
     assert {cell[2] for cell in as_set(grid)} == {0, 1}  # the plane between them; in Open3D it is in one
@@ -124,7 +124,7 @@ def test_no_voxel_leaves_the_bounds():
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1e6])
-def test_scale_does_not_change_the_voxels(device, scale):
+def test_voxels_do_not_depend_on_scale(device, scale):
     power = 2.0 ** round(np.log2(scale))  # exact in float32
     expected = soup(3).voxelize(0.1)
     grid = soup(3, scale=power).to("cpu" if device is None else device).voxelize(0.1 * power)
@@ -136,7 +136,7 @@ def test_scale_does_not_change_the_voxels(device, scale):
     [
         (lambda: TriangleMesh.create_torus(radial_resolution=12, tubular_resolution=9), 0.19),
         (lambda: TriangleMesh.create_sphere(resolution=6), 0.23),
-        (lambda: TriangleMesh.create_box(), 0.25),  # every plane of the grid's centers is on an edge or a corner
+        (lambda: TriangleMesh.create_box(), 0.25),  # every plane of the grid's centers contains an edge or a corner
         (lambda: TriangleMesh.create_octahedron(), 0.125),
         (lambda: TriangleMesh.create_cone(resolution=5), 0.2),
     ],
@@ -148,11 +148,11 @@ def test_a_solid_is_its_surface_and_the_centers_inside(device, make, size):
     inside = winding_numbers(solid.origin + (cells + 0.5) * size, mesh.vertices[mesh.triangles]) > 0.5
     expected = as_set(surface) | set(map(tuple, cells[inside].tolist()))
     assert as_set(solid) == expected
-    turned = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
-    np.testing.assert_array_equal(turned.voxelize(size, solid=True).coordinates, solid.coordinates)
+    flipped = TriangleMesh(mesh.vertices, mesh.triangles[:, ::-1], device=device)
+    np.testing.assert_array_equal(flipped.voxelize(size, solid=True).coordinates, solid.coordinates)
 
 
-def test_between_two_shells_is_inside_and_within_both_is_not():
+def test_the_space_between_two_shells_is_inside():
     outer, inner = TriangleMesh.create_sphere(1.0, 12), TriangleMesh.create_sphere(0.5, 12)
     both = TriangleMesh(
         np.vstack([outer.vertices, inner.vertices]), np.vstack([outer.triangles, inner.triangles + len(outer.vertices)])
@@ -163,15 +163,15 @@ def test_between_two_shells_is_inside_and_within_both_is_not():
     ]  # fmt: skip
 
 
-def test_bounds_within_a_solid_are_full():
+def test_bounds_within_a_solid_are_filled():
     grid = TriangleMesh.create_box(10, 10, 10).voxelize(1, [3, 3, 3], [6, 7, 8], solid=True)
     assert grid.dense().all()
     assert grid.counts == (3, 4, 5)
     half = TriangleMesh.create_box(10, 10, 10).voxelize(1, [3, 3, 8], [6, 7, 14], solid=True)
-    assert (half.dense().sum(axis=2) == 3).all()  # two inside and the one that the lid touches from below
+    assert (half.dense().sum(axis=2) == 3).all()  # two inside and the one that the top touches from below
 
 
-def test_a_dense_grid_is_the_sparse_one():
+def test_a_dense_grid_equals_the_sparse_one():
     grid = soup(5).voxelize(0.2)
     np.testing.assert_array_equal(np.argwhere(grid.dense()), grid.coordinates)
     assert grid.dense().shape == grid.counts
@@ -183,7 +183,7 @@ def test_a_dense_grid_is_the_sparse_one():
         grid.check_if_included(None)
 
 
-def test_nothing_touches_nothing(device):
+def test_an_empty_mesh_touches_nothing(device):
     for mesh in (TriangleMesh(device=device), TriangleMesh([[1, 2, 3]], device=device)):
         assert len(mesh.voxelize(0.5)) == 0
         assert len(mesh.voxelize(0.5).check_if_included([[0, 0, 0]])) == 1
@@ -211,12 +211,12 @@ def test_open_meshes_enclose_nothing():
         ((0.1, [0, 0, 0], [1, 1, -1]), ValueError, "expected the lower corner first"),
     ],
 )
-def test_sizes_and_bounds_that_make_no_grid_are_refused(arguments, error, reason):
+def test_invalid_sizes_and_bounds_are_rejected(arguments, error, reason):
     with pytest.raises(error, match=reason):
         TriangleMesh.create_box().voxelize(*arguments)
 
 
-def test_a_grid_without_room_is_refused_before_it_is_made(monkeypatch):
+def test_a_too_large_grid_is_rejected_before_allocation(monkeypatch):
     from pointloom.kernels import memory
 
     mesh, grid = TriangleMesh.create_box(), TriangleMesh.create_box().voxelize(0.01)
@@ -227,11 +227,11 @@ def test_a_grid_without_room_is_refused_before_it_is_made(monkeypatch):
         grid.dense()
 
 
-def test_a_point_has_a_voxel_inside_the_grid_and_beyond_it():
+def test_points_have_voxels_inside_and_outside_the_grid():
     grid = TriangleMesh.create_box().translate([5e5, 5e6, 0]).voxelize(0.25)
     cells = np.stack([grid.get_voxel(center) for center in grid.centers])
     np.testing.assert_array_equal(cells, grid.coordinates)
     assert grid.get_voxel(grid.origin - 0.1).tolist() == [-1, -1, -1]
-    for bad, said in (([0, 0], "shape"), ([np.nan, 0, 0], "finite"), ([1e90, 0, 0], "beyond the range of 64-bit")):
-        with pytest.raises(ValueError, match=said):
+    for bad, message in (([0, 0], "shape"), ([np.nan, 0, 0], "finite"), ([1e90, 0, 0], "beyond the range of 64-bit")):
+        with pytest.raises(ValueError, match=message):
             grid.get_voxel(bad)

@@ -1,4 +1,4 @@
-"""OccupancyGrid beside a walker of OctoMap's rule in plain Python, and beside exact geometry.
+"""OccupancyGrid against OctoMap's ray traversal in plain Python, and against exact geometry.
 
 benchmarks/occupancy.py compares with OctoMap itself: all voxels and log odds are equal.
 """
@@ -14,8 +14,8 @@ from pointloom.kernels.volumes import occupancy_blocks
 EDGE = 0.1
 
 
-def walk(start, end, edge=EDGE):
-    """The voxels of OctoMap's computeRayKeys, without that of the end: float32 places, float64 crossings."""
+def traverse(start, end, edge=EDGE):
+    """The voxels of OctoMap's computeRayKeys without the end voxel: float32 positions, float64 crossings."""
     a, b = np.float32(start), np.float32(end)
     way = b - a
     span = np.float32(np.sqrt(np.float64(way[0] * way[0] + way[1] * way[1] + way[2] * way[2])))
@@ -39,7 +39,7 @@ def walk(start, end, edge=EDGE):
 
 
 def scans():
-    """Three scans of a room from a moving sensor, the last of them on voxel corners."""
+    """Three scans of a room from a moving sensor, the last of them at voxel corners."""
     rng = np.random.default_rng(3)
     for k, count in enumerate((150, 149, 80)):
         start = np.float32([0.31 * k, 0.17, 0.05])
@@ -49,7 +49,7 @@ def scans():
 
 
 def fold(known, start, ends, max_range):
-    """One scan into a dictionary of log odds, as OctoMap does."""
+    """Integrate one scan into a dictionary of log odds, as OctoMap does."""
     odds = {name: np.float32(np.log(p / (1 - p))) for name, p in model().items()}
     passed, hit = set(), set()
     for end in np.float32(ends):
@@ -59,26 +59,26 @@ def fold(known, start, ends, max_range):
             end = np.float32(start) + way / span * np.float32(max_range)
         else:
             hit.add(tuple(np.floor(1 / EDGE * end.astype(np.float64)).astype(int).tolist()))
-        passed.update(walk(start, end))
+        passed.update(traverse(start, end))
     for voxel in passed | hit:
         value = known.get(voxel, np.float32(0)) + (odds["hit"] if voxel in hit else odds["miss"])
         known[voxel] = min(max(value, odds["min"]), odds["max"])
 
 
 def model():
-    """The probabilities that are given where none are."""
+    """Default probabilities where none are given."""
     return {"hit": 0.7, "miss": 0.4, "min": 0.1192, "max": 0.971}
 
 
-def held(grid):
+def log_odds_of(grid):
     """The log odds of a grid by voxel."""
     low, high = np.round(grid.bounds / grid.voxel_size).astype(int) - np.round(grid.origin / grid.voxel_size).astype(
         int
     )
-    places = np.stack(np.meshgrid(*(np.arange(a, b) for a, b in zip(low, high, strict=True)), indexing="ij"), -1)
-    values = grid.log_odds(grid.origin + (places.reshape(-1, 3) + 0.5) * grid.voxel_size)
+    cells = np.stack(np.meshgrid(*(np.arange(a, b) for a, b in zip(low, high, strict=True)), indexing="ij"), -1)
+    values = grid.log_odds(grid.origin + (cells.reshape(-1, 3) + 0.5) * grid.voxel_size)
     known = ~np.isnan(values)
-    return dict(zip(map(tuple, places.reshape(-1, 3)[known].tolist()), values[known], strict=True))
+    return dict(zip(map(tuple, cells.reshape(-1, 3)[known].tolist()), values[known], strict=True))
 
 
 @pytest.fixture
@@ -93,9 +93,9 @@ def test_log_odds_are_those_of_a_plain_walker(room):
     known = {}
     for start, ends in scans():
         fold(known, start, ends, 1.9)
-    found = held(room)
-    assert found.keys() == known.keys()
-    assert all(found[voxel] == value for voxel, value in known.items())
+    result = log_odds_of(room)
+    assert result.keys() == known.keys()
+    assert all(result[voxel] == value for voxel, value in known.items())
     states = room.states((np.array(list(known)) + 0.5) * EDGE)
     assert 50 < (states == 1).sum() < (states == 0).sum()
 
@@ -106,7 +106,7 @@ def test_what_is_seen_often_is_clamped_and_can_still_change(device):
     for _ in range(7):
         grid.insert_scan(ends[:9], start)
         fold(known, start, ends[:9], 9.0)
-    assert held(grid) == known
+    assert log_odds_of(grid) == known
     sure = grid.probabilities((np.array(list(known)) + 0.5) * EDGE)
     assert sure.max() == pytest.approx(0.971) and sure.min() == pytest.approx(0.1192)
     assert (grid.cast_rays(start, (ends[:9] - start).astype(float), 9.0).states == 1).all()
@@ -115,12 +115,12 @@ def test_what_is_seen_often_is_clamped_and_can_still_change(device):
 def test_a_ray_through_corners_goes_along_z_then_y_then_x(device):
     grid = loom.OccupancyGrid(0.5, device=device)
     grid.insert_scan([[1.25, 1.25, 1.25]], [0.25, 0.25, 0.25])
-    assert held(grid).keys() == {(0, 0, 0), (0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 1, 2), (1, 2, 2), (2, 2, 2)}
-    assert held(grid).keys() == {*walk([0.25] * 3, [1.25] * 3, 0.5), (2, 2, 2)}
+    assert log_odds_of(grid).keys() == {(0, 0, 0), (0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 1, 2), (1, 2, 2), (2, 2, 2)}
+    assert log_odds_of(grid).keys() == {*traverse([0.25] * 3, [1.25] * 3, 0.5), (2, 2, 2)}
 
 
-def test_a_ray_frees_each_voxel_that_it_truly_crosses(device):
-    """Of voxels that exact geometry says are crossed by over a micrometre none is missing, and none besides."""
+def test_a_ray_frees_exactly_the_voxels_that_it_crosses(device):
+    """All voxels crossed by more than a micrometer in exact geometry, and no others."""
     start, end = np.float32([0.013, 0.027, -0.31]), np.float32([2.71, -1.93, 1.07])
     grid = loom.OccupancyGrid(EDGE, device=device)
     grid.insert_scan(end[None], start)
@@ -134,7 +134,7 @@ def test_a_ray_frees_each_voxel_that_it_truly_crosses(device):
     assert (states >= 0).sum() > 60
 
 
-def test_places_far_from_zero_give_the_same_voxels(device):
+def test_far_positions_give_the_same_voxels(device):
     near, far = loom.OccupancyGrid(0.5, device=device), loom.OccupancyGrid(0.5, device=device)
     away = np.array([500_000.0, 5_400_000.0, 300.0])
     for start, ends in scans():
@@ -151,20 +151,20 @@ def test_each_ray_may_have_an_origin_of_its_own(device):
     ends, starts = np.vstack([e for _, e in pairs]), np.repeat([s for s, _ in pairs], 20, axis=0)
     grid = loom.OccupancyGrid(EDGE, device=device)
     grid.insert_scan(np.vstack([ends, [[np.nan, 0, 0]]]), np.vstack([starts, [[0, 0, 0]]]))
-    passed = {voxel for start, end in zip(starts, ends, strict=True) for voxel in walk(start, end)}
+    passed = {voxel for start, end in zip(starts, ends, strict=True) for voxel in traverse(start, end)}
     hit = {tuple(v) for v in np.floor(1 / EDGE * ends.astype(np.float64)).astype(int).tolist()}
-    assert held(grid).keys() == passed | hit
+    assert log_odds_of(grid).keys() == passed | hit
     assert {tuple(v) for v in grid.voxel_indices().tolist()} == hit
 
 
 def test_rays_meet_the_first_voxel_that_is_not_free(room):
     rng = np.random.default_rng(5)
     ways, start = rng.normal(size=(60, 3)), np.array([0.03, 0.17, 0.05])
-    hits, known = room.cast_rays(start, ways, 4.0), held(room)
+    hits, known = room.cast_rays(start, ways, 4.0), log_odds_of(room)
     for state, distance, voxel, way in zip(hits.states, hits.distances, hits.voxels, ways, strict=True):
         way = way / np.linalg.norm(way)
-        walked = walk(start, start + 5 * way)
-        met = next(v for v in walked if not known.get(v, np.float32(9)) < 0)
+        traversed = traverse(start, start + 5 * way)
+        met = next(v for v in traversed if not known.get(v, np.float32(9)) < 0)
         assert (tuple(voxel), state) == (met, 1 if met in known else -1)
         ends = np.sort((np.stack([voxel, voxel + 1]) * EDGE - start) / way, axis=0)
         assert distance == pytest.approx(max(ends[0].max(), 0), abs=1e-6)
@@ -186,17 +186,17 @@ def test_exports_agree(room):
     assert np.array_equal(part, dense[tuple(slice(-a, -a + n) for a, n in zip(low, (3, 2, 1), strict=True))], True)
 
 
-def test_files_copies_and_pickles_hold_the_same(room, tmp_path, device):
+def test_files_copies_and_pickles_preserve_the_grid(room, tmp_path, device):
     room.save(tmp_path / "grid.npz")
     for other in (
         loom.OccupancyGrid.load(tmp_path / "grid.npz", device=device),
         room.copy(),
         pickle.loads(pickle.dumps(room)),
     ):
-        assert held(other) == held(room) and other.scan_count == 3 == room.scan_count
+        assert log_odds_of(other) == log_odds_of(room) and other.scan_count == 3 == room.scan_count
         start, ends = next(scans())
         other.insert_scan(ends, start)
-        assert other.scan_count == 4 and held(other) != held(room)
+        assert other.scan_count == 4 and log_odds_of(other) != log_odds_of(room)
     with np.load(tmp_path / "grid.npz") as members:
         arrays = dict(members)
     for name, value, reason in [
@@ -211,7 +211,7 @@ def test_files_copies_and_pickles_hold_the_same(room, tmp_path, device):
 
 
 def test_what_no_scan_is_is_refused_and_changes_nothing(room):
-    before, memory = held(room), room.memory_bytes
+    before, memory = log_odds_of(room), room.memory_bytes
     start, ends = next(scans())
     wild = np.vstack([ends, [[1e7, 0, 0]]])
     refused = [
@@ -225,7 +225,7 @@ def test_what_no_scan_is_is_refused_and_changes_nothing(room):
     for given, reason in refused:
         with pytest.raises(ValueError, match=reason):
             room.insert_scan(*given)
-    assert held(room) == before and room.scan_count == 3 and room.memory_bytes == memory
+    assert log_odds_of(room) == before and room.scan_count == 3 and room.memory_bytes == memory
     assert room.insert_scan(wild[-1:], start, max_range=1.0) > 0
     for probabilities, reason in [
         ((0.4,), "hit: .* got 0.4"),
@@ -237,7 +237,7 @@ def test_what_no_scan_is_is_refused_and_changes_nothing(room):
 
 
 def test_an_interrupted_scan_is_in_the_grid_or_is_not(room, monkeypatch):
-    before, (start, ends) = held(room), next(scans())
+    before, (start, ends) = log_odds_of(room), next(scans())
     launch = occupancy_blocks.launch
     for kernel, count in (("mark_passed_kernel", 3), ("fold_scan_kernel", 4)):
 
@@ -251,17 +251,17 @@ def test_an_interrupted_scan_is_in_the_grid_or_is_not(room, monkeypatch):
         with pytest.raises(KeyboardInterrupt):
             room.insert_scan(ends + np.float32(3), start)
         monkeypatch.setattr(occupancy_blocks, "launch", launch)
-        assert room.scan_count == count and (held(room) == before) == (count == 3)
+        assert room.scan_count == count and (log_odds_of(room) == before) == (count == 3)
 
 
-def test_a_distance_field_takes_its_occupied_voxels(room):
+def test_a_distance_field_uses_the_occupied_voxels(room):
     field = loom.DistanceField.from_occupancy_grid(room, 1.0)
     voxels = room.voxel_indices()
     assert np.array_equal(field.occupied_voxels[np.lexsort(field.occupied_voxels.T[::-1])], voxels)
     assert not field.distances(room.to_point_cloud()).any()
 
 
-def test_a_grid_without_scans_knows_nothing(device):
+def test_a_grid_without_scans_is_unknown(device):
     grid = loom.OccupancyGrid(EDGE, device=device)
     assert grid.insert_scan(np.zeros((0, 3)), [0, 0, 0]) == 0 and grid.insert_scan([[np.nan] * 3], [0, 0, 0]) == 0
     assert grid.states([[0, 0, 0], [np.nan, 0, 0]]).tolist() == [-1, -1]

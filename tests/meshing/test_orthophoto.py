@@ -1,4 +1,4 @@
-"""Maps of meshes are what float64 rays see from above, cell by cell, and files say where they lie."""
+"""Orthophotos of meshes match float64 rays from above, and files store their location."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ import pointloom as loom
 from pointloom.meshing.scene import orthophoto as source
 from pointloom.meshing.scene.plan_grid import MAX_CELLS
 
-PLACE = np.array([500_000.0, 5_400_000.0, 431.0])
+ORIGIN = np.array([500_000.0, 5_400_000.0, 431.0])
 FRAME = loom.video.WorldFrame(48.75, 9.0, 431.0)  # on the meridian of its zone
 GROUND, ROOF, WALL = (51, 153, 51), (204, 26, 26), (26, 26, 230)  # of 255
 BOX = ((5.25, 3.25), (11.25, 9.25), 6.0)  # low and high x and y, top
@@ -22,8 +22,8 @@ def slope(x, y):
     return 0.3 * x - 0.1 * y
 
 
-def town(place=PLACE, device="cpu"):
-    """A slope of 20 x 16 m with a box on it, each of a color of its own; corners by float64."""
+def town(origin=ORIGIN, device="cpu"):
+    """A slope of 20 x 16 m with a box on it, in two colors, with float64 corners."""
     x, y = np.array([0.0, 20, 20, 0]), np.array([0.0, 0, 16, 16])
     (x0, y0), (x1, y1), top = BOX
     corners = [(x0, y0), (x1, y0), (x1, y1), (x0, y1)]
@@ -35,19 +35,19 @@ def town(place=PLACE, device="cpu"):
         a, b = 8 + 2 * k, 8 + 2 * ((k + 1) % 4)
         triangles += [[a, b, a + 1], [b, b + 1, a + 1]]
     colors = np.array([GROUND] * 4 + [ROOF] * 4 + [WALL] * 8) / 255
-    return loom.TriangleMesh(vertices + place, triangles, vertex_colors=colors, device=device)
+    return loom.TriangleMesh(vertices + origin, triangles, vertex_colors=colors, device=device)
 
 
 def centers(made):
-    """x and y of the cells' centers, rows from the north."""
+    """x and y of the cell centers, rows from the north."""
     (rows, columns), (x, y), cell = made.heights.values.shape, made.heights.corner, made.heights.cell
     return np.meshgrid(x + (np.arange(columns) + 0.5) * cell, y + (np.arange(rows)[::-1] + 0.5) * cell)
 
 
 def seen_from_above(vertices, triangles, x, y):
-    """The highest triangle above each place, its height, the weights of its corners: float64, all against all.
+    """The highest triangle above each position, its height and barycentric weights: float64, brute force.
 
-    Also how near each place is to the edge of any triangle in plan, where a rounding may choose another.
+    Also the distance of each position to the nearest triangle edge in plan, where rounding may choose another one.
     """
     a, b, c = (vertices[triangles[:, k]] for k in range(3))
     p = np.column_stack([x.ravel(), y.ravel()])[:, None]
@@ -79,11 +79,11 @@ def seen_from_above(vertices, triangles, x, y):
 def test_heights_and_colors_of_a_slope_and_a_box_are_those_reckoned(device):
     made = loom.orthophoto(town(device=device), 0.5, crs="EPSG:32632")
     assert made.bounds == (500_000.0, 5_400_000.0, 500_020.5, 5_400_016.5)
-    x, y = (axis - at for axis, at in zip(centers(made), PLACE[:2], strict=True))
+    x, y = (axis - at for axis, at in zip(centers(made), ORIGIN[:2], strict=True))
     (x0, y0), (x1, y1), top = BOX
     on_box = (x > x0) & (x < x1) & (y > y0) & (y < y1)
     on_map = (x < 20) & (y < 16)
-    expected = np.where(on_box, top, slope(x, y)) + PLACE[2]
+    expected = np.where(on_box, top, slope(x, y)) + ORIGIN[2]
     sure = (np.abs(np.stack([x - x0, x - x1])).min(axis=0) > 1e-3) & (
         np.abs(np.stack([y - y0, y - y1])).min(axis=0) > 1e-3
     )
@@ -92,46 +92,46 @@ def test_heights_and_colors_of_a_slope_and_a_box_are_those_reckoned(device):
     colors = np.where(on_box[..., None], ROOF, GROUND)
     np.testing.assert_array_equal(made.colors[on_map & sure][:, :3], colors[on_map & sure])
     np.testing.assert_array_equal(made.colors[..., 3], np.where(on_map, 255, 0))
-    assert not made.colors[~on_map].any()  # nothing is told where nothing is
+    assert not made.colors[~on_map].any()  # cells without data stay unset
 
 
-@example(seed=2266, cell=0.11, corner=0.0)  # a triangle with a corner twice
+@example(seed=2266, cell=0.11, corner=0.0)  # a triangle with a repeated corner
 @given(seed=st.integers(0, 10_000), cell=st.sampled_from([0.11, 0.37, 1.3]), corner=st.floats(-1, 1))
 @settings(max_examples=15, deadline=None)
-def test_a_map_of_any_triangles_is_that_of_rays_in_float64(seed, cell, corner):
+def test_a_map_of_any_triangles_matches_float64_rays(seed, cell, corner):
     rng = np.random.default_rng(seed)
     vertices = rng.uniform(-4, 4, (24, 3)) * (1, 1, 0.5)
     triangles, colors = rng.integers(0, 24, (14, 3)), rng.random((24, 3))
     vertices[rng.integers(0, 24), 1] = np.nan
-    mesh = loom.TriangleMesh(vertices + PLACE, triangles, vertex_colors=colors, origin=PLACE)
+    mesh = loom.TriangleMesh(vertices + ORIGIN, triangles, vertex_colors=colors, origin=ORIGIN)
     made = loom.orthophoto(mesh, cell, corner=(corner, 0.0))
     x, y = centers(made)
-    kept = np.isfinite(vertices[triangles]).all(axis=(1, 2))
+    is_finite = np.isfinite(vertices[triangles]).all(axis=(1, 2))
     stored = vertices.astype(np.float32).astype(np.float64)
-    triangle, heights, weights, near = seen_from_above(stored, triangles[kept], x - PLACE[0], y - PLACE[1])
+    triangle, heights, weights, near = seen_from_above(stored, triangles[is_finite], x - ORIGIN[0], y - ORIGIN[1])
     sure = near > 2e-5
     assert sure.mean() > 0.8
     np.testing.assert_array_equal(np.isnan(made.heights.values)[sure], np.isnan(heights)[sure])
     assert np.isfinite(heights).any()
-    steepest = 1e3  # height a metre, of triangles that stand nearly upright
-    np.testing.assert_allclose(made.heights.values[sure], heights[sure] + PLACE[2], rtol=0, atol=1e-3)
-    mixed = (weights[..., None] * colors[triangles[kept][triangle]]).sum(axis=-2)
+    steepest = 1e3  # height per meter, of nearly vertical triangles
+    np.testing.assert_allclose(made.heights.values[sure], heights[sure] + ORIGIN[2], rtol=0, atol=1e-3)
+    mixed = (weights[..., None] * colors[triangles[is_finite][triangle]]).sum(axis=-2)
     seen = sure & (triangle >= 0)
     assert np.abs(made.colors[seen][:, :3] - 255 * mixed[seen]).max(initial=0) < 0.5 + 255 * steepest * 1e-6 + 1e-2
 
 
 def test_a_texture_is_read_between_its_pixels(device):
     rng = np.random.default_rng(3)
-    picture = rng.integers(0, 256, (8, 12, 4)).astype(np.uint8)  # alpha of pictures is not read
+    picture = rng.integers(0, 256, (8, 12, 4)).astype(np.uint8)  # alpha of images is not read
     mesh = loom.TriangleMesh(
-        np.array([[0, 0, 1], [12, 0, 1], [12, 8, 3], [0, 8, 3]]) + PLACE, [[0, 1, 2], [0, 2, 3]], device=device,
+        np.array([[0, 0, 1], [12, 0, 1], [12, 8, 3], [0, 8, 3]]) + ORIGIN, [[0, 1, 2], [0, 2, 3]], device=device,
         triangle_uvs=[[0, 0], [1, 0], [1, 1], [0, 0], [1, 1], [0, 1]], textures=[picture],
         vertex_colors=np.ones((4, 3)),
     )  # fmt: skip
     area = (500_000, 5_400_000, 500_012, 5_400_008)
-    whole = loom.orthophoto(mesh, 1.0, bounds=area)
-    np.testing.assert_array_equal(whole.colors[..., :3], picture[..., :3])  # a cell a pixel, the first row in the north
-    assert (whole.colors[..., 3] == 255).all()
+    full = loom.orthophoto(mesh, 1.0, bounds=area)
+    np.testing.assert_array_equal(full.colors[..., :3], picture[..., :3])  # one cell per pixel, first row in the north
+    assert (full.colors[..., 3] == 255).all()
     finer = loom.orthophoto(mesh, 0.5, bounds=area)
     values = picture[..., :3].astype(np.float64)
     expected = (9 * values[3, 4] + 3 * values[3, 5] + 3 * values[4, 4] + values[4, 5]) / 16
@@ -141,25 +141,25 @@ def test_a_texture_is_read_between_its_pixels(device):
 def test_each_material_has_its_texture_and_none_is_made_up(device):
     squares = np.array([[[k, 0, 0], [k + 1, 0, 0], [k + 1, 1, 0], [k, 1, 0]] for k in range(3)], float).reshape(-1, 3)
     triangles = [[4 * k + j for j in corner] for k in range(3) for corner in ((0, 1, 2), (0, 2, 3))]
-    told = {"triangle_uvs": np.full((18, 2), 0.5), "triangle_material_ids": [0, 0, 1, 1, 2, 2], "device": device}
+    options = {"triangle_uvs": np.full((18, 2), 0.5), "triangle_material_ids": [0, 0, 1, 1, 2, 2], "device": device}
     pictures = [np.full((2, 2, 3), value, np.uint8) for value in (60, 90)]
-    mesh = loom.TriangleMesh(squares, triangles, textures=pictures, **told)
+    mesh = loom.TriangleMesh(squares, triangles, textures=pictures, **options)
     made = loom.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1))
-    assert made.colors[0, ::2].tolist() == [[60] * 3 + [255], [90] * 3 + [255], [0] * 4]  # the third has no picture
+    assert made.colors[0, ::2].tolist() == [[60] * 3 + [255], [90] * 3 + [255], [0] * 4]  # the third has no image
     assert np.isfinite(made.heights.values).all()
     mesh.vertex_colors = np.full((12, 3), 0.2)
     assert loom.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1)).colors[0, 4].tolist() == [51, 51, 51, 255]
 
 
 def test_strips_of_rows_are_one_map(monkeypatch):
-    whole = loom.orthophoto(town(), 0.5)
+    full = loom.orthophoto(town(), 0.5)
     monkeypatch.setattr(source, "STRIP", 100)  # two rows and a part of one
     parts = loom.orthophoto(town(), 0.5)
-    np.testing.assert_array_equal(parts.heights.values, whole.heights.values)
-    np.testing.assert_array_equal(parts.colors, whole.colors)
+    np.testing.assert_array_equal(parts.heights.values, full.heights.values)
+    np.testing.assert_array_equal(parts.colors, full.colors)
 
 
-def test_a_frame_places_the_map_in_its_zone_of_utm(device, monkeypatch):
+def test_a_frame_georeferences_the_map_in_its_utm_zone(device, monkeypatch):
     monkeypatch.setattr(source, "PART", 5)  # several parts of vertices
     mesh = town(np.zeros(3), device)
     made = loom.orthophoto(mesh, 0.25, frame=FRAME)
@@ -175,7 +175,7 @@ def test_a_frame_places_the_map_in_its_zone_of_utm(device, monkeypatch):
     assert other.heights.crs == "EPSG:32633" and other.bounds[0] < 1e5  # six degrees west of that zone's meridian
 
 
-def test_files_say_where_a_map_lies(tmp_path):
+def test_files_store_the_map_location(tmp_path):
     rasterio, tifffile = pytest.importorskip("rasterio"), pytest.importorskip("tifffile")
     made = loom.orthophoto(town(), 0.05, crs="EPSG:32632")
     path, dem = made.write(tmp_path / "ortho.tif"), made.heights.write(tmp_path / "dem.tif")
@@ -244,7 +244,7 @@ def test_too_many_cells_are_refused_with_the_cell_that_fits(cell):
         ({"corner": (1e300, 0)}, "corner: "),
     ],
 )
-def test_what_makes_no_sense_is_refused_by_name(given, message):
+def test_what_makes_no_sense_is_rejected_by_name(given, message):
     with pytest.raises(ValueError, match=message):
         loom.orthophoto(town(), **{"cell": 1.0, **given})
 

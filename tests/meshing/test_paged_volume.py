@@ -1,4 +1,4 @@
-"""A volume whose blocks lie on disk has the bits of one in memory, and what was saved outlives the process."""
+"""A volume with blocks on disk is bitwise identical to one in memory, and saved data survives the process."""
 
 import copy
 import os
@@ -19,7 +19,7 @@ SIZES = {"voxel_size": 0.025, "truncation": 0.075}
 
 
 def frame(k):
-    """Depth [m], colors and T_camera_world of a camera that goes along a wall and comes back."""
+    """Depth [m], colors and T_camera_world of a camera that moves along a wall and returns."""
     random = np.random.default_rng(k)
     x = 0.8 * (k if k < 6 else 11 - k)
     pose = np.eye(4)
@@ -28,7 +28,7 @@ def frame(k):
     return depth, random.integers(0, 255, (30, 40, 3)).astype(np.uint8), pose
 
 
-def walk(volume, frames=range(12), color=True):
+def integrate_frames(volume, frames=range(12), color=True):
     for k in frames:
         depth, shades, pose = frame(k)
         volume.integrate(depth, CAMERA, pose, color=shades if color else None)
@@ -52,21 +52,21 @@ def assert_same_bits(one, other):
 
 @pytest.mark.parametrize("color", [True, pytest.param(False, marks=pytest.mark.slow)])
 def test_a_paged_volume_has_the_bits_of_one_in_memory(device, tmp_path, color):
-    whole = walk(loom.TSDFVolume(**SIZES, color=color, device=device), color=color)
-    with walk(paged(tmp_path / "v", device, color=color), color=color) as volume:
-        assert volume.block_count == whole.block_count > 2 * volume.max_blocks
+    reference = integrate_frames(loom.TSDFVolume(**SIZES, color=color, device=device), color=color)
+    with integrate_frames(paged(tmp_path / "v", device, color=color), color=color) as volume:
+        assert volume.block_count == reference.block_count > 2 * volume.max_blocks
         assert volume.resident_block_count <= volume.max_blocks and volume.frame_count == 12
         assert len([*(tmp_path / "v").iterdir()]) > 3
-        assert_same_bits(volume.to_volume(), whole)
-        for ours, theirs in (
-            (volume.extract_triangle_mesh(1), whole.extract_triangle_mesh(1)),
-            (volume.extract_point_cloud(1), whole.extract_point_cloud(1)),
+        assert_same_bits(volume.to_volume(), reference)
+        for actual, theirs in (
+            (volume.extract_triangle_mesh(1), reference.extract_triangle_mesh(1)),
+            (volume.extract_point_cloud(1), reference.extract_point_cloud(1)),
         ):
-            assert ours._device_arrays.keys() == theirs._device_arrays.keys()
+            assert actual._device_arrays.keys() == theirs._device_arrays.keys()
             for name in theirs._device_arrays:
-                one, other = download(ours._device_arrays[name]), download(theirs._device_arrays[name])
+                one, other = download(actual._device_arrays[name]), download(theirs._device_arrays[name])
                 np.testing.assert_array_equal(one, other, err_msg=name)
-        mesh = whole.extract_triangle_mesh(1)
+        mesh = reference.extract_triangle_mesh(1)
         assert len(mesh) > 1000
         parts = [*volume.extract_parts(1)]
         assert len(parts) > 3 and sum(map(len, parts)) == len(mesh)
@@ -74,68 +74,72 @@ def test_a_paged_volume_has_the_bits_of_one_in_memory(device, tmp_path, color):
         np.testing.assert_array_equal(corners, np.sort(mesh.vertices[mesh.triangles].reshape(-1, 9), axis=0))
 
 
-def test_rays_of_a_scan_carve_what_lies_on_disk(device, tmp_path):
+def test_scan_rays_carve_voxels_on_disk(device, tmp_path):
     side = np.linspace(-0.6, 0.6, 31)
     wall = np.stack([np.repeat(side, 31), np.tile(side, 31)], axis=1)
-    whole = loom.TSDFVolume(**SIZES, color=False, device=device)
+    reference = loom.TSDFVolume(**SIZES, color=False, device=device)
     with paged(tmp_path / "v", device, 200, color=False) as volume:
         for far in (1.0, 1.8):  # a wall on each of four sides, then one behind each
             for quarter in range(4):
                 cosine, sine = [1, 0, -1, 0][quarter], [0, 1, 0, -1][quarter]
-                turn = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
-                points = np.column_stack([np.full(961, far), wall]) @ turn.T
-                place = turn @ [0.3, 0.0, 0.0]
-                count = volume.integrate_points(points, place)
-                assert count == whole.integrate_points(points, place)
+                rotation = np.array([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
+                points = np.column_stack([np.full(961, far), wall]) @ rotation.T
+                position = rotation @ [0.3, 0.0, 0.0]
+                count = volume.integrate_points(points, position)
+                assert count == reference.integrate_points(points, position)
         assert volume.block_count > 1.5 * volume.max_blocks
-        assert_same_bits(volume.to_volume(), whole)
-        weights = bits_of(whole)["weights"]
+        assert_same_bits(volume.to_volume(), reference)
+        weights = bits_of(reference)["weights"]
         assert (weights == 2).sum() > 1000  # voxels of the near walls that the second round passed
         with pytest.raises(ValueError, match=r"the space that rays cross needs .* increase max_blocks, set max_range"):
-            volume.integrate_points(np.concatenate([points, -points, points @ turn, -points @ turn]), [0.0, 0.0, 0.0])
-        assert_same_bits(volume.to_volume(), whole)
+            volume.integrate_points(
+                np.concatenate([points, -points, points @ rotation, -points @ rotation]), [0.0, 0.0, 0.0]
+            )
+        assert_same_bits(volume.to_volume(), reference)
 
 
-def test_a_view_brings_the_cubes_before_the_camera(device, tmp_path):
-    whole = walk(loom.TSDFVolume(**SIZES, device=device))
-    with walk(paged(tmp_path / "v", device, 250)) as volume:
+def test_a_view_loads_the_blocks_in_front_of_the_camera(device, tmp_path):
+    reference = integrate_frames(loom.TSDFVolume(**SIZES, device=device))
+    with integrate_frames(paged(tmp_path / "v", device, 250)) as volume:
         for k in (0, 5):
             view = {"depth_max": 1.3, "weight_threshold": 0}
-            ours = volume.ray_cast(CAMERA, frame(k)[2], **view)
-            theirs = whole.ray_cast(CAMERA, frame(k)[2], **view)
+            result = volume.ray_cast(CAMERA, frame(k)[2], **view)
+            theirs = reference.ray_cast(CAMERA, frame(k)[2], **view)
             assert (theirs.depth > 0).sum() > 500
-            np.testing.assert_array_equal(ours.depth, theirs.depth)
-            np.testing.assert_array_equal(ours.normals, theirs.normals)
+            np.testing.assert_array_equal(result.depth, theirs.depth)
+            np.testing.assert_array_equal(result.normals, theirs.normals)
         with pytest.raises(ValueError, match=r"the view needs .* 250; increase max_blocks or reduce"):
             volume.ray_cast(CAMERA, frame(3)[2], depth_max=40.0)
-        assert_same_bits(volume.to_volume(), whole)
+        assert_same_bits(volume.to_volume(), reference)
 
 
 def test_work_goes_on_where_it_was_saved(device, tmp_path):
-    whole = walk(loom.TSDFVolume(**SIZES, device=device))
-    with walk(paged(tmp_path / "v", device), range(7)) as volume:
+    reference = integrate_frames(loom.TSDFVolume(**SIZES, device=device))
+    with integrate_frames(paged(tmp_path / "v", device), range(7)) as volume:
         volume.save()
-        walk(volume, range(7, 12))  # and is not saved
+        integrate_frames(volume, range(7, 12))  # not saved
     with loom.PagedTSDFVolume.load(tmp_path / "v", max_blocks=190, device=device) as volume:
         assert volume.frame_count == 7 and volume.resident_block_count == 0
-        assert_same_bits(walk(volume, range(7, 12)).to_volume(), whole)
+        assert_same_bits(integrate_frames(volume, range(7, 12)).to_volume(), reference)
         volume.save()
         listed = len([*(tmp_path / "v").glob("0*.npz")])
     with loom.PagedTSDFVolume.load(tmp_path / "v", device=device) as volume:
-        assert listed == len(volume._volume.cubes)  # what was left of the first run is gone
-        assert_same_bits(volume.to_volume(), whole)
-        np.testing.assert_array_equal(volume.extract_triangle_mesh(1).vertices, whole.extract_triangle_mesh(1).vertices)
+        assert listed == len(volume._volume.cubes)  # leftovers of the first run are removed
+        assert_same_bits(volume.to_volume(), reference)
+        np.testing.assert_array_equal(
+            volume.extract_triangle_mesh(1).vertices, reference.extract_triangle_mesh(1).vertices
+        )
 
 
-def test_a_frame_that_needs_more_than_there_is_room_for_is_refused(device, tmp_path):
+def test_a_frame_that_exceeds_the_capacity_is_rejected(device, tmp_path):
     with paged(tmp_path / "v", device, 40) as volume:
         with pytest.raises(ValueError, match=r"the frame needs .* blocks at once, .* 40; increase max_blocks"):
-            walk(volume, [0])
+            integrate_frames(volume, [0])
         assert volume.block_count == 0 and volume.frame_count == 0
 
 
-def test_a_page_that_cannot_be_written_leaves_the_volume_as_it_was(device, tmp_path, monkeypatch):
-    with walk(paged(tmp_path / "v", device), range(3)) as volume:
+def test_a_failed_page_write_leaves_the_volume_unchanged(device, tmp_path, monkeypatch):
+    with integrate_frames(paged(tmp_path / "v", device), range(3)) as volume:
         before = bits_of(volume.to_volume())
 
         def refuse(*_, **__):
@@ -144,15 +148,15 @@ def test_a_page_that_cannot_be_written_leaves_the_volume_as_it_was(device, tmp_p
         with monkeypatch.context() as patch:
             patch.setattr(volume._volume.folder, "write", refuse)
             with pytest.raises(loom.FileError, match="no space"):
-                walk(volume, range(3, 12))
+                integrate_frames(volume, range(3, 12))
         done = volume.frame_count
         assert 3 <= done < 12 and before["keys"].size
-        whole = walk(loom.TSDFVolume(**SIZES, device=device))
-        assert_same_bits(walk(volume, range(done, 12)).to_volume(), whole)
+        reference = integrate_frames(loom.TSDFVolume(**SIZES, device=device))
+        assert_same_bits(integrate_frames(volume, range(done, 12)).to_volume(), reference)
 
 
 def test_damaged_pages_and_lists_are_named(device, tmp_path):
-    with walk(paged(tmp_path / "v", device)) as volume:
+    with integrate_frames(paged(tmp_path / "v", device)) as volume:
         volume.save()
     page = sorted((tmp_path / "v").glob("0*.npz"))[0]
     data = page.read_bytes()
@@ -176,7 +180,7 @@ def test_damaged_pages_and_lists_are_named(device, tmp_path):
 
 
 def test_a_page_without_the_colors_of_the_others_is_named(device, tmp_path):
-    with walk(paged(tmp_path / "v", device)) as volume:
+    with integrate_frames(paged(tmp_path / "v", device)) as volume:
         volume.save()
     page = sorted((tmp_path / "v").glob("0*.npz"))[1]
     with np.load(page) as file:
@@ -188,7 +192,7 @@ def test_a_page_without_the_colors_of_the_others_is_named(device, tmp_path):
     volume.close()
 
 
-def test_folders_are_kept(device, tmp_path):
+def test_folders_are_preserved(device, tmp_path):
     (tmp_path / "mine").mkdir()
     (tmp_path / "mine" / "note.txt").write_text("mine")
     with pytest.raises(loom.FileError, match="/mine:"):
@@ -197,7 +201,7 @@ def test_folders_are_kept(device, tmp_path):
         paged(tmp_path / "no" / "v", device)
     with pytest.raises(loom.FileError, match="/mine:"):
         loom.PagedTSDFVolume.load(tmp_path / "mine")
-    with walk(paged(tmp_path / "v", device), range(3)) as volume:
+    with integrate_frames(paged(tmp_path / "v", device), range(3)) as volume:
         volume.save()
         with pytest.raises(loom.FileError, match="/v:"):
             loom.PagedTSDFVolume.load(tmp_path / "v")
@@ -213,8 +217,8 @@ def test_folders_are_kept(device, tmp_path):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("at", [3, 17, 40, 64])
-def test_a_process_that_is_killed_leaves_what_it_saved(tmp_path, at):
-    """Killed at some write of a file: `load` finds the frames of the last `save`, and the rest can be done again."""
+def test_a_killed_process_leaves_its_last_save(tmp_path, at):
+    """Killed at some file write: `load` finds the frames of the last `save`, and the rest can be repeated."""
     program = f"""
 import os, signal, sys
 sys.path.insert(0, {str(Path.cwd())!r})
@@ -243,12 +247,12 @@ for k in range(12):
     command = [sys.executable, "-c", program]
     done = subprocess.run(command, capture_output=True, text=True, env=environment)
     assert done.returncode == -signal.SIGKILL, done.stderr
-    said = int((done.stdout.split() or ["0"])[-1])
+    reported = int((done.stdout.split() or ["0"])[-1])
     with loom.PagedTSDFVolume.load(tmp_path / "v", max_blocks=190) as volume:
-        assert volume.frame_count in (said, said + 2)
-        assert_same_bits(volume.to_volume(), walk(loom.TSDFVolume(**SIZES), range(volume.frame_count)))
-        walk(volume, range(volume.frame_count, 12))
-        assert_same_bits(volume.to_volume(), walk(loom.TSDFVolume(**SIZES)))
+        assert volume.frame_count in (reported, reported + 2)
+        assert_same_bits(volume.to_volume(), integrate_frames(loom.TSDFVolume(**SIZES), range(volume.frame_count)))
+        integrate_frames(volume, range(volume.frame_count, 12))
+        assert_same_bits(volume.to_volume(), integrate_frames(loom.TSDFVolume(**SIZES)))
         volume.save()
         left = {file.name for file in (tmp_path / "v").iterdir()}
-        assert len(left) == 1 + len(volume._volume.cubes)  # nothing of the process that was killed
+        assert len(left) == 1 + len(volume._volume.cubes)  # no leftovers of the killed process

@@ -1,4 +1,4 @@
-"""create_from_point_cloud_poisson: near the true surface, closed, the same bits, and what each argument does."""
+"""create_from_point_cloud_poisson: close to the true surface, closed, reproducible, and the effect of each argument."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ from .poisson_scenes import (
 )
 
 
-def test_a_ball_of_samples_is_a_closed_ball(device):
+def test_samples_of_a_ball_give_a_closed_ball(device):
     mesh, densities = poisson(sphere(1500), device=device)
     assert mesh.is_watertight() and len(mesh.cluster_connected_triangles()[1]) == 1
     edges, counts, twisted = edges_by_use(mesh.triangles)
@@ -33,7 +33,7 @@ def test_a_ball_of_samples_is_a_closed_ball(device):
     assert densities.shape == (len(mesh.vertices),) and densities.dtype == np.float32
 
 
-def test_levels_that_differ_leave_no_crack(device):
+def test_level_transitions_have_no_crack(device):
     points = clustered_sphere(5000)
     mesh, densities = poisson(points, depth=7, scale=1.3, device=device)
     assert np.ptp(densities) > 2.5  # local depths: cells of three levels and more
@@ -45,7 +45,7 @@ def test_levels_that_differ_leave_no_crack(device):
 @pytest.mark.slow_on_emulated_cuda("thirty trees, on the CPU alone")
 @settings(deadline=None, max_examples=30)
 @given(st.integers(0, 10**6), st.integers(2, 300), st.integers(3, 7), st.sampled_from([1.0, 3.0, 8.0]))
-def test_no_crack_whatever_the_points(seed, count, depth, power):
+def test_there_is_no_crack_for_any_points(seed, count, depth, power):
     rng = np.random.default_rng(seed)
     points, normals = rng.random((count, 3)) ** power, rng.normal(size=(count, 3))
     with cpu_compiler("warp"):
@@ -55,7 +55,7 @@ def test_no_crack_whatever_the_points(seed, count, depth, power):
         assert not mesh.edge_topology().has_split_vertex
 
 
-def test_an_open_scan_ends_at_the_sides_of_the_cube(device):
+def test_an_open_scan_ends_at_the_cube(device):
     points = sphere(3000)
     points = points[points[:, 2] > 0]
     mesh, _ = poisson(points, device=device)
@@ -66,18 +66,18 @@ def test_an_open_scan_ends_at_the_sides_of_the_cube(device):
     assert np.quantile(sphere_distance(mesh.vertices[near]), 0.95) < 0.01
 
 
-def test_the_sides_of_the_cube_are_alike(device):
-    """Samples lie within a cell or two of all six: what splines have beyond a side must not get lost on some."""
+def test_all_sides_of_the_cube_are_equivalent(device):
+    """Samples are within a cell or two of all six sides: splines beyond a side must be included on all of them."""
     points = sphere(1500)
     straight, densities = poisson(points, device=device)
-    turned, others = poisson(points * [-1, 1, -1], device=device)
-    apart, nearest = cKDTree(turned.vertices * [-1, 1, -1]).query(straight.vertices)
+    rotated, others = poisson(points * [-1, 1, -1], device=device)
+    apart, nearest = cKDTree(rotated.vertices * [-1, 1, -1]).query(straight.vertices)
     assert np.quantile(apart, 0.99) < 1e-5
     assert np.quantile(np.abs(densities - others[nearest]), 0.99) < 1e-5
 
 
 @pytest.mark.parametrize("power", [-90, 20])
-def test_the_unit_of_length_changes_no_triangle(device, power):
+def test_triangles_do_not_depend_on_the_unit_of_length(device, power):
     points = sphere(1000)
     mesh, densities = poisson(points, device=device)
     cloud = loom.PointCloud(points * 2.0**power, normals=points, origin=np.zeros(3), device=device)
@@ -87,14 +87,14 @@ def test_the_unit_of_length_changes_no_triangle(device, power):
     np.testing.assert_array_equal(others, densities)
 
 
-def test_a_width_stands_for_the_depth_with_cells_no_wider(device):
+def test_a_width_sets_the_depth_with_cells_no_wider(device):
     points = sphere(1000)
     _, side = cube_around(points)
     for width in (side / 32, side / 17):
         assert bits(poisson(points, depth=2, width=width, device=device)) == bits(poisson(points, device=device))
 
 
-def test_lengths_of_normals_count_only_where_asked(device):
+def test_normal_lengths_matter_only_on_request(device):
     points = sphere(1000)
     lengths = np.random.default_rng(1).uniform(0.2, 2, (1000, 1))
     assert bits(poisson(points, points * 4, device=device)) == bits(poisson(points, device=device))
@@ -112,8 +112,8 @@ def test_lengths_of_all_normals_by_one_factor_change_nothing(device, factor):
     assert bits(plain) == bits(scaled)
 
 
-def test_a_heavy_side_draws_the_surface_to_itself(device):
-    """Two samples of a sheet at each place, one above the other: the longer normals win."""
+def test_longer_normals_attract_the_surface(device):
+    """Two samples of a sheet at each position, one above the other: the longer normals win."""
     rng = np.random.default_rng(0)
     flat = np.concatenate([rng.random((2000, 2)), np.zeros((2000, 1))], axis=1)
     points = np.concatenate([flat, flat + np.array([0, 0, 0.02])])
@@ -127,7 +127,7 @@ def test_a_heavy_side_draws_the_surface_to_itself(device):
     assert 0 < heights[0] < 0.006 < heights[1] < 0.014 < heights[2] < 0.02
 
 
-def test_points_pull_the_surface_to_themselves(device):
+def test_point_weights_attract_the_surface(device):
     points = sphere(2000)
     errors = [
         np.quantile(sphere_distance(poisson(points, point_weight=w, device=device)[0].vertices), 0.95) for w in (0, 2)
@@ -135,7 +135,7 @@ def test_points_pull_the_surface_to_themselves(device):
     assert errors[1] < errors[0] / 2 and errors[0] < 0.02
 
 
-def test_a_line_between_corners_is_less_exact_than_a_parabola(device):
+def test_linear_interpolation_is_less_exact_than_parabolic(device):
     points = sphere(8000)
     (curved, _), (straight, _) = (poisson(points, linear_fit=fit, device=device) for fit in (False, True))
     np.testing.assert_array_equal(curved.triangles, straight.triangles)
@@ -143,13 +143,13 @@ def test_a_line_between_corners_is_less_exact_than_a_parabola(device):
     assert errors[0] < 0.65 * errors[1]
 
 
-def test_more_samples_a_node_make_a_coarser_tree(device):
+def test_more_samples_per_node_give_a_coarser_tree(device):
     points = sphere(3000)
     depths = [np.median(poisson(points, depth=6, samples_per_node=n, device=device)[1]) for n in (1.5, 6.0)]
     assert abs(depths[0] - depths[1] - 1) < 0.1  # log4 of four
 
 
-def test_colors_are_those_of_the_nearest_points(device):
+def test_colors_come_from_the_nearest_points(device):
     points = sphere(1000)
     colors = np.random.default_rng(2).random((1000, 3)).astype(np.float32)
     cloud = loom.PointCloud(points, normals=points, colors=colors, device=device)

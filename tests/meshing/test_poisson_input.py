@@ -1,4 +1,4 @@
-"""create_from_point_cloud_poisson of few, odd and broken points, and of arguments that make no sense."""
+"""create_from_point_cloud_poisson with few, degenerate and invalid points and arguments."""
 
 from __future__ import annotations
 
@@ -32,14 +32,14 @@ def test_the_coarsest_trees_give_a_closed_ball(device, depth):
     assert mesh.is_watertight() and mesh.get_volume() > 2
 
 
-def test_the_deepest_tree_ends_where_the_points_do(device):
+def test_the_deepest_tree_ends_at_single_points(device):
     points = sphere(200)
     (mesh, densities), (other, _) = (poisson(points, depth=d, device=device) for d in (20, 12))
     assert_sane(mesh, densities, points)
     assert densities.max() < 4 and len(mesh) < 1.2 * len(other) + 100
 
 
-def test_two_places_close_together_take_the_tree_to_its_depth(device):
+def test_two_close_positions_refine_the_tree_to_full_depth(device):
     points = np.concatenate([sphere(40), sphere(40) * 1e-5])
     mesh, densities = poisson(points, np.concatenate([sphere(40)] * 2), depth=16, device=device)
     assert_sane(mesh, densities, points)
@@ -61,7 +61,7 @@ def test_a_flat_sheet_stays_flat_and_ends_at_the_cube(device):
     assert (mesh.vertex_normals[inner, 2] > 0.99).all()
 
 
-def test_a_cube_as_tight_as_the_points_is_cut_by_its_sides(device):
+def test_a_tight_cube_cuts_the_surface_at_its_sides(device):
     points = sphere(800)
     assert_sane(*poisson(points, scale=1.0, device=device), points, 1.0)
 
@@ -85,17 +85,17 @@ def test_a_cube_as_tight_as_the_points_is_cut_by_its_sides(device):
         (sphere(9) * 3e38, sphere(9), "cloud, scale: a cube of .* m exceeds the float32 range"),
     ],
 )
-def test_points_at_no_two_places_are_refused(device, points, normals, message):
+def test_coincident_points_are_rejected(device, points, normals, message):
     with pytest.raises(ValueError, match=message):
         poisson(points, normals, device=device)
 
 
-def test_a_cloud_without_normals_is_told_how_to_get_some(device):
+def test_a_cloud_without_normals_gets_advice_on_estimation(device):
     with pytest.raises(ValueError, match=r"normals.*estimate_normals\(\)"):
         loom.TriangleMesh.create_from_point_cloud_poisson(loom.PointCloud(sphere(9), device=device))
 
 
-def test_what_is_no_cloud_is_refused():
+def test_invalid_clouds_are_rejected():
     with pytest.raises(TypeError, match="cloud:"):
         loom.TriangleMesh.create_from_point_cloud_poisson(sphere(9))
 
@@ -119,29 +119,29 @@ def test_what_is_no_cloud_is_refused():
         ),
     ],
 )
-def test_arguments_out_of_range_are_refused_by_name(options, error, message):
+def test_arguments_out_of_range_are_rejected_by_name(options, error, message):
     with pytest.raises(error, match=message):
         poisson(sphere(100), **options)
 
 
 @pytest.mark.parametrize("allowed", [0, 2_000_000])
-def test_a_tree_that_would_not_fit_is_refused_with_its_size(device, monkeypatch, allowed):
-    """The samples themselves, then the levels from the seventh on or so; nothing of the level refused is allocated."""
-    points, asked = sphere(2000), []
+def test_a_too_large_tree_is_rejected_with_its_size(device, monkeypatch, allowed):
+    """The samples first, then levels from about the seventh on; nothing of the rejected level is allocated."""
+    points, requests = sphere(2000), []
     poisson(points, device=device)
     room = memory.check_room
 
-    def check(place, size, what):
-        asked.append((size, what))
-        room(place, size, what)
+    def check(target_device, size, what):
+        requests.append((size, what))
+        room(target_device, size, what)
 
     for module in ("poisson", "octree_levels"):
         monkeypatch.setattr(f"pointloom.kernels.reconstruction.{module}.check_room", check)
-    monkeypatch.setattr(memory, "free_bytes", lambda place: allowed)
+    monkeypatch.setattr(memory, "free_bytes", lambda target_device: allowed)
     with pytest.raises(MemoryError, match=r"would take about .* GB, and .* has .* GB free; take a smaller depth"):
         poisson(points, depth=8, device=device)
-    *fitting, (size, what) = asked
-    assert size > allowed >= max([least for least, _ in fitting], default=0)
+    *fitting, (size, what) = requests
+    assert size > allowed >= max([needed for needed, _ in fitting], default=0)
     assert what.startswith("the cells of 2,000 points" if allowed < 180_000 else "level ")
 
 
@@ -164,22 +164,22 @@ def test_an_open_scan_stays_within_its_envelope(device, offset):
     cloud = half_sphere(device, offset)
     envelope = box(np.array([-1.15, -1.15, -0.1]) + offset, np.array([1.15, 1.15, 1.15]) + offset, device)
     free, _ = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 6, scale=1.5)
-    held, _ = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 6, scale=1.5, envelope=envelope)
+    bounded, _ = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 6, scale=1.5, envelope=envelope)
     cell = 1.5 * 2 / 2**5
-    lowest = (free.vertices - offset)[:, 2].min(), (held.vertices - offset)[:, 2].min()
+    lowest = (free.vertices - offset)[:, 2].min(), (bounded.vertices - offset)[:, 2].min()
     assert lowest[0] < -0.4 and -0.1 - cell < lowest[1]
-    assert held.is_watertight() and not free.is_watertight()
+    assert bounded.is_watertight() and not free.is_watertight()
 
 
-def test_an_envelope_turned_inside_out_is_the_same(device):
+def test_an_inverted_envelope_gives_the_same_result(device):
     cloud = half_sphere(device)
     envelope = box([-1.15, -1.15, -0.1], [1.15, 1.15, 1.15], device)
-    turned = loom.TriangleMesh(envelope.vertices, envelope.triangles[:, ::-1], device=device)
-    meshes = [loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5, envelope=e)[0] for e in (envelope, turned)]
+    flipped = loom.TriangleMesh(envelope.vertices, envelope.triangles[:, ::-1], device=device)
+    meshes = [loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 5, envelope=e)[0] for e in (envelope, flipped)]
     assert np.array_equal(meshes[0].vertices, meshes[1].vertices)
 
 
-def test_an_envelope_that_is_open_or_no_mesh_or_too_fine_is_refused():
+def test_open_invalid_or_too_fine_envelopes_are_rejected():
     cloud = half_sphere("cpu")
     with pytest.raises(ValueError, match="envelope:"):
         opened = box([-2] * 3, [2] * 3)
@@ -192,13 +192,13 @@ def test_an_envelope_that_is_open_or_no_mesh_or_too_fine_is_refused():
         loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4, envelope=fine)
 
 
-def test_normals_to_opposite_sides_are_spoken_of(device):
+def test_opposite_normals_cause_a_warning(device):
     points = sphere(1000)
     signs = np.where(np.random.default_rng(0).random(1000) < 0.5, 1.0, -1.0)[:, None]
     cloud = loom.PointCloud(points, normals=points * signs, device=device)
-    with pytest.warns(loom.NormalsWarning, match="orient_normals_consistent_tangent_plane") as told:
+    with pytest.warns(loom.NormalsWarning, match="orient_normals_consistent_tangent_plane") as caught:
         loom.TriangleMesh.create_from_point_cloud_poisson(cloud, 4)
-    assert told[0].filename == __file__, "it points at the user's line"
+    assert caught[0].filename == __file__, "it points at the user's line"
     loom.TriangleMesh.create_from_point_cloud_poisson(
         cloud.orient_normals_consistent_tangent_plane(12), 4
     )  # no warning

@@ -1,4 +1,4 @@
-"""Quadric decimation: it reaches its target, keeps what a mesh is, is as good as Open3D's, and knows no unit."""
+"""Quadric decimation: reaches its target, preserves mesh properties, as accurate as Open3D, scale-invariant."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def sampled(mesh: TriangleMesh) -> np.ndarray:
 
 
 @pytest.mark.parametrize("target", [1919, 501, 40])
-def test_the_target_is_reached_or_passed_by_one_and_the_surface_stays_closed(device, target):
+def test_the_target_is_reached_or_exceeded_by_one_and_the_surface_stays_closed(device, target):
     mesh = TriangleMesh(*bumpy_torus(), device=device)
     thin = mesh.simplify_quadric_decimation(target)
     assert target - 1 <= len(thin) <= target
@@ -30,8 +30,8 @@ def test_the_target_is_reached_or_passed_by_one_and_the_surface_stays_closed(dev
 
 
 @pytest.mark.parametrize("target", [1000, 300])
-def test_it_is_as_good_as_that_of_open3d(oracle, target):
-    """Within 1.1 times its distance both ways, the bar of the operation, in a unit in which Open3D is at its best."""
+def test_accuracy_is_that_of_open3d(oracle, target):
+    """Within 1.1 times Open3D's distance in both directions, in the unit that suits Open3D best."""
     mesh = TriangleMesh(*bumpy_torus(70, 40))
     thin, name = mesh.simplify_quadric_decimation(target), "simplify_quadric_decimation"
     peer = TriangleMesh(*oracle(f"meshing/decimation/torus_{target}", open3d_simplified, mesh, 100.0, name, target))
@@ -40,7 +40,7 @@ def test_it_is_as_good_as_that_of_open3d(oracle, target):
 
 
 @pytest.mark.parametrize("scale", [2.0**-20, 2.0**20])
-def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, scale):
+def test_a_scaled_mesh_gives_the_scaled_result_bitwise(device, scale):
     vertices, triangles = bumpy_torus()
     first = TriangleMesh(vertices, triangles, device=device).simplify_quadric_decimation(300)
     other = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device).simplify_quadric_decimation(300)
@@ -48,18 +48,18 @@ def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, scale):
     np.testing.assert_array_equal(other.vertices, first.vertices * scale)
 
 
-def test_a_cube_comes_down_to_twelve_triangles_and_keeps_its_corners(device):
+def test_a_cube_is_reduced_to_twelve_triangles_and_keeps_its_corners(device):
     thin = TriangleMesh(*box(8), device=device).simplify_quadric_decimation(12)
     assert len(thin) == 12
     corners = np.array(np.meshgrid([0, 1], [0, 1], [0, 1])).reshape(3, -1).T
     gaps = np.linalg.norm(thin.vertices[:, None] - corners, axis=2)
-    # 1e-5: the middle of an edge pulls by 1e-8 of all planes that an end has come to stand for
+    # 1e-5: the middle of an edge has 1e-8 of the weight of all accumulated planes
     assert gaps.min(axis=0).max() < 1e-5 and gaps.min(axis=1).max() < 1e-5
     assert thin.get_volume() == pytest.approx(1, abs=1e-4)
 
 
-def test_the_border_of_a_hole_stays_a_border(device):
-    """A square with a round hole: two borders before and after, and the hole keeps its place."""
+def test_the_boundary_of_a_hole_is_preserved(device):
+    """A square with a round hole: two boundaries before and after, and the hole keeps its position."""
     vertices, triangles = grid(24)
     center = np.array([11.5, 11.5, 0])
     inside = np.linalg.norm(vertices - center, axis=1) < 5
@@ -74,18 +74,18 @@ def test_the_border_of_a_hole_stays_a_border(device):
     np.testing.assert_allclose(spans, [23, 23, 0], atol=0.05)
 
 
-def test_border_planes_of_no_weight_let_the_border_go():
-    """Round borders shrink where nothing holds them."""
+def test_border_planes_of_zero_weight_release_the_boundary():
+    """Round boundaries shrink without boundary planes."""
     vertices, triangles = grid(24)
     far = np.linalg.norm(vertices - [11.5, 11.5, 0], axis=1) > 11
     mesh = TriangleMesh(vertices, triangles[~far[triangles].any(axis=1)]).remove_unreferenced_vertices()
     areas = [mesh.simplify_quadric_decimation(30, boundary_weight=w).get_surface_area() for w in (0.0, 1.0)]
-    whole = mesh.get_surface_area()
-    assert abs(areas[1] - whole) < abs(areas[0] - whole)
+    area = mesh.get_surface_area()
+    assert abs(areas[1] - area) < abs(areas[0] - area)
 
 
 @pytest.mark.parametrize("height", [0.0, 0.5])
-def test_no_triangle_turns_over(device, height):
+def test_no_triangle_flips(device, height):
     x, y = (grid(30)[0][:, :2] + np.random.default_rng(0).uniform(-0.3, 0.3, (900, 2))).T
     hills = np.c_[x, y, height * np.sin(0.9 * x) * np.cos(0.7 * y)]
     thin = TriangleMesh(hills, grid(30)[1], device=device).simplify_quadric_decimation(200)
@@ -97,8 +97,8 @@ def test_no_triangle_turns_over(device, height):
     ("surface", "target", "vertices", "number"),
     [(box(3), 2, {4}, 2), (box(3), 0, {4}, 2), (bumpy_torus(8, 5), 0, {7, 8, 9, 10}, 0)],
 )
-def test_a_closed_piece_stays_one_and_says_so(device, surface, target, vertices, number):
-    """Four vertices of a ball; of a torus one of the 21 that cannot be reduced (Lavrenchenko 1990)."""
+def test_a_closed_component_remains_and_is_reported(device, surface, target, vertices, number):
+    """Four vertices of a ball; for a torus one of the 21 irreducible triangulations (Lavrenchenko 1990)."""
     with pytest.warns(UserWarning, match=rf"\d+ triangles remain instead of {target}"):
         thin = TriangleMesh(*surface, device=device).simplify_quadric_decimation(target)
     assert len(thin.vertices) in vertices and euler(thin) == number
@@ -106,7 +106,7 @@ def test_a_closed_piece_stays_one_and_says_so(device, surface, target, vertices,
 
 
 def test_lone_triangles_go_last_and_the_small_ones_first(device):
-    """Open3D's stays above its target where nothing may collapse; ours does what it was asked for."""
+    """Open3D remains above its target where no collapse is possible; pointloom reaches the target."""
     corners = np.tile([[0, 0, 0], [1, 0, 0], [0, 1, 0]], (6, 1, 1)) * np.arange(1.0, 7)[::-1, None, None]
     corners[..., 2] = np.arange(6)[:, None]
     triangles = np.arange(18).reshape(6, 3)
@@ -117,14 +117,14 @@ def test_lone_triangles_go_last_and_the_small_ones_first(device):
 
 
 @pytest.mark.parametrize("target", [800, 801, 2**31 - 1])
-def test_a_target_that_is_reached_already_leaves_the_mesh_as_it_is(device, target):
+def test_a_reached_target_leaves_the_mesh_unchanged(device, target):
     mesh = TriangleMesh(*grid(21), device=device)
     same = mesh.simplify_quadric_decimation(target)
     assert same.array("triangles").ptr == mesh.array("triangles").ptr
     assert len(TriangleMesh(device=device).simplify_quadric_decimation(0)) == 0
 
 
-def test_triangles_that_repeat_another_go_first(device):
+def test_duplicate_triangles_are_removed_first(device):
     vertices, triangles = grid(12)
     rolled = np.roll(triangles, 1, axis=1)
     mesh = TriangleMesh(vertices, np.r_[triangles, rolled, [[3, 3, 4]]], device=device)
@@ -139,7 +139,7 @@ def test_triangles_without_area_collapse(device):
         assert len(thin) in (49, 50) and np.isfinite(thin.vertices).all()
 
 
-def test_edges_of_three_triangles_stay_and_get_no_more(device):
+def test_non_manifold_edges_stay_and_get_no_more_triangles(device):
     """Three sheets on one line."""
     vertices, triangles = grid(12)
     sheets = [vertices @ np.array([[c, s, 0], [0, 0, 1], [s, -c, 0]]) for c, s in ((1, 0), (-0.5, 0.8), (-0.5, -0.8))]
@@ -155,7 +155,7 @@ def test_edges_of_three_triangles_stay_and_get_no_more(device):
 
 
 def test_an_error_that_is_allowed_is_not_passed(device):
-    """Flat parts go for nothing; what is curved stays, and no warning is due."""
+    """Flat parts are collapsed without error; curved parts stay, without a warning."""
     x, y = grid(20)[0][:, :2].T
     bent = np.c_[x, y, np.maximum(x - 9, 0) ** 2 / 8]
     mesh = TriangleMesh(bent, grid(20)[1], device=device)
@@ -168,8 +168,8 @@ def test_an_error_that_is_allowed_is_not_passed(device):
     assert len(scaled.simplify_quadric_decimation(2, maximum_error=1024**4)) == len(near)
 
 
-def test_normals_and_colors_are_those_of_the_place(device):
-    """Colors that are linear on a flat square stay linear on it."""
+def test_normals_and_colors_match_their_position(device):
+    """Colors that are linear on a flat square remain linear."""
     vertices, triangles = grid(16)
     colors = np.c_[vertices[:, 0], vertices[:, 1], 15 - vertices[:, 0]] / 15
     normals = np.tile([0.0, 0, 1], (256, 1))
@@ -177,7 +177,7 @@ def test_normals_and_colors_are_those_of_the_place(device):
     thin = mesh.simplify_quadric_decimation(40)
     where = thin.vertices
     wanted = np.c_[where[:, 0], where[:, 1], 15 - where[:, 0]] / 15
-    # vertices leave the square by some 1e-5, where colors do not follow
+    # vertices leave the square by some 1e-5, but colors do not
     assert thin.vertex_colors is not None
     np.testing.assert_allclose(thin.vertex_colors, wanted, atol=1e-4)
     np.testing.assert_array_equal(thin.vertex_normals, np.tile([0, 0, 1], (len(where), 1)))
@@ -206,7 +206,7 @@ def test_a_texture_stays_where_it_is(device):
     where = thin.vertices[thin.triangles]
     assert (where[sides == 0][..., 0] < 10.001).all() and (where[sides == 1][..., 0] > 9.999).all()
     uvs[sides == 1, :, 0] = 0.95 - uvs[sides == 1, :, 0]
-    # The sheet is bent along y alone, so x is told exactly; y to what a triangle's chord leaves of the arc.
+    # The sheet is bent along y alone, so x is exact; y up to the chord error of a triangle.
     np.testing.assert_allclose(uvs[..., 0] * 40, where[..., 0], atol=1e-3)
     np.testing.assert_allclose(uvs[..., 1] * 40, where[..., 1], atol=0.1)
 
@@ -222,8 +222,8 @@ def test_seams_give_way_before_the_target_is_missed(device):
 
 @settings(deadline=None, max_examples=20)
 @given(st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=30), st.integers(0, 30))
-def test_whatever_the_triangles_no_edge_gets_more_of_them(triangles, target):
-    """Soups with edges of many triangles, triangles of one vertex, and the same triangle twice."""
+def test_no_edge_gets_more_triangles_for_any_mesh(triangles, target):
+    """Soups with edges of many triangles, degenerate triangles, and duplicate triangles."""
     vertices = np.random.default_rng(0).normal(size=(10, 3))
     with cpu_compiler("warp"), warnings.catch_warnings():
         warnings.simplefilter("ignore", UserWarning)
@@ -240,8 +240,8 @@ def test_whatever_the_triangles_no_edge_gets_more_of_them(triangles, target):
 
 @settings(deadline=None, max_examples=15)
 @given(st.integers(0, 2**31), st.integers(4, 300))
-def test_random_closed_surfaces_stay_what_they_are(seed, target):
-    """A sphere with vertices anywhere: triangles cross and turn over, but it hangs together as before."""
+def test_random_closed_surfaces_keep_their_topology(seed, target):
+    """A sphere with random vertices: triangles intersect and flip, but the connectivity is unchanged."""
     rng = np.random.default_rng(seed)
     vertices, triangles = box(6)
     vertices = vertices + rng.normal(size=vertices.shape) * rng.choice([0, 0.1, 10])
@@ -262,6 +262,6 @@ def test_random_closed_surfaces_stay_what_they_are(seed, target):
         ({"boundary_weight": np.inf}, ValueError),
     ],
 )
-def test_arguments_out_of_range_are_refused(arguments, error):
+def test_arguments_out_of_range_are_rejected(arguments, error):
     with pytest.raises(error, match=f"^{next(iter(arguments))}: "):
         TriangleMesh(*grid(3)).simplify_quadric_decimation(**({"target_number_of_triangles": 2} | arguments))

@@ -1,4 +1,4 @@
-"""RaycastingScene: Embree's hits, brute force in float64, no leaks, poses, places far from zero, rays that are none."""
+"""RaycastingScene: Embree's hits, float64 brute force, watertight rays, poses, large coordinates, invalid rays."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ def scene_of(*meshes, device=None) -> RaycastingScene:
 
 
 def open3d_hits(o3d, mesh, rays):
-    """Embree's first hits of rays, all hits, their counts, and what limits hide."""
+    """Embree's first hits, all hits, hit counts, and occlusion within limits."""
     scene = raycasting_scene(o3d, mesh)
     rays = o3d.core.Tensor(np.ascontiguousarray(rays, np.float32))
     first, listed = (
@@ -44,7 +44,7 @@ LIMITS = ({}, {"tnear": 1.0}, {"tfar": 1.0}, {"tnear": 0.6, "tfar": 0.9})
 
 
 def ball(cells: int = 16):
-    """A closed mesh whose vertices no grid holds."""
+    """A closed mesh with vertices off any grid."""
     x = np.linspace(-1, 1, cells)
     x, y, z = np.meshgrid(x, x, x, indexing="ij")
     mesh = marching_cubes(np.sqrt(x * x + 1.1 * y * y + 0.9 * z * z) - 0.7, spacing=[2 / (cells - 1)] * 3)
@@ -52,7 +52,7 @@ def ball(cells: int = 16):
 
 
 def rays_through(count: int, seed: int = 0) -> np.ndarray:
-    """From outside the ball to places in its box."""
+    """Rays from outside the ball to positions in its box."""
     rng = np.random.default_rng(seed)
     origins = rng.normal(size=(count, 3))
     origins *= 2 / np.linalg.norm(origins, axis=1, keepdims=True)
@@ -61,7 +61,7 @@ def rays_through(count: int, seed: int = 0) -> np.ndarray:
 
 
 def brute_force(vertices, triangles, rays) -> np.ndarray:
-    """The parameter at which each ray meets each triangle in float64 [n, t]; infinite where it does not."""
+    """The ray parameter of each ray and triangle in float64 [n, t]; infinite for a miss."""
     a, b, c = np.asarray(vertices, np.float32).astype(np.float64)[np.asarray(triangles)].transpose(1, 0, 2)
     o, d = (np.asarray(rays, np.float64)[:, None, k : k + 3] for k in (0, 3))
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -74,25 +74,25 @@ def brute_force(vertices, triangles, rays) -> np.ndarray:
         return np.where((u >= 0) & (v >= 0) & (u + v <= 1) & (t >= 0), t, np.inf)
 
 
-def test_hits_counts_lists_and_occlusions_are_those_of_embree(device, oracle):
+def test_hits_counts_lists_and_occlusions_match_embree(device, oracle):
     mesh, rays = ball(), rays_through(700)
     scene = scene_of(mesh, device=device)
     wanted, wanted_list, counts, hidden = oracle("meshing/raycasting/hits", open3d_hits, mesh, rays)
-    found = scene.cast_rays(rays)
-    assert {name: (v.shape, v.dtype) for name, v in found.items()} == {
+    result = scene.cast_rays(rays)
+    assert {name: (v.shape, v.dtype) for name, v in result.items()} == {
         name: (v.shape, v.dtype) for name, v in wanted.items()
     }
-    assert 0.3 < np.isfinite(found["t_hit"]).mean() < 0.95
-    np.testing.assert_array_equal(np.isfinite(found["t_hit"]), np.isfinite(wanted["t_hit"]))
-    np.testing.assert_allclose(found["t_hit"], wanted["t_hit"], rtol=5e-6)  # Embree's depths are float32
-    # Beside an edge the two see the ray on different sides of it, by the rounding of float32.
-    same = found["primitive_ids"] == wanted["primitive_ids"]
+    assert 0.3 < np.isfinite(result["t_hit"]).mean() < 0.95
+    np.testing.assert_array_equal(np.isfinite(result["t_hit"]), np.isfinite(wanted["t_hit"]))
+    np.testing.assert_allclose(result["t_hit"], wanted["t_hit"], rtol=5e-6)  # Embree's depths are float32
+    # Beside an edge, float32 rounding puts the ray on different sides.
+    same = result["primitive_ids"] == wanted["primitive_ids"]
     assert same.mean() > 0.998
-    np.testing.assert_array_equal(found["geometry_ids"], wanted["geometry_ids"])
+    np.testing.assert_array_equal(result["geometry_ids"], wanted["geometry_ids"])
     # a sliver's weights and normal are ill-conditioned in float32
-    np.testing.assert_allclose(found["primitive_uvs"][same], wanted["primitive_uvs"][same], atol=2e-3)
-    turned = (found["primitive_normals"][same] * wanted["primitive_normals"][same]).sum(1)
-    assert np.median(turned[np.isfinite(found["t_hit"][same])]) > 0.999999
+    np.testing.assert_allclose(result["primitive_uvs"][same], wanted["primitive_uvs"][same], atol=2e-3)
+    cosines = (result["primitive_normals"][same] * wanted["primitive_normals"][same]).sum(1)
+    assert np.median(cosines[np.isfinite(result["t_hit"][same])]) > 0.999999
     np.testing.assert_array_equal(scene.count_intersections(rays), counts)
     listed = scene.list_intersections(rays)
     for name in ("ray_splits", "ray_ids", "geometry_ids"):
@@ -113,7 +113,7 @@ def open3d_cameras(o3d):
     return make(*VIEW).numpy(), make(tensor(K), tensor(T), 4, 3).numpy()
 
 
-def test_cameras_are_those_of_open3d(oracle):
+def test_cameras_match_open3d(oracle):
     looking, posed = oracle("meshing/raycasting/cameras", open3d_cameras)
     np.testing.assert_allclose(RaycastingScene.create_rays_pinhole(*VIEW), looking, atol=1e-6)  # float32
     given = {"intrinsic_matrix": K, "extrinsic_matrix": T, "width_px": 4, "height_px": 3}
@@ -129,17 +129,19 @@ def test_hits_are_those_of_brute_force(device):
     rays = rays_through(400, 2)
     every = brute_force(vertices, triangles, rays)
     scene = scene_of((vertices, triangles), device=device)
-    found = scene.cast_rays(rays)
-    np.testing.assert_allclose(found["t_hit"], every.min(axis=1), rtol=2e-6)  # corners sheared in float32
+    result = scene.cast_rays(rays)
+    np.testing.assert_allclose(result["t_hit"], every.min(axis=1), rtol=2e-6)  # corners sheared in float32
     np.testing.assert_array_equal(scene.count_intersections(rays), np.isfinite(every).sum(axis=1))
     listed = scene.list_intersections(rays)
     np.testing.assert_allclose(listed["t_hit"], np.sort(every, axis=1)[np.isfinite(np.sort(every, axis=1))], rtol=2e-6)
-    t = np.asarray(triangles)[found["primitive_ids"][np.isfinite(found["t_hit"])]]
-    u, v = found["primitive_uvs"][np.isfinite(found["t_hit"])].T.astype(np.float64)
-    places = (1 - u - v)[:, None] * vertices[t[:, 0]] + u[:, None] * vertices[t[:, 1]] + v[:, None] * vertices[t[:, 2]]
-    hit = rays[np.isfinite(found["t_hit"])].astype(np.float64)
-    on_ray = hit[:, :3] + hit[:, 3:] * found["t_hit"][np.isfinite(found["t_hit"])][:, None]
-    np.testing.assert_allclose(places, on_ray, atol=2e-6)  # float32 of numbers up to 2
+    t = np.asarray(triangles)[result["primitive_ids"][np.isfinite(result["t_hit"])]]
+    u, v = result["primitive_uvs"][np.isfinite(result["t_hit"])].T.astype(np.float64)
+    positions = (
+        (1 - u - v)[:, None] * vertices[t[:, 0]] + u[:, None] * vertices[t[:, 1]] + v[:, None] * vertices[t[:, 2]]
+    )
+    hit = rays[np.isfinite(result["t_hit"])].astype(np.float64)
+    on_ray = hit[:, :3] + hit[:, 3:] * result["t_hit"][np.isfinite(result["t_hit"])][:, None]
+    np.testing.assert_allclose(positions, on_ray, atol=2e-6)  # float32 of numbers up to 2
 
 
 @settings(deadline=None, max_examples=25)
@@ -147,25 +149,25 @@ def test_hits_are_those_of_brute_force(device):
     st.lists(st.tuples(*[st.integers(0, 9)] * 3), min_size=1, max_size=12),
     st.lists(st.tuples(*[st.integers(-2, 2)] * 6), min_size=1, max_size=8),
 )
-@example([(3, 4, 9)], [(-1, -1, 0, -1, 0, 1), (-1, -1, 0, -1, -1, 0)])  # from a place on the triangle
-def test_whole_numbers_are_met_exactly(triangles, rays):
-    """Corners and rays on a grid, so that edges and corners are met all the time; the directions' steps are exact."""
+@example([(3, 4, 9)], [(-1, -1, 0, -1, 0, 1), (-1, -1, 0, -1, -1, 0)])  # from a position on the triangle
+def test_integer_coordinates_are_hit_exactly(triangles, rays):
+    """Corners and rays on a grid, so that rays often hit edges and corners; the direction steps are exact."""
     vertices = np.random.default_rng(3).integers(-2, 3, (10, 3))
     steps = np.array(rays)
     steps[:, 3:] = np.sign(steps[:, 3:])  # divisions by 1
     every = brute_force(vertices, triangles, steps)
     with cpu_compiler("warp"):
         scene = scene_of((vertices, triangles))
-        found = scene.cast_rays(steps)
+        result = scene.cast_rays(steps)
         counts = scene.count_intersections(steps)
     wanted = every.astype(np.float32)
-    np.testing.assert_allclose(found["t_hit"], wanted.min(axis=1), rtol=1e-6, atol=1e-15)  # thirds in the weights
+    np.testing.assert_allclose(result["t_hit"], wanted.min(axis=1), rtol=1e-6, atol=1e-15)  # thirds in the weights
     for row, t in enumerate(wanted):
         close = np.unique(np.round(t[np.isfinite(t)].astype(np.float64), 5))  # of one t, once
         assert counts[row] == len(close)
         if len(close):
             first = np.flatnonzero(np.abs(t - t.min()) < 1e-6)  # ties go to the smallest number
-            assert found["primitive_ids"][row] == first[0]
+            assert result["primitive_ids"][row] == first[0]
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
@@ -176,8 +178,8 @@ def test_no_ray_slips_through_the_edges_and_corners_of_a_closed_mesh(device, sca
     targets = np.concatenate([vertices, (corners[:, 0] + corners[:, 1]) / 2, 0.3 * corners[:, 1] + 0.7 * corners[:, 2]])
     origin = np.array([0.013, -0.021, 0.034], np.float32) * np.float32(scale)  # inside
     rays = np.hstack([np.broadcast_to(origin, targets.shape), targets - origin])
-    found = scene_of((vertices, triangles), device=device).cast_rays(rays)
-    np.testing.assert_allclose(found["t_hit"], 1, rtol=1e-4)  # the next triangle may lean toward the ray
+    result = scene_of((vertices, triangles), device=device).cast_rays(rays)
+    np.testing.assert_allclose(result["t_hit"], 1, rtol=1e-4)  # the next triangle may lean toward the ray
 
 
 def test_edges_and_corners_are_crossed_once(device):
@@ -194,34 +196,34 @@ def test_edges_and_corners_are_crossed_once(device):
         np.float32,
     )
     assert scene.count_intersections(rays).tolist() == [2, 2, 2, 1, 2, 1]
-    found = scene.list_intersections(rays)
-    assert found["primitive_ids"][:4].tolist() == [0, 4, 0, 4]
-    assert found["t_hit"].tolist() == [2, 4, 2.25, 3.75, 2.5, 3.5, 3, 2, 4, 3]
-    assert set(found["primitive_uvs"][[2, 3, 6]].ravel().tolist()) <= {0, 0.25, 0.5, 0.75}  # whole numbers' own
+    result = scene.list_intersections(rays)
+    assert result["primitive_ids"][:4].tolist() == [0, 4, 0, 4]
+    assert result["t_hit"].tolist() == [2, 4, 2.25, 3.75, 2.5, 3.5, 3, 2, 4, 3]
+    assert set(result["primitive_uvs"][[2, 3, 6]].ravel().tolist()) <= {0, 0.25, 0.5, 0.75}  # as for integers
 
 
 def test_of_equal_triangles_the_smallest_number_is_met(device):
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     scene = scene_of((corners, [[0, 2, 1]] * 40), (corners, [[0, 1, 2]]), device=device)
     rays = [[0.2, 0.3, 1, 0, 0, -1]]
-    found = scene.cast_rays(rays)
-    assert (found["geometry_ids"].tolist(), found["primitive_ids"].tolist()) == ([0], [0])
-    assert found["primitive_normals"].tolist() == [[0, 0, -1]]
+    result = scene.cast_rays(rays)
+    assert (result["geometry_ids"].tolist(), result["primitive_ids"].tolist()) == ([0], [0])
+    assert result["primitive_normals"].tolist() == [[0, 0, -1]]
     listed = scene.list_intersections(rays)
     assert (listed["geometry_ids"].tolist(), listed["primitive_ids"].tolist()) == ([0, 1], [0, 0])
 
 
-def test_of_triangles_at_a_corner_the_smallest_number_is_met_wherever_it_stands_in_the_tree(device):
-    """The later half rises toward the ray, so its boxes are entered first."""
+def test_shared_corners_report_the_smallest_index_regardless_of_tree_order(device):
+    """The second half rises toward the ray, so its boxes are entered first."""
     angles = np.linspace(np.pi / 2, 5 * np.pi / 2, 32, endpoint=False)
     rim = np.stack([np.cos(angles), np.sin(angles), np.where(np.cos(angles) > 1e-9, 2.0, 0.0)], axis=1)
     fan = [[0, 1 + k, 1 + (k + 1) % 32] for k in range(32)]
     scene = scene_of(([[0, 0, 0], *rim], fan), device=device)
-    found = scene.list_intersections([[0, 0, 5, 0, 0, -1]])
-    assert (found["t_hit"].tolist(), found["primitive_ids"].tolist()) == ([5], [0])
+    result = scene.list_intersections([[0, 0, 5, 0, 0, -1]])
+    assert (result["t_hit"].tolist(), result["primitive_ids"].tolist()) == ([5], [0])
 
 
-def test_places_of_one_mesh_are_transformed_copies(device):
+def test_instances_of_a_mesh_are_transformed_copies(device):
     mesh, rng = ball(8), np.random.default_rng(4)
     poses = np.tile(np.eye(4), (30, 1, 1))
     poses[:, :3, :3] = Rotation.random(30, rng=rng).as_matrix()
@@ -236,20 +238,20 @@ def test_places_of_one_mesh_are_transformed_copies(device):
     scene.set_pose(first, poses[0])
     assert len(scene) == 30 and scene._trees[0].count == len(mesh[1]) and len(scene._trees) == 1
     rays = rays_through(1500, 5) * np.float32(3)
-    found, wanted = scene.cast_rays(rays), copies.cast_rays(rays)
-    np.testing.assert_array_equal(np.isfinite(found["t_hit"]), np.isfinite(wanted["t_hit"]))
-    np.testing.assert_allclose(found["t_hit"], wanted["t_hit"], rtol=1e-5, atol=1e-6)  # float32 in another frame
-    assert (found["geometry_ids"] == wanted["geometry_ids"]).all()
-    assert len(np.unique(found["geometry_ids"])) > 15
-    same = found["primitive_ids"] == wanted["primitive_ids"]
+    result, wanted = scene.cast_rays(rays), copies.cast_rays(rays)
+    np.testing.assert_array_equal(np.isfinite(result["t_hit"]), np.isfinite(wanted["t_hit"]))
+    np.testing.assert_allclose(result["t_hit"], wanted["t_hit"], rtol=1e-5, atol=1e-6)  # float32 in another frame
+    assert (result["geometry_ids"] == wanted["geometry_ids"]).all()
+    assert len(np.unique(result["geometry_ids"])) > 15
+    same = result["primitive_ids"] == wanted["primitive_ids"]
     assert same.mean() > 0.998  # beside an edge, as above
-    np.testing.assert_allclose(found["primitive_normals"][same], wanted["primitive_normals"][same], atol=1e-3)
+    np.testing.assert_allclose(result["primitive_normals"][same], wanted["primitive_normals"][same], atol=1e-3)
     counts = scene.count_intersections(rays)
     np.testing.assert_array_equal(counts, copies.count_intersections(rays))
     np.testing.assert_array_equal(scene.test_occlusions(rays), counts > 0)
 
 
-def test_a_moved_place_is_where_it_was_moved_to(device):
+def test_a_moved_instance_is_hit_at_its_new_pose(device):
     scene = scene_of(SQUARE, SQUARE, device=device)
     rays = [[0.25, 0.5, 1, 0, 0, -1]]
     assert scene.cast_rays(rays)["geometry_ids"].tolist() == [0]
@@ -262,7 +264,7 @@ def test_a_moved_place_is_where_it_was_moved_to(device):
 
 def test_a_scene_far_from_zero_is_the_same_scene(device):
     vertices, triangles = ball()
-    vertices = np.round(vertices * 2**20) / 2**20  # what float64 holds exactly there
+    vertices = np.round(vertices * 2**20) / 2**20  # representable in float64
     rays = rays_through(800, 8).astype(np.float64)
     rays[:, :3] = np.round(rays[:, :3] * 2**20) / 2**20
     near = scene_of((vertices, triangles), device=device).cast_rays(rays)
@@ -285,10 +287,10 @@ def test_rays_that_are_none_meet_nothing(device):
     o, n, i = [0.25, 0.5, 1], np.nan, np.inf
     rays = [[*o, 0, 0, 0], [*o, 0, 0, n], [*o, 0, 0, -i], [n, 0.5, 1, 0, 0, -1], [0.25, i, 1, 0, 0, -1]]
     for scene in (scene_of(SQUARE, device=device), scene_of(SQUARE, SQUARE, device=device)):
-        found = scene.cast_rays(rays)
-        assert np.isposinf(found["t_hit"]).all()
-        assert (found["geometry_ids"] == INVALID).all() and (found["primitive_ids"] == INVALID).all()
-        assert not found["primitive_normals"].any() and not found["primitive_uvs"].any()
+        result = scene.cast_rays(rays)
+        assert np.isposinf(result["t_hit"]).all()
+        assert (result["geometry_ids"] == INVALID).all() and (result["primitive_ids"] == INVALID).all()
+        assert not result["primitive_normals"].any() and not result["primitive_uvs"].any()
         assert not scene.count_intersections(rays).any() and not scene.test_occlusions(rays).any()
         assert scene.list_intersections(rays)["ray_splits"].tolist() == [0] * 6
 
@@ -299,15 +301,15 @@ def test_a_triangle_with_a_corner_that_is_not_finite_is_met_by_no_ray(device):
     xy = np.random.default_rng(0).uniform(-0.5, 1.5, (50, 2))
     rays = np.column_stack([xy, np.ones(50), np.zeros((50, 2)), -np.ones(50)])
     with pytest.warns(UserWarning, match="triangle 0 has the vertex"):
-        found = scene_of(broken, device=device).cast_rays(rays)
+        result = scene_of(broken, device=device).cast_rays(rays)
     expected = scene_of((vertices, triangles), device=device).cast_rays(rays)
-    np.testing.assert_array_equal(found["t_hit"], expected["t_hit"])
+    np.testing.assert_array_equal(result["t_hit"], expected["t_hit"])
     hits = np.isfinite(expected["t_hit"])
     assert 5 < hits.sum() < 45
-    np.testing.assert_array_equal(found["primitive_ids"][hits], expected["primitive_ids"][hits] + 1)
+    np.testing.assert_array_equal(result["primitive_ids"][hits], expected["primitive_ids"][hits] + 1)
 
 
-def test_a_ray_that_begins_on_a_triangle_meets_it(device):
+def test_a_ray_that_starts_on_a_triangle_hits_it(device):
     scene = scene_of(SQUARE, device=device)
     rays = [[0.25, 0.5, 0, 0, 0, -1], [0.25, 0.5, -1e-3, 0, 0, -1], [0.25, 0.5, 0, 1, 0, 0]]
     assert scene.cast_rays(rays)["t_hit"].tolist() == [0, np.inf, np.inf]  # none within its own plane
@@ -319,7 +321,7 @@ def test_limits_are_included(device):
         assert scene.test_occlusions(rays, *limits).tolist() == [wanted]
 
 
-def test_scenes_without_triangles_are_missed(device):
+def test_scenes_without_triangles_have_no_hits(device):
     nothing = RaycastingScene(device)
     flat = scene_of(([], []), device=device)
     with pytest.warns(UserWarning, match=r"^mesh:"):
@@ -327,9 +329,9 @@ def test_scenes_without_triangles_are_missed(device):
     thin = scene_of(([[0, 0, 0], [1, 0, 0], [2, 0, 0]], [[0, 1, 2], [0, 0, 1]]), device=device)
     rays = np.tile(np.array([0.5, 0, 1, 0, 0, -1], np.float32), (2, 3, 1))
     for scene in (nothing, flat, spoilt, thin):
-        found = scene.cast_rays(rays)
-        assert found["t_hit"].shape == (2, 3) and np.isposinf(found["t_hit"]).all()
-        assert found["primitive_normals"].shape == (2, 3, 3) and found["primitive_uvs"].shape == (2, 3, 2)
+        result = scene.cast_rays(rays)
+        assert result["t_hit"].shape == (2, 3) and np.isposinf(result["t_hit"]).all()
+        assert result["primitive_normals"].shape == (2, 3, 3) and result["primitive_uvs"].shape == (2, 3, 2)
         assert scene.count_intersections(rays).tolist() == [[0] * 3] * 2
         assert not scene.test_occlusions(rays).any()
         listed = scene.list_intersections(rays)
@@ -358,7 +360,7 @@ def test_scenes_without_triangles_are_missed(device):
         ("create_rays_pinhole", (np.eye(3), np.eye(4), 2**15, 2**15), ValueError, "pixels"),
     ],
 )
-def test_what_makes_no_scene_or_camera_is_refused(method, given, error, named):
+def test_invalid_scenes_and_cameras_are_rejected(method, given, error, named):
     scene = scene_of(SQUARE)
     with pytest.raises(error, match=named):
         getattr(scene, method)(*given)

@@ -58,50 +58,50 @@ def open3d_distances(o3d, mesh, queries):
     return closest, [measure(queries).numpy() for measure in measures]
 
 
-def test_what_is_found_and_how_far_it_is_is_open3ds(device, oracle):
+def test_closest_points_and_distances_match_open3d(device, oracle):
     mesh, queries = torus(), somewhere().reshape(4, 100, 3)
     scene = scene_of(mesh, device=device)
-    ours, (theirs, measures) = (
+    result, (theirs, measures) = (
         scene.compute_closest_points(queries),
         oracle("meshing/distances/torus", open3d_distances, mesh, queries),
     )
-    assert list(ours) == ["points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"]
-    same = ours["primitive_ids"] == theirs["primitive_ids"]  # at edges and corners it may be another one
+    assert list(result) == ["points", "geometry_ids", "primitive_ids", "primitive_uvs", "primitive_normals"]
+    same = result["primitive_ids"] == theirs["primitive_ids"]  # at edges and corners another triangle is possible
     assert same.mean() > 0.5
     for name, values in theirs.items():
-        assert ours[name].shape == values.shape and ours[name].dtype == values.dtype
-        np.testing.assert_allclose(ours[name][same], values[same], atol=2e-3)  # float32 all through, in Open3D
+        assert result[name].shape == values.shape and result[name].dtype == values.dtype
+        np.testing.assert_allclose(result[name][same], values[same], atol=2e-3)  # float32 all through, in Open3D
     np.testing.assert_allclose(scene.compute_distance(queries), measures[0], atol=1e-5)  # Open3D's float32
     np.testing.assert_allclose(scene.compute_signed_distance(queries), measures[1], atol=1e-5)
     np.testing.assert_array_equal(scene.compute_occupancy(queries), measures[2])
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-def test_the_closest_points_are_exact_at_all_scales(device, scale):
+def test_closest_points_are_exact_at_all_scales(device, scale):
     vertices, triangles = np.array(torus()[0]) * scale, torus()[1]
     queries = (somewhere(300, 1) * np.float32(scale)).astype(np.float32)
     corners = corners_of(vertices, triangles)
     truth = distances_to_triangles(queries, corners)
     scene = RaycastingScene(device)
     scene.add_triangles(TriangleMesh(vertices, triangles, device=device, origin=[0, 0, 0]))
-    found = scene.compute_closest_points(queries)
-    chosen = truth[np.arange(len(queries)), found["primitive_ids"]]
+    result = scene.compute_closest_points(queries)
+    chosen = truth[np.arange(len(queries)), result["primitive_ids"]]
     np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-12)  # the oracle's own rounding
-    u, v = found["primitive_uvs"].astype(np.float64).T
-    picked = corners[found["primitive_ids"]]
+    u, v = result["primitive_uvs"].astype(np.float64).T
+    picked = corners[result["primitive_ids"]]
     there = picked[:, 0] + u[:, None] * (picked[:, 1] - picked[:, 0]) + v[:, None] * (picked[:, 2] - picked[:, 0])
-    np.testing.assert_allclose(found["points"], there, atol=1e-6 * scale)  # both rounded to float32
+    np.testing.assert_allclose(result["points"], there, atol=1e-6 * scale)  # both rounded to float32
     np.testing.assert_allclose(scene.compute_distance(queries), truth.min(1), rtol=1e-6, atol=1e-9 * scale)
 
 
-def test_of_equally_near_triangles_the_first_is_found(device):
+def test_of_equally_near_triangles_the_first_is_returned(device):
     vertices, triangles = np.array(CUBE[0]), np.array(CUBE[1])
     queries = [[-1, -1, -1], [2, 2, 2], [0.5, -1, 0], [-1, 0.5, 0]]  # two corners, two edges
     for seed in range(4):
         order = np.random.default_rng(seed).permutation(12)
-        found = scene_of((vertices, triangles[order]), device=device).compute_closest_points(queries)
+        result = scene_of((vertices, triangles[order]), device=device).compute_closest_points(queries)
         at = distances_to_triangles(np.array(queries), corners_of(vertices, triangles[order]))
-        assert found["primitive_ids"].tolist() == at.argmin(1).tolist()
+        assert result["primitive_ids"].tolist() == at.argmin(1).tolist()
     twice = scene_of((vertices, triangles), (vertices, triangles), device=device)
     assert not twice.compute_closest_points(queries)["geometry_ids"].any()
 
@@ -115,7 +115,7 @@ SMALL = st.integers(-3, 3)
     picks=st.lists(st.tuples(*[st.integers(0, 8)] * 3), min_size=1, max_size=12),
     queries=st.lists(st.tuples(SMALL, SMALL, SMALL), min_size=1, max_size=6),
 )
-def test_triangles_of_any_shape_are_found(vertices, picks, queries):
+def test_nearest_triangles_of_any_shape_are_returned(vertices, picks, queries):
     triangles = np.array(picks) % len(vertices)  # flat ones, points, and some twice
     truth = distances_to_triangles(np.array(queries), corners_of(vertices, triangles))
     scene = scene_of((vertices, triangles))
@@ -125,7 +125,7 @@ def test_triangles_of_any_shape_are_found(vertices, picks, queries):
     np.testing.assert_allclose(chosen, truth.min(1), atol=1e-12)
 
 
-def test_needles_and_large_triangles_among_small_ones_are_found(device):
+def test_needles_and_large_triangles_among_small_ones_are_detected(device):
     rng = np.random.default_rng(3)
     corners = rng.random((200, 3, 3)) * rng.choice([1e-4, 1.0], (200, 1, 1))
     corners[:60, 2] = corners[:60, 1] + rng.random((60, 3)) * 1e-7
@@ -135,14 +135,14 @@ def test_needles_and_large_triangles_among_small_ones_are_found(device):
     np.testing.assert_allclose(scene.compute_distance(queries), truth, rtol=1e-6, atol=1e-8)
 
 
-def test_sheets_that_nearly_coincide_are_told_apart(device):
+def test_nearly_coincident_sheets_are_distinguished(device):
     rng = np.random.default_rng(12)
     corners = (rng.random((3, 3)) + rng.normal(size=(64, 3, 3)) * 2e-7).astype(np.float32)
     queries = somewhere(200, 13, 3.0)
     truth = distances_to_triangles(queries, corners)
     scene = scene_of((corners.reshape(-1, 3), np.arange(192).reshape(-1, 3)), device=device)
     chosen = truth[np.arange(200), scene.compute_closest_points(queries)["primitive_ids"]]
-    np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-13)  # float64 tells what float32 does not
+    np.testing.assert_allclose(chosen, truth.min(1), rtol=1e-13)  # float64 resolves the difference, float32 does not
 
 
 def grid(n=13) -> np.ndarray:
@@ -150,7 +150,7 @@ def grid(n=13) -> np.ndarray:
     return np.stack(np.meshgrid(line, line, line, indexing="ij"), -1).reshape(-1, 3)
 
 
-def test_points_on_the_lines_through_edges_are_on_the_right_side(device):
+def test_points_on_lines_through_edges_have_the_correct_sign(device):
     queries = grid(16).astype(np.float32)
     inside = ((queries > 0) & (queries < 1)).all(1)
     clear = inside | ((queries < -1e-6) | (queries > 1 + 1e-6)).any(1)
@@ -160,14 +160,14 @@ def test_points_on_the_lines_through_edges_are_on_the_right_side(device):
 
 
 @pytest.mark.parametrize("shift", [np.zeros(3), FAR])
-def test_an_inside_out_mesh_and_a_mesh_far_away_enclose_the_same(device, shift):
+def test_inverted_and_far_meshes_enclose_the_same_points(device, shift):
     queries = grid(7) + 0.013
     inside = ((queries > 0) & (queries < 1)).all(1)
     for triangles in (np.array(CUBE[1]), np.array(CUBE[1])[:, ::-1]):
         scene = scene_of((np.array(CUBE[0]) + shift, triangles), device=device)
         assert ((scene.compute_signed_distance(queries + shift) < 0) == inside).all()
-        found = scene.compute_closest_points(queries + shift)["points"]
-        assert np.linalg.norm(found - shift - np.clip(queries, 0, 1), axis=1)[~inside].max() < 1e-6
+        closest = scene.compute_closest_points(queries + shift)["points"]
+        assert np.linalg.norm(closest - shift - np.clip(queries, 0, 1), axis=1)[~inside].max() < 1e-6
 
 
 def test_signs_about_sharp_corners_are_those_of_the_solid_angle(device):
@@ -182,14 +182,14 @@ def test_signs_about_sharp_corners_are_those_of_the_solid_angle(device):
         assert ((scene.compute_signed_distance(queries) < 0) == (number > 0.5)).all()
 
 
-def test_open_meshes_are_told_by_winding_numbers(device):
+def test_open_meshes_are_classified_by_winding_numbers(device):
     vertices, triangles = torus(48, 24)
     keep = vertices[triangles].mean(1)[:, 2] < 0.35  # without its top
     scene = scene_of((vertices, triangles[keep]), device=device)
     queries = somewhere(500, 7, 1.5)
     number = winding_numbers(queries, corners_of(vertices, triangles[keep]))
     assert scene.sign_method == "winding_numbers"
-    clear = np.abs(np.abs(number) - 0.5) > 0.02  # what dipoles for far nodes may be off by
+    clear = np.abs(np.abs(number) - 0.5) > 0.02  # the error bound of dipoles for far nodes
     assert clear.mean() > 0.95
     assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
 
@@ -208,7 +208,7 @@ def test_shells_in_shells_and_overlapping_geometries_are_one_solid(device):
     assert (outer & shifted).any()  # counted twice: even, so outside in Open3D
 
 
-def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
+def test_a_self_intersecting_shell_is_classified_by_winding_numbers(device):
     vertices, triangles = torus()
     rim = np.linalg.norm(vertices[:, :2], axis=1, keepdims=True)
     vertices[:, :2] *= 1 - 0.7 / rim  # the tube is thicker than its ring
@@ -220,7 +220,7 @@ def test_a_shell_that_cuts_itself_is_told_by_winding_numbers(device):
     assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
 
 
-def test_geometries_in_places_are_measured_where_they_stand(device):
+def test_instances_are_measured_at_their_poses(device):
     pose = np.eye(4)
     pose[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     pose[:3, 3] = [4, 0, 1]
@@ -231,12 +231,14 @@ def test_geometries_in_places_are_measured_where_they_stand(device):
     queries = somewhere(300, 9, 5.0)
     corners = [corners_of(v, CUBE[1]) for v in (CUBE[0], there)]
     truth = np.array([distances_to_triangles(queries, c).min(1) for c in corners])
-    found = scene.compute_closest_points(queries)
-    np.testing.assert_allclose(np.linalg.norm(found["points"] - queries, axis=1), truth.min(0), atol=2e-6)  # float32
-    assert (found["geometry_ids"] == truth.argmin(0) * second).all()
-    turned = found["geometry_ids"] == second
+    result = scene.compute_closest_points(queries)
+    np.testing.assert_allclose(np.linalg.norm(result["points"] - queries, axis=1), truth.min(0), atol=2e-6)  # float32
+    assert (result["geometry_ids"] == truth.argmin(0) * second).all()
+    is_second = result["geometry_ids"] == second
     normals = np.cross(corners[1][:, 1] - corners[1][:, 0], corners[1][:, 2] - corners[1][:, 0])
-    np.testing.assert_allclose(found["primitive_normals"][turned], normals[found["primitive_ids"][turned]], atol=1e-6)
+    np.testing.assert_allclose(
+        result["primitive_normals"][is_second], normals[result["primitive_ids"][is_second]], atol=1e-6
+    )
 
 
 def test_a_scene_without_triangles_is_infinitely_far(device):
@@ -259,12 +261,12 @@ def test_a_query_that_is_not_finite_has_no_distance_and_changes_no_other(device,
     queries = somewhere(40)
     hostile = np.vstack([queries, [[np.nan, 0.5, 0.5], [0.5, np.inf, 0.5]]]).astype(np.float32)
     for answer in (scene.compute_signed_distance, scene.compute_occupancy, scene.compute_distance):
-        found = np.asarray(answer(hostile))
-        np.testing.assert_array_equal(found[:40], np.asarray(answer(queries)))
-        assert np.isnan(found[40:]).all()
+        result = np.asarray(answer(hostile))
+        np.testing.assert_array_equal(result[:40], np.asarray(answer(queries)))
+        assert np.isnan(result[40:]).all()
 
 
-def test_wrong_queries_are_refused():
+def test_invalid_queries_are_rejected():
     scene = scene_of(CUBE)
     with pytest.raises(ValueError, match="query_points:"):
         scene.compute_distance([[0, 0]])
@@ -279,7 +281,7 @@ def test_a_klein_bottle_has_no_pseudonormals(device):
     i, j = (axis.ravel() for axis in np.meshgrid(np.arange(n), np.arange(n), indexing="ij"))
 
     def at(i, j):
-        return i % n * n + np.where(i // n % 2 == 1, -j, j) % n  # the other way round after a turn
+        return i % n * n + np.where(i // n % 2 == 1, -j, j) % n  # reversed after a rotation
 
     one = np.column_stack([at(i, j), at(i + 1, j), at(i + 1, j + 1)])
     triangles = np.vstack([one, np.column_stack([at(i, j), at(i + 1, j + 1), at(i, j + 1)])])
@@ -289,7 +291,7 @@ def test_a_klein_bottle_has_no_pseudonormals(device):
         [r * np.cos(u), r * np.sin(u), np.sin(u / 2) * np.sin(v) + np.cos(u / 2) * np.sin(2 * v)]
     )
     mesh = TriangleMesh(vertices, triangles, device=device)
-    assert mesh.is_watertight()  # each edge has two triangles, but no side is the inside
+    assert mesh.is_watertight()  # each edge has two triangles, but neither side is the inside
     scene = scene_of((vertices, triangles), device=device)
     assert scene.sign_method == "winding_numbers"
     assert np.isfinite(scene.compute_signed_distance(somewhere(50))).all()

@@ -1,4 +1,4 @@
-"""The mesh of Gaussian splats lies where the surface is that they were made of."""
+"""The mesh of Gaussian splats lies on the surface that they represent."""
 
 import numpy as np
 import pytest
@@ -17,14 +17,14 @@ def splats_of(mesh, count, color=(0.8, 0.3, 0.1), *, thickness=0.1, at=(0, 0, 0)
     axes = np.cross([0.0, 0.0, 1.0], normals)
     angles = np.arctan2(np.linalg.norm(axes, axis=1), normals[:, 2])
     axes /= np.maximum(np.linalg.norm(axes, axis=1, keepdims=True), 1e-12)
-    turns = np.roll(Rotation.from_rotvec(axes * angles[:, None]).as_quat(), 1, axis=1)
+    rotations = np.roll(Rotation.from_rotvec(axes * angles[:, None]).as_quat(), 1, axis=1)
     size = 0.8 * np.sqrt(mesh.get_surface_area() / count)
     harmonics = np.tile((np.array(color) - 0.5) / 0.28209479177387814, (count, 1))
     scales = np.tile([size, size, thickness * size], (count, 1))
-    return loom.GaussianSplats(cloud.points + at, scales, turns, np.full(count, 0.95), harmonics, device=device)
+    return loom.GaussianSplats(cloud.points + at, scales, rotations, np.full(count, 0.95), harmonics, device=device)
 
 
-def test_a_ball_comes_back_with_its_color(device, at=UTM):
+def test_a_ball_is_reconstructed_with_its_color(device, at=UTM):
     splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 40), 2000, at=at, device=device)
     mesh = loom.fuse_splats(splats, voxel_size=0.08)
     apart = np.linalg.norm(mesh.vertices - at, axis=1) - 1
@@ -41,8 +41,8 @@ def test_views_of_ones_own_see_the_inside_of_a_room(device):
     poses = []
     for k in range(24):
         T = np.eye(4)
-        turn = Rotation.from_euler("yx", [30 * k, 35 * (-1) ** k], degrees=True)
-        T[:3, :3] = (turn.inv() * Rotation.from_euler("x", 90, degrees=True)).as_matrix()
+        rotation = Rotation.from_euler("yx", [30 * k, 35 * (-1) ** k], degrees=True)
+        T[:3, :3] = (rotation.inv() * Rotation.from_euler("x", 90, degrees=True)).as_matrix()
         poses.append(T)
     mesh = loom.fuse_splats(splats, camera, poses, voxel_size=0.1, weight_threshold=1)
     v = mesh.vertices
@@ -50,7 +50,7 @@ def test_views_of_ones_own_see_the_inside_of_a_room(device):
     assert len(v) > 5000 and np.median(apart) < 0.003 and np.quantile(apart, 0.95) < 0.02
 
 
-def test_views_around_see_all_from_everywhere():
+def test_orbit_views_show_all_sides():
     centers = np.random.default_rng(0).normal((5, 0, 1), size=(500, 3))
     camera, poses = views_around(centers, 0.1)
     eyes = np.array([np.linalg.inv(T)[:3, 3] for T in poses])
@@ -65,7 +65,7 @@ def test_views_around_see_all_from_everywhere():
 
 
 @pytest.mark.parametrize(
-    ("changed", "error", "told"),
+    ("changed", "error", "message"),
     [
         ({"splats": loom.PointCloud(np.zeros((3, 3)))}, TypeError, "splats: expected GaussianSplats"),
         ({"intrinsic": loom.PinholeCameraIntrinsic(8, 8, 8.0, 8.0, 4, 4)}, ValueError, "or neither"),
@@ -75,13 +75,13 @@ def test_views_around_see_all_from_everywhere():
         ({"depth_max": 1e-3}, ValueError, "no surface is visible in more than 2 of 60 views"),
     ],
 )
-def test_wrong_arguments_are_named(changed, error, told):
+def test_wrong_arguments_are_named(changed, error, message):
     splats = splats_of(loom.TriangleMesh.create_sphere(1.0, 10), 50)
-    with pytest.raises(error, match=told):
+    with pytest.raises(error, match=message):
         loom.fuse_splats(**{"splats": splats, "voxel_size": 0.1} | changed)
 
 
-def test_no_splats_have_no_surface():
+def test_an_empty_splat_set_has_no_surface():
     none = splats_of(loom.TriangleMesh.create_sphere(1.0, 10), 50).select_by_index([])
     with pytest.raises(ValueError, match="splats:"):
         loom.fuse_splats(none, voxel_size=0.1)

@@ -1,4 +1,4 @@
-"""TSDFVolume: far from zero, the same bits from run to run, and what it refuses."""
+"""TSDFVolume: large coordinates, reproducibility, and rejected input."""
 
 import numpy as np
 import pytest
@@ -39,12 +39,12 @@ FAR[0, 3] = 1e9
         ((DEPTH, SMALL, E, COLOR), {"depth_scale": 0}, ValueError, "depth_scale"),
     ],
 )
-def test_a_frame_that_is_refused_leaves_the_volume_as_it_was(device, arguments, options, error, name):
+def test_a_rejected_frame_leaves_the_volume_unchanged(device, arguments, options, error, name):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     for filled in (False, True):
         before = fingerprint(volume) if filled else b""
         state = (volume.frame_count, volume.block_count, volume.origin.tolist(), volume.memory_bytes)
-        if arguments[2] is not FAR or filled:  # the first camera sets the origin, wherever it is
+        if arguments[2] is not FAR or filled:  # the first camera sets the origin at any position
             with pytest.raises(error, match=rf"(^|\b){name}\b.*:"):
                 volume.integrate(*arguments, **options)
             assert state == (volume.frame_count, volume.block_count, volume.origin.tolist(), volume.memory_bytes)
@@ -53,7 +53,7 @@ def test_a_frame_that_is_refused_leaves_the_volume_as_it_was(device, arguments, 
             volume.integrate(DEPTH, SMALL, E, color=COLOR)
 
 
-def test_color_for_a_volume_without_is_refused(device):
+def test_color_for_a_volume_without_color_is_rejected(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, color=False, device=device)
     with pytest.raises(ValueError, match="color:"):
         volume.integrate(DEPTH, SMALL, E, color=COLOR)
@@ -91,14 +91,14 @@ def test_a_volume_of_impossible_sizes_is_refused(options, error, name):
         ({"intrinsic": "prime sense"}, TypeError, "intrinsic"),
     ],
 )
-def test_a_view_that_makes_no_sense_is_refused(options, error, name):
+def test_invalid_views_are_rejected(options, error, name):
     volume = loom.TSDFVolume(voxel_size=VOXEL)
     with pytest.raises(error, match=f"^{name}: "):
         volume.ray_cast(**({"intrinsic": SMALL, "extrinsic": E} | options))
 
 
 @pytest.mark.parametrize("threshold", [-1, np.nan, "all"])
-def test_a_threshold_that_makes_no_sense_is_refused(threshold):
+def test_invalid_thresholds_are_rejected(threshold):
     volume = loom.TSDFVolume(voxel_size=VOXEL)
     for extract in (volume.extract_triangle_mesh, volume.extract_point_cloud):
         with pytest.raises((ValueError, TypeError), match=r"^weight_threshold: "):
@@ -124,7 +124,7 @@ def test_any_depth_gives_finite_voxels_within_one(values, voxel_size):
 
 
 def test_a_first_frame_far_away_that_is_refused_sets_no_origin(device):
-    """Its camera would have been the origin; what comes next is near zero."""
+    """Its camera would have become the origin; the next frame is near zero."""
     volume, far = loom.TSDFVolume(voxel_size=1e-7, device=device), np.eye(4)
     far[0, 3] = -1e6
     with pytest.raises(ValueError, match="extrinsic:"):
@@ -134,7 +134,7 @@ def test_a_first_frame_far_away_that_is_refused_sets_no_origin(device):
     assert volume.origin.tolist() != [0, 0, 0] and volume.frame_count == 1
 
 
-def test_a_wild_pixel_takes_a_few_blocks_or_is_refused():
+def test_an_outlier_pixel_uses_few_blocks_or_is_rejected():
     camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 
     def volume_of(pixel):

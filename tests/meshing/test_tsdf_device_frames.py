@@ -1,4 +1,4 @@
-"""Volumes whose frames a GPU folds in by itself hold what those on the CPU hold, bit for bit."""
+"""Volumes that integrate frames on a GPU are bitwise identical to those of the CPU."""
 
 import pickle
 
@@ -18,7 +18,7 @@ WIDE = loom.PinholeCameraIntrinsic(61, 33, 40.0, 41.0, 30.2, 16.4)
 
 
 def frames(count, seed=3):
-    """As small_frames; every third one of another camera, and one without any depth."""
+    """As small_frames; every third frame has another camera, and one has no depth."""
     rng = np.random.default_rng(seed)
     for k, (depth, T, color) in enumerate(small_frames(rng, count)):
         camera = SMALL
@@ -41,31 +41,31 @@ def fused(device, *, count=8, color=True, depth_max=3.0):
 
 @pytest.fixture(scope="module")
 def on_cpu():
-    """What one core of the CPU makes of the frames, with color and without."""
+    """The volume of the frames on one CPU core, with and without color."""
     with cpu_compiler("warp"):
         return {color: fused("cpu", color=color) for color in (True, False)}
 
 
 @pytest.mark.parametrize("color", [True, False])
-def test_every_device_has_the_same_blocks_in_the_same_order_with_the_same_bits(device, on_cpu, color):
+def test_every_device_has_bitwise_identical_blocks_in_the_same_order(device, on_cpu, color):
     assert fused(device, color=color) == on_cpu[color]
 
 
 @pytest.mark.parametrize(
     ("name", "value"), [("ROOM_SHARE", 0.0), ("MAX_GRID", 0), ("MAX_GRID", 3000)], ids=["counted", "listed", "some"]
 )
-def test_room_that_is_counted_and_boxes_beyond_the_grid_change_nothing(device, on_cpu, monkeypatch, name, value):
+def test_counted_capacity_and_boxes_beyond_the_grid_change_nothing(device, on_cpu, monkeypatch, name, value):
     monkeypatch.setattr(device_frames, name, value)
     assert fused(device) == on_cpu[True]
 
 
-def test_growth_amid_recorded_frames_keeps_all(device, on_cpu, monkeypatch):
-    """Room for one frame at a time: most frames move the voxels, and what was recorded for the old ones is dropped."""
+def test_growth_between_recorded_frames_loses_nothing(device, on_cpu, monkeypatch):
+    """Memory for one frame at a time: most frames move the voxels and drop launches recorded for the old ones."""
     monkeypatch.setattr(device_frames, "FURTHER", 0)
     assert fused(device) == on_cpu[True]
 
 
-def test_voxels_that_are_exchanged_are_those_that_frames_change(device):
+def test_exchanged_voxels_are_updated_by_frames(device):
     a, b = (loom.TSDFVolume(voxel_size=0.03, device=device) for _ in range(2))
     for depth, camera, T, color in list(frames(2)) * 2:
         for volume in (a, b):
@@ -74,21 +74,21 @@ def test_voxels_that_are_exchanged_are_those_that_frames_change(device):
     assert fingerprint(a) == fingerprint(b)
 
 
-def test_a_frame_on_a_gpu_waits_for_nothing(device, monkeypatch):
-    """Once frames of its shape were there, neither the blocks nor their number are read from the device."""
+def test_a_gpu_frame_does_not_synchronize(device, monkeypatch):
+    """After frames of its shape, neither the blocks nor their count are read from the device."""
     volume = loom.TSDFVolume(voxel_size=0.03, device=device)
     depth, camera, T, color = next(frames(1))
     for _ in range(2):
         volume.integrate(depth, camera, T, color)
     monkeypatch.setattr(device_frames, "download", None)
-    monkeypatch.setattr(device_frames, "launch", None)  # what was recorded runs again
+    monkeypatch.setattr(device_frames, "launch", None)  # recorded launches run again
     touched = volume.integrate(depth, camera, T, color)
     if device.startswith("cuda"):
         assert isinstance(touched, BlockCount) and touched._counts._counts is None
     assert touched == volume.block_count > 0
 
 
-def test_a_number_that_is_still_counted_behaves_as_one(device):
+def test_a_pending_count_behaves_like_an_integer(device):
     volume = loom.TSDFVolume(voxel_size=0.03, device=device)
     depth, camera, T, color = next(frames(1))
     touched = volume.integrate(depth, camera, T, color)
@@ -108,7 +108,7 @@ GRAY = np.array([0.2990, 0.5870, 0.1140])
 
 
 def painted_wall(device, *, color=True, origin=(0.0, 0.0, 0.0)):
-    """A wall with a ramp of color along x, seen from three places; and the brightness at world places."""
+    """A wall with a color ramp along x, seen from three positions, and the brightness at world positions."""
 
     def shade(points):
         x = (points[..., 0] - origin[0])[..., None]
@@ -132,11 +132,11 @@ def rendered(volume, T, **options):
 
 
 @pytest.mark.parametrize("origin", [(0.0, 0.0, 0.0), (4e5, 5e6, 200.0)])
-def test_rendered_maps_are_the_cast_picture_in_the_cameras_frame(device, origin):
+def test_rendered_maps_match_the_ray_cast_in_the_camera_frame(device, origin):
     volume, _ = painted_wall(device, origin=origin)
     T = look_at(np.add((0.05, -0.1, -1.0), origin), np.add((0.3, 0.1, 0.0), origin))
     extrinsic = np.linalg.inv(T)
-    depth, normals, _ = rendered(volume, inv(extrinsic))  # by the inverse that `ray_cast` takes
+    depth, normals, _ = rendered(volume, inv(extrinsic))  # with the inverse used by `ray_cast`
     view = volume.ray_cast(CAMERA, extrinsic, weight_threshold=0)
     assert np.array_equal(depth, view.depth)
     both = np.isfinite(normals).all(-1) & np.isfinite(view.normals).all(-1)
@@ -146,8 +146,8 @@ def test_rendered_maps_are_the_cast_picture_in_the_cameras_frame(device, origin)
     assert np.isnan(normals[depth == 0]).all()
 
 
-def test_rendered_brightness_is_that_of_the_surface_and_smooth(device):
-    """Within half a gray step of 8-bit colors and a tenth of a voxel's; the nearest voxel's would be off by half."""
+def test_rendered_brightness_is_smooth_and_matches_the_surface(device):
+    """Within half a gray level of 8-bit colors and a tenth of a voxel; the nearest voxel would be off by half."""
     volume, brightness = painted_wall(device)
     T = look_at((0.05, -0.1, -0.9))
     depth, normals, intensity = rendered(volume, T)
@@ -157,7 +157,7 @@ def test_rendered_brightness_is_that_of_the_surface_and_smooth(device):
         inner &= np.roll(inner, shift, 0) & np.roll(inner, shift, 1)
     assert inner.sum() > 8000
     error = np.abs(intensity - truth)[inner]
-    slope = 0.55  # of brightness a metre
+    slope = 0.55  # of brightness per meter
     assert np.quantile(error, 0.99) < 0.3 * VOXEL * slope + 0.5 / 255
     assert not intensity[depth == 0].any()
 
@@ -169,7 +169,7 @@ def test_a_volume_without_color_renders_no_brightness(device):
     assert (depth > 0).sum() > 10_000
 
 
-def test_a_view_of_nothing_is_empty(device):
+def test_an_empty_view_is_empty(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, device=device)
     depth, normals, intensity = rendered(volume, np.eye(4))
     assert not depth.any() and np.isnan(normals).all() and intensity is None
@@ -184,7 +184,7 @@ def test_limits_of_a_rendered_view_are_checked(device):
 
 
 @pytest.mark.parametrize("raw", [uint16, float32])
-def test_a_frame_that_is_on_the_device_is_folded_like_any_other(device, rng, raw):
+def test_a_frame_on_the_device_is_integrated_like_any_other(device, rng, raw):
     a, b = (loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device) for _ in range(2))
     for depth, T, color in small_frames(rng, 4):
         image, scale = ((depth * 1000).astype(np.uint16), 1000.0) if raw == uint16 else (depth.astype(np.float32), 1.0)

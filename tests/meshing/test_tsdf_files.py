@@ -1,4 +1,4 @@
-"""Volumes on disk: the same bits back, whole or not at all, and a named error for every damaged file."""
+"""Volumes on disk: bitwise round trip, atomic writes, and a named error for every damaged file."""
 
 import io
 import tracemalloc
@@ -47,7 +47,7 @@ def bits(volume):
 
 
 @pytest.mark.parametrize(("color", "colored"), [(True, True), (True, False), (False, False)])
-def test_a_volume_comes_back_to_the_bit_and_goes_on_to_the_same_bits(device, tmp_path, color, colored):
+def test_a_volume_round_trips_bitwise_and_continues_identically(device, tmp_path, color, colored):
     volume = make(device, color=color, colored=colored)
     volume.save(tmp_path / "room.npz")
     again = loom.TSDFVolume.load(tmp_path / "room.npz", device=device)
@@ -75,7 +75,7 @@ def test_a_volume_far_from_zero_keeps_its_origin(tmp_path):
     assert again.origin.tolist() == [5e5, 5.4e6, 0] and bits(again) == bits(volume)
 
 
-def test_an_existing_file_stays_where_it_may_not_be_replaced(tmp_path):
+def test_an_existing_file_is_not_replaced_without_permission(tmp_path):
     path = tmp_path / "room.npz"
     path.write_bytes(b"something else")
     with pytest.raises(FileError, match="exists already"):
@@ -88,7 +88,7 @@ def test_an_existing_file_stays_where_it_may_not_be_replaced(tmp_path):
 
 @pytest.fixture(scope="module")
 def saved(tmp_path_factory):
-    """The bytes of a small file, and a folder to put others in."""
+    """The bytes of a small file, and a folder for more."""
     folder = tmp_path_factory.mktemp("volumes")
     make("cpu", voxel_size=0.08).save(folder / "a.npz")
     return (folder / "a.npz").read_bytes(), folder
@@ -105,14 +105,14 @@ def write(path, arrays):
 
 
 @pytest.mark.parametrize("content", [b"", b"garbage" * 100, b"PK\5\6" + bytes(18)])
-def test_a_file_that_is_no_archive_is_refused(tmp_path, content):
+def test_a_file_that_is_no_archive_is_rejected(tmp_path, content):
     path = tmp_path / "a.npz"
     path.write_bytes(content)
     with pytest.raises(FileError):
         loom.TSDFVolume.load(path)
 
 
-def test_a_pickle_is_not_run(saved, tmp_path):
+def test_pickled_code_is_not_executed(saved, tmp_path):
     class Harm:
         def __reduce__(self):
             return Path.touch, (tmp_path / "harm",)
@@ -125,7 +125,7 @@ def test_a_pickle_is_not_run(saved, tmp_path):
     assert not (tmp_path / "harm").exists()
 
 
-def test_every_truncation_is_refused(saved):
+def test_every_truncation_is_rejected(saved):
     content, folder = saved
     path = folder / "truncated.npz"
     for length in [*range(0, len(content), max(1, len(content) // 60)), len(content) - 1]:
@@ -135,7 +135,7 @@ def test_every_truncation_is_refused(saved):
 
 
 @pytest.mark.parametrize(("before", "behind"), [(b"", b"x"), (b"#!/bin/sh\n", b"")])
-def test_bytes_around_the_archive_are_refused(saved, tmp_path, before, behind):
+def test_bytes_around_the_archive_are_rejected(saved, tmp_path, before, behind):
     path = tmp_path / "a.npz"
     path.write_bytes(before + saved[0] + behind)
     with pytest.raises(FileError, match=r"/a\.npz:"):
@@ -184,13 +184,13 @@ def test_an_edited_file_is_refused_and_the_array_is_named(saved, tmp_path, edit)
     with pytest.raises(FileError) as caught:
         loom.TSDFVolume.load(tmp_path / "a.npz")
     name = edit.split(":")[0]
-    # where the count of blocks or the presence of color is what was edited, another array is the one that misfits
+    # if the count of blocks or the presence of color was edited, the error names another array
     other = {"keys": "distances|keys", "has_color": "colors|has_color", "format": "format|TSDF volume"}.get(name, name)
     assert any(word in str(caught.value) for word in other.split("|")), str(caught.value)
 
 
 @pytest.mark.parametrize("name", ["format", "sizes", "keys", "colors"])
-def test_a_file_that_lacks_an_array_is_refused(saved, tmp_path, name):
+def test_a_file_without_an_array_is_rejected(saved, tmp_path, name):
     arrays = arrays_of(saved[0])
     del arrays[name]
     write(tmp_path / "a.npz", arrays)
@@ -198,16 +198,16 @@ def test_a_file_that_lacks_an_array_is_refused(saved, tmp_path, name):
         loom.TSDFVolume.load(tmp_path / "a.npz")
 
 
-def archive_with(path, content, name, member, *, lie=None):
-    """The archive with one member replaced by raw bytes, or with a lie about its size in the directory."""
+def archive_with(path, content, name, member, *, claimed_size=None):
+    """The archive with one member replaced by raw bytes, or with a wrong size in the directory."""
     arrays = arrays_of(content)
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for key, values in arrays.items():
             buffer = io.BytesIO()
             np.lib.format.write_array(buffer, values)
             archive.writestr(f"{key}.npy", member if key == name else buffer.getvalue())
-        if lie is not None:
-            archive.getinfo(f"{name}.npy").file_size = lie
+        if claimed_size is not None:
+            archive.getinfo(f"{name}.npy").file_size = claimed_size
 
 
 def npy(shape, dtype, body=b""):
@@ -221,7 +221,7 @@ def npy(shape, dtype, body=b""):
 @pytest.mark.parametrize(
     ("name", "shape"), [("keys", (10**10,)), ("distances", (2**62,)), ("format", (10**6, 10**6)), ("keys", (-1,))]
 )
-def test_an_array_that_lies_about_its_size_is_refused_before_it_is_allocated(saved, tmp_path, name, shape):
+def test_an_array_with_a_wrong_size_is_rejected_before_allocation(saved, tmp_path, name, shape):
     path = tmp_path / "a.npz"
     archive_with(path, saved[0], name, npy(shape, np.int64, bytes(64)))
     tracemalloc.start()
@@ -233,17 +233,17 @@ def test_an_array_that_lies_about_its_size_is_refused_before_it_is_allocated(sav
         tracemalloc.stop()
 
 
-def test_a_directory_that_lies_about_a_size_is_refused(saved, tmp_path):
+def test_a_directory_with_a_wrong_size_is_rejected(saved, tmp_path):
     path = tmp_path / "a.npz"
     arrays = arrays_of(saved[0])
     body = npy(arrays["keys"].shape, np.int64, arrays["keys"].tobytes())
-    for lie in (10**10, len(body) + 8, len(body) - 8, 3):
-        archive_with(path, saved[0], "keys", body, lie=lie)
+    for claimed_size in (10**10, len(body) + 8, len(body) - 8, 3):
+        archive_with(path, saved[0], "keys", body, claimed_size=claimed_size)
         with pytest.raises(FileError):
             loom.TSDFVolume.load(path)
 
 
-def test_memory_that_runs_out_is_called_so_with_the_file(saved, tmp_path, monkeypatch):
+def test_out_of_memory_errors_name_the_file(saved, tmp_path, monkeypatch):
     path = tmp_path / "a.npz"
     path.write_bytes(saved[0])
 
@@ -255,7 +255,7 @@ def test_memory_that_runs_out_is_called_so_with_the_file(saved, tmp_path, monkey
         loom.TSDFVolume.load(path)
 
 
-def test_a_member_that_is_there_twice_is_refused(saved, tmp_path):
+def test_a_duplicate_member_is_rejected(saved, tmp_path):
     path = tmp_path / "a.npz"
     path.write_bytes(saved[0])
     with zipfile.ZipFile(path, "a") as archive, pytest.warns(UserWarning, match="Duplicate"):
@@ -266,21 +266,21 @@ def test_a_member_that_is_there_twice_is_refused(saved, tmp_path):
 
 @settings(deadline=None, derandomize=True, max_examples=50)
 @given(st.data())
-def test_a_file_with_changed_bytes_is_refused_or_still_a_volume(saved, data):
-    """zip's checksums cover the arrays, not the directory: what passes must be whole and usable."""
+def test_a_file_with_changed_bytes_is_rejected_or_a_valid_volume(saved, data):
+    """zip's checksums cover the arrays but not the directory: an accepted file must be complete and usable."""
     content, folder = saved
     changed = bytearray(content)
     spans = [(0, 200), (len(content) - 900, len(content)), (0, len(content))]
     for _ in range(data.draw(st.integers(1, 4))):
         low, high = data.draw(st.sampled_from(spans))
-        place = data.draw(st.integers(low, high - 1))
+        offset = data.draw(st.integers(low, high - 1))
         kind = data.draw(st.sampled_from(["set", "cut", "insert"]))
-        if kind == "set" or place >= len(changed):
-            changed[min(place, len(changed) - 1)] = data.draw(st.integers(0, 255))
+        if kind == "set" or offset >= len(changed):
+            changed[min(offset, len(changed) - 1)] = data.draw(st.integers(0, 255))
         elif kind == "cut":
-            del changed[place : place + data.draw(st.integers(1, 50))]
+            del changed[offset : offset + data.draw(st.integers(1, 50))]
         else:
-            changed[place:place] = data.draw(st.binary(min_size=1, max_size=20))
+            changed[offset:offset] = data.draw(st.binary(min_size=1, max_size=20))
     path = folder / "changed.npz"
     path.write_bytes(changed)
     try:
@@ -295,15 +295,15 @@ def test_a_file_with_changed_bytes_is_refused_or_still_a_volume(saved, data):
 @settings(deadline=None, derandomize=True, max_examples=25)
 @given(st.data())
 def test_any_numbers_in_the_arrays_give_an_error_or_a_usable_volume(saved, data):
-    """Edits behind right checksums."""
+    """Edits with valid checksums."""
     content, folder = saved
     arrays = arrays_of(content)
     for _ in range(data.draw(st.integers(1, 3))):
         name = data.draw(st.sampled_from(sorted(arrays)))
         raw = bytearray(arrays[name].tobytes())
         if raw:
-            place = data.draw(st.integers(0, len(raw) - 1))
-            raw[place] = data.draw(st.integers(0, 255))
+            offset = data.draw(st.integers(0, len(raw) - 1))
+            raw[offset] = data.draw(st.integers(0, 255))
         if name == "has_color":
             raw = bytearray(b & 1 for b in raw)
         arrays[name] = np.frombuffer(bytes(raw), arrays[name].dtype).reshape(arrays[name].shape)

@@ -1,4 +1,4 @@
-"""Frames follow the rule of the docstring of TSDFVolume to the voxel."""
+"""Integrated voxels follow the rule in the docstring of TSDFVolume."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from .tsdf_scenes import SMALL, TRUNCATION, VOXEL, fingerprint, fuse, look_at, s
 
 
 class Reference:
-    """The rule in float64 and plain NumPy, for the blocks that each frame touches."""
+    """The rule in float64 NumPy, for the blocks that each frame touches."""
 
     def __init__(self, voxel_size, truncation):
         self.voxel_size, self.truncation, self.blocks = voxel_size, truncation, {}
@@ -61,11 +61,11 @@ def test_voxels_follow_the_rule_in_float64(device, rng, voxel_size, truncation):
     assert clear.mean() > 0.97, "voxels left out for lying within 0.001 pixel of another pixel"
     np.testing.assert_array_equal(weights[clear], weight[clear])
     assert weight.max() >= 3
-    assert np.abs(distances - mean)[clear].max() < 1e-5  # p in float32: 3 m x 6e-8 over the least truncation of 0.05 m
+    assert np.abs(distances - mean)[clear].max() < 1e-5  # p in float32: 3 m x 6e-8 over the smallest truncation, 0.05 m
     assert np.abs(colors.astype(float) - shade)[clear].max() <= 3  # half a step of 1/65535 a frame
 
 
-def test_weights_stop_at_65535_and_values_go_on_as_a_running_mean(device):
+def test_weights_saturate_at_65535_and_values_continue_as_a_running_mean(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)
     volume.integrate(depth, SMALL, np.eye(4))
@@ -82,7 +82,7 @@ def test_weights_stop_at_65535_and_values_go_on_as_a_running_mean(device):
 
 
 @pytest.mark.parametrize("bad", [0.0, np.nan, np.inf, -np.inf, -1.0, 3.5])
-def test_pixels_without_a_measurement_are_as_if_zero(device, rng, bad):
+def test_invalid_pixels_are_treated_as_zero(device, rng, bad):
     depth, T, _ = next(small_frames(rng, 1))
     holes = rng.random(depth.shape) < 0.3
     volumes = []
@@ -96,7 +96,7 @@ def test_pixels_without_a_measurement_are_as_if_zero(device, rng, bad):
         ) == fingerprint(volumes[0])
 
 
-def test_integers_with_a_scale_are_floats_in_metres(device, rng):
+def test_scaled_integers_equal_floats_in_meters(device, rng):
     depth, T, _ = next(small_frames(rng, 1))
     raw = np.round(depth * 5000).astype(np.uint16)
     a, b, c = (loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, color=False, device=device) for _ in range(3))
@@ -108,7 +108,7 @@ def test_integers_with_a_scale_are_floats_in_metres(device, rng):
 
 
 def test_color_is_for_every_frame_or_for_none(device, rng):
-    """A color without a weight of its own cannot skip frames: mixing is refused, not averaged with black."""
+    """Color without its own weight cannot skip frames: mixing is rejected, not averaged with black."""
     depth, T, color = next(small_frames(rng, 1))
     E = np.linalg.inv(T)
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
@@ -126,7 +126,7 @@ def test_color_is_for_every_frame_or_for_none(device, rng):
     assert plain.ray_cast(SMALL, E, weight_threshold=0).colors is None
 
 
-def test_gray_pictures_and_colors_reach_the_surface(device):
+def test_gray_images_and_colors_are_integrated(device):
     depth, E = np.full((SMALL.height, SMALL.width), 1.01), np.eye(4)
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     shade = np.empty((SMALL.height, SMALL.width, 3), np.uint8)
@@ -142,7 +142,7 @@ def test_gray_pictures_and_colors_reach_the_surface(device):
     assert np.abs(gray.extract_triangle_mesh(0).vertex_colors - 120 / 255).max() < 2e-5
 
 
-def test_growth_keeps_the_bits_of_old_blocks(device, rng):
+def test_growth_preserves_old_blocks_bitwise(device, rng):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     capacities, old = set(), {}
     for step in range(6):
@@ -159,7 +159,7 @@ def test_growth_keeps_the_bits_of_old_blocks(device, rng):
     assert volume.block_count == len(old)
 
 
-def test_a_frame_without_depth_counts_and_touches_nothing(device):
+def test_a_frame_without_depth_is_counted_and_changes_nothing(device):
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     assert volume.integrate(np.zeros((SMALL.height, SMALL.width), np.uint16), SMALL, np.eye(4)) == 0
     assert (volume.frame_count, volume.block_count) == (1, 0)
@@ -167,7 +167,7 @@ def test_a_frame_without_depth_counts_and_touches_nothing(device):
 
 
 def test_a_mean_color_is_rounded_to_the_nearest_step(device, rng):
-    """Cut off in place of that, hundreds of frames would darken a surface."""
+    """Truncation would darken a surface over hundreds of frames."""
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)
     volume.integrate(depth, SMALL, np.eye(4), color=np.zeros((*depth.shape, 3), np.uint8))

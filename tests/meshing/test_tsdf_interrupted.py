@@ -1,4 +1,4 @@
-"""A frame is in a volume whole or not at all, whatever interrupts its integration."""
+"""A frame is integrated completely or not at all after any interruption."""
 
 from functools import partial
 
@@ -18,7 +18,7 @@ FILES = (
 )  # fmt: skip
 CAMERA = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 HERE, THERE = np.eye(4), np.eye(4)
-THERE[0, 3] = 1.5  # with blocks of its own, for which the table and the voxels grow
+THERE[0, 3] = 1.5  # with new blocks, for which the table and the voxels grow
 
 
 def frame(seed):
@@ -38,13 +38,13 @@ def add(volume, seed, pose):
 
 
 def without_spare_room(device, monkeypatch):
-    """Let volumes on a GPU, too, grow with the blocks that were counted: by default a frame has room beforehand."""
+    """Make GPU volumes grow with the counted blocks as well; by default they allocate a frame's blocks beforehand."""
     if device.startswith("cuda"):
         monkeypatch.setattr(device_frames, "ROOM_SHARE", 0.0)
 
 
 def interrupt_everywhere(begin, states, blocks, every=1):
-    """The second frame of a volume, stopped before each line in turn, or some, is in it or is not."""
+    """Interrupt the second frame before each (or some) line: it is either in the volume or not."""
     volume = begin()
     total, stop, outcomes = run_lines(lambda: add(volume, 2, THERE), FILES), 0, set()
     while stop < total:
@@ -61,7 +61,7 @@ def interrupt_everywhere(begin, states, blocks, every=1):
 
 
 @pytest.mark.slow
-def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path, monkeypatch):
+def test_a_frame_is_integrated_completely_or_not_at_all_after_any_interruption(device, tmp_path, monkeypatch):
     without_spare_room(device, monkeypatch)
     volume = begun(device)
     states, blocks, room = [fingerprint(volume)], [volume.block_count], volume.memory_bytes
@@ -76,7 +76,7 @@ def test_a_frame_is_in_or_not_after_an_interruption_at_any_line(device, tmp_path
     assert fingerprint(loom.TSDFVolume.load(tmp_path / "volume.npz", device=device)) == states[1]
 
 
-def test_a_second_interruption_while_the_first_is_settled_does_no_harm(device):
+def test_a_second_interruption_during_cleanup_is_harmless(device):
     volume = begun(device)
     total = run_lines(lambda: add(volume, 2, THERE), FILES)
     state = fingerprint(volume)
@@ -90,8 +90,8 @@ def test_a_second_interruption_while_the_first_is_settled_does_no_harm(device):
         assert (volume.frame_count, fingerprint(volume)) == (2, state)
 
 
-@pytest.mark.parametrize("place", ["new arrays", "last launch"])
-def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, place):
+@pytest.mark.parametrize("stage", ["new arrays", "last launch"])
+def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, stage):
     without_spare_room(device, monkeypatch)
     is_cuda = device.startswith("cuda")
     last = (device_frames, "launch_integration") if is_cuda else (voxel_blocks, "gather_rows")
@@ -102,7 +102,7 @@ def test_memory_that_runs_out_leaves_the_volume_as_it_was(device, monkeypatch, p
         raise MemoryError
 
     with monkeypatch.context() as patch:
-        patch.setattr(*{"new arrays": (voxel_blocks, "zeros"), "last launch": last}[place], fail)
+        patch.setattr(*{"new arrays": (voxel_blocks, "zeros"), "last launch": last}[stage], fail)
         with pytest.raises(MemoryError):
             add(volume, 2, THERE)
     assert (volume.frame_count, fingerprint(volume)) == (1, before)

@@ -1,4 +1,4 @@
-"""Ray casting a TSDFVolume: depth, points and normals are true, and no ray passes a wall."""
+"""Ray casting a TSDFVolume: correct depth, points and normals, and no ray passes a wall."""
 
 import numpy as np
 import pytest
@@ -32,8 +32,8 @@ def angles_between(a, b):
     return np.degrees(np.arccos(np.clip(np.einsum("...i,...i->...", a, b), -1, 1)))
 
 
-def test_a_cast_sphere_has_its_true_depth_and_points(device):
-    """From places where no camera stood. Means of distances along z are off by 0.12 voxel rms, see the mesh."""
+def test_a_ray_cast_sphere_has_exact_depth_and_points(device):
+    """From new positions. Means of distances along z are off by 0.12 voxel rms, see the mesh."""
     volume = fused_sphere(device)
     for eye in ((1.0, 0.5, 0.4), (-0.3, 1.2, 0.2), (0.7, 0.2, -0.3)):
         T = look_at(eye)
@@ -55,7 +55,7 @@ def test_a_cast_sphere_has_its_true_depth_and_points(device):
 
 @pytest.mark.parametrize(("truncation", "tilt"), [(1, 0), (2, 75), (4, 60), (24, 75)])
 def test_no_ray_passes_a_wall(device, truncation, tilt):
-    """Fused from a camera that sees it at a grazing angle, where its truncation is thin, then looked at straight."""
+    """Fused from a camera at a grazing angle, where the truncation is thin, then viewed frontally."""
     angle = np.radians(tilt)
     normal, offset = np.array([0.0, 0.0, -1.0]), -0.0137
     T = look_at((1.2 * np.sin(angle), 0.02, -1.2 * np.cos(angle)))
@@ -65,12 +65,12 @@ def test_no_ray_passes_a_wall(device, truncation, tilt):
     for eye in ((0.0, 0.0, -0.8), (0.02, 0.3, -0.5), (0.6 * np.sin(angle), 0, -0.6 * np.cos(angle) - 0.05)):
         V = look_at(eye)
         view, truth = view_from(volume, V, MEDIUM), plane_depth(MEDIUM, V, normal, offset)
-        asked = view.depth == 0  # all misses, and a quarter of the rest
-        asked[::2, ::2] = True
-        asked &= truth > 0
-        wall = (rays_of(MEDIUM, V) * truth[..., None] + V[:3, 3])[asked]
-        covered = centers.query(wall, 8)[0][:, 7] < 1.1 * VOXEL  # four cells with triangles around
-        depth, points = view.depth[asked][covered], view.points[asked][covered]
+        checked = view.depth == 0  # all misses, and a quarter of the rest
+        checked[::2, ::2] = True
+        checked &= truth > 0
+        wall = (rays_of(MEDIUM, V) * truth[..., None] + V[:3, 3])[checked]
+        covered = centers.query(wall, 8)[0][:, 7] < 1.1 * VOXEL  # four cells with triangles around it
+        depth, points = view.depth[checked][covered], view.points[checked][covered]
         assert len(depth) > 1000
         assert (depth == 0).sum() == 0
         assert centers.query(points)[0].max() < 1.2 * VOXEL, "hits lie on the mesh"
@@ -89,7 +89,7 @@ def test_no_ray_passes_a_plate_of_two_voxels(device):
         assert np.abs(view.points[middle][..., 2] - sign * 0.021).max() < 1.5 * VOXEL
 
 
-def test_the_picture_does_not_depend_on_the_unit_of_length(device):
+def test_the_image_does_not_depend_on_the_unit_of_length(device):
     scale, large, T = 0.002, fused_sphere(device), look_at((1.0, 0.5, 0.4))
     small = fuse(sphere_frames(scale=scale), device, voxel_size=VOXEL * scale, truncation=TRUNCATION * scale)
     S = T.copy()
@@ -100,7 +100,7 @@ def test_the_picture_does_not_depend_on_the_unit_of_length(device):
     assert np.quantile(np.abs(a.depth - b.depth / scale)[same], 0.99) < 0.05 * VOXEL
 
 
-def test_depth_limits_cut_the_picture(device):
+def test_depth_limits_cut_the_image(device):
     volume = fuse([(np.full((120, 160), 1.2345), np.eye(4))], device)
     inner = np.s_[20:100, 20:140]
     assert (view_from(volume, np.eye(4)).depth[inner] > 0).all()
@@ -110,8 +110,8 @@ def test_depth_limits_cut_the_picture(device):
     assert not view_from(volume, look_at((0, 0, 5), (0, 0, 9))).depth.any(), "behind the camera"
 
 
-def test_a_far_camera_sees_what_lies_within_its_depth(device):
-    """The box of the blocks is entered at once: no ray ends in the empty space before it."""
+def test_a_far_camera_sees_surfaces_within_its_depth(device):
+    """The ray enters the bounding box of the blocks at once and does not end in the empty space before it."""
     volume = fused_sphere(device)
     tele = loom.PinholeCameraIntrinsic(32, 24, 31_000.0, 31_000.0, 15.5, 11.5)
     T = look_at((900.0, 200.0, 100.0))
@@ -122,14 +122,14 @@ def test_a_far_camera_sees_what_lies_within_its_depth(device):
     assert view_from(volume, T, tele, depth_max=900.0).depth.max() == 0
 
 
-def test_a_camera_beyond_the_limit_is_refused(device):
+def test_a_camera_beyond_the_limit_is_rejected(device):
     volume = fused_sphere(device)
     with pytest.raises(ValueError, match="extrinsic:"):
         view_from(volume, look_at((1e6, 0, 0)))
 
 
 def partly_seen_plane(device, normal, offset, is_seen):
-    """A plane in exact distances, seen from below where `is_seen(x, z)` [voxels]."""
+    """A plane with exact distances, seen from below where `is_seen(x, z)` [voxels]."""
     volume = fuse([(plane_depth(FINE, T, normal, offset), T) for T in [look_at((0, 0, -1.2))]], device, camera=FINE)
     count, cells = volume.block_count, volume.block_count * SIDE**3
     blocks = block_box(volume._blocks.keys.numpy()[:count])
@@ -144,7 +144,7 @@ def partly_seen_plane(device, normal, offset, is_seen):
 
 
 def test_a_ray_past_an_unseen_voxel_meets_the_surface(device):
-    """It enters a cell beside a voxel before the surface, passes the unseen one, and leaves beside one behind."""
+    """It enters a cell beside a voxel before the surface, passes the unseen voxel, and leaves beside one behind."""
     volume = partly_seen_plane(device, np.array([0, 0, -1.0]), -VOXEL / 2, lambda x, z: (z != 0) | (x % 2 == 0))
     entry, camera = np.array([0.1, 0.3, 0]) * VOXEL, loom.PinholeCameraIntrinsic(2, 2, 1000, 1000, 0.5, 0.5)
     view = view_from(volume, look_at(entry - [0.4, 0, 0.4], entry), camera)
@@ -153,7 +153,7 @@ def test_a_ray_past_an_unseen_voxel_meets_the_surface(device):
 
 @pytest.mark.parametrize("side", [1, -1])
 def test_normals_beside_unseen_voxels_are_those_of_the_surface(device, side):
-    """A tilted plane, of which half is unseen: the last hits have a slope to one side only."""
+    """A tilted plane, half of it unseen: the last hits have a gradient on one side only."""
     normal = np.array([-0.5, 0, -np.sqrt(0.75)])
     view = view_from(partly_seen_plane(device, normal, 0.013, lambda x, z: side * x <= 0), look_at((0, 0, -0.9)), FINE)
     hit = view.depth > 0

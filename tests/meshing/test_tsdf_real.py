@@ -1,4 +1,4 @@
-"""TSDFVolume beside Open3D's VoxelBlockGrid on real scans, and against the truth of the furnished room."""
+"""TSDFVolume against Open3D's VoxelBlockGrid on real scans, and against the ground truth of the furnished room."""
 
 import numpy as np
 import pytest
@@ -16,9 +16,9 @@ DEPTH_MAX = 3.0
 
 
 def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
-    """(keys, distances, weights, colors) of each or some voxels of the blocks that frames touch here.
+    """(keys, distances, weights, colors) of all or some voxels of the blocks that frames touch.
 
-    Half a pixel is added to the principal point, as Open3D cuts off the pixels that we round.
+    Half a pixel is added to the principal point, as Open3D truncates pixel coordinates that pointloom rounds.
     """
     tensor, types = o3d.core.Tensor, (o3d.core.float32,) * 3
     grid = o3d.t.geometry.VoxelBlockGrid(
@@ -33,9 +33,9 @@ def open3d_voxels(o3d, frames, camera, depth_scale, stride=1):
         E = tensor(np.ascontiguousarray(np.linalg.inv(T)))
         sizes = depth_scale, DEPTH_MAX, TRUNCATION / VOXEL
         grid.integrate(tensor(blocks.astype(np.int32)), *images, tensor(K), E, *sizes)
-    places, at = grid.voxel_coordinates_and_flattened_indices()
+    coordinates, at = grid.voxel_coordinates_and_flattened_indices()
     values = [grid.attribute(n).reshape((-1, c))[at].numpy() for n, c in (("tsdf", 1), ("weight", 1), ("color", 3))]
-    keys = flat_key(np.rint(places.numpy() / VOXEL).astype(np.int64))
+    keys = flat_key(np.rint(coordinates.numpy() / VOXEL).astype(np.int64))
     order = np.argsort(keys)[::stride]
     return keys[order], values[0][order, 0], values[1][order, 0], values[2][order]
 
@@ -47,14 +47,14 @@ def assert_voxels_are(volume, theirs, stride=1):
     inner = np.stack(np.meshgrid(*[np.arange(SIDE)] * 3, indexing="ij"), axis=-1).reshape(-1, 3)
     our_keys = flat_key((corners + inner).reshape(-1, 3))
     order = np.argsort(our_keys)[::stride]
-    ours = [values.numpy()[:used][order] for values in (blocks.distances, blocks.weights, blocks.colors)]
+    result = [values.numpy()[:used][order] for values in (blocks.distances, blocks.weights, blocks.colors)]
     np.testing.assert_array_equal(our_keys[order], keys)
-    same = ours[1] == weights
-    assert same.mean() > 0.999  # the rest lies within a rounding of another pixel, or in Open3D's last row or column
+    same = result[1] == weights
+    assert same.mean() > 0.999  # the rest is within rounding of another pixel, or in Open3D's last row or column
     seen = same & (weights > 0)
     assert seen.sum() > 10_000 / stride
-    assert (np.abs(ours[0] - distances)[seen] < 1e-4).mean() > 0.999
-    assert np.quantile(np.abs(ours[2] / 257.0 - colors).max(axis=1)[seen], 0.999) < 0.5
+    assert (np.abs(result[0] - distances)[seen] < 1e-4).mean() > 0.999
+    assert np.quantile(np.abs(result[2] / 257.0 - colors).max(axis=1)[seen], 0.999) < 0.5
 
 
 def fuse(frames, device, camera, depth_scale):
@@ -72,22 +72,22 @@ def flat_key(voxels):
     return (voxels + (1 << 20)) @ np.array([1 << 42, 1 << 21, 1])
 
 
-def test_voxels_of_made_frames_are_open3ds(device, oracle, rng):
+def test_voxels_of_synthetic_frames_match_open3d(device, oracle, rng):
     made = [((1000 * depth).astype(np.uint16), color, T) for depth, T, color in small_frames(rng, 4)]
     for depth, _, _ in made:
-        depth[-1], depth[:, -1] = 0, 0  # Open3D leaves them out
+        depth[-1], depth[:, -1] = 0, 0  # Open3D excludes them
     theirs = oracle("meshing/tsdf/voxels", open3d_voxels, made, SMALL, 1000.0, 40)
     assert_voxels_are(fuse(made, device, SMALL, 1000.0), theirs, 40)
 
 
 @pytest.mark.parametrize(("name", "every"), [("rgbd-7scenes-redkitchen", 60), ("rgbd-cupoch-redwood5", 1)])
-def test_voxels_of_real_frames_are_open3ds(device, o3d, real_file, name, every):
+def test_voxels_of_real_frames_match_open3d(device, o3d, real_file, name, every):
     dataset = open_dataset(real_file(name), every=every)
     given = frames_of(dataset, 4), dataset.intrinsic, dataset.depth_scale
     assert_voxels_are(fuse(given[0], device, *given[1:]), open3d_voxels(o3d, *given))
 
 
-def test_a_cast_view_shows_the_depth_of_a_frame(device, real_file):
+def test_a_ray_cast_view_matches_the_depth_of_a_frame(device, real_file):
     dataset = open_dataset(real_file("rgbd-7scenes-redkitchen"), every=20)
     frames, frame = frames_of(dataset, len(dataset)), dataset.read(3)
     volume = fuse(frames, device, dataset.intrinsic, dataset.depth_scale)
@@ -101,7 +101,7 @@ def test_a_cast_view_shows_the_depth_of_a_frame(device, real_file):
 
 @pytest.mark.slow
 @pytest.mark.parametrize(("voxel_size", "limit"), [(0.03, 0.3), (0.02, 0.3)])
-def test_the_room_without_noise_is_met_within_a_third_of_a_voxel(device, voxel_size, limit):
+def test_the_room_without_noise_is_reconstructed_within_a_third_of_a_voxel(device, voxel_size, limit):
     sequence = room_sequence(60, width=320, height=240, noise=False, device=device)
     volume = loom.TSDFVolume(voxel_size=voxel_size, device=device)
     for frame in sequence:
@@ -112,7 +112,7 @@ def test_the_room_without_noise_is_met_within_a_third_of_a_voxel(device, voxel_s
     errors = surface_errors(mesh.vertices, device=device)
     assert len(errors) > 50_000
     assert np.sqrt(np.mean(errors**2)) < limit * voxel_size
-    # what the room's cameras would see of it: no ray passes a wall
+    # the view of the room's cameras: no ray passes a wall
     frame = sequence.read(7)
     view = volume.ray_cast(frame.intrinsic, np.linalg.inv(frame.T_world_camera), depth_max=5.0, weight_threshold=0)
     seen = frame.depth < 4.9

@@ -1,4 +1,4 @@
-"""LiDAR scans become surfaces: a float64 reference's values, space carved where things left, whole or not at all."""
+"""Surfaces from LiDAR scans: a float64 reference, carving of removed objects, atomic integration."""
 
 import numpy as np
 import pytest
@@ -23,28 +23,28 @@ def volume_on(device="cpu", color=False):
 
 
 def wall(x, count=25, seed=0):
-    """A wall across x, seen from zero, a little rough."""
+    """A slightly rough wall across x, seen from the origin."""
     rng, side = (
         np.random.default_rng(seed),
         np.linspace(-1.0137, 0.9871, count),
-    )  # no point on the border of cells, where rounding decides
+    )  # no point on a cell boundary, where rounding decides
     y, z = np.repeat(side, count), np.tile(side, count)
     return np.stack([x + rng.normal(0, 0.01, y.size), y, z], axis=1)
 
 
 def voxels_of(volume):
-    """(value, weight) of each voxel that was seen, by its whole coordinates."""
+    """(value, weight) of each observed voxel, by its integer coordinates."""
     keys = download(volume._blocks.keys)[: volume.block_count]
     weights = download(volume._blocks.weights)[: 512 * len(keys)]
     values = download(volume._blocks.distances)[: 512 * len(keys)]
     seen = np.flatnonzero(weights)
     inner = np.stack(np.unravel_index(seen % 512, (8, 8, 8)), axis=1)
-    places = block_box(keys)[seen // 512] * SIDE + inner
-    return {tuple(p): (v, w) for p, v, w in zip(places.tolist(), values[seen], weights[seen], strict=True)}
+    coordinates = block_box(keys)[seen // 512] * SIDE + inner
+    return {tuple(p): (v, w) for p, v, w in zip(coordinates.tolist(), values[seen], weights[seen], strict=True)}
 
 
 def cells_between(a, b):
-    """The cells that the way from a to b crosses, by all its crossings of walls in order."""
+    """The cells crossed by the segment from a to b, from its sorted crossings of cell faces."""
     along, cuts = b - a, [0.0, 1.0]
     for k in range(3):
         low, high = sorted((a[k], b[k]))
@@ -55,31 +55,31 @@ def cells_between(a, b):
 
 
 def reference(scans, carve):
-    """What scans, (points, scanner) each, leave in voxels, and which blocks there are, in float64."""
+    """The voxels and blocks of scans, each (points, scanner), in float64."""
     voxels, blocks = {}, set()
     for points, scanner in scans:
         rays = []
         for p in points:
-            reach = np.linalg.norm(p - scanner)
-            d = (p - scanner) / reach
-            a, b = ((scanner + d * r) / VOXEL + 0.5 for r in (reach - TRUNCATION, reach + TRUNCATION))
+            distance = np.linalg.norm(p - scanner)
+            d = (p - scanner) / distance
+            a, b = ((scanner + d * r) / VOXEL + 0.5 for r in (distance - TRUNCATION, distance + TRUNCATION))
             ends = cells_between(a, b)
             blocks |= {tuple(c // SIDE for c in cell) for cell in ends}
-            rays.append((reach, d, ends | (cells_between(scanner / VOXEL + 0.5, a) if carve else {})))
-        found = {}
-        for reach, d, cells in rays:
+            rays.append((distance, d, ends | (cells_between(scanner / VOXEL + 0.5, a) if carve else {})))
+        samples = {}
+        for distance, d, cells in rays:
             for cell in cells:
-                value = (reach - (np.array(cell) * VOXEL - scanner) @ d) / TRUNCATION
+                value = (distance - (np.array(cell) * VOXEL - scanner) @ d) / TRUNCATION
                 if value > -1 and tuple(c // SIDE for c in cell) in blocks:
-                    found.setdefault(cell, []).append(min(value, 1.0))
-        for cell, values in found.items():
+                    samples.setdefault(cell, []).append(min(value, 1.0))
+        for cell, values in samples.items():
             old, w = voxels.get(cell, (0.0, 0))
             voxels[cell] = ((old * w + np.mean(values)) / (w + 1), w + 1)
     return voxels, blocks
 
 
 @pytest.mark.parametrize("carve", [True, False])
-def test_voxels_hold_what_a_float64_reference_says(device, carve):
+def test_voxels_match_a_float64_reference(device, carve):
     scans = [(wall(2.03, 9), np.array([0.02, 0.013, 0.017])), (wall(2.01, 9, 1), np.array([0.31, -0.22, 0.07]))]
     scans.append(
         (wall(2.05, 7, 2) * [1, 0.23, 0.19], np.array([0.113, 0.041, -0.017]))
@@ -88,17 +88,17 @@ def test_voxels_hold_what_a_float64_reference_says(device, carve):
     for points, scanner in scans:
         volume.integrate_points(points, scanner, carve=carve)
     expected, blocks = reference(scans, carve)
-    found = voxels_of(volume)
-    assert volume.block_count == len(blocks) and found.keys() == expected.keys()
-    worst = max(abs(found[cell][0] - value) for cell, (value, _) in expected.items())
-    assert worst < 1e-6 and all(found[cell][1] == w for cell, (_, w) in expected.items())
+    result = voxels_of(volume)
+    assert volume.block_count == len(blocks) and result.keys() == expected.keys()
+    worst = max(abs(result[cell][0] - value) for cell, (value, _) in expected.items())
+    assert worst < 1e-6 and all(result[cell][1] == w for cell, (_, w) in expected.items())
 
 
-def test_the_order_of_points_and_how_scanners_are_given_change_no_bit(device):
+def test_point_order_and_form_of_scanner_positions_change_no_bit(device):
     points, origin = wall(3.0), np.array([0.1, 0.2, 0.3])
     cloud = loom.PointCloud(points, colors=np.abs(points) / 4, device=device)
-    turned = np.random.default_rng(1).permutation(len(points))
-    mixed = loom.PointCloud(points[turned], colors=np.abs(points[turned]) / 4, device=device)
+    order = np.random.default_rng(1).permutation(len(points))
+    mixed = loom.PointCloud(points[order], colors=np.abs(points[order]) / 4, device=device)
     prints = set()
     for scan, start in ((cloud, origin), (mixed, origin), (cloud, np.tile(origin, (len(points), 1)))):
         volume = volume_on(device, color=True)
@@ -109,20 +109,20 @@ def test_the_order_of_points_and_how_scanners_are_given_change_no_bit(device):
     assert np.abs(mesh.vertex_colors - np.abs(mesh.vertices) / 4).max() < 0.05
 
 
-def test_what_moved_away_is_carved_out_and_empty_space_gets_no_blocks(device):
-    kept, carved = volume_on(device), volume_on(device)
-    for volume, carve in ((kept, False), (carved, True)):
+def test_moved_objects_are_carved_and_empty_space_gets_no_blocks(device):
+    uncarved, carved = volume_on(device), volume_on(device)
+    for volume, carve in ((uncarved, False), (carved, True)):
         volume.integrate_points(wall(2.0), [0, 0, 0], carve=carve)
         for seed in range(3):
             volume.integrate_points(wall(4.0, 51, seed) * [1, 2, 2], [0, 0, 0], carve=carve)
-    assert carved.block_count == kept.block_count
-    assert (kept.extract_triangle_mesh(0).vertices[:, 0] < 3).any()
+    assert carved.block_count == uncarved.block_count
+    assert (uncarved.extract_triangle_mesh(0).vertices[:, 0] < 3).any()
     assert not (carved.extract_triangle_mesh(0).vertices[:, 0] < 3).any()
 
 
-def test_a_scan_at_utm_coordinates_is_as_exact(device):
+def test_a_scan_at_utm_coordinates_is_equally_exact(device):
     here, there = volume_on(device), volume_on(device)
-    scanner = np.array([0.02, 0.013, 0.027])  # off the diagonals, where a ray would cross two borders at once
+    scanner = np.array([0.02, 0.013, 0.027])  # off the diagonals, where a ray would cross two cell boundaries at once
     here.integrate_points(wall(2.0), scanner)
     there.integrate_points(wall(2.0) + UTM, scanner + UTM)
     near, far = here.extract_triangle_mesh(0), there.extract_triangle_mesh(0)
@@ -139,7 +139,7 @@ def test_wild_points_make_no_blocks(device):
     assert fingerprint(volume) == fingerprint(clean)
 
 
-def test_scans_that_cannot_be_placed_are_refused_and_leave_the_volume(device):
+def test_scans_with_invalid_poses_are_rejected_and_leave_the_volume(device):
     volume, points = volume_on(device), wall(2.0)
     volume.integrate_points(points, np.zeros(3))
     before = fingerprint(volume)
@@ -158,7 +158,7 @@ def test_scans_that_cannot_be_placed_are_refused_and_leave_the_volume(device):
 
 
 @pytest.mark.slow
-def test_a_scan_is_in_or_not_after_an_interruption_at_any_line(device):
+def test_a_scan_is_integrated_completely_or_not_at_all_after_any_interruption(device):
     def begun():
         volume = volume_on(device)
         volume.integrate_points(wall(2.0), np.zeros(3))

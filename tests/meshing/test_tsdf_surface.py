@@ -1,4 +1,4 @@
-"""The surface of a TSDFVolume is the one that was seen, as a mesh and as points."""
+"""The surface of a TSDFVolume as a mesh and as points matches the observed surface."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def dense_field(volume, threshold):
 
 
 def boundary_edges(mesh):
-    """Vertex numbers [k, 2] of the edges with one triangle; edges with more than two fail."""
+    """Vertex indices [k, 2] of the edges with one triangle; fails for edges with more than two."""
     t = mesh.triangles.astype(np.int64)
     sides = np.concatenate([t[:, [0, 1]], t[:, [1, 2]], t[:, [2, 0]]])
     edges, count = np.unique(np.sort(sides, axis=1), axis=0, return_counts=True)
@@ -51,8 +51,8 @@ def test_a_sphere_seen_from_all_sides_is_closed_and_round(device):
     assert mesh.get_volume() == pytest.approx(4 / 3 * np.pi * RADIUS**3, rel=0.03)
 
 
-def test_a_surface_of_random_values_is_that_of_the_dense_copy(device, rng):
-    """Every case of the table, across block borders, with voxels unseen at random."""
+def test_a_surface_of_random_values_matches_the_dense_copy(device, rng):
+    """Every case of the table, across block boundaries, with random unseen voxels."""
     volume = fused_sphere(device)
     count = volume._blocks.distances.size
     set_voxels(volume, "distances", rng.uniform(-1, 1, count).astype(np.float32))
@@ -67,7 +67,7 @@ def test_a_surface_of_random_values_is_that_of_the_dense_copy(device, rng):
     assert cKDTree(dense.vertices).query(mesh.vertices)[0].max() < 2e-6
 
 
-def test_a_voxel_counts_where_more_frames_than_the_threshold_saw_it(device):
+def test_a_voxel_counts_if_more_frames_than_the_threshold_observed_it(device):
     frame = (np.full((120, 160), 1.2345), np.eye(4))
     volume = fuse([frame] * 3, device)
     sizes = [len(volume.extract_triangle_mesh(t)) for t in (0, 2, 2.5, 3, 4)]
@@ -76,7 +76,7 @@ def test_a_voxel_counts_where_more_frames_than_the_threshold_saw_it(device):
     assert [(volume.ray_cast(CAMERA, np.eye(4), weight_threshold=t).depth > 0).any() for t in (2, 3)] == [True, False]
 
 
-def test_points_lie_on_the_sphere_with_outward_normals(device):
+def test_points_are_on_the_sphere_with_outward_normals(device):
     volume = fused_sphere(device)
     cloud, mesh = volume.extract_point_cloud(0), volume.extract_triangle_mesh(0)
     radii = np.linalg.norm(cloud.points, axis=1)

@@ -1,4 +1,4 @@
-"""Vertex clustering: Open3D's vertices and triangles, and the same at any scale."""
+"""Vertex clustering: Open3D's vertices and triangles, scale-invariant."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ METHOD = "simplify_vertex_clustering"
 
 
 def assert_it_is_open3ds(mesh: TriangleMesh, voxel_size: float, vertices, triangles) -> None:
-    """The same vertices in the same order, and the same triangles, of which Open3D leaves the order open."""
+    """The same vertices in the same order, and the same triangles in any order."""
     thin = mesh.simplify_vertex_clustering(voxel_size)
     np.testing.assert_allclose(thin.vertices, vertices, rtol=1e-6, atol=1e-6)  # float32 of its float64
     assert len(thin) == len(triangles)
@@ -22,20 +22,20 @@ def assert_it_is_open3ds(mesh: TriangleMesh, voxel_size: float, vertices, triang
 
 
 @pytest.mark.parametrize("voxel_size", [0.05, 0.3, 1.0, 10.0])
-def test_vertices_and_triangles_are_those_of_open3d(device, oracle, voxel_size):
+def test_vertices_and_triangles_match_open3d(device, oracle, voxel_size):
     mesh, name = TriangleMesh(*bumpy_torus(), device=device), f"meshing/clustering/torus_{voxel_size}"
     wanted = oracle(name, open3d_clusters, mesh, voxel_size)
     assert_it_is_open3ds(mesh, voxel_size, *wanted)
 
 
 def open3d_clusters(o3d, mesh, voxel_size):
-    """Triangles in a fixed order: Open3D's differs from run to run."""
+    """Triangles in a fixed order: Open3D's order differs between runs."""
     vertices, triangles = open3d_simplified(o3d, mesh, 1.0, METHOD, voxel_size, "Average")
     return vertices, triangles[np.lexsort(triangles.T)]
 
 
-def test_they_are_those_of_open3d_whatever_the_triangles(oracle):
-    """Opposite ones, repeated ones, vertices without triangles."""
+def test_results_match_open3d_for_any_triangles(oracle):
+    """Opposite and duplicate triangles, vertices without triangles."""
     scenes = []
     for seed in range(30):
         rng = np.random.default_rng(seed)
@@ -46,8 +46,8 @@ def test_they_are_those_of_open3d_whatever_the_triangles(oracle):
         assert_it_is_open3ds(mesh, voxel_size, *wanted)
 
 
-def test_triangles_keep_the_order_in_which_they_first_appear(device):
-    """Vertices are voxels of their own; the fourth triangle repeats the first, turned, and the fifth is its back."""
+def test_triangles_keep_the_order_of_first_appearance(device):
+    """Each vertex is a separate voxel; the fourth triangle is a rotated copy of the first, the fifth its reverse."""
     corners = np.eye(3)[[0, 1, 2, 0, 1]] * np.array([1, 1, 1, 2, 2])[:, None]
     triangles = [[2, 0, 1], [4, 3, 2], [1, 0, 3], [0, 1, 2], [1, 0, 2], [3, 3, 1]]
     thin = TriangleMesh(corners, triangles, device=device).simplify_vertex_clustering(0.1)
@@ -55,27 +55,27 @@ def test_triangles_keep_the_order_in_which_they_first_appear(device):
     np.testing.assert_array_equal(thin.vertices, corners)
 
 
-def test_quadrics_are_at_least_as_near_as_those_of_open3d_at_its_best(device, oracle):
-    """In a unit in which Open3D's threshold does nothing; it is off by 1.7 times as much where it does."""
+def test_quadrics_are_at_least_as_accurate_as_those_of_open3d(device, oracle):
+    """In a unit where Open3D's threshold has no effect; otherwise its error is 1.7 times as large."""
     mesh = TriangleMesh(*bumpy_torus(60, 36), device=device)
     points = mesh.sample_points_uniformly(5000, seed=1).points
-    ours, mean = (mesh.simplify_vertex_clustering(0.2, way) for way in ("quadric", "average"))
+    quadric, mean = (mesh.simplify_vertex_clustering(0.2, way) for way in ("quadric", "average"))
     peer = oracle("meshing/clustering/quadric", open3d_simplified, mesh, 1000.0, METHOD, 200.0, "Quadric")
-    np.testing.assert_array_equal(ours.triangles, mean.triangles)
-    assert rms_from(ours, points) <= 1.02 * rms_from(TriangleMesh(*peer), points)
-    assert rms_from(ours, points) < 0.7 * rms_from(mean, points)
+    np.testing.assert_array_equal(quadric.triangles, mean.triangles)
+    assert rms_from(quadric, points) <= 1.02 * rms_from(TriangleMesh(*peer), points)
+    assert rms_from(quadric, points) < 0.7 * rms_from(mean, points)
 
 
-def test_open3ds_kinds_are_taken(o3d):
+def test_open3ds_kinds_are_accepted(o3d):
     mesh = TriangleMesh(*bumpy_torus())
     for name in ("Average", "Quadric"):
         kind = getattr(o3d.geometry.SimplificationContraction, name)
-        ours = mesh.simplify_vertex_clustering(0.3, name.lower())
-        np.testing.assert_array_equal(mesh.simplify_vertex_clustering(0.3, kind).vertices, ours.vertices)
+        result = mesh.simplify_vertex_clustering(0.3, name.lower())
+        np.testing.assert_array_equal(mesh.simplify_vertex_clustering(0.3, kind).vertices, result.vertices)
 
 
 @pytest.mark.parametrize(("way", "scale"), [("average", 2.0**-20), ("Quadric", 2.0**20)])
-def test_a_scaled_mesh_becomes_the_scaled_result_to_the_bit(device, way, scale):
+def test_a_scaled_mesh_gives_the_scaled_result_bitwise(device, way, scale):
     vertices, triangles = bumpy_torus()
     first = TriangleMesh(vertices, triangles, device=device).simplify_vertex_clustering(0.25, way)
     scaled = TriangleMesh(vertices * scale, triangles, origin=[0, 0, 0], device=device)
@@ -122,6 +122,6 @@ def test_meshes_without_triangles_or_with_one(device, way):
         ({"contraction": 1}, TypeError),
     ],
 )
-def test_arguments_out_of_range_are_refused(arguments, error):
+def test_arguments_out_of_range_are_rejected(arguments, error):
     with pytest.raises(error, match=f"^{next(iter(arguments))}: "):
         TriangleMesh(*grid(3)).simplify_vertex_clustering(**({"voxel_size": 1} | arguments))

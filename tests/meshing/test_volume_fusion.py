@@ -1,4 +1,4 @@
-"""Volumes fused into one, each moved: a voxel on a voxel keeps its bits, and the rest is where the frames put it."""
+"""Volumes fused with poses: aligned voxels stay bitwise identical, others agree with the fused frames."""
 
 import itertools
 
@@ -22,9 +22,9 @@ from .tsdf_scenes import (
 )
 
 
-def rigid(turn=(0.0, 0.0, 0.0), shift=(0.0, 0.0, 0.0)):
+def rigid(rotvec=(0.0, 0.0, 0.0), shift=(0.0, 0.0, 0.0)):
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(turn).as_matrix(), shift
+    T[:3, :3], T[:3, 3] = Rotation.from_rotvec(rotvec).as_matrix(), shift
     return T
 
 
@@ -38,18 +38,18 @@ def colored_volume(device, *, count=3, seed=0, center=(0.0, 0.0, 0.0), voxel_siz
 
 
 def seen_of(volume):
-    """All bits of the blocks that hold a seen voxel, by block."""
+    """All bits of the blocks with observed voxels, by block."""
     blocks, distances, weights, colors = voxels_of(volume)
-    kept = weights.reshape(len(weights), -1).any(axis=1)
-    seen = weights[kept] > 0
-    values = [blocks[kept], np.where(seen, distances[kept], 0), weights[kept]]
+    is_used = weights.reshape(len(weights), -1).any(axis=1)
+    seen = weights[is_used] > 0
+    values = [blocks[is_used], np.where(seen, distances[is_used], 0), weights[is_used]]
     if colors is not None:
-        values.append(np.where(seen[..., None], colors[kept], 0))
+        values.append(np.where(seen[..., None], colors[is_used], 0))
     return b"".join(v.tobytes() for v in values)
 
 
 @pytest.mark.parametrize("center", [(0, 0, 0), (500_000.0, 5_400_000.0, 300.0)])
-def test_a_volume_that_stays_keeps_all_its_bits(device, center):
+def test_an_unmoved_volume_is_bitwise_unchanged(device, center):
     volume = colored_volume(device, center=center)
     fused = loom.fuse_volumes([volume], [np.eye(4)])
     assert seen_of(fused) == seen_of(volume)
@@ -57,17 +57,17 @@ def test_a_volume_that_stays_keeps_all_its_bits(device, center):
     assert (fused.voxel_size, fused.truncation) == (volume.voxel_size, volume.truncation)
 
 
-def test_a_volume_moved_by_whole_voxels_keeps_all_its_bits(device):
+def test_a_volume_shifted_by_integer_voxels_is_bitwise_identical(device):
     volume = colored_volume(device)
     there = rigid(shift=np.array([8, -16, 24]) * volume.voxel_size)
     moved = loom.fuse_volumes([volume], [there])
     assert [len(v) for v in voxels_of(moved)[:1]] == [len(np.unique(voxels_of(moved)[0], axis=0))]
     assert seen_of(loom.fuse_volumes([moved], [np.linalg.inv(there)])) == seen_of(volume)
     a, b = voxels_of(moved), voxels_of(volume)
-    kept = b[2].reshape(len(b[2]), -1).any(axis=1)
-    assert (a[0] == b[0][kept] + [1, -2, 3]).all() and (a[2] == b[2][kept]).all()
+    is_used = b[2].reshape(len(b[2]), -1).any(axis=1)
+    assert (a[0] == b[0][is_used] + [1, -2, 3]).all() and (a[2] == b[2][is_used]).all()
     seen = a[2] > 0
-    assert (a[1][seen] == b[1][kept][seen]).all() and (a[3][seen] == b[3][kept][seen]).all()
+    assert (a[1][seen] == b[1][is_used][seen]).all() and (a[3][seen] == b[3][is_used][seen]).all()
 
 
 def test_the_order_of_volumes_does_not_matter(device):
@@ -80,22 +80,22 @@ def test_the_order_of_volumes_does_not_matter(device):
     assert len(prints) == 1
 
 
-def test_volumes_of_some_frames_each_give_the_volume_of_all(device):
-    """On one grid: the mean of means is the mean, but for rounding."""
+def test_volumes_of_frame_subsets_give_the_full_volume(device):
+    """On one grid: the mean of means equals the mean within rounding."""
     frames = list(sphere_frames())
-    whole, parts = fuse(frames, device), [fuse(frames[i::2], device) for i in range(2)]
+    full, parts = fuse(frames, device), [fuse(frames[i::2], device) for i in range(2)]
     fused = loom.fuse_volumes(parts, [np.eye(4)] * 2)
-    a, b = voxels_of(whole), voxels_of(fused)
-    kept = a[2].reshape(len(a[2]), -1).any(axis=1)
-    # a frame looks at the voxels of blocks that the others brought only where they share a volume
-    assert (a[0][kept] == b[0]).all()
-    same = a[2][kept] == b[2]
+    a, b = voxels_of(full), voxels_of(fused)
+    is_used = a[2].reshape(len(a[2]), -1).any(axis=1)
+    # a frame updates voxels of blocks added by other frames only in a shared volume
+    assert (a[0][is_used] == b[0]).all()
+    same = a[2][is_used] == b[2]
     assert same.mean() > 0.97
-    assert np.abs(a[1][kept] - b[1])[same].max() < 1e-6
+    assert np.abs(a[1][is_used] - b[1])[same].max() < 1e-6
 
 
-def test_volumes_in_frames_of_their_own_meet_at_their_poses(device):
-    """Half of the frames each, in the coordinates of a camera; poses that are off by two voxels show."""
+def test_volumes_in_different_frames_are_aligned_by_their_poses(device):
+    """Half of the frames each, in camera coordinates; pose errors of two voxels are visible."""
     frames = list(sphere_frames())
     parts, poses = [], []
     for half in (frames[0::2], frames[1::2]):
@@ -115,7 +115,7 @@ def test_volumes_in_frames_of_their_own_meet_at_their_poses(device):
     assert np.median(off(drifted)) > 2 * np.median(right)
 
 
-def test_volumes_meet_far_from_the_origin(device):
+def test_volumes_are_aligned_far_from_the_origin(device):
     far = np.array([500_000.0, 5_400_000.0, 300.0])
     frames = list(sphere_frames(center=far))
     parts = [fuse(frames[i::2], device) for i in range(2)]
@@ -128,7 +128,7 @@ def test_volumes_meet_far_from_the_origin(device):
     assert np.abs(off).max() < VOXEL and np.abs(moved.origin - far).max() < 1
 
 
-def test_coarser_voxels_hold_the_same_surface(device):
+def test_coarser_voxels_represent_the_same_surface(device):
     volume = fused_sphere(device, voxel_size=0.01, truncation=TRUNCATION)
     fused = loom.fuse_volumes([volume], [np.eye(4)], voxel_size=0.02, truncation=0.06)
     assert (fused.voxel_size, fused.truncation) == (0.02, 0.06)
@@ -146,7 +146,7 @@ def test_empty_volumes_add_nothing(device):
     assert seen_of(loom.fuse_volumes([empty, volume], [np.eye(4)] * 2)) == seen_of(volume)
 
 
-def test_weights_stop_at_their_limit(device):
+def test_weights_saturate_at_their_limit(device):
     volume = fuse([next(iter(sphere_frames(SMALL)))], device, camera=SMALL, voxel_size=0.05)
     for _ in range(17):
         volume = loom.fuse_volumes([volume, volume], [np.eye(4)] * 2)
@@ -169,7 +169,7 @@ def test_colors_are_means_by_weight(device):
     assert not plain.has_color and (voxels_of(plain)[2] == weights).all()
 
 
-def test_what_cannot_be_fused_is_refused(device):
+def test_incompatible_volumes_are_rejected(device):
     volume = loom.TSDFVolume(voxel_size=0.05, truncation=0.1, color=False, device=device)
     volume.integrate(np.full((24, 32), 1.0), SMALL, np.eye(4))
     eye = np.eye(4)

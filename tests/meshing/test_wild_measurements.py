@@ -1,4 +1,4 @@
-"""A wild pixel or point makes no block beyond what was asked for, and takes no memory for the space up to it."""
+"""An outlier pixel or point creates no block beyond the limit and uses no memory for the space in between."""
 
 import resource
 
@@ -11,7 +11,7 @@ CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 
 
 def peak():
-    """The most memory that the process ever held [B]."""
+    """The peak memory of the process [B]."""
     return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
@@ -21,24 +21,24 @@ def picture(pixel):
     return depth
 
 
-def held(volume):
+def contents_of(volume):
     arrays = volume._downloaded()
     return {name: arrays[name].tobytes() for name in ("keys", "distances", "weights")}
 
 
 @pytest.mark.parametrize("pixel", [65.535, 3e38, -np.inf, np.nan])
-def test_a_wild_pixel_is_no_measurement_beyond_depth_max(device, tmp_path, pixel):
+def test_outlier_pixels_beyond_depth_max_are_ignored(device, tmp_path, pixel):
     before = peak()
-    found, memory = [], []
+    contents, memory = [], []
     for depth in (picture(0.0), picture(pixel)):
         volume = loom.TSDFVolume(voxel_size=0.01, color=False, device=device)
         volume.integrate(depth, CAMERA, np.eye(4), depth_max=3.0)
-        found.append(held(volume))
+        contents.append(contents_of(volume))
         memory.append(volume.memory_bytes)
-    assert found[0] == found[1] and memory[0] == memory[1]
+    assert contents[0] == contents[1] and memory[0] == memory[1]
     with loom.PagedTSDFVolume(tmp_path / "v", voxel_size=0.01, color=False, max_blocks=2000, device=device) as paged:
         paged.integrate(picture(pixel), CAMERA, np.eye(4), depth_max=3.0)
-        assert held(paged.to_volume()) == found[0]
+        assert contents_of(paged.to_volume()) == contents[0]
     assert peak() - before < 300e6
 
 

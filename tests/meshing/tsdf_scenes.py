@@ -1,4 +1,4 @@
-"""Planes and spheres as cameras see them, volumes that they are fused into, and what such a volume holds."""
+"""Planes and spheres seen by cameras, fused volumes, and their contents."""
 
 import hashlib
 
@@ -11,7 +11,7 @@ from pointloom.kernels.volumes.tsdf_blocks import SIDE, block_box
 VOXEL, TRUNCATION = 0.02, 0.08
 RADIUS = 0.4
 CAMERA = loom.PinholeCameraIntrinsic(160, 120, 131.0, 133.0, 79.2, 59.9)
-FINE = loom.PinholeCameraIntrinsic(640, 480, 524.0, 532.0, 317.3, 239.9)  # where the stair of nearest pixels would show
+FINE = loom.PinholeCameraIntrinsic(640, 480, 524.0, 532.0, 317.3, 239.9)  # where nearest-pixel steps would be visible
 SMALL = loom.PinholeCameraIntrinsic(32, 24, 31.0, 29.0, 15.3, 11.7)
 
 
@@ -26,7 +26,7 @@ def look_at(eye, target=(0, 0, 0), up=(0.1, 0.2, 1.0)):
 
 
 def rays_of(camera, T):
-    """Directions [h, w, 3] in the world whose parameter is depth along z."""
+    """Directions [h, w, 3] in the world, with depth along z as parameter."""
     v, u = np.mgrid[: camera.height, : camera.width]
     local = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], axis=-1)
     return local @ T[:3, :3].T
@@ -83,17 +83,17 @@ def voxels_of(volume):
 
 
 def set_voxels(volume, name, values):
-    """Put values in the place of a volume's distances, weights or colors."""
+    """Set a volume's distances, weights or colors."""
     setattr(volume._blocks, name, upload(values, getattr(volume._blocks, name).dtype, volume.device))
 
 
 def fingerprint(volume):
-    """All bits that a volume holds, by block."""
+    """All bits of a volume, by block."""
     return b"".join(a.tobytes() for a in voxels_of(volume) if a is not None)
 
 
 def small_frames(rng, count):
-    """Rough depth with holes, seen from random places."""
+    """Rough depth with holes, seen from random positions."""
     for _ in range(count):
         T = look_at(rng.uniform(-0.3, 0.3, 3), rng.uniform((-0.4, -0.4, 1.5), (0.4, 0.4, 2)))
         depth = 1.2 + 0.3 * rng.random((SMALL.height, SMALL.width)) * (rng.random() < 0.5)
@@ -113,7 +113,7 @@ def view_from(volume, T, camera=CAMERA, **options):
 
 
 def all_bits(device):
-    """A digest of all that a fused sphere gives."""
+    """A digest of all results of a fused sphere."""
     volume = fused_sphere(device)
     mesh, cloud = volume.extract_triangle_mesh(0), volume.extract_point_cloud(0)
     view = view_from(volume, look_at((1.0, 0.5, 0.4)))

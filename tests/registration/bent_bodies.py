@@ -1,4 +1,4 @@
-"""Bodies, and known ways to bend them."""
+"""Bodies, and known deformations."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ Array = NDArray[np.float64]
 
 
 def lumpy(count: int, seed: int) -> Array:
-    """Points on a ball with bumps that leave no turn open."""
+    """Points on a bumpy ball without rotational symmetry."""
     v = np.random.default_rng(seed).normal(size=(count, 3))
     v /= np.linalg.norm(v, axis=1)[:, None]
     return v * (1 + 0.15 * np.sin(3 * v[:, :1]) * np.cos(2 * v[:, 1:2]) + 0.1 * np.sin(4 * v[:, 2:] + 1))
@@ -30,7 +30,7 @@ def torus(count: int, seed: int) -> Array:
 
 
 def armed(count: int, seed: int) -> Array:
-    """Points on four arms of other lengths and widths."""
+    """Points on four arms of different lengths and widths."""
     rng = np.random.default_rng(seed)
     ways = np.array([[1, 0, 0], [-0.5, 0.8, 0.1], [-0.3, -0.6, 0.7], [0.1, -0.3, -0.9]])
     ways /= np.linalg.norm(ways, axis=1)[:, None]
@@ -52,6 +52,6 @@ def swayed(points: Array) -> Array:
 
 
 def twisted(points: Array) -> Array:
-    """Turned about z by 23 degrees a metre."""
+    """Rotated about z by 23 degrees per meter."""
     c, s = np.cos(0.4 * points[:, 2]), np.sin(0.4 * points[:, 2])
     return np.column_stack([c * points[:, 0] - s * points[:, 1], s * points[:, 0] + c * points[:, 1], points[:, 2]])

@@ -1,4 +1,4 @@
-"""Views of a made-up hall from its middle, each bent by one camera, with the truth: what SLAC is measured on."""
+"""Views of a synthetic hall from its center, each bent by one camera, with ground truth, for SLAC."""
 
 import itertools
 
@@ -9,7 +9,7 @@ from pointloom.registration import PoseGraph, PoseGraphEdge, PoseGraphNode
 from pointloom.registration.rigid import fit_pose, invert_pose
 
 HALF = np.array([2.0, 1.6, 1.2])  # of the hall [m]
-VIEWS = 18  # round the hall
+VIEWS = 18  # around the hall
 
 
 def moved(T, points):
@@ -17,15 +17,15 @@ def moved(T, points):
 
 
 def depth_of_hall(origin, directions):
-    """How far the wavy walls are along rays: the nearest of six, each found by going to where the last guess was."""
+    """Distances to the wavy walls along rays: the nearest of six, each by fixed-point iteration."""
     nearest = np.full(len(directions), np.inf)
     for axis, side in itertools.product(range(3), (-1, 1)):
         along, facing = np.delete(np.arange(3), axis), side * directions[:, axis] > 1e-3
-        rays, reach = directions[facing], np.zeros(facing.sum())
+        rays, ranges = directions[facing], np.zeros(facing.sum())
         for _ in range(30):
-            waves = np.sin(3.5 * (origin + reach[:, None] * rays)[:, along] + axis).prod(axis=1)
-            reach = (side * (HALF[axis] + 0.08 * waves) - origin[axis]) / rays[:, axis]
-        nearest[facing] = np.minimum(nearest[facing], reach)
+            waves = np.sin(3.5 * (origin + ranges[:, None] * rays)[:, along] + axis).prod(axis=1)
+            ranges = (side * (HALF[axis] + 0.08 * waves) - origin[axis]) / rays[:, axis]
+        nearest[facing] = np.minimum(nearest[facing], ranges)
     return nearest
 
 
@@ -33,12 +33,12 @@ class BentRoom:
     """Fragments of one view each.
 
     Args:
-        bend: Share that depth grows by at a picture's corner, as the square of the distance from its middle.
+        bend: Relative depth error at an image corner, quadratic in the distance from the center.
 
     Attributes:
         clouds: In their cameras' frames, as the camera bent them.
-        points, truths: Their points, and where these are truly.
-        poses, graph, pairs: T_world_fragment, with the edges of views that overlap.
+        points, truths: Their points and the true positions.
+        poses, graph, pairs: T_world_fragment, with the edges of overlapping views.
     """
 
     def __init__(self, bend):
@@ -66,8 +66,8 @@ class BentRoom:
         self.graph = PoseGraph([PoseGraphNode(T) for T in self.poses], edges)
 
     def error(self, graph, grid=None):
-        """Root mean square [m] of the distances of all points from where they truly are, after one rigid fit of all."""
+        """Root mean square distance [m] of all points from their true positions, after one rigid fit."""
         clouds = self.clouds if grid is None else [grid.deform(cloud) for cloud in self.clouds]
-        found = np.concatenate([moved(n.pose, c.points) for n, c in zip(graph.nodes, clouds, strict=True)])
+        estimated = np.concatenate([moved(n.pose, c.points) for n, c in zip(graph.nodes, clouds, strict=True)])
         truth = np.concatenate([moved(T, p) for T, p in zip(self.poses, self.truths, strict=True)])
-        return float(np.sqrt(((moved(fit_pose(found, truth), found) - truth) ** 2).sum(axis=1).mean()))
+        return float(np.sqrt(((moved(fit_pose(estimated, truth), estimated) - truth) ** 2).sum(axis=1).mean()))

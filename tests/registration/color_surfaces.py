@@ -1,4 +1,4 @@
-"""What the tests of preparation share: painted surfaces, and our gradients on them."""
+"""Painted surfaces, and pointloom's color gradients on them."""
 
 import numpy as np
 
@@ -9,7 +9,7 @@ from pointloom.kernels.search.point_tree import PointTree
 
 
 def gradients_of(points, normals, colors, radius, max_nn, device="cpu"):
-    """Our intensities and gradients as NumPy."""
+    """Intensities and gradients as NumPy arrays."""
     points, normals, colors = (
         upload(np.asarray(values, np.float32).reshape(-1, 3), vec3, device) for values in (points, normals, colors)
     )

@@ -1,4 +1,4 @@
-"""What the tests of registration share: pairs of real scans with their true poses, and made-up pairs without noise."""
+"""Pairs of real scans with their true poses, and synthetic pairs without noise."""
 
 from __future__ import annotations
 
@@ -33,9 +33,9 @@ def surface_pair():
 
 @pytest.fixture(scope="session")
 def street_pair(scan_set, real_file, made_street):
-    """Two LiDAR scans and `T`, which takes the source's coordinates to the target's.
+    """Two LiDAR scans and `T` from source to target coordinates.
 
-    KITTI's of 69,000 points each (real), or each other ray of the made-up street with noise of 2 cm (shipped).
+    KITTI's of 69,000 points each (real), or every other ray of the synthetic street with 2 cm noise (shipped).
     """
     if scan_set == "real":
         folder = real_file("reg-small-gicp")
@@ -55,7 +55,7 @@ def room_pair(scan_set, real_file, shipped_file):
     """Two scans of a room and `T`, 12.7 degrees from the identity.
 
     Fragments 4 (source) and 0 (target) of 3DMatch's kitchen with 55 % overlap (real), or two frames of a living room,
-    the source rotated by as much (shipped).
+    the source rotated by the same angle (shipped).
     """
     if scan_set == "real":
         folder = real_file("reg-teaser-3dmatch/data")
@@ -69,42 +69,42 @@ def room_pair(scan_set, real_file, shipped_file):
     poses = loom.read_trajectory(folder / "trajectory.log").poses
     depths = [loom.read_depth(folder / "depth" / f"{k:05d}.png") for k in (0, 4)]
     target, source = (loom.PointCloud.create_from_depth_image(depth, camera, stride=2).points for depth in depths)
-    turned = as_pose(np.radians(12.7) * np.array([0.36, 0.48, 0.8]), [0.4, -0.4, 0.4])
+    motion = as_pose(np.radians(12.7) * np.array([0.36, 0.48, 0.8]), [0.4, -0.4, 0.4])
     return SimpleNamespace(
-        source=moved(source, turned), target=target, T=np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(turned)
+        source=moved(source, motion), target=target, T=np.linalg.inv(poses[0]) @ poses[-1] @ np.linalg.inv(motion)
     )
 
 
 @pytest.fixture(scope="session")
 def featured(room_pair):
     """`room_pair` in voxels of 5 cm: points, normals and features of `source` and `target`, and `T`."""
-    found = SimpleNamespace(T=room_pair.T)
+    pair = SimpleNamespace(T=room_pair.T)
     for name in ("source", "target"):
         cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(0.05)
         cloud = cloud.estimate_normals(radius=0.1, max_nn=30)
-        cloud = cloud.orient_normals_towards_camera_location(cloud.get_center())  # a side that turns with the cloud
+        cloud = cloud.orient_normals_towards_camera_location(cloud.get_center())  # a side that rotates with the cloud
         feature = loom.compute_fpfh_feature(cloud, radius=0.25, max_nn=100)
-        setattr(found, name, SimpleNamespace(points=cloud.points, normals=cloud.normals, feature=feature.copy()))
-    return found
+        setattr(pair, name, SimpleNamespace(points=cloud.points, normals=cloud.normals, feature=feature.copy()))
+    return pair
 
 
 @pytest.fixture(scope="session")
 def full_pair(surface_pair):
-    """The clouds of `surface_pair` with all that any estimator asks for, and T."""
+    """The clouds of `surface_pair` with all attributes of all estimators, and T."""
 
-    def whole(points, paint):
+    def build_cloud(points, paint):
         colors = 0.5 + 0.4 * np.sin(paint @ np.array([[5, 1, 2], [3, 6, 2], [2, 2, 7]]))
         cloud = loom.PointCloud(points[::2], colors=colors[::2], dopplers=np.zeros(len(points[::2]), np.float32))
         return cloud.estimate_normals(max_nn=20)
 
     T = surface_pair.T
     moved = surface_pair.source @ T[:3, :3].T + T[:3, 3]
-    return whole(surface_pair.source, moved), whole(surface_pair.target, surface_pair.target), T
+    return build_cloud(surface_pair.source, moved), build_cloud(surface_pair.target, surface_pair.target), T
 
 
 @pytest.fixture(scope="session")
 def hilly_pair():
-    """Two samplings of a hilly surface that share 60 %, and the pose between them: 75 degrees."""
+    """Two samplings of a hilly surface that overlap by 60 %, and the pose between them: 75 degrees."""
     rng = np.random.default_rng(4)
     target, source = hills(rng, 25000), hills(rng, 25000)
     T = as_pose(np.radians(75) * np.array([0.3, 0.2, 0.93]), [1, 2, 3])
@@ -114,11 +114,11 @@ def hilly_pair():
 
 @pytest.fixture(scope="session")
 def street(made_street):
-    """The module benchmarks/street.py: drives of a scanner through a made-up street."""
+    """The module benchmarks/street.py: drives of a scanner through a synthetic street."""
     return made_street
 
 
 @pytest.fixture(scope="session")
 def fast_drive(street):
-    """12 scans at 20 m/s from the first on."""
+    """12 scans, at 20 m/s from the start."""
     return street.drive(12, speed=20.0, beams=40, azimuths=360)

@@ -1,7 +1,7 @@
-"""ICP with chosen freedom as dense least squares in NumPy and SciPy, float64: what the kernels are held against.
+"""ICP with selected degrees of freedom as dense float64 least squares: the reference for the kernels.
 
-The motion since the first pose is `scipy.spatial.transform`'s, its minimum that of `least_squares` with numerical
-derivatives, its pairs those of a k-d tree: nothing is shared with the library.
+The motion is `scipy.spatial.transform`'s, the minimum that of `least_squares` with numerical derivatives, the pairs
+those of a k-d tree: nothing is shared with the library.
 """
 
 from __future__ import annotations
@@ -54,13 +54,13 @@ class DenseICP:
         pose, information = self.prior
         T = self.pose(free_x)
         R = T[:3, :3] / np.cbrt(np.linalg.det(T[:3, :3]))
-        place = np.linalg.solve(self.init, [*self.pivot, 1])
-        xi = [*Rotation.from_matrix(R @ pose[:3, :3].T).as_rotvec(), *((T - pose) @ place)[:3]]
+        point = np.linalg.solve(self.init, [*self.pivot, 1])
+        xi = [*Rotation.from_matrix(R @ pose[:3, :3].T).as_rotvec(), *((T - pose) @ point)[:3]]
         values, vectors = np.linalg.eigh(information)
         return np.sqrt(np.maximum(values, 0)) * (vectors.T @ xi)
 
     def minimum(self, pairs, start):
-        """The free parameters that are best for some pairs."""
+        """The optimal free parameters for given pairs."""
         noise = self.noise
         for _ in range(1 if noise is not None or self.prior is None else 30):
             level = noise
@@ -76,14 +76,14 @@ class DenseICP:
         return start
 
     def solve(self, distance, rounds=60):
-        """The pose where pairs and minimum agree."""
+        """The pose at which pairs and minimum agree."""
         x, tree = np.zeros(len(self.free)), cKDTree(self.target)
         for _ in range(rounds):
             T = self.pose(x)
             away, j = tree.query(self.source @ T[:3, :3].T + T[:3, 3])
             i = np.flatnonzero(away < distance)
-            found = self.minimum((i, j[i]), x)
-            if np.abs(found - x).max() < 1e-12:
+            solution = self.minimum((i, j[i]), x)
+            if np.abs(solution - x).max() < 1e-12:
                 break
-            x = found
+            x = solution
         return self.pose(x)

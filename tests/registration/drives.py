@@ -1,4 +1,4 @@
-"""What the tests of odometry share: a drive as clouds, its true path, and the path that is found."""
+"""A drive as clouds, its true trajectory, and the estimated trajectory."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Results of estimators after some steps, of pointloom and of Open3D."""
+"""Results of estimators after some steps, for pointloom and Open3D."""
 
 import numpy as np
 
@@ -9,8 +9,8 @@ reg = loom.registration
 DISTANCE = 0.15
 
 
-def ours_after(device, pair, method, steps, init=None, **options):
-    """The result after so many steps: criteria of zero are never met."""
+def result_after(device, pair, method, steps, init=None, **options):
+    """The result after a given number of steps: criteria of zero are never met."""
     source, target, rules = pair.source.to(device), pair.target.to(device), reg.ICPConvergenceCriteria(0, 0, steps)
     return reg.registration_icp(source, target, DISTANCE, init, method, rules, **options)
 
@@ -37,13 +37,13 @@ def tensor_cloud(o3d, cloud, **attributes):
 
 
 def tensor_after(o3d, clouds, method, steps):
-    """The pose of Open3D's tensor form after so many steps."""
+    """The pose of Open3D's tensor implementation after a given number of steps."""
     theirs = o3d.t.pipelines.registration
     rules = theirs.ICPConvergenceCriteria(0, 0, steps)
     return theirs.icp(*clouds, DISTANCE, o3d.core.Tensor(np.eye(4)), method, rules).transformation.numpy()
 
 
 def tensor_kernel(o3d, name, scale, shape=1.0):
-    """A robust kernel of Open3D's tensor form."""
+    """A robust kernel of Open3D's tensor implementation."""
     kernels = o3d.t.pipelines.registration.robust_kernel
     return kernels.RobustKernel(getattr(kernels.RobustKernelMethod, name), scale, shape)

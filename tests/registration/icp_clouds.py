@@ -1,4 +1,4 @@
-"""What the tests of ICP share: the estimators, and surfaces that fix all six directions of motion."""
+"""Estimators, and surfaces that constrain all six degrees of freedom."""
 
 import numpy as np
 import pytest
@@ -39,12 +39,12 @@ def wavy_normals(points):
 
 
 def back(points, T):
-    """Where points were before a pose."""
+    """Points under the inverse of a pose."""
     return (points - T[:3, 3]) @ T[:3, :3]
 
 
 def noisy_pair(seed):
-    """Points with noise of a surface with normals, moved by a little in all six ways, and the surface."""
+    """Noisy points of a surface with normals, shifted slightly in all six directions, and the surface."""
     rng = np.random.default_rng(seed)
     target = loom.PointCloud(wavy(rng, 1500)).estimate_normals(max_nn=20)
     points = target.points[rng.permutation(1500)[:700]] + 0.003 * rng.normal(size=(700, 3))

@@ -1,4 +1,4 @@
-"""What the tests of pose graphs share: walks round a ring, their solutions, and what is minimized."""
+"""Pose graphs of rings, their solutions, and the cost."""
 
 from __future__ import annotations
 
@@ -26,7 +26,7 @@ def shaken(T, rng, size) -> np.ndarray:
 
 
 def information(rng) -> np.ndarray:
-    """Of correspondences at random places, as `get_information_matrix_from_point_clouds` sums it up."""
+    """Information of correspondences at random positions, as `get_information_matrix_from_point_clouds` sums it."""
     total = np.zeros((6, 6))
     for x, y, z in rng.normal(0, 1, (rng.integers(*CORRESPONDENCES), 3)):
         G = np.hstack([-np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]), np.eye(3)])
@@ -35,12 +35,13 @@ def information(rng) -> np.ndarray:
 
 
 def ring(count, seed, *, noise=0.003, loops=None, outliers=0, certain=False) -> SimpleNamespace:
-    """A walk round a ring: `true` poses, `poses` by odometry, `edges`, and `wrong`, the indices of the made-up ones."""
+    """A path around a ring: `true` poses, `poses` by odometry, `edges`, and `wrong`, the indices of false edges."""
     rng = np.random.default_rng(seed)
     angles = 2 * np.pi * np.arange(count) / count
-    places = np.stack([2 * np.cos(angles), 2 * np.sin(angles), 0.1 * np.sin(3 * angles)], axis=1)
+    positions = np.stack([2 * np.cos(angles), 2 * np.sin(angles), 0.1 * np.sin(3 * angles)], axis=1)
     true = [
-        as_pose([0, 0, a], p) @ as_pose(rng.normal(0, 0.3, 3), [0, 0, 0]) for a, p in zip(angles, places, strict=True)
+        as_pose([0, 0, a], p) @ as_pose(rng.normal(0, 0.3, 3), [0, 0, 0])
+        for a, p in zip(angles, positions, strict=True)
     ]
     edges = []
 
@@ -92,7 +93,7 @@ def ends_of(graph) -> list[tuple[int, int]]:
 
 
 def cost_of(poses, edges, distance, sine_of_half=True) -> float:
-    """What is minimized, edge by edge; `sine_of_half` False gives Open3D's form of it."""
+    """The cost of each edge; `sine_of_half` False gives Open3D's form."""
     mu = distance**2 * np.mean([edge[3][5, 5] for edge in edges])
     total = 0.0
     for source, target, X, Lambda, uncertain in edges:

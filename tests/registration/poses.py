@@ -1,4 +1,4 @@
-"""Poses and points under them, as the tests of registration make them."""
+"""Poses and points under them."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Corners of rooms: a floor and two walls that are alike in all of them, and boxes by which they differ."""
+"""Corners of rooms: a floor and two walls, identical in all of them, and boxes that differ."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ OTHER = ((1.6, 0.0, 0.7, 0.5, 1.3), (0.6, 1.5, 0.4, 0.7, 0.5), (0.0, 0.5, 0.5, 0
 
 
 def corner(rng: np.random.Generator, boxes=(), count: int = 40000) -> np.ndarray:
-    """Points of a corner of 2.5 x 2.5 x 1.8 m that opens to +x, +y and +z, and of boxes in it; 3 mm of noise."""
+    """Points of a corner of 2.5 x 2.5 x 1.8 m that opens to +x, +y and +z, with boxes; 3 mm noise."""
     faces = [
         ((0, 0, 0), (SIDE, 0, 0), (0, SIDE, 0)),
         ((0, 0, 0), (SIDE, 0, 0), (0, 0, HEIGHT)),

@@ -1,4 +1,4 @@
-"""Terrestrial scans of made places: rays from known stations into a mesh of boxes, with noise along the ray."""
+"""Terrestrial scans of synthetic scenes: rays from known stations into a mesh of boxes, with noise along the ray."""
 
 from __future__ import annotations
 
@@ -27,35 +27,35 @@ BOXES = [  # low corner, extent, yaw [rad]
 
 def mesh_of(boxes):
     """One mesh of boxes."""
-    whole = None
+    mesh = None
     for low, extent, yaw in boxes:
         box = loom.TriangleMesh.create_box(*extent).transform(
             make_pose(rotation_of(np.array([0, 0, yaw])), np.array(low, float))
         )
-        whole = box if whole is None else whole + box
-    return whole
+        mesh = box if mesh is None else mesh + box
+    return mesh
 
 
-def pose_at(place, yaw):
-    return make_pose(rotation_of(np.array([0, 0, yaw])), np.asarray(place, float))
+def pose_at(position, yaw):
+    return make_pose(rotation_of(np.array([0, 0, yaw])), np.asarray(position, float))
 
 
-def scan(scene, T, rng, *, columns=480, rows=160, reach=60.0):
-    """The points that a level scanner sees, in its own coordinates."""
+def scan(scene, T, rng, *, columns=480, rows=160, max_range=60.0):
+    """The points of a level scanner in its own coordinates."""
     azimuth = np.linspace(-np.pi, np.pi, columns, endpoint=False) + rng.uniform(0, 0.02)
     elevation = np.linspace(-np.radians(55), np.radians(65), rows)
     a, e = (grid.ravel() for grid in np.meshgrid(azimuth, elevation))
     rays = np.stack([np.cos(e) * np.cos(a), np.cos(e) * np.sin(a), np.sin(e)], axis=1)
     there = np.concatenate([np.tile(T[:3, 3], (len(rays), 1)), rays @ T[:3, :3].T], axis=1).astype(np.float32)
     t = np.asarray(scene.cast_rays(there)["t_hit"], np.float64)
-    seen = t < reach
+    seen = t < max_range
     return loom.PointCloud(rays[seen] * (t[seen] + rng.normal(0, RANGE_NOISE, seen.sum()))[:, None])
 
 
-def scan_all(boxes, places, seed, **options):
-    """Scans from places at random headings, and the true poses."""
+def scan_all(boxes, positions, seed, **options):
+    """Scans from positions with random headings, and the true poses."""
     rng = np.random.default_rng(seed)
     scene = loom.RaycastingScene()
     scene.add_triangles(mesh_of(boxes))
-    truth = np.array([pose_at(place, rng.uniform(-3, 3)) for place in places])
+    truth = np.array([pose_at(position, rng.uniform(-3, 3)) for position in positions])
     return [scan(scene, T, rng, **options) for T in truth], truth

@@ -1,4 +1,4 @@
-"""Coherent point drift takes the steps of the paper, and tells what did not come together."""
+"""Coherent point drift follows the steps of the paper and reports failed alignments."""
 
 from __future__ import annotations
 
@@ -12,12 +12,12 @@ from pointloom.registration.deformable import coherent_drift as module
 from .bent_bodies import lumpy, swayed, torus, tube
 
 drift = loom.registration.coherent_point_drift
-TURN = Rotation.from_rotvec([0.3, 0.4, -0.2]).as_matrix()
-FLAT = [1.0, 0.8, 0.5]  # no turn of such a body looks like another
+ROTATION = Rotation.from_rotvec([0.3, 0.4, -0.2]).as_matrix()
+FLAT = [1.0, 0.8, 0.5]  # no rotational symmetry
 
 
-def turned(points):
-    return 1.2 * points @ TURN.T + [0.2, 0.1, 0.0]
+def transformed(points):
+    return 1.2 * points @ ROTATION.T + [0.2, 0.1, 0.0]
 
 
 def steps_in_numpy(Y, X, kind, count, w=0.1, width=2.0, stiffness=3.0):
@@ -50,64 +50,64 @@ def steps_in_numpy(Y, X, kind, count, w=0.1, width=2.0, stiffness=3.0):
 @pytest.mark.parametrize("kind", ["rigid", "affine", "deformable"])
 def test_its_steps_are_those_of_the_paper(device, kind):
     body, scan = lumpy(120, 0) * FLAT, lumpy(150, 1) * FLAT
-    scan = swayed(scan) if kind == "deformable" else turned(scan)
+    scan = swayed(scan) if kind == "deformable" else transformed(scan)
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
-    found = drift(*clouds, kind=kind, max_iterations=12, tolerance=1e-12)
+    result = drift(*clouds, kind=kind, max_iterations=12, tolerance=1e-12)
     moved, deviation = steps_in_numpy(body, scan, kind, 12)
-    np.testing.assert_allclose(found.warped.points, moved, atol=2e-6)
-    np.testing.assert_allclose(found.deviation, deviation, rtol=1e-6)
+    np.testing.assert_allclose(result.warped.points, moved, atol=2e-6)
+    np.testing.assert_allclose(result.deviation, deviation, rtol=1e-6)
     again = drift(loom.PointCloud(body), loom.PointCloud(scan), kind=kind, max_iterations=12, tolerance=1e-12)
-    np.testing.assert_array_equal(found.warped.points, again.warped.points)
+    np.testing.assert_array_equal(result.warped.points, again.warped.points)
 
 
 @pytest.mark.parametrize("count", [4, 7, 8, 9, 17])
-def test_each_number_of_points_is_weighed_whole(device, count):
+def test_all_points_are_weighted_for_any_count(device, count):
     body, scan = lumpy(count, 0), swayed(lumpy(count + 1, 1))
-    found = drift(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device), max_iterations=2)
-    np.testing.assert_allclose(found.warped.points, steps_in_numpy(body, scan, "rigid", 2)[0], atol=2e-6)
+    result = drift(loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device), max_iterations=2)
+    np.testing.assert_allclose(result.warped.points, steps_in_numpy(body, scan, "rigid", 2)[0], atol=2e-6)
 
 
 def test_trees_find_what_all_pairs_do(device, monkeypatch):
-    body, scan = lumpy(400, 0) * FLAT, turned(lumpy(500, 1) * FLAT)
+    body, scan = lumpy(400, 0) * FLAT, transformed(lumpy(500, 1) * FLAT)
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
-    found = []
+    results = []
     for near in (0.0, 100.0):
         monkeypatch.setattr(module, "NEAR", near)
-        found.append(drift(*clouds, max_iterations=25, tolerance=1e-12))
-    assert found[0].deviation < 0.15
-    np.testing.assert_allclose(found[0].transformation, found[1].transformation, atol=1e-9)
+        results.append(drift(*clouds, max_iterations=25, tolerance=1e-12))
+    assert results[0].deviation < 0.15
+    np.testing.assert_allclose(results[0].transformation, results[1].transformation, atol=1e-9)
 
 
-def test_a_body_is_turned_and_scaled_to_its_scan():
-    body, scan = lumpy(400, 0) * FLAT, turned(lumpy(400, 0) * FLAT)
-    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iterations=300)
-    np.testing.assert_allclose(found.transformation[:3, :3], 1.2 * TURN, atol=1e-3)
-    assert found.reliable and found.matched > 0.99
+def test_a_rotated_and_scaled_body_is_registered():
+    body, scan = lumpy(400, 0) * FLAT, transformed(lumpy(400, 0) * FLAT)
+    result = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.01, max_iterations=300)
+    np.testing.assert_allclose(result.transformation[:3, :3], 1.2 * ROTATION, atol=1e-3)
+    assert result.reliable and result.matched > 0.99
     stiff = drift(loom.PointCloud(body), loom.PointCloud(scan), with_scaling=False, max_iterations=300)
     np.testing.assert_allclose(np.linalg.det(stiff.transformation[:3, :3]), 1, atol=1e-12)
 
 
-def test_a_field_takes_other_points_along():
+def test_a_field_transforms_other_points():
     body = lumpy(500, 0)
     cloud = loom.PointCloud(body, label=np.arange(500))
-    found = drift(cloud, loom.PointCloud(swayed(body)), kind="deformable", outliers=0.01)
-    assert np.abs(found.warped.points - swayed(body)).max() < 0.02 and found.reliable
-    np.testing.assert_allclose(found.transform(body), found.warped.points, atol=1e-6)
-    assert np.array_equal(found.warped["label"], np.arange(500))
+    result = drift(cloud, loom.PointCloud(swayed(body)), kind="deformable", outliers=0.01)
+    assert np.abs(result.warped.points - swayed(body)).max() < 0.02 and result.reliable
+    np.testing.assert_allclose(result.transform(body), result.warped.points, atol=1e-6)
+    assert np.array_equal(result.warped["label"], np.arange(500))
     between = lumpy(300, 5)
-    assert np.abs(found.transform(between) - swayed(between)).max() < 0.05
+    assert np.abs(result.transform(between) - swayed(between)).max() < 0.05
 
 
-def test_a_third_of_outliers_is_left_out():
+def test_a_third_of_outliers_is_excluded():
     rng = np.random.default_rng(0)
     body = lumpy(400, 0) * FLAT
-    scan = np.vstack([turned(body), rng.uniform(-2, 2, (200, 3))])
-    found = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.35, max_iterations=300)
-    assert np.abs(found.transform(body) - turned(body)).max() < 0.02
-    assert 0.6 < found.matched < 0.75 and found.reliable
+    scan = np.vstack([transformed(body), rng.uniform(-2, 2, (200, 3))])
+    result = drift(loom.PointCloud(body), loom.PointCloud(scan), outliers=0.35, max_iterations=300)
+    assert np.abs(result.transform(body) - transformed(body)).max() < 0.02
+    assert 0.6 < result.matched < 0.75 and result.reliable
 
 
-def test_another_body_is_told():
+def test_a_different_body_is_reported_unreliable():
     for one, other in ((torus, tube), (lumpy, torus), (tube, lumpy)):
-        found = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iterations=300)
-        assert not found.reliable
+        result = drift(loom.PointCloud(one(400, 0)), loom.PointCloud(other(400, 1)), max_iterations=300)
+        assert not result.reliable

@@ -1,4 +1,4 @@
-"""Gradients of the color along a surface are the least squares of the neighbors, as colored ICP needs them."""
+"""Color gradients along a surface are the least squares over the neighbors, for colored ICP."""
 
 from types import SimpleNamespace
 
@@ -15,14 +15,14 @@ from .color_surfaces import gradients_of, paint, wavy
 
 
 def lists_within(points, radius, max_nn):
-    """The hybrid search in float64: each point's nearest within the radius, itself among them."""
+    """The hybrid search in float64: each point's nearest neighbors within the radius, itself included."""
     sqdists, rows = cKDTree(points).query(points, min(max_nn, len(points)))
     sqdists, rows = sqdists.reshape(len(points), -1), rows.reshape(len(points), -1)
-    return [near[reach < radius] for near, reach in zip(rows, sqdists, strict=True)]
+    return [near[squared_distances < radius] for near, squared_distances in zip(rows, sqdists, strict=True)]
 
 
 def reference_gradients(points, normals, intensities, radius, max_nn):
-    """The least squares of least norm in float64 over the neighbors, projected onto the tangent plane."""
+    """The minimum-norm least squares in float64 over the neighbors, projected onto the tangent plane."""
     points, normals = np.asarray(points, np.float64), np.asarray(normals, np.float64)
     gradients = np.zeros((len(points), 3))
     for row, near in enumerate(lists_within(points, radius, max_nn)):
@@ -36,7 +36,7 @@ def reference_gradients(points, normals, intensities, radius, max_nn):
 
 @pytest.fixture(scope="module")
 def frames(real_file):
-    """Two colored RGB-D frames, thinned: points, normals and colors as float32."""
+    """Two downsampled RGB-D frames: points, normals and colors as float32."""
     clouds = []
     for name in ("frame_1.ply", "frame_2.ply"):
         cloud = loom.read_point_cloud(real_file(f"reg-cilantro/{name}")).uniform_down_sample(23)
@@ -47,26 +47,26 @@ def frames(real_file):
     ]
 
 
-def test_gradients_in_the_fragment_are_the_least_squares_of_the_neighbors(device, scan_set, fragment, tolerances):
+def test_gradients_in_the_fragment_match_least_squares(device, scan_set, fragment, tolerances):
     part = {"shipped": np.s_[:4000], "real": np.s_[40000:44000]}[scan_set]
     arrays = (a[part].astype(np.float32) for a in (fragment.points, fragment.normals, fragment.colors))
     check_gradients(device, *arrays, 0.06, tolerances)
 
 
-def test_gradients_in_a_frame_are_the_least_squares_of_the_neighbors(device, frames, tolerances):
+def test_gradients_in_a_frame_match_least_squares(device, frames, tolerances):
     check_gradients(device, frames[0].points, frames[0].normals, frames[0].colors, 0.03, tolerances)
 
 
 def check_gradients(device, points, normals, colors, radius, tolerances):
-    intensities, found = gradients_of(points, normals, colors, radius, 30, device)
+    intensities, gradients = gradients_of(points, normals, colors, radius, 30, device)
     expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 30)
-    error = np.abs(found - expected).max(axis=1) / np.maximum(
+    error = np.abs(gradients - expected).max(axis=1) / np.maximum(
         np.abs(expected).max(axis=1), np.abs(expected).max() / 100
     )
     assert np.abs(expected).max() > 1
     assert (error < tolerances.gradient).mean() >= tolerances.gradient_share
     np.testing.assert_allclose(intensities, colors.mean(axis=1), atol=2e-7)
-    flat = np.abs((found * normals).sum(axis=1)) <= 1e-6 * np.linalg.norm(found, axis=1) * np.linalg.norm(
+    flat = np.abs((gradients * normals).sum(axis=1)) <= 1e-6 * np.linalg.norm(gradients, axis=1) * np.linalg.norm(
         normals, axis=1
     )
     assert flat.all(), "a gradient lies in the plane"
@@ -84,35 +84,35 @@ def test_gradients_do_not_depend_on_the_unit_of_length(device, rng):
 
 
 def test_the_gradient_of_a_linear_color_is_exact(device, rng):
-    """On a plane anywhere in space, whatever the neighbors, and with normals of any length."""
+    """On planes of any pose, for any neighbors, and with normals of any length."""
     R = Rotation.from_rotvec([0.4, -1.1, 0.3]).as_matrix()
     plane = np.column_stack([rng.uniform(-1, 1, (600, 2)), np.zeros(600)])
     true = R @ [0.3, -0.2, 0.0]
     points = (plane @ R.T + [3.0, -2.0, 1.0]).astype(np.float32)
     colors = np.repeat((0.5 + plane @ [0.3, -0.2, 0.0])[:, None], 3, axis=1)
     normals = np.outer(rng.uniform(0.1, 9.0, 600), R[:, 2]) * rng.choice([-1, 1], 600)[:, None]
-    _, found = gradients_of(points, normals, colors, 0.5, 30, device)
-    np.testing.assert_allclose(found, np.tile(true, (600, 1)), atol=2e-5)
+    _, gradients = gradients_of(points, normals, colors, 0.5, 30, device)
+    np.testing.assert_allclose(gradients, np.tile(true, (600, 1)), atol=2e-5)
 
 
 @pytest.mark.parametrize("direction", [(1, 0, 0), (0, 0, 1), (1, 2, 3)], ids=str)
-def test_neighbors_on_a_line_tell_the_gradient_along_it_alone(device, direction):
-    """Least norm; a solution by elimination would be noise of any size across the line."""
+def test_collinear_neighbors_determine_the_gradient_along_the_line_only(device, direction):
+    """Minimum norm; elimination would give noise of any size across the line."""
     d = np.array(direction) / np.linalg.norm(direction)
     normal = np.cross(d, [0.3, 0.5, -0.8])
     t = np.linspace(-1, 1, 41)
     colors = np.repeat((0.5 + 0.25 * t)[:, None], 3, axis=1)
-    _, found = gradients_of(np.outer(t, d), np.tile(normal, (41, 1)), colors, 0.3, 10, device)
-    np.testing.assert_allclose(found, np.tile(0.25 * d, (41, 1)), atol=1e-5)
+    _, gradients = gradients_of(np.outer(t, d), np.tile(normal, (41, 1)), colors, 0.3, 10, device)
+    np.testing.assert_allclose(gradients, np.tile(0.25 * d, (41, 1)), atol=1e-5)
 
 
 @pytest.mark.parametrize("count", [0, 1, 3, 4])
 def test_fewer_than_four_points_have_no_gradient(device, count):
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0.0]])[:count]
     colors = np.array([[0.1], [0.2], [0.4], [0.5]])[:count].repeat(3, axis=1)
-    intensities, found = gradients_of(points, np.tile([0, 0, 1.0], (count, 1)), colors, 10.0, 30, device)
-    assert found.shape == (count, 3) and intensities.shape == (count,)
-    np.testing.assert_allclose(found, np.tile([0.1, 0.3, 0] if count == 4 else [0, 0, 0], (count, 1)), atol=1e-7)
+    intensities, gradients = gradients_of(points, np.tile([0, 0, 1.0], (count, 1)), colors, 10.0, 30, device)
+    assert gradients.shape == (count, 3) and intensities.shape == (count,)
+    np.testing.assert_allclose(gradients, np.tile([0.1, 0.3, 0] if count == 4 else [0, 0, 0], (count, 1)), atol=1e-7)
 
 
 def test_points_without_neighbors_or_extent_have_no_gradient(device, rng):
@@ -126,20 +126,20 @@ def test_points_without_neighbors_or_extent_have_no_gradient(device, rng):
     assert not gradients_of(rng.random((50, 3)), up * 0, colors, 1.0, 30, device)[1].any(), "zero normals"
 
 
-def test_what_is_not_finite_counts_for_nobody(device, rng):
+def test_non_finite_points_contribute_nothing(device, rng):
     points, normals = wavy(rng, 900), np.tile([0, 0, 1.0], (900, 1))
     colors, bad = paint(points), rng.permutation(900)[:90]
     spoiled, dark = points.copy(), colors.copy()
     spoiled[bad[:30]], spoiled[bad[30:40]], dark[bad[40:]] = np.nan, [np.inf, 0, 0], np.nan
-    intensities, found = gradients_of(spoiled, normals, dark, 0.3, 900, device)
+    intensities, gradients = gradients_of(spoiled, normals, dark, 0.3, 900, device)
     good = np.setdiff1d(np.arange(900), bad)
     _, expected = gradients_of(points[good], normals[good], colors[good], 0.3, 900, device)
-    np.testing.assert_allclose(found[good], expected, atol=1e-6)
-    assert not found[bad].any() and np.isnan(intensities[bad[40:]]).all()
+    np.testing.assert_allclose(gradients[good], expected, atol=1e-6)
+    assert not gradients[bad].any() and np.isnan(intensities[bad[40:]]).all()
     normals[good[:7]] = [np.nan, 0, 1]
     _, lopsided = gradients_of(spoiled, normals, dark, 0.3, 900, device)
     assert not lopsided[good[:7]].any()
-    np.testing.assert_array_equal(lopsided[good[7:]], found[good[7:]], "a neighbor's normal has no say")
+    np.testing.assert_array_equal(lopsided[good[7:]], gradients[good[7:]], "a neighbor's normal has no say")
 
 
 lattice = st.lists(st.tuples(*[st.integers(-2, 2)] * 3, st.integers(0, 9)), min_size=1, max_size=40)
@@ -147,11 +147,11 @@ lattice = st.lists(st.tuples(*[st.integers(-2, 2)] * 3, st.integers(0, 9)), min_
 
 @settings(max_examples=25, deadline=None)
 @given(rows=lattice, radius=st.sampled_from([0.9, 1.2, 2.1, 50.0]), normal=st.sampled_from([(0, 0, 1), (1, 2, -1)]))
-def test_gradients_of_lattices_are_the_least_squares(rows, radius, normal):
+def test_gradients_of_lattices_match_least_squares(rows, radius, normal):
     """Duplicates, lines and planes; no distance equals the radius and no count cuts a tie."""
     table = np.array(rows, np.float64)
     points, colors = table[:, :3], table[:, 3:].repeat(3, axis=1) / 9
     normals = np.tile(np.array(normal, float), (len(points), 1))
-    intensities, found = gradients_of(points, normals, colors, radius, 64)
+    intensities, gradients = gradients_of(points, normals, colors, radius, 64)
     expected = reference_gradients(points, normals, intensities.astype(np.float64), radius, 64)
-    np.testing.assert_allclose(found, expected, atol=1e-5)
+    np.testing.assert_allclose(gradients, expected, atol=1e-5)

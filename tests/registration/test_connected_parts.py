@@ -1,4 +1,4 @@
-"""The connected parts of a graph, against SciPy's."""
+"""Connected components of a graph against SciPy's."""
 
 import numpy as np
 import pytest
@@ -16,15 +16,15 @@ def scipys(source, target, count) -> np.ndarray:
 
 @given(st.integers(1, 60), st.integers(0, 80), st.integers(0, 2**31 - 1))
 @settings(deadline=None)
-def test_parts_are_numbered_as_scipy_numbers_them(count, edges, seed):
+def test_components_are_numbered_as_in_scipy(count, edges, seed):
     source, target = np.random.default_rng(seed).integers(0, count, (2, edges))
-    found = connected_parts(source, target, count)
-    assert found.dtype == np.int32
-    np.testing.assert_array_equal(found, scipys(source, target, count))
+    parts = connected_parts(source, target, count)
+    assert parts.dtype == np.int32
+    np.testing.assert_array_equal(parts, scipys(source, target, count))
 
 
 @pytest.mark.parametrize("shape", ["chain", "shuffled chain", "star", "comb"])
-def test_long_graphs_are_one_part(shape, rng):
+def test_long_graphs_are_one_component(shape, rng):
     order = rng.permutation(20_000) if shape.startswith("shuffled") else np.arange(20_000)
     source, target = order[:-1], order[1:]
     if shape == "star":
@@ -36,5 +36,5 @@ def test_long_graphs_are_one_part(shape, rng):
     assert not connected_parts(source, target, 20_000).any()
 
 
-def test_a_graph_without_nodes_has_no_parts():
+def test_a_graph_without_nodes_has_no_components():
     assert connected_parts(np.zeros(0, np.int64), np.zeros(0, np.int64), 0).shape == (0,)

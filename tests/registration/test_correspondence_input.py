@@ -1,4 +1,4 @@
-"""Registration by given correspondences: right among wrong ones, with a reason where there is no pose."""
+"""Registration from given correspondences: robust to outliers, with a reason where there is no pose."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from .poses import moved
 from .wrong_pairs import assert_no_pose, fgr, made_up, ransac, robust
 
 reg = loom.registration
-# By the method: its call, the fewest correspondences, and the errors of its poses [degrees], [m].
+# For each method: its call, the minimal number of correspondences, and the pose errors [degrees], [m].
 METHODS = {"ransac": (ransac, 3, 0.05, 1e-3), "fgr": (fgr, 10, 0.5, 0.01), "robust": (robust, 3, 0.5, 0.01)}
 EACH = pytest.mark.parametrize("method", METHODS)
 
@@ -22,7 +22,7 @@ EACH = pytest.mark.parametrize("method", METHODS)
     ("method", "outliers"),
     [("ransac", 0.0), ("ransac", 0.95), ("fgr", 0.0), ("fgr", 0.8), ("fgr", 0.95), ("robust", 0.5), ("robust", 0.98)],
 )
-def test_the_pose_is_found_among_wrong_correspondences(device, rng, method, outliers, angle_between):
+def test_the_pose_is_estimated_among_outlier_correspondences(device, rng, method, outliers, angle_between):
     case, (run, _, degrees, distance) = made_up(rng, outliers=outliers), METHODS[method]
     result = run(case, device)
     assert angle_between(result.transformation, case.T) < degrees
@@ -31,9 +31,9 @@ def test_the_pose_is_found_among_wrong_correspondences(device, rng, method, outl
 
 
 @EACH
-def test_too_few_correspondences_end_with_a_reason(device, rng, method):
-    run, fewest, _, _ = METHODS[method]
-    for count in (0, 1, fewest - 1):
+def test_too_few_correspondences_fail_with_a_reason(device, rng, method):
+    run, minimum, _, _ = METHODS[method]
+    for count in (0, 1, minimum - 1):
         case = made_up(rng, 50, outliers=0.0)
         case.pairs = case.pairs[:count]
         result = run(case, device)
@@ -42,7 +42,7 @@ def test_too_few_correspondences_end_with_a_reason(device, rng, method):
         assert f"{count} given" in warning or f"of {count} correspondences" in warning
 
 
-def test_empty_clouds_end_with_a_reason(device):
+def test_empty_clouds_fail_with_a_reason(device):
     empty, one = loom.PointCloud(np.empty((0, 3)), device=device), loom.PointCloud([[0, 0, 0]], device=device)
     for pair in ((empty, empty), (empty, one), (one, empty)):
         result = reg.registration_ransac_based_on_correspondence(*pair, np.empty((0, 2)), 0.1)
@@ -53,7 +53,7 @@ def test_empty_clouds_end_with_a_reason(device):
 
 
 @pytest.mark.parametrize("shape", ["one place", "line", "plane"])
-def test_degenerate_clouds_end_without_an_exception(device, rng, shape):
+def test_degenerate_clouds_raise_no_exception(device, rng, shape):
     t = rng.uniform(-1, 1, (200, 1))
     points = {
         "one place": np.ones((200, 3)),

@@ -1,4 +1,4 @@
-"""Scans of a moving scanner against the motion written out."""
+"""Deskewed scans of a moving scanner against explicit motion."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def generator(twist) -> np.ndarray:
 
 
 def skew_scan(world, twist, shares) -> np.ndarray:
-    """What a sensor at exp(share * twist) sees of points [n, 3]."""
+    """Points [n, 3] as seen by a sensor at exp(share * twist)."""
     seen = [np.linalg.inv(expm(s * generator(twist))) @ [*p, 1] for s, p in zip(shares, world, strict=True)]
     return np.array(seen).reshape(-1, 4)[:, :3]
 
@@ -40,7 +40,7 @@ def test_a_scan_is_as_if_taken_at_its_end(device, tolerances, twist, unit, start
     T = expm(generator(twist))
     deskewed = deskew_point_cloud(scan, T, start + shares * unit)
     expected = (world - T[:3, 3]) @ T[:3, :3]
-    rounding = 200 * np.spacing(abs(start) + unit) / unit  # of the times themselves
+    rounding = 200 * np.spacing(abs(start) + unit) / unit  # of the absolute times
     np.testing.assert_allclose(deskewed.points, expected, atol=tolerances.deskew + rounding)
 
 
@@ -56,8 +56,8 @@ def test_a_twist_is_the_logarithm_of_a_pose(angle):
         np.testing.assert_allclose(twist_of(pose_of(twist))[3:], G[:3, 3], atol=1e-8)
 
 
-def test_a_twist_of_a_long_way_with_a_small_turn_is_exact():
-    """Just below the angle from which a series is taken; its second term is 2 micrometres here."""
+def test_a_twist_with_long_translation_and_small_rotation_is_exact():
+    """Just below the angle of the series expansion; its second term is 2 micrometers here."""
     from pointloom.registration.lidar.deskewing import SMALL_ANGLE, twist_of
     from pointloom.registration.rigid import pose_of
 
@@ -67,7 +67,7 @@ def test_a_twist_of_a_long_way_with_a_small_turn_is_exact():
 
 
 @pytest.mark.parametrize("gap", [1e-7, 1e-8, 2e-6, 1e-3])
-def test_a_rotation_just_below_half_a_turn_keeps_its_axis_and_its_sense(rng, gap):
+def test_a_rotation_just_below_180_degrees_keeps_its_axis_and_sign(rng, gap):
     from scipy.spatial.transform import Rotation
 
     from pointloom.registration.rigid import rotation_vector
@@ -81,8 +81,8 @@ def test_a_rotation_just_below_half_a_turn_keeps_its_axis_and_its_sense(rng, gap
     ("sweep", "interval", "expected"),
     [(180, None, 0.5), (-90, None, 0.25), (359, None, 1.0), (0, None, 1.0), (180, 0.2, 0.25), (359, 0.1, 0.5)],
 )
-def test_the_part_of_the_interval_that_a_scan_spans(device, rng, sweep, interval, expected):
-    """From the part of a turn that a spinning sensor sees, unless the interval is given; beams differ by 5 degrees."""
+def test_the_interval_can_be_longer_than_the_scan(device, rng, sweep, interval, expected):
+    """From the visible part of a revolution of the sensor, unless the interval is given; beams differ by 5 degrees."""
     share = np.sort(rng.random(2000))
     azimuth = np.radians(sweep * share - 50 + rng.choice([-2.5, 2.5], 2000)) if sweep else rng.uniform(0, 6.28, 2000)
     points = rng.uniform(5, 50, (2000, 1)) * np.c_[np.cos(azimuth), np.sin(azimuth), rng.uniform(-0.3, 0.3, 2000)]
@@ -94,7 +94,7 @@ def test_the_part_of_the_interval_that_a_scan_spans(device, rng, sweep, interval
 
 
 @pytest.mark.parametrize("times", [np.float32(1.7e9 + np.arange(50) / 500), np.zeros(50)], ids=["epoch", "equal"])
-def test_times_that_straighten_nothing_are_reported(device, rng, times):
+def test_times_without_effect_are_reported(device, rng, times):
     scan = loom.PointCloud(rng.uniform(5, 9, (50, 3)), device=device)
     with pytest.warns(UserWarning, match=r"^timestamps:.*50.*1"):
         deskew_point_cloud(scan, np.eye(4), times)
@@ -102,7 +102,7 @@ def test_times_that_straighten_nothing_are_reported(device, rng, times):
         loom.registration.LidarOdometry(min_range=1.0, device=device).register(scan, times)
 
 
-def test_attributes_and_order_travel(device):
+def test_attributes_and_order_are_preserved(device):
     T = np.eye(4)
     T[0, 3] = 2.0
     scan = loom.PointCloud(
@@ -116,7 +116,7 @@ def test_attributes_and_order_travel(device):
     np.testing.assert_allclose(scan.points[:, 0], [1, np.nan, 3, 4])
 
 
-def test_points_without_a_measurement_do_not_set_the_times(device):
+def test_invalid_points_do_not_define_the_time_range(device):
     T = np.eye(4)
     T[0, 3] = 1.0
     scan = loom.PointCloud([[0, 0, 0], [5, 0, 0], [np.nan, 0, 0], [5, 0, 0], [5, 0, 0]], device=device)
@@ -127,7 +127,7 @@ def test_points_without_a_measurement_do_not_set_the_times(device):
 
 @settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(hnp.arrays(np.float64, st.integers(0, 3), elements=st.just(3.0)))
-def test_equal_times_and_empty_scans_are_left_alone(device, times):
+def test_equal_times_and_empty_scans_are_unchanged(device, times):
     points = np.arange(3.0 * len(times)).reshape(-1, 3)
     T = np.eye(4)
     T[1, 3] = 5.0
@@ -135,11 +135,11 @@ def test_equal_times_and_empty_scans_are_left_alone(device, times):
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf])
-def test_times_that_are_not_finite_are_never_taken_for_the_end_of_the_scan(device, value):
+def test_non_finite_times_do_not_end_the_scan(device, value):
     scan = loom.PointCloud(np.arange(12.0).reshape(4, 3) + 1, device=device)
     T = np.eye(4)
     T[0, 3] = 1.0
-    found = deskew_point_cloud(scan, T, [value, 5.0, 5.0, value]).points  # one finite time
-    np.testing.assert_array_equal(np.isnan(found).any(axis=1), [True, False, False, True])
+    result = deskew_point_cloud(scan, T, [value, 5.0, 5.0, value]).points  # one finite time
+    np.testing.assert_array_equal(np.isnan(result).any(axis=1), [True, False, False, True])
     with pytest.raises(ValueError, match="timestamps:"):
         deskew_point_cloud(scan, T, np.full(4, value))

@@ -1,4 +1,4 @@
-"""The estimator for scans with radial speeds takes Open3D's steps, and tells of what planes cannot."""
+"""The Doppler estimator takes Open3D's steps and resolves motions that planes cannot."""
 
 from types import SimpleNamespace
 
@@ -7,7 +7,7 @@ import pytest
 
 import pointloom as loom
 
-from .estimator_steps import ours_after, tensor_after, tensor_cloud, tensor_kernel
+from .estimator_steps import result_after, tensor_after, tensor_cloud, tensor_kernel
 from .poses import as_pose
 
 reg = loom.registration
@@ -16,7 +16,7 @@ STEPS = (20, 40)
 
 @pytest.fixture(scope="module")
 def drive():
-    """A scan with radial speeds and the room a moment later, as a car that moves by minus T sees it, and clutter."""
+    """A scan with radial speeds, clutter, and the room a moment later, for a car that moves by the inverse of T."""
     rng = np.random.default_rng(4)
     T = as_pose([0.004, -0.003, 0.02], [0.05, -0.03, 0.02])  # source to target, in 0.1 s
     (target, normals), (source, _) = room(rng, 4000), room(rng, 3000)
@@ -29,7 +29,7 @@ def drive():
 
 
 def room(rng, count):
-    """Points on the walls of a room of 2.4 x 2 x 1.6 m about the sensor, and their normals."""
+    """Points on the walls of a room of 2.4 x 2 x 1.6 m around the sensor, and their normals."""
     p, faces = rng.uniform(-1, 1, (count, 3)), rng.integers(0, 3, count)
     p[np.arange(count), faces] = rng.choice([-1.0, 1.0], count)
     return p * [1.2, 1.0, 0.8] + [0.1, 0.05, -0.1], np.eye(3)[faces]
@@ -38,7 +38,7 @@ def room(rng, count):
 LOSSES = {"L2Loss": (), "TukeyLoss": (0.1,)}
 
 
-def ours(rules, kernels=("L2Loss", "L2Loss"), sensor=None):
+def doppler_method(rules, kernels=("L2Loss", "L2Loss"), sensor=None):
     losses = [getattr(reg, name)(*LOSSES[name]) for name in kernels]
     return reg.TransformationEstimationForDopplerICP(*rules, *losses, np.eye(4) if sensor is None else sensor)
 
@@ -72,29 +72,29 @@ def steps_of_all(o3d, drive):
 
 @pytest.fixture(scope="module")
 def answers(drive, oracle):
-    """Open3D's pose by the name of the case, after each of STEPS."""
+    """Open3D's pose for each case after each of STEPS."""
     return dict(zip(DOPPLER, oracle("registration/estimation/doppler", steps_of_all, drive), strict=True))
 
 
 @pytest.mark.parametrize("name", list(DOPPLER))
-def test_doppler_steps_are_open3ds(device, drive, answers, name, tolerances):
+def test_doppler_steps_match_open3d(device, drive, answers, name, tolerances):
     rules, options = DOPPLER[name]
     for steps, expected in zip(STEPS, answers[name], strict=True):
-        found = ours_after(device, drive, ours(rules, **options), steps, degeneracy=0)
-        np.testing.assert_allclose(found.transformation, expected, rtol=0, atol=tolerances.icp_pose_float32)
+        result = result_after(device, drive, doppler_method(rules, **options), steps, degeneracy=0)
+        np.testing.assert_allclose(result.transformation, expected, rtol=0, atol=tolerances.icp_pose_float32)
 
 
 @pytest.mark.parametrize("share", [0.01, 0.9])
-def test_the_share_of_speeds_does_not_make_a_room_degenerate(device, drive, share, angle_between):
-    """Rows of radial speeds are long, as they are divided by the period: they tell nothing of what walls determine."""
+def test_the_weight_of_speeds_does_not_make_a_room_degenerate(device, drive, share, angle_between):
+    """Rows of radial speeds are long, as they are divided by the period: they add no information to the walls'."""
     method = reg.TransformationEstimationForDopplerICP(0.1, share, True)
-    found = ours_after(device, drive, method, 12)
-    assert len(found.degenerate_directions) == 0
-    assert angle_between(found.transformation, drive.T) < 0.1
+    result = result_after(device, drive, method, 12)
+    assert len(result.degenerate_directions) == 0
+    assert angle_between(result.transformation, drive.T) < 0.1
 
 
-def test_speeds_tell_of_a_motion_that_planes_cannot(device):
-    """A tunnel: its walls do not say how far the car has come along it, radial speeds do."""
+def test_doppler_resolves_motion_that_planes_cannot(device):
+    """A tunnel: its walls do not constrain motion along it, radial speeds do."""
     rng = np.random.default_rng(5)
 
     def tunnel(count):
@@ -109,8 +109,8 @@ def test_speeds_tell_of_a_motion_that_planes_cannot(device):
     target = loom.PointCloud(tunnel(6000), device=device).estimate_normals(max_nn=20)
     rules = reg.ICPConvergenceCriteria(1e-9, 1e-9, 50)
     method = reg.TransformationEstimationForDopplerICP(lambda_doppler=0.1)
-    found = reg.registration_icp(scan, target, 1.0, None, method, rules).transformation
+    transformation = reg.registration_icp(scan, target, 1.0, None, method, rules).transformation
     planes = reg.registration_icp(
         scan, target, 1.0, None, reg.TransformationEstimationPointToPlane(), rules
     ).transformation
-    assert abs(found[0, 3] - 0.3) < 0.01 < 0.1 < abs(planes[0, 3] - 0.3)
+    assert abs(transformation[0, 3] - 0.3) < 0.01 < 0.1 < abs(planes[0, 3] - 0.3)

@@ -1,6 +1,6 @@
-"""Every estimator with every kernel takes Open3D's steps: the first one, and where all of them have led.
+"""Every estimator with every kernel takes Open3D's steps: the first one, and the total of all.
 
-Open3D turns a step about the origin, pointloom about the middle of the pairs: the scenes have that at the origin.
+Open3D linearizes about the origin, pointloom about the centroid of the pairs: the scenes have that at the origin.
 """
 
 from types import SimpleNamespace
@@ -13,7 +13,7 @@ from pointloom.registration.icp.kinds import registration_symmetric_icp
 from pointloom.registration.rigid import fit_pose
 from pointloom.registration.robust_kernels import GeneralizedLoss
 
-from .estimator_steps import DISTANCE, legacy_cloud, ours_after, tensor_after, tensor_cloud, tensor_kernel
+from .estimator_steps import DISTANCE, legacy_cloud, result_after, tensor_after, tensor_cloud, tensor_kernel
 from .icp_clouds import back, wavy, wavy_normals
 from .poses import as_pose
 
@@ -27,7 +27,7 @@ STEPS = [
     *(("PointToPoint", (scaling,), steps) for scaling in (False, True) for steps in (1, 20)),
     *((name, (loss,), 1) for name in ("PointToPlane", "Symmetric") for loss in KERNELS),
     *((name, (loss,), 20) for name in ("PointToPlane", "Symmetric") for loss in ("L2Loss", "TukeyLoss")),
-    ("Symmetric", ("L1Loss",), 20),  # to planes Open3D's steps differ from run to run: weights of 1e9 near the planes
+    ("Symmetric", ("L1Loss",), 20),  # to planes Open3D's steps differ between runs: weights of 1e9 near the planes
     *(("ForGeneralizedICP", (1e-3, loss), 1) for loss in KERNELS),
     *(("ForGeneralizedICP", (1e-3, loss), 20) for loss in ("L2Loss", "CauchyLoss")),
     *(("ForColoredICP", (0.968, loss), 1) for loss in KERNELS),
@@ -54,9 +54,9 @@ def pair():
 
 
 def about_pairs(pair, init):
-    """The clouds and a pose of them, moved so that the source points with a pair under it have their middle at 0."""
-    found = reg.evaluate_registration(pair.source, pair.target, DISTANCE, init).correspondence_set
-    shift = as_pose([0, 0, 0], -(pair.source.points[found[:, 0]] @ init[:3, :3].T + init[:3, 3]).mean(axis=0))
+    """The clouds and a pose, shifted so that the centroid of the paired source points is at 0."""
+    correspondences = reg.evaluate_registration(pair.source, pair.target, DISTANCE, init).correspondence_set
+    shift = as_pose([0, 0, 0], -(pair.source.points[correspondences[:, 0]] @ init[:3, :3].T + init[:3, 3]).mean(axis=0))
     source, target = (cloud.transform(shift) for cloud in (pair.source, pair.target))
     T, init = (shift @ pose @ np.linalg.inv(shift) for pose in (pair.T, init))
     return SimpleNamespace(source=source, target=target, T=T), init
@@ -70,16 +70,16 @@ def method_of(module, name, arguments):
 
 
 def legacy_after(o3d, clouds, name, arguments, steps, init=None):
-    """Open3D's result: pose, fitness, error, and the target of each point of the source."""
+    """Open3D's result: pose, fitness, error, and the target index of each source point."""
     theirs = o3d.pipelines.registration
     own = {"ForColoredICP": theirs.registration_colored_icp, "ForGeneralizedICP": theirs.registration_generalized_icp}
     method, rules = method_of(theirs, name, arguments), theirs.ICPConvergenceCriteria(0, 0, steps)
     init = np.eye(4) if init is None else init
-    found = own.get(name, theirs.registration_icp)(*clouds, DISTANCE, init, method, rules)
-    rows, columns = np.asarray(found.correspondence_set).T
+    result = own.get(name, theirs.registration_icp)(*clouds, DISTANCE, init, method, rules)
+    rows, columns = np.asarray(result.correspondence_set).T
     targets = np.full(len(clouds[0].points), -1, np.int16)
     targets[rows] = columns
-    return found.transformation, found.fitness, found.inlier_rmse, targets
+    return result.transformation, result.fitness, result.inlier_rmse, targets
 
 
 def all_steps(o3d, pair):
@@ -95,15 +95,15 @@ def theirs(pair, oracle):
     return {str(case): (pose, *both) for case, pose, both in zip(STEPS, poses, figures, strict=True)}
 
 
-def assert_same(ours, theirs, tolerance):
-    """One pose, and under it the same pairs but for those that so small a motion changes."""
+def assert_same(actual, theirs, tolerance):
+    """The same pose, and the same pairs except those that such a small motion changes."""
     transformation, fitness, rmse, *targets = theirs
-    np.testing.assert_allclose(ours.transformation, transformation, rtol=0, atol=tolerance)
-    assert ours.fitness == pytest.approx(fitness, abs=tolerance)
-    assert ours.inlier_rmse == pytest.approx(rmse, abs=tolerance)
+    np.testing.assert_allclose(actual.transformation, transformation, rtol=0, atol=tolerance)
+    assert actual.fitness == pytest.approx(fitness, abs=tolerance)
+    assert actual.inlier_rmse == pytest.approx(rmse, abs=tolerance)
     for column in targets:
         mine = np.full(len(column), -1)
-        mine[ours.correspondence_set[:, 0]] = ours.correspondence_set[:, 1]
+        mine[actual.correspondence_set[:, 0]] = actual.correspondence_set[:, 1]
         assert (mine != column).sum() <= (6 if tolerance > 1e-5 else 0)
 
 
@@ -112,16 +112,16 @@ def test_steps_are_open3ds(device, pair, theirs, name, arguments, steps, toleran
     kind = {"ForGeneralizedICP": "icp_pose_float32", "ForColoredICP": "icp_pose_colored"}.get(name, "icp_pose")
     if "L1Loss" in arguments and (steps > 1 or name.startswith("For")):
         kind = "icp_pose_l1"
-    result = ours_after(device, pair, method_of(reg, name, arguments), steps)
+    result = result_after(device, pair, method_of(reg, name, arguments), steps)
     assert_same(result, theirs[str((name, arguments, steps))], getattr(tolerances, kind))
 
 
 @pytest.mark.parametrize("loss", list(KERNELS))
-def test_colors_of_no_share_leave_point_to_plane(device, pair, loss, tolerances):
-    """For L1 too, where Open3D divides the empty rows' zero residuals by zero and stays where it is."""
+def test_zero_color_weight_gives_point_to_plane(device, pair, loss, tolerances):
+    """For L1 too, where Open3D divides zero residuals of the empty rows by zero and does not move."""
     methods = method_of(reg, "ForColoredICP", (1.0, loss)), method_of(reg, "PointToPlane", (loss,))
-    found, expected = (ours_after(device, pair, method, 3).transformation for method in methods)
-    np.testing.assert_allclose(found, expected, rtol=0, atol=tolerances.icp_pose)
+    result, expected = (result_after(device, pair, method, 3).transformation for method in methods)
+    np.testing.assert_allclose(result, expected, rtol=0, atol=tolerances.icp_pose)
 
 
 def steps_from(o3d, pair, init):
@@ -129,13 +129,13 @@ def steps_from(o3d, pair, init):
     return {name: legacy_after(o3d, clouds, name, (), 1, init) for name in ESTIMATORS}
 
 
-def test_an_initial_pose_is_stepped_on_from_as_by_open3d(device, pair, oracle, tolerances):
-    """Source normals and covariances turn with it."""
+def test_steps_from_an_initial_pose_match_open3d(device, pair, oracle, tolerances):
+    """Source normals and covariances rotate with the initial pose."""
     pair, init = about_pairs(pair, as_pose([0.05, 0.1, 0.3], [0.05, 0, 0.02]) @ pair.T)
     for name, expected in oracle("registration/estimation/initial_pose", steps_from, pair, init).items():
         tolerance = tolerances.icp_pose_colored if name == "ForColoredICP" else tolerances.icp_pose_float32
         assert expected[1] > 0.5
-        assert_same(ours_after(device, pair, method_of(reg, name, ()), 1, init), expected, tolerance)
+        assert_same(result_after(device, pair, method_of(reg, name, ()), 1, init), expected, tolerance)
 
 
 def steps_with(o3d, pair, covariances):
@@ -144,18 +144,18 @@ def steps_with(o3d, pair, covariances):
     return legacy_after(o3d, clouds, "ForGeneralizedICP", (), 5)[:3]
 
 
-def test_own_covariances_are_taken_before_normals(device, pair, oracle, rng, tolerances):
-    """Each cloud on its own: one brings covariances, the other one's follow from its normals."""
+def test_own_covariances_are_used_before_normals(device, pair, oracle, rng, tolerances):
+    """For each cloud separately: one has covariances, those of the other follow from its normals."""
     A = 0.2 * rng.normal(size=(len(pair.source), 3, 3)) + np.diag([1.0, 0.7, 0.1])
     C = (A @ A.transpose(0, 2, 1) + 0.01 * np.eye(3)).astype(np.float32)
     source = loom.PointCloud(pair.source.points, normals=pair.source.normals, covariances=C.reshape(-1, 9))
     method = method_of(reg, "ForGeneralizedICP", ())
-    ours = ours_after(device, SimpleNamespace(source=source, target=pair.target), method, 5)
-    assert_same(ours, oracle("registration/estimation/covariances", steps_with, pair, C), tolerances.icp_pose_float32)
-    assert np.abs(ours_after(device, pair, method, 5).transformation - ours.transformation).max() > 1e-4
+    result = result_after(device, SimpleNamespace(source=source, target=pair.target), method, 5)
+    assert_same(result, oracle("registration/estimation/covariances", steps_with, pair, C), tolerances.icp_pose_float32)
+    assert np.abs(result_after(device, pair, method, 5).transformation - result.transformation).max() > 1e-4
 
 
-def test_the_functions_of_their_own_are_open3ds(device, pair):
+def test_dedicated_functions_match_open3d(device, pair):
     source, target = pair.source.to(device), pair.target.to(device)
     rules = reg.ICPConvergenceCriteria(0, 0, 2)
     for name, call in (
@@ -164,7 +164,7 @@ def test_the_functions_of_their_own_are_open3ds(device, pair):
         ("Symmetric", registration_symmetric_icp),
     ):
         one = call(source, target, DISTANCE, criteria=rules)
-        other = ours_after(device, pair, method_of(reg, name, ()), 2)
+        other = result_after(device, pair, method_of(reg, name, ()), 2)
         np.testing.assert_array_equal(one.transformation, other.transformation)
 
 
@@ -175,21 +175,21 @@ def steps_of_shapes(o3d, pair):
     return np.array([[tensor_after(o3d, clouds, method, steps) for steps in (1, 20)] for method in methods])
 
 
-def test_general_kernels_step_as_open3ds(device, pair, oracle, tolerances):
+def test_steps_of_general_kernels_match_open3d(device, pair, oracle, tolerances):
     answers = oracle("registration/estimation/general_kernels", steps_of_shapes, pair)
     for shape, expected in zip(SHAPES, answers, strict=True):
         method = reg.TransformationEstimationPointToPlane(GeneralizedLoss(0.02, shape))
         for steps, pose in zip((1, 20), expected, strict=True):
-            found = ours_after(device, pair, method, steps).transformation
-            np.testing.assert_allclose(found, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
+            actual = result_after(device, pair, method, steps).transformation
+            np.testing.assert_allclose(actual, pose, rtol=0, atol=tolerances.icp_pose, err_msg=f"{shape} {steps}")
 
 
 @pytest.mark.parametrize("loss", [reg.HuberLoss(0.02), reg.TukeyLoss(0.1), GeneralizedLoss(0.02, -2)], ids=repr)
-def test_point_to_point_kernels_hold_off_clutter(device, pair, angle_between, loss):
-    """Open3D has no kernels there; with one the clutter counts less."""
+def test_point_to_point_kernels_suppress_clutter(device, pair, angle_between, loss):
+    """Open3D has no kernels there; with a kernel the clutter has less weight."""
     init = as_pose([0.002, 0.002, 0], [0.002, 0, 0.001]) @ pair.T
     plain, robust = (
-        ours_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=k), 20, init).transformation
+        result_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=k), 20, init).transformation
         for k in (reg.L2Loss(), loss)
     )
     assert np.abs(plain - robust).max() > 1e-6
@@ -199,17 +199,17 @@ def test_point_to_point_kernels_hold_off_clutter(device, pair, angle_between, lo
 def test_point_to_point_weights_are_those_of_distances(device, pair, tolerances):
     """One weighted step against the closed form in float64."""
     loss = reg.CauchyLoss(0.03)
-    found = ours_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=loss), 1).transformation
+    result = result_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=loss), 1).transformation
     pairs = reg.evaluate_registration(pair.source, pair.target, DISTANCE).correspondence_set
     p, q = pair.source.points[pairs[:, 0]], pair.target.points[pairs[:, 1]]
     w = loss.weight(np.linalg.norm(p - q, axis=1))
-    np.testing.assert_allclose(found, fit_pose(p, q, weights=w), rtol=0, atol=tolerances.icp_pose)
+    np.testing.assert_allclose(result, fit_pose(p, q, weights=w), rtol=0, atol=tolerances.icp_pose)
 
 
-def test_voxels_stand_for_points(device, pair, angle_between):
+def test_voxelized_gicp_matches_the_plain_form(device, pair, angle_between):
     """Voxelized generalized ICP reaches the pose of the plain form to a fraction of the voxel."""
-    found = ours_after(device, pair, reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1), 30)
-    assert angle_between(found.transformation, pair.T) < 0.1
-    assert np.abs(found.transformation[:3, 3] - pair.T[:3, 3]).max() < 2e-3
-    rows, voxels = found.correspondence_set.T
-    assert (np.diff(rows) > 0).all() and voxels.min() >= 0 and found.fitness == len(rows) / len(pair.source)
+    result = result_after(device, pair, reg.TransformationEstimationForGeneralizedICP(voxel_size=0.1), 30)
+    assert angle_between(result.transformation, pair.T) < 0.1
+    assert np.abs(result.transformation[:3, 3] - pair.T[:3, 3]).max() < 2e-3
+    rows, voxels = result.correspondence_set.T
+    assert (np.diff(rows) > 0).all() and voxels.min() >= 0 and result.fitness == len(rows) / len(pair.source)

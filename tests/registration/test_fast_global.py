@@ -1,4 +1,4 @@
-"""Fast global registration: right among wrong correspondences, as good as Open3D, the same in any unit of length."""
+"""Fast global registration: robust to outliers, as good as Open3D, independent of the unit of length."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ reg = loom.registration
 VOXEL = 0.05  # [m] of the kitchen
 
 
-def test_pose_is_exact_once_mu_has_come_down(device, rng, angle_between):
-    """After 16 steps mu is a 15th of its first value, after 64 below the squared distance."""
+def test_pose_is_exact_once_mu_is_small(device, rng, angle_between):
+    """After 16 steps mu is a 15th of its initial value, after 64 below the squared distance."""
     case = made_up(rng, outliers=0.5, noise=0.0)
     errors = [
         angle_between(fgr(case, device, iteration_number=n, tuple_test=False).transformation, case.T) for n in (16, 64)
@@ -25,8 +25,8 @@ def test_pose_is_exact_once_mu_has_come_down(device, rng, angle_between):
     assert errors[1] < 0.02 < errors[0] + 0.02 and errors[1] < errors[0]
 
 
-def test_triples_throw_out_what_keeps_no_lengths(device, rng, angle_between):
-    """Nine in ten source points are matched to the same few target points, as features of flat places are."""
+def test_triples_exclude_pairs_that_change_lengths(device, rng, angle_between):
+    """Nine of ten source points are matched to the same few target points, as features of flat regions are."""
     case = made_up(rng, outliers=0.0, shuffle=False)
     case.pairs[150:, 1] = rng.integers(0, 3, 1350)
     with_test, without = (fgr(case, device, tuple_test=on) for on in (True, False))
@@ -34,26 +34,26 @@ def test_triples_throw_out_what_keeps_no_lengths(device, rng, angle_between):
     assert angle_between(without.transformation, case.T) > 5
 
 
-def test_result_is_the_same_in_any_unit_of_length(device, rng):
-    """Open3D compares the radius in meters with a squared distance of unit clouds: there the schedule changes."""
+def test_result_does_not_depend_on_the_unit_of_length(device, rng):
+    """Open3D compares the radius in meters with a squared distance of normalized clouds, which changes the schedule."""
     case = made_up(rng, outliers=0.8)
-    in_metres = fgr(case, device)
+    in_meters = fgr(case, device)
     for unit in (1024.0, 1 / 1024):  # exact in float32
         scaled = SimpleNamespace(source=unit * case.source, target=unit * case.target, pairs=case.pairs)
         result = fgr(scaled, device, maximum_correspondence_distance=0.025 * unit)
-        np.testing.assert_allclose(result.transformation[:3, :3], in_metres.transformation[:3, :3], atol=1e-12)
-        np.testing.assert_allclose(result.transformation[:3, 3] / unit, in_metres.transformation[:3, 3], atol=1e-11)
+        np.testing.assert_allclose(result.transformation[:3, :3], in_meters.transformation[:3, :3], atol=1e-12)
+        np.testing.assert_allclose(result.transformation[:3, 3] / unit, in_meters.transformation[:3, 3], atol=1e-11)
 
 
-def test_mu_decreases_unless_told_otherwise(device, rng, angle_between):
+def test_mu_decreases_by_default(device, rng, angle_between):
     case = made_up(rng, outliers=0.5)
     decreased, constant = fgr(case, device), fgr(case, device, decrease_mu=False)
     assert reg.FastGlobalRegistrationOption().decrease_mu
     assert angle_between(decreased.transformation, case.T) < 0.3 * angle_between(constant.transformation, case.T)
 
 
-def test_absolute_scale_begins_at_a_metre(device, rng, angle_between):
-    """A cloud of 100 m radius, a metre apart: mu of 1 m^2 holds on to the right pairs from the first step."""
+def test_absolute_scale_starts_at_one_meter(device, rng, angle_between):
+    """A cloud of 100 m radius, one meter apart: mu of 1 m^2 selects the right pairs from the first step."""
     case = made_up(rng, outliers=0.6, noise=1e-4, shuffle=False)
     case.source = 100 * case.source
     case.T = np.eye(4)
@@ -71,12 +71,12 @@ def fgr_of_open3d(o3d, case):
     clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(p)) for p in (case.source, case.target)]
     option = theirs.FastGlobalRegistrationOption(decrease_mu=True, maximum_correspondence_distance=0.025)
     pairs = o3d.utility.Vector2iVector(case.pairs.astype(np.int32))
-    found = theirs.registration_fgr_based_on_correspondence(*clouds, pairs, option)
-    return found.transformation, found.fitness
+    result = theirs.registration_fgr_based_on_correspondence(*clouds, pairs, option)
+    return result.transformation, result.fitness
 
 
 @pytest.mark.parametrize("outliers", [0.5, 0.8])
-def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between, oracle):
+def test_errors_are_at_most_those_of_open3d(device, rng, outliers, angle_between, oracle):
     case = made_up(rng, outliers=outliers)
     expected, fitness = oracle(f"registration/fast_global/{outliers}", fgr_of_open3d, case)
     result = fgr(case, device)
@@ -86,14 +86,14 @@ def test_errors_are_no_larger_than_open3ds(device, rng, outliers, angle_between,
 
 @pytest.fixture(scope="module")
 def featured(room_pair):
-    """The scans of the room in voxels, with features; normals have the side that the estimation gives them."""
-    found = SimpleNamespace(T=room_pair.T)
+    """The scans of the room in voxels, with features and estimated normals."""
+    pair = SimpleNamespace(T=room_pair.T)
     for name in ("source", "target"):
         cloud = loom.PointCloud(getattr(room_pair, name)).voxel_down_sample(VOXEL)
         cloud = cloud.estimate_normals(radius=2 * VOXEL, max_nn=30)
         feature = loom.compute_fpfh_feature(cloud, radius=5 * VOXEL, max_nn=100)
-        setattr(found, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))
-    return found
+        setattr(pair, name, SimpleNamespace(points=cloud.points, feature=feature.copy()))
+    return pair
 
 
 @pytest.fixture(scope="module")
@@ -105,11 +105,11 @@ def best_of_open3d(featured, o3d, to_open3d):
         feature.data = cloud.feature.T.astype(np.float64)
     pair = [to_open3d(cloud.points) for cloud in (featured.source, featured.target)]
     option = r.FastGlobalRegistrationOption(maximum_correspondence_distance=VOXEL / 2, decrease_mu=True)
-    found = []
+    fitnesses = []
     for seed in range(3):
         o3d.utility.random.seed(seed)
-        found.append(r.registration_fgr_based_on_feature_matching(*pair, *features, option).fitness)
-    return max(found)
+        fitnesses.append(r.registration_fgr_based_on_feature_matching(*pair, *features, option).fitness)
+    return max(fitnesses)
 
 
 @pytest.mark.parametrize("seed", [0, pytest.param(1, marks=pytest.mark.slow)])
@@ -120,8 +120,8 @@ def test_kitchen_is_registered(device, featured, seed, angle_between, tolerances
     assert np.linalg.norm(result.transformation[:3, 3] - featured.T[:3, 3]) < tolerances.kitchen_distance
 
 
-def test_kitchen_is_registered_as_well_as_by_open3d_at_its_last_scale(device, featured, best_of_open3d, tolerances):
-    """Open3D ends at a mu of the distance in meters, ours at its square: the same scale is that of the root."""
+def test_kitchen_is_registered_as_well_as_by_open3d_at_its_final_scale(device, featured, best_of_open3d, tolerances):
+    """Open3D's final mu is the distance in meters, pointloom's its square: the equivalent scale is that of the root."""
     pair = [loom.PointCloud(c.points, device=device) for c in (featured.source, featured.target)]
     for seed in range(3):
         T = of_kitchen(device, featured, np.sqrt(VOXEL / 2), seed).transformation
@@ -135,7 +135,7 @@ def of_kitchen(device, featured, distance, seed):
     return reg.registration_fgr_based_on_feature_matching(*pair, *features, option, seed=seed)
 
 
-def test_correspondences_that_are_all_wrong_end_with_a_reason(device, rng):
+def test_outliers_alone_fail_with_a_reason(device, rng):
     case = made_up(rng, 40, outliers=1.0)
     case.target = rng.uniform(-1000, 1000, (40, 3))
     assert_no_pose(fgr(case, device, tuple_scale=1.0), "10 correspondences needed, 0 left after the tuple test")

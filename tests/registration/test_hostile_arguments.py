@@ -1,7 +1,7 @@
-"""Every argument of every public function of registration refuses what makes no sense, by an error that names it.
+"""Every public function of registration rejects invalid arguments with an error that names them.
 
-The checks are the host's, so the CPU stands for all devices. Left out, as any value has a meaning for them: switches.
-Records that operations return are left out, too.
+The checks run on the host, so the CPU represents all devices. Switches are excluded, as every value is valid.
+Result records are excluded, too.
 """
 
 from __future__ import annotations
@@ -31,7 +31,7 @@ from ..hostile import (
     temporary_folder,
 )
 
-# One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
+# One line per call: the function, and a valid value of each argument, as expressions over `things()`.
 CALLS = """
 reg.CauchyLoss(k=0.1)
 reg.GMLoss(k=0.1)
@@ -120,7 +120,7 @@ RESULTS = {
     "Localizability", "NonRigidResult", "OdometryStep", "OdometrySummary", "PairRegistration",
     "SegmentError", "SimilarityFit", "StationPair", "StationsResult", "TrajectoryError",
 }  # fmt: skip
-# What an estimator does inside a registration no user calls.
+# Internal methods of estimators.
 INSIDE = {
     f"TransformationEstimation{kind}.{method}"
     for kind in ("PointToPoint", "PointToPlane", "Symmetric", "ForColoredICP", "ForDopplerICP", "ForGeneralizedICP")
@@ -133,7 +133,7 @@ CLOUDS_ONLY = {"source", "target", "cloud", "scan"}
 
 @cache
 def things() -> dict[str, Any]:
-    """What the expressions of the table name."""
+    """The names used in the expressions of the table."""
     rng = np.random.default_rng(0)
     points = rng.random((60, 3)) * [1, 1, 0.2]
     cloud = loom.PointCloud(points, colors=rng.random((60, 3)), dopplers=rng.random(60)).estimate_normals(max_nn=10)
@@ -168,48 +168,48 @@ def things() -> dict[str, Any]:
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """Files named by hostile values go here."""
+    """A folder for files with hostile names."""
     monkeypatch.chdir(tmp_path)
 
 
-def test_the_table_names_every_argument_of_every_public_call():
+def test_the_table_contains_every_argument_of_every_public_call():
     assert missing_from(TABLE, public_arguments(reg, RESULTS | INSIDE)) == {}
 
 
 @pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning")
 @pytest.mark.parametrize("call", TABLE)
-def test_the_good_arguments_are_taken(call):
+def test_valid_arguments_are_accepted(call):
     function, expressions = TABLE[call]
     values = dict(things())
     good = {name: eval(expression, values) for name, expression in expressions.items()}
-    with contextlib.suppress(loom.FileError):  # of files that are not there
+    with contextlib.suppress(loom.FileError):  # of files that do not exist
         eval(function, values)(**good)
 
 
 CASES = [(call, name) for call, (_, names) in TABLE.items() for name, good in names.items() if good != "True"]
-# Values that are taken run a whole registration each. The forms of ICP check the arguments that they share at once.
+# Accepted values run a full registration each. The forms of ICP share the checks of their common arguments.
 FORMS = ("registration_icp_batch", "registration_colored_icp", "registration_generalized_icp", "multi_scale_icp")
-DEAR = {(call, name) for call in FORMS for name in TABLE[call][1] if name in set(TABLE["registration_icp"][1])}
-DEAR |= {
+EXPENSIVE = {(call, name) for call in FORMS for name in TABLE[call][1] if name in set(TABLE["registration_icp"][1])}
+EXPENSIVE |= {
     ("register_stations", name) for name in ("rough", "voxel_size", "overlap", "position_sigma", "level_sigma", "seed")
 }
-DEAR |= {
+EXPENSIVE |= {
     ("register_nonrigid", name) for name in ("max_correspondence_distance", "landmark_weight", "stiffness", "tolerance")
 }
-DEAR |= {("register_pair", name) for name in ("init", "max_correspondence_distance", "free", "prior")}
-DEAR &= set(CASES)
+EXPENSIVE |= {("register_pair", name) for name in ("init", "max_correspondence_distance", "free", "prior")}
+EXPENSIVE &= set(CASES)
 
 
-def marked(values, dear):
-    assert {*values} >= dear
+def marked(values, expensive):
+    assert {*values} >= expensive
     return [
-        pytest.param(*np.atleast_1d(value).tolist(), marks=pytest.mark.slow if value in dear else ())
+        pytest.param(*np.atleast_1d(value).tolist(), marks=pytest.mark.slow if value in expensive else ())
         for value in values
     ]
 
 
-@pytest.mark.parametrize(("call", "argument"), marked(CASES, DEAR))
-def test_a_hostile_value_is_refused_by_name(call, argument):
+@pytest.mark.parametrize(("call", "argument"), marked(CASES, EXPENSIVE))
+def test_a_hostile_value_is_rejected_by_name(call, argument):
     function, expressions = TABLE[call]
     values = things()
     good = {name: eval(expression, dict(values)) for name, expression in expressions.items()}
@@ -227,6 +227,6 @@ CLOUDS = ("source", "target")
 
 
 @pytest.mark.parametrize("call", marked(calls_of_clouds(TABLE, CLOUDS), {"register_stations", *FORMS}))
-def test_a_hostile_cloud_is_answered_without_a_warning(call):
+def test_a_hostile_cloud_causes_no_warning(call):
     faults = faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)

@@ -1,4 +1,4 @@
-"""Batches of registrations: each job is what it would be alone, however many run beside it and however they fare."""
+"""Batched registrations: each job matches its individual result, independent of the other jobs."""
 
 import numpy as np
 import pytest
@@ -28,12 +28,12 @@ def offsets(rng, count):
 
 
 def failures(result):
-    """The failed checks without the positions of the clouds, which only a registration of one pair looks at."""
+    """The failed checks without the cloud positions, which only a registration of one pair checks."""
     return [warning.split(":")[0] for warning in result.warnings]
 
 
 def assert_alike(one, other, *, bits=False):
-    """Two results: the same to rounding, or to the last bit."""
+    """Two results: equal within rounding, or bitwise."""
     close = (lambda a, b: a == b) if bits else (lambda a, b: abs(a - b) <= 1e-12)
     if bits:
         np.testing.assert_array_equal(one.transformation, other.transformation)
@@ -45,8 +45,8 @@ def assert_alike(one, other, *, bits=False):
 
 
 @EACH
-def test_jobs_of_all_sizes_are_those_alone(device, kind, rng):
-    """With empty clouds, one, two and three points, and clouds of NaN alone between them."""
+def test_jobs_of_all_sizes_match_individual_results(device, kind, rng):
+    """Includes clouds that are empty, have one, two or three points, or only NaN."""
     sizes = [700, 0, 1, 300, 2, 3, 1025, 64, 500, 8]
     targets, sources = [], []
     for i, n in enumerate(sizes):
@@ -57,87 +57,89 @@ def test_jobs_of_all_sizes_are_those_alone(device, kind, rng):
     inits = offsets(rng, len(sizes))
     together = reg.registration_icp_batch(sources, targets, 0.15, np.array(inits), KINDS[kind], RULES)
     assert len(together) == len(sizes)
-    for found, source, target, init in zip(together, sources, targets, inits, strict=True):
-        assert_alike(found, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES))
+    for result, source, target, init in zip(together, sources, targets, inits, strict=True):
+        assert_alike(result, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES))
     for i in (1, 3, 8):
         assert together[i].warnings == ("no correspondences",) and together[i].fitness == 0
         np.testing.assert_allclose(together[i].transformation, inits[i], atol=1e-14)
     assert together[0].fitness > 0.9 and together[6].fitness > 0.9
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a start is right to cause
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # a valid warning for such a start
 @EACH
-def test_many_poses_of_one_pair_have_the_bits_of_each_alone(device, kind, rng):
+def test_many_poses_of_one_pair_match_individual_results_bitwise(device, kind, rng):
     source, target = (cloud_of(wavy(rng, n), device) for n in (800, 1100))
     inits = offsets(rng, 12)
-    inits[5] = as_pose(shift=[50, 0, 0])  # finds nothing
+    inits[5] = as_pose(shift=[50, 0, 0])  # no pairs
     together = reg.registration_icp_batch(source, target, 0.15, inits, KINDS[kind], RULES)
-    for found, init in zip(together, inits, strict=True):
-        assert_alike(found, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES), bits=True)
+    for result, init in zip(together, inits, strict=True):
+        assert_alike(result, reg.registration_icp(source, target, 0.15, init, KINDS[kind], RULES), bits=True)
     assert len({r.iterations for r in together}) > 1  # they end at different times
     assert together[5].warnings == ("no correspondences",)
 
 
-def test_shared_clouds_stand_in_any_jobs(device, rng):
+def test_clouds_can_be_shared_between_jobs(device, rng):
     clouds = [cloud_of(wavy(rng, 400 + 50 * i), device) for i in range(4)]
     left, right = [0, 1, 2, 3, 0, 0, 2, 1], [1, 1, 0, 2, 3, 1, 3, 0]
-    found = reg.registration_icp_batch([clouds[i] for i in left], [clouds[i] for i in right], 0.2, None, KINDS["plane"])
-    for result, s, t in zip(found, left, right, strict=True):
+    results = reg.registration_icp_batch(
+        [clouds[i] for i in left], [clouds[i] for i in right], 0.2, None, KINDS["plane"]
+    )
+    for result, s, t in zip(results, left, right, strict=True):
         assert_alike(result, reg.registration_icp(clouds[s], clouds[t], 0.2, None, KINDS["plane"]))
-    assert_alike(found[0], found[5], bits=True)
+    assert_alike(results[0], results[5], bits=True)
 
 
-def test_jobs_lie_anywhere(device, rng):
-    """Each cloud about an origin of its own, hundreds of kilometers apart."""
-    places = [(0, 0, 0), (5e5, 5.4e6, 100), (-3e6, 2e4, 0), (1e5, 0, 0)]
-    points = [(wavy(rng, 500), wavy(rng, 600)) for _ in places]
-    sources = [cloud_of(s, device, place) for (s, _), place in zip(points, places, strict=True)]
-    targets = [cloud_of(t, device, place) for (_, t), place in zip(points, places, strict=True)]
-    found = reg.registration_icp_batch(sources, targets, 0.2, None, KINDS["plane"], RULES)
-    for result, (s, t), place in zip(found, points, places, strict=True):
+def test_jobs_can_be_at_any_location(device, rng):
+    """Each cloud has its own origin, hundreds of kilometers apart."""
+    origins = [(0, 0, 0), (5e5, 5.4e6, 100), (-3e6, 2e4, 0), (1e5, 0, 0)]
+    points = [(wavy(rng, 500), wavy(rng, 600)) for _ in origins]
+    sources = [cloud_of(s, device, origin) for (s, _), origin in zip(points, origins, strict=True)]
+    targets = [cloud_of(t, device, origin) for (_, t), origin in zip(points, origins, strict=True)]
+    results = reg.registration_icp_batch(sources, targets, 0.2, None, KINDS["plane"], RULES)
+    for result, (s, t), origin in zip(results, points, origins, strict=True):
         near = reg.registration_icp(cloud_of(s, device), cloud_of(t, device), 0.2, None, KINDS["plane"], RULES)
         T = result.transformation
         np.testing.assert_allclose(T[:3, :3], near.transformation[:3, :3], atol=1e-6)
-        moved = T[:3, :3] @ place + T[:3, 3] - place
+        moved = T[:3, :3] @ origin + T[:3, 3] - origin
         np.testing.assert_allclose(moved, near.transformation[:3, 3], atol=1e-6)
 
 
 @pytest.mark.parametrize("options", [{"overlap": 0.6}, {"max_normal_angle": 0.3}, {"overlap": 0.9, "degeneracy": 0}])
-def test_options_are_those_of_each_job(device, options, rng):
+def test_options_apply_to_each_job(device, options, rng):
     sources, targets = ([cloud_of(wavy(rng, n), device) for n in sizes] for sizes in ((300, 650), (800, 500)))
-    found = reg.registration_icp_batch(sources, targets, 0.3, None, KINDS["plane"], RULES, **options)
-    for result, s, t in zip(found, sources, targets, strict=True):
+    results = reg.registration_icp_batch(sources, targets, 0.3, None, KINDS["plane"], RULES, **options)
+    for result, s, t in zip(results, sources, targets, strict=True):
         assert_alike(result, reg.registration_icp(s, t, 0.3, None, KINDS["plane"], RULES, **options))
 
 
 @pytest.mark.parametrize("kind", ["voxelized", "doppler"])
-def test_voxels_and_speeds_are_batched_too(device, kind, rng):
-    """Voxels are counted from a corner that all targets share: alone, a job has others."""
+def test_voxels_and_speeds_are_batched(device, kind, rng):
+    """Voxels are counted from a corner shared by all targets; a single job uses another corner."""
     method = KINDS[kind]
     sources = [loom.PointCloud(wavy(rng, 600), dopplers=np.zeros(600, np.float32), device=device) for _ in range(3)]
     targets = [cloud_of(wavy(rng, 900), device) for _ in range(3)]
     inits = offsets(rng, 3)
-    found = reg.registration_icp_batch(sources, targets, 0.2, inits, method, RULES)
-    for result, s, t, init in zip(found, sources, targets, inits, strict=True):
+    results = reg.registration_icp_batch(sources, targets, 0.2, inits, method, RULES)
+    for result, s, t, init in zip(results, sources, targets, inits, strict=True):
         alone = reg.registration_icp(s, t, 0.2, init, method, RULES)
         if kind == "doppler":
             assert_alike(result, alone)
         assert np.abs(result.transformation - alone.transformation).max() < 0.02 and result.fitness > 0.9
 
 
-def test_hundreds_of_jobs_find_their_poses(device, rng):
+def test_hundreds_of_jobs_converge(device, rng):
     targets, sources, truths = [], [], offsets(rng, 200)
     for T in truths:
         points = wavy(rng, 150)
         targets.append(loom.PointCloud(points, device=device))
         sources.append(loom.PointCloud(back(points, T), device=device))
     rules = reg.ICPConvergenceCriteria(0, 0, 60)
-    found = reg.registration_icp_batch(sources, targets, 1.0, None, KINDS["point"], rules)
-    off = np.array([np.abs(r.transformation - T).max() for r, T in zip(found, truths, strict=True)])
-    assert (off < 1e-6).mean() > 0.97  # the others were too far off for their spacing of 16 cm
+    results = reg.registration_icp_batch(sources, targets, 1.0, None, KINDS["point"], rules)
+    off = np.array([np.abs(r.transformation - T).max() for r, T in zip(results, truths, strict=True)])
+    assert (off < 1e-6).mean() > 0.97  # the others were too far away for their spacing of 16 cm
     for job in (0, 17, 199):
         alone = reg.registration_icp(sources[job], targets[job], 1.0, None, KINDS["point"], rules)
-        np.testing.assert_allclose(found[job].transformation, alone.transformation, atol=1e-9)
+        np.testing.assert_allclose(results[job].transformation, alone.transformation, atol=1e-9)
 
 
 @settings(max_examples=20, deadline=None)
@@ -147,15 +149,15 @@ def test_hundreds_of_jobs_find_their_poses(device, rng):
     kind=st.sampled_from(["point", "plane", "symmetric"]),
     overlap=st.sampled_from([1.0, 0.7]),
 )
-def test_any_batch_is_its_jobs(seed, counts, kind, overlap):
+def test_any_batch_matches_its_jobs(seed, counts, kind, overlap):
     rng = np.random.default_rng(seed)
     pairs = [[cloud_of(rng.normal(size=(n, 3)), "cpu") for n in count] for count in counts]
     sources, targets = (list(side) for side in zip(*pairs, strict=True))
     rules = reg.ICPConvergenceCriteria(0, 0, 2)
-    found = reg.registration_icp_batch(sources, targets, 2.0, None, KINDS[kind], rules, overlap=overlap)
-    for result, s, t in zip(found, sources, targets, strict=True):
+    results = reg.registration_icp_batch(sources, targets, 2.0, None, KINDS[kind], rules, overlap=overlap)
+    for result, s, t in zip(results, sources, targets, strict=True):
         alone = reg.registration_icp(s, t, 2.0, None, KINDS[kind], rules, overlap=overlap)
         assert failures(result) == failures(alone)
-        if len(set(alone.correspondence_set[:, 1])) >= 6:  # fewer leave rotations to rounding
+        if len(set(alone.correspondence_set[:, 1])) >= 6:  # with fewer, rounding determines rotations
             np.testing.assert_allclose(result.transformation, alone.transformation, atol=1e-8)
             assert result.fitness == alone.fitness

@@ -1,4 +1,4 @@
-"""Motions that the clouds do not determine: they are told, and left out of the steps."""
+"""Motions that the clouds do not constrain are reported and excluded from the steps."""
 
 import numpy as np
 import pytest
@@ -21,7 +21,7 @@ SIZES = {"plane": 2, "corridor": 6, "sphere": 2, "cylinder": 4, "surface": 2}  #
 
 
 def degenerate(shape, rng, count):
-    """Points on a shape, and its normals."""
+    """Points on a shape, and their normals."""
     a, u, y = rng.uniform(0, 2 * np.pi, count), rng.uniform(-1, 1, (2, count)), rng.uniform(-3, 3, count)
     zero = np.zeros(count)
     if shape == "plane":
@@ -46,8 +46,8 @@ def degenerate(shape, rng, count):
         shape=list(FREE), noise=["exact", "estimated", "noisy"], kind=["plane", "symmetric", "generalized", "robust"]
     )
 )
-def test_free_motions_are_told_and_left_out(device, shape, noise, kind, rng):
-    """Two samplings of a shape: as many free motions as it has, in their directions, and no step along them."""
+def test_free_motions_are_reported_and_excluded(device, shape, noise, kind, rng):
+    """As in Open3D; with a limit it stays."""
     clouds, T = [], as_pose([0.01, -0.02, 0.015], [0.02, -0.03, 0.02])
     for pose in (T, np.eye(4)):
         points, normals = degenerate(shape, rng, 3000)
@@ -56,30 +56,30 @@ def test_free_motions_are_told_and_left_out(device, shape, noise, kind, rng):
         cloud = loom.PointCloud(back(points, pose), normals=normals @ pose[:3, :3], device=device)
         clouds.append(cloud if noise == "exact" else cloud.estimate_normals(max_nn=20))
     result = reg.registration_icp(*clouds, 0.3, None, KINDS[kind])
-    free, found = FREE[shape], result.degenerate_directions
-    assert len(found) == len(free)
-    np.testing.assert_allclose(found @ found.T, np.eye(len(free)), atol=1e-9)
+    free, directions = FREE[shape], result.degenerate_directions
+    assert len(directions) == len(free)
+    np.testing.assert_allclose(directions @ directions.T, np.eye(len(free)), atol=1e-9)
     if len(free):
-        assert np.degrees(subspace_angles(found.T, free.T)).max() < 3
+        assert np.degrees(subspace_angles(directions.T, free.T)).max() < 3
         M, middle = result.transformation, clouds[0].points.mean(axis=0)
         motion = [*Rotation.from_matrix(M[:3, :3]).as_rotvec(), *(M[:3, :3] @ middle + M[:3, 3] - middle)]
         assert np.abs(free @ motion).max() < 1.5e-3
     pull = M if len(free) else result.transformation
-    assert np.abs(pull - np.eye(4)).max() > 5e-3  # it did move along the others
+    assert np.abs(pull - np.eye(4)).max() > 5e-3  # it moved along the others
 
 
 def test_noise_moves_a_plane_where_degeneracy_is_0(device, rng):
-    """As Open3D does; with a limit it stays."""
+    """A corridor whose end has 0.7 % of its points: an eigenvalue of a hundredth of the largest, as in streets."""
     clouds = []
     for shift in ([0.1, 0.05, 0.02], [0, 0, 0]):
         points = degenerate("plane", rng, 3000)[0] + shift + 2e-3 * rng.normal(size=(3000, 3))
         clouds.append(loom.PointCloud(points, device=device).estimate_normals(max_nn=20))
-    held, loose = (reg.registration_icp(*clouds, 0.2, None, PLANE, degeneracy=d) for d in (5e-3, 0))
-    assert np.abs(held.transformation[:2, 3]).max() < 2e-3 < np.abs(loose.transformation[:2, 3]).max()
-    assert len(held.degenerate_directions) == 3 and len(loose.degenerate_directions) == 0
+    fixed, loose = (reg.registration_icp(*clouds, 0.2, None, PLANE, degeneracy=d) for d in (5e-3, 0))
+    assert np.abs(fixed.transformation[:2, 3]).max() < 2e-3 < np.abs(loose.transformation[:2, 3]).max()
+    assert len(fixed.degenerate_directions) == 3 and len(loose.degenerate_directions) == 0
 
 
-def test_points_on_a_line_tell_of_the_turn_about_it(device, rng):
+def test_collinear_points_report_the_rotation_about_their_line(device, rng):
     line = np.outer(np.linspace(-1, 1, 300), [1.0, 0, 0])
     T = as_pose([0, 0.01, 0.02], [0.001, 0.002, 0.003])
     source, target = (loom.PointCloud(p, device=device) for p in (back(line, T), line))
@@ -90,7 +90,7 @@ def test_points_on_a_line_tell_of_the_turn_about_it(device, rng):
     assert_rigid(result.transformation)
 
 
-def test_a_street_held_by_little_is_not_called_degenerate(device, rng):
+def test_a_weakly_constrained_street_is_not_degenerate(device, rng):
     """A corridor whose end is 0.7 % of its points: an eigenvalue of a hundredth of the largest, as streets have."""
     points, normals = degenerate("corridor", rng, 4000)
     points[:28] = np.column_stack([rng.uniform(-0.6, 0.6, 28), np.full(28, 3.0), rng.uniform(-0.6, 0.6, 28)])

@@ -1,4 +1,4 @@
-"""ICP that may move in some ways only: against dense least squares, and what is fixed stays where `init` has it."""
+"""ICP with restricted degrees of freedom: against dense least squares; fixed components stay as in `init`."""
 
 from itertools import product
 
@@ -27,7 +27,7 @@ def pair():
 
 
 def dense(source, target, result, kind="plane", **options):
-    """The pose that is best for the pairs of a result."""
+    """The optimal pose for the pairs of a result."""
     if kind == "plane":
         options["normals"] = target.normals
     problem = DenseICP(source.points, target.points, INIT, scaling=kind == "scaled", **options)
@@ -36,11 +36,11 @@ def dense(source, target, result, kind="plane", **options):
 
 
 def parameters(T, init, pivot, frame):
-    """Roll, pitch, yaw [rad] and the way of the pivot's image [m] since a first pose, along a frame."""
+    """Roll, pitch, yaw [rad] and displacement [m] of the pivot since a first pose, in a frame."""
     D = frame.T @ T[:3, :3] @ init[:3, :3].T @ frame
     yaw, pitch, roll = Rotation.from_matrix(D).as_euler("ZYX")
-    place = init[:3, :3].T @ (pivot - init[:3, 3])
-    return np.array([roll, pitch, yaw, *(frame.T @ (T[:3, :3] @ place + T[:3, 3] - pivot))])
+    local_pivot = init[:3, :3].T @ (pivot - init[:3, 3])
+    return np.array([roll, pitch, yaw, *(frame.T @ (T[:3, :3] @ local_pivot + T[:3, 3] - pivot))])
 
 
 @pytest.mark.parametrize(
@@ -60,11 +60,11 @@ def test_the_pose_is_that_of_dense_least_squares(device, pair, kind, free, frame
     result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, degeneracy=0, **given)
     wanted = dense(source, target, result, kind, **given)
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
-    assert np.abs(result.transformation - INIT).max() > 1e-3  # it did move
+    assert np.abs(result.transformation - INIT).max() > 1e-3  # it moved
     assert result.free == tuple(name for name in MOTIONS if name in free)
 
 
-def test_pairs_found_anew_lead_to_the_pose_of_dense_icp(device, pair):
+def test_updated_pairs_lead_to_the_pose_of_dense_icp(device, pair):
     source, target = on(device, *pair)
     free = ("x", "y", "z", "yaw")
     result = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG, free=free)
@@ -73,8 +73,8 @@ def test_pairs_found_anew_lead_to_the_pose_of_dense_icp(device, pair):
 
 
 @pytest.mark.parametrize("kind", ["point", "scaled", "plane", "robust", "generalized", "voxelized", "colored"])
-def test_a_prior_that_knows_nothing_leaves_the_pose_of_all_freedoms(device, full_pair, kind):
-    """Two ways to one pose: the step of all jobs, and that of jobs with a constraint."""
+def test_a_prior_without_information_leaves_the_full_pose(device, full_pair, kind):
+    """Two code paths to one pose: the step of all jobs, and that of jobs with a constraint."""
     source, target = on(device, *full_pair[:2])
     prior = reg.Prior(np.eye(4), sigma_translation=1e6, sigma_rotation=1e6)
     poses = [
@@ -101,14 +101,14 @@ def test_what_is_not_free_stays_as_init_has_it(device, full_pair, kind, shift, f
     pivot = shift + np.array([0.1, 0.2, 0.0])
     for frame in (np.eye(3), FRAME):
         result = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, free=free, frame=frame, pivot=pivot)
-        found = parameters(result.transformation, init, pivot, frame)
+        values = parameters(result.transformation, init, pivot, frame)
         fixed = [name not in free for name in MOTIONS]
-        assert np.abs(found[fixed]).max() < 1e-12 * max(1.0, np.abs(shift).max())
-        assert np.abs(found).max() > 1e-3
-    held = np.ones(3, bool) if "yaw" not in free else np.array([False, False, True])
-    if "roll" not in free:  # level is level to the last bit of what is computed
+        assert np.abs(values[fixed]).max() < 1e-12 * max(1.0, np.abs(shift).max())
+        assert np.abs(values).max() > 1e-3
+    fixed_rows = np.ones(3, bool) if "yaw" not in free else np.array([False, False, True])
+    if "roll" not in free:  # exactly level in floating point
         level = reg.registration_icp(*clouds, 0.2, init, KINDS[kind], LONG, free=free).transformation
-        np.testing.assert_allclose(level[:3, :3][held], init[:3, :3][held], atol=1e-15)
+        np.testing.assert_allclose(level[:3, :3][fixed_rows], init[:3, :3][fixed_rows], atol=1e-15)
 
 
 def test_a_rail_along_any_axis_keeps_the_rotation_of_init_bit_for_bit(device, pair):
@@ -120,8 +120,8 @@ def test_a_rail_along_any_axis_keeps_the_rotation_of_init_bit_for_bit(device, pa
     assert (rail[:3, :3] == start[:3, :3]).all() and (rail[:3, 3] != start[:3, 3]).all()
 
 
-def test_turns_about_two_axes_stay_so_from_scale_to_scale(device, rng):
-    """Roll and pitch after roll and pitch are not roll and pitch: all scales count from the first pose."""
+def test_rotations_about_two_axes_are_preserved_across_scales(device, rng):
+    """Roll and pitch after roll and pitch are not roll and pitch: all scales are relative to the first pose."""
     T = as_pose(Rotation.from_euler("ZYX", [0, 0.3, 0.25]).as_rotvec())
     target = loom.PointCloud(wavy(rng, 3000), device=device).estimate_normals(max_nn=20)
     source = loom.PointCloud(back(target.points, T), device=device)
@@ -129,8 +129,8 @@ def test_turns_about_two_axes_stay_so_from_scale_to_scale(device, rng):
     scales = [0.2, 0.1, -1], rules, [1.0, 0.5, 0.3]
     result = reg.multi_scale_icp(source, target, *scales, None, PLANE, free=("roll", "pitch"), pivot=(0, 0, 0))
     np.testing.assert_allclose(result.transformation, T, atol=1e-5)
-    found = parameters(result.transformation, np.eye(4), np.zeros(3), np.eye(3))
-    assert np.abs(found[2:]).max() < 1e-14
+    values = parameters(result.transformation, np.eye(4), np.zeros(3), np.eye(3))
+    assert np.abs(values[2:]).max() < 1e-14
 
 
 def test_a_batch_has_a_pivot_and_a_prior_for_each_job(device, pair):
@@ -141,23 +141,23 @@ def test_a_batch_has_a_pivot_and_a_prior_for_each_job(device, pair):
     pivots = np.array([[0.0, 0.0, 0.0], [1.0, 0.5, 0.0], [0.0, 0.0, 0.0]])
     shared = {"free": ("x", "y", "z", "yaw"), "noise": 0.05, "weights": np.linspace(0, 1, len(source))}
     inits = np.stack([np.eye(4), np.eye(4), as_pose([0, 0, 0], [100, 0, 0])])  # the last one has no pairs
-    found = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, pivot=pivots, prior=priors, **shared)
-    assert found[2].warnings == ("no correspondences",)
-    for job, result in enumerate(found[:2]):
+    results = reg.registration_icp_batch(source, target, 0.3, inits, PLANE, LONG, pivot=pivots, prior=priors, **shared)
+    assert results[2].warnings == ("no correspondences",)
+    for job, result in enumerate(results[:2]):
         one = reg.registration_icp(
             source, target, 0.3, None, PLANE, LONG, pivot=pivots[job], prior=priors[job], **shared
         )
         np.testing.assert_allclose(result.transformation, one.transformation, atol=1e-12)
-    assert np.abs(found[0].transformation - found[1].transformation).max() > 1e-3
+    assert np.abs(results[0].transformation - results[1].transformation).max() > 1e-3
 
 
-def test_all_freedoms_by_name_are_the_registration_without(device, pair):
+def test_naming_all_freedoms_equals_no_restriction(device, pair):
     source, target = on(device, *pair)
     free, bound = (reg.registration_icp(source, target, 0.3, INIT, PLANE, free=f) for f in (None, MOTIONS))
     assert (free.transformation == bound.transformation).all() and bound.free is None
 
 
-def test_weights_count_as_points_that_stand_there_twice(device, full_pair, rng):
+def test_weights_count_as_duplicate_points(device, full_pair, rng):
     source, target = on(device, *full_pair[:2])
     weights = rng.integers(0, 3, len(source))
     rows = np.repeat(np.arange(len(source)), weights)
@@ -189,9 +189,9 @@ def test_empty_clouds_and_single_points_move_as_they_may(device):
             np.testing.assert_allclose(result.transformation[:3, 3], wanted, atol=1e-7)
 
 
-def test_a_rail_tells_that_it_is_not_held(device, rng):
-    """A flat floor, and a cloud that may slide along it alone: the only freedom is degenerate."""
-    floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), rng.normal(0, 1e-3, 2000)])  # noise holds it by a little
+def test_motion_along_a_rail_is_reported_degenerate(device, rng):
+    """A flat floor, and a cloud that may only slide along it: the single degree of freedom is degenerate."""
+    floor = np.column_stack([rng.uniform(-2, 2, (2000, 2)), rng.normal(0, 1e-3, 2000)])  # noise constrains it slightly
     target = loom.PointCloud(floor, device=device).estimate_normals(max_nn=10)
     source = loom.PointCloud(floor + np.array([0.05, 0, 0.02]), device=device)
     result = reg.registration_icp(source, target, 0.3, None, PLANE, free=("x",))
@@ -202,12 +202,12 @@ def test_a_rail_tells_that_it_is_not_held(device, rng):
     np.testing.assert_allclose(both.transformation[:3, 3], [0, 0, -0.02], atol=1e-3)
 
 
-def test_a_leveled_pose_has_the_sources_up_as_the_targets(rng):
+def test_a_leveled_pose_aligns_the_up_directions(rng):
     for _ in range(20):
         init, up = as_pose(rng.normal(size=3), rng.normal(size=3)), rng.normal(size=3)
         T = leveled(init, up, (0, 0, 2))
         np.testing.assert_allclose(T[:3, :3] @ up, [0, 0, np.linalg.norm(up)], atol=1e-12)
         np.testing.assert_allclose(T[:3, 3], init[:3, 3], atol=0)
-        least = np.arccos(np.clip((init[:3, :3] @ up)[2] / np.linalg.norm(up), -1, 1))
-        assert abs(Rotation.from_matrix(T[:3, :3] @ init[:3, :3].T).magnitude() - least) < 1e-9
+        min_angle = np.arccos(np.clip((init[:3, :3] @ up)[2] / np.linalg.norm(up), -1, 1))
+        assert abs(Rotation.from_matrix(T[:3, :3] @ init[:3, :3].T).magnitude() - min_angle) < 1e-9
     np.testing.assert_allclose(leveled(None, (0, 0, 9.81)), np.eye(4), atol=0)

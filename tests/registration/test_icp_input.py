@@ -48,8 +48,8 @@ def test_clouds_without_pairs_leave_the_initial_pose(device, kind, nans, rng):
 
 
 @EACH
-def test_pairs_that_are_lost_on_the_way_are_told(device, kind):
-    """A step that tears the clouds apart ends with the pose that it led to."""
+def test_lost_pairs_during_iteration_are_reported(device, kind):
+    """A step that separates the clouds ends with the pose of that step."""
     source, target = (full_cloud(p, device) for p in ([[0.0, 0, 0], [0, 1, 0]], [[0.0, 0, 0.09], [0.05, 1, 0]]))
     result = reg.registration_icp(source, target, 0.1, None, KINDS[kind], reg.ICPConvergenceCriteria(0, 0, 50))
     assert np.isfinite(result.transformation).all()
@@ -72,28 +72,28 @@ def test_few_points_give_finite_poses(device, kind, rng):
     [(k, "normals") for k in ("plane", "robust", "symmetric", "generalized", "voxelized", "colored", "doppler")]
     + [("generalized", "covariances"), ("doppler", "dopplers")],
 )
-def test_a_point_with_a_value_that_is_not_finite_is_left_out(device, full_pair, kind, column, side):
+def test_a_point_with_a_non_finite_value_is_excluded(device, full_pair, kind, column, side):
     """The pose is that of the clouds without the point, and a warning counts it."""
     clouds, rows = list(on(device, *full_pair[:2])), [5, 77]
-    whole = clouds[side]
+    original = clouds[side]
     if column == "covariances":
-        whole = whole.estimate_covariances(max_nn=20)
-    spoiled, values = whole.copy(), np.array(whole[column])
+        original = original.estimate_covariances(max_nn=20)
+    spoiled, values = original.copy(), np.array(original[column])
     values[rows] = np.nan
     spoiled[column] = values
-    found = []
+    results = []
     is_used = kind in ("symmetric", "generalized", "voxelized") or side == (column == "normals")
-    for cloud in (spoiled, whole.select_by_index(rows, invert=True) if is_used else whole):
+    for cloud in (spoiled, original.select_by_index(rows, invert=True) if is_used else original):
         clouds[side] = cloud
         with pytest.warns(NonFiniteWarning, match="2 of") if cloud is spoiled and is_used else nothing():
-            found.append(reg.registration_icp(*clouds, 0.1, None, KINDS[kind]))
+            results.append(reg.registration_icp(*clouds, 0.1, None, KINDS[kind]))
     limit = 1e-6 if kind == "colored" else 1e-9  # the color of the point still counts in the gradients beside it
-    np.testing.assert_allclose(found[0].transformation, found[1].transformation, rtol=0, atol=limit)
-    assert found[0].fitness == found[1].fitness and found[0].converged
+    np.testing.assert_allclose(results[0].transformation, results[1].transformation, rtol=0, atol=limit)
+    assert results[0].fitness == results[1].fitness and results[0].converged
 
 
 @EACH
-def test_points_that_are_not_finite_do_not_count(device, full_pair, kind):
+def test_non_finite_points_are_ignored(device, full_pair, kind):
     """NaN and infinity sprinkled over both clouds: the pose of the clouds without them."""
     source, target = on(device, *full_pair[:2])
     spoiled = []
@@ -114,7 +114,7 @@ def test_points_that_are_not_finite_do_not_count(device, full_pair, kind):
     assert result.fitness == clean.fitness
 
 
-def test_an_initial_pose_that_is_nearly_rigid_is_made_so(device, full_pair):
+def test_a_nearly_rigid_initial_pose_is_made_rigid(device, full_pair):
     """Poses of data sets are rounded to a few digits."""
     source, target = on(device, *full_pair[:2])
     init = full_pair[2] + 1e-3 * np.array([[1, -1, 1, 0], [-1, 1, 1, 0], [1, 1, -1, 0], [0, 0, 0, 0]])

@@ -1,4 +1,4 @@
-"""ICP with a pose that is known beforehand: against dense least squares, in corridors, and where it cannot be."""
+"""ICP with a pose prior: against dense least squares, in corridors, and for invalid priors."""
 
 import numpy as np
 import pytest
@@ -31,7 +31,7 @@ def pair():
     )
 )
 def test_the_pose_is_that_of_dense_least_squares(device, pair, free, kind, noise, rank, rng):
-    """The prior lies beside the truth, so that both pull."""
+    """The prior differs from the truth, so that both have an effect."""
     source, target = on(device, *pair)
     offset = np.where([name in (free or MOTIONS) for name in MOTIONS], [0.02, -0.01, 0.03, 0.01, 0.01, -0.02], 0)
     apart = motion([*offset, 0], np.array([0.3, 0.2, 0.1]), np.eye(3)) @ INIT
@@ -54,11 +54,11 @@ def test_the_pose_is_that_of_dense_least_squares(device, pair, free, kind, noise
     wanted = problem.pose(problem.minimum(pairs, np.zeros(len(problem.free))))
     np.testing.assert_allclose(result.transformation, wanted, atol=1e-6)
     alone = reg.registration_icp(source, target, 0.3, INIT, method, LONG, degeneracy=0, free=free, weights=weights)
-    assert np.abs(result.transformation - alone.transformation).max() > 3e-5  # it did pull
+    assert np.abs(result.transformation - alone.transformation).max() > 3e-5  # it had an effect
 
 
-def test_half_a_turn_from_the_prior_is_measured_right(device, pair):
-    """The logarithm and its derivative far from no rotation: about x by 3 rad, held by as much as the pairs say."""
+def test_residuals_far_from_the_prior_are_exact(device, pair):
+    """The logarithm and its derivative far from identity: about x by 3 rad, with the same weight as the pairs."""
     source, target = on(device, *pair)
     information = np.diag([1.0, 2.0, 3.0, 0, 0, 0]) * 1e4
     for angle in ([3.0, 0.2, -0.1], [0.1, -3.0, 0.2], [0.1, 0.2, 3.05], [0.5, 0, 0]):
@@ -72,7 +72,7 @@ def test_half_a_turn_from_the_prior_is_measured_right(device, pair):
 
 
 def corridor(rng, shift=0, device="cpu"):
-    """Two scans of a corridor along y whose walls and floor look the same everywhere; the second is 0.3 m on."""
+    """Two scans of a uniform corridor along y; the second is 0.3 m ahead."""
     clouds = []
     for way in (0.3, 0.0):
         points, normals = degenerate("corridor", rng, 3000)
@@ -82,23 +82,23 @@ def corridor(rng, shift=0, device="cpu"):
 
 
 @pytest.mark.parametrize(("kind", "shift"), [("plane", 0.0), ("generalized", UTM), ("robust", UTM)])
-def test_a_corridor_is_held_at_the_odometry_along_its_axis(device, kind, shift, rng):
-    """Without a prior it is not moved there and told; with one it goes where the odometry has it, and that is told."""
+def test_a_corridor_is_constrained_by_odometry_along_its_axis(device, kind, shift, rng):
+    """Without a prior the motion along it is zero and reported; with a prior it follows odometry, also reported."""
     source, target = corridor(rng, shift, device)
     alone = reg.registration_icp(source, target, 0.3, None, KINDS[kind])
     np.testing.assert_allclose(np.abs(alone.degenerate_directions), [[0, 0, 0, 0, 1, 0]], atol=0.02)
     assert len(alone.prior_directions) == 0
     odometry = reg.Prior(as_pose([0, 0, 0], [0.1, 0.3, 0.05]), sigma_translation=0.2, sigma_rotation=0.05)
-    held = reg.registration_icp(source, target, 0.3, None, KINDS[kind], LONG, prior=odometry)
+    constrained = reg.registration_icp(source, target, 0.3, None, KINDS[kind], LONG, prior=odometry)
     middle = source.get_center()
-    way = held.transformation[:3, :3] @ middle + held.transformation[:3, 3] - middle
-    np.testing.assert_allclose(way, [-0.02, 0.3, 0], atol=3e-3)  # along it the prior, across it the walls
-    np.testing.assert_allclose(held.prior_directions, held.degenerate_directions, atol=0)
-    np.testing.assert_allclose(np.abs(held.prior_directions), [[0, 0, 0, 0, 1, 0]], atol=0.02)
+    way = constrained.transformation[:3, :3] @ middle + constrained.transformation[:3, 3] - middle
+    np.testing.assert_allclose(way, [-0.02, 0.3, 0], atol=3e-3)  # the prior along it, the walls across it
+    np.testing.assert_allclose(constrained.prior_directions, constrained.degenerate_directions, atol=0)
+    np.testing.assert_allclose(np.abs(constrained.prior_directions), [[0, 0, 0, 0, 1, 0]], atol=0.02)
 
 
-def test_a_prior_that_knows_nothing_of_the_axis_leaves_it_loose(device, rng):
-    """A singular information holds what it holds; of a plane's three loose motions one is held, and comes first."""
+def test_a_prior_without_axis_information_leaves_the_axis_free(device, rng):
+    """Singular information constrains part: of a plane's three free motions one is constrained, and comes first."""
     source, target = corridor(rng, 0.0, device)
     level = reg.Prior(as_pose([0, 0, 0], [0, 0.3, 0]), sigma_rotation=0.01)
     result = reg.registration_icp(source, target, 0.3, None, PLANE, prior=level)
@@ -117,8 +117,8 @@ def test_a_prior_that_knows_nothing_of_the_axis_leaves_it_loose(device, rng):
     np.testing.assert_allclose(result.transformation[:3, :3], np.eye(3), atol=1e-6)
 
 
-def test_pairs_outvote_a_wrong_prior_where_they_determine_the_pose(device, pair):
-    """A prior 5 cm off that says 2 cm: 700 pairs of 3 mm have the word, and a prior that says 10 um has it all."""
+def test_pairs_override_a_wrong_prior_where_they_determine_the_pose(device, pair):
+    """A prior 5 cm off with sigma 2 cm: 700 pairs of 3 mm dominate; a prior with sigma 10 um dominates them."""
     source, target = on(device, *pair)
     free = reg.registration_icp(source, target, 0.3, INIT, PLANE, LONG).transformation
     poses = []
@@ -132,7 +132,7 @@ def test_pairs_outvote_a_wrong_prior_where_they_determine_the_pose(device, pair)
 
 
 def test_perfect_pairs_do_not_silence_a_prior(device, rng):
-    """Residuals of exactly zero: noise has a floor, so the axis of a corridor is still held."""
+    """Residuals of exactly zero: noise has a lower limit, so the prior still constrains the axis of a corridor."""
     points, normals = degenerate("corridor", rng, 2000)
     cloud = loom.PointCloud(points, normals=normals, device=device)
     prior = reg.Prior(as_pose([0, 0, 0], [0, 0.1, 0]), sigma_translation=0.1)
@@ -140,14 +140,14 @@ def test_perfect_pairs_do_not_silence_a_prior(device, rng):
     np.testing.assert_allclose(result.transformation[:3, 3], [0, 0.1, 0], atol=1e-3)
 
 
-def test_a_prior_out_of_reach_of_the_free_motions_is_told(pair):
+def test_an_unreachable_prior_is_reported(pair):
     beside = as_pose([0, 0, 0], [0, 0.5, 0])
     with pytest.raises(ValueError, match=r"^prior:"):
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=reg.Prior(beside, sigma_translation=0.01))
     for prior in (reg.Prior(beside, sigma_translation=0.2), reg.Prior(beside, sigma_rotation=0.01)):
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x",), prior=prior)
-    turned = reg.Prior(as_pose([0, 0, 2.0]), sigma_rotation=0.01)  # a yaw that is free, far away
-    reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=turned)
+    rotated = reg.Prior(as_pose([0, 0, 2.0]), sigma_rotation=0.01)  # a yaw that is free, far away
+    reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=rotated)
     with pytest.raises(ValueError, match=r"^prior:"):
         tilted = reg.Prior(as_pose([0.5, 0, 0]), sigma_rotation=0.01)
         reg.registration_icp(*pair, 0.3, None, PLANE, free=("x", "y", "z", "yaw"), prior=tilted)

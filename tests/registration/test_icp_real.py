@@ -1,4 +1,4 @@
-"""Real scans: a street, a kitchen, a desk, Stanford's dragon and bunny, against their true poses and Open3D's."""
+"""Real scans: a street, a kitchen, a desk, Stanford's dragon and bunny, against true poses and Open3D's."""
 
 from types import SimpleNamespace
 
@@ -24,7 +24,7 @@ KINDS = {
 
 
 def prepared(points, voxel, max_nn, colors=None):
-    """A thinned cloud of exact float32 coordinates with normals."""
+    """A downsampled cloud with exact float32 coordinates and normals."""
     cloud = loom.PointCloud(points, colors=colors).remove_non_finite_points().voxel_down_sample(voxel)
     return loom.PointCloud(cloud.points, colors=cloud.colors if colors is not None else None).estimate_normals(
         max_nn=max_nn
@@ -38,7 +38,7 @@ def make_pair(source, target, T, voxel, max_nn, distance):
 
 @pytest.fixture(scope="module")
 def street(street_pair):
-    """The street at 0.25 m, planes of 10 neighbors: a street has edges that 20 reach over."""
+    """The street at 0.25 m, planes of 10 neighbors: 20 would reach across edges."""
     return make_pair(street_pair.source, street_pair.target, street_pair.T, 0.25, 10, 1.0)
 
 
@@ -64,7 +64,7 @@ def small_bunny(shipped_file):
 
 @pytest.fixture(scope="module")
 def desk(real_file):
-    """Two colored frames at close range; parts of them move against each other by a centimetre."""
+    """Two colored frames at close range; parts of them move relative to each other by a centimeter."""
     clouds = [loom.read_point_cloud(real_file(f"reg-cilantro/frame_{i}.ply")) for i in (2, 1)]
     thin = [prepared(c.points, 0.01, 30, c.colors) for c in clouds]
     return SimpleNamespace(source=thin[0], target=thin[1], distance=0.05, T=np.eye(4))
@@ -81,7 +81,7 @@ def run_open3d(o3d, to_open3d, pair, kind, init=None, rules=RULES):
     clouds = []
     for cloud in (pair.source, pair.target):
         n = cloud.normals
-        if kind == "generalized":  # near -x Open3D takes another normal, up to 8 degrees off; +x is the same plane
+        if kind == "generalized":  # near -x Open3D uses another normal, up to 8 degrees off; +x is the same plane
             n = n * np.where(n[:, :1] < 0, -1, 1)
         clouds.append(to_open3d(cloud.points, n, cloud.colors if cloud.has_colors else None))
     method, call = {
@@ -95,8 +95,8 @@ def run_open3d(o3d, to_open3d, pair, kind, init=None, rules=RULES):
     return call(*clouds, pair.distance, np.eye(4) if init is None else init, method, criteria)
 
 
-@pytest.mark.slow  # small_gicp comes with the benchmarks
-def test_generalized_icp_of_a_street_is_small_gicps(device, street):
+@pytest.mark.slow  # small_gicp is installed with the benchmarks
+def test_generalized_icp_of_a_street_matches_small_gicp(device, street):
     small_gicp = pytest.importorskip("small_gicp")
     clouds = []
     for cloud in (street.target, street.source):
@@ -112,7 +112,7 @@ def test_generalized_icp_of_a_street_is_small_gicps(device, street):
 
 
 @pytest.mark.parametrize("kind", ["point", "plane", "symmetric", "generalized"])
-def test_icp_of_a_street_is_open3ds(device, street, o3d, to_open3d, kind, tolerances):
+def test_icp_of_a_street_matches_open3d(device, street, o3d, to_open3d, kind, tolerances):
     rules = reg.ICPConvergenceCriteria(0, 0, 12)
     result, expected = run(device, street, kind, rules=rules), run_open3d(o3d, to_open3d, street, kind, rules=rules)
     np.testing.assert_allclose(result.transformation, expected.transformation, atol=tolerances.icp_real)
@@ -125,8 +125,8 @@ def test_icp_of_a_street_is_open3ds(device, street, o3d, to_open3d, kind, tolera
     real=[("room", 1.8, 0.03), ("bunny", 0.3, 3e-4)],
 )
 @pytest.mark.parametrize("kind", ["plane", "symmetric", "generalized"])
-def test_scans_are_brought_to_their_true_pose(device, name, degrees, meters, kind, scan_file, request, angle_between):
-    """From 3 degrees and a few steps of the scan off it. The fragments of the kitchen are bent against each other."""
+def test_scans_converge_to_their_true_pose(device, name, degrees, meters, kind, scan_file, request, angle_between):
+    """From 3 degrees and a few scan spacings away. The fragments of the kitchen are bent relative to each other."""
     pair = request.getfixturevalue(name)
     middle = pair.target.points.mean(axis=0)
     away = as_pose([0.03, -0.03, 0.03], [0, 0, 0])
@@ -139,8 +139,8 @@ def test_scans_are_brought_to_their_true_pose(device, name, degrees, meters, kin
 
 
 @pytest.mark.parametrize("kind", ["plane", "symmetric", "generalized"])
-def test_icp_of_a_room_is_open3ds(device, scan_set, room, o3d, to_open3d, kind, angle_between):
-    """The best fit lies 1.5 degrees from the published pose, whose rotation is rounded: Open3D keeps it skewed."""
+def test_icp_of_a_room_matches_open3d(device, scan_set, room, o3d, to_open3d, kind, angle_between):
+    """The best fit is 1.5 degrees from the published pose, whose rotation is rounded: Open3D keeps it skewed."""
     rules = reg.ICPConvergenceCriteria(0, 0, 40)
     result = run(device, room, kind, room.T, rules=rules)
     init = room.T.copy()
@@ -152,8 +152,8 @@ def test_icp_of_a_room_is_open3ds(device, scan_set, room, o3d, to_open3d, kind, 
         assert angle_between(result.transformation, room.T) > 0.5
 
 
-def test_colored_frames_of_a_desk_end_where_open3d_passes(device, desk, o3d, to_open3d, angle_between):
-    """Open3D's steps, about the origin, do not come to rest here: they are 0.05 degrees off after 200."""
+def test_colored_frames_of_a_desk_end_near_open3ds_path(device, desk, o3d, to_open3d, angle_between):
+    """Open3D's steps about the origin do not converge here: the error is 0.05 degrees after 200."""
     method = reg.TransformationEstimationForColoredICP()
     first, rest = (run(device, desk, method, rules=reg.ICPConvergenceCriteria(0, 0, n)) for n in (20, 40))
     np.testing.assert_allclose(first.transformation, rest.transformation, rtol=0, atol=1e-9)
@@ -163,7 +163,7 @@ def test_colored_frames_of_a_desk_end_where_open3d_passes(device, desk, o3d, to_
     assert rest.fitness > 0.99
 
 
-def test_scales_bring_a_room_from_farther_away(device, room_pair, angle_between):
+def test_multi_scale_icp_of_a_room_has_a_larger_basin(device, room_pair, angle_between):
     """Open3D's tutorial of multi-scale ICP: 10, 5 and 2.5 cm."""
     clouds = [loom.PointCloud(p[::2], device=device) for p in (room_pair.source, room_pair.target)]
     clouds = [c.voxel_down_sample(0.02).estimate_normals(max_nn=20) for c in clouds]
@@ -177,13 +177,13 @@ def test_scales_bring_a_room_from_farther_away(device, room_pair, angle_between)
 
 @pytest.fixture(scope="module")
 def parted_kitchen(room_pair):
-    """Two parts of one fragment that share 22 %, of other points each, and four poses a degree from the true one."""
+    """Two parts of one fragment with 22 % overlap and different points, and four poses one degree from the true one."""
     rng = np.random.default_rng(0)
     points = room_pair.source
     along = np.linalg.eigh(np.cov((points - points.mean(axis=0)).T))[1][:, 2]
-    place = np.argsort(np.argsort(points @ along)) / len(points)
+    rank = np.argsort(np.argsort(points @ along)) / len(points)
     mine = rng.random(len(points)) < 0.5
-    parts = points[(place < 0.556) & mine], points[(place > 0.444) & ~mine]
+    parts = points[(rank < 0.556) & mine], points[(rank > 0.444) & ~mine]
     pair = make_pair(*(p + 0.005 * rng.normal(size=p.shape) for p in parts), np.eye(4), 0.03, 10, 0.3)
     middle = pair.source.points.mean(axis=0)
     pair.starts = []
@@ -196,28 +196,28 @@ def parted_kitchen(room_pair):
 
 @pytest.mark.slow
 @ON_REAL_SCANS
-def test_parts_that_share_a_fifth_stay_where_they_belong(device, parted_kitchen, o3d, to_open3d, angle_between):
-    """From a degree off: with all pairs within 0.3 m both libraries end farther off, with the overlap found nearer."""
+def test_parts_with_a_fifth_of_overlap_stay_aligned(device, parted_kitchen, o3d, to_open3d, angle_between):
+    """From one degree off: all pairs within 0.3 m end farther off in both libraries, an estimated overlap nearer."""
     pair = parted_kitchen
     clouds, settings = (pair.source.to(device), pair.target.to(device)), (pair.starts, KINDS["generalized"], RULES)
-    plain, found = (
+    plain, trimmed = (
         [r.transformation for r in reg.registration_icp_batch(*clouds, pair.distance, *settings, overlap=share)]
         for share in (1.0, None)
     )
-    assert max(angle_between(T, pair.T) for T in found) < 0.45
+    assert max(angle_between(T, pair.T) for T in trimmed) < 0.45
     assert min(angle_between(T, pair.T) for T in plain) > 1.2
     theirs = run_open3d(o3d, to_open3d, pair, "generalized", pair.starts[0])
     assert angle_between(theirs.transformation, pair.T) > 1.2
 
 
-def test_a_street_that_is_level_is_registered_as_well_by_four_degrees_of_freedom(device, street_pair, angle_between):
+def test_a_level_street_is_registered_with_four_degrees_of_freedom(device, street_pair, angle_between):
     """The truth tilts by 0.16 degrees. Six degrees of freedom end 0.66 degrees and 1.0 cm off, four 0.23 and 1.5."""
     source, target = (prepared(p, 0.4, 10).to(device) for p in (street_pair.source, street_pair.target))
     free, level = (
         reg.registration_icp(source, target, 1.0, None, KINDS["generalized"], RULES, free=f).transformation
         for f in (None, ("x", "y", "z", "yaw"))
     )
-    assert (level[2, :3] == [0, 0, 1]).all() and (level[:2, 2] == 0).all()  # level, to the bit
+    assert (level[2, :3] == [0, 0, 1]).all() and (level[:2, 2] == 0).all()  # exactly level
     assert angle_between(level, street_pair.T) < min(0.4, angle_between(free, street_pair.T) + 0.05)
     assert np.linalg.norm((level - street_pair.T)[:3, 3]) < 0.05
     assert np.linalg.norm((level - free)[:3, 3]) < 0.05

@@ -1,4 +1,4 @@
-"""Which pairs ICP leaves out: a share of the farthest, and those whose normals disagree."""
+"""Pair rejection of ICP: a fraction of the farthest pairs, and pairs with inconsistent normals."""
 
 import numpy as np
 import pytest
@@ -11,8 +11,8 @@ from .poses import as_pose
 reg = loom.registration
 
 
-def test_a_trimmed_share_holds_off_outliers(device, rng, angle_between):
-    """30 % of the source lies a little above the surface: all of it pulls, its nearest 65 % do not."""
+def test_trimming_suppresses_outliers(device, rng, angle_between):
+    """30 % of the source is slightly above the surface: all of it biases the pose, its nearest 65 % do not."""
     T = as_pose([0.01, -0.02, 0.01], [0.01, -0.01, 0.01])
     points = wavy(rng, 4000)
     points[:1200, 2] += rng.uniform(0.05, 0.25, 1200)
@@ -29,8 +29,8 @@ def test_a_trimmed_share_holds_off_outliers(device, rng, angle_between):
     assert (trimmed.correspondence_set[:, 0] >= 1200).mean() > 0.99
 
 
-def test_a_share_that_fewer_points_reach_keeps_all_pairs(device, rng):
-    """Half of the source has no counterpart at all: the nearest 80 % are all that there are."""
+def test_an_overlap_above_the_matched_fraction_keeps_all_pairs(device, rng):
+    """Half of the source has no counterpart: the nearest 80 % are all existing pairs."""
     target = wavy(rng, 2000)
     source = np.concatenate([target[:1000], target[:1000]])
     source[:, 2] += np.where(np.arange(2000) < 1000, 0.01, 50)
@@ -40,8 +40,8 @@ def test_a_share_that_fewer_points_reach_keeps_all_pairs(device, rng):
     np.testing.assert_array_equal(trimmed.transformation, plain.transformation)
 
 
-def test_a_thin_wall_is_not_drawn_through_itself(device, rng):
-    """One side of a wall of 2 cm that lies nearer to the other one: by their normals the sides are told apart."""
+def test_a_thin_wall_is_not_pulled_through_itself(device, rng):
+    """One side of a 2 cm wall is closer to the other side: the normals distinguish them."""
 
     def wall(side, shift):
         p = rng.uniform(-1, 1, (len(side), 3))
@@ -62,42 +62,42 @@ def test_a_thin_wall_is_not_drawn_through_itself(device, rng):
 
 
 def pull_of_an_edge(rng, count):
-    """A wavy floor and, beyond its edge at x = 0, a step up: the source has both, the target the floor alone."""
+    """A wavy floor and a step beyond its edge at x = 0: the source has both, the target only the floor."""
     points = wavy(rng, count)
     points[:, 2] += np.where(points[:, 0] > 0.0, 0.15, 0)
     return points
 
 
 @pytest.mark.parametrize("kind", ["point", "plane", "symmetric", "generalized", "voxelized"])
-def test_the_overlap_is_found_by_itself(device, kind, rng, angle_between):
-    """Three fifths of the source lie beyond the target's edge and pull, within the distance: found, they do not."""
+def test_the_overlap_is_estimated(device, kind, rng, angle_between):
+    """Three fifths of the source are beyond the target's edge but within the distance; estimating the overlap helps."""
     T = as_pose([0.01, -0.02, 0.01], [0.01, -0.01, 0.01])
     points, floor = pull_of_an_edge(rng, 4000), wavy(rng, 8000)
     points, floor = points[points[:, 0] > -0.7], floor[floor[:, 0] < 0]
     target, source = loom.PointCloud(floor, device=device), loom.PointCloud(back(points, T), device=device)
     source, target = source.estimate_normals(max_nn=20), target.estimate_normals(max_nn=20)
     rules = reg.ICPConvergenceCriteria(1e-8, 1e-8, 60)
-    plain, found = (
+    plain, trimmed = (
         reg.registration_icp(source, target, 0.3, None, KINDS[kind], rules, overlap=share) for share in (1.0, None)
     )
-    off, wrong = (angle_between(r.transformation, T) for r in (found, plain))
+    off, wrong = (angle_between(r.transformation, T) for r in (trimmed, plain))
     assert off < 0.4 and wrong > 2.5 * off
-    assert 0.3 < found.fitness < min(0.45, plain.fitness)
-    assert (source.points[found.correspondence_set[:, 0]] @ T[:3, :3].T + T[:3, 3])[:, 0].max() < 0.1
+    assert 0.3 < trimmed.fitness < min(0.45, plain.fitness)
+    assert (source.points[trimmed.correspondence_set[:, 0]] @ T[:3, :3].T + T[:3, 3])[:, 0].max() < 0.1
 
 
-def test_a_batch_finds_the_overlap_of_each_pair(device, rng):
+def test_a_batch_estimates_the_overlap_of_each_pair(device, rng):
     floor = wavy(rng, 3000)
     targets = [loom.PointCloud(floor[floor[:, 0] < edge], device=device) for edge in (-0.2, 0.5)]
     source = loom.PointCloud(floor[::2] + np.full(3, 0.01), device=device)
-    found = reg.registration_icp_batch(source, targets, 0.3, overlap=None)
-    for target, result in zip(targets, found, strict=True):
+    results = reg.registration_icp_batch(source, targets, 0.3, overlap=None)
+    for target, result in zip(targets, results, strict=True):
         alone = reg.registration_icp(source, target, 0.3, overlap=None)
         np.testing.assert_allclose(result.transformation, alone.transformation, atol=1e-9)
         assert result.fitness == alone.fitness == pytest.approx(len(target) / len(floor), abs=0.03)
 
 
-def test_the_overlap_of_a_copy_is_all_of_it(device, rng):
+def test_the_overlap_of_a_copy_is_full(device, rng):
     points = wavy(rng, 2000)
     cloud = loom.PointCloud(points, device=device)
     for moved in (0.0, 0.01):

@@ -1,4 +1,4 @@
-"""LiDAR odometry on a made-up street whose path is known, and against its own loop written out."""
+"""LiDAR odometry on a synthetic street with a known path, and against an explicit loop."""
 
 from __future__ import annotations
 
@@ -16,16 +16,16 @@ from .drives import clouds, follow, truth_of
 
 @pytest.fixture(scope="module")
 def weaving(street):
-    """110 scans at 10 m/s, 14,000 points each; the scanner looks 29 degrees to the left and to the right on the way."""
+    """110 scans at 10 m/s, 14,000 points each; the scanner swings 29 degrees to the left and to the right."""
     return street.drive(110, sway=0.5, beams=40, azimuths=360)
 
 
 @pytest.mark.slow
-def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_matters(device, weaving):
+def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_helps(device, weaving):
     odometry = follow(weaving, device)
     error = evaluate_trajectory(Trajectory(odometry.poses), truth_of(weaving), align="first", lengths=[25, 50, 100])
     assert sum(step.converged for step in odometry.steps) > 105 and odometry.summary.predicted == ()
-    assert error.segment_translation < 0.3  # [%]; 1 is asked for
+    assert error.segment_translation < 0.3  # [%]; the requirement is 1
     assert error.absolute_translation.max < 0.3
     assert error.absolute_rotation.max < 0.6
     straight, skewed = (
@@ -37,13 +37,13 @@ def test_a_hundred_scans_drift_by_less_than_one_percent_and_deskewing_matters(de
 
 
 @pytest.mark.parametrize("speed", [1.0, 45.0])
-def test_a_drive_may_begin_at_any_speed(device, street, speed):
+def test_a_drive_can_start_at_any_speed(device, street, speed):
     scans = street.drive(6, speed=speed, beams=40, azimuths=360, seed=3)
     gaps = follow(scans, device).poses[:, :3, 3] - truth_of(scans).poses[:, :3, 3]
     assert np.linalg.norm(gaps, axis=1).max() < 0.05
 
 
-def test_a_drive_that_begins_fast_is_followed(device, fast_drive):
+def test_a_fast_start_is_tracked(device, fast_drive):
     odometry = follow(fast_drive, device)
     gaps = odometry.poses[:, :3, 3] - truth_of(fast_drive).poses[:, :3, 3]
     assert np.linalg.norm(gaps, axis=1).max() < 0.05  # of 22 m
@@ -51,15 +51,15 @@ def test_a_drive_that_begins_fast_is_followed(device, fast_drive):
 
 
 @pytest.mark.slow
-def test_a_path_that_was_lost_says_from_where(device, fast_drive):
-    """Every third scan lies 6 m from the one before; the second of them is searched for within 3 m."""
+def test_a_lost_trajectory_reports_its_first_frame(device, fast_drive):
+    """Every third scan is 6 m from the previous one; the second of them is searched for within 3 m."""
     odometry = LidarOdometry()
     for points in fast_drive.scans[::3]:
         odometry.register(loom.PointCloud(points, device=device))
     missed = np.linalg.norm(odometry.poses[:, :3, 3] - truth_of(fast_drive).poses[::3, :3, 3], axis=1)
     assert missed[1:].min() > 1
     assert odometry.summary.strayed[0] == 1
-    assert not odometry.summary.predicted  # all scans overlap the map, but not where they should
+    assert not odometry.summary.predicted  # all scans overlap the map, but at wrong positions
     right = follow(fast_drive, device)
     assert right.summary.strayed == ()
     assert right.summary.unsettled == tuple(step.index for step in right.steps if step.status == "max_iteration")
@@ -68,30 +68,30 @@ def test_a_path_that_was_lost_says_from_where(device, fast_drive):
 def test_the_map_follows_the_sensor(device, fast_drive):
     odometry = follow(fast_drive, device, max_range=12.0, voxel_size=0.5, min_range=1.0)
     gaps = np.linalg.norm(odometry.map.points - odometry.poses[-1][:3, 3], axis=1)
-    assert gaps.max() < 12 + 2 * 0.5 + 1.2 + 0.5  # range, two voxels, a tenth of the range since it was last cut
+    assert gaps.max() < 12 + 2 * 0.5 + 1.2 + 0.5  # range, two voxels, a tenth of the range since the last cut
     assert (gaps < 10).sum() > 500
     assert np.linalg.norm(odometry.poses[-1][:3, 3] - truth_of(fast_drive).poses[-1, :3, 3]) < 0.5
 
 
-def test_a_sensor_at_rest_stays(device, street):
+def test_a_stationary_sensor_stays(device, street):
     scans = street.drive(6, speed=0.0, beams=24, azimuths=360)
     odometry = follow(scans, device)
     assert np.abs(odometry.poses[:, :3, 3]).max() < 0.02
     assert odometry.steps[-1].threshold == 2.0
 
 
-def test_two_real_scans_lie_on_each_other(device, street_pair, angle_between):
+def test_two_real_scans_are_aligned(device, street_pair, angle_between):
     odometry = LidarOdometry(device=device, min_range=0.0)
     odometry.register(loom.PointCloud(street_pair.target, device=device))
     T = odometry.register(loom.PointCloud(street_pair.source, device=device))
-    # the given pose is an estimate itself: another one of this pair lies 0.23 degrees and 1.9 cm from it
+    # the given pose is an estimate: another one of this pair differs by 0.23 degrees and 1.9 cm
     assert angle_between(T, street_pair.T) < 0.3
     assert np.linalg.norm(T[:3, 3] - street_pair.T[:3, 3]) < 0.03
 
 
-def plane_weights(tree, place, reach) -> np.ndarray:
-    """What a pair counts in which direction, from the map's points around its nearest one; [3, 3]."""
-    rows = tree.query_ball_point(place, reach)
+def plane_weights(tree, position, radius) -> np.ndarray:
+    """The directional weight of a pair [3, 3] from the map points around the nearest one."""
+    rows = tree.query_ball_point(position, radius)
     if len(rows) < 5:
         return 1e-3 * np.eye(3), 0
     values, vectors = np.linalg.eigh(np.cov(tree.data[rows].T, bias=True))
@@ -102,8 +102,8 @@ def plane_weights(tree, place, reach) -> np.ndarray:
     return np.outer(vectors[:, 0], vectors[:, 0]) + 1e-3 * np.eye(3), vectors[:, 0]
 
 
-@pytest.mark.parametrize("reach", [0.0, 0.8])
-def test_a_scan_lies_where_the_loop_written_out_puts_it(device, street_pair, tolerances, reach):
+@pytest.mark.parametrize("radius", [0.0, 0.8])
+def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, radius):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
@@ -120,13 +120,13 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, street_pair, tol
     step = np.ones(6)
     while np.linalg.norm(step) > 1e-10:  # eqs. 9 to 12, with a matrix for each pair
         x = source @ T[:3, :3].T + T[:3, 3]
-        distances, rows = tree.query(x, distance_upper_bound=0.9)  # below a voxel: the 27 hold all of these
-        found = np.isfinite(distances)
-        r, x, squares = x[found] - target[rows[found]], x[found], distances[found] ** 2
+        distances, rows = tree.query(x, distance_upper_bound=0.9)  # below a voxel: the 27 contain all of these
+        matched = np.isfinite(distances)
+        r, x, squares = x[matched] - target[rows[matched]], x[matched], distances[matched] ** 2
         W = np.tile(np.eye(3), (len(r), 1, 1))
-        if reach:
-            for k, row in enumerate(rows[found].tolist()):
-                known[row] = known.get(row) or plane_weights(tree, target[row], reach)
+        if radius:
+            for k, row in enumerate(rows[matched].tolist()):
+                known[row] = known.get(row) or plane_weights(tree, target[row], radius)
                 W[k], normal = known[row]
                 squares[k] = (normal @ r[k]) ** 2 if np.ndim(normal) else squares[k]
         w = (kappa / (kappa + squares)) ** 2
@@ -140,23 +140,23 @@ def test_a_scan_lies_where_the_loop_written_out_puts_it(device, street_pair, tol
         S = np.eye(4)
         S[:3, :3], S[:3, 3] = Rotation.from_rotvec(step[:3]).as_matrix(), step[3:]
         T = S @ T
-    aligner = MapAligner(reach)
+    aligner = MapAligner(radius)
     aligner.load(upload(source, vec3, where), None, voxel_map)
-    (end,), told = aligner.run([Leg(np.eye(4), 0.9, kappa, 1e-9, 6, 500, to_planes=reach > 0)])
+    (end,), information = aligner.run([Leg(np.eye(4), 0.9, kappa, 1e-9, 6, 500, to_planes=radius > 0)])
     assert end.state == CONVERGED
     np.testing.assert_allclose(end.pose, T, atol=tolerances.odometry_pose)
-    assert end.paired == found.sum()
+    assert end.paired == matched.sum()
     np.testing.assert_allclose(end.sqsum, (r**2).sum(), rtol=1e-4)
-    telling = np.array([not reach or np.any(known[row][1]) for row in rows[found].tolist()])
+    informative = np.array([not radius or np.any(known[row][1]) for row in rows[matched].tolist()])
     alone = len(source) - len(r)
     costs = 1 - kappa / (kappa + squares)
-    np.testing.assert_allclose(end.cost, (costs[telling].sum() + alone) / (telling.sum() + alone), rtol=1e-3)
-    np.testing.assert_allclose(end.disagreement, costs[telling].mean(), rtol=1e-3)
-    if reach:  # what planes tell is about the sensor's own place
-        normals = np.array([known[row][1] for row in rows[found].tolist() if np.ndim(known[row][1])])
-        at = (x - T[:3, 3])[[bool(np.ndim(known[row][1])) for row in rows[found].tolist()]]
+    np.testing.assert_allclose(end.cost, (costs[informative].sum() + alone) / (informative.sum() + alone), rtol=1e-3)
+    np.testing.assert_allclose(end.disagreement, costs[informative].mean(), rtol=1e-3)
+    if radius:  # the planes' information is about the sensor position
+        normals = np.array([known[row][1] for row in rows[matched].tolist() if np.ndim(known[row][1])])
+        at = (x - T[:3, 3])[[bool(np.ndim(known[row][1])) for row in rows[matched].tolist()]]
         J = np.hstack([np.cross(at, normals), normals])
-        np.testing.assert_allclose(told, J.T @ J, rtol=0.02, atol=0.01 * np.abs(J.T @ J).max())
+        np.testing.assert_allclose(information, J.T @ J, rtol=0.02, atol=0.01 * np.abs(J.T @ J).max())
 
 
 @pytest.mark.parametrize("in_table", [True, False])
@@ -167,19 +167,19 @@ def test_scans_are_thinned_to_the_first_point_of_each_voxel(device, lidar, monke
     from pointloom.kernels.odometry import odometry_sampling
     from pointloom.kernels.odometry.odometry_sampling import first_in_voxels
 
-    if not in_table:  # as with voxels so small that their keys and the points' numbers do not fit into one entry
+    if not in_table:  # as with voxels so small that a key and a point index do not fit into one entry
         monkeypatch.setattr(odometry_sampling, "ENTRY_BITS", 0)
     points = lidar[:, :3].copy()
     points[::50] = np.nan
     points[1::70] = 0
-    kept = first_in_voxels(upload(points, vec3, resolve_device(device)), 0.5, 5.0, 40.0).numpy()
+    thinned = first_in_voxels(upload(points, vec3, resolve_device(device)), 0.5, 5.0, 40.0).numpy()
     distance = np.linalg.norm(points.astype(np.float64), axis=1)
     inside = np.flatnonzero((distance > 5) & (distance < 40))
     _, first = np.unique(np.floor(points[inside].astype(np.float64) / 0.5), axis=0, return_index=True)
-    np.testing.assert_array_equal(kept, points[inside[np.sort(first)]])
+    np.testing.assert_array_equal(thinned, points[inside[np.sort(first)]])
 
 
-def test_the_threshold_follows_the_predictions_errors():
+def test_the_threshold_adapts_to_prediction_errors():
     from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
     threshold = AdaptiveThreshold(2.0, 0.1, 50.0, sqsum=4.0)
@@ -193,10 +193,10 @@ def test_the_threshold_follows_the_predictions_errors():
     error = 2 * 50 * np.sin(0.01) + 0.05
     assert threshold.value(start) == threshold.value(start[:0]) == 2.0
     assert threshold.value(moved) == pytest.approx(np.sqrt((4 + error**2) / 2), rel=1e-12)
-    assert threshold.updated(np.eye(4)).count == 2  # less than the smallest motion says nothing
+    assert threshold.updated(np.eye(4)).count == 2  # errors below the smallest motion are ignored
 
 
-def test_coordinates_about_an_origin_give_the_same_path(device, fast_drive):
+def test_coordinates_with_an_origin_give_the_same_path(device, fast_drive):
     odometry, other = LidarOdometry(), LidarOdometry()
     for cloud in clouds(fast_drive, device, 4):
         odometry.register(cloud)
@@ -205,20 +205,20 @@ def test_coordinates_about_an_origin_give_the_same_path(device, fast_drive):
     np.testing.assert_allclose(odometry.poses, other.poses, atol=1e-3)
 
 
-def test_a_driver_may_write_all_scans_into_one_buffer(fast_drive):
+def test_a_driver_can_reuse_one_buffer(fast_drive):
     scans, times = [np.float32(s) for s in fast_drive.scans[:4]], fast_drive.times[:4]
-    most = min(map(len, scans))
+    count = min(map(len, scans))
     apart, reused = loom.registration.LidarOdometry(), loom.registration.LidarOdometry()
-    buffer = np.empty((most, 3), np.float32)
+    buffer = np.empty((count, 3), np.float32)
     for scan, time in zip(scans, times, strict=True):
-        apart.register(loom.PointCloud.from_dlpack(scan[:most].copy()), time[:most])
-        buffer[:] = scan[:most]
-        reused.register(loom.PointCloud.from_dlpack(buffer), time[:most])
+        apart.register(loom.PointCloud.from_dlpack(scan[:count].copy()), time[:count])
+        buffer[:] = scan[:count]
+        reused.register(loom.PointCloud.from_dlpack(buffer), time[:count])
     np.testing.assert_array_equal(reused.poses, apart.poses)
 
 
-@pytest.mark.parametrize("turns", [1, 5])
-def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
+@pytest.mark.parametrize("iterations", [1, 5])
+def test_the_iteration_limit_is_respected_and_reported(device, rng, iterations):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload
@@ -232,12 +232,12 @@ def test_a_scan_takes_as_many_turns_as_it_may_and_says_so(device, rng, turns):
     voxel_map.add(upload(points, vec3, where), np.eye(4), 150.0)
     aligner = MapAligner(0.0)
     aligner.load(upload(points + np.float32(0.1), vec3, where), None, voxel_map)
-    (end,), _ = aligner.run([Leg(np.eye(4), 0.9, 0.2, 0.0, 6, turns)])
-    assert (end.state, end.iterations) == (EXHAUSTED, turns)
+    (end,), _ = aligner.run([Leg(np.eye(4), 0.9, 0.2, 0.0, 6, iterations)])
+    assert (end.state, end.iterations) == (EXHAUSTED, iterations)
 
 
 @pytest.mark.parametrize(("shift", "count"), [(0.0, 1), (0.05, 1), (0.1, 1), (0.11, 2)])
-def test_errors_up_to_the_smallest_motion_say_nothing_of_the_prediction(shift, count):
+def test_errors_below_the_smallest_motion_do_not_rate_the_prediction(shift, count):
     from pointloom.registration.lidar.scan_matching import AdaptiveThreshold
 
     deviation = np.eye(4)

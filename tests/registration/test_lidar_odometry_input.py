@@ -1,4 +1,4 @@
-"""Odometry over scans without points, wrong arguments, folders and files."""
+"""Odometry with empty scans, wrong arguments, folders and files."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ def wall(device, z=0.0, count=40):
 
 
 @pytest.mark.parametrize("what", ["empty", "near", "far", "nan"])
-def test_a_scan_without_points_in_range_gets_the_predicted_pose(device, fast_drive, what):
+def test_an_empty_scan_gets_the_predicted_pose(device, fast_drive, what):
     points = {"empty": np.zeros((0, 3)), "near": np.full((9, 3), 0.1), "far": np.full((9, 3), 400.0)}
     bad = loom.PointCloud(points.get(what, np.full((9, 3), np.nan)), device=device)
     odometry = follow(fast_drive, device, 4)
@@ -33,12 +33,12 @@ def test_a_scan_without_points_in_range_gets_the_predicted_pose(device, fast_dri
     assert (step.status, step.is_predicted, step.converged, step.inliers) == ("no points in range", True, False, 0)
     assert step.warnings == ("the pose is a prediction: no points in range",) and not step.to_dict()["reliable"]
     assert odometry.summary.predicted == (4,)
-    later = clouds(fast_drive, device)[5]
-    gap = odometry.register(later)[:3, 3] - truth_of(fast_drive).poses[5, :3, 3]
+    next_scan = clouds(fast_drive, device)[5]
+    gap = odometry.register(next_scan)[:3, 3] - truth_of(fast_drive).poses[5, :3, 3]
     assert not odometry.steps[-1].is_predicted and np.linalg.norm(gap) < 0.3
 
 
-def test_the_first_scan_with_points_begins_the_map(device):
+def test_the_first_nonempty_scan_starts_the_map(device):
     odometry = LidarOdometry()
     for cloud in (loom.PointCloud(device=device), loom.PointCloud(device=device), wall(device), wall(device)):
         odometry.register(cloud)
@@ -46,7 +46,7 @@ def test_the_first_scan_with_points_begins_the_map(device):
     np.testing.assert_allclose(odometry.poses, np.tile(np.eye(4), (4, 1, 1)), atol=1e-4)
 
 
-def test_a_scan_elsewhere_is_reported_and_joins_the_map(device):
+def test_a_distant_scan_is_reported_and_added_to_the_map(device):
     odometry = LidarOdometry()
     for z in (0.0, 0.0, 60.0, 60.0):
         odometry.register(wall(device, z))
@@ -55,7 +55,7 @@ def test_a_scan_elsewhere_is_reported_and_joins_the_map(device):
     np.testing.assert_allclose(odometry.poses[2:], odometry.poses[1:2].repeat(2, axis=0), atol=1e-3)
 
 
-def test_times_have_any_unit_and_start(device, fast_drive):
+def test_times_can_have_any_unit_and_start(device, fast_drive):
     seconds, other = LidarOdometry(), LidarOdometry()
     for cloud in clouds(fast_drive, device, 4):
         seconds.register(cloud)
@@ -63,7 +63,7 @@ def test_times_have_any_unit_and_start(device, fast_drive):
     np.testing.assert_allclose(seconds.poses, other.poses, atol=1e-4)
 
 
-def test_one_time_for_all_points_is_no_motion(device, fast_drive):
+def test_one_common_time_means_no_motion(device, fast_drive):
     still, plain = LidarOdometry(), LidarOdometry(deskew=False)
     for points in fast_drive.scans[:3]:
         with pytest.warns(UserWarning, match=r"^timestamps: ") if not still.steps else nullcontext():
@@ -72,7 +72,7 @@ def test_one_time_for_all_points_is_no_motion(device, fast_drive):
     np.testing.assert_allclose(still.poses, plain.poses, atol=1e-3)
 
 
-def test_wrong_scans_are_refused_and_leave_the_odometry_as_it_was(device, fast_drive):
+def test_invalid_scans_are_rejected_and_leave_the_odometry_unchanged(device, fast_drive):
     odometry = follow(fast_drive, device, 2)
     cloud = clouds(fast_drive, device, 1)[0]
     with pytest.raises(
@@ -88,7 +88,7 @@ def test_wrong_scans_are_refused_and_leave_the_odometry_as_it_was(device, fast_d
     np.testing.assert_array_equal(odometry.poses, follow(fast_drive, device, 2).poses)
 
 
-def test_a_folder_of_kitti_scans_is_run_in_natural_order(device, fast_drive, tmp_path):
+def test_a_folder_of_kitti_scans_is_read_in_natural_order(device, fast_drive, tmp_path):
     for k in (10, 2, 1, 9, 0, 3, 4, 5, 6, 7, 8):
         rows = np.column_stack([fast_drive.scans[k], np.full(len(fast_drive.scans[k]), 0.5)]).astype("<f4")
         rows.tofile(tmp_path / f"scan{k}.bin")
@@ -104,7 +104,7 @@ def test_a_folder_of_kitti_scans_is_run_in_natural_order(device, fast_drive, tmp
     assert read_trajectory(tmp_path / "path.tum").timestamps.tolist() == (np.arange(11) / 10).tolist()
 
 
-def test_files_keep_their_times(device, fast_drive, tmp_path):
+def test_files_preserve_their_times(device, fast_drive, tmp_path):
     for k, cloud in enumerate(clouds(fast_drive, device, 4)):
         loom.write_point_cloud(tmp_path / f"{k}.ply", cloud)
     steps = list(iterate_odometry(sorted(tmp_path.glob("*.ply")), device=device))

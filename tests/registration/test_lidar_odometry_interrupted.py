@@ -1,4 +1,4 @@
-"""A scan is part of a run of odometry or is not, whatever interrupts its registration."""
+"""A scan is added to an odometry run completely or not at all after any interruption."""
 
 from __future__ import annotations
 
@@ -14,11 +14,11 @@ FILES = (
     "registration/lidar/lidar_odometry.py", "registration/lidar/scan_matching.py", "kernels/odometry/voxel_map.py",
     "kernels/arrays/hash_table.py", "kernels/arrays/atomic_changes.py",
 )  # fmt: skip
-SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from where it should be
+SHIFTS = (0.0, 0.4, 0.8, 9.0, 9.4)  # voxels are dropped on the way; the fourth scan is far from its predicted pose
 
 
 def scans(device):
-    """A room that moves by the scanner, with times; so the second scan straightens the first."""
+    """A room moving past the scanner, with times; so the second scan deskews the first."""
     rng = np.random.default_rng(0)
     room = rng.uniform(-8, 8, (800, 3)) * [1, 1, 0.3]
     room[np.arange(800), np.arange(800) % 3] = np.where(rng.random(800) < 0.5, -1, 1) * 8.0
@@ -34,18 +34,18 @@ def odometry_over(clouds):
 
 
 def state_of(odometry):
-    """All that later scans depend on, and what a user reads."""
+    """The complete state that later scans depend on, and the reported results."""
     points = odometry.map.points
     threshold = odometry.threshold
     return odometry.poses.tobytes(), threshold.sqsum, threshold.count, points[np.lexsort(points.T)].tobytes()
 
 
 @pytest.mark.slow
-def test_a_scan_is_part_of_the_run_or_not_after_an_interruption_at_any_line(device):
+def test_a_scan_is_registered_completely_or_not_at_all_after_any_interruption(device):
     clouds = scans(device)
     straight = [state_of(odometry_over(clouds[:n])) for n in range(len(clouds) + 1)]
     outcomes = set()
-    for n, cloud in list(enumerate(clouds))[1::2]:  # the second begins the map anew, the fourth drops voxels
+    for n, cloud in list(enumerate(clouds))[1::2]:  # the second restarts the map, the fourth drops voxels
         odometry = odometry_over(clouds[:n])
         total = run_lines(lambda: odometry.register(cloud), FILES)  # noqa: B023  runs at once
         for stop in [total // 3, total // 2, *range(total - 48, total + 1, 6)]:
@@ -53,7 +53,7 @@ def test_a_scan_is_part_of_the_run_or_not_after_an_interruption_at_any_line(devi
             run_lines(lambda: odometry.register(cloud), FILES, stop)  # noqa: B023
             outcomes.add(len(odometry.steps) - n)
             assert state_of(odometry) == straight[len(odometry.steps)], (n, stop)
-            for later in clouds[len(odometry.steps) : n + 1]:
-                odometry.register(later)
+            for next_cloud in clouds[len(odometry.steps) : n + 1]:
+                odometry.register(next_cloud)
             assert state_of(odometry) == straight[len(odometry.steps)], (n, stop)
     assert outcomes == {0, 1}

@@ -1,4 +1,4 @@
-"""What LiDAR odometry says of scans that do not fix its motion, and of those that lie elsewhere."""
+"""Warnings of LiDAR odometry for scans that do not constrain the motion or show another location."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pointloom.registration.unobservable_motions import MIN_RISE, rises_clearly
 def corridor_scan(rng, count=4000, piers=(), at=0.0, share=0.33):
     """Points on the walls, floor and ceiling of a corridor along x (2 x 2.5 m), 12 m to either side of the sensor.
 
-    A share of them lies on piers that stand 50 cm out of the walls at these places x, across the corridor.
+    A fraction of them is on piers at the given x, which protrude 50 cm from the walls.
     """
     x = rng.uniform(-12, 12, count)
     side = rng.integers(0, 4, count)
@@ -59,14 +59,14 @@ def test_a_prior_is_taken_along_what_is_not_determined_and_is_no_fault(device, r
         odometry.register(loom.PointCloud(corridor_scan(rng), device=device), prior=2 * np.eye(4))
 
 
-def test_piers_far_apart_determine_the_way(device, rng):
+def test_distant_piers_constrain_the_motion(device, rng):
     piers = [-9.0, -2.5, 3.1, 8.0]
     odometry = run([corridor_scan(rng, 4000, piers, 0.2 * k) for k in range(5)], device)
     assert odometry.summary.reliable
     assert odometry.poses[-1, 0, 3] == pytest.approx(0.8, abs=0.05)
 
 
-def test_like_piers_that_a_scan_fits_at_each_period_are_told(device, rng):
+def test_repeated_piers_are_reported_as_ambiguous(device, rng):
     piers = np.arange(-40, 40, 2.0)
     odometry = run([corridor_scan(rng, 6000, piers, 2.0 * k, 0.06) for k in range(3)], device)
     assert odometry.summary.ambiguous
@@ -75,7 +75,7 @@ def test_like_piers_that_a_scan_fits_at_each_period_are_told(device, rng):
     assert "of the first scans fit equally well" in str(odometry.summary.warnings)
 
 
-def test_one_scan_of_another_place_costs_nothing(device, fast_drive, rng):
+def test_one_foreign_scan_is_harmless(device, fast_drive, rng):
     scans = [loom.PointCloud(p, time=t) for p, t in zip(fast_drive.scans[:8], fast_drive.times[:8], strict=True)]
     clean, odometry = LidarOdometry(), LidarOdometry()
     foreign = loom.PointCloud(scans[5].points[:, [1, 0, 2]] * [1.0, -1.0, 1.0] + [9.0, -4.0, 0.5])
@@ -86,19 +86,19 @@ def test_one_scan_of_another_place_costs_nothing(device, fast_drive, rng):
     np.testing.assert_allclose(odometry.poses, clean.poses, atol=0.05)
 
 
-def test_a_scanner_that_was_turned_quickly_is_found_again(device, fast_drive):
-    turned = np.eye(4)
-    turned[:2, :2] = [[np.cos(0.5), np.sin(0.5)], [-np.sin(0.5), np.cos(0.5)]]
+def test_a_quickly_rotated_scanner_is_relocalized(device, fast_drive):
+    rotation = np.eye(4)
+    rotation[:2, :2] = [[np.cos(0.5), np.sin(0.5)], [-np.sin(0.5), np.cos(0.5)]]
     odometry = LidarOdometry()
     for points in fast_drive.scans[:3]:
         odometry.register(loom.PointCloud(points))
     predicted = odometry.poses[-1] @ np.linalg.inv(odometry.poses[-2]) @ odometry.poses[-1]
-    T = odometry.register(loom.PointCloud(fast_drive.scans[3]).transform(turned))
+    T = odometry.register(loom.PointCloud(fast_drive.scans[3]).transform(rotation))
     assert odometry.summary.strayed == ()
-    np.testing.assert_allclose(T, predicted @ np.linalg.inv(turned), atol=0.05)
+    np.testing.assert_allclose(T, predicted @ np.linalg.inv(rotation), atol=0.05)
 
 
-def test_standing_still_while_much_moves_by_is_told():
+def test_a_stationary_scanner_among_moving_objects_is_reported():
     from pointloom.registration.lidar.lidar_steps import OdometryStep, summarize_steps
 
     def steps(fitness, speed=0.0):
@@ -117,13 +117,13 @@ def test_a_rise_counts_where_it_is_large_and_sure():
     assert rises_clearly(rows).tolist() == [False, True, False, False]
 
 
-def test_open_directions_take_a_poses_part_from_another(rng):
+def test_free_directions_are_taken_from_another_pose(rng):
     basis = np.zeros((6, 1))
     basis[3] = 1.0
-    pose, held = np.eye(4), np.eye(4)
-    pose[:3, 3], held[:3, 3] = [1, 2, 3], [5, 7, 9]
+    pose, reference = np.eye(4), np.eye(4)
+    pose[:3, 3], reference[:3, 3] = [1, 2, 3], [5, 7, 9]
     free = OpenDirections(4.0, basis)
-    np.testing.assert_allclose(free.taken_from(pose, held)[:3, 3], [5, 2, 3])
+    np.testing.assert_allclose(free.taken_from(pose, reference)[:3, 3], [5, 2, 3])
     assert free.translations() == ((1.0, 0.0, 0.0),) and free.rotations() == ()
     np.testing.assert_allclose(free.weight(), np.diag([0, 0, 0, 1e6, 0, 0]))
     basis = np.zeros((6, 1))
@@ -131,7 +131,7 @@ def test_open_directions_take_a_poses_part_from_another(rng):
     np.testing.assert_allclose(OpenDirections(4.0, basis).weight()[2, 2], 16e6)
 
 
-def test_wide_guesses_turn_about_the_sensors_own_place():
+def test_wide_guesses_rotate_about_the_sensor_position():
     pose = np.eye(4)
     pose[:3, 3] = 1, 2, 3
     guesses = np.array(rotated_guesses(pose, np.eye(4)))

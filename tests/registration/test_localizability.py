@@ -1,4 +1,4 @@
-"""What two clouds tell of each motion: what is open is told, what little holds is not called open."""
+"""Localizability of each motion from two clouds: free motions are reported, weak constraints are not called free."""
 
 import numpy as np
 import pytest
@@ -25,41 +25,41 @@ def scans(shape, rng, *, noise=0.0, corner=(0.0, 0.0, 0.0), device="cpu", change
 
 
 @pytest.mark.parametrize("shape", list(FREE))
-def test_open_motions_are_those_of_the_shape_however_noisy_it_is(device, shape, rng):
+def test_free_motions_match_the_shape_at_any_noise(device, shape, rng):
     for noise in (0.0, 0.02):
-        found = reg.localizability(*scans(shape, rng, noise=noise, corner=UTM, device=device), np.eye(4), 0.25)
-        assert len(found.open_motions) == len(FREE[shape]), (noise, str(found))
-        assert (found.reliable) == (not len(FREE[shape]))
+        result = reg.localizability(*scans(shape, rng, noise=noise, corner=UTM, device=device), np.eye(4), 0.25)
+        assert len(result.open_motions) == len(FREE[shape]), (noise, str(result))
+        assert (result.reliable) == (not len(FREE[shape]))
         if len(FREE[shape]):
-            assert np.degrees(subspace_angles(found.open_motions.T, FREE[shape].T)).max() < 6
-        np.testing.assert_allclose(found.motions @ found.motions.T, np.eye(6), atol=1e-9)
-        assert np.abs(found.middle - UTM).max() < 0.5
+            assert np.degrees(subspace_angles(result.open_motions.T, FREE[shape].T)).max() < 6
+        np.testing.assert_allclose(result.motions @ result.motions.T, np.eye(6), atol=1e-9)
+        assert np.abs(result.middle - UTM).max() < 0.5
 
 
-def test_a_corridor_that_its_end_holds_is_held_in_part(rng):
+def test_a_corridor_constrained_by_its_end_is_partially_localizable(rng):
     def with_end(points):
         points = points.copy()
         points[::60] = np.column_stack([rng.uniform(-0.5, 0.5, 200), np.full(200, 3.0), rng.uniform(-0.5, 0.5, 200)])
         return points
 
-    found = reg.localizability(*scans("corridor", rng, noise=0.005, change=with_end), np.eye(4), 0.25)
-    assert found.kinds == ("partial", *("full",) * 5) and found.reliable
-    assert abs(found.motions[0, 4]) > 0.99
+    result = reg.localizability(*scans("corridor", rng, noise=0.005, change=with_end), np.eye(4), 0.25)
+    assert result.kinds == ("partial", *("full",) * 5) and result.reliable
+    assert abs(result.motions[0, 4]) > 0.99
 
 
-def test_open_motions_alone_are_held_by_a_prior(rng):
-    """Along the corridor the source is where odometry has it, across it where the walls have it."""
+def test_a_prior_constrains_only_free_motions(rng):
+    """Along the corridor the source follows odometry, across it the walls."""
     truth = as_pose([0.0, 0.0, 0.01], [0.02, 0.15, 0.0])
     source, target = scans("corridor", rng, noise=0.005)
     source = source.transform(np.linalg.inv(truth)).estimate_normals(max_nn=20)
     target = target.estimate_normals(max_nn=20)
     first = reg.registration_icp(source, target, 0.25, None, reg.TransformationEstimationPointToPlane())
-    found = reg.localizability(source, target, first.transformation, 0.25)
-    assert found.translations == pytest.approx(np.array([[0.0, 1.0, 0.0]]), abs=0.02)
-    odometry = as_pose([0.0, 0.0, 0.03], [0.1, 0.15, 0.05])  # right along the corridor, wrong across it
+    actual = reg.localizability(source, target, first.transformation, 0.25)
+    assert actual.translations == pytest.approx(np.array([[0.0, 1.0, 0.0]]), abs=0.02)
+    odometry = as_pose([0.0, 0.0, 0.03], [0.1, 0.15, 0.05])  # correct along the corridor, wrong across it
     result = reg.registration_icp(
         source, target, 0.25, first.transformation, reg.TransformationEstimationPointToPlane(),
-        prior=found.prior(odometry, 0.01), pivot=found.middle, degeneracy=0,
+        prior=actual.prior(odometry, 0.01), pivot=actual.middle, degeneracy=0,
     )  # fmt: skip
     off = np.abs(result.transformation - truth)
     assert off[1, 3] < 0.02 and off[[0, 2], 3].max() < 0.01 and off[:3, :3].max() < 0.005
@@ -69,7 +69,7 @@ def test_open_motions_alone_are_held_by_a_prior(rng):
         surface.prior(np.eye(4), 0.1)
 
 
-def test_clouds_that_do_not_meet_hold_nothing():
+def test_disjoint_clouds_constrain_nothing():
     cube = loom.PointCloud(np.random.default_rng(0).uniform(size=(3000, 3)))
     far = reg.localizability(cube, cube.translate([50, 0, 0]), np.eye(4), 0.1)
     assert far.kinds == ("none",) * 6 and "no surface" in str(far.warnings)

@@ -1,4 +1,4 @@
-"""Feature matching against Open3D on real scans and against every pair compared, with its filters and limits."""
+"""Feature matching against Open3D on real scans and against brute force, with filters and limits."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ LIMIT = 1e15  # numbers beyond it make a row unusable
 
 
 def square_distances(a, b):
-    """All squared distances in float32, summed in the order that the kernels state; infinite for unusable rows."""
+    """All squared distances in float32, summed in the kernels' documented order; infinite for unusable rows."""
     width = -(-a.shape[1] // 8) * 8
     usable = [(np.abs(x) <= LIMIT).all(axis=1) for x in (a, b)]
     a, b = (np.pad(np.where(np.abs(x) <= LIMIT, x, 0), ((0, 0), (0, width - x.shape[1]))) for x in (a, b))
@@ -32,14 +32,14 @@ def square_distances(a, b):
 
 
 def expected_pairs(sqdists, mutual=False, share=0.1, ratio=None):
-    """Open3D's rules, and the ratio, with every pair compared; ties go to the first."""
+    """Open3D's rules and the ratio test by brute force; ties go to the first."""
     rows = np.flatnonzero(np.isfinite(sqdists).any(axis=1)) if sqdists.shape[1] else np.empty(0, int)
     if len(rows) == 0:
         return np.empty((0, 2), np.int32)
     nearest = sqdists.argmin(axis=1)
     if mutual:
-        kept = rows[sqdists.argmin(axis=0)[nearest[rows]] == rows]
-        rows = rows if len(kept) < int(np.float32(share) * np.float32(len(sqdists))) else kept
+        selected = rows[sqdists.argmin(axis=0)[nearest[rows]] == rows]
+        rows = rows if len(selected) < int(np.float32(share) * np.float32(len(sqdists))) else selected
     if ratio is not None:
         ordered = np.sort(np.column_stack([sqdists, np.full(len(sqdists), np.inf)]), axis=1).astype(float)
         rows = rows[ordered[rows, 0] < ratio**2 * ordered[rows, 1]]
@@ -47,13 +47,13 @@ def expected_pairs(sqdists, mutual=False, share=0.1, ratio=None):
 
 
 def matched_rows(a, b):
-    """The nearest row of b for each of a, and how far that and the next one are."""
+    """The nearest row of b for each row of a, and the two smallest distances."""
     match = FeatureMatch(a, b)
     return match.nearest, match.sqdists, match.second_sqdists
 
 
 def assert_all_as_expected(device, a, b):
-    """Indices, distances and every filter, to the bit."""
+    """Indices, distances and every filter, bitwise."""
     a, b = np.float32(a), np.float32(b)
     sqdists = square_distances(a, b)
     on_device = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
@@ -69,9 +69,9 @@ def assert_all_as_expected(device, a, b):
         (False, 0, 0.8),
         (True, 0, 0.8),
     ]:
-        found = correspondences_from_features(a, b, mutual, share, ratio=ratio, device=device)
-        assert found.dtype == np.int32 and found.flags.writeable
-        assert np.array_equal(found, expected_pairs(sqdists, mutual, share, ratio)), (mutual, share, ratio)
+        result = correspondences_from_features(a, b, mutual, share, ratio=ratio, device=device)
+        assert result.dtype == np.int32 and result.flags.writeable
+        assert np.array_equal(result, expected_pairs(sqdists, mutual, share, ratio)), (mutual, share, ratio)
 
 
 def as_open3d(o3d, features):
@@ -83,8 +83,8 @@ def as_open3d(o3d, features):
 
 def open3d_pairs(o3d, a, b, mutual, share=0.1):
     features = as_open3d(o3d, a), as_open3d(o3d, b)
-    found = o3d.pipelines.registration.correspondences_from_features(*features, mutual, share)
-    return np.asarray(found, np.int32).reshape(-1, 2)
+    result = o3d.pipelines.registration.correspondences_from_features(*features, mutual, share)
+    return np.asarray(result, np.int32).reshape(-1, 2)
 
 
 @pytest.fixture(scope="module")
@@ -108,15 +108,15 @@ def sqdists_of(a, b, pairs):
 
 
 @on_sets("scan", shipped=("room", "lidar", "terrain"), real=("room", "lidar"))
-def test_matches_of_real_scans_are_open3ds(device, scan, scenes, o3d, tolerances):
+def test_matches_of_real_scans_equal_open3ds(device, scan, scenes, o3d, tolerances):
     a, b = scenes[scan]
     assert min(len(a), len(b)) > 1000
-    found = correspondences_from_features(a, b, device=device)
+    result = correspondences_from_features(a, b, device=device)
     expected = open3d_pairs(o3d, a, b, False)
-    assert np.array_equal(found[:, 0], expected[:, 0])
-    ours, theirs = sqdists_of(a, b, found), sqdists_of(a, b, expected)
-    other = found[:, 1] != expected[:, 1]
-    assert (np.abs(ours - theirs)[other] <= tolerances.feature_tie * theirs[other]).all()
+    assert np.array_equal(result[:, 0], expected[:, 0])
+    actual, theirs = sqdists_of(a, b, result), sqdists_of(a, b, expected)
+    other = result[:, 1] != expected[:, 1]
+    assert (np.abs(actual - theirs)[other] <= tolerances.feature_tie * theirs[other]).all()
     assert np.count_nonzero(other) < 0.02 * len(a), "lone points, whose features are zero, match any of each other"
     mutual = correspondences_from_features(a, b, True, device=device)
     assert 0.1 * len(a) < len(mutual) < 0.5 * len(a)
@@ -126,7 +126,7 @@ def test_matches_of_real_scans_are_open3ds(device, scan, scenes, o3d, tolerances
 
 
 def is_tied(a, b, i, j, share):
-    """Whether two rows are mutually nearest, one of them as near to a third."""
+    """True if two rows are mutual nearest neighbors and one of them is equally near to a third."""
     there = ((a[i].astype(float) - b) ** 2).sum(axis=1)
     back = ((b[j].astype(float) - a) ** 2).sum(axis=1)
     limit = there[j] * (1 + share)
@@ -134,18 +134,18 @@ def is_tied(a, b, i, j, share):
     return nearest and np.count_nonzero(there <= limit) + np.count_nonzero(back <= limit) > 2
 
 
-def test_the_tutorials_matches_are_open3ds_to_the_last(device, scenes, o3d):
-    """No two rows of the room are as near as rounding; the ratio leaves the same as SciPy's two nearest."""
+def test_matches_of_the_tutorial_equal_open3ds(device, scenes, o3d):
+    """No two rows of the room are within rounding; the ratio test leaves the same rows as SciPy's two nearest."""
     a, b = scenes["room"]
     for mutual in (False, True):
         expected = open3d_pairs(o3d, a, b, mutual)
         assert np.array_equal(correspondences_from_features(a, b, mutual, device=device), expected)
     near = cKDTree(b.astype(float)).query(a.astype(float), 2)[0]
-    found = correspondences_from_features(a, b, ratio=0.9, device=device)
-    assert np.array_equal(found[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
+    result = correspondences_from_features(a, b, ratio=0.9, device=device)
+    assert np.array_equal(result[:, 0], np.flatnonzero(near[:, 0] < 0.9 * near[:, 1]))
 
 
-def test_matches_are_open3ds(device, rng, oracle):
+def test_matches_equal_open3ds(device, rng, oracle):
     a = rng.normal(0, 1, (700, 33)).astype(np.float32)
     b = np.concatenate([a[::2] + 0.2 * rng.normal(size=(350, 33)), rng.normal(0, 1, (200, 33))]).astype(np.float32)
     for mutual in (False, True):
@@ -157,7 +157,7 @@ def test_matches_are_open3ds(device, rng, oracle):
 @settings(max_examples=50, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(seed=st.integers(0, 2**32), d=st.integers(1, 40), rows=st.tuples(st.integers(0, 70), st.integers(0, 70)),
        levels=st.integers(1, 4), holes=st.sampled_from([0, 0.1, 1.0]))  # fmt: skip
-def test_whole_numbers_with_ties_and_holes_match_as_all_pairs_do(device, seed, d, rows, levels, holes):
+def test_integers_with_ties_and_nans_match_brute_force(device, seed, d, rows, levels, holes):
     rng = np.random.default_rng(seed)
     a, b = (rng.integers(0, levels, (n, d)).astype(np.float32) for n in rows)
     for x in (a, b):
@@ -168,7 +168,7 @@ def test_whole_numbers_with_ties_and_holes_match_as_all_pairs_do(device, seed, d
 
 @pytest.mark.parametrize("d", [1, 7, 16, 17, 33])
 def test_matches_in_any_number_of_dimensions_are_those_of_all_pairs(device, rng, d):
-    """Clusters, where pruning leaves out nearly all, and noise, where it leaves out nothing."""
+    """Clusters, where pruning excludes nearly all rows, and noise, where it excludes none."""
     middles = rng.normal(0, 5, (20, d))
     clusters = [middles[rng.integers(0, 20, n)] + rng.normal(0, 1, (n, d)) for n in (300, 411)]
     assert_all_as_expected(device, *clusters)
@@ -176,13 +176,13 @@ def test_matches_in_any_number_of_dimensions_are_those_of_all_pairs(device, rng,
 
 
 @pytest.mark.parametrize(("scale", "offset"), [(1, 1e6), (1e-13, 0), (1e13, 0), (1e-9, 1e-3)], ids=str)
-def test_pruning_leaves_out_no_nearest_row_at_any_scale_or_offset(device, rng, scale, offset):
-    """Far from zero float32 rows are few steps apart, so ties and near-ties abound."""
+def test_pruning_excludes_no_nearest_row_at_any_scale_or_offset(device, rng, scale, offset):
+    """Far from zero, float32 rows have few distinct values, so ties and near-ties are frequent."""
     a, b = rng.normal(0, 1, (2, 500, 33)) * np.geomspace(1, 0.01, 33) * scale + offset
     assert_all_as_expected(device, a, b)
 
 
-def test_pruning_leaves_out_no_nearest_row_among_near_ties(device, rng):
+def test_pruning_excludes_no_nearest_row_among_near_ties(device, rng):
     """Rows on a line, on a sphere about the query, and within rounding of each other."""
     line = rng.normal(0, 1, (400, 1)) * rng.normal(0, 1, (1, 33))
     assert_all_as_expected(device, line, line + 1e-7 * rng.normal(0, 1, line.shape))
@@ -193,31 +193,31 @@ def test_pruning_leaves_out_no_nearest_row_among_near_ties(device, rng):
 
 
 @pytest.mark.parametrize("d", [2, 33])
-def test_pruning_leaves_out_no_nearest_row_that_differs_in_last_digits(device, rng, d):
-    """Knots of rows a few roundings wide, far from each other: the rounding of what prunes is as wide as they are."""
+def test_pruning_excludes_no_nearest_row_that_differs_in_the_last_digits(device, rng, d):
+    """Clusters a few roundings wide, far from each other: the rounding of the pruning bound is as wide as they are."""
     knots = np.float32(rng.normal(0, 1000, (60, 1, d)))
     a, b = (np.float32(knots * (1 + rng.integers(-4, 5, (60, n, d)) * 2.0**-23)).reshape(-1, d) for n in (5, 12))
     assert_all_as_expected(device, a, b)
 
 
-def test_a_target_of_many_blocks_is_searched_whole(device, rng):
-    """Trees of more than 65,536 rows have more than one root; SciPy tells where every row lies."""
+def test_a_target_of_many_blocks_is_searched_completely(device, rng):
+    """Trees of more than 65,536 rows have more than one root; SciPy gives the expected rows."""
     b = rng.normal(0, 1, (70_001, 5)).astype(np.float32)
     a = np.concatenate([b[::350] + np.float32(0.01), rng.normal(0, 2, (100, 5)).astype(np.float32)])
-    found = correspondences_from_features(a, b, device=device)
-    ours, theirs = sqdists_of(a, b, found), cKDTree(b).query(a)[0] ** 2
-    assert np.allclose(ours, theirs, rtol=1e-6, atol=0)
+    result = correspondences_from_features(a, b, device=device)
+    actual, theirs = sqdists_of(a, b, result), cKDTree(b).query(a)[0] ** 2
+    assert np.allclose(actual, theirs, rtol=1e-6, atol=0)
     back = correspondences_from_features(b, a, True, 0.0, device=device)
     mutual = correspondences_from_features(a, b, True, 0.0, device=device)
     assert len(mutual) > 150 and {(i, j) for i, j in mutual} == {(j, i) for i, j in back}
 
 
 def test_equal_rows_match_the_first_of_them(device):
-    """As rows of all zeros do, of points without neighbors; a thousand would else take a million comparisons."""
+    """As rows of zeros for points without neighbors; without this, a thousand would take a million comparisons."""
     a, b = np.zeros((3000, 33), np.float32), np.zeros((4000, 33), np.float32)
     b[:7] = 1
-    found = correspondences_from_features(a, b, device=device)
-    assert np.array_equal(found, np.column_stack([np.arange(3000), np.full(3000, 7)]))
+    result = correspondences_from_features(a, b, device=device)
+    assert np.array_equal(result, np.column_stack([np.arange(3000), np.full(3000, 7)]))
     assert correspondences_from_features(a, b, True, 0.0, device=device).tolist() == [[0, 7]]
     assert len(correspondences_from_features(a, b, ratio=1.0, device=device)) == 0, "all are ambiguous"
 
@@ -230,15 +230,15 @@ def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, oracle):
     """28 of 100 pairs are mutual. 0.29 times 100 is 28.99 in float64 and 29 in float32, in which Open3D computes."""
     b = np.arange(28, dtype=np.float32)[:, None] * 10
     a = np.concatenate([b, b[-1] + 1 + np.arange(72, dtype=np.float32)[:, None]])
-    kept = {0.28: 28, 0.285: 28, 0.29: 100, 5: 100}
-    answers = oracle("registration/matching/shares", pairs_of_shares, a, b, list(kept))
-    for share, expected in zip(kept, answers, strict=True):
-        found = correspondences_from_features(a, b, True, share, device=device)
-        assert len(found) == kept[share] and np.array_equal(found, expected)
+    counts = {0.28: 28, 0.285: 28, 0.29: 100, 5: 100}
+    answers = oracle("registration/matching/shares", pairs_of_shares, a, b, list(counts))
+    for share, expected in zip(counts, answers, strict=True):
+        result = correspondences_from_features(a, b, True, share, device=device)
+        assert len(result) == counts[share] and np.array_equal(result, expected)
 
 
 def test_the_ratio_is_taken_after_the_mutual_filter_and_its_fallback(device):
-    """Ambiguous pairs count when it is decided whether too few are mutual."""
+    """Ambiguous pairs count in the decision whether too few are mutual."""
     a, b = np.float32([[0], [10], [20], [31]]), np.float32([[0], [0.1], [10], [20], [29]])
     assert correspondences_from_features(a, b, True, 1.0, device=device).tolist() == [[0, 0], [1, 2], [2, 3], [3, 4]]
     assert correspondences_from_features(a, b, True, 1.0, ratio=0.1, device=device).tolist() == [[0, 0], [1, 2], [2, 3]]
@@ -246,7 +246,7 @@ def test_the_ratio_is_taken_after_the_mutual_filter_and_its_fallback(device):
     assert one_way.tolist() == [[0, 0], [1, 0], [2, 0], [3, 4]]
 
 
-def test_the_ratio_compares_strictly_and_a_lone_target_has_no_rival(device):
+def test_the_ratio_test_is_strict_and_passes_a_single_target(device):
     b = np.float32([[3, 0], [-4, 0]])
     assert len(correspondences_from_features([[0, 0]], b, ratio=0.75, device=device)) == 0
     assert len(correspondences_from_features([[0, 0]], b, ratio=0.7501, device=device)) == 1
@@ -263,7 +263,7 @@ def test_few_rows_or_none_match_what_there_is(device, rng, shape):
     assert correspondences_from_features(a, b, device=device).shape == (shape[0] if shape[1] else 0, 2)
 
 
-def test_device_arrays_lists_and_other_types_match_as_numpy_arrays_do(device, rng):
+def test_device_arrays_lists_and_other_types_match_numpy_arrays(device, rng):
     a, b = rng.integers(0, 255, (2, 60, 33))
     expected = correspondences_from_features(np.float32(a), np.float32(b), True, device=device)
     for kind in (np.float64, np.uint8, np.int64):
@@ -271,30 +271,30 @@ def test_device_arrays_lists_and_other_types_match_as_numpy_arrays_do(device, rn
             correspondences_from_features(a.astype(kind), b.astype(kind), True, device=device), expected
         )
     assert np.array_equal(correspondences_from_features(a.tolist(), b.tolist(), True, device=device), expected)
-    held = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    arrays = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
 
-    def host(found):  # arrays of a GPU come back on it
-        return found.numpy() if isinstance(found, wp.array) else found
+    def host(result):  # arrays of a GPU come back on it
+        return result.numpy() if isinstance(result, wp.array) else result
 
-    assert np.array_equal(host(correspondences_from_features(*held, True)), expected)
-    assert np.array_equal(host(correspondences_from_features(held[0], np.float32(b), True)), expected)
+    assert np.array_equal(host(correspondences_from_features(*arrays, True)), expected)
+    assert np.array_equal(host(correspondences_from_features(arrays[0], np.float32(b), True)), expected)
     strided = wp.array(np.repeat(a, 2, axis=1), dtype=wp.float32, device=device, ndim=2)[:, ::2]
-    assert np.array_equal(host(correspondences_from_features(strided, held[1], True)), expected)
-    pairs = pair_features(*held, mutual=True)
+    assert np.array_equal(host(correspondences_from_features(strided, arrays[1], True)), expected)
+    pairs = pair_features(*arrays, mutual=True)
     assert pairs.dtype == wp.int32 and np.array_equal(pairs.numpy(), expected)
 
 
-def test_features_are_left_as_they_are(device, rng):
+def test_features_are_not_modified(device, rng):
     a, b = rng.normal(0, 1, (2, 20, 33)).astype(np.float32)
-    held = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
+    arrays = [wp.array(x, dtype=wp.float32, device=device, ndim=2) for x in (a, b)]
     before = a.copy(), b.copy()
     correspondences_from_features(a, b, True, device=device)
-    correspondences_from_features(*held, True)
+    correspondences_from_features(*arrays, True)
     assert np.array_equal(a, before[0]) and np.array_equal(b, before[1])
-    assert np.array_equal(held[0].numpy(), a) and np.array_equal(held[1].numpy(), b)
+    assert np.array_equal(arrays[0].numpy(), a) and np.array_equal(arrays[1].numpy(), b)
 
 
-def test_open3ds_own_object_is_refused_with_the_way_to_pass_it(o3d):
+def test_an_open3d_object_is_rejected_with_advice(o3d):
     rows = np.random.default_rng(0).normal(0, 1, (9, 33))
     feature = as_open3d(o3d, rows)
     with pytest.raises(TypeError, match="source_features:"):

@@ -1,4 +1,4 @@
-"""Many clouds in one frame: made-up fragments in any order, clouds that belong to nothing, and the ten bunny scans."""
+"""Many clouds in one frame: synthetic fragments in any order, unrelated clouds, and the ten bunny scans."""
 
 from __future__ import annotations
 
@@ -16,14 +16,14 @@ reg = loom.registration
 
 
 def relief(x: np.ndarray, y: np.ndarray) -> np.ndarray:
-    """A surface that looks different everywhere."""
+    """A surface without repetition."""
     z = 0.25 * np.sin(2.1 * x) * np.cos(1.7 * y) + 0.12 * np.sin(4.3 * y + x) + 0.08 * np.cos(5.9 * x - 2 * y)
     return z + 0.15 * np.exp(-4 * ((x - 0.7) ** 2 + (y + 0.4) ** 2))
 
 
 @pytest.fixture(scope="module")
 def fragments():
-    """Five overlapping parts of a relief, each turned and shifted anyhow: clouds, and their poses in the relief."""
+    """Five overlapping parts of a relief, each randomly rotated and shifted: clouds, and their poses in the relief."""
     from scipy.spatial.transform import Rotation
 
     rng = np.random.default_rng(3)
@@ -40,81 +40,81 @@ def fragments():
 
 
 def worst_shift(poses: np.ndarray, truth: np.ndarray, members: list[int], points: np.ndarray) -> float:
-    """How far a pose misplaces points, at most [m]; both sets of poses in the frame of the first member."""
+    """The largest point displacement [m] by a pose; both sets of poses in the frame of the first member."""
     first = members[0]
     worst = 0.0
     for k in members:
-        found = np.linalg.inv(poses[first]) @ poses[k]
+        relative = np.linalg.inv(poses[first]) @ poses[k]
         true = np.linalg.inv(truth[first]) @ truth[k]
-        moved = (points @ (found - true)[:3, :3].T) + (found - true)[:3, 3]
+        moved = (points @ (relative - true)[:3, :3].T) + (relative - true)[:3, 3]
         worst = max(worst, float(np.linalg.norm(moved, axis=1).max()))
     return worst
 
 
 @pytest.mark.slow
-def test_fragments_in_any_order_come_into_the_frame_of_the_first(device, fragments):
+def test_fragments_in_any_order_are_aligned_to_the_first(device, fragments):
     order = [3, 0, 4, 1, 2]
     clouds = [loom.PointCloud(fragments.clouds[k], device=device) for k in order]
-    found = reg.register_fragments(clouds, voxel_size=0.06)
-    assert found.placed.all() and found.reference == 0 and (found.groups == 0).all()
-    np.testing.assert_array_equal(found.poses[0], np.eye(4))
-    assert worst_shift(found.poses, fragments.poses[order], list(range(5)), fragments.clouds[order[0]][::50]) < 0.01
-    assert len(found.pose_graph.nodes) == 5 and len(found.pairs) >= 4
+    result = reg.register_fragments(clouds, voxel_size=0.06)
+    assert result.placed.all() and result.reference == 0 and (result.groups == 0).all()
+    np.testing.assert_array_equal(result.poses[0], np.eye(4))
+    assert worst_shift(result.poses, fragments.poses[order], list(range(5)), fragments.clouds[order[0]][::50]) < 0.01
+    assert len(result.pose_graph.nodes) == 5 and len(result.pairs) >= 4
 
 
-def test_a_cloud_that_overlaps_no_other_is_left_out_and_said_to_be(fragments, rng):
+def test_a_cloud_without_overlap_is_excluded_and_reported(fragments, rng):
     stray = rng.normal(0, 1, (4000, 3)) * [1, 1, 0.01]
     clouds = [loom.PointCloud(p) for p in (fragments.clouds[0], stray, fragments.clouds[1], fragments.clouds[2])]
-    found = reg.register_fragments(clouds, voxel_size=0.06)
-    assert found.placed.tolist() == [True, False, True, True]
-    np.testing.assert_array_equal(found.poses[1], np.eye(4))
-    assert found.groups[1] not in found.groups[[0, 2, 3]]
+    result = reg.register_fragments(clouds, voxel_size=0.06)
+    assert result.placed.tolist() == [True, False, True, True]
+    np.testing.assert_array_equal(result.poses[1], np.eye(4))
+    assert result.groups[1] not in result.groups[[0, 2, 3]]
 
 
-def test_one_cloud_is_its_own_frame():
-    found = reg.register_fragments([loom.PointCloud(np.random.default_rng(0).random((500, 3)))], voxel_size=0.1)
-    np.testing.assert_array_equal(found.poses, np.eye(4)[None])
-    assert found.placed.tolist() == [True] and not found.pairs
+def test_a_single_cloud_defines_its_frame():
+    result = reg.register_fragments([loom.PointCloud(np.random.default_rng(0).random((500, 3)))], voxel_size=0.1)
+    np.testing.assert_array_equal(result.poses, np.eye(4)[None])
+    assert result.placed.tolist() == [True] and not result.pairs
 
 
-def test_empty_clouds_are_left_out(fragments):
+def test_empty_clouds_are_excluded(fragments):
     clouds = [loom.PointCloud(p) for p in (np.empty((0, 3)), fragments.clouds[0], fragments.clouds[1])]
     assert reg.register_fragments(clouds, voxel_size=0.06).placed.tolist() == [False, True, True]
 
 
-def test_a_known_pair_is_refined_and_not_sought(fragments):
+def test_a_known_pair_is_refined_without_a_search(fragments):
     clouds = [loom.PointCloud(p) for p in fragments.clouds[:2]]
     truth = np.linalg.inv(fragments.poses[0]) @ fragments.poses[1]
     near = truth.copy()
     near[:3, 3] += 0.02
     seen = []
     known = [FragmentPair(1, 0, near, 0.0, 1.0)]
-    found = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
+    result = reg.register_fragments(clouds, voxel_size=0.06, known=known, progress=lambda *step: seen.append(step))
     assert seen == [("pairs", 0, 0)]
-    assert [(pair.source, pair.target) for pair in found.pairs] == [(1, 0)]
-    assert worst_shift(found.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
+    assert [(pair.source, pair.target) for pair in result.pairs] == [(1, 0)]
+    assert worst_shift(result.poses, fragments.poses[:2], [0, 1], fragments.clouds[0][::50]) < 0.01
 
 
 SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ear_back", "top2", "top3")
 
 
 @pytest.mark.slow
-def test_ten_scans_of_the_bunny_come_together_from_no_guess(real_file, o3d):
+def test_ten_scans_of_the_bunny_are_registered_without_a_guess(real_file, o3d):
     folder = real_file("reg-bunny-scans")
     scans = [loom.read_point_cloud(folder / "data" / f"{name}.ply") for name in SCANS]
-    found = reg.register_fragments(scans, voxel_size=0.003)
-    assert found.placed.all()
-    # the model lies in the frame of bun000, the reference
+    result = reg.register_fragments(scans, voxel_size=0.003)
+    assert result.placed.all()
+    # the model is in the frame of bun000, the reference
     model = o3d.io.read_triangle_mesh(str(folder / "reconstruction" / "bun_zipper.ply"))
     scene = o3d.t.geometry.RaycastingScene()
     scene.add_triangles(o3d.t.geometry.TriangleMesh.from_legacy(model))
-    for name, scan, T in zip(SCANS, scans, found.poses, strict=True):
-        placed = (scan.points[::20] @ T[:3, :3].T + T[:3, 3]).astype(np.float32)
-        assert np.median(scene.compute_distance(placed).numpy()) < 0.0005, name
+    for name, scan, T in zip(SCANS, scans, result.poses, strict=True):
+        transformed = (scan.points[::20] @ T[:3, :3].T + T[:3, 3]).astype(np.float32)
+        assert np.median(scene.compute_distance(transformed).numpy()) < 0.0005, name
 
 
 def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, fragments, rng):
-    """Under any rotation and 50 m apart, against rows made by hand: the target's points taken back to the source."""
+    """For any rotation and 50 m apart, against manual rows: the target's points in source coordinates."""
     from scipy.spatial import cKDTree
     from scipy.spatial.transform import Rotation
 
@@ -129,8 +129,8 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     source, target = (c.points for c in clouds)
     moved = source @ pair.transformation[:3, :3].T + pair.transformation[:3, 3]
     distances, rows = cKDTree(target).query(moved)
-    found = target[rows[distances < MAX_DISTANCE * size]]
-    x, y, z = ((found - pair.transformation[:3, 3]) @ pair.transformation[:3, :3]).T
+    matched = target[rows[distances < MAX_DISTANCE * size]]
+    x, y, z = ((matched - pair.transformation[:3, 3]) @ pair.transformation[:3, :3]).T
     zero, one = np.zeros(len(x)), np.ones(len(x))
     G = np.array([[zero, z, -y, one, zero, zero], [-z, zero, x, zero, one, zero], [y, -x, zero, zero, zero, one]])
     expected = np.einsum("kin,kjn->ij", G, G)
@@ -157,14 +157,14 @@ def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fr
 def test_level_clouds_stay_level(fragments):
     clouds, truth = [], []
     for k, (points, pose) in enumerate(zip(fragments.clouds[:3], fragments.poses[:3], strict=True)):
-        turn = Rotation.from_euler("z", 40 * k, degrees=True).as_matrix()
+        rotation = Rotation.from_euler("z", 40 * k, degrees=True).as_matrix()
         world = points @ pose[:3, :3].T + pose[:3, 3]
-        clouds.append(loom.PointCloud((world - [0.3 * k, 0, 0.1 * k]) @ turn))  # as a leveled scanner would have it
-        truth.append(make_pose(turn, np.array([0.3 * k, 0, 0.1 * k])))
-    found = reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
-    assert found.placed.all()
-    assert np.abs(found.poses[:, 2, :2]).max() < 1e-15 and np.abs(found.poses[:, :2, 2]).max() < 1e-15
-    assert worst_shift(found.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
+        clouds.append(loom.PointCloud((world - [0.3 * k, 0, 0.1 * k]) @ rotation))  # as from a leveled scanner
+        truth.append(make_pose(rotation, np.array([0.3 * k, 0, 0.1 * k])))
+    result = reg.register_fragments(clouds, voxel_size=0.06, free=("x", "y", "z", "yaw"))
+    assert result.placed.all()
+    assert np.abs(result.poses[:, 2, :2]).max() < 1e-15 and np.abs(result.poses[:, :2, 2]).max() < 1e-15
+    assert worst_shift(result.poses, np.linalg.inv(truth[0]) @ truth, [0, 1, 2], clouds[0].points[::50]) < 0.01
     tilted = make_pose(Rotation.from_euler("x", 1, degrees=True).as_matrix(), np.zeros(3))
     known = [FragmentPair(1, 0, tilted, 0.0, 1.0)]
     with pytest.raises(ValueError, match=r"known\[0\]\.transformation:.*1"):

@@ -1,4 +1,4 @@
-"""Registration gives the same bits with any number of threads."""
+"""Registration is bitwise identical for any number of threads."""
 
 from __future__ import annotations
 
@@ -59,13 +59,13 @@ show(odometry.poses, odometry.map.points)
 
 @pytest.mark.slow
 @pytest.mark.slow_on_emulated_cuda("its processes run on the CPU alone")
-def test_the_number_of_threads_changes_no_bit():
+def test_results_are_bitwise_identical_for_any_number_of_threads():
     runs = []
     for threads in ("1", "2"):
         environment = os.environ | {"POINTLOOM_CPU_THREADS": threads}
         environment["PYTHONPATH"] = os.pathsep.join(p for p in sys.path if p)
         pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
         runs.append(subprocess.Popen([sys.executable, "-c", DIGESTS], env=environment, **pipes))
-    answers = [run.communicate() for run in runs]  # both at once: most of their time is the start
+    answers = [run.communicate() for run in runs]  # both at once: startup takes longest
     assert [run.returncode for run in runs] == [0, 0], answers
     assert answers[0][0] == answers[1][0] and len(set(answers[0][0].split())) == 13

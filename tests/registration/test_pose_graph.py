@@ -1,4 +1,4 @@
-"""Pose graphs: what `global_optimization` finds, and what it does not depend on."""
+"""Pose graphs: results of `global_optimization`, and their invariances."""
 
 from __future__ import annotations
 
@@ -29,8 +29,8 @@ from .poses import as_pose
 
 
 @pytest.mark.parametrize("seed", [3, pytest.param(8, marks=pytest.mark.slow)])
-def test_both_methods_find_the_same_minimum(seed, tolerances):
-    """Open3D's Gauss-Newton anchors no node, its system is singular: both walks come out spoilt at one distance."""
+def test_both_methods_converge_to_the_same_minimum(seed, tolerances):
+    """Open3D's Gauss-Newton anchors no node and its system is singular: both results are wrong at one distance."""
     scene = ring(60, seed=seed, noise=0.02, outliers=10)
     for distance in (0.1, 0.3):
         first, second = (solve(scene, method, distance, **TIGHT) for method in METHODS)
@@ -39,15 +39,15 @@ def test_both_methods_find_the_same_minimum(seed, tolerances):
         assert set(scene.wrong) <= set(first.report.pruned_edges.tolist())
 
 
-def test_a_loop_brings_the_walk_nearer_to_the_truth():
+def test_a_loop_closure_moves_the_path_towards_the_truth():
     scene = ring(50, seed=1, noise=0.01)
     solved = poses_of(solve(scene, distance=0.2))
     drift, left = (np.abs(poses - scene.true)[:, :3, 3].max() for poses in (scene.poses, solved))
     assert left < drift / 3
 
 
-def test_the_least_cost_is_stationary():
-    """No small motion of any node lowers the cost as this file computes it, certain contradictions among the edges."""
+def test_the_minimum_cost_is_stationary():
+    """No small motion of any node lowers the cost computed here, with contradictions among the certain edges."""
     scene = ring(6, seed=2, noise=0.05, certain=True)
     i, j, X, Lambda, _ = scene.edges[0]
     rng = np.random.default_rng(4)
@@ -65,14 +65,14 @@ def test_the_least_cost_is_stationary():
                 moved[node] = as_pose(sign * direction[:3], sign * direction[3:]) @ moved[node]
             up, down = (cost_of(moved, scene.edges, 1.0) for moved in there)
             curvatures.append(up + down - 2 * cost)
-            assert step / 2 * abs(up - down) / curvatures[-1] < 1e-6  # how far the minimum lies along this direction
+            assert step / 2 * abs(up - down) / curvatures[-1] < 1e-6  # the distance to the minimum along this direction
     assert min(curvatures) > 0
 
 
 @pytest.mark.parametrize("method", METHODS)
 @given(data=st.data())
 @settings(max_examples=10, deadline=None)
-def test_trees_are_met_exactly(method, data):
+def test_trees_are_solved_exactly(method, data):
     count = data.draw(st.integers(2, 12))
     rng = np.random.default_rng(data.draw(st.integers(0, 2**32)))
     parents = [data.draw(st.integers(0, i - 1)) for i in range(1, count)]
@@ -89,8 +89,8 @@ def test_trees_are_met_exactly(method, data):
 
 
 @ON_REAL_SCANS
-def test_scans_registered_in_pairs_come_together(device, fragment, rng):
-    """Three views of a room by ICP, whose results and information go into the edges as they are."""
+def test_scans_registered_in_pairs_are_aligned(device, fragment, rng):
+    """Three views of a room by ICP; the edges use its results and information directly."""
     import pointloom as loom
 
     true = [
@@ -106,9 +106,9 @@ def test_scans_registered_in_pairs_come_together(device, fragment, rng):
     graph = reg.PoseGraph([reg.PoseGraphNode() for _ in clouds])
     for i, j, uncertain in ((0, 1, False), (1, 2, False), (0, 2, True)):
         plane = reg.TransformationEstimationPointToPlane()
-        found = reg.registration_icp(clouds[i], clouds[j], 0.1, estimation_method=plane)
-        Lambda = reg.get_information_matrix_from_point_clouds(clouds[i], clouds[j], 0.03, found.transformation)
-        graph.edges.append(reg.PoseGraphEdge(i, j, found.transformation, Lambda, uncertain))
+        result = reg.registration_icp(clouds[i], clouds[j], 0.1, estimation_method=plane)
+        Lambda = reg.get_information_matrix_from_point_clouds(clouds[i], clouds[j], 0.03, result.transformation)
+        graph.edges.append(reg.PoseGraphEdge(i, j, result.transformation, Lambda, uncertain))
     wrong = as_pose([0, 0, 0.3], [0.5, 0, 0])
     graph.edges.append(reg.PoseGraphEdge(2, 0, wrong, graph.edges[2].information, True))
     solved = reg.global_optimization(graph, option=reg.GlobalOptimizationOption(0.03, reference_node=0))
@@ -118,7 +118,7 @@ def test_scans_registered_in_pairs_come_together(device, fragment, rng):
 
 
 @pytest.mark.parametrize(("method", "reference"), [(METHODS[0], 0), (METHODS[1], 7), (METHODS[0], 19)])
-def test_the_reference_keeps_its_pose_to_the_bit(reference, method):
+def test_the_reference_pose_is_bitwise_unchanged(reference, method):
     scene = ring(20, seed=5)
     solved = solve(scene, method, reference=reference)
     assert np.array_equal(solved.nodes[reference].pose, scene.poses[reference])
@@ -127,7 +127,7 @@ def test_the_reference_keeps_its_pose_to_the_bit(reference, method):
     np.testing.assert_allclose(*to_reference, rtol=0, atol=1e-5)
 
 
-def test_a_doubled_edge_weighs_as_one_of_twice_the_information():
+def test_a_duplicate_edge_counts_as_one_of_twice_the_information():
     scene = ring(10, seed=7, noise=0.02, certain=True)
     i, j, X, Lambda, _ = scene.edges[3]
     doubled = SimpleNamespace(poses=scene.poses, edges=[*scene.edges, scene.edges[3]])
@@ -138,7 +138,7 @@ def test_a_doubled_edge_weighs_as_one_of_twice_the_information():
     assert np.abs(A - poses_of(solve(scene, **TIGHT))).max() > 1e-5
 
 
-def test_certain_contradictions_are_balanced():
+def test_contradictory_certain_edges_are_balanced():
     two = [(0, 1, as_pose([0, 0, 0], [x, 0, 0]), weight * np.eye(6), False) for x, weight in ((1, 1), (2, 3))]
     solved = solve(SimpleNamespace(poses=np.tile(np.eye(4), (2, 1, 1)), edges=two), **TIGHT)
     np.testing.assert_allclose(solved.nodes[1].pose, as_pose([0, 0, 0], [-1.75, 0, 0]), rtol=0, atol=1e-7)
@@ -148,12 +148,12 @@ def test_certain_contradictions_are_balanced():
 
 def test_an_edge_at_the_threshold_is_dropped():
     """Open3D's rule: edges with a confidence above the threshold are kept."""
-    held = reg.PoseGraphEdge(0, 1)
+    certain = reg.PoseGraphEdge(0, 1)
     loop = reg.PoseGraphEdge(0, 1, uncertain=True)  # met exactly: confidence 1
-    for threshold, kept in ((1.0, 1), (1 - 1e-9, 2)):
+    for threshold, count in ((1.0, 1), (1 - 1e-9, 2)):
         option = reg.GlobalOptimizationOption(edge_prune_threshold=threshold)
-        graph = reg.PoseGraph([reg.PoseGraphNode(), reg.PoseGraphNode()], [held, loop])
-        assert len(reg.global_optimization(graph, option=option).edges) == kept
+        graph = reg.PoseGraph([reg.PoseGraphNode(), reg.PoseGraphNode()], [certain, loop])
+        assert len(reg.global_optimization(graph, option=option).edges) == count
 
 
 def test_confidence_follows_from_the_residual():
@@ -169,18 +169,18 @@ def test_confidence_follows_from_the_residual():
     assert any(0.25 < edge.confidence < 0.999 for edge in solved.edges)
 
 
-def test_preference_and_threshold_decide_what_is_kept():
+def test_preference_and_threshold_determine_the_remaining_edges():
     scene = ring(12, seed=8, noise=0.02)
-    graph, kept = to_graph(scene), []
+    graph, counts = to_graph(scene), []
     before = poses_of(graph), confidences_of(graph)
     for preference, threshold in ((0.1, 0.25), (1.0, 0.25), (10.0, 0.25), (1.0, 0.0), (1.0, 1.0)):
         option = reg.GlobalOptimizationOption(0.05, threshold, preference, 0)
         solved = reg.global_optimization(graph, option=option)
         assert all(edge.confidence > threshold for edge in solved.edges if edge.uncertain)
-        kept.append(sum(edge.uncertain for edge in solved.edges))
+        counts.append(sum(edge.uncertain for edge in solved.edges))
     uncertain = sum(edge.uncertain for edge in graph.edges)
-    assert kept[0] < kept[1] < kept[2] == kept[3] == uncertain, kept
-    assert kept[4] == 0
+    assert counts[0] < counts[1] < counts[2] == counts[3] == uncertain, counts
+    assert counts[4] == 0
     assert graph.report is None and len(graph.edges) == len(scene.edges), "the graph that was given stays as it was"
     for old, new in zip(before, (poses_of(graph), confidences_of(graph)), strict=True):
         np.testing.assert_array_equal(old, new)

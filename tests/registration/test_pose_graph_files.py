@@ -1,4 +1,4 @@
-"""Files of pose graphs: Open3D's JSON both ways, and what is wrong with broken ones."""
+"""Pose graph files: Open3D's JSON in both directions, and errors for broken files."""
 
 from __future__ import annotations
 
@@ -35,12 +35,12 @@ def graph_of(count=4, seed=0) -> reg.PoseGraph:
     return reg.PoseGraph([reg.PoseGraphNode(pose()) for _ in range(count)], edges)
 
 
-def assert_same(ours, theirs) -> None:
-    """The same numbers to the bit."""
-    assert len(ours.nodes) == len(theirs.nodes) and len(ours.edges) == len(theirs.edges)
-    for a, b in zip(ours.nodes, theirs.nodes, strict=True):
+def assert_same(actual, theirs) -> None:
+    """The same numbers, bitwise."""
+    assert len(actual.nodes) == len(theirs.nodes) and len(actual.edges) == len(theirs.edges)
+    for a, b in zip(actual.nodes, theirs.nodes, strict=True):
         assert np.array_equal(a.pose, b.pose)
-    for a, b in zip(ours.edges, theirs.edges, strict=True):
+    for a, b in zip(actual.edges, theirs.edges, strict=True):
         for name in ("source_node_id", "target_node_id", "uncertain", "confidence"):
             assert getattr(a, name) == getattr(b, name)
         assert np.array_equal(a.transformation, b.transformation)
@@ -49,20 +49,20 @@ def assert_same(ours, theirs) -> None:
 
 @pytest.fixture
 def written(tmp_path) -> tuple[Path, dict]:
-    """A good file, and what it holds."""
+    """A valid file and its contents."""
     path = tmp_path / "graph.json"
     reg.write_pose_graph(path, graph_of())
     return path, json.loads(path.read_text())
 
 
-def test_open3d_reads_what_we_write_to_the_bit(tmp_path, o3d):
+def test_open3d_reads_written_files_exactly(tmp_path, o3d):
     graph = graph_of(7)
     reg.write_pose_graph(tmp_path / "graph.json", graph)
     assert_same(graph, o3d.io.read_pose_graph(str(tmp_path / "graph.json")))
 
 
 def written_by_open3d(o3d, graph):
-    """The text of the file that Open3D writes of a graph."""
+    """The text of Open3D's file of a graph."""
     theirs = o3d.pipelines.registration
     other = theirs.PoseGraph()
     for node in graph.nodes:
@@ -78,19 +78,19 @@ def written_by_open3d(o3d, graph):
         return path.read_text()
 
 
-def test_we_read_what_open3d_writes_to_the_bit(tmp_path, oracle):
+def test_files_of_open3d_are_read_exactly(tmp_path, oracle):
     graph = graph_of(5, seed=1)
     (tmp_path / "graph.json").write_text(oracle("registration/pose_graphs/file", written_by_open3d, graph))
     assert_same(reg.read_pose_graph(tmp_path / "graph.json"), graph)
 
 
-def test_a_graph_without_edges_and_one_without_nodes_survive(tmp_path):
+def test_graphs_without_edges_or_nodes_round_trip(tmp_path):
     for graph in (reg.PoseGraph(), reg.PoseGraph([reg.PoseGraphNode()])):
         reg.write_pose_graph(tmp_path / "graph.json", graph)
         assert_same(reg.read_pose_graph(tmp_path / "graph.json"), graph)
 
 
-def test_what_was_assigned_as_lists_is_written_as_arrays_are(tmp_path):
+def test_assigned_lists_are_written_as_arrays(tmp_path):
     graph = graph_of()
     expected = graph_of()
     graph.nodes[0].pose = graph.nodes[0].pose.tolist()
@@ -105,7 +105,7 @@ IDENTITY = np.eye(4).ravel().tolist()
 
 
 @pytest.mark.parametrize(
-    ("place", "value"),
+    ("key_path", "value"),
     [
         ("class_name", "PinholeCameraTrajectory"), ("version_major", 2), ("version_minor", True), ("nodes", {}),
         ("edges", None), ("extra", 1), ("nodes[1]", []), ("nodes[1].pose", IDENTITY[:15]),
@@ -119,10 +119,10 @@ IDENTITY = np.eye(4).ravel().tolist()
         ("edges[2].transformation", [0.0] * 16), ("edges[2].transformation", None), ("edges[2].class_name", None),
     ],
 )  # fmt: skip
-def test_broken_files_are_refused_with_the_place(place, value, written):
+def test_broken_files_are_rejected_with_the_key_path(key_path, value, written):
     """None removes an edge's key."""
     path, content = written
-    *steps, last = place.replace("[", ".").replace("]", "").split(".")
+    *steps, last = key_path.replace("[", ".").replace("]", "").split(".")
     inner = content
     for step in steps:
         inner = inner[int(step) if step.isdigit() else step]
@@ -133,7 +133,7 @@ def test_broken_files_are_refused_with_the_place(place, value, written):
     else:
         inner[last] = value
     path.write_text(json.dumps(content))
-    with pytest.raises(FileError, match=rf"\b{re.escape(place)}(\b|\)|:)"):
+    with pytest.raises(FileError, match=rf"\b{re.escape(key_path)}(\b|\)|:)"):
         reg.read_pose_graph(path)
 
 
@@ -148,14 +148,14 @@ def test_broken_files_are_refused_with_the_place(place, value, written):
         (b'{"class_name": "PoseGraph"', "line 1"),
     ],
 )
-def test_what_is_no_pose_graph_is_refused(text, message, tmp_path):
+def test_invalid_graphs_are_rejected(text, message, tmp_path):
     path = tmp_path / "graph.json"
     path.write_bytes(text)
     with pytest.raises(FileError, match=message):
         reg.read_pose_graph(path)
 
 
-def test_a_missing_file_and_a_folder_are_refused(tmp_path):
+def test_a_missing_file_and_a_folder_are_rejected(tmp_path):
     with pytest.raises(FileError, match=r"/none\.json:"):
         reg.read_pose_graph(tmp_path / "none.json")
     with pytest.raises(FileError, match="cannot be read"):
@@ -164,7 +164,7 @@ def test_a_missing_file_and_a_folder_are_refused(tmp_path):
 
 @given(data=st.data())
 @settings(max_examples=40, deadline=None)
-def test_a_damaged_file_is_read_consistently_or_refused(data):
+def test_a_damaged_file_is_read_consistently_or_rejected(data):
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "graph.json"
         reg.write_pose_graph(path, graph_of(2))
@@ -172,14 +172,14 @@ def test_a_damaged_file_is_read_consistently_or_refused(data):
         for _ in range(data.draw(st.integers(1, 3))):
             if not text:
                 break
-            place = data.draw(st.integers(0, len(text) - 1))
+            offset = data.draw(st.integers(0, len(text) - 1))
             kind = data.draw(st.sampled_from(["set", "cut", "drop"]))
             if kind == "set":
-                text[place] = data.draw(st.sampled_from(list(b'0123456789-+.eE,:[]{}" ntf\x00\xff')))
+                text[offset] = data.draw(st.sampled_from(list(b'0123456789-+.eE,:[]{}" ntf\x00\xff')))
             elif kind == "drop":
-                del text[place]
-            elif place:
-                del text[place:]
+                del text[offset]
+            elif offset:
+                del text[offset:]
         path.write_bytes(text)
         try:
             graph = reg.read_pose_graph(path)
@@ -189,7 +189,7 @@ def test_a_damaged_file_is_read_consistently_or_refused(data):
         assert_same(reg.read_pose_graph(path), graph)
 
 
-def test_files_appear_whole_or_not_at_all(tmp_path, monkeypatch):
+def test_files_are_written_atomically(tmp_path, monkeypatch):
     path = tmp_path / "graph.json"
     reg.write_pose_graph(path, graph_of())
     before = path.read_bytes()
@@ -203,7 +203,7 @@ def test_files_appear_whole_or_not_at_all(tmp_path, monkeypatch):
     assert [file.name for file in tmp_path.iterdir()] == ["graph.json"]
 
 
-def test_what_cannot_be_written_is_refused(tmp_path):
+def test_unwritable_values_are_rejected(tmp_path):
     with pytest.raises(FileError, match=r"/graph\.txt:"):
         reg.write_pose_graph(tmp_path / "graph.txt", graph_of())
     with pytest.raises(FileError, match=r"/graph\.json:"):

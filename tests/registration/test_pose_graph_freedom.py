@@ -1,4 +1,4 @@
-"""Pose graphs with chosen freedom: what is fixed stays as it was given, and what is free goes to the optimum."""
+"""Pose graphs with restricted degrees of freedom: fixed components stay, free components reach the optimum."""
 
 import numpy as np
 from scipy.optimize import least_squares
@@ -12,21 +12,24 @@ OPTION = reg.GlobalOptimizationOption(max_correspondence_distance=0.1, reference
 
 
 def ring(seed, count=8):
-    """Leveled stations on a ring at UTM coordinates, edges with noise in all six motions, starts off in four."""
+    """Leveled stations on a ring at UTM coordinates, edges with noise in six DoF, initial errors in four."""
     rng = np.random.default_rng(seed)
     tilts = [rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]) for _ in range(count)]
     angles = 2 * np.pi * np.arange(count) / count
-    places = np.stack([20 * np.cos(angles) + 4.5e5, 20 * np.sin(angles) + 5.4e6, 0 * angles + 300], axis=1)
-    truth = [make_pose(rotation_of(np.array([0, 0, a])) @ R, p) for a, R, p in zip(angles, tilts, places, strict=True)]
+    positions = np.stack([20 * np.cos(angles) + 4.5e5, 20 * np.sin(angles) + 5.4e6, 0 * angles + 300], axis=1)
+    truth = [
+        make_pose(rotation_of(np.array([0, 0, a])) @ R, p) for a, R, p in zip(angles, tilts, positions, strict=True)
+    ]
     edges = []
     for a, b in [*((i, (i + 1) % count) for i in range(count)), (0, 4), (2, 6)]:
         error = make_pose(rotation_of(rng.normal(0, 2e-3, 3)), rng.normal(0, 0.02, 3))
         edges.append(
             reg.PoseGraphEdge(a, b, error @ invert_pose(truth[b]) @ truth[a], np.diag([400.0] * 3 + [100.0] * 3))
         )
-    turns = [make_pose(rotation_of(np.array([0, 0, y])), np.zeros(3)) for y in rng.normal(0, 0.05, count)]
+    rotations = [make_pose(rotation_of(np.array([0, 0, y])), np.zeros(3)) for y in rng.normal(0, 0.05, count)]
     first = [
-        make_pose(t[:3, :3] @ T[:3, :3], T[:3, 3] + rng.normal(0, 0.3, 3)) for t, T in zip(turns, truth, strict=True)
+        make_pose(t[:3, :3] @ T[:3, :3], T[:3, 3] + rng.normal(0, 0.3, 3))
+        for t, T in zip(rotations, truth, strict=True)
     ]
     first[0] = truth[0]
     return np.array(first), edges
@@ -41,7 +44,7 @@ def residuals(poses, edges):
     return np.concatenate(rows)
 
 
-def test_leveled_nodes_stay_level_to_the_last_digit_and_reach_the_optimum():
+def test_leveled_nodes_stay_exactly_level_and_converge():
     first, edges = ring(0)
     graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in first], edges)
     solved = reg.global_optimization(graph, option=OPTION, free=LEVEL)
@@ -50,22 +53,22 @@ def test_leveled_nodes_stay_level_to_the_last_digit_and_reach_the_optimum():
     middle = first[0, :3, 3]
 
     def moved(x):
-        found = first.copy()
+        result = first.copy()
         for k, (yaw, *shift) in enumerate(x.reshape(-1, 4), start=1):
-            found[k, :3, :3] = rotation_of(np.array([0, 0, yaw])) @ first[k, :3, :3]
-            found[k, :3, 3] = first[k, :3, 3] - middle + shift
-        found[0, :3, 3] = 0
-        return found
+            result[k, :3, :3] = rotation_of(np.array([0, 0, yaw])) @ first[k, :3, :3]
+            result[k, :3, 3] = first[k, :3, 3] - middle + shift
+        result[0, :3, 3] = 0
+        return result
 
     best = least_squares(lambda x: residuals(moved(x), edges), np.zeros(4 * (len(first) - 1)), xtol=1e-14, ftol=1e-14)
     dense = moved(best.x)
     dense[:, :3, 3] += middle
     assert np.abs(poses - dense).max() < 1e-6
-    whole = reg.global_optimization(graph, option=OPTION)
-    assert np.abs(np.array([n.pose for n in whole.nodes])[:, 2, :3] - first[:, 2, :3]).max() > 1e-4
+    unconstrained = reg.global_optimization(graph, option=OPTION)
+    assert np.abs(np.array([n.pose for n in unconstrained.nodes])[:, 2, :3] - first[:, 2, :3]).max() > 1e-4
 
 
-def test_what_is_fixed_stays_and_all_free_is_no_constraint():
+def test_fixed_components_stay_and_all_free_is_no_constraint():
     first, edges = ring(1)
     graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in first], edges)
     rail = np.array([n.pose for n in reg.global_optimization(graph, option=OPTION, free=["x", "z"]).nodes])
@@ -76,7 +79,7 @@ def test_what_is_fixed_stays_and_all_free_is_no_constraint():
     assert [n.pose.tobytes() for n in plain.nodes] == [n.pose.tobytes() for n in named.nodes]
 
 
-def test_the_mean_of_all_level_poses_is_kept():
+def test_the_mean_of_level_poses_is_preserved():
     first, edges = ring(2)
     graph = reg.PoseGraph([reg.PoseGraphNode(T) for T in first], edges)
     poses = np.array([n.pose for n in reg.global_optimization(graph, free=LEVEL).nodes])

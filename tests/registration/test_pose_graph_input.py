@@ -1,4 +1,4 @@
-"""Pose graphs that are empty, cut in parts, not determined or unsound, and arguments out of range."""
+"""Pose graphs that are empty, disconnected, underdetermined or invalid, and arguments out of range."""
 
 from __future__ import annotations
 
@@ -13,8 +13,8 @@ from .pose_rings import METHODS, TIGHT, poses_of, ring, solve, to_graph
 from .poses import as_pose
 
 
-def test_nodes_that_pruning_cuts_off_are_named():
-    """A node that only a wrong edge joins stays where it was put, and the report says so."""
+def test_nodes_separated_by_pruning_are_named():
+    """A node connected only by a wrong edge keeps its pose, and the report names it."""
     scene = ring(8, seed=11, certain=True)
     good = scene.edges[0][3]
     for x in (1.0, -30.0):
@@ -29,8 +29,8 @@ def test_nodes_that_pruning_cuts_off_are_named():
     assert len(solved.nodes) == 9 and np.isfinite(poses_of(solved)).all()
 
 
-def test_no_nodes_one_node_and_two_nodes():
-    """Open3D crashes on the first."""
+def test_graphs_of_at_most_two_nodes():
+    """Open3D crashes without nodes."""
     empty = reg.global_optimization(reg.PoseGraph())
     assert (empty.nodes, empty.edges, empty.report.iterations) == ([], [], 0)
     T = as_pose([0.1, 0.2, 0.3], [1, 2, 3])
@@ -42,9 +42,9 @@ def test_no_nodes_one_node_and_two_nodes():
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_motions_that_no_edge_determines_are_left_alone(method):
+def test_undetermined_motions_are_unchanged(method):
     """Information of rank 5, and none at all: the rest is solved, those directions keep their values."""
-    flat = np.diag([50.0, 50, 0, 0, 0, 100])  # a plane: nothing about x, y and the turn about z
+    flat = np.diag([50.0, 50, 0, 0, 0, 100])  # a plane: no information about x, y and rotation about z
     start = as_pose([0, 0, 0.3], [0.4, 0.2, 0.1])
     edges = [(0, 1, np.eye(4), flat, False), (1, 2, np.eye(4), np.zeros((6, 6)), False)]
     poses = np.array([np.eye(4), start, as_pose([0.1, 0, 0], [7, 8, 9])])
@@ -68,14 +68,14 @@ def test_motions_that_no_edge_determines_are_left_alone(method):
         ),
     ],
 )
-def test_unsound_graphs_are_refused_by_name(change, message):
+def test_invalid_graphs_are_rejected_by_name(change, message):
     graph = to_graph(ring(8, seed=13, loops=6))
     change(graph)
     with pytest.raises(ValueError, match=message):
         reg.global_optimization(graph)
 
 
-def test_parts_that_no_edge_joins_are_counted():
+def test_disconnected_components_are_counted():
     nodes = [reg.PoseGraphNode() for _ in range(40)]
     edges = [reg.PoseGraphEdge(i, i + 1) for i in range(39) if i not in (9, 19)]
     expected = r"node 5 to nodes 10, 11, 12, 13, 14, 15, 16, 17, 18, 19 and 20 more\. Optimize the 3 parts"
@@ -84,7 +84,7 @@ def test_parts_that_no_edge_joins_are_counted():
         reg.global_optimization(reg.PoseGraph(nodes, edges), option=option)
 
 
-def test_too_few_steps_are_told():
+def test_too_few_iterations_are_reported():
     scene = ring(20, seed=14, noise=0.02)
     solved = solve(scene, max_iteration=1)
     assert (solved.report.converged, solved.report.criterion, solved.report.iterations) == (False, "max_iteration", 2)

@@ -1,4 +1,4 @@
-"""Pose graphs beside Open3D's: the same poses, confidences and edges, and where its residual goes wrong."""
+"""Pose graphs against Open3D's: the same poses, confidences and edges, and the failures of its residual."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from .poses import as_pose
 
 
 def solve_by_open3d(o3d, scene, method="LevenbergMarquardt", distance=0.05, reference=0, **values):
-    """Open3D's solution: poses, confidences, and the ends of the edges that are left."""
+    """Open3D's solution: poses, confidences, and the ends of the remaining edges."""
     theirs = o3d.pipelines.registration
     graph, criteria = theirs.PoseGraph(), theirs.GlobalOptimizationConvergenceCriteria()
     for T in scene.poses:
@@ -31,34 +31,32 @@ def solve_by_open3d(o3d, scene, method="LevenbergMarquardt", distance=0.05, refe
 
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize(("count", "outliers"), [(8, 0), (20, 5)])
-def test_poses_confidences_and_edges_are_open3ds(oracle, count, outliers, method, tolerances):
+def test_poses_confidences_and_edges_match_open3d(oracle, count, outliers, method, tolerances):
     scene = ring(count, seed=count + outliers, outliers=outliers)
-    ours, name = solve(scene, method, **TIGHT), f"registration/pose_graphs/{method}_{count}_{outliers}"
+    result, name = solve(scene, method, **TIGHT), f"registration/pose_graphs/{method}_{count}_{outliers}"
     poses, confidences, ends = oracle(name, solve_by_open3d, scene, method, **TIGHT)
-    np.testing.assert_array_equal(ends_of(ours), ends)
-    assert ours.report.pruned_edges.tolist() == scene.wrong
-    np.testing.assert_allclose(poses_of(ours), poses, rtol=0, atol=tolerances.graph_pose)
-    np.testing.assert_allclose(confidences_of(ours), confidences, rtol=0, atol=tolerances.graph_confidence)
-    kept = [edge for i, edge in enumerate(scene.edges) if i not in ours.report.pruned_edges]
+    np.testing.assert_array_equal(ends_of(result), ends)
+    assert result.report.pruned_edges.tolist() == scene.wrong
+    np.testing.assert_allclose(poses_of(result), poses, rtol=0, atol=tolerances.graph_pose)
+    np.testing.assert_allclose(confidences_of(result), confidences, rtol=0, atol=tolerances.graph_confidence)
+    remaining = [edge for i, edge in enumerate(scene.edges) if i not in result.report.pruned_edges]
     for form in (True, False):
-        ours_cost, their_cost = (cost_of(some, kept, 0.05, form) for some in (poses_of(ours), poses))
-        assert abs(ours_cost - their_cost) <= tolerances.graph_cost * their_cost
-    assert ours.report.residual == pytest.approx(cost_of(poses_of(ours), kept, 0.05), rel=1e-9)
+        result_cost, their_cost = (cost_of(some, remaining, 0.05, form) for some in (poses_of(result), poses))
+        assert abs(result_cost - their_cost) <= tolerances.graph_cost * their_cost
+    assert result.report.residual == pytest.approx(cost_of(poses_of(result), remaining, 0.05), rel=1e-9)
 
 
 @pytest.mark.parametrize(
     ("method", "noise", "distance"), [(METHODS[0], 0.02, 0.1), (METHODS[1], 0.02, 0.3), (METHODS[0], 0.05, 0.3)]
 )
-def test_with_usual_criteria_the_residual_is_as_low_as_open3ds_and_the_edges_are_the_same(
-    oracle, noise, distance, method
-):
+def test_default_criteria_give_open3ds_residual_and_edges(oracle, noise, distance, method):
     scene = ring(60, seed=4, noise=noise, outliers=10)
-    ours, name = solve(scene, method, distance), f"registration/pose_graphs/usual_{method}_{noise}_{distance}"
+    result, name = solve(scene, method, distance), f"registration/pose_graphs/usual_{method}_{noise}_{distance}"
     poses, _, ends = oracle(name, solve_by_open3d, scene, method, distance)
-    np.testing.assert_array_equal(ends_of(ours), ends)
-    assert ours.report.pruned_edges.tolist() == scene.wrong
-    least = cost_of(poses, scene.edges, distance)
-    assert cost_of(poses_of(ours), scene.edges, distance) <= least * (1 + 1e-5) and ours.report.converged
+    np.testing.assert_array_equal(ends_of(result), ends)
+    assert result.report.pruned_edges.tolist() == scene.wrong
+    reference_cost = cost_of(poses, scene.edges, distance)
+    assert cost_of(poses_of(result), scene.edges, distance) <= reference_cost * (1 + 1e-5) and result.report.converged
 
 
 def information_of(o3d, points):
@@ -66,8 +64,8 @@ def information_of(o3d, points):
     return o3d.pipelines.registration.get_information_matrix_from_point_clouds(cloud, cloud, 0.01, np.eye(4))
 
 
-def test_information_weighs_rotation_first_as_open3ds_matrices_do(rng, oracle):
-    """e^T Lambda e is the sum of squared distances that a misfit moves the target's points by."""
+def test_information_has_rotation_first_as_in_open3d(rng, oracle):
+    """e^T Lambda e is the sum of squared displacements of the target's points by an error e."""
     points = rng.uniform((2, 0, 1), (4, 2, 3), (500, 3))
     Lambda = oracle("registration/pose_graphs/information", information_of, points)
     E = as_pose(rng.normal(0, 1e-4, 3), rng.normal(0, 1e-4, 3))
@@ -77,23 +75,23 @@ def test_information_weighs_rotation_first_as_open3ds_matrices_do(rng, oracle):
     assert solved.report.initial_residual == pytest.approx(moved, rel=1e-3)
 
 
-def test_without_a_reference_the_mean_stays_as_open3ds_does(oracle, tolerances):
+def test_without_a_reference_the_mean_stays_as_in_open3d(oracle, tolerances):
     scene = ring(20, seed=1, noise=0.002, outliers=3)
-    ours = poses_of(solve(scene, reference=-1, **TIGHT))
+    poses = poses_of(solve(scene, reference=-1, **TIGHT))
     theirs, *_ = oracle("registration/pose_graphs/no_reference", solve_by_open3d, scene, reference=-1, **TIGHT)
-    motion = np.abs(ours - scene.poses).max()
+    motion = np.abs(poses - scene.poses).max()
     assert motion > 1e-3
-    np.testing.assert_allclose(ours, theirs, rtol=0, atol=tolerances.graph_mean_motion)
-    turns = ours[:, :3, :3] @ scene.poses[:, :3, :3].transpose(0, 2, 1)
-    skewed = turns.mean(axis=0) - turns.mean(axis=0).T
-    assert np.abs(skewed).max() < 1e-12  # the mean turn is none
+    np.testing.assert_allclose(poses, theirs, rtol=0, atol=tolerances.graph_mean_motion)
+    rotations = poses[:, :3, :3] @ scene.poses[:, :3, :3].transpose(0, 2, 1)
+    skewed = rotations.mean(axis=0) - rotations.mean(axis=0).T
+    assert np.abs(skewed).max() < 1e-12  # the mean rotation is zero
     middle = scene.poses[:, :3, 3].mean(axis=0)
-    shifts = ours[:, :3, 3] - middle - np.einsum("nij,nj->ni", turns, scene.poses[:, :3, 3] - middle)
+    shifts = poses[:, :3, 3] - middle - np.einsum("nij,nj->ni", rotations, scene.poses[:, :3, 3] - middle)
     assert np.abs(shifts.mean(axis=0)).max() < 1e-12
 
 
-def test_a_loop_closure_wrong_by_half_a_turn_is_dropped():
-    """Open3D's residual sin(a) is 0 there: it keeps the edge with all confidence."""
+def test_a_loop_closure_wrong_by_180_degrees_is_pruned():
+    """Open3D's residual sin(a) is 0 there: it keeps the edge with full confidence."""
     half = (0, 2, as_pose([0, 0, np.pi], [0, 0, 0]), 100 * np.eye(6), True)
     odometry = [(i, i + 1, np.eye(4), 100 * np.eye(6), False) for i in range(2)]
     scene = SimpleNamespace(poses=np.tile(np.eye(4), (3, 1, 1)), edges=[*odometry, half])
@@ -101,8 +99,8 @@ def test_a_loop_closure_wrong_by_half_a_turn_is_dropped():
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_results_do_not_depend_on_the_origin_of_the_world(method):
-    """At UTM coordinates Open3D stops before the first step, its increment being small beside the poses."""
+def test_results_do_not_depend_on_the_world_origin(method):
+    """At UTM coordinates Open3D stops before the first step, as its increment is small relative to the poses."""
     scene = ring(20, seed=1, noise=0.005, outliers=3)
     there = SimpleNamespace(poses=scene.poses.copy(), edges=scene.edges)
     there.poses[:, :3, 3] += (5e5, 5.4e6, 300)
@@ -112,9 +110,9 @@ def test_results_do_not_depend_on_the_origin_of_the_world(method):
 
 
 @pytest.mark.slow
-def test_a_walk_that_drifts_beyond_a_right_angle_closes():
-    """300 nodes whose first poses have turned by 2.4 rad at the end. Open3D's residual sin(a) falls again there: it
-    settles 45 m off."""
+def test_a_path_that_drifts_beyond_90_degrees_is_closed():
+    """300 nodes whose initial poses drift by 2.4 rad at the end. Open3D's residual sin(a) decreases again there: it
+    converges 45 m off."""
     rng = np.random.default_rng(13)
     count = 300
     true = [as_pose([0, 0, 2 * np.pi * i / count], [0, 0, 0]) @ as_pose([0, 0, 0], [20, 0, 0]) for i in range(count)]
@@ -138,8 +136,8 @@ def defaults_of(o3d):
     return [{name: getattr(one, name) for name in dir(one) if not name.startswith("_")} for one in both]
 
 
-def test_defaults_are_open3ds(oracle):
+def test_defaults_match_open3d(oracle):
     criteria, option = oracle("registration/pose_graphs/defaults", defaults_of)
-    ours = reg.GlobalOptimizationConvergenceCriteria(), reg.GlobalOptimizationOption()
-    for mine, theirs in zip(ours, (criteria, option), strict=True):
+    defaults = reg.GlobalOptimizationConvergenceCriteria(), reg.GlobalOptimizationOption()
+    for mine, theirs in zip(defaults, (criteria, option), strict=True):
         assert theirs == {name: getattr(mine, name) for name in theirs}

@@ -1,4 +1,4 @@
-"""The arithmetic under pose graphs: residuals, Jacobians, rotations and the sparse system, against plain formulas."""
+"""Pose graph arithmetic: residuals, Jacobians, rotations and the sparse system against plain formulas."""
 
 from __future__ import annotations
 
@@ -15,11 +15,11 @@ from pointloom.registration.pose_graphs.pose_graph import GraphArrays
 from pointloom.registration.pose_graphs.pose_graph_system import EdgeMeasurements, NodePoses, NormalEquations
 from pointloom.registration.rigid import rotations_of
 
-HALF_TURNS = [[np.pi, 0, 0], [0, np.pi, 0], [0, 0, np.pi], [np.pi / 2**0.5] * 2 + [0]]
+ROTATIONS_BY_PI = [[np.pi, 0, 0], [0, np.pi, 0], [0, 0, np.pi], [np.pi / 2**0.5] * 2 + [0]]
 
 
 def graph_of(seed, *, nodes=5, edges=9) -> GraphArrays:
-    """Nodes anywhere, misfits of up to some radians, several edges between the same nodes."""
+    """Random nodes, errors of up to some radians, several edges between the same nodes."""
     rng = np.random.default_rng(seed)
     ends = np.array([rng.choice(nodes, 2, replace=False) for _ in range(edges)])
     poses, measured = (np.tile(np.eye(4), (count, 1, 1)) for count in (nodes, edges))
@@ -43,23 +43,23 @@ def parts_of(graph) -> SimpleNamespace:
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_residuals_are_those_of_the_misfits_themselves(seed):
+def test_residuals_match_their_definition(seed):
     graph = graph_of(seed)
     scene = parts_of(graph)
-    misfit = scene.edges.errors(scene.poses)
+    errors = scene.edges.errors(scene.poses)
     for k in range(len(graph.source)):
         X, Ts, Tt = graph.transformations[k], graph.poses[graph.source[k]], graph.poses[graph.target[k]]
         E = np.linalg.inv(X) @ np.linalg.inv(Tt) @ Ts
         vector = Rotation.from_matrix(E[:3, :3]).as_rotvec()
         angle = np.linalg.norm(vector)
         expected = np.concatenate([2 * np.sin(angle / 2) / angle * vector, E[:3, 3]])
-        np.testing.assert_allclose(misfit.residuals[k], expected, rtol=0, atol=1e-13 * max(1, np.abs(expected).max()))
-        assert misfit.squares[k] == pytest.approx(expected @ graph.information[k] @ expected, rel=1e-12)
-        assert misfit.scalars[k] == pytest.approx(np.cos(angle / 2), abs=1e-14)
+        np.testing.assert_allclose(errors.residuals[k], expected, rtol=0, atol=1e-13 * max(1, np.abs(expected).max()))
+        assert errors.squares[k] == pytest.approx(expected @ graph.information[k] @ expected, rel=1e-12)
+        assert errors.scalars[k] == pytest.approx(np.cos(angle / 2), abs=1e-14)
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_jacobians_are_the_slopes_of_the_residuals(seed):
+def test_jacobians_match_numerical_derivatives(seed):
     graph = graph_of(seed)
     scene = parts_of(graph)
     jacobians = scene.edges.jacobians(scene.poses, scene.edges.errors(scene.poses))
@@ -75,21 +75,21 @@ def test_jacobians_are_the_slopes_of_the_residuals(seed):
 
 @pytest.mark.parametrize("anchors", [[0], [2], [1, 4], [0, 1, 2, 3, 4]])
 @pytest.mark.parametrize("seed", range(2))
-def test_the_sparse_system_is_the_dense_one(seed, anchors):
+def test_the_sparse_system_equals_the_dense_one(seed, anchors):
     graph = graph_of(seed, edges=14)
     scene = parts_of(graph)
     count = len(graph.poses)
     anchored = np.isin(np.arange(count), anchors)
     system = NormalEquations(scene.edges, anchored)
-    misfit = scene.edges.errors(scene.poses)
+    errors = scene.edges.errors(scene.poses)
     weights = np.linspace(0.1, 1, len(graph.source))
-    system.linearize(scene.poses, misfit, weights)
+    system.linearize(scene.poses, errors, weights)
     J = np.zeros((len(graph.source), 6, 6 * count))
-    for k, (by_source, by_target) in enumerate(zip(*scene.edges.jacobians(scene.poses, misfit), strict=True)):
+    for k, (by_source, by_target) in enumerate(zip(*scene.edges.jacobians(scene.poses, errors), strict=True)):
         J[k, :, 6 * graph.source[k] : 6 * graph.source[k] + 6] = by_source
         J[k, :, 6 * graph.target[k] : 6 * graph.target[k] + 6] = by_target
     H = np.einsum("k,kia,kij,kjb->ab", weights, J, graph.information, J)
-    right = -np.einsum("k,kia,kij,kj->a", weights, J, graph.information, misfit.residuals)
+    right = -np.einsum("k,kia,kij,kj->a", weights, J, graph.information, errors.residuals)
     free = (6 * system.free[:, None] + np.arange(6)).ravel()
     assert sorted(system.free) == np.flatnonzero(~anchored).tolist()
     scale = np.abs(H).max()
@@ -103,7 +103,7 @@ def test_the_sparse_system_is_the_dense_one(seed, anchors):
         assert np.array_equal(step[system.free].ravel(), solution) and not step[anchored].any()
 
 
-def test_damping_does_not_depend_on_how_the_world_is_turned():
+def test_damping_is_invariant_to_world_rotation():
     graph = graph_of(7, edges=14)
     W = Rotation.from_rotvec([0.4, 1.0, -2.0]).as_matrix()
     steps = []
@@ -118,7 +118,7 @@ def test_damping_does_not_depend_on_how_the_world_is_turned():
 
 @given(vector=st.tuples(*[st.floats(-4, 4)] * 3))
 @settings(max_examples=40, deadline=None)
-def test_rotations_and_quaternions_are_scipys(vector):
+def test_rotations_and_quaternions_match_scipy(vector):
     R = rotations_of(np.array([vector]))
     expected = Rotation.from_rotvec(vector)
     np.testing.assert_allclose(R[0], expected.as_matrix(), rtol=0, atol=5e-15)
@@ -128,8 +128,8 @@ def test_rotations_and_quaternions_are_scipys(vector):
     np.testing.assert_allclose(Rotation.from_quat(quaternion).as_matrix(), R[0], rtol=0, atol=1e-14)
 
 
-@pytest.mark.parametrize("vector", [[0, 0, 0], [1e-9, 0, 0], [1e-170, 0, 0], *HALF_TURNS])
-def test_rotations_are_exact_near_no_turn_and_half_a_turn(vector):
+@pytest.mark.parametrize("vector", [[0, 0, 0], [1e-9, 0, 0], [1e-170, 0, 0], *ROTATIONS_BY_PI])
+def test_rotations_are_exact_near_0_and_180_degrees(vector):
     R = rotations_of(np.array([vector], float))
     quaternion = rotations_to_quaternions(R)[0]
     angle = np.linalg.norm(vector)
@@ -138,8 +138,8 @@ def test_rotations_are_exact_near_no_turn_and_half_a_turn(vector):
     np.testing.assert_allclose(sign * quaternion, expected, rtol=1e-15, atol=2e-16)
 
 
-def test_nearest_rotations_mend_what_files_round():
+def test_nearest_rotations_correct_rounding():
     R = Rotation.random(20, random_state=1).as_matrix()
-    mended = nearest_rotations(np.round(R, 3))
-    assert np.abs(mended @ mended.transpose(0, 2, 1) - np.eye(3)).max() < 1e-14
-    assert np.abs(mended - R).max() < 1e-3
+    corrected = nearest_rotations(np.round(R, 3))
+    assert np.abs(corrected @ corrected.transpose(0, 2, 1) - np.eye(3)).max() < 1e-14
+    assert np.abs(corrected - R).max() < 1e-3

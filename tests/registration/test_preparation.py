@@ -1,4 +1,4 @@
-"""What a cloud needs for an estimator: who lacks it is told what to call, and what it brings is taken."""
+"""Attributes that estimators require: errors name the method that provides them, existing ones are used."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from pointloom.registration.icp.preparation import doppler_measurements, general
 from .color_surfaces import wavy
 
 
-def test_covariances_are_the_clouds_own_then_its_normals_then_its_neighbors(device, rng, tolerances):
+def test_covariances_come_from_the_cloud_its_normals_or_its_neighbors(device, rng, tolerances):
     cloud = loom.PointCloud(wavy(rng, 400), device=device)
     near = generalized_covariances(cloud, 1e-3).numpy()
     np.testing.assert_array_equal(near, plane_covariances(cloud.search_tree(), 20, 1e-3).numpy())
@@ -22,9 +22,9 @@ def test_covariances_are_the_clouds_own_then_its_normals_then_its_neighbors(devi
     assert generalized_covariances(measured, 0.5) is measured.array("covariances")
     wide = cloud.copy()
     wide["covariances"] = measured["covariances"].astype(np.float64)
-    found = generalized_covariances(wide, 0.5)
-    assert found.dtype == float32
-    np.testing.assert_array_equal(found.numpy(), measured["covariances"])
+    result = generalized_covariances(wide, 0.5)
+    assert result.dtype == float32
+    np.testing.assert_array_equal(result.numpy(), measured["covariances"])
     wide["covariances"] = np.zeros((400, 6))
     with pytest.raises(ValueError, match="target:"):
         generalized_covariances(wide, 0.5, "target")
@@ -38,19 +38,19 @@ def test_directions_point_from_the_sensor_to_the_points(device, shape, dtype, rn
     cloud = loom.PointCloud(
         points, dopplers=speeds.reshape(shape).astype(dtype), device=device, origin=[5.0, -9.0, 1.0]
     )
-    found = doppler_measurements(cloud)
+    result = doppler_measurements(cloud)
     expected = points / np.maximum(np.linalg.norm(points, axis=1, keepdims=True), 1e-9)
-    np.testing.assert_allclose(np.delete(found.directions.numpy(), 7, 0), np.delete(expected, 7, 0), atol=1e-5)
-    np.testing.assert_array_equal(found.dopplers.numpy(), speeds.astype(np.float32))
-    assert found.dopplers.dtype == float32 and found.dopplers.shape == (300,)
+    np.testing.assert_allclose(np.delete(result.directions.numpy(), 7, 0), np.delete(expected, 7, 0), atol=1e-5)
+    np.testing.assert_array_equal(result.dopplers.numpy(), speeds.astype(np.float32))
+    assert result.dopplers.dtype == float32 and result.dopplers.shape == (300,)
 
 
-def test_directions_that_a_cloud_brings_are_taken(device, rng):
+def test_given_directions_are_used(device, rng):
     cloud = loom.PointCloud(rng.normal(size=(40, 3)), dopplers=np.zeros(40), device=device)
     for dtype in (np.float32, np.float64):
         cloud["directions"] = np.tile([0, 3, 4.0], (40, 1)).astype(dtype)
-        found = doppler_measurements(cloud).directions.numpy()
-        np.testing.assert_allclose(found, np.tile([0, 0.6, 0.8], (40, 1)), atol=1e-7)
+        directions = doppler_measurements(cloud).directions.numpy()
+        np.testing.assert_allclose(directions, np.tile([0, 0.6, 0.8], (40, 1)), atol=1e-7)
     cloud["directions"] = np.zeros((40, 2))
     with pytest.raises(ValueError, match="source:"):
         doppler_measurements(cloud)

@@ -1,4 +1,4 @@
-"""RANSAC: right among mostly wrong correspondences, as good as Open3D on real scans, the same bits for a seed."""
+"""RANSAC: robust to mostly wrong correspondences, as good as Open3D on real scans, bitwise reproducible for a seed."""
 
 from __future__ import annotations
 
@@ -20,14 +20,14 @@ reg = loom.registration
 
 
 @pytest.mark.parametrize("ransac_n", [4, 8])
-def test_any_size_of_sample_finds_it(device, rng, ransac_n, angle_between):
+def test_any_sample_size_recovers_the_pose(device, rng, ransac_n, angle_between):
     case = made_up(rng, outliers=0.4)
     result = ransac(case, device, ransac_n=ransac_n)
     assert angle_between(result.transformation, case.T) < 0.05 and result.fitness > 0.99
 
 
 @pytest.mark.slow
-def test_scale_is_found_where_it_is_asked_for(device, rng, angle_between):
+def test_scale_is_estimated_on_request(device, rng, angle_between):
     case = made_up(rng, outliers=0.7, scale=1.7)
     method = reg.TransformationEstimationPointToPoint(with_scaling=True)
     result = ransac(case, device, estimation_method=method)
@@ -41,15 +41,15 @@ def test_scale_is_found_where_it_is_asked_for(device, rng, angle_between):
     assert ransac(case, device).fitness < 0.3, "a rigid motion cannot bring them together"
 
 
-def test_winner_is_refined_beyond_its_sample(device, rng, angle_between):
-    """Without any fit to more than a sample the error is up to half a degree here, without that to the clouds 0.3."""
+def test_the_best_hypothesis_is_refined_beyond_its_sample(device, rng, angle_between):
+    """Without any refit the error is up to half a degree here, without the refit to the clouds 0.3."""
     case = made_up(rng, outliers=0.5, noise=0.01)
     errors = [angle_between(ransac(case, device, 0.03, seed=seed).transformation, case.T) for seed in range(4)]
     assert max(errors) < 0.1
 
 
-def test_more_matches_win_then_smaller_distances(device, rng):
-    """Two poses with the same points matched: an exact copy and one pushed aside by half the distance."""
+def test_hypotheses_are_ranked_by_matches_then_distance(device, rng):
+    """Two poses with the same matched points: an exact copy and one shifted by half the distance."""
     points = rng.uniform(-1, 1, (300, 3))
     target = np.concatenate(
         [points + np.array([5, 0, 0]), points + np.array([0, 5, 0]) + 0.006 * rng.choice([-1, 1], (300, 3))]
@@ -65,8 +65,8 @@ def test_more_matches_win_then_smaller_distances(device, rng):
     np.testing.assert_allclose(result.transformation[:3, 3], [5, 0, 0], atol=1e-5)
 
 
-def test_whole_cloud_decides_not_the_correspondences(device, rng):
-    """Most given correspondences agree on a pose under which few of the source's points lie on the target."""
+def test_fitness_of_all_points_decides_not_the_correspondences(device, rng):
+    """Most given correspondences agree on a pose that matches few of the source's points."""
     shape = rng.uniform(-1, 1, (600, 3))
     lump = rng.uniform(-0.1, 0.1, (120, 3))  # the source's corner that has a copy elsewhere in the target
     source = np.concatenate([shape, lump])
@@ -79,11 +79,11 @@ def test_whole_cloud_decides_not_the_correspondences(device, rng):
     np.testing.assert_allclose(result.transformation, T_true, atol=1e-4)
 
 
-def test_normal_checker_tells_a_shape_from_its_mirror_image_upside_down(device, rng):
-    """A flat grid fits itself face up and face down; only the normals know."""
+def test_normal_checker_rejects_an_upside_down_mirror_image(device, rng):
+    """A flat grid fits itself face up and face down; only the normals distinguish them."""
     flat = np.column_stack([rng.uniform(-1, 1, (400, 2)), np.zeros(400)])
-    turn = np.diag([1.0, -1, -1, 1])
-    both = np.concatenate([flat, moved(flat, turn)])
+    rotation = np.diag([1.0, -1, -1, 1])
+    both = np.concatenate([flat, moved(flat, rotation)])
     normals = np.tile([0, 0, 1.0], (400, 1))
     pairs = np.concatenate(
         [
@@ -101,11 +101,11 @@ def test_normal_checker_tells_a_shape_from_its_mirror_image_upside_down(device, 
     assert result.fitness > 0.99, "missing normals pass"
 
 
-def test_rotation_checker_keeps_the_pose_that_turns_less(device, rng):
+def test_rotation_checker_selects_the_smaller_rotation(device, rng):
     points = rng.uniform(-1, 1, (300, 3))
-    turned = moved(points, np.diag([-1.0, -1, 1, 1])) + np.array([4, 0, 0])
+    rotated = moved(points, np.diag([-1.0, -1, 1, 1])) + np.array([4, 0, 0])
     pairs = np.concatenate([np.column_stack([np.arange(300), k * 300 + np.arange(300)]) for k in (0, 1, 1, 1)])
-    case = SimpleNamespace(source=points, target=np.concatenate([points, turned]), pairs=pairs)
+    case = SimpleNamespace(source=points, target=np.concatenate([points, rotated]), pairs=pairs)
     level = CorrespondenceCheckerBasedOnSourceRotation([0.2, 0.2, 1.0])
     np.testing.assert_allclose(ransac(case, device, checkers=[level]).transformation, np.eye(4), atol=1e-5)
 
@@ -117,15 +117,15 @@ def test_confidence_one_draws_all_hypotheses(device, rng):
     assert result.fitness > 0.99
 
 
-def test_an_iteration_is_enough_where_all_are_right(device, rng):
+def test_one_iteration_suffices_without_outliers(device, rng):
     case = made_up(rng, 200, outliers=0.0, noise=0.0)
     result = ransac(case, device, criteria=reg.RANSACConvergenceCriteria(1))
     assert result.iterations == 1 and result.fitness == 1
 
 
-def test_another_seed_gives_another_course(device, rng):
+def test_another_seed_gives_other_samples(device, rng):
     case = made_up(rng, outliers=0.9, noise=0.005)
-    limits = reg.RANSACConvergenceCriteria(40)  # so few that luck decides
+    limits = reg.RANSACConvergenceCriteria(40)  # so few that chance decides
     poses = {ransac(case, device, seed=seed, criteria=limits).transformation.tobytes() for seed in range(5)}
     assert len(poses) == 5
 
@@ -149,7 +149,7 @@ def test_the_stricter_of_two_checkers_counts_on_the_device():
         assert tuple(both.rotation) == (0.1, 2.0, 0.3)
 
 
-def test_a_pose_with_a_low_score_is_unreliable_though_the_search_converged(device, rng):
+def test_a_pose_with_a_low_score_is_unreliable_although_the_search_converged(device, rng):
     case = made_up(rng, 200, outliers=0.0)
     result = ransac(case, device)
     assert result.converged and result.score == 0, "scattered points show no surface"

@@ -1,4 +1,4 @@
-"""RANSAC beside Open3D's: a featured, the numbers of a result, and what each checker answers."""
+"""RANSAC against Open3D's: results from the same features, and each checker."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def tutorial_checkers(library, distance=DISTANCE):
 def median_of_open3d(featured, o3d, to_open3d):
     """The median fitness of Open3D over nine seeds, from the same points and features.
 
-    Its fitness ranges from 0.58 to 0.61 with the seed, ours from 0.605 to 0.606: a best of three is chance.
+    Its fitness ranges from 0.58 to 0.61 with the seed, pointloom's from 0.605 to 0.606: the best of three is random.
     """
     r = o3d.pipelines.registration
     pair, features = [], []
@@ -33,14 +33,14 @@ def median_of_open3d(featured, o3d, to_open3d):
         feature.data = cloud.feature.T.astype(np.float64)
         features.append(feature)
     method, criteria = r.TransformationEstimationPointToPoint(False), r.RANSACConvergenceCriteria(100000, 0.999)
-    found = []
+    fitnesses = []
     for seed in range(9):
         o3d.utility.random.seed(seed)
         result = r.registration_ransac_based_on_feature_matching(
             *pair, *features, True, DISTANCE, method, 3, tutorial_checkers(r), criteria
         )
-        found.append(result.fitness)
-    return float(np.median(found))
+        fitnesses.append(result.fitness)
+    return float(np.median(fitnesses))
 
 
 def kitchen_clouds(featured, device):
@@ -63,7 +63,7 @@ def test_kitchen_is_registered_at_least_as_well_as_by_open3d(
     assert result.score > 0.5
 
 
-def test_fitness_error_and_correspondences_are_open3ds_of_that_pose(device, featured, o3d, to_open3d, tolerances):
+def test_fitness_error_and_correspondences_match_open3d_at_that_pose(device, featured, o3d, to_open3d, tolerances):
     features = featured.source.feature, featured.target.feature
     pair = kitchen_clouds(featured, device)
     result = reg.registration_ransac_based_on_feature_matching(*pair, *features, True, DISTANCE)
@@ -72,8 +72,8 @@ def test_fitness_error_and_correspondences_are_open3ds_of_that_pose(device, feat
     )
     assert abs(result.fitness - expected.fitness) <= 1.5 / len(pair[0]), "a point at the very distance"
     assert abs(result.inlier_rmse - expected.inlier_rmse) < tolerances.distance_absolute
-    ours, theirs = ({tuple(pair) for pair in np.asarray(r.correspondence_set)} for r in (result, expected))
-    assert len(ours ^ theirs) <= 4
+    actual, theirs = ({tuple(pair) for pair in np.asarray(r.correspondence_set)} for r in (result, expected))
+    assert len(actual ^ theirs) <= 4
 
 
 CHECKERS = {
@@ -85,7 +85,7 @@ CHECKERS = {
 
 
 def small_cases():
-    """Clouds on a lattice, with equal lengths and coincident points, pairs of them and poses."""
+    """Lattice clouds with equal lengths and coincident points, pairs and poses."""
     for seed in range(120):
         rng = np.random.default_rng(seed)
         points = rng.integers(0, 3, (2, 6, 3)).astype(float)
@@ -99,17 +99,17 @@ def small_cases():
 
 def checked_by_open3d(o3d):
     """Whether each of the small cases passes each checker."""
-    theirs, found = o3d.pipelines.registration, []
+    theirs, results = o3d.pipelines.registration, []
     for points, normals, pairs, T in small_cases():
         clouds = [o3d.geometry.PointCloud(o3d.utility.Vector3dVector(p)) for p in points.astype(np.float32)]
         for cloud, n in zip(clouds, () if normals is None else normals):  # noqa: B905
             cloud.normals = o3d.utility.Vector3dVector(n)
         pairs = o3d.utility.Vector2iVector(pairs)
-        found.append([make(theirs).Check(*clouds, pairs, T) for make in CHECKERS.values()])
-    return np.array(found)
+        results.append([make(theirs).Check(*clouds, pairs, T) for make in CHECKERS.values()])
+    return np.array(results)
 
 
-def test_a_checkers_answer_is_open3ds(oracle):
+def test_checkers_match_open3d(oracle):
     expected = oracle("registration/ransac/checkers", checked_by_open3d)
     assert (expected.mean(axis=0) > 0.05).all() and (expected.mean(axis=0) < 0.95).all()
     for (points, normals, pairs, T), answers in zip(small_cases(), expected, strict=True):

@@ -1,4 +1,4 @@
-"""The rating of a pose is high where clouds lie on each other, low where they do not, and says so of real scans."""
+"""The rating of a pose is high for aligned clouds and low otherwise, also for real scans."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ rate = loom.registration.rate_registration
 
 
 def about(points, vector, shift):
-    """A motion by a rotation about the middle of some points, and a shift."""
+    """A rotation about the centroid of some points, and a shift."""
     T, middle = as_pose(vector, [0, 0, 0]), points.mean(axis=0)
     T[:3, 3] = middle - T[:3, :3] @ middle + shift
     return T
@@ -43,7 +43,7 @@ def hills(rng, count, noise=0.002):
 
 
 def hall(rng, count=40000):
-    """A closed room of 4 x 3 x 2.4 m with round lumps on its floor and walls, as all of it is seen from its middle."""
+    """A closed room of 4 x 3 x 2.4 m with round bumps on its floor and walls, all visible from its center."""
     size, lumps = (
         np.array([4, 3, 2.4]),
         [((1, 1, 0), 0.4), ((3.2, 2, 0), 0.3), ((0, 2.2, 1), 0.35), ((2.5, 3, 1.5), 0.4)],
@@ -63,7 +63,7 @@ def hall(rng, count=40000):
 
 
 @pytest.mark.parametrize("share", [1.0, 0.3])
-def test_the_right_pose_is_accepted_at_partial_overlap(device, rng, share):
+def test_the_correct_pose_is_accepted_at_partial_overlap(device, rng, share):
     left, right = hills(rng, 30000), hills(rng, 30000)
     left, right = left[left[:, 0] < 2 * share], right[right[:, 0] > -2 * share]
     T = as_pose([0.5, 1.0, -2.0], [3, 4, 5])
@@ -71,7 +71,7 @@ def test_the_right_pose_is_accepted_at_partial_overlap(device, rng, share):
     assert rate(source, loom.PointCloud(right, device=device), T, 0.12) > 0.9
 
 
-def test_a_pose_that_is_a_little_off_is_accepted_and_one_farther_off_is_not(device, rng):
+def test_a_slightly_wrong_pose_is_accepted_and_a_worse_one_is_not(device, rng):
     clouds = [loom.PointCloud(hills(rng, 20000), device=device) for _ in range(2)]
     for shift in ((0.3, 0, 0), (0, 0.4, 0), (0, 0, 0.3)):
         assert rate(*clouds, as_pose([0, 0, 0], shift), 0.1) < 0.3
@@ -79,7 +79,7 @@ def test_a_pose_that_is_a_little_off_is_accepted_and_one_farther_off_is_not(devi
     assert min(scores[:3]) > 0.9 and max(scores[3:]) < 0.5
 
 
-def test_rating_is_the_same_both_ways_and_in_any_frame(device, rng):
+def test_rating_is_symmetric_and_frame_invariant(device, rng):
     left, right = hills(rng, 12000), hills(rng, 12000)
     source, target = loom.PointCloud(left, device=device), loom.PointCloud(right + 0.03, device=device)
     T = as_pose([0, 0, 0], [0.03, 0.03, 0.03])
@@ -97,18 +97,18 @@ def test_a_scale_is_taken_into_account(device, rng):
     assert rate(source, target, T, 0.1) > 0.9 > 0.5 > rate(source, target, np.eye(4), 0.1)
 
 
-def test_what_leaves_a_motion_open_is_rejected(device, rng):
+def test_underconstrained_poses_are_rejected(device, rng):
     plane, sphere = rng.uniform(-1, 1, (8000, 3)), rng.normal(size=(8000, 3))
     plane[:, 2] = rng.normal(0, 0.004, 8000)
     sphere *= (1 + rng.normal(0, 0.004, (8000, 1))) / np.linalg.norm(sphere, axis=1, keepdims=True)
-    turn, along = rng.uniform(0, 2 * np.pi, 8000), rng.uniform(-1, 1, 8000)
-    tube = np.column_stack([0.5 * np.cos(turn), 0.5 * np.sin(turn), along]) + rng.normal(0, 0.004, (8000, 3))
+    angle, along = rng.uniform(0, 2 * np.pi, 8000), rng.uniform(-1, 1, 8000)
+    tube = np.column_stack([0.5 * np.cos(angle), 0.5 * np.sin(angle), along]) + rng.normal(0, 0.004, (8000, 3))
     for points in (plane, sphere, tube):
         cloud = loom.PointCloud(points, device=device)
         assert rate(cloud, cloud, np.eye(4), 0.12) < 0.3
 
 
-def test_what_stands_in_a_corner_of_a_room_tells_it_from_others(device, rng):
+def test_objects_in_a_corner_distinguish_a_room(device, rng):
     bare, one, again, other = (loom.PointCloud(corner(rng, b), device=device) for b in ((), ONE, ONE, OTHER))
     for source, target in ((one, bare), (bare, one), (one, other)):
         assert rate(source, target, np.eye(4), 0.09) < 0.1
@@ -116,7 +116,7 @@ def test_what_stands_in_a_corner_of_a_room_tells_it_from_others(device, rng):
 
 
 @pytest.mark.slow
-def test_what_stands_where_the_other_cloud_saw_through_speaks_against_a_pose(device, rng):
+def test_points_in_observed_free_space_count_against_a_pose(device, rng):
     room, other = hall(rng), hall(rng)
     screen = np.column_stack([np.full(8000, 2.0), rng.uniform(0.6, 2.4, 8000), rng.uniform(0.5, 1.9, 8000)])
     target = loom.PointCloud(other, device=device)
@@ -127,17 +127,17 @@ def test_what_stands_where_the_other_cloud_saw_through_speaks_against_a_pose(dev
 
 
 @pytest.mark.parametrize("count", [0, 1, 4])
-def test_clouds_without_a_surface_get_nothing(device, rng, count):
+def test_clouds_without_a_surface_score_zero(device, rng, count):
     few, many = loom.PointCloud(rng.random((count, 3)), device=device), loom.PointCloud(hills(rng, 5000), device=device)
     assert rate(few, many, np.eye(4), 0.1) == rate(many, few, np.eye(4), 0.1) == 0.0
 
 
-def test_clouds_far_from_each_other_get_nothing(device, rng):
+def test_distant_clouds_score_zero(device, rng):
     cloud = loom.PointCloud(hills(rng, 5000), device=device)
     assert rate(cloud, cloud, as_pose([0, 0, 0], [100, 0, 0]), 0.1) == 0.0
 
 
-def test_right_and_wrong_poses_of_rooms_are_told_apart(device, room_pair, rng):
+def test_correct_and_wrong_room_poses_are_distinguished(device, room_pair, rng):
     source, target = room_pair.source[::8], room_pair.target[::8]
     clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
     assert rate(*clouds, room_pair.T, 0.075) > 0.9
@@ -146,7 +146,7 @@ def test_right_and_wrong_poses_of_rooms_are_told_apart(device, room_pair, rng):
         assert rate(*clouds, wrong, 0.075) < 0.3, k
 
 
-def test_normals_point_to_the_hollow_side_however_the_cloud_is_turned(device, rng):
+def test_normals_point_to_the_hollow_side_for_any_rotation(device, rng):
     ball = rng.normal(size=(6000, 3))
     ball /= np.linalg.norm(ball, axis=1, keepdims=True)
     for T in (np.eye(4), as_pose([1.0, 2.0, -0.5], [5, 6, 7])):
@@ -157,7 +157,7 @@ def test_normals_point_to_the_hollow_side_however_the_cloud_is_turned(device, rn
         assert (np.einsum("ij,ij->i", normals, -(ball @ T[:3, :3].T)) > 0.99).all()
 
 
-def test_normals_are_those_of_the_plane_fit(device, rng):
+def test_normals_match_the_plane_fit(device, rng):
     points = hills(rng, 3000)
     cloud = loom.PointCloud(points, device=device)
     surface = Surface(cloud.array("points"), 0.25, 0.4)
@@ -171,9 +171,9 @@ def test_points_without_a_surface_around_them_are_left_out(device, rng):
     line = np.linspace(0, 1, 50)[:, None] * [1, 0, 0] + [0, 0, 10]
     points = np.r_[surface, line, [[0, 0, 20.0]], [[np.nan, 0, 0]]]
     cloud = loom.PointCloud(points, device=device)
-    found = Surface(cloud.array("points"), 0.25, 0.4)
-    assert len(found) == 3000 and (found.points.numpy() == cloud.array("points").numpy()[:3000]).all()
-    normals = find_sides(found.tree, 1e-6, 1e-6).numpy()
+    result = Surface(cloud.array("points"), 0.25, 0.4)
+    assert len(result) == 3000 and (result.points.numpy() == cloud.array("points").numpy()[:3000]).all()
+    normals = find_sides(result.tree, 1e-6, 1e-6).numpy()
     assert np.isnan(normals).all()
 
 
@@ -181,7 +181,7 @@ def weigh_overlap(source, target, T, *limits, **options):
     return weigh_overlaps([(source, target, T)], *limits, **options)[0]
 
 
-def test_the_evidence_is_that_of_brute_force(device, rng):
+def test_the_evidence_matches_brute_force(device, rng):
     left, right = hills(rng, 1500), hills(rng, 1500)
     clouds = [loom.PointCloud(points, device=device) for points in (left[left[:, 0] < 0.5], right)]
     source, target = (surface_of(cloud, 0.1) for cloud in clouds)
@@ -207,7 +207,7 @@ def test_the_evidence_is_that_of_brute_force(device, rng):
     np.testing.assert_allclose(matched, (J * weights[:, None]).T @ J, rtol=1e-2, atol=1.0)
 
 
-def test_poses_that_are_asked_for_together_have_the_evidence_of_each(device, rng):
+def test_batched_poses_have_the_evidence_of_each(device, rng):
     source, target = (surface_of(loom.PointCloud(hills(rng, 1500), device=device), 0.1) for _ in range(2))
     poses = np.array([np.eye(4), as_pose([0, 0, 0.02], [0.05, 0, 0]), as_pose([0, 0, 0], [50, 0, 0])])
     for beside in (False, True):
@@ -217,18 +217,18 @@ def test_poses_that_are_asked_for_together_have_the_evidence_of_each(device, rng
         assert rating.compare_under(source, target, poses[:0], 0.15, beside_planes=beside) == []
 
 
-def test_beside_planes_of_other_boxes_nothing_matches(device, rng):
+def test_other_boxes_give_no_matches_beside_the_planes(device, rng):
     source, target = (surface_of(loom.PointCloud(corner(rng, b, 12000), device=device), 0.06) for b in (ONE, OTHER))
     both = [weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)]
     assert both[0][MATCHED_AT] > 0.3 * both[0][NEAR_AT]
     assert both[1][MATCHED_AT] < 0.1 * both[1][NEAR_AT] and both[1][NEAR_AT] > 100
 
 
-def test_rating_is_no_better_than_what_lies_beside_the_planes():
+def test_rating_is_limited_by_points_beside_the_planes():
     assert Evidence(0.9, 0.03, 1000, rest=0.0).score < 1e-6
     scores = [Evidence(0.8, 0.03, 1000, rest=rest).score for rest in (0.05, 0.15, 0.25, 0.4, 0.8)]
     assert np.all(np.diff(scores) > 0) and scores[1] < 0.5 < scores[2] and scores[4] > 0.99
-    assert Evidence(0.4, 0.03, 1000, rest=0.15).score > 0.5  # noise lowers the whole and the rest
+    assert Evidence(0.4, 0.03, 1000, rest=0.15).score > 0.5  # noise lowers the total and the rest
     assert Evidence(0.1, 0.03, 1000, rest=0.9).score == Evidence(0.1, 0.03, 1000).score < 0.3
 
 
@@ -243,13 +243,13 @@ def test_what_is_as_square_as_the_walls_has_to_be_more():
 
 def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
     monkeypatch.setattr(rating, "count_blocked", lambda source, target, pose: 0.0)
-    found, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
+    evidence, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
     for count in (20, 50, 100, 200):
         monkeypatch.setattr(rating, "compare_surfaces", lambda *_, m=count, **__: Evidence(0.2, 0.03, m, aligned=0.6))
-        rests.append(rating.complete(found, bare, bare, np.eye(4), 0.1).rest)
+        rests.append(rating.complete(evidence, bare, bare, np.eye(4), 0.1).rest)
     assert rests == pytest.approx([0.04, 0.1, 0.2, 0.2])
     monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 50, aligned=0.2))
-    assert rating.complete(found, bare, bare, np.eye(4), 0.1).rest == pytest.approx(0.2)  # as on hills
+    assert rating.complete(evidence, bare, bare, np.eye(4), 0.1).rest == pytest.approx(0.2)  # as on hills
     monkeypatch.setattr(rating, "compare_surfaces", lambda *_, **__: Evidence(0.2, 0.03, 30, aligned=0.6))
     few = rating.complete(Evidence(0.5, 0.03, 400), bare, bare, np.eye(4), 0.1)  # a small cloud has no more
     assert few.rest == pytest.approx(0.2)
@@ -258,9 +258,9 @@ def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
 def directions_of(normals, where):
     """The directions of planes with these normals."""
     planes = MainPlanes.of(np.zeros((len(normals), 3)), normals, where)
-    found, count = empty(MAX_DIRECTIONS, vec3, where), empty(1, int32, where)
-    find_directions(planes, found, count)
-    return found.numpy()[: int(count.numpy()[0])]
+    directions, count = empty(MAX_DIRECTIONS, vec3, where), empty(1, int32, where)
+    find_directions(planes, directions, count)
+    return directions.numpy()[: int(count.numpy()[0])]
 
 
 def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
@@ -270,13 +270,13 @@ def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
     assert len(directions_of(np.array([[0, 0, 1.0], [0.8, 0, 0.6]]), where)) == 2
     assert len(directions_of(np.empty((0, 3)), where)) == 0
     source, target = (surface_of(loom.PointCloud(corner(rng, ONE, 12000), device=device), 0.06) for _ in range(2))
-    whole, beside = (
+    aligned, beside = (
         weigh_overlap(source, target, np.eye(4), 0.09, 0.36, 0.866, 0.018, beside_planes=b) for b in (False, True)
     )
-    assert whole[ALIGNED_AT] == 0 and beside[ALIGNED_AT] > 0.6 * beside[MATCHED_AT]
+    assert aligned[ALIGNED_AT] == 0 and beside[ALIGNED_AT] > 0.6 * beside[MATCHED_AT]
 
 
-def test_the_more_points_stand_in_the_way_the_lower_is_the_score():
+def test_more_blocking_points_lower_the_score():
     scores = [Evidence(0.8, 0.03, 1000, rest=0.8, blocked=share).score for share in (0.0, 0.01, 0.02, 0.04, 0.2)]
     assert np.all(np.diff(scores) < 0) and scores[1] > 0.9 and scores[3] < 0.1
     assert "saw through" in Evidence(0.8, 0.03, 1000, rest=0.8, blocked=0.1).problem
@@ -286,7 +286,7 @@ def test_the_more_points_stand_in_the_way_the_lower_is_the_score():
     assert "can rotate or slide" in Evidence(0.8, 0.0001, 1000).problem
 
 
-def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():
+def test_rating_grows_with_overlap_and_constraint_and_needs_enough_matches():
     assert Evidence(0.0, 0.0, 0.0).score == 0.0
     shares = [Evidence(share, 0.03, 1000).score for share in (0.05, 0.15, 0.2, 0.3, 0.6)]
     assert np.all(np.diff(shares) > 0) and shares[1] < 0.4 and shares[3] > 0.8
@@ -294,7 +294,7 @@ def test_rating_grows_with_share_and_firmness_and_wants_enough_matches():
     assert Evidence(0.9, 0.03, 10).score < 0.5
 
 
-def test_a_score_is_that_of_the_clouds_that_were_registered(device, rng):
+def test_a_score_belongs_to_the_registered_clouds(device, rng):
     points = hills(rng, 4000)
     source, target = (loom.PointCloud(points, device=device) for _ in range(2))
     pairs = np.column_stack([np.arange(0, 4000, 10)] * 2)

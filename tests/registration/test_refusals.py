@@ -1,6 +1,6 @@
-"""Arguments that are out of range, lack something or contradict each other are refused by an error that names them.
+"""Arguments that are out of range, incomplete or contradictory raise errors that name them.
 
-test_hostile_arguments.py tries values of every kind; here stand the limits of each argument.
+test_hostile_arguments.py tests values of every kind; this file tests the limits of each argument.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from pointloom.registration.pose_graphs.pose_graph_optimization import GlobalOpt
 
 from .test_hostile_arguments import things as good_arguments
 
-# A line each: how the message begins, as a regular expression, and the call over `things()`.
+# One line per case: the beginning of the message as a regular expression, and the call over `things()`.
 VALUE_ERRORS = r"""
 k: | reg.HuberLoss(0)
 k: | reg.CauchyLoss(-1)

@@ -1,4 +1,4 @@
-"""Clouds alone come together from any pose, or the result says why not; the same bits every time."""
+"""Global registration from any pose, or a result with the reason of failure; bitwise reproducible."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from .room_corners import ONE, OTHER, corner
 reg = loom.registration
 
 
-def test_surfaces_come_together_from_any_pose(device, hilly_pair, tolerances):
+def test_surfaces_are_registered_from_any_pose(device, hilly_pair, tolerances):
     source, target, T = hilly_pair
     result = reg.register_globally(
         loom.PointCloud(source, device=device), loom.PointCloud(target, device=device), voxel_size=0.08
@@ -31,7 +31,7 @@ def test_surfaces_come_together_from_any_pose(device, hilly_pair, tolerances):
     assert len(pairs) > 0.4 * len(source) and apart.max() <= 0.12
 
 
-def test_without_refinement_the_pose_is_that_of_the_correspondences(device, hilly_pair):
+def test_without_refinement_the_pose_is_from_the_correspondences(device, hilly_pair):
     source, target, T = hilly_pair
     clouds = [loom.PointCloud(points, device=device) for points in (source, target)]
     result = reg.register_globally(*clouds, voxel_size=0.08, refine=False)
@@ -57,7 +57,7 @@ def test_attributes_origins_and_stray_points_change_nothing(device, hilly_pair, 
 
 
 @pytest.mark.parametrize("seed", range(4))
-def test_rooms_come_together_from_any_pose(device, room_pair, tolerances, seed):
+def test_rooms_are_registered_from_any_pose(device, room_pair, tolerances, seed):
     rng = np.random.default_rng(seed)
     start = random_pose(rng, 2.0)
     step = 8  # of 313,395 and 258,342 points, still several a voxel
@@ -68,7 +68,7 @@ def test_rooms_come_together_from_any_pose(device, room_pair, tolerances, seed):
     angle, distance = misplacement(result.transformation, T, source)
     assert angle < tolerances.global_kitchen_degrees and distance < tolerances.global_kitchen_distance
     assert result.score > 0.8
-    # ICP from the true pose comes to rest as far from it: the fragments are not rigid copies of each other.
+    # ICP from the true pose converges equally far away: the fragments are not rigid copies of each other.
     target = clouds[1].estimate_normals(radius=0.1, max_nn=30)
     plane = reg.TransformationEstimationPointToPlane()
     rests = [reg.registration_icp(clouds[0], target, 0.05, M, plane).transformation for M in (result.transformation, T)]
@@ -88,7 +88,7 @@ def nowhere(rng):
     return np.full((100, 3), np.nan), rng.random((500, 3))
 
 
-def at_one_place(rng):
+def coincident(rng):
     return np.ones((500, 3)), np.ones((500, 3))
 
 
@@ -110,8 +110,8 @@ def spheres(rng):
 
 
 def tubes(rng):
-    turn, along = rng.uniform(0, 2 * np.pi, (2, 8000)), rng.uniform(-1, 1, (2, 8000))
-    p = np.stack([0.5 * np.cos(turn), 0.5 * np.sin(turn), along], axis=2) + rng.normal(0, 0.004, (2, 8000, 3))
+    angle, along = rng.uniform(0, 2 * np.pi, (2, 8000)), rng.uniform(-1, 1, (2, 8000))
+    p = np.stack([0.5 * np.cos(angle), 0.5 * np.sin(angle), along], axis=2) + rng.normal(0, 0.004, (2, 8000, 3))
     return p[0], p[1]
 
 
@@ -128,13 +128,13 @@ def too_small(rng):
 
 
 HOPELESS = [
-    empty, one_point, nowhere, at_one_place, on_a_line, planes, spheres, tubes, clouds_without_surface, too_large,
+    empty, one_point, nowhere, coincident, on_a_line, planes, spheres, tubes, clouds_without_surface, too_large,
     too_small,
 ]  # fmt: skip
 
 
 @pytest.mark.parametrize("make", HOPELESS, ids=lambda make: make.__name__)
-def test_the_hopeless_ends_with_a_reason(device, rng, make):
+def test_impossible_registrations_fail_with_a_reason(device, rng, make):
     source, target = (loom.PointCloud(points, device=device) for points in make(rng))
     result = reg.register_globally(source, target, voxel_size=0.1)
     assert 0 <= result.score < 0.5 and not result.converged
@@ -152,7 +152,7 @@ def test_rooms_that_share_nothing_but_walls_are_rejected(device, rng):
 
 
 def test_of_few_voxels_a_pose_that_fits_by_chance_is_rejected(device):
-    """Each of these was, 84 to 177 degrees off: so few voxels match that some pose of a search fits as well."""
+    """Each of these was 84 to 177 degrees off: with so few voxels, some pose of a search fits by chance."""
     frames = loom.datasets.room_frames(24)
     for i, j, voxel in ((6, 14, 0.6), (16, 0, 0.6), (17, 4, 0.75), (1, 23, 0.6), (2, 20, 0.6)):
         pair = [

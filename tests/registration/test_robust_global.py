@@ -1,4 +1,4 @@
-"""Registration without a starting pose by correspondences of which nearly all are wrong."""
+"""Global registration from correspondences with nearly all outliers."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ reg = loom.registration
 
 
 def rough_pair(rng, count=1000, right=30, noise=0.003):
-    """Random points in a unit cube, moved, of whose `count` correspondences `right` are right."""
+    """Random points in a unit cube, moved, with `count` correspondences of which `right` are correct."""
     p = rng.random((count, 3))
     T = random_pose(rng)
     q = moved(p, T) + rng.normal(0, noise, p.shape)
@@ -31,7 +31,7 @@ def rough_pair(rng, count=1000, right=30, noise=0.003):
 
 
 @pytest.mark.parametrize(("count", "right"), [(300, 30), (2000, 25)])
-def test_the_pose_is_found_among_wrong_correspondences(device, rng, tolerances, count, right):
+def test_the_pose_is_estimated_among_outlier_correspondences(device, rng, tolerances, count, right):
     p, q, pairs, T = rough_pair(rng, count, right)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
     result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015)
@@ -41,7 +41,7 @@ def test_the_pose_is_found_among_wrong_correspondences(device, rng, tolerances, 
 
 
 @pytest.mark.slow
-def test_one_right_correspondence_in_a_hundred_is_enough_in_ten_thousand(device, rng, tolerances):
+def test_one_percent_of_ten_thousand_correspondences_suffices(device, rng, tolerances):
     p, q, pairs, T = rough_pair(rng, 10000, 100, noise=0.002)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
     result = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.01)
@@ -49,7 +49,7 @@ def test_one_right_correspondence_in_a_hundred_is_enough_in_ten_thousand(device,
     assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance and result.score > 0.9
 
 
-def test_wrong_correspondences_alone_are_rejected(device, rng):
+def test_outliers_alone_are_rejected(device, rng):
     for count in (20, 200, 1500):
         p, q, pairs, _ = rough_pair(rng, count, 0)
         result = reg.registration_robust_based_on_correspondence(
@@ -58,15 +58,15 @@ def test_wrong_correspondences_alone_are_rejected(device, rng):
         assert result.score < 0.3 and not result.converged
 
 
-def test_two_motions_with_as_many_correspondences_are_ambiguous(device, rng):
+def test_two_motions_with_equal_support_are_ambiguous(device, rng):
     p = rng.random((200, 3))
     q = np.vstack([moved(p[:100], random_pose(rng)), moved(p[100:], random_pose(rng))])
     pairs = np.column_stack([np.arange(200)] * 2)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
     even = reg.registration_robust_based_on_correspondence(source, target, pairs, 0.01)
-    most = reg.registration_robust_based_on_correspondence(source, target, pairs[:125], 0.01)
+    majority = reg.registration_robust_based_on_correspondence(source, target, pairs[:125], 0.01)
     assert even.score < 0.1 and not even.converged and "another pose" in even.warnings[0]
-    assert most.score > 0.8 and most.converged
+    assert majority.score > 0.8 and majority.converged
 
 
 @settings(max_examples=15, deadline=None)
@@ -81,7 +81,7 @@ def test_exact_correspondences_give_the_exact_pose(seed, count):
     assert result.fitness == 1.0
 
 
-def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, tolerances):
+def test_non_finite_points_and_duplicates_change_nothing(device, rng, tolerances):
     p, q, pairs, T = rough_pair(rng, 500, 40)
     p[7], q[9, 1] = np.nan, np.inf
     wrong = pairs[pairs[:, 0] != pairs[:, 1]]
@@ -92,28 +92,28 @@ def test_points_that_are_not_finite_and_duplicates_change_nothing(device, rng, t
     assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
 
 
-def test_three_correspondences_give_a_pose_that_is_rejected(device):
+def test_a_pose_from_three_correspondences_is_rejected(device):
     cloud = loom.PointCloud(np.eye(3), device=device)
     result = reg.registration_robust_based_on_correspondence(cloud, cloud, [[0, 0], [1, 1], [2, 2]], 0.1)
     np.testing.assert_allclose(result.transformation, np.eye(4), atol=1e-6)
     assert result.score < 0.1
 
 
-def test_the_seed_chooses_where_correspondences_are_too_many(device, rng, tolerances, monkeypatch):
+def test_the_seed_selects_among_too_many_correspondences(device, rng, tolerances, monkeypatch):
     monkeypatch.setattr(global_registration, "MAX_PAIRS", 300)
     p, q, pairs, T = rough_pair(rng, 1000, 400)
     source, target = loom.PointCloud(p, device=device), loom.PointCloud(q, device=device)
-    found = [
+    results = [
         reg.registration_robust_based_on_correspondence(source, target, pairs, 0.015, seed=seed).transformation
         for seed in (0, 0, 1)
     ]
-    assert (found[0] == found[1]).all() and (found[0] != found[2]).any()
-    for transformation in found:
+    assert (results[0] == results[1]).all() and (results[0] != results[2]).any()
+    for transformation in results:
         angle, distance = misplacement(transformation, T, p)
         assert angle < tolerances.robust_degrees and distance < tolerances.robust_distance
 
 
-def test_score_grows_with_the_lead_over_the_next():
+def test_score_grows_with_the_lead_over_the_second_pose():
     assert rate_support(np.array([])) == 0.0
     assert rate_support(np.array([3.0])) < 0.1
     assert rate_support(np.array([22.0, 10.0])) == pytest.approx(0.5)
@@ -122,7 +122,7 @@ def test_score_grows_with_the_lead_over_the_next():
 
 
 @pytest.mark.slow
-def test_features_find_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle_between):
+def test_features_give_the_pose_and_the_clouds_rate_it(device, hilly_pair, angle_between):
     source, target, T = hilly_pair
     clouds = []
     for points in (source, target):

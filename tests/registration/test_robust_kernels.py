@@ -1,4 +1,4 @@
-"""Robust weights against Open3D's and Barron's formulas, the device's against the host's."""
+"""Robust weights against Open3D's and Barron's formulas, on device and host."""
 
 import itertools
 import math
@@ -40,7 +40,7 @@ LOSSES = {
 
 
 def barron(r, c, alpha):
-    """The general kernel's rho'(r) / r (Barron 2019, equation 9), its special cases as limits."""
+    """The general kernel's rho'(r) / r (Barron 2019, equation 9), with its special cases as limits."""
     x = (r / c) ** 2
     if alpha == 2:
         return np.ones_like(r) / c**2
@@ -52,30 +52,30 @@ def barron(r, c, alpha):
 
 
 def weights_of(o3d, r):
-    """Open3D's weights of residuals, by the name of the kernel."""
+    """Open3D's weights of residuals for each kernel."""
     theirs = o3d.pipelines.registration
     made = {name: getattr(theirs, name)() for name in ("L2Loss", "L1Loss")}
     made |= {f"{name} {k}": getattr(theirs, name)(k) for name in NAMED for k in SCALES}
     return {name: np.array([loss.weight(x) for x in r]) for name, loss in made.items()}
 
 
-def test_weights_are_open3ds(oracle, tolerances):
+def test_weights_match_open3d(oracle, tolerances):
     r = residuals()[::7]
-    r = r[np.abs(r) > 2e-9]  # 1 / |r| ends at 1e-9
+    r = r[np.abs(r) > 2e-9]  # 1 / |r| is limited at 1e-9
     for case, expected in oracle("registration/robust_kernels", weights_of, r).items():
         name, *k = case.split()
         loss = getattr(reg, name)(*map(float, k))
         np.testing.assert_allclose(loss.weight(r), expected, rtol=tolerances.weight, err_msg=case)
 
 
-def test_the_general_weights_are_barrons(tolerances):
+def test_the_general_weights_match_barron(tolerances):
     r = residuals()
     for k, shape in itertools.product(SCALES, (2.0, 1.0, 0.5, 0.0, -2.0, -1e3, -math.inf)):
-        found = GeneralizedLoss(k, shape).weight(r)
-        np.testing.assert_allclose(found, barron(r, k, shape), rtol=tolerances.weight, err_msg=f"{k}, {shape}")
+        result = GeneralizedLoss(k, shape).weight(r)
+        np.testing.assert_allclose(result, barron(r, k, shape), rtol=tolerances.weight, err_msg=f"{k}, {shape}")
 
 
-def test_the_general_kernel_holds_the_others():
+def test_the_general_kernel_includes_the_others():
     r = np.linspace(-3, 3, 101)
     np.testing.assert_allclose(GeneralizedLoss(0.7, 2).weight(r) * 0.49, reg.L2Loss().weight(r), rtol=1e-14)
     cauchy = reg.CauchyLoss(0.7 * math.sqrt(2)).weight(r)
@@ -88,14 +88,14 @@ def test_the_general_kernel_holds_the_others():
 @pytest.mark.parametrize(
     ("limit", "near", "step"), [(0.0, 1e-6, 1e-5), (0.0, -1e-6, 1e-5), (2.0, 2 - 2.1e-3, 1e-2), (-math.inf, -9e6, 1e-5)]
 )
-def test_the_general_weights_have_no_steps(limit, near, step):
-    """The largest is at 2: shapes as near as 2e-3 are taken for 2, as Open3D has it."""
+def test_the_general_weights_are_continuous(limit, near, step):
+    """The largest step is at 2: shapes within 2e-3 are treated as 2, as in Open3D."""
     r = np.linspace(0, 4, 60)
-    whole, beside = GeneralizedLoss(1.0, limit).weight(r), GeneralizedLoss(1.0, near).weight(r)
-    np.testing.assert_allclose(beside, whole, rtol=step)
+    at_limit, beside = GeneralizedLoss(1.0, limit).weight(r), GeneralizedLoss(1.0, near).weight(r)
+    np.testing.assert_allclose(beside, at_limit, rtol=step)
 
 
-def test_the_device_weighs_as_the_host_does(device, tolerances):
+def test_device_weights_match_the_host(device, tolerances):
     where, r = resolve_device(device), residuals()
     weights, given = empty(len(r), float64, where), upload(r, float64, where)
     for name, loss in LOSSES.items():

@@ -1,4 +1,4 @@
-"""The scale and the place of a model of structure from motion from what else is known."""
+"""The scale and pose of a structure-from-motion model from other known data."""
 
 from __future__ import annotations
 
@@ -11,16 +11,16 @@ from pointloom.registration.trajectories.similarity import fit_to_positions, rea
 
 from ..io.sfm_models import LENS, ring_model
 
-TURN = ring_model().T_camera_world[2, :3, :3]
+ROTATION = ring_model().T_camera_world[2, :3, :3]
 
 
 def similarity(scale: float = 3.5, shift=(10.0, -20.0, 5.0)) -> np.ndarray:
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = scale * TURN, shift
+    T[:3, :3], T[:3, 3] = scale * ROTATION, shift
     return T
 
 
-def walk(count: int = 40, *, seed: int = 0) -> loom.SfmModel:
+def curved_path(count: int = 40, *, seed: int = 0) -> loom.SfmModel:
     """Cameras along a curve, without points."""
     rng = np.random.default_rng(seed)
     s = np.linspace(0, 6, count)
@@ -35,21 +35,21 @@ def positions_of(model: loom.SfmModel, T: np.ndarray) -> dict[str, np.ndarray]:
 
 
 def test_a_known_distance_gives_the_scale():
-    model = walk()
+    model = curved_path()
     factor = scale_from_known(model, "frame_0003.png", "frame_0030.png", 7.5)
     scaled = model.scaled(factor)
     a, b = (scaled.centers[model.index_of(name)] for name in ("frame_0003.png", "frame_0030.png"))
     assert np.linalg.norm(a - b) == pytest.approx(7.5)
 
 
-def test_a_distance_may_be_one_between_points():
-    assert scale_from_known(walk(), [0, 0, 0], [0, 0.25, 0], 1.0) == 4.0
+def test_a_distance_can_be_between_points():
+    assert scale_from_known(curved_path(), [0, 0, 0], [0, 0.25, 0], 1.0) == 4.0
 
 
 @pytest.mark.parametrize("scale", [1e-5, 3.5, 1e5])
 @pytest.mark.parametrize("shift", [(0.0, 0.0, 0.0), (5e5, 5.4e6, 100.0)])
 def test_exact_positions_give_the_similarity(scale, shift):
-    model, T = walk(), similarity(scale, shift)
+    model, T = curved_path(), similarity(scale, shift)
     fit = fit_to_positions(model, positions_of(model, T))
     assert fit.scale == pytest.approx(scale, rel=1e-8 + 1e-9 * max(shift) / scale)
     assert fit.inliers.all()
@@ -61,8 +61,8 @@ def test_exact_positions_give_the_similarity(scale, shift):
 
 @pytest.mark.parametrize("wrong", [0, 4, 12, 18])
 @pytest.mark.parametrize("limit", [None, 0.2])
-def test_wrong_positions_are_found_and_left_out(wrong, limit):
-    model, T = walk(), similarity()
+def test_wrong_positions_are_detected_and_excluded(wrong, limit):
+    model, T = curved_path(), similarity()
     rng = np.random.default_rng(wrong)
     positions = positions_of(model, T)
     for name in positions:
@@ -81,8 +81,8 @@ def test_wrong_positions_are_found_and_left_out(wrong, limit):
     assert (fit.residuals[~np.isin(fit.names, far)] < 0.25).all()
 
 
-def test_few_positions_of_some_pictures_are_enough():
-    model, T = walk(), similarity()
+def test_few_positions_of_some_images_suffice():
+    model, T = curved_path(), similarity()
     known = positions_of(model, T)
     some = {name: known[name] for name in model.names[::15]} | {"elsewhere.png": (0, 0, 0)}
     fit = fit_to_positions(model, some)
@@ -90,8 +90,8 @@ def test_few_positions_of_some_pictures_are_enough():
     assert np.abs(fit.transformation - T).max() < 1e-8
 
 
-def test_the_answer_is_the_same_twice():
-    model = walk(200)
+def test_the_result_is_reproducible():
+    model = curved_path(200)
     rng = np.random.default_rng(1)
     known = {n: p + rng.normal(0, 0.1, 3) for n, p in positions_of(model, similarity()).items()}
     a, b = (fit_to_positions(model, known, seed=3) for _ in range(2))
@@ -100,27 +100,27 @@ def test_the_answer_is_the_same_twice():
 
 
 @pytest.mark.slow
-def test_the_uncertainty_of_the_rotation_is_that_of_many_trials():
-    """About the axis of an almost straight walk it is large, and the figure says how large."""
-    model = walk(30)
+def test_the_rotation_uncertainty_matches_many_trials():
+    """About the axis of an almost straight path it is large, and the reported value matches."""
+    model = curved_path(30)
     thin = np.diag([1.0, 0.02, 0.02, 1.0])
     poses = model.T_camera_world.copy()
     poses[:, :3, 3] = poses[:, :3, 3] @ thin[:3, :3]
     model = loom.SfmModel(model.names, model.cameras, poses)
     rng = np.random.default_rng(0)
-    angles, told = [], []
+    angles, uncertainties = [], []
     for _ in range(60):
         known = {n: p + rng.normal(0, 0.005, 3) for n, p in positions_of(model, np.eye(4)).items()}
         fit = fit_to_positions(model, known, max_error=1.0)
         R = fit.transformation[:3, :3] / fit.scale
         angles.append(np.degrees((R[2, 1] - R[1, 2]) / 2))
-        told.append(fit.rotation_uncertainty)
-    assert np.std(angles) == pytest.approx(np.median(told), rel=0.5)
-    assert np.median(told) > 1.0
+        uncertainties.append(fit.rotation_uncertainty)
+    assert np.std(angles) == pytest.approx(np.median(uncertainties), rel=0.5)
+    assert np.median(uncertainties) > 1.0
 
 
 def test_cameras_on_a_line_are_refused():
-    model = walk()
+    model = curved_path()
     line = {name: (i, 2.0 * i, 0.0) for i, name in enumerate(model.names)}
     with pytest.raises(ValueError, match="positions:"):
         fit_to_positions(model, line)
@@ -135,9 +135,9 @@ def test_a_file_of_names_and_positions_is_read(tmp_path):
     names = ("left/IMG 1.JPG", "left/IMG_2.JPG", "right/IMG_3.JPG")
     path = tmp_path / "known.txt"
     path.write_text("# name x y z\nleft/IMG 1.JPG 1 2 3\nIMG_2 4,5,6\nright/IMG_3,7,8,9\nother.jpg 0 0 0\n")
-    found = read_positions(path, names)
-    assert [found[name].tolist() for name in names] == [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
-    assert len(found) == 3
+    positions = read_positions(path, names)
+    assert [positions[name].tolist() for name in names] == [[1, 2, 3], [4, 5, 6], [7, 8, 9]]
+    assert len(positions) == 3
 
 
 @pytest.mark.parametrize(
@@ -152,7 +152,7 @@ def test_a_file_of_names_and_positions_is_read(tmp_path):
         ("", "contains no pose"),
     ],
 )
-def test_a_file_of_positions_that_makes_no_sense_is_told(tmp_path, text, message):
+def test_an_invalid_position_file_is_rejected(tmp_path, text, message):
     path = tmp_path / "known.txt"
     path.write_text(text)
     with pytest.raises(loom.FileError, match=message):
@@ -160,7 +160,7 @@ def test_a_file_of_positions_that_makes_no_sense_is_told(tmp_path, text, message
 
 
 @pytest.mark.parametrize("kind", ["known.log", "known.tum", "known.txt"])
-def test_a_trajectory_belongs_to_the_pictures_by_number(tmp_path, kind):
+def test_trajectory_poses_are_matched_to_images_by_number(tmp_path, kind):
     """Every fifth frame of a video was chosen, and the trajectory has all frames."""
     names = tuple(f"frame_{i:06d}.color.png" for i in range(0, 50, 5))
     poses = np.tile(np.eye(4), (50, 1, 1))
@@ -171,7 +171,7 @@ def test_a_trajectory_belongs_to_the_pictures_by_number(tmp_path, kind):
     assert [read_positions(path, names)[name][0] for name in names] == list(range(0, 50, 5))
 
 
-def test_the_times_of_a_trajectory_may_be_the_names(tmp_path):
+def test_times_of_a_trajectory_can_be_image_names(tmp_path):
     names = ("1305031102.175304.png", "1305031102.211214.png", "1305031102.275326.png")
     times = [1305031102.175304, 1305031102.211214, 1305031102.275326]
     poses = np.tile(np.eye(4), (3, 1, 1))
@@ -180,11 +180,11 @@ def test_the_times_of_a_trajectory_may_be_the_names(tmp_path):
     assert [read_positions(tmp_path / "t.tum", names)[name][1] for name in names] == [1, 2, 3]
 
 
-def test_a_trajectory_without_numbers_belongs_by_order_where_the_counts_agree(tmp_path):
+def test_a_trajectory_without_numbers_is_matched_by_order_if_the_counts_agree(tmp_path):
     poses = np.tile(np.eye(4), (3, 1, 1))
     poses[:, 2, 3] = [4, 5, 6]
     loom.write_trajectory(tmp_path / "t.kitti", loom.Trajectory(poses))
-    found = read_positions(tmp_path / "t.kitti", ("a.png", "b.png", "c.png"))
-    assert [place[2] for place in found.values()] == [4, 5, 6]
+    positions = read_positions(tmp_path / "t.kitti", ("a.png", "b.png", "c.png"))
+    assert [position[2] for position in positions.values()] == [4, 5, 6]
     with pytest.raises(loom.FileError, match=r"/t\.kitti:.*3.*2"):
         read_positions(tmp_path / "t.kitti", ("a.png", "b.png"))

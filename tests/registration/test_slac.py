@@ -1,4 +1,4 @@
-"""Fragments aligned together: what their camera bent comes straight, what was straight stays, nothing is hidden."""
+"""SLAC aligns fragments: camera distortion is removed, undistorted fragments stay, problems are reported."""
 
 import numpy as np
 import pytest
@@ -30,7 +30,7 @@ def aligned(bent):
 
 
 @pytest.mark.slow
-def test_fragments_that_a_camera_bent_agree_once_it_is_known(aligned):
+def test_distorted_fragments_agree_after_calibration(aligned):
     rigid, solved, _ = aligned
     assert solved.report.rmse[0] == rigid.report.rmse[0] > 0.012
     assert solved.report.rmse[-1] < 0.35 * rigid.report.rmse[-1] < 0.35 * rigid.report.rmse[0]
@@ -48,23 +48,23 @@ def test_the_grid_and_the_poses_that_come_back_belong_together():
 
 
 @pytest.mark.slow
-def test_the_surface_comes_nearer_to_the_truth_than_with_rigid_fragments(bent, aligned):
+def test_the_surface_is_closer_to_the_truth_than_with_rigid_fragments(bent, aligned):
     rigid, solved, grid = aligned
     assert bent.error(solved, grid) < 0.6 * bent.error(rigid)
 
 
 @pytest.mark.slow
-def test_the_grid_finds_how_the_camera_bends(bent, aligned):
-    """Up to a rigid motion, which belongs to the poses, and to a scale, which no fragment can tell."""
+def test_the_grid_recovers_the_camera_distortion(bent, aligned):
+    """Up to a rigid motion, which belongs to the poses, and to a scale, which fragments do not determine."""
     _, _, grid = aligned
     points, truths = (np.concatenate(a) for a in (bent.points, bent.truths))
-    found = np.concatenate([grid.deform(cloud).points for cloud in bent.clouds])
-    before, after = (moved(fit_pose(p, truths, with_scaling=True), p) - truths for p in (points, found))
+    deformed = np.concatenate([grid.deform(cloud).points for cloud in bent.clouds])
+    before, after = (moved(fit_pose(p, truths, with_scaling=True), p) - truths for p in (points, deformed))
     assert np.sqrt((after**2).sum(axis=1).mean()) < 0.5 * np.sqrt((before**2).sum(axis=1).mean())
 
 
 @pytest.mark.slow
-def test_what_is_straight_stays_straight(straight):
+def test_undistorted_fragments_stay_undistorted(straight):
     solved, grid = slac.run_slac_optimizer_for_fragments(straight.clouds, straight.graph)
     shifts = np.linalg.norm(grid.get_curr_positions() - grid.get_init_positions(), axis=1)
     assert np.median(shifts) < 0.001 and shifts.max() < 0.005 and straight.error(solved, grid) < 0.002
@@ -72,7 +72,7 @@ def test_what_is_straight_stays_straight(straight):
 
 @pytest.mark.slow
 @pytest.mark.parametrize("bends", [True, False], ids=["bent", "rigid"])
-def test_poses_that_are_off_come_back(straight, bends):
+def test_pose_errors_are_corrected(straight, bends):
     rng = np.random.default_rng(1)
     nodes = [PoseGraphNode(T @ pose_of(rng.normal(size=6) * (i > 0) * 0.01)) for i, T in enumerate(straight.poses)]
     graph = PoseGraph(nodes, straight.graph.edges)
@@ -81,14 +81,14 @@ def test_poses_that_are_off_come_back(straight, bends):
     else:
         solved = run_rigid_optimizer_for_fragments(straight.clouds, graph)
     errors = [
-        [np.abs(invert_pose(T) @ node.pose - np.eye(4)).max() for node, T in zip(found, straight.poses, strict=True)]
-        for found in (nodes, solved.nodes)
+        [np.abs(invert_pose(T) @ node.pose - np.eye(4)).max() for node, T in zip(current, straight.poses, strict=True)]
+        for current in (nodes, solved.nodes)
     ]
     off, left = np.array(errors)
     assert left.max() < 0.006 < 0.015 < off.max() and np.median(left) < 0.3 * np.median(off)
 
 
-def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays():
+def test_the_first_fragment_keeps_its_pose_and_the_input_graph_is_unchanged():
     clouds, given = two()
     before = [node.pose.copy() for node in given.nodes]
     for graph in (
@@ -102,7 +102,7 @@ def test_the_first_fragment_keeps_its_pose_and_the_graph_given_stays():
 
 
 @pytest.mark.slow
-def test_the_same_bits_come_twice_and_files_change_nothing(bent, aligned, tmp_path, monkeypatch):
+def test_results_are_reproducible_and_equal_for_files(bent, aligned, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     _, first, first_grid = aligned
     second, grid = slac.run_slac_optimizer_for_fragments(bent.clouds, bent.graph)
@@ -112,14 +112,14 @@ def test_the_same_bits_come_twice_and_files_change_nothing(bent, aligned, tmp_pa
 
 
 def corner(count=2500, seed=0, at=(0.3, 0.3, 0.3)):
-    """Points on three walls that meet, a metre wide."""
+    """Points on three walls that meet, one meter wide."""
     points = np.random.default_rng(seed).random((3 * count, 3))
     points.reshape(3, count, 3)[range(3), :, range(3)] = 0
     return points + at
 
 
 def two(offset=0.01, at=(0.3, 0.3, 0.3)):
-    """Two views of one corner, the second told to lie a little off; and their graph."""
+    """Two views of one corner, the second with a small pose error; and their graph."""
     T = np.eye(4)
     T[:3, 3] = offset
     graph = PoseGraph([PoseGraphNode(), PoseGraphNode(T)], [PoseGraphEdge(0, 1)])
@@ -142,7 +142,7 @@ def test_stray_points_are_really_removed():
     assert len(with_stray) == len(grid)
 
 
-def test_far_coordinates_change_nothing(tolerances):
+def test_large_coordinates_change_nothing(tolerances):
     far = np.array([5e5, 4.6e6, 300.0])
     (clouds, graph), (away, there) = two(), two(at=far + 0.3)
     near, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)
@@ -153,7 +153,7 @@ def test_far_coordinates_change_nothing(tolerances):
     assert (far_grid.origin != 0).any() and grid.origin.tolist() == [0, 0, 0]
 
 
-def test_an_edge_that_contradicts_the_poses_is_dropped_and_said():
+def test_an_edge_that_contradicts_the_poses_is_pruned_and_reported():
     clouds, graph = two()
     clouds, wrong = [*clouds, loom.PointCloud(corner(seed=2))], np.eye(4)
     wrong[0, 3] = 0.5
@@ -165,7 +165,7 @@ def test_an_edge_that_contradicts_the_poses_is_dropped_and_said():
     assert solved.report.overlaps[0].correspondences > 500
 
 
-def test_fragments_that_nothing_joins_stay():
+def test_unconnected_fragments_stay():
     clouds, graph = two()
     clouds += [loom.PointCloud(corner(seed=2)) for _ in range(2)]
     T = pose_of(np.array([0.1, 0.2, 0.3, 4, 5, 6]))
@@ -177,7 +177,7 @@ def test_fragments_that_nothing_joins_stay():
     assert (grid.get_curr_positions() == grid.get_init_positions()).all()
 
 
-def test_fragments_may_be_files(tmp_path):
+def test_fragments_can_be_files(tmp_path):
     clouds, graph = two()
     for i, cloud in enumerate(clouds):
         loom.write_point_cloud(tmp_path / f"{i}.pcd", cloud)
@@ -190,7 +190,7 @@ def test_fragments_may_be_files(tmp_path):
     assert steps == [("slac", i, 5) for i in range(6)]
 
 
-def test_a_grid_bends_depth_as_it_bends_points(device):
+def test_a_grid_deforms_depth_like_points(device):
     camera = loom.PinholeCameraIntrinsic(32, 24, 40.0, 40.0, 15.5, 11.5)
     depth = np.full((24, 32), 2000, np.uint16)
     depth[:3] = 0
@@ -201,11 +201,11 @@ def test_a_grid_bends_depth_as_it_bends_points(device):
     grid.set_positions(1.25 * grid.get_init_positions())
     assert np.abs(grid.deform_depth(depth, camera)[3:] - 2.5).max() < 1e-6
     color = np.arange(24 * 32 * 3, dtype=np.uint8).reshape(24, 32, 3)
-    found = grid.deform_rgbd(loom.RGBDImage(color, depth, device=device), camera)
-    assert np.abs(found.depth[3:] - 2.5).max() < 1e-6 and (found.color[3:] == color[3:]).all()
+    deformed = grid.deform_rgbd(loom.RGBDImage(color, depth, device=device), camera)
+    assert np.abs(deformed.depth[3:] - 2.5).max() < 1e-6 and (deformed.color[3:] == color[3:]).all()
 
 
-def test_a_grid_that_is_touched_twice_keeps_its_shifts():
+def test_a_grid_that_is_extended_keeps_its_shifts():
     grid = slac.ControlGrid(1.0)
     assert len(grid) == 0 and grid.get_curr_positions().shape == (0, 3)
     grid.touch(loom.PointCloud([[0.5, 0.5, 0.5]]))
@@ -215,7 +215,7 @@ def test_a_grid_that_is_touched_twice_keeps_its_shifts():
     assert len(grid) == 12 and np.abs(shifts[:8, 0] - 0.1).max() < 1e-12 and not shifts[8:].any()
 
 
-def test_a_cloud_keeps_what_it_carries(rng):
+def test_a_cloud_keeps_its_attributes(rng):
     grid, cloud = slac.ControlGrid(1.0), loom.PointCloud(rng.random((50, 3)), label=np.arange(50))
     grid.touch(cloud)
     cloud = cloud.estimate_covariances()

@@ -1,4 +1,4 @@
-"""Adjusting stations: standard deviations are what errors are, wrong observations are named, and nothing else is."""
+"""Station adjustment: correct standard deviations, and detection of exactly the wrong observations."""
 
 import dataclasses
 
@@ -13,29 +13,29 @@ from pointloom.registration.stations.observations import ControlPoint, StationPa
 from pointloom.registration.stations.snooping import FALSE_ALARM, snoop
 from pointloom.registration.stations.stations import _check_distance, _clustered
 
-PLACES = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
+POSITIONS = np.array([[0, 0, 0], [9, 1, 0.2], [17, -2, 0.1], [18, 8, 0.3], [8, 9, -0.2], [-1, 10, 0.1]])
 LINKS = [(1, 0), (2, 1), (3, 2), (4, 3), (5, 4), (0, 5), (4, 1)]
 TARGETS = {"A": [4, 5, 1], "B": [13, 4, 2], "C": [3, -4, 0.5], "D": [12, 11, 1.5], "E": [-3, 4, 2], "F": [20, 3, 1]}
-TURN, SHIFT, SEEN, GIVEN = 2e-4, 2e-3, 1.5e-3, 1e-3  # standard deviations of what is observed [rad], [m]
+SIGMA_ROTATION, SHIFT, SEEN, GIVEN = 2e-4, 2e-3, 1.5e-3, 1e-3  # standard deviations of the observations [rad], [m]
 FAR = np.array([456_000.0, 5_400_000.0, 300.0])
 
 
 def survey(seed, *, level, control=True):
-    """True poses and what is observed of them with normal errors; poses to begin from are 0.2 m and 2 degrees off."""
+    """True poses and their observations with normal errors; initial poses are 0.2 m and 2 degrees off."""
     rng = np.random.default_rng(seed)
     axes = [0, 0, 1] if level else [1, 1, 1]
-    truth = [make_pose(rotation_of(rng.uniform(-3, 3) * np.array([0, 0, 1.0])), p + FAR) for p in PLACES]
+    truth = [make_pose(rotation_of(rng.uniform(-3, 3) * np.array([0, 0, 1.0])), p + FAR) for p in POSITIONS]
     if not level:
         truth = [T @ make_pose(rotation_of(rng.normal(0, 0.05, 3)), np.zeros(3)) for T in truth]
     pairs, seen = [], []
-    weights = np.r_[np.array(axes) / TURN**2, np.full(3, SHIFT**-2)]
+    weights = np.r_[np.array(axes) / SIGMA_ROTATION**2, np.full(3, SHIFT**-2)]
     for a, b in LINKS:
-        error = make_pose(rotation_of(rng.normal(0, TURN, 3) * axes), rng.normal(0, SHIFT, 3))
+        error = make_pose(rotation_of(rng.normal(0, SIGMA_ROTATION, 3) * axes), rng.normal(0, SHIFT, 3))
         pairs.append(StationPair(a, b, invert_pose(truth[b]) @ truth[a] @ invert_pose(error), np.diag(weights)))
     for i, T in enumerate(truth):
-        for name, place in TARGETS.items():
-            if np.linalg.norm(place - PLACES[i]) < 12:
-                there = T[:3, :3].T @ (place + FAR - T[:3, 3])
+        for name, position in TARGETS.items():
+            if np.linalg.norm(position - POSITIONS[i]) < 12:
+                there = T[:3, :3].T @ (position + FAR - T[:3, 3])
                 seen.append(TargetObservation(i, name, there + rng.normal(0, SEEN, 3), SEEN))
     known = [ControlPoint(n, p + FAR + rng.normal(0, GIVEN, 3), GIVEN) for n, p in TARGETS.items() if n in "ABDE"]
     first = [make_pose(T[:3, :3] @ rotation_of(rng.normal(0, 0.03, 3) * axes), T[:3, 3]) for T in truth]
@@ -45,51 +45,55 @@ def survey(seed, *, level, control=True):
     return np.array(truth), Observed(pairs, seen, known if control else []), first
 
 
-def errors_of(found, truth, level):
-    """How far stations are off, as the steps that lead from the truth: turn and shift."""
-    turns = found[:, :3, :3] @ truth[:, :3, :3].transpose(0, 2, 1)
+def errors_of(estimated, truth, level):
+    """Station errors relative to the truth: rotation and shift."""
+    rotations = estimated[:, :3, :3] @ truth[:, :3, :3].transpose(0, 2, 1)
     small = np.stack(
-        [turns[:, 2, 1] - turns[:, 1, 2], turns[:, 0, 2] - turns[:, 2, 0], turns[:, 1, 0] - turns[:, 0, 1]]
+        [
+            rotations[:, 2, 1] - rotations[:, 1, 2],
+            rotations[:, 0, 2] - rotations[:, 2, 0],
+            rotations[:, 1, 0] - rotations[:, 0, 1],
+        ]
     )
-    errors = np.concatenate([small.T / 2, found[:, :3, 3] - truth[:, :3, 3]], axis=1)
+    errors = np.concatenate([small.T / 2, estimated[:, :3, 3] - truth[:, :3, 3]], axis=1)
     return errors[:, [2, 3, 4, 5]] if level else errors
 
 
 @pytest.mark.parametrize("control", [pytest.param(True, marks=pytest.mark.slow), False], ids=["control", "free"])
 @pytest.mark.parametrize("level", [True, pytest.param(False, marks=pytest.mark.slow)], ids=["level", "six degrees"])
-def test_errors_are_as_large_as_the_standard_deviations_say(level, control):
+def test_errors_match_the_standard_deviations(level, control):
     seeds, squares, redundancy, sums, size = 6, 0.0, 0, 0.0, 4 if level else 6
     for seed in range(seeds):
         truth, observed, first = survey(seed, level=level, control=control)
-        found = adjust(first, observed, level=level)
-        assert found.converged
-        assert found.datum == (0 if control else size)
-        squares, redundancy = squares + found.squares, redundancy + found.redundancy
-        errors = errors_of(found.poses, truth, level)
+        result = adjust(first, observed, level=level)
+        assert result.converged
+        assert result.datum == (0 if control else size)
+        squares, redundancy = squares + result.squares, redundancy + result.redundancy
+        errors = errors_of(result.poses, truth, level)
         begin = 0 if control else 1  # the reference has none
-        assert control or np.abs(found.covariances[0]).max() < 1e-12
-        sums += sum(e @ np.linalg.solve(C, e) for e, C in zip(errors[begin:], found.covariances[begin:], strict=True))
+        assert control or np.abs(result.covariances[0]).max() < 1e-12
+        sums += sum(e @ np.linalg.solve(C, e) for e, C in zip(errors[begin:], result.covariances[begin:], strict=True))
     assert chdtri(redundancy, 0.995) < squares < chdtri(redundancy, 0.005)
-    # stations' errors depend on each other, which widens the band of their sum: at most as if all were one
-    stations = len(PLACES) - begin
+    # errors of stations are correlated, which widens the band of their sum: at worst as if all were one
+    stations = len(POSITIONS) - begin
     mean, spread = seeds * stations * size, 2.58 * stations * np.sqrt(2 * size * seeds)
     assert abs(sums - mean) < spread
 
 
 def test_leveled_stations_stay_level():
     _, observed, first = survey(0, level=True)
-    found = adjust(first, observed, level=True).poses
-    assert np.array_equal(found[:, 2, :3], np.tile([0.0, 0.0, 1.0], (len(found), 1)))
+    poses = adjust(first, observed, level=True).poses
+    assert np.array_equal(poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (len(poses), 1)))
 
 
 def test_right_surveys_raise_no_alarm():
-    for seed in (0, 4, 8):  # a level of significance that is not shared alarms at 4 and 8
+    for seed in (0, 4, 8):  # without a shared level of significance there are alarms at 4 and 8
         _, observed, first = survey(seed, level=True)
         assert not snoop(first, observed, level=True, reference=0)[2]
 
 
 @pytest.mark.nightly
-def test_alarms_are_as_rare_as_said():
+def test_false_alarms_are_as_rare_as_documented():
     surveys = 240
     alarms = sum(
         bool(snoop(first, observed, level=True, reference=0)[2])
@@ -98,7 +102,7 @@ def test_alarms_are_as_rare_as_said():
     assert alarms <= binom.ppf(0.999, surveys, FALSE_ALARM)
 
 
-def test_a_small_slip_is_found():
+def test_a_small_slip_is_detected():
     _, observed, first = survey(6, level=True)
     slipped = dataclasses.replace(observed.targets[3], position=np.asarray(observed.targets[3].position) + 8 * SEEN)
     targets = [*observed.targets[:3], slipped, *observed.targets[4:]]
@@ -106,7 +110,7 @@ def test_a_small_slip_is_found():
     assert [one.group.observation for one in outliers] == [slipped]
 
 
-def test_pairs_that_say_too_much_of_themselves_are_widened():
+def test_overconfident_pairs_are_widened():
     _, observed, first = survey(7, level=True)
     sure = [dataclasses.replace(pair, information=9 * pair.information) for pair in observed.pairs]
     _, left, _ = snoop(first, Observed(sure, observed.targets, observed.control), level=True, reference=0)
@@ -122,16 +126,16 @@ def test_the_factor_of_pairs_is_of_standard_deviations():
 
 def test_redundancy_is_rows_less_what_they_determine():
     _, observed, first = survey(9, level=True, control=False)
-    found = adjust(first, Observed(observed.pairs), level=True)
-    assert found.redundancy == 4 * len(LINKS) - 4 * (len(PLACES) - 1)
+    result = adjust(first, Observed(observed.pairs), level=True)
+    assert result.redundancy == 4 * len(LINKS) - 4 * (len(POSITIONS) - 1)
 
 
 def test_a_test_is_how_much_the_squares_fall_without_its_observation():
     _, observed, first = survey(10, level=True)
-    found = adjust(first, observed, level=True)
-    for group in (found.groups[0], found.groups[-1]):
-        without = adjust(found.poses, observed.without(group), level=True)
-        np.testing.assert_allclose(group.statistic, found.squares - without.squares, rtol=1e-3)
+    result = adjust(first, observed, level=True)
+    for group in (result.groups[0], result.groups[-1]):
+        without = adjust(result.poses, observed.without(group), level=True)
+        np.testing.assert_allclose(group.statistic, result.squares - without.squares, rtol=1e-3)
 
 
 def test_a_pair_that_puts_stations_elsewhere_than_their_positions_is_not_used():
@@ -141,23 +145,23 @@ def test_a_pair_that_puts_stations_elsewhere_than_their_positions_is_not_used():
     assert "4.00 m apart, their positions 5.50 m" in _check_distance(pair, there, 1.0).warnings[0]
 
 
-def test_too_few_blocks_tell_nothing():
+def test_too_few_blocks_give_no_information():
     rng = np.random.default_rng(0)
-    J, r, places = rng.normal(size=(400, 4)), rng.normal(0, 0.01, 400), rng.uniform(0, 10, (400, 3))
-    assert _clustered(J, r, np.ones(400), places, 2.0).any()
-    assert not _clustered(J, r, np.ones(400), places, 6.0).any()  # eight blocks
+    J, r, positions = rng.normal(size=(400, 4)), rng.normal(0, 0.01, 400), rng.uniform(0, 10, (400, 3))
+    assert _clustered(J, r, np.ones(400), positions, 2.0).any()
+    assert not _clustered(J, r, np.ones(400), positions, 6.0).any()  # eight blocks
 
 
 def test_information_is_what_errors_of_blocks_show():
     sizes = []
     for seed in range(40):
         rng = np.random.default_rng(seed)
-        places = rng.uniform(0, 10, (3000, 3))
-        key = (np.floor(places / 2) @ [25, 5, 1]).astype(int)
+        positions = rng.uniform(0, 10, (3000, 3))
+        key = (np.floor(positions / 2) @ [25, 5, 1]).astype(int)
         J = rng.normal(size=(3000, 4)) + rng.normal(size=(125, 4))[key]
-        r = 0.01 * rng.normal(size=125)[key]  # what neighbors have in common
+        r = 0.01 * rng.normal(size=125)[key]  # the correlation between neighbors
         error = np.linalg.solve(J.T @ J, J.T @ r)
-        sizes.append(error @ _clustered(J, r, np.ones(3000), places, 2.0) @ error)
+        sizes.append(error @ _clustered(J, r, np.ones(3000), positions, 2.0) @ error)
     assert 2.5 < np.mean(sizes) < 6.0  # of four unknowns, with covariances of 125 blocks
 
 
@@ -169,13 +173,13 @@ def test_exchanged_names_are_named():
         for t in observed.targets
     ]
     wrong = Observed(observed.pairs, targets, observed.control)
-    found, left, outliers = snoop(first, wrong, level=True, reference=0)
+    result, left, outliers = snoop(first, wrong, level=True, reference=0)
     assert {(o.group.observation.station, o.group.observation.name, o.exchanged) for o in outliers} == {
         (1, "A", "B"),
         (1, "B", "A"),
     }
     assert len(left.targets) == len(targets) - 2
-    assert np.abs(found.poses - truth)[:, :3, 3].max() < 6e-3
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 6e-3
 
 
 def test_a_wrong_pair_and_a_moved_control_point_are_named():
@@ -185,24 +189,24 @@ def test_a_wrong_pair_and_a_moved_control_point_are_named():
     pairs[3] = StationPair(pairs[3].source, pairs[3].target, pairs[3].transformation @ slipped, pairs[3].information)
     control = [ControlPoint(c.name, np.asarray(c.position) + (0.02 if c.name == "D" else 0), c.sigma)
                for c in observed.control]  # fmt: skip
-    found, _, outliers = snoop(first, Observed(pairs, observed.targets, control), level=True, reference=0)
+    result, _, outliers = snoop(first, Observed(pairs, observed.targets, control), level=True, reference=0)
     assert outliers[0].group.observation is pairs[3]
     assert [o.group.observation.name for o in outliers[1:]] == ["D"]
-    assert np.abs(found.poses - truth)[:, :3, 3].max() < 6e-3
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 6e-3
 
 
-def test_stations_that_nothing_holds_are_told():
+def test_unconstrained_stations_are_reported():
     _, observed, first = survey(3, level=True, control=False)
     pairs = [pair for pair in observed.pairs if 5 not in (pair.source, pair.target)]
     targets = [t for t in observed.targets if t.station != 5]
     assert adjust(first, Observed(pairs, targets), level=True).loose.tolist() == [False] * 5 + [True]
-    one = [*targets, next(t for t in observed.targets if t.station == 5)]  # a target leaves its station a turn
+    one = [*targets, next(t for t in observed.targets if t.station == 5)]  # a target leaves its station a rotation
     assert adjust(first, Observed(pairs, one), level=True).loose.tolist() == [False] * 5 + [True]
 
 
 def test_up_that_is_known_to_a_degree_is_an_observation():
     _, observed, first = survey(4, level=True, control=False)
     tilted = Observed(observed.pairs, [], [], tilt_sigma=1e-4)
-    found = adjust(first, tilted, level=False)
-    assert found.datum == 4  # gravity holds two of six
-    assert np.abs(found.poses[:, :2, 2]).max() < 1e-3
+    result = adjust(first, tilted, level=False)
+    assert result.datum == 4  # gravity fixes two of six
+    assert np.abs(result.poses[:, :2, 2]).max() < 1e-3

@@ -1,4 +1,4 @@
-"""Stations brought into one frame: from rough poses and none, with errors as said; what cannot be believed is told."""
+"""Registration of stations with and without initial poses: accuracy as documented, unreliable results are reported."""
 
 import numpy as np
 import pytest
@@ -36,108 +36,108 @@ def court():
 
 
 @pytest.fixture(scope="module")
-def found(court):
+def court_result(court):
     clouds, truth = court
     return register_stations(clouds, poses=rough_of(truth, 0), voxel_size=SIZE)
 
 
 @pytest.mark.slow
-def test_a_courtyard_is_put_together_to_a_third_of_a_millimetre(court, found):
-    errors = errors_of(found.poses, court[1], True)
+def test_a_courtyard_is_put_together_to_a_third_of_a_millimeter(court, court_result):
+    errors = errors_of(court_result.poses, court[1], True)
     assert np.abs(errors[:, 1:]).max() < 4e-4
     assert np.abs(errors[:, 0]).max() < np.radians(0.002)
-    assert np.array_equal(found.poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (5, 1)))
-    assert found.reliable
-    assert found.reference == 0
-    assert np.array_equal(found.poses[0], court[1][0])
+    assert np.array_equal(court_result.poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (5, 1)))
+    assert court_result.reliable
+    assert court_result.reference == 0
+    assert np.array_equal(court_result.poses[0], court[1][0])
 
 
 @pytest.mark.nightly
-def test_errors_are_as_large_as_said_over_many_courtyards():
+def test_errors_match_their_covariances_over_many_courtyards():
     squares, seeds = [], 12
     for seed in range(100, 100 + seeds):
         clouds, truth = scan_all(BOXES, COURT, seed)
-        found = register_stations(clouds, poses=rough_of(truth, seed), voxel_size=SIZE)
-        errors = errors_of(found.poses, truth, True)[1:]
-        squares += [e @ np.linalg.solve(C, e) for e, C in zip(errors, found.covariances[1:], strict=True)]
-    # the four stations of a scene depend on each other through the one that is held: seeds times four is sure
+        result = register_stations(clouds, poses=rough_of(truth, seed), voxel_size=SIZE)
+        errors = errors_of(result.poses, truth, True)[1:]
+        squares += [e @ np.linalg.solve(C, e) for e, C in zip(errors, result.covariances[1:], strict=True)]
+    # the four stations of a scene are correlated through the fixed one: a factor of four in seeds is safe
     assert chdtri(4 * seeds, 0.995) / (4 * seeds) < np.mean(squares) / 4 < chdtri(4 * seeds, 0.005) / (4 * seeds)
 
 
 @pytest.mark.slow
-def test_the_report_and_the_plan_say_it_all(found, tmp_path):
-    text = found.report()
+def test_report_and_plan_are_complete(court_result, tmp_path):
+    text = court_result.report()
     for word in ("STATIONS", "PAIRS", "LOOPS OF PAIRS", "sigma0", "all quality checks passed"):
         assert word in text
-    told = found.to_dict()
-    assert [s["name"] for s in told["stations"]] == list("01234")
-    assert len(told["pairs"]) == len(found.pairs)
-    plan = station_plan(found)
+    data = court_result.to_dict()
+    assert [s["name"] for s in data["stations"]] == list("01234")
+    assert len(data["pairs"]) == len(court_result.pairs)
+    plan = station_plan(court_result)
     assert plan.shape == (960, 1280, 3)
     assert len(np.unique(plan.reshape(-1, 3), axis=0)) > 50
 
 
 @pytest.mark.slow
-def test_a_station_elsewhere_is_named_and_the_others_stay():
+def test_a_separate_station_is_named_and_the_others_stay():
     clouds, truth = scan_all(BOXES, COURT[:3], 0, columns=300, rows=100)
     alone, _ = scan_all([((-3, -3, -1.7), (6, 6, 0.1), 0.0), ((1, 0, -1.6), (1, 2, 3), 0.4)], [(0, 0, 0)], 7)
     rough = np.concatenate([rough_of(truth, 0), [pose_at((200, 0, 0), 0)]])
-    found = register_stations([*clouds, *alone], poses=rough, voxel_size=SIZE, names=["N", "E", "S", "far"])
-    assert found.placed.tolist() == [True, True, True, False]
-    assert "far is not connected" in str(found.warnings)
-    assert np.isnan(found.sigmas[3]).all()
-    assert np.array_equal(found.poses[3], rough[3])
-    assert "not placed" in found.report()
+    result = register_stations([*clouds, *alone], poses=rough, voxel_size=SIZE, names=["N", "E", "S", "far"])
+    assert result.placed.tolist() == [True, True, True, False]
+    assert "far is not connected" in str(result.warnings)
+    assert np.isnan(result.sigmas[3]).all()
+    assert np.array_equal(result.poses[3], rough[3])
+    assert "not placed" in result.report()
 
 
 @pytest.mark.slow
-def test_a_corridor_that_repeats_is_told_and_targets_put_it_right():
+def test_a_repetitive_corridor_is_reported_and_targets_fix_it():
     clouds, truth = scan_all(CORRIDOR, [(0, 0, 0), (6, 0.2, 0), (12, -0.2, 0)], 3, columns=360, rows=120)
     slipped = truth.copy()
-    slipped[1][0, 3] += 4.0  # a door further
-    found = register_stations(clouds, poses=slipped, voxel_size=0.2)
-    assert "free" in str(found.warnings)
-    assert "apart, their positions" in found.report()
-    places = {"A": [1, 1.4, 0], "B": [9, -1.4, 0.4], "C": [5, -1.4, 0.2]}
+    slipped[1][0, 3] += 4.0  # shifted by one door
+    result = register_stations(clouds, poses=slipped, voxel_size=0.2)
+    assert "free" in str(result.warnings)
+    assert "apart, their positions" in result.report()
+    positions = {"A": [1, 1.4, 0], "B": [9, -1.4, 0.4], "C": [5, -1.4, 0.2]}
     seen = [
-        loom.registration.TargetObservation(i, name, T[:3, :3].T @ (np.array(place) - T[:3, 3]))
+        loom.registration.TargetObservation(i, name, T[:3, :3].T @ (np.array(position) - T[:3, 3]))
         for i, T in enumerate(truth)
-        for name, place in places.items()
+        for name, position in positions.items()
     ]
-    found = register_stations(clouds, poses=slipped, voxel_size=0.2, targets=seen)
-    assert np.abs(found.poses - truth)[:, :3, 3].max() < 2e-3
-    assert found.reliable
+    result = register_stations(clouds, poses=slipped, voxel_size=0.2, targets=seen)
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 2e-3
+    assert result.reliable
 
 
 @pytest.mark.slow
-def test_stations_of_which_nothing_is_known_are_searched_for():
+def test_stations_without_initial_poses_are_searched():
     clouds, truth = scan_all(BOXES, COURT[:3], 4)
-    found = register_stations(clouds, voxel_size=SIZE)
-    there = truth[0] @ np.linalg.inv(found.poses[0]) @ found.poses
-    assert found.placed.all()
+    result = register_stations(clouds, voxel_size=SIZE)
+    there = truth[0] @ np.linalg.inv(result.poses[0]) @ result.poses
+    assert result.placed.all()
     assert np.abs(there - truth)[:, :3, 3].max() < 1e-2
 
 
 @pytest.mark.slow
-def test_clouds_in_the_coordinates_of_a_survey_keep_all_digits():
+def test_clouds_at_survey_coordinates_keep_all_digits():
     clouds, truth = scan_all(BOXES, COURT[:3], 5, columns=360, rows=120)
     far = np.array([456_789.0, 5_400_123.0, 321.0])
     moved = [cloud.transform(T @ np.eye(4)).translate(far) for cloud, T in zip(clouds, truth, strict=True)]
-    found = register_stations(moved, poses=np.tile(np.eye(4), (3, 1, 1)), voxel_size=SIZE)
-    for cloud, T in zip(moved, found.poses, strict=True):
+    result = register_stations(moved, poses=np.tile(np.eye(4), (3, 1, 1)), voxel_size=SIZE)
+    for cloud, T in zip(moved, result.poses, strict=True):
         middle = cloud.get_center()
         assert np.abs(T[:3, :3] @ middle + T[:3, 3] - middle).max() < 1e-3
 
 
 @pytest.mark.slow
-def test_scanners_that_lean_are_put_upright_in_six_degrees_of_freedom():
+def test_tilted_scanners_are_leveled_with_six_degrees_of_freedom():
     clouds, truth = scan_all(BOXES, COURT[:4], 2, columns=360, rows=120)
     rng = np.random.default_rng(0)
     leans = [make_pose(rotation_of(rng.normal(0, 0.05, 3) * [1, 1, 0]), np.zeros(3)) for _ in truth]
     leaning = [cloud.transform(np.linalg.inv(T)) for cloud, T in zip(clouds, leans, strict=True)]
     truth = truth @ np.array(leans)
-    found = register_stations(leaning, poses=rough_of(truth, 0), voxel_size=SIZE, level=False)
-    assert np.abs(found.poses - truth)[:, :3, 3].max() < 1e-3
-    assert found.reliable
-    held = register_stations(leaning, poses=truth, voxel_size=SIZE)  # four of freedom: tilts stay as they were
-    assert np.abs(held.poses - truth)[:, 2, :3].max() < 1e-12
+    result = register_stations(leaning, poses=rough_of(truth, 0), voxel_size=SIZE, level=False)
+    assert np.abs(result.poses - truth)[:, :3, 3].max() < 1e-3
+    assert result.reliable
+    leveled = register_stations(leaning, poses=truth, voxel_size=SIZE)  # four degrees of freedom: tilts stay unchanged
+    assert np.abs(leveled.poses - truth)[:, 2, :3].max() < 1e-12

@@ -1,4 +1,4 @@
-"""Several Python threads that work on one device at once get the right bits, and leave nothing behind."""
+"""Several Python threads on one device get bitwise identical results and leave nothing behind."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from pointloom.kernels import lang
 
 @pytest.fixture
 def eager_threads():
-    """Threads that take turns a thousand times as often as they would."""
+    """Threads that switch a thousand times as often as usual."""
     interval = sys.getswitchinterval()
     sys.setswitchinterval(1e-5)
     yield
@@ -38,7 +38,7 @@ def work(device, rng):
 
 
 def run_at_once(tasks):
-    """Run (operation, expected numbers, times) in a thread each; what came out wrong, in words."""
+    """Run (operation, expected numbers, repetitions) in a thread each; return a description of the errors."""
     compiler, faults = lang.current_cpu_compiler(), []
 
     def repeat(name, operation, expected, times):
@@ -58,7 +58,7 @@ def run_at_once(tasks):
     return sorted(set(faults))
 
 
-def test_threads_that_work_beside_a_registration_disturb_neither(work, eager_threads):
+def test_threads_beside_a_registration_disturb_neither(work, eager_threads):
     alone = {name: operation() for name, operation in work.items()}
     beside = ("voxels", "copies")
     tasks = [("registration", work["registration"], alone["registration"], 15)]
@@ -67,6 +67,6 @@ def test_threads_that_work_beside_a_registration_disturb_neither(work, eager_thr
     np.testing.assert_array_equal(work["registration"](), alone["registration"])
 
 
-def test_different_operations_in_threads_give_the_bits_that_they_give_alone(work, eager_threads):
+def test_operations_in_threads_are_bitwise_identical_to_single_ones(work, eager_threads):
     alone = {name: operation() for name, operation in work.items()}
     assert run_at_once([(name, operation, alone[name], 8) for name, operation in work.items()]) == []

@@ -1,4 +1,4 @@
-"""Errors of trajectories against the formulas written out, and what they do not depend on."""
+"""Errors of trajectories against explicit formulas, and their invariances."""
 
 from __future__ import annotations
 
@@ -24,8 +24,8 @@ def make_poses(R, t) -> np.ndarray:
 
 def random_walk(rng, count: int) -> np.ndarray:
     """Poses along a winding path in space."""
-    turns = Rotation.from_rotvec(np.cumsum(rng.normal(0, 0.05, (count, 3)), axis=0)).as_matrix()
-    return make_poses(turns, np.cumsum(turns[:, :, 0] * rng.uniform(1, 3, (count, 1)), axis=0))
+    rotations = Rotation.from_rotvec(np.cumsum(rng.normal(0, 0.05, (count, 3)), axis=0)).as_matrix()
+    return make_poses(rotations, np.cumsum(rotations[:, :, 0] * rng.uniform(1, 3, (count, 1)), axis=0))
 
 
 def disturb(rng, poses: np.ndarray, angle: float, shift: float) -> np.ndarray:
@@ -57,40 +57,40 @@ def test_the_same_path_in_another_frame_has_no_error(rng, tolerances):
     assert error.segment_rotation < tolerances.trajectory_zero
 
 
-def test_absolute_errors_are_those_after_the_best_rigid_fit(pair, tolerances):
+def test_absolute_errors_follow_the_best_rigid_fit(pair, tolerances):
     estimate, truth = pair
     error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth))
     p, q = estimate[:, :3, 3], truth[:, :3, 3]
     fit, _ = Rotation.align_vectors(q - q.mean(axis=0), p - p.mean(axis=0))
     R = fit.as_matrix()
     gaps = np.linalg.norm((p - p.mean(axis=0)) @ R.T + q.mean(axis=0) - q, axis=1)
-    turns = np.array([angle(Q[:3, :3].T @ R @ P[:3, :3]) for P, Q in zip(estimate, truth, strict=True)])
+    angles = np.array([angle(Q[:3, :3].T @ R @ P[:3, :3]) for P, Q in zip(estimate, truth, strict=True)])
     close = tolerances.trajectory_relative
-    for found, expected in ((error.absolute_translation, gaps), (error.absolute_rotation, turns)):
-        np.testing.assert_allclose(found.rmse, np.sqrt((expected**2).mean()), rtol=close)
-        np.testing.assert_allclose(found.mean, expected.mean(), rtol=close)
-        np.testing.assert_allclose(found.median, np.median(expected), rtol=close)
-        np.testing.assert_allclose(found.std, expected.std(), rtol=1e3 * close)
-        np.testing.assert_allclose(found.max, expected.max(), rtol=close)
-        assert found.count == 400
+    for result, expected in ((error.absolute_translation, gaps), (error.absolute_rotation, angles)):
+        np.testing.assert_allclose(result.rmse, np.sqrt((expected**2).mean()), rtol=close)
+        np.testing.assert_allclose(result.mean, expected.mean(), rtol=close)
+        np.testing.assert_allclose(result.median, np.median(expected), rtol=close)
+        np.testing.assert_allclose(result.std, expected.std(), rtol=1e3 * close)
+        np.testing.assert_allclose(result.max, expected.max(), rtol=close)
+        assert result.count == 400
     np.testing.assert_allclose(error.transformation[:3, :3], R, atol=close)
 
 
 @pytest.mark.parametrize("delta", [1, 7])
-def test_relative_errors_are_those_of_motions_over_some_poses(pair, tolerances, delta):
+def test_relative_errors_compare_motions_over_several_poses(pair, tolerances, delta):
     estimate, truth = pair
     error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), delta=delta)
-    shifts, turns = [], []
+    shifts, angles = [], []
     for i in range(len(truth) - delta):
         moved = np.linalg.inv(truth[i]) @ truth[i + delta]
         E = np.linalg.inv(moved) @ np.linalg.inv(estimate[i]) @ estimate[i + delta]
-        shifts.append(np.linalg.norm(E[:3, 3])), turns.append(angle(E[:3, :3]))
+        shifts.append(np.linalg.norm(E[:3, 3])), angles.append(angle(E[:3, :3]))
     np.testing.assert_allclose(error.relative_translation.mean, np.mean(shifts), rtol=tolerances.trajectory_relative)
-    np.testing.assert_allclose(error.relative_rotation.mean, np.mean(turns), rtol=tolerances.trajectory_relative)
+    np.testing.assert_allclose(error.relative_rotation.mean, np.mean(angles), rtol=tolerances.trajectory_relative)
     assert error.relative_translation.count == 400 - delta
 
 
-def test_segment_errors_are_kittis(pair, tolerances):
+def test_segment_errors_match_kitti(pair, tolerances):
     estimate, truth = pair
     lengths = [100.0, 200.0, 300.0, 5000.0]
     error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), lengths=lengths)
@@ -128,7 +128,7 @@ def test_a_drift_of_one_percent_is_one_percent(tolerances):
     error = evaluate_trajectory(Trajectory(estimate), Trajectory(truth), align="first")
     lengths = np.array([segment.length for segment in error.segments])
     assert lengths.tolist() == [100, 200, 300, 400, 500, 600, 700, 800]
-    # a segment ends at the first pose beyond its length, here a metre on
+    # a segment ends at the first pose beyond its length, here one meter later
     shares = [segment.translation for segment in error.segments]
     np.testing.assert_allclose(shares, (lengths + 1) / lengths, rtol=tolerances.trajectory_relative)
     assert error.segment_rotation == 0
@@ -156,7 +156,7 @@ def test_without_alignment_the_frames_count(pair):
     np.testing.assert_array_equal(error.transformation, np.eye(4))
 
 
-def test_a_scale_is_found(rng, tolerances):
+def test_a_scale_is_estimated(rng, tolerances):
     truth = random_walk(rng, 200)
     estimate = any_pose(rng) @ truth
     estimate[:, :3, 3] /= 3.7
@@ -171,29 +171,29 @@ def test_a_scale_is_found(rng, tolerances):
 
 @pytest.mark.parametrize("count", [1, 2, 3, 40])
 @pytest.mark.parametrize("speed", [0.0, 1.0])
-def test_orientations_decide_what_a_straight_path_leaves_open(rng, tolerances, count, speed):
-    turns = Rotation.from_rotvec(rng.normal(0, 0.3, (count, 3))).as_matrix()
+def test_orientations_determine_the_rotation_about_a_straight_path(rng, tolerances, count, speed):
+    rotations = Rotation.from_rotvec(rng.normal(0, 0.3, (count, 3))).as_matrix()
     direction = np.array([0.6, 0.8, 0.0])
-    truth = make_poses(turns, np.arange(count)[:, None] * speed * direction)
+    truth = make_poses(rotations, np.arange(count)[:, None] * speed * direction)
     error = evaluate_trajectory(Trajectory(any_pose(rng) @ truth), Trajectory(truth))
     assert error.absolute_translation.max < tolerances.trajectory_zero
     assert error.absolute_rotation.max < tolerances.trajectory_zero
 
 
-def test_poses_belong_together_by_the_nearest_time(rng):
+def test_poses_are_matched_by_nearest_time(rng):
     times = np.arange(50) * 0.1
     truth = random_walk(rng, 50)
-    kept = np.sort(rng.choice(50, 30, replace=False))
+    selected = np.sort(rng.choice(50, 30, replace=False))
     shuffled = rng.permutation(30)
-    estimate = Trajectory(truth[kept][shuffled], times[kept][shuffled] + rng.uniform(-0.009, 0.009, 30))
+    estimate = Trajectory(truth[selected][shuffled], times[selected][shuffled] + rng.uniform(-0.009, 0.009, 30))
     error = evaluate_trajectory(estimate, Trajectory(truth, times), lengths=[50])
-    np.testing.assert_array_equal(error.pairs[:, 1], kept)
+    np.testing.assert_array_equal(error.pairs[:, 1], selected)
     np.testing.assert_array_equal(shuffled[error.pairs[:, 0]], np.arange(30))
 
 
-def test_a_path_that_lost_frames_is_told_how_to_find_their_truth(rng):
-    truth, kept = Trajectory(random_walk(rng, 9)), np.array([0, 1, 4, 5, 8])
-    estimate = Trajectory(truth.poses[kept], ids=np.stack([kept, kept, kept + 1], axis=1))
+def test_a_path_that_lost_frames_gets_advice_on_matching(rng):
+    truth, frames = Trajectory(random_walk(rng, 9)), np.array([0, 1, 4, 5, 8])
+    estimate = Trajectory(truth.poses[frames], ids=np.stack([frames, frames, frames + 1], axis=1))
     with pytest.raises(ValueError, match=r"estimate, truth:.*truth\.poses\[estimate\.ids.*0"):
         evaluate_trajectory(estimate, truth)
     same = evaluate_trajectory(estimate, Trajectory(truth.poses[estimate.ids[:, 0]]))
@@ -208,7 +208,7 @@ def test_a_path_that_lost_frames_is_told_how_to_find_their_truth(rng):
     hnp.arrays(np.float64, st.integers(1, 12), elements=st.integers(0, 20).map(float)),
     st.integers(0, 5),
 )
-def test_pairs_are_each_others_nearest(a, b, limit):
+def test_pairs_are_mutual_nearest(a, b, limit):
     gaps = np.abs(a[:, None] - b[None])
     expected = {
         (i, j)
@@ -229,7 +229,7 @@ def test_pairs_are_each_others_nearest(a, b, limit):
         assert set(pairs) == expected
 
 
-def test_too_short_a_path_has_no_relative_error(rng):
+def test_a_too_short_path_has_no_relative_error(rng):
     truth = random_walk(rng, 5)
     error = evaluate_trajectory(Trajectory(truth), Trajectory(truth), delta=5)
     assert error.relative_translation.count == 0 and math.isnan(error.relative_rotation.rmse)

@@ -1,4 +1,4 @@
-"""Clouds with correspondences of which a share is wrong, and the registrations that take them."""
+"""Clouds with a fraction of wrong correspondences, and the registrations that use them."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ reg = loom.registration
 
 
 def made_up(rng, count=1500, outliers=0.8, noise=0.002, scale=1.0, shuffle=True):
-    """Points in a box and the same under a pose, noisy; as many correspondences, a share of them wrong."""
+    """Points in a box and noisy copies under a pose; as many correspondences, a fraction of them wrong."""
     T = pose_within(rng)
     T[:3, :3] *= scale
     source = rng.uniform(-1, 1, (count, 3)) * [1, 0.7, 0.4]
