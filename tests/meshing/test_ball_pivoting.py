@@ -60,7 +60,7 @@ def assert_manifold(mesh):
 
 
 @pytest.mark.parametrize("noise", [0.0, 0.02, 0.1])
-def test_open3d_s_triangles_are_there_but_where_they_share_an_edge(device, oracle, rng, noise):
+def test_open3ds_triangles_are_included_except_at_shared_edges(device, oracle, rng, noise):
     cloud = sphere(1000, rng, device, noise)
     mesh = pivot(cloud, [0.21])
     theirs = oracle(f"meshing/pivoting/sphere_{noise}", open3d_triangles, *as_open3d_has_them(cloud), [0.21])

@@ -76,7 +76,7 @@ def test_neighbors_determine_the_noise(device, rng):
     assert significant[raised & inner].mean() > 0.95 and significant[~raised & inner].mean() < 0.12
 
 
-def test_what_has_no_distance_is_nan(device):
+def test_undefined_distances_are_nan(device):
     mesh = loom.TriangleMesh(*ground(), device=device)
     points = [[15, 15, 50], [np.nan, 0, 0], [15, 15, 1.2]]
     result = loom.change.cloud_to_mesh(loom.PointCloud(points, device=device), mesh, max_distance=10)

@@ -187,7 +187,7 @@ def test_no_image_that_sees_the_mesh_is_an_error(device):
         color(scene, poses)
 
 
-def test_vertices_that_are_not_finite_are_not_seen_and_stay_black(device):
+def test_non_finite_vertices_are_not_seen_and_stay_black(device):
     scene = make_scene(device, rows=15)
     vertices = scene.mesh.vertices.copy()
     vertices[7] = np.nan

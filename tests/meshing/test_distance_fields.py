@@ -137,7 +137,7 @@ def test_an_outlier_point_uses_only_its_own_blocks(scan):
         field_of(np.vstack([scan, UTM + 100 * FAR_AWAY]), "cpu")
 
 
-def test_between_voxels_distances_are_linear_and_gradients_their_differences(device):
+def test_interpolated_distances_are_linear_and_gradients_are_their_differences(device):
     occupied = BOXES["sparse"]
     field = loom.DistanceField.from_array(occupied, 0.5, origin=UTM, device=device)
     axes = [UTM[k] + 0.5 * (np.arange(n) + 0.5) for k, n in enumerate(occupied.shape)]

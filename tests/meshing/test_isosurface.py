@@ -106,7 +106,7 @@ def test_a_constant_field_gives_an_empty_mesh(device, value):
 
 
 @pytest.mark.parametrize(("shape", "bad"), [((4, 5, 6), np.nan), ((5, 4, 70), np.inf), ((4, 5, 6), -np.inf)])
-def test_only_the_cells_around_values_that_are_not_finite_are_left_out(device, shape, bad):
+def test_only_cells_around_non_finite_values_are_excluded(device, shape, bad):
     rng = np.random.default_rng(3)
     field = noise(shape, 3)
     holes = rng.random(shape) < 0.06

@@ -96,7 +96,7 @@ def test_manifold_tests_agree_with_open3d(device, oracle):
         assert mesh.is_vertex_manifold() == vertices
 
 
-def test_vertices_without_area_point_up_and_vertices_that_are_not_finite_have_no_normal(device):
+def test_vertices_without_area_point_up_and_non_finite_ones_have_no_normal(device):
     vertices = [[0, 0, 0], [0, 1, 0], [0, 0, 1], [5, 5, 5], [1, 1, 1], [np.nan, 0, 0]]
     mesh = TriangleMesh(vertices, [[0, 1, 2], [3, 3, 3], [0, 1, 5]], device=device).compute_vertex_normals()
     np.testing.assert_array_equal(mesh.vertex_normals[:5], [[1, 0, 0]] * 3 + [[0, 0, 1]] * 2)
@@ -280,7 +280,7 @@ def test_bad_arguments_are_named(arguments, error):
         TriangleMesh(**dict(zip(("vertices", "triangles"), TETRAHEDRON, strict=True)) | arguments)
 
 
-def test_a_missing_array_and_a_flat_matrix_are_refused():
+def test_a_missing_array_and_a_flat_matrix_are_rejected():
     mesh = TriangleMesh(*TETRAHEDRON)
     with pytest.raises(KeyError, match="vertex_normals: "):
         mesh.array("vertex_normals")

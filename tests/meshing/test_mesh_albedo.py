@@ -68,7 +68,7 @@ def test_foreground_and_background_do_not_mix_colors(device):
     assert set(map(tuple, ball.tolist())) == {(250, 0, 0), (0, 0, 0)}
 
 
-def test_faces_that_look_away_are_not_painted(device):
+def test_back_facing_triangles_are_not_painted(device):
     camera = loom.PinholeCameraIntrinsic(64, 48, 30.0, 30.0, 31.5, 23.5)
     corners, uvs = [[-1, -1, 2], [1, -1, 2], [-1, 1, 2]], [[0, 0], [1, 0], [0, 1]]
     white = np.full((48, 64, 3), 255, np.uint8)
@@ -106,7 +106,7 @@ def test_texels_beside_a_triangle_repeat_it(device):
     assert set(map(tuple, texture.reshape(-1, 3).tolist())) == {(0, 99, 0), (0, 0, 0)}
 
 
-def test_what_no_picture_shows_takes_the_colors_of_vertices(device):
+def test_unseen_texels_take_the_vertex_colors(device):
     scene = make_scene(device, rows=ROWS)
     mesh = with_uvs(scene.mesh)
     mesh.vertex_colors = paint(mesh.vertices)

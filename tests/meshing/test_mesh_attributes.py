@@ -100,7 +100,7 @@ def test_remaining_elements_keep_their_attributes(device, name):
 
 
 @pytest.mark.parametrize("name", ["midpoint", "trim"])
-def test_new_vertices_have_the_values_between(device, name):
+def test_new_vertices_have_interpolated_values(device, name):
     mesh = labeled(device)
     changed = mesh.subdivide_midpoint(2) if name == "midpoint" else mesh.trim(mesh.vertices @ [0.3, 0.2, 0.9], 0.1)
     assert attributes_of(changed) == KINDS and len(changed.vertices) > 6

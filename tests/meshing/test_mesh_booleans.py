@@ -57,7 +57,7 @@ BAD = {
 
 
 @pytest.mark.parametrize("reason", BAD)
-def test_what_is_no_solid_is_refused_with_the_reason(device, reason):
+def test_non_solids_are_rejected_with_the_reason(device, reason):
     bad = TriangleMesh(*BAD[reason], device=device)
     with pytest.raises(ValueError, match=f"boolean_union: the mesh .*{reason}"):
         bad.boolean_union(box(0, device))

@@ -76,7 +76,7 @@ def test_non_manifold_edges_lose_their_smallest_triangles_first(triangles):
     assert left.triangles.tolist() == greedy_manifold(mesh)
 
 
-def test_crowded_edges_lose_the_triangles_that_open3d_drops(device, oracle):
+def test_non_manifold_edges_lose_the_triangles_that_open3d_drops(device, oracle):
     rng = np.random.default_rng(3)
     pages = np.vstack(
         [[[0, 0, 0], [0, 0, 1]], rng.normal(size=(40, 3)), [[9, 0, 0], [9, 0, 1]], rng.normal(size=(9, 3))]
@@ -126,7 +126,7 @@ def greedy_groups(points: np.ndarray, eps: float) -> np.ndarray:
     st.sampled_from([0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 100.0]),
     st.sampled_from([1e-6, 1.0, 1e6]),
 )
-def test_close_vertices_join_the_first_that_stays(positions, eps, scale):
+def test_close_vertices_merge_into_the_first_remaining_one(positions, eps, scale):
     points = np.float32(np.array(positions, float) * scale).astype(float)
     distance = eps * float(np.float32(scale))
     mesh = TriangleMesh(points, np.arange(len(points))[:, None].repeat(3, 1), origin=[0, 0, 0])
@@ -159,7 +159,7 @@ def test_sorted_chains_of_vertices_are_merged_in_order(device):
         assert len(mesh.vertices) == count // 2
 
 
-def test_threads_wait_for_vertices_of_lower_numbers():
+def test_threads_wait_for_vertices_of_lower_index():
     points = np.arange(300_000)[:, None] * [0.6, 0, 0]  # enough for several threads
     assert len(TriangleMesh(points, [[0, 1, 2]], origin=[0, 0, 0]).merge_close_vertices(1).vertices) == 150_000
 
@@ -290,7 +290,7 @@ NAMES = ("triangles", "vertices", "vertex_normals", "vertex_colors")
 
 
 @pytest.mark.parametrize("method", ["remove_vertices_by_mask", "remove_triangles_by_mask"])
-def test_what_is_left_is_as_in_open3d(device, oracle, method):
+def test_results_of_cleaning_match_open3d(device, oracle, method):
     mesh = strip(device)
     chances = np.random.default_rng(1).random(60 if "vertices" in method else 80)
     for share in (0.0, 0.1, 0.5, 1.0):

@@ -44,7 +44,7 @@ def test_components_match_open3d_for_any_triangles(oracle):
         assert_parts_are(mesh, wanted)
 
 
-def test_parts_that_share_but_a_vertex_are_two(device):
+def test_components_that_share_only_a_vertex_are_separate(device):
     labels, counts, areas = TriangleMesh(CORNERS, PARTS, device=device).cluster_connected_triangles()
     assert labels.dtype == np.int32 and labels.tolist() == [0, 1, 2, 0, 2]
     assert (counts.tolist(), areas.tolist()) == ([2, 1, 2], [1.0, 1.5, 1.0])

@@ -19,7 +19,7 @@ def around(device, height, cells=24):
 
 
 @pytest.mark.parametrize("radius", [1.0, 0.02, 300.0])
-def test_a_sphere_has_one_over_its_radius(device, radius):
+def test_a_sphere_has_the_curvature_of_its_radius(device, radius):
     errors = []
     for rounds in (2, 3):
         curvature = TriangleMesh(*icosphere(rounds, radius), device=device).compute_vertex_curvature()
@@ -29,7 +29,7 @@ def test_a_sphere_has_one_over_its_radius(device, radius):
     assert errors[0] < 0.03 and errors[1] < errors[0] / 3  # falls with the square of the edges
 
 
-def test_angles_of_a_closed_mesh_add_up(device):
+def test_angle_defects_of_a_closed_mesh_sum_to_4_pi(device):
     """Gauss-Bonnet: over a sphere, curvature times mixed Voronoi area sums to 4 pi."""
     rng = np.random.default_rng(0)
     vertices, triangles = icosphere(1)
@@ -99,7 +99,7 @@ def test_two_fans_at_a_vertex_have_no_curvature(device):
     np.testing.assert_array_equal(np.flatnonzero(np.isnan(curvature.gaussian)), [0])
 
 
-def test_no_area_and_no_number_make_no_curvature(device):
+def test_degenerate_and_non_finite_triangles_have_no_curvature(device):
     vertices, triangles = icosphere(0)
     for spoilt in ([np.nan, 0, 0], vertices[triangles[0, 1]]):  # the latter flattens two triangles
         positions = vertices.copy()

@@ -52,7 +52,7 @@ def test_positions_match_open3d(device, oracle, iterations, energy, alpha):
     assert np.abs(result.vertices - mesh.vertices).max() > 0.3
 
 
-def test_open_meshes_bend_as_open3ds_do(device, oracle):
+def test_open_meshes_deform_as_in_open3d(device, oracle):
     """At the boundary, where Open3D's weights are not halved."""
     positions, triangles = shaken_grid(9)
     mesh = TriangleMesh(positions, triangles, device=device)
@@ -104,7 +104,7 @@ def test_parts_without_a_handle_stay(device):
     np.testing.assert_allclose(result.vertices[:count], wanted, rtol=0, atol=CLOSE)
 
 
-def test_triangles_without_area_and_vertices_that_are_not_finite_weigh_nothing(device):
+def test_degenerate_triangles_and_non_finite_vertices_have_no_weight(device):
     vertices, triangles = icosphere(1)
     spoilt = np.vstack([vertices, [[np.nan] * 3, vertices[3]]])
     more = np.vstack([triangles, [[0, 1, len(vertices)], [3, len(vertices) + 1, 7], [4, 4, 9]]])
@@ -138,7 +138,7 @@ def test_size_does_not_matter(device, scale):
     np.testing.assert_allclose(result, wanted, rtol=0, atol=CLOSE)
 
 
-def test_far_from_zero_it_is_as_near_it(device):
+def test_results_far_from_zero_equal_those_near_it(device):
     vertices, triangles = icosphere(1)
     vertices = np.round(vertices * 1024) / 1024  # so that both are exact about their origins
     near, far = (TriangleMesh(vertices + o, triangles, device=device, origin=o) for o in (np.zeros(3), UTM))
@@ -183,7 +183,7 @@ def test_zero_iterations_and_no_triangles_change_nothing(device):
         ({"smoothed_alpha": -0.1}, ValueError, "smoothed_alpha"),
     ],
 )
-def test_what_makes_no_sense_is_refused(changed, error, message):
+def test_invalid_arguments_are_rejected(changed, error, message):
     options = {"constraint_vertex_indices": [0, 1], "constraint_vertex_positions": np.eye(3)[:2], "max_iter": 3}
     with pytest.raises(error, match=message):
         mesh = TriangleMesh(np.vstack([np.eye(3), np.full(3, np.nan)]), [[0, 1, 2]])

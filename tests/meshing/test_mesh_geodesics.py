@@ -69,7 +69,7 @@ def test_distances_are_to_the_nearest_source(device):
     assert means[1] < means[0] / 2.5
 
 
-def test_no_way_is_infinitely_long(device):
+def test_unreachable_vertices_are_infinitely_far(device):
     vertices, triangles = icosphere(1)
     count = len(vertices)
     both = np.vstack([vertices, vertices + np.array([5, 0, 0]), [[9, 9, 9]]])
@@ -80,7 +80,7 @@ def test_no_way_is_infinitely_long(device):
     assert alone[-1] == 0 and np.isinf(alone[:-1]).all()
 
 
-def test_ways_lead_around_vertices_that_are_not_finite(device):
+def test_paths_avoid_non_finite_vertices(device):
     positions, triangles = shaken_grid(8, shake=0.0)
     positions[40] = np.nan  # the middle
     result = TriangleMesh(positions, triangles, device=device).compute_geodesic_distances([36])

@@ -53,7 +53,7 @@ def test_a_torus_intersects_itself_only_after_self_penetration(device, oracle):
 @pytest.mark.parametrize(
     ("last", "pairs"), [([1, 0, 0], [[0, 1]]), ([0, 0, 0], [[0, 1]]), ([1, -1, 0], []), ([-1, 0, 0], [])]
 )
-def test_triangles_that_touch_in_one_point_meet(device, last, pairs):
+def test_triangles_that_touch_in_one_point_intersect(device, last, pairs):
     corners = [[0, 0, 0], [4, 0, 0], [0, 4, 0], [-1, -3, -1], [-1, -3, 1], last]  # shared: an edge, a corner, nothing
     assert pairs_of(corners, [[0, 1, 2], [3, 4, 5]], device) == pairs
 
@@ -70,7 +70,7 @@ def test_touching_is_decided_exactly(points):
     assert pairs_of(vertices, triangles) == meeting_pairs(vertices, triangles)
 
 
-def test_triangles_without_area_meet_where_their_segments_do(device):
+def test_degenerate_triangles_intersect_where_their_segments_do(device):
     """Differences of these coordinates have more bits than float32, so many signs are undecided in float64."""
     axes = np.array([[1398101, 699051, 466033], [-466033, 1398101, 699051], [3, -5, 7]])
     flat = [
@@ -147,7 +147,7 @@ def test_meshes_intersect_at_their_surfaces_and_not_by_containment(device):
     assert not far.is_intersecting(mesh)
 
 
-def test_what_cannot_meet_does_not(device):
+def test_impossible_pairs_do_not_intersect(device):
     nothing = TriangleMesh([], [], device=device)
     cube = TriangleMesh(*CUBE, device=device)
     assert not nothing.is_self_intersecting() and nothing.get_self_intersecting_triangles().shape == (0, 2)

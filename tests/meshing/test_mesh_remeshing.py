@@ -49,7 +49,7 @@ def test_triangles_become_uniform_and_stay_on_the_surface(shape, length):
 
 
 @pytest.mark.parametrize("is_far", [False, True])
-def test_corners_and_edges_of_a_box_stay(device, is_far):
+def test_corners_and_edges_of_a_box_are_preserved(device, is_far):
     box = TriangleMesh.create_box(1, 0.5, 0.25, device=device)
     box = box.translate(FAR) if is_far else box
     made = box.remesh_isotropic(0.12, 3)
@@ -59,7 +59,7 @@ def test_corners_and_edges_of_a_box_stay(device, is_far):
         assert np.abs(made.vertices - corner).sum(axis=1).min() == 0
 
 
-def test_edges_between_a_crease_and_a_corner_collapse_onto_the_corner_whatever_their_order(device):
+def test_edges_between_a_crease_and_a_corner_collapse_onto_the_corner_in_any_order(device):
     box = TriangleMesh.create_box(1, 0.5, 0.25).subdivide_midpoint(2)
     last = len(box.vertices) - 1
     mesh = TriangleMesh(box.vertices[::-1].copy(), last - box.triangles).to(device)
@@ -95,7 +95,7 @@ def test_boundaries_are_preserved(device):
     assert (normals[:, 2] > 0.5).all()  # no flipped triangles
 
 
-def test_values_follow(device):
+def test_attributes_are_interpolated(device):
     sheet = wavy_sheet(device).compute_vertex_normals()
     sheet.vertex_colors = np.clip(sheet.vertices, 0, 1)
     sheet.vertex_attributes["place"] = sheet.vertices

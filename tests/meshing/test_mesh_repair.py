@@ -82,7 +82,7 @@ def test_filling_adds_no_non_manifold_edge_and_changes_no_triangle(triangles):
     assert all(len(set(t)) == 3 for t in filled.triangles.tolist())
 
 
-def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
+def test_holes_that_would_share_one_chord_are_filled_separately(device):
     """Two square holes with the same two opposite corners: the short diagonal is the same in both."""
     # Corners 0 and 1 are shared; around each hole a fan leads to an apex on its own side.
     corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [1, 0, -1.1], [-1, 0, -1.1]]
@@ -96,7 +96,7 @@ def test_holes_that_would_take_one_chord_are_filled_beside_each_other(device):
     assert mesh.repair(hole_size=10)[1].filled_holes == 2
 
 
-def test_a_chord_that_is_an_edge_already_is_not_taken(device):
+def test_an_existing_edge_is_not_used_as_chord(device):
     """A square hole whose short diagonal is already an edge of a tetrahedron."""
     corners = [[0, 0.2, 0], [0, -0.2, 0], [1, 0, 0.1], [-1, 0, 0.1], [0, 0, 2], [0.3, 0, -2], [-0.3, 0, -2]]
     roof = [[0, 2, 4], [2, 1, 4], [1, 3, 4], [3, 0, 4]]
@@ -107,7 +107,7 @@ def test_a_chord_that_is_an_edge_already_is_not_taken(device):
     assert len(filled) == 10 and filled.is_edge_manifold(allow_boundary_edges=False)
 
 
-def test_only_holes_up_to_the_size_are_filled_and_a_lone_triangle_is_none(device):
+def test_only_holes_up_to_the_size_are_filled_and_no_single_triangles(device):
     triangles = np.delete(grid(9, 9), [20, 21], axis=0)
     x, y = np.meshgrid(np.arange(9.0), np.arange(9.0))
     sheet = np.column_stack([x.ravel(), y.ravel(), np.zeros(81)])
@@ -189,7 +189,7 @@ def test_repairs_of_any_mesh_are_manifold_with_a_correct_report(triangles, hole_
         assert len(again) == len(repaired) and second.flipped_triangles == 0
 
 
-def test_a_good_mesh_comes_back_as_it_is(device):
+def test_a_valid_mesh_is_unchanged(device):
     mesh = ball(device)
     repaired, report = mesh.repair(hole_size=10)
     np.testing.assert_array_equal(repaired.triangles, mesh.triangles)

@@ -33,7 +33,7 @@ from .test_mesh_texture import PICTURE, corner_table
 
 
 @pytest.mark.parametrize("name", VALID)
-def test_what_is_right_stays_as_it_is(device, name):
+def test_valid_meshes_are_unchanged(device, name):
     mesh = VALID[name].to(device)
     repaired, report = mesh.repair()
     np.testing.assert_array_equal(repaired.triangles, mesh.triangles)
@@ -42,7 +42,7 @@ def test_what_is_right_stays_as_it_is(device, name):
 
 
 @pytest.mark.parametrize("name", REPAIR_CASES)
-def test_what_is_wrong_becomes_what_was_meant(device, name):
+def test_damaged_meshes_are_restored(device, name):
     given_mesh, meant = REPAIR_CASES[name]
     repaired, report = given_mesh.to(device).repair()
     assert repaired.is_edge_manifold() and repaired.is_vertex_manifold() and report.is_orientable
@@ -55,7 +55,7 @@ def test_what_is_wrong_becomes_what_was_meant(device, name):
 
 
 @pytest.mark.parametrize("count", [3, 4, 5, 6, 9])
-def test_an_edge_of_many_triangles_becomes_sheets_of_two(device, count):
+def test_an_edge_of_many_triangles_is_split_into_sheets(device, count):
     mesh = fans(count).to(device)
     repaired, report = mesh.repair()
     parts = repaired.cluster_connected_triangles()[1]

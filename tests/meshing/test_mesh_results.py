@@ -33,7 +33,7 @@ CALLS = {
 
 
 @pytest.mark.parametrize("name", CALLS)
-def test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, device, name):
+def test_a_mesh_in_memory_gives_the_result_and_report_of_its_file(tmp_path, device, name):
     command, options, call, arguments = CALLS[name]
     loom.write_triangle_mesh(tmp_path / "in.ply", torn())
     report = command(tmp_path / "in.ply", tmp_path / "out.ply", device=device, **options)
@@ -51,7 +51,7 @@ def test_a_mesh_in_memory_has_the_bits_and_the_words_of_its_file(tmp_path, devic
     assert [line.split()[0] for line in str(result).splitlines()] == [label for label, _ in result.fields()]
 
 
-def test_two_meshes_in_memory_are_compared_as_their_files_are(tmp_path, device):
+def test_comparison_in_memory_matches_that_of_files(tmp_path, device):
     loom.write_triangle_mesh(tmp_path / "a.ply", torn())
     loom.write_triangle_mesh(tmp_path / "b.ply", TriangleMesh.create_sphere(1.01, 12))
     options = {"samples": 500, "limit": 0.05, "seed": 3}
@@ -80,7 +80,7 @@ def test_the_remedy_names_the_python_argument():
         assert argument in result.warnings[0]
 
 
-def test_a_repair_that_cost_too_much_is_unreliable():
+def test_a_destructive_repair_is_unreliable():
     box = TriangleMesh.create_box()
     fin = TriangleMesh(np.vstack([box.vertices, [[5, 5, 5]]]), np.vstack([box.triangles, [[*box.triangles[0][:2], 8]]]))
     lost = loom.clean_mesh(fin)

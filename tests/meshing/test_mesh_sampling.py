@@ -46,7 +46,7 @@ def locate(points: np.ndarray, mesh: TriangleMesh) -> tuple[np.ndarray, np.ndarr
     return best, weights[rows, best], off[rows, best]
 
 
-def test_triangles_get_points_in_proportion_to_their_areas(device):
+def test_points_are_distributed_in_proportion_to_area(device):
     mesh, count = uneven(device), 20_000
     chosen, _, off = locate(mesh.sample_points_uniformly(count, seed=4).points, mesh)
     assert off.max() < 1e-5

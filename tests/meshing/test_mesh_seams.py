@@ -37,7 +37,7 @@ def corners_of(mesh: TriangleMesh) -> np.ndarray:
 
 
 @pytest.mark.parametrize("name", FILTERS)
-def test_a_filter_tears_no_seam_and_keeps_the_texture(device, name):
+def test_filters_preserve_seams_and_texture(device, name):
     ball = sphere()
     split = split_at_seams(ball, device)
     changed = FILTERS[name](split)

@@ -48,7 +48,7 @@ def open3d_filtered(o3d, mesh, name, iterations=2):
 
 @every_filter
 @pytest.mark.parametrize("iterations", [1, 5])
-def test_values_are_those_of_open3d(device, oracle, name, iterations):
+def test_values_match_open3d(device, oracle, name, iterations):
     mesh = torn_ball(device, 1)
     result = filtered(mesh, name, iterations)
     theirs = oracle(f"meshing/smoothing/{name}_{iterations}", open3d_filtered, mesh, name, iterations)
@@ -207,6 +207,6 @@ def test_no_iterations_and_no_triangles_change_nothing(device):
         ({"filter_scope": "normal"}, ValueError, "filter_scope: the mesh has no vertex_normals"),
     ],
 )
-def test_what_makes_no_sense_is_refused(options, error, message):
+def test_invalid_arguments_are_rejected(options, error, message):
     with pytest.raises(error, match=message):
         TriangleMesh(np.eye(3), [[0, 1, 2]]).filter_smooth_laplacian(**options)

@@ -39,7 +39,7 @@ def test_midpoints_match_open3d_bitwise(device, oracle, rounds):
 
 
 @pytest.mark.parametrize("rounds", [1, 2])
-def test_loop_is_open3ds_vertex_by_vertex(device, oracle, rounds):
+def test_loop_matches_open3d_vertex_by_vertex(device, oracle, rounds):
     mesh = torn_ball(device, 1)
     name, result = f"meshing/subdivision/loop_{rounds}", mesh.subdivide_loop(rounds)
     theirs = oracle(name, open3d_arrays, mesh, "subdivide_loop", rounds, names=ARRAYS)
@@ -105,7 +105,7 @@ def test_size_does_not_matter(device, method, scale):
     np.testing.assert_array_equal(getattr(other, method)(2).vertices / scale, getattr(one, method)(2).vertices)
 
 
-def test_normals_that_point_against_each_other_give_one_of_unit_length(device):
+def test_opposite_normals_give_one_of_unit_length(device):
     normals = [[0, 0, 2], [0, 0, -2], [1, 0, 0]]
     result = TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_normals=normals, device=device).subdivide_midpoint()
     np.testing.assert_array_equal(result.vertex_normals[3], [0, 0, 1])

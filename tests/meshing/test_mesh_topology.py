@@ -98,7 +98,7 @@ def test_loops_are_closed_paths_along_the_boundary(triangles):
     assert seen == border or not edge_manifold_and_alike
 
 
-def test_a_border_that_passes_a_vertex_twice_is_two_loops(device):
+def test_a_boundary_that_passes_a_vertex_twice_is_two_loops(device):
     """A sheet of 4 x 4 squares without two that touch at its middle."""
     triangles = np.delete(grid(5, 5), [2 * 5, 2 * 5 + 1, 2 * 10, 2 * 10 + 1], axis=0)
     loops = TriangleMesh(np.random.default_rng(0).random((25, 3)), triangles, device=device).get_boundaries()

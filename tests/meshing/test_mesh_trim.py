@@ -61,7 +61,7 @@ def test_one_triangle_is_clipped_as_a_polygon(device, values):
         assert {tuple(np.float32(p)) for p in polygon} == {tuple(np.float32(p)) for p in left.vertices}
 
 
-def test_a_ball_is_cut_as_by_brute_force(device):
+def test_a_cut_ball_matches_brute_force(device):
     mesh, _ = poisson(sphere(600), depth=4, device=device)
     vertices, triangles = mesh.array("vertices").numpy().astype(float), mesh.triangles
     values = np.random.default_rng(0).normal(size=len(vertices)) + vertices[:, 2]
@@ -136,14 +136,14 @@ def test_holes_below_the_ratio_are_preserved(device):
     assert counts.max() == 2 and (counts == 1).sum() == 40  # the square's boundary alone: no crack along the hole
 
 
-def test_a_piece_gone_at_the_border_is_no_hole(device):
+def test_a_missing_piece_at_the_boundary_is_no_hole(device):
     mesh = grid(10, device)
     for cell, share in (((0, 5), 3), ((0, 0), 1)):
         values = dots(10, cell, inside=0.0)
         assert abs(area_of(mesh, values, island_ratio=0.5) - (100 - share / 8)) < 1e-4
 
 
-def test_a_part_below_the_level_that_touches_nothing_goes(device):
+def test_an_isolated_part_below_the_level_is_removed(device):
     mesh = grid(10, device)
     ball, _ = poisson(sphere(200), depth=3, device=device)
     vertices = np.concatenate([mesh.vertices, ball.vertices * 0.1 + 50])

@@ -83,7 +83,7 @@ def test_a_stack_of_plates_has_all_voxels_for_any_initial_capacity(device):
 
 
 @pytest.mark.parametrize("name", SCENES)
-def test_touched_voxels_are_open3ds(device, oracle, name):
+def test_touched_voxels_match_open3d(device, oracle, name):
     make, size = SCENES[name]
     mesh = make(device)
     assert_touched_as_in_open3d(oracle, name.replace(" ", "_"), mesh, size)
@@ -94,7 +94,7 @@ def test_touched_voxels_are_open3ds(device, oracle, name):
     assert (grid.coordinates < grid.counts).all()
 
 
-def test_a_triangle_with_a_corner_that_is_not_finite_touches_no_voxel(device):
+def test_a_triangle_with_a_non_finite_corner_touches_no_voxel(device):
     vertices, triangles = [[0, 0, 0], [3, 1, 2], [1, 2, 0], [np.nan, 0, 0]], [[0, 1, 2], [0, 1, 3]]
     complete, part = (
         TriangleMesh(vertices, triangles[:n], device=device).voxelize(0.3, [0, 0, 0], [3, 2, 2]) for n in (2, 1)
@@ -141,7 +141,7 @@ def test_voxels_do_not_depend_on_scale(device, scale):
         (lambda: TriangleMesh.create_cone(resolution=5), 0.2),
     ],
 )
-def test_a_solid_is_its_surface_and_the_centers_inside(device, make, size):
+def test_a_solid_is_its_surface_and_the_inner_centers(device, make, size):
     mesh = make().to("cpu" if device is None else device)
     surface, solid = mesh.voxelize(size), mesh.voxelize(size, solid=True)
     cells = np.argwhere(np.ones(solid.counts, bool))

@@ -89,7 +89,7 @@ def room(device):
     return grid
 
 
-def test_log_odds_are_those_of_a_plain_walker(room):
+def test_log_odds_match_a_plain_traversal(room):
     known = {}
     for start, ends in scans():
         fold(known, start, ends, 1.9)
@@ -100,7 +100,7 @@ def test_log_odds_are_those_of_a_plain_walker(room):
     assert 50 < (states == 1).sum() < (states == 0).sum()
 
 
-def test_what_is_seen_often_is_clamped_and_can_still_change(device):
+def test_frequent_observations_are_clamped_and_can_change(device):
     grid, (start, ends) = loom.OccupancyGrid(EDGE, device=device), next(scans())
     known = {}
     for _ in range(7):
@@ -112,7 +112,7 @@ def test_what_is_seen_often_is_clamped_and_can_still_change(device):
     assert (grid.cast_rays(start, (ends[:9] - start).astype(float), 9.0).states == 1).all()
 
 
-def test_a_ray_through_corners_goes_along_z_then_y_then_x(device):
+def test_a_ray_through_corners_steps_along_z_then_y_then_x(device):
     grid = loom.OccupancyGrid(0.5, device=device)
     grid.insert_scan([[1.25, 1.25, 1.25]], [0.25, 0.25, 0.25])
     assert log_odds_of(grid).keys() == {(0, 0, 0), (0, 0, 1), (0, 1, 1), (1, 1, 1), (1, 1, 2), (1, 2, 2), (2, 2, 2)}
@@ -146,7 +146,7 @@ def test_far_positions_give_the_same_voxels(device):
     assert len(near.voxel_indices()) > 20
 
 
-def test_each_ray_may_have_an_origin_of_its_own(device):
+def test_each_ray_can_have_its_own_origin(device):
     pairs = [(start, ends[:20]) for start, ends in scans()]
     ends, starts = np.vstack([e for _, e in pairs]), np.repeat([s for s, _ in pairs], 20, axis=0)
     grid = loom.OccupancyGrid(EDGE, device=device)
@@ -157,7 +157,7 @@ def test_each_ray_may_have_an_origin_of_its_own(device):
     assert {tuple(v) for v in grid.voxel_indices().tolist()} == hit
 
 
-def test_rays_meet_the_first_voxel_that_is_not_free(room):
+def test_rays_hit_the_first_voxel_that_is_not_free(room):
     rng = np.random.default_rng(5)
     ways, start = rng.normal(size=(60, 3)), np.array([0.03, 0.17, 0.05])
     hits, known = room.cast_rays(start, ways, 4.0), log_odds_of(room)
@@ -210,7 +210,7 @@ def test_files_copies_and_pickles_preserve_the_grid(room, tmp_path, device):
             loom.OccupancyGrid.load(tmp_path / "bad.npz")
 
 
-def test_what_no_scan_is_is_refused_and_changes_nothing(room):
+def test_invalid_scans_are_rejected_and_change_nothing(room):
     before, memory = log_odds_of(room), room.memory_bytes
     start, ends = next(scans())
     wild = np.vstack([ends, [[1e7, 0, 0]]])
@@ -236,7 +236,7 @@ def test_what_no_scan_is_is_refused_and_changes_nothing(room):
             loom.OccupancyGrid(EDGE, *probabilities)
 
 
-def test_an_interrupted_scan_is_in_the_grid_or_is_not(room, monkeypatch):
+def test_an_interrupted_scan_is_integrated_completely_or_not_at_all(room, monkeypatch):
     before, (start, ends) = log_odds_of(room), next(scans())
     launch = occupancy_blocks.launch
     for kernel, count in (("mark_passed_kernel", 3), ("fold_scan_kernel", 4)):

@@ -76,7 +76,7 @@ def seen_from_above(vertices, triangles, x, y):
     return (each.reshape(x.shape + each.shape[1:]) for each in (triangle, heights, w[rows, best], near))
 
 
-def test_heights_and_colors_of_a_slope_and_a_box_are_those_reckoned(device):
+def test_heights_and_colors_of_a_slope_and_a_box_are_exact(device):
     made = loom.orthophoto(town(device=device), 0.5, crs="EPSG:32632")
     assert made.bounds == (500_000.0, 5_400_000.0, 500_020.5, 5_400_016.5)
     x, y = (axis - at for axis, at in zip(centers(made), ORIGIN[:2], strict=True))
@@ -120,7 +120,7 @@ def test_a_map_of_any_triangles_matches_float64_rays(seed, cell, corner):
     assert np.abs(made.colors[seen][:, :3] - 255 * mixed[seen]).max(initial=0) < 0.5 + 255 * steepest * 1e-6 + 1e-2
 
 
-def test_a_texture_is_read_between_its_pixels(device):
+def test_textures_are_interpolated_between_pixels(device):
     rng = np.random.default_rng(3)
     picture = rng.integers(0, 256, (8, 12, 4)).astype(np.uint8)  # alpha of images is not read
     mesh = loom.TriangleMesh(
@@ -138,7 +138,7 @@ def test_a_texture_is_read_between_its_pixels(device):
     assert np.abs(finer.colors[7, 9, :3] - expected).max() <= 0.51
 
 
-def test_each_material_has_its_texture_and_none_is_made_up(device):
+def test_each_material_uses_its_texture(device):
     squares = np.array([[[k, 0, 0], [k + 1, 0, 0], [k + 1, 1, 0], [k, 1, 0]] for k in range(3)], float).reshape(-1, 3)
     triangles = [[4 * k + j for j in corner] for k in range(3) for corner in ((0, 1, 2), (0, 2, 3))]
     options = {"triangle_uvs": np.full((18, 2), 0.5), "triangle_material_ids": [0, 0, 1, 1, 2, 2], "device": device}
@@ -151,7 +151,7 @@ def test_each_material_has_its_texture_and_none_is_made_up(device):
     assert loom.orthophoto(mesh, 0.5, bounds=(0, 0, 3, 1)).colors[0, 4].tolist() == [51, 51, 51, 255]
 
 
-def test_strips_of_rows_are_one_map(monkeypatch):
+def test_strips_of_rows_give_one_map(monkeypatch):
     full = loom.orthophoto(town(), 0.5)
     monkeypatch.setattr(source, "STRIP", 100)  # two rows and a part of one
     parts = loom.orthophoto(town(), 0.5)
@@ -214,7 +214,7 @@ def test_a_file_that_cannot_be_written_leaves_nothing(tmp_path):
     assert [path.name for path in tmp_path.iterdir()] == ["b.tif"]
 
 
-def test_a_mesh_of_nothing_is_a_map_of_nothing(device):
+def test_an_empty_mesh_gives_an_empty_map(device):
     nothing = loom.TriangleMesh(np.full((3, 3), np.nan), [[0, 1, 2]], device=device)
     for mesh in (loom.TriangleMesh(device=device), nothing):
         with pytest.raises(ValueError, match=r"^mesh:"):
@@ -226,7 +226,7 @@ def test_a_mesh_of_nothing_is_a_map_of_nothing(device):
 
 
 @pytest.mark.parametrize("cell", [1e-3, 1e-7, 1e-300])
-def test_too_many_cells_are_refused_with_the_cell_that_fits(cell):
+def test_too_many_cells_are_rejected_with_a_suitable_cell_size(cell):
     with pytest.raises(ValueError, match="cell:") as caught:
         loom.orthophoto(town(), cell)
     fits = float(str(caught.value).split("a cell of ")[1].split(" fits")[0])
@@ -249,7 +249,7 @@ def test_what_makes_no_sense_is_rejected_by_name(given, message):
         loom.orthophoto(town(), **{"cell": 1.0, **given})
 
 
-def test_units_that_are_not_metres_are_refused():
+def test_units_other_than_meters_are_rejected():
     mesh = town()
     mesh.unit = "foot"
     assert loom.orthophoto(mesh, 1.0).heights.values.shape == (17, 21)

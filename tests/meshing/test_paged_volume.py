@@ -51,7 +51,7 @@ def assert_same_bits(one, other):
 
 
 @pytest.mark.parametrize("color", [True, pytest.param(False, marks=pytest.mark.slow)])
-def test_a_paged_volume_has_the_bits_of_one_in_memory(device, tmp_path, color):
+def test_a_paged_volume_is_bitwise_identical_to_one_in_memory(device, tmp_path, color):
     reference = integrate_frames(loom.TSDFVolume(**SIZES, color=color, device=device), color=color)
     with integrate_frames(paged(tmp_path / "v", device, color=color), color=color) as volume:
         assert volume.block_count == reference.block_count > 2 * volume.max_blocks
@@ -113,7 +113,7 @@ def test_a_view_loads_the_blocks_in_front_of_the_camera(device, tmp_path):
         assert_same_bits(volume.to_volume(), reference)
 
 
-def test_work_goes_on_where_it_was_saved(device, tmp_path):
+def test_work_continues_from_the_last_save(device, tmp_path):
     reference = integrate_frames(loom.TSDFVolume(**SIZES, device=device))
     with integrate_frames(paged(tmp_path / "v", device), range(7)) as volume:
         volume.save()
@@ -155,7 +155,7 @@ def test_a_failed_page_write_leaves_the_volume_unchanged(device, tmp_path, monke
         assert_same_bits(integrate_frames(volume, range(done, 12)).to_volume(), reference)
 
 
-def test_damaged_pages_and_lists_are_named(device, tmp_path):
+def test_errors_name_damaged_pages_and_lists(device, tmp_path):
     with integrate_frames(paged(tmp_path / "v", device)) as volume:
         volume.save()
     page = sorted((tmp_path / "v").glob("0*.npz"))[0]
@@ -179,7 +179,7 @@ def test_damaged_pages_and_lists_are_named(device, tmp_path):
         loom.PagedTSDFVolume.load(tmp_path / "v")
 
 
-def test_a_page_without_the_colors_of_the_others_is_named(device, tmp_path):
+def test_an_error_names_a_page_without_colors(device, tmp_path):
     with integrate_frames(paged(tmp_path / "v", device)) as volume:
         volume.save()
     page = sorted((tmp_path / "v").glob("0*.npz"))[1]

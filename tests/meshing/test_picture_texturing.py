@@ -55,7 +55,7 @@ def test_each_leveling_takes_seams_away(device, options, mean, maximum):
     assert len(steps) == len(before) and steps.mean() < mean and steps.max() < maximum
 
 
-def test_the_figure_of_seams_is_of_the_finished_texture(device):
+def test_seam_statistics_describe_the_finished_texture(device):
     scene = wall_scene(GAINS, device)
     tinted = [np.clip(picture * (1.0, 1.0, 1.0 + 0.2 * k), 0, 255) for k, picture in enumerate(scene.pictures)]
     pictures = [picture.astype(np.uint8) for picture in tinted]
@@ -74,7 +74,7 @@ def test_exposure_correction_restores_the_surface_colors(device):
     assert errors_of(result).mean() < 0.5 * errors_of(without).mean()
 
 
-def test_a_picture_that_shows_something_else_is_left_out(device):
+def test_an_image_with_other_content_is_excluded(device):
     scene = wall_scene((1.0,) * 5, device)
     poses = [scene.extrinsics[2]] * 5
     pictures = [scene.pictures[2]] * 4 + [scene.pictures[2].copy()]
@@ -86,7 +86,7 @@ def test_a_picture_that_shows_something_else_is_left_out(device):
     assert (unfiltered.views[unfiltered.views >= 0] == 4).all() and unfiltered.outlier_count == 0
 
 
-def test_what_hides_a_triangle_keeps_its_picture_away(device):
+def test_occluded_images_are_not_used(device):
     wall, board = wall_mesh(device=device), wall_mesh(3, device=device)
     before = loom.TriangleMesh(0.25 * np.asarray(board.vertices) - (0, 0, 0.3), board.triangles, device=device)
     scene = wall_scene((1.0,), device)
@@ -104,7 +104,7 @@ def test_back_facing_triangles_are_not_visible(device):
         texture(flipped, scene.pictures, CAMERA, scene.extrinsics)
 
 
-def test_triangles_without_a_picture_have_the_vertices_colors_or_are_plain(device):
+def test_triangles_without_an_image_take_vertex_colors_or_are_plain(device):
     scene = wall_scene((1.0,), device)
     colored = scene.mesh._with_arrays()
     colored.vertex_colors = np.tile((0.2, 0.6, 0.4), (len(np.asarray(scene.mesh.vertices)), 1))

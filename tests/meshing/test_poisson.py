@@ -105,7 +105,7 @@ def test_normal_lengths_matter_only_on_request(device):
 
 
 @pytest.mark.parametrize("factor", [2.0**-80, 2.0**80])
-def test_lengths_of_all_normals_by_one_factor_change_nothing(device, factor):
+def test_a_common_factor_of_normals_changes_nothing(device, factor):
     points = sphere(1000)
     normals = (points * np.random.default_rng(1).uniform(0.2, 2, (1000, 1))).astype(np.float32)
     plain, scaled = (poisson(points, normals * f, confidence=True, device=device) for f in (1, np.float32(factor)))

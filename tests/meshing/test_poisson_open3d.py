@@ -78,7 +78,7 @@ def assert_alike(device, tolerances, kind, depth, theirs):
 
 
 @pytest.mark.parametrize("kind", ["sphere", "torus"])
-def test_densities_and_normals_are_open3ds(device, oracle, tolerances, kind):
+def test_densities_and_normals_match_open3d(device, oracle, tolerances, kind):
     assert_alike(device, tolerances, kind, 5, oracle(f"meshing/poisson/{kind}_5", open3d_some_vertices, kind, 5))
 
 

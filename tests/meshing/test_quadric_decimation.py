@@ -105,7 +105,7 @@ def test_a_closed_component_remains_and_is_reported(device, surface, target, ver
     assert set(edge_counts(thin.triangles).values()) == {2}
 
 
-def test_lone_triangles_go_last_and_the_small_ones_first(device):
+def test_isolated_triangles_are_removed_last_and_small_ones_first(device):
     """Open3D remains above its target where no collapse is possible; pointloom reaches the target."""
     corners = np.tile([[0, 0, 0], [1, 0, 0], [0, 1, 0]], (6, 1, 1)) * np.arange(1.0, 7)[::-1, None, None]
     corners[..., 2] = np.arange(6)[:, None]
@@ -154,7 +154,7 @@ def test_non_manifold_edges_stay_and_get_no_more_triangles(device):
     np.testing.assert_allclose(thin.vertices[np.unique(crowded)][:, [0, 1]], 0, atol=1e-5)  # the line is kept
 
 
-def test_an_error_that_is_allowed_is_not_passed(device):
+def test_the_maximum_error_is_respected(device):
     """Flat parts are collapsed without error; curved parts stay, without a warning."""
     x, y = grid(20)[0][:, :2].T
     bent = np.c_[x, y, np.maximum(x - 9, 0) ** 2 / 8]
@@ -183,7 +183,7 @@ def test_normals_and_colors_match_their_position(device):
     np.testing.assert_array_equal(thin.vertex_normals, np.tile([0, 0, 1], (len(where), 1)))
 
 
-def test_a_texture_stays_where_it_is(device):
+def test_texture_is_preserved(device):
     """Two charts of a bent sheet with a seam between them, and another material on the far side."""
     vertices, triangles = grid(21)
     bent = vertices.copy()
@@ -211,7 +211,7 @@ def test_a_texture_stays_where_it_is(device):
     np.testing.assert_allclose(uvs[..., 1] * 40, where[..., 1], atol=0.1)
 
 
-def test_seams_give_way_before_the_target_is_missed(device):
+def test_seams_are_simplified_before_the_target_is_missed(device):
     """Each triangle has a chart of its own, so every edge is a seam."""
     vertices, triangles = grid(8)
     uvs = np.random.default_rng(0).random((3 * len(triangles), 2))

@@ -124,7 +124,7 @@ def test_cameras_match_open3d(oracle):
     np.testing.assert_allclose(K @ middle, [2.5, 1.5, 1], atol=1e-5)
 
 
-def test_hits_are_those_of_brute_force(device):
+def test_hits_match_brute_force(device):
     vertices, triangles = ball(10)
     rays = rays_through(400, 2)
     every = brute_force(vertices, triangles, rays)
@@ -171,7 +171,7 @@ def test_integer_coordinates_are_hit_exactly(triangles, rays):
 
 
 @pytest.mark.parametrize("scale", [1e-6, 1.0, 1e6])
-def test_no_ray_slips_through_the_edges_and_corners_of_a_closed_mesh(device, scale):
+def test_rays_cannot_pass_edges_and_corners_of_a_closed_mesh(device, scale):
     vertices, triangles = ball(10)
     vertices = (vertices * scale).astype(np.float32)
     corners = vertices[np.asarray(triangles)]
@@ -202,7 +202,7 @@ def test_edges_and_corners_are_crossed_once(device):
     assert set(result["primitive_uvs"][[2, 3, 6]].ravel().tolist()) <= {0, 0.25, 0.5, 0.75}  # as for integers
 
 
-def test_of_equal_triangles_the_smallest_number_is_met(device):
+def test_of_equal_triangles_the_smallest_index_is_hit(device):
     corners = [[0, 0, 0], [1, 0, 0], [0, 1, 0]]
     scene = scene_of((corners, [[0, 2, 1]] * 40), (corners, [[0, 1, 2]]), device=device)
     rays = [[0.2, 0.3, 1, 0, 0, -1]]
@@ -262,7 +262,7 @@ def test_a_moved_instance_is_hit_at_its_new_pose(device):
     assert scene.list_intersections(rays)["geometry_ids"].tolist() == [1, 0]
 
 
-def test_a_scene_far_from_zero_is_the_same_scene(device):
+def test_a_scene_far_from_zero_gives_the_same_hits(device):
     vertices, triangles = ball()
     vertices = np.round(vertices * 2**20) / 2**20  # representable in float64
     rays = rays_through(800, 8).astype(np.float64)
@@ -283,7 +283,7 @@ def test_a_scene_far_from_zero_is_the_same_scene(device):
         np.testing.assert_array_equal(near[name], values)
 
 
-def test_rays_that_are_none_meet_nothing(device):
+def test_invalid_rays_hit_nothing(device):
     o, n, i = [0.25, 0.5, 1], np.nan, np.inf
     rays = [[*o, 0, 0, 0], [*o, 0, 0, n], [*o, 0, 0, -i], [n, 0.5, 1, 0, 0, -1], [0.25, i, 1, 0, 0, -1]]
     for scene in (scene_of(SQUARE, device=device), scene_of(SQUARE, SQUARE, device=device)):
@@ -295,7 +295,7 @@ def test_rays_that_are_none_meet_nothing(device):
         assert scene.list_intersections(rays)["ray_splits"].tolist() == [0] * 6
 
 
-def test_a_triangle_with_a_corner_that_is_not_finite_is_met_by_no_ray(device):
+def test_a_triangle_with_a_non_finite_corner_is_never_hit(device):
     vertices, triangles = np.array(SQUARE[0], float), np.array(SQUARE[1])
     broken = np.vstack([vertices, [[np.nan, 0, 0]]]), np.vstack([[[0, 1, len(vertices)]], triangles])
     xy = np.random.default_rng(0).uniform(-0.5, 1.5, (50, 2))

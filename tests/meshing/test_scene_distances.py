@@ -170,7 +170,7 @@ def test_inverted_and_far_meshes_enclose_the_same_points(device, shift):
         assert np.linalg.norm(closest - shift - np.clip(queries, 0, 1), axis=1)[~inside].max() < 1e-6
 
 
-def test_signs_about_sharp_corners_are_those_of_the_solid_angle(device):
+def test_signs_at_sharp_corners_match_the_solid_angle(device):
     rng = np.random.default_rng(5)
     for seed in range(3):
         spikes = rng.random((4, 3)) * [3, 3, 0.05]
@@ -194,7 +194,7 @@ def test_open_meshes_are_classified_by_winding_numbers(device):
     assert ((scene.compute_signed_distance(queries) < 0) == (np.abs(number) > 0.5))[clear].all()
 
 
-def test_shells_in_shells_and_overlapping_geometries_are_one_solid(device):
+def test_nested_shells_and_overlapping_geometries_are_one_solid(device):
     cube = np.array(CUBE[0])
     queries = somewhere(500, 8, 2.5)
     outer = (np.abs(queries - 0.5) < 1.5).all(1)
@@ -255,7 +255,7 @@ def test_a_scene_without_triangles_is_infinitely_far(device):
 
 
 @pytest.mark.parametrize("is_open", [False, True])
-def test_a_query_that_is_not_finite_has_no_distance_and_changes_no_other(device, is_open):
+def test_a_non_finite_query_has_no_distance_and_affects_no_other(device, is_open):
     vertices, triangles = CUBE
     scene = scene_of((vertices, triangles[2:] if is_open else triangles), device=device)
     queries = somewhere(40)

@@ -34,7 +34,7 @@ def test_a_ball_is_reconstructed_with_its_color(device, at=UTM):
     np.testing.assert_allclose(np.median(mesh.vertex_colors, axis=0), [0.8, 0.3, 0.1], atol=0.01)
 
 
-def test_views_of_ones_own_see_the_inside_of_a_room(device):
+def test_given_views_show_the_inside_of_a_room(device):
     room = loom.TriangleMesh.create_box(4, 3, 2.5).translate([-2, -1.5, -1.2])
     splats = splats_of(room, 8000, device=device)
     camera = loom.PinholeCameraIntrinsic(80, 60, 45.0, 45.0, 39.5, 29.5)

@@ -74,7 +74,7 @@ def test_color_for_a_volume_without_color_is_rejected(device):
         ({"voxel_size": 0.02, "device": "cuda:99"}, DeviceError, "device"),
     ],
 )
-def test_a_volume_of_impossible_sizes_is_refused(options, error, name):
+def test_invalid_volume_sizes_are_rejected(options, error, name):
     with pytest.raises(error, match=f"^{name}: "):
         loom.TSDFVolume(**options)
 
@@ -123,7 +123,7 @@ def test_any_depth_gives_finite_voxels_within_one(values, voxel_size):
     assert uint16 == volume._blocks.weights.dtype
 
 
-def test_a_first_frame_far_away_that_is_refused_sets_no_origin(device):
+def test_a_rejected_far_first_frame_sets_no_origin(device):
     """Its camera would have become the origin; the next frame is near zero."""
     volume, far = loom.TSDFVolume(voxel_size=1e-7, device=device), np.eye(4)
     far[0, 3] = -1e6

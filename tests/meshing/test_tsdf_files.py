@@ -176,7 +176,7 @@ EDITS = {
 
 
 @pytest.mark.parametrize("edit", EDITS)
-def test_an_edited_file_is_refused_and_the_array_is_named(saved, tmp_path, edit):
+def test_an_edited_file_is_rejected_with_the_array_name(saved, tmp_path, edit):
     arrays = arrays_of(saved[0])
     write(tmp_path / "same.npz", arrays)
     assert loom.TSDFVolume.load(tmp_path / "same.npz").block_count > 1

@@ -107,7 +107,7 @@ def test_scaled_integers_equal_floats_in_meters(device, rng):
     assert a.block_count > 10
 
 
-def test_color_is_for_every_frame_or_for_none(device, rng):
+def test_color_is_required_for_all_frames_or_none(device, rng):
     """Color without its own weight cannot skip frames: mixing is rejected, not averaged with black."""
     depth, T, color = next(small_frames(rng, 1))
     E = np.linalg.inv(T)
@@ -166,7 +166,7 @@ def test_a_frame_without_depth_is_counted_and_changes_nothing(device):
     assert len(volume.extract_triangle_mesh(0)) == 0
 
 
-def test_a_mean_color_is_rounded_to_the_nearest_step(device, rng):
+def test_mean_colors_are_rounded_to_nearest(device, rng):
     """Truncation would darken a surface over hundreds of frames."""
     volume = loom.TSDFVolume(voxel_size=VOXEL, truncation=TRUNCATION, device=device)
     depth = np.full((SMALL.height, SMALL.width), 1.005)

@@ -143,7 +143,7 @@ def partly_seen_plane(device, normal, offset, is_seen):
     return volume
 
 
-def test_a_ray_past_an_unseen_voxel_meets_the_surface(device):
+def test_a_ray_past_an_unseen_voxel_hits_the_surface(device):
     """It enters a cell beside a voxel before the surface, passes the unseen voxel, and leaves beside one behind."""
     volume = partly_seen_plane(device, np.array([0, 0, -1.0]), -VOXEL / 2, lambda x, z: (z != 0) | (x % 2 == 0))
     entry, camera = np.array([0.1, 0.3, 0]) * VOXEL, loom.PinholeCameraIntrinsic(2, 2, 1000, 1000, 0.5, 0.5)
@@ -152,7 +152,7 @@ def test_a_ray_past_an_unseen_voxel_meets_the_surface(device):
 
 
 @pytest.mark.parametrize("side", [1, -1])
-def test_normals_beside_unseen_voxels_are_those_of_the_surface(device, side):
+def test_normals_beside_unseen_voxels_match_the_surface(device, side):
     """A tilted plane, half of it unseen: the last hits have a gradient on one side only."""
     normal = np.array([-0.5, 0, -np.sqrt(0.75)])
     view = view_from(partly_seen_plane(device, normal, 0.013, lambda x, z: side * x <= 0), look_at((0, 0, -0.9)), FINE)

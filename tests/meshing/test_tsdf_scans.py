@@ -131,7 +131,7 @@ def test_a_scan_at_utm_coordinates_is_equally_exact(device):
     assert np.abs(near.vertices[:, 0] - 2).max() < 0.05
 
 
-def test_wild_points_make_no_blocks(device):
+def test_outlier_points_create_no_blocks(device):
     volume, clean = volume_on(device), volume_on(device)
     wild = np.array([[1e7, 3e6, 1e5], [np.nan, 0, 0], [0, 0, 0], [0.2, 0, 0]])
     volume.integrate_points(np.vstack([wall(2.0), wild]), np.zeros(3), min_range=0.5, max_range=50.0, carve=False)

@@ -103,7 +103,7 @@ def test_normals_and_colors_are_means(device):
 
 
 @pytest.mark.parametrize("way", ["average", "quadric"])
-def test_meshes_without_triangles_or_with_one(device, way):
+def test_meshes_with_at_most_one_triangle(device, way):
     assert len(TriangleMesh(device=device).simplify_vertex_clustering(1, way)) == 0
     one = TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[1, 2, 0]], device=device)
     assert one.simplify_vertex_clustering(0.1, way).triangles.tolist() == [[0, 1, 2]]

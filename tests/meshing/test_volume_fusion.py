@@ -153,7 +153,7 @@ def test_weights_saturate_at_their_limit(device):
     assert voxels_of(volume)[2].max() == 65535 and volume.frame_count == 2**17
 
 
-def test_colors_are_means_by_weight(device):
+def test_colors_are_weighted_means(device):
     depth, T = np.full((SMALL.height, SMALL.width), 1.0), np.eye(4)
     parts = []
     for shade, count in ((40, 1), (200, 3)):

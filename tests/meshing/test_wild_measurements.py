@@ -43,7 +43,7 @@ def test_outlier_pixels_beyond_depth_max_are_ignored(device, tmp_path, pixel):
 
 
 @pytest.mark.parametrize(("far", "carve"), [(65.0, False), (1e7, True), (1e30, True), (np.nan, False)])
-def test_a_wild_point_makes_no_block_beyond_max_range(device, far, carve):
+def test_outlier_points_create_no_block_beyond_max_range(device, far, carve):
     before, side = peak(), np.linspace(-1.0137, 0.9871, 25)
     wall = np.stack([np.full(625, 2.0), np.repeat(side, 25), np.tile(side, 25)], axis=1)
     wild = np.vstack([wall, [[far, far / 3, far / 7]]])

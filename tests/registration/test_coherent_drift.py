@@ -48,7 +48,7 @@ def steps_in_numpy(Y, X, kind, count, w=0.1, width=2.0, stiffness=3.0):
 
 
 @pytest.mark.parametrize("kind", ["rigid", "affine", "deformable"])
-def test_its_steps_are_those_of_the_paper(device, kind):
+def test_steps_match_the_paper(device, kind):
     body, scan = lumpy(120, 0) * FLAT, lumpy(150, 1) * FLAT
     scan = swayed(scan) if kind == "deformable" else transformed(scan)
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
@@ -67,7 +67,7 @@ def test_all_points_are_weighted_for_any_count(device, count):
     np.testing.assert_allclose(result.warped.points, steps_in_numpy(body, scan, "rigid", 2)[0], atol=2e-6)
 
 
-def test_trees_find_what_all_pairs_do(device, monkeypatch):
+def test_tree_search_matches_all_pairs(device, monkeypatch):
     body, scan = lumpy(400, 0) * FLAT, transformed(lumpy(500, 1) * FLAT)
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
     results = []

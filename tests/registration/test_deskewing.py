@@ -32,7 +32,7 @@ def skew_scan(world, twist, shares) -> np.ndarray:
 
 @settings(max_examples=10, deadline=None, suppress_health_check=[HealthCheck.function_scoped_fixture])
 @given(st.tuples(*[small] * 6), st.floats(1e-3, 1e9), st.floats(-1e6, 1e6), st.integers(2, 9))
-def test_a_scan_is_as_if_taken_at_its_end(device, tolerances, twist, unit, start, count):
+def test_a_scan_is_deskewed_to_its_end(device, tolerances, twist, unit, start, count):
     rng = np.random.default_rng(count)
     shares = np.linspace(0, 1, count)[rng.permutation(count)]
     world = rng.uniform(-60, 60, (count, 3))

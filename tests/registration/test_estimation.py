@@ -108,7 +108,7 @@ def assert_same(actual, theirs, tolerance):
 
 
 @pytest.mark.parametrize(("name", "arguments", "steps"), STEPS, ids=str)
-def test_steps_are_open3ds(device, pair, theirs, name, arguments, steps, tolerances):
+def test_steps_match_open3d(device, pair, theirs, name, arguments, steps, tolerances):
     kind = {"ForGeneralizedICP": "icp_pose_float32", "ForColoredICP": "icp_pose_colored"}.get(name, "icp_pose")
     if "L1Loss" in arguments and (steps > 1 or name.startswith("For")):
         kind = "icp_pose_l1"
@@ -196,7 +196,7 @@ def test_point_to_point_kernels_suppress_clutter(device, pair, angle_between, lo
     assert angle_between(robust, pair.T) < 0.3
 
 
-def test_point_to_point_weights_are_those_of_distances(device, pair, tolerances):
+def test_point_to_point_weights_depend_on_distance(device, pair, tolerances):
     """One weighted step against the closed form in float64."""
     loss = reg.CauchyLoss(0.03)
     result = result_after(device, pair, reg.TransformationEstimationPointToPoint(kernel=loss), 1).transformation

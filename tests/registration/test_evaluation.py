@@ -91,7 +91,7 @@ def test_an_evaluation_matches_open3d(device, rng, oracle, tolerances):
     check(device, (source, target, T, 0.07), theirs, tolerances)
 
 
-def test_information_is_about_the_worlds_origin(device, rng, tolerances):
+def test_information_is_about_the_world_origin(device, rng, tolerances):
     """Also at UTM coordinates: against float64 sums over the target's own world coordinates."""
     shift = np.array([5e5, 5.4e6, 120.0])
     target, source = exact(rng.random((300, 3))), exact(rng.random((200, 3)))

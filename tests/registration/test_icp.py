@@ -39,7 +39,7 @@ def test_every_estimator_converges_to_the_pose(device, full_pair, kind, degrees,
 
 
 @EACH
-def test_a_step_far_from_the_origin_of_coordinates_is_one_near_it(device, full_pair, kind):
+def test_a_step_far_from_the_origin_equals_one_near_it(device, full_pair, kind):
     """Rotations are linearized about the pairs: about the origin, 500 m away, a 1 degree step would miss by 8 cm."""
     if kind == "doppler":
         pytest.skip("the origin is the sensor")
@@ -96,7 +96,7 @@ def test_a_collapsing_scale_is_not_converged(device, rng):
 
 
 @EACH
-def test_no_iterations_only_evaluate(device, full_pair, kind):
+def test_zero_iterations_only_evaluate(device, full_pair, kind):
     source, target = on(device, *full_pair[:2])
     init = as_pose([0.02, 0, 0], [0, 0.02, 0])
     result = reg.registration_icp(source, target, 0.1, init, KINDS[kind], reg.ICPConvergenceCriteria(max_iteration=0))
@@ -127,7 +127,7 @@ def test_a_result_describes_its_pose(device, full_pair, kind):
     [("point", (1e-6, 1e-6)), ("plane", (1e-6, 1e-6)), ("plane", (1e-2, 1e-3)), ("point", (1e-3, 1.0)),
      ("plane", (1.0, 1e-5))],
 )  # fmt: skip
-def test_it_ends_when_both_changes_are_below_their_limits(device, full_pair, kind, limits):
+def test_it_stops_when_both_changes_are_below_their_limits(device, full_pair, kind, limits):
     """Compared after each step with the previous evaluation, including the initial one."""
     source, target = on(device, *full_pair[:2])
     iterations = []

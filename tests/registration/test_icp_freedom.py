@@ -54,7 +54,7 @@ def parameters(T, init, pivot, frame):
         ("scaled", ("roll", "y", "z", "pitch", "yaw"), FRAME, None),
     ],
 )
-def test_the_pose_is_that_of_dense_least_squares(device, pair, kind, free, frame, pivot):
+def test_the_pose_matches_dense_least_squares(device, pair, kind, free, frame, pivot):
     source, target = on(device, *pair)
     given = {"free": free, "frame": frame, "pivot": pivot}
     result = reg.registration_icp(source, target, 0.3, INIT, KINDS[kind], LONG, degeneracy=0, **given)
@@ -91,7 +91,7 @@ def test_a_prior_without_information_leaves_the_full_pose(device, full_pair, kin
         shift=[np.zeros(3), UTM],
     )
 )
-def test_what_is_not_free_stays_as_init_has_it(device, full_pair, kind, shift, free):
+def test_fixed_components_stay_as_in_init(device, full_pair, kind, shift, free):
     clouds = []
     for cloud in on(device, *full_pair[:2]):
         names = {"normals": cloud.normals, "colors": cloud.colors}
@@ -111,7 +111,7 @@ def test_what_is_not_free_stays_as_init_has_it(device, full_pair, kind, shift, f
         np.testing.assert_allclose(level[:3, :3][fixed_rows], init[:3, :3][fixed_rows], atol=1e-15)
 
 
-def test_a_rail_along_any_axis_keeps_the_rotation_of_init_bit_for_bit(device, pair):
+def test_a_rail_along_any_axis_keeps_the_initial_rotation_bitwise(device, pair):
     source, target = on(device, *pair)
     init = as_pose([0.02, -0.01, 0.01])
     still = reg.ICPConvergenceCriteria(max_iteration=0)
@@ -179,7 +179,7 @@ def test_a_source_without_pairs_stays(device):
     np.testing.assert_allclose(result.transformation, INIT, atol=1e-14)
 
 
-def test_empty_clouds_and_single_points_move_as_they_may(device):
+def test_empty_clouds_and_single_points_respect_the_freedom(device):
     for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.zeros((2, 3))):
         source = loom.PointCloud(points, device=device)
         target = loom.PointCloud(points + np.array([0.05, 0.02, 0.0]), device=device)

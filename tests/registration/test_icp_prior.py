@@ -30,7 +30,7 @@ def pair():
         rank=[6, 2],
     )
 )
-def test_the_pose_is_that_of_dense_least_squares(device, pair, free, kind, noise, rank, rng):
+def test_the_pose_matches_dense_least_squares(device, pair, free, kind, noise, rank, rng):
     """The prior differs from the truth, so that both have an effect."""
     source, target = on(device, *pair)
     offset = np.where([name in (free or MOTIONS) for name in MOTIONS], [0.02, -0.01, 0.03, 0.01, 0.01, -0.02], 0)
@@ -131,7 +131,7 @@ def test_pairs_override_a_wrong_prior_where_they_determine_the_pose(device, pair
     np.testing.assert_allclose(poses[1][:3, 3] - free[:3, 3], [0.05, 0, 0], atol=5e-3)
 
 
-def test_perfect_pairs_do_not_silence_a_prior(device, rng):
+def test_a_prior_has_an_effect_beside_exact_pairs(device, rng):
     """Residuals of exactly zero: noise has a lower limit, so the prior still constrains the axis of a corridor."""
     points, normals = degenerate("corridor", rng, 2000)
     cloud = loom.PointCloud(points, normals=normals, device=device)

@@ -160,7 +160,7 @@ def test_a_scan_pose_matches_the_explicit_loop(device, street_pair, tolerances, 
 
 
 @pytest.mark.parametrize("in_table", [True, False])
-def test_scans_are_thinned_to_the_first_point_of_each_voxel(device, lidar, monkeypatch, in_table):
+def test_scans_are_downsampled_to_the_first_point_of_each_voxel(device, lidar, monkeypatch, in_table):
     from pointloom.core.devices import resolve_device
     from pointloom.kernels.lang import vec3
     from pointloom.kernels.memory import upload

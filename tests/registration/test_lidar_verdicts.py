@@ -36,7 +36,7 @@ def run(scans, device, **options):
     return odometry
 
 
-def test_a_bare_corridor_does_not_determine_the_way_along_it(device, rng):
+def test_a_bare_corridor_does_not_constrain_motion_along_it(device, rng):
     odometry = run([corridor_scan(rng) for _ in range(5)], device)
     for step in odometry.steps[1:]:
         assert np.abs(step.undetermined[0]) @ [1, 0, 0] > 0.99 and len(step.undetermined) == 1
@@ -47,7 +47,7 @@ def test_a_bare_corridor_does_not_determine_the_way_along_it(device, rng):
     assert dict(summary.fields())["undetermined"] == "4: along x, scan 1-4"
 
 
-def test_a_prior_is_taken_along_what_is_not_determined_and_is_no_fault(device, rng):
+def test_a_prior_is_used_along_free_directions_without_a_warning(device, rng):
     odometry, prior = LidarOdometry(max_range=30.0, min_range=0.3), np.eye(4)
     prior[:2, 3] = 0.4, 0.05  # 5 cm of it are wrong, across
     odometry.register(loom.PointCloud(corridor_scan(rng), device=device))
@@ -111,7 +111,7 @@ def test_a_stationary_scanner_among_moving_objects_is_reported():
     assert summarize_steps(steps(0.95, 0.5)).reliable
 
 
-def test_a_rise_counts_where_it_is_large_and_sure():
+def test_a_residual_increase_counts_if_large_and_significant():
     rows = np.array([[0.03, 0.0, 1.0, 0.0], [3.1, 0.9, 100.0, 0.0], [15.0, 1.0, 1000.0, 0.0], [4.0, 4.0, 100.0, 0.0]])
     assert MIN_RISE == 0.02
     assert rises_clearly(rows).tolist() == [False, True, False, False]

@@ -167,7 +167,7 @@ def test_integers_with_ties_and_nans_match_brute_force(device, seed, d, rows, le
 
 
 @pytest.mark.parametrize("d", [1, 7, 16, 17, 33])
-def test_matches_in_any_number_of_dimensions_are_those_of_all_pairs(device, rng, d):
+def test_matches_in_any_dimension_equal_brute_force(device, rng, d):
     """Clusters, where pruning excludes nearly all rows, and noise, where it excludes none."""
     middles = rng.normal(0, 5, (20, d))
     clusters = [middles[rng.integers(0, 20, n)] + rng.normal(0, 1, (n, d)) for n in (300, 411)]
@@ -212,7 +212,7 @@ def test_a_target_of_many_blocks_is_searched_completely(device, rng):
     assert len(mutual) > 150 and {(i, j) for i, j in mutual} == {(j, i) for i, j in back}
 
 
-def test_equal_rows_match_the_first_of_them(device):
+def test_of_equal_rows_the_first_is_matched(device):
     """As rows of zeros for points without neighbors; without this, a thousand would take a million comparisons."""
     a, b = np.zeros((3000, 33), np.float32), np.zeros((4000, 33), np.float32)
     b[:7] = 1
@@ -237,7 +237,7 @@ def test_the_mutual_filter_is_dropped_where_open3d_drops_it(device, oracle):
         assert len(result) == counts[share] and np.array_equal(result, expected)
 
 
-def test_the_ratio_is_taken_after_the_mutual_filter_and_its_fallback(device):
+def test_the_ratio_test_follows_the_mutual_filter_and_its_fallback(device):
     """Ambiguous pairs count in the decision whether too few are mutual."""
     a, b = np.float32([[0], [10], [20], [31]]), np.float32([[0], [0.1], [10], [20], [29]])
     assert correspondences_from_features(a, b, True, 1.0, device=device).tolist() == [[0, 0], [1, 2], [2, 3], [3, 4]]
@@ -257,7 +257,7 @@ def test_the_ratio_test_is_strict_and_passes_a_single_target(device):
 
 
 @pytest.mark.parametrize("shape", [(0, 5), (5, 0), (0, 0), (1, 1), (1, 5), (2, 1)])
-def test_few_rows_or_none_match_what_there_is(device, rng, shape):
+def test_few_or_no_rows_are_matched(device, rng, shape):
     a, b = (rng.normal(0, 1, (n, 33)).astype(np.float32) for n in shape)
     assert_all_as_expected(device, a, b)
     assert correspondences_from_features(a, b, device=device).shape == (shape[0] if shape[1] else 0, 2)

@@ -113,7 +113,7 @@ def test_ten_scans_of_the_bunny_are_registered_without_a_guess(real_file, o3d):
         assert np.median(scene.compute_distance(transformed).numpy()) < 0.0005, name
 
 
-def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, fragments, rng):
+def test_the_information_of_a_pair_is_about_the_source_coordinates(device, fragments, rng):
     """For any rotation and 50 m apart, against manual rows: the target's points in source coordinates."""
     from scipy.spatial import cKDTree
     from scipy.spatial.transform import Rotation
@@ -137,7 +137,7 @@ def test_the_information_of_a_pair_is_about_the_sources_own_coordinates(device, 
     assert np.abs(information - expected).max() < 1e-3 * np.abs(expected).max()
 
 
-def test_pairs_support_each_other_where_they_close_a_way_round_and_only_there(fragments):
+def test_pairs_support_each_other_only_if_they_close_a_loop(fragments):
     from pointloom.registration.pose_graphs.fragment_graph import Extent, FragmentPair, _agreement
 
     clouds = [Extent.of(loom.PointCloud(p[::20])) for p in fragments.clouds[:3]]

@@ -49,7 +49,7 @@ def test_the_surface_of_a_body_is_deformed_onto_the_scan(device):
 
 
 @LONG
-def test_landmarks_keep_points_from_sliding_along_the_surface(device, swaying):
+def test_landmarks_prevent_sliding_along_the_surface(device, swaying):
     body, scan, truth = swaying
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
     chosen = np.arange(0, COUNT, 50)
@@ -70,7 +70,7 @@ def test_twists_and_expansions_are_recovered(device):
 
 
 @LONG
-def test_a_scan_of_a_part_bends_the_part_that_it_shows(device, swaying):
+def test_a_partial_scan_deforms_the_visible_part(device, swaying):
     body, scan, truth = swaying
     part = loom.PointCloud(scan[scan[:, 0] > -0.2], device=device)
     result = bend(loom.PointCloud(body, device=device), part)
@@ -114,7 +114,7 @@ def test_a_rigid_motion_is_reported(device, swaying):
 
 
 @LONG
-def test_the_bend_takes_points_normals_and_attributes_along(device):
+def test_the_deformation_transforms_points_normals_and_attributes(device):
     cloud, result = swaying_cloud(device)
     body = cloud.points
     T, warped = result.deformation, result.warped
@@ -208,7 +208,7 @@ def test_a_few_steps_match_on_every_device(device):
     assert result.iterations == 4 and result.rmse < result.rigid_rmse
 
 
-def test_landmarks_that_contradict_each_other_are_named(device, swaying):
+def test_contradictory_landmarks_are_named(device, swaying):
     body, scan, _ = swaying
     clouds = loom.PointCloud(body, device=device), loom.PointCloud(scan, device=device)
     positions, belong = body[[5, 80, 5]], np.array([[0.5, 0, 0], [0, 0.5, 0], [-0.5, 0, 0]])
@@ -261,7 +261,7 @@ def test_one_step_applies_a_full_rotation(device):
     assert np.abs(angles - 0.2).max() < 0.2**2  # the error after a Gauss-Newton step is of second order
 
 
-def test_the_far_side_of_a_thin_body_is_no_partner(device):
+def test_the_far_side_of_a_thin_body_is_not_matched(device):
     x, y = np.random.default_rng(0).uniform(-1, 1, (2, 500))
     up, down = np.tile([[0, 0, 1.0]], (500, 1)), np.tile([[0, 0, -1.0]], (500, 1))
     sheet = np.column_stack([x, y, 0.05 * np.sin(3 * x)])

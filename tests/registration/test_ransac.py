@@ -130,7 +130,7 @@ def test_another_seed_gives_other_samples(device, rng):
     assert len(poses) == 5
 
 
-def test_the_stricter_of_two_checkers_counts_on_the_device():
+def test_the_stricter_of_two_checkers_applies_on_the_device():
     from pointloom.registration.globally.checkers import checks_of
 
     normal, edges, distance, rotation = (

@@ -166,7 +166,7 @@ def test_normals_match_the_plane_fit(device, rng):
     assert (np.abs(np.einsum("ij,ij->i", surface.normals.numpy(), fitted)) > 0.99999).all()
 
 
-def test_points_without_a_surface_around_them_are_left_out(device, rng):
+def test_points_without_a_surface_are_excluded(device, rng):
     surface = hills(rng, 3000)
     line = np.linspace(0, 1, 50)[:, None] * [1, 0, 0] + [0, 0, 10]
     points = np.r_[surface, line, [[0, 0, 20.0]], [[np.nan, 0, 0]]]
@@ -232,7 +232,7 @@ def test_rating_is_limited_by_points_beside_the_planes():
     assert Evidence(0.1, 0.03, 1000, rest=0.9).score == Evidence(0.1, 0.03, 1000).score < 0.3
 
 
-def test_what_is_as_square_as_the_walls_has_to_be_more():
+def test_structures_square_to_the_walls_need_more_evidence():
     square, round_ = (Evidence(0.4, 0.03, 1000, rest=0.14, aligned=share) for share in (0.9, 0.3))
     assert square.score < 0.5 < round_.score
     assert "perpendicular planes" in square.problem
@@ -241,7 +241,7 @@ def test_what_is_as_square_as_the_walls_has_to_be_more():
     assert np.all(np.diff(scores) <= 0) and scores[0] == round_.score and scores[3] == scores[4]
 
 
-def test_a_few_matches_beside_the_planes_may_be_chance(monkeypatch):
+def test_a_few_matches_beside_the_planes_can_be_chance(monkeypatch):
     monkeypatch.setattr(rating, "count_blocked", lambda source, target, pose: 0.0)
     evidence, rests, bare = Evidence(0.5, 0.03, 3000), [], rating.Witness(None, 0.1)
     for count in (20, 50, 100, 200):
@@ -263,7 +263,7 @@ def directions_of(normals, where):
     return directions.numpy()[: int(count.numpy()[0])]
 
 
-def test_what_matches_square_to_two_planes_counts_as_aligned(device, rng):
+def test_matches_square_to_two_planes_count_as_aligned(device, rng):
     where = loom.PointCloud(np.zeros((1, 3)), device=device).array("points").device
     square = directions_of(np.array([[0, 0, 1.0], [1, 0, 0]]), where)
     np.testing.assert_allclose(np.abs(square), [[0, 0, 1], [1, 0, 0], [0, 1, 0]], atol=1e-6)

@@ -287,6 +287,6 @@ def things() -> dict[str, Any]:
 
 
 @pytest.mark.parametrize(("error", "message", "call"), CASES, ids=[call for _, _, call in CASES])
-def test_a_wrong_argument_is_refused_by_name(error, message, call):
+def test_a_wrong_argument_is_rejected_by_name(error, message, call):
     with pytest.raises(error, match=f"^['\"]?{message}"):
         eval(call, dict(things()))

@@ -151,7 +151,7 @@ def test_rooms_that_share_nothing_but_walls_are_rejected(device, rng):
     assert "three planes" in result.warnings[0]
 
 
-def test_of_few_voxels_a_pose_that_fits_by_chance_is_rejected(device):
+def test_chance_fits_of_few_voxels_are_rejected(device):
     """Each of these was 84 to 177 degrees off: with so few voxels, some pose of a search fits by chance."""
     frames = loom.datasets.room_frames(24)
     for i, j, voxel in ((6, 14, 0.6), (16, 0, 0.6), (17, 4, 0.75), (1, 23, 0.6), (2, 20, 0.6)):
@@ -172,7 +172,7 @@ def test_rooms_with_the_same_furniture_are_accepted(device, rng):
     assert result.score > 0.9 and result.converged and angle < 0.5 and distance < 0.02
 
 
-def test_a_rejected_pose_is_no_rival():
+def test_a_rejected_pose_causes_no_ambiguity():
     best = Evidence(0.6, 0.03, 1000, rest=0.5)
     assert _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45), best)
     assert not _is_equal(Evidence(0.62, 0.03, 1000, rest=0.45, blocked=0.1), best)

@@ -119,7 +119,7 @@ def test_the_rotation_uncertainty_matches_many_trials():
     assert np.median(uncertainties) > 1.0
 
 
-def test_cameras_on_a_line_are_refused():
+def test_cameras_on_a_line_are_rejected():
     model = curved_path()
     line = {name: (i, 2.0 * i, 0.0) for i, name in enumerate(model.names)}
     with pytest.raises(ValueError, match="positions:"):

@@ -36,7 +36,7 @@ def test_distorted_fragments_agree_after_calibration(aligned):
     assert solved.report.rmse[-1] < 0.35 * rigid.report.rmse[-1] < 0.35 * rigid.report.rmse[0]
 
 
-def test_the_grid_and_the_poses_that_come_back_belong_together():
+def test_the_returned_grid_and_poses_are_consistent():
     T = pose_of(np.array([0, 0, 2.0, 0.1, 0.2, 0.1]))
     views = corner(1000), moved(invert_pose(T), corner(1000, seed=1))
     clouds = [loom.PointCloud(points + 0.05 * points[:, 2:] * points) for points in views]
@@ -134,7 +134,7 @@ def test_fragments_run_on_every_device(device):
     assert np.abs(bent.points - clouds[0].points).max() < 2e-3 and len(bent.normals) == len(bent)
 
 
-def test_stray_points_are_really_removed():
+def test_stray_points_are_removed():
     clouds, graph = two()
     _, grid = slac.run_slac_optimizer_for_fragments(clouds, graph)
     stray = [loom.PointCloud(np.concatenate([c.points, [[30.0, 5, 5], [-20, 8, 0]]])) for c in clouds]

@@ -86,7 +86,7 @@ def test_leveled_stations_stay_level():
     assert np.array_equal(poses[:, 2, :3], np.tile([0.0, 0.0, 1.0], (len(poses), 1)))
 
 
-def test_right_surveys_raise_no_alarm():
+def test_correct_surveys_raise_no_alarm():
     for seed in (0, 4, 8):  # without a shared level of significance there are alarms at 4 and 8
         _, observed, first = survey(seed, level=True)
         assert not snoop(first, observed, level=True, reference=0)[2]
@@ -117,20 +117,20 @@ def test_overconfident_pairs_are_widened():
     assert 1.2 < left.pair_factor < 5
 
 
-def test_the_factor_of_pairs_is_of_standard_deviations():
+def test_the_factor_of_pairs_applies_to_standard_deviations():
     _, observed, first = survey(8, level=True, control=False)
     once = adjust(first, Observed(observed.pairs), level=True)
     thrice = adjust(first, Observed(observed.pairs, pair_factor=3.0), level=True)
     np.testing.assert_allclose(thrice.covariances, 9 * once.covariances, rtol=1e-6, atol=1e-15)
 
 
-def test_redundancy_is_rows_less_what_they_determine():
+def test_redundancy_is_the_rows_minus_the_determined_unknowns():
     _, observed, first = survey(9, level=True, control=False)
     result = adjust(first, Observed(observed.pairs), level=True)
     assert result.redundancy == 4 * len(LINKS) - 4 * (len(POSITIONS) - 1)
 
 
-def test_a_test_is_how_much_the_squares_fall_without_its_observation():
+def test_a_test_statistic_is_the_decrease_without_its_observation():
     _, observed, first = survey(10, level=True)
     result = adjust(first, observed, level=True)
     for group in (result.groups[0], result.groups[-1]):
@@ -138,7 +138,7 @@ def test_a_test_is_how_much_the_squares_fall_without_its_observation():
         np.testing.assert_allclose(group.statistic, result.squares - without.squares, rtol=1e-3)
 
 
-def test_a_pair_that_puts_stations_elsewhere_than_their_positions_is_not_used():
+def test_a_pair_that_contradicts_station_positions_is_not_used():
     pair = StationPair(1, 0, make_pose(np.eye(3), [4.0, 0, 0]), np.eye(6))
     there = np.array([[0.0, 0, 0], [5.5, 0, 0]])
     assert _check_distance(pair, there, 2.0).reliable
@@ -152,7 +152,7 @@ def test_too_few_blocks_give_no_information():
     assert not _clustered(J, r, np.ones(400), positions, 6.0).any()  # eight blocks
 
 
-def test_information_is_what_errors_of_blocks_show():
+def test_information_matches_the_errors_of_blocks():
     sizes = []
     for seed in range(40):
         rng = np.random.default_rng(seed)
@@ -204,7 +204,7 @@ def test_unconstrained_stations_are_reported():
     assert adjust(first, Observed(pairs, one), level=True).loose.tolist() == [False] * 5 + [True]
 
 
-def test_up_that_is_known_to_a_degree_is_an_observation():
+def test_an_up_direction_with_uncertainty_is_an_observation():
     _, observed, first = survey(4, level=True, control=False)
     tilted = Observed(observed.pairs, [], [], tilt_sigma=1e-4)
     result = adjust(first, tilted, level=False)
