@@ -1,4 +1,4 @@
-"""Made arrays that are kept come back as they were, and a file that is damaged, or of other sources, is made anew."""
+"""The array cache returns stored arrays unchanged and rebuilds damaged or outdated files."""
 
 import numpy as np
 import pytest
@@ -9,14 +9,14 @@ from pointloom.datasets.array_cache import cached
 
 @pytest.fixture
 def cache(tmp_path, monkeypatch):
-    """A cache folder in which all is kept, however fast it was made."""
+    """A cache folder that stores every result, however fast it was computed."""
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     monkeypatch.setattr(module, "MIN_SECONDS", -1.0)
     return tmp_path / "pointloom" / "datasets"
 
 
 class Maker:
-    """Counts how often it is asked."""
+    """Counts its calls."""
 
     def __init__(self):
         self.calls = 0
@@ -26,7 +26,7 @@ class Maker:
         return {"values": np.arange(1000.0), "few": np.uint8([1, 2])}
 
 
-def test_what_is_kept_comes_back_with_the_same_bits(cache):
+def test_cached_arrays_are_bitwise_identical(cache):
     make = Maker()
     first, second = cached("room", {"count": 1}, make), cached("room", {"count": 1}, make)
     assert make.calls == 1 and len(list(cache.iterdir())) == 1
@@ -47,23 +47,23 @@ def test_a_damaged_file_is_made_anew(cache, damage):
     make = Maker()
     cached("room", {"count": 1}, make)
     (path,) = cache.iterdir()
-    held = bytearray(path.read_bytes())
+    content = bytearray(path.read_bytes())
     if damage == "of another key":
         cached("room", {"count": 2}, make)
         make.calls = 1
-        held = next(other for other in cache.iterdir() if other != path).read_bytes()
+        content = next(other for other in cache.iterdir() if other != path).read_bytes()
     elif damage == "flipped":
-        held[len(held) // 3] ^= 255
+        content[len(content) // 3] ^= 255
     else:
-        held = held[: len(held) // 2 if damage == "cut" else 0]
-    path.write_bytes(held)
+        content = content[: len(content) // 2 if damage == "cut" else 0]
+    path.write_bytes(content)
     again = cached("room", {"count": 1}, make)
     assert make.calls == 2 and np.array_equal(again["values"], np.arange(1000.0))
     cached("room", {"count": 1}, make)
     assert make.calls == 2
 
 
-def test_what_is_made_fast_is_not_kept_and_a_folder_that_cannot_be_made_keeps_nothing(tmp_path, monkeypatch):
+def test_fast_results_and_unwritable_folders_are_not_cached(tmp_path, monkeypatch):
     make = Maker()
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path))
     cached("room", {}, make)
@@ -73,7 +73,7 @@ def test_what_is_made_fast_is_not_kept_and_a_folder_that_cannot_be_made_keeps_no
     assert np.array_equal(cached("room", {}, make)["few"], [1, 2])
 
 
-def test_the_least_used_goes_where_it_becomes_too_much(cache, monkeypatch):
+def test_lru_entry_is_evicted(cache, monkeypatch):
     make = Maker()
     cached("room", {"count": 0}, make)
     size = next(cache.iterdir()).stat().st_size

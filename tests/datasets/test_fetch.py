@@ -1,4 +1,4 @@
-"""Public sets come from a server or a mirror whole and checked, or not at all, and errors say what to put where."""
+"""Public datasets are downloaded atomically from a server or a mirror and checked; errors name the missing files."""
 
 import functools
 import hashlib
@@ -16,18 +16,18 @@ from pointloom.datasets.public.fetching import PublicFile, PublicSet, public_set
 
 
 def zipped(files: dict[str, bytes]) -> bytes:
-    held = io.BytesIO()
-    with zipfile.ZipFile(held, "w") as file:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as file:
         for name, content in files.items():
             file.writestr(name, content)
-    return held.getvalue()
+    return buffer.getvalue()
 
 
 class Served(http.server.SimpleHTTPRequestHandler):
-    """Serves a folder; `short.bin` ends early."""
+    """Serves a folder; `short.bin` is truncated."""
 
     def do_GET(self):
-        self.server.asked.append(self.path)
+        self.server.requests.append(self.path)
         if not self.path.endswith("short.bin"):
             return super().do_GET()
         self.send_response(200)
@@ -41,22 +41,23 @@ class Served(http.server.SimpleHTTPRequestHandler):
 
 @pytest.fixture
 def server(tmp_path):
-    """A server of a folder on this machine: `.url`, `.folder`, and what it was `.asked` for."""
+    """A server of a folder on this machine: `.url`, `.folder`, and the paths that were requested (`.requests`)."""
     folder = tmp_path / "served"
     folder.mkdir()
-    found = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Served, directory=folder))
-    found.asked, found.folder, found.url = [], folder, f"http://127.0.0.1:{found.server_port}"
-    thread = threading.Thread(target=found.serve_forever, kwargs={"poll_interval": 0.01})
+    http_server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), functools.partial(Served, directory=folder))
+    http_server.requests, http_server.folder = [], folder
+    http_server.url = f"http://127.0.0.1:{http_server.server_port}"
+    thread = threading.Thread(target=http_server.serve_forever, kwargs={"poll_interval": 0.01})
     thread.start()
-    yield found
-    found.shutdown()
-    found.server_close()
+    yield http_server
+    http_server.shutdown()
+    http_server.server_close()
     thread.join()
 
 
 @pytest.fixture
 def add(server, monkeypatch):
-    """Make a set of one file that the server has; with another checksum where `wrong`."""
+    """Add a dataset of one file on the server, with a wrong checksum if `wrong`."""
     monkeypatch.delenv(fetching.MIRROR, raising=False)
 
     def make(name, content, unpack=None, *, algorithm="sha256", wrong=False):
@@ -74,43 +75,43 @@ def everything(folder):
 
 
 @pytest.mark.parametrize("algorithm", ["sha256", "md5"])
-def test_a_file_comes_once_and_is_there_then(add, server, tmp_path, algorithm):
+def test_file_is_downloaded_once(add, server, tmp_path, algorithm):
     add("cloud.ply", b"points", algorithm=algorithm)
     for _ in range(2):
         path = loom.datasets.fetch("made", tmp_path / "home")
         assert path.name == "cloud.ply" and path.read_bytes() == b"points"
-    assert server.asked == ["/cloud.ply"]
+    assert server.requests == ["/cloud.ply"]
 
 
-def test_an_archive_is_unpacked_and_unpacked_again_where_a_file_is_lost(add, server, tmp_path):
+def test_archive_is_unpacked_again_if_a_file_is_missing(add, server, tmp_path):
     add("frames.zip", zipped({"color/0.png": b"c", "depth/0.png": b"dd"}), "inside")
     folder = loom.datasets.fetch("made", tmp_path / "home")
     assert everything(folder) == [".files.json", "inside/color/0.png", "inside/depth/0.png"]
     (folder / "inside/depth/0.png").write_bytes(b"")
     assert (loom.datasets.fetch("made", tmp_path / "home") / "inside/depth/0.png").read_bytes() == b"dd"
-    assert len(server.asked) == 2
+    assert len(server.requests) == 2
 
 
 @pytest.mark.parametrize("name", ["wrong", "short.bin", "gone.bin"])
-def test_what_is_damaged_cut_short_or_gone_leaves_nothing_and_says_what_to_put_where(add, server, tmp_path, name):
+def test_failed_download_leaves_no_files_and_reports_where_to_put_them(add, server, tmp_path, name):
     file = add(name, b"points", wrong=name == "wrong")
     if name == "gone.bin":
         (server.folder / name).unlink()
-    with pytest.raises(loom.FileError, match="cannot be downloaded") as told:
+    with pytest.raises(loom.FileError, match="cannot be downloaded") as caught:
         loom.datasets.fetch("made", tmp_path / "home")
     assert everything(tmp_path / "home") == []
-    assert file.url in str(told.value) and str(tmp_path / "home" / "downloads" / f"made-{name}") in str(told.value)
+    assert file.url in str(caught.value) and str(tmp_path / "home" / "downloads" / f"made-{name}") in str(caught.value)
 
 
-def test_what_was_put_there_by_hand_needs_no_network(add, server, tmp_path):
+def test_files_added_by_hand_need_no_network(add, server, tmp_path):
     add("cloud.ply", b"points")
-    with pytest.raises(loom.FileError) as told:
+    with pytest.raises(loom.FileError) as caught:
         (server.folder / "cloud.ply").unlink()
         loom.datasets.fetch("made", tmp_path / "home")
-    shutil.copyfile(_written(tmp_path, b"points"), told.value.path)
-    server.asked.clear()
+    shutil.copyfile(_written(tmp_path, b"points"), caught.value.path)
+    server.requests.clear()
     assert loom.datasets.fetch("made", tmp_path / "home").read_bytes() == b"points"
-    assert server.asked == []
+    assert server.requests == []
 
 
 def _written(folder, content):
@@ -118,18 +119,18 @@ def _written(folder, content):
     return folder / "by-hand"
 
 
-def test_a_mirror_comes_first_and_a_wrong_file_of_it_is_not_taken(add, server, tmp_path, monkeypatch):
+def test_mirror_is_tried_first_and_its_wrong_file_is_rejected(add, server, tmp_path, monkeypatch):
     add("cloud.ply", b"points")
     for mirror in (f"{server.url}/mirror", str(server.folder / "mirror")):
         monkeypatch.setenv(fetching.MIRROR, mirror)
-        held = server.folder / "mirror" / "made" / "cloud.ply"
-        held.parent.mkdir(parents=True, exist_ok=True)
-        for content, asks_host in ((b"points", False), (b"others", True)):
-            held.write_bytes(content)
-            server.asked.clear()
-            home = tmp_path / f"{mirror == str(server.folder / 'mirror')}{asks_host}"
+        mirrored = server.folder / "mirror" / "made" / "cloud.ply"
+        mirrored.parent.mkdir(parents=True, exist_ok=True)
+        for content, contacts_host in ((b"points", False), (b"others", True)):
+            mirrored.write_bytes(content)
+            server.requests.clear()
+            home = tmp_path / f"{mirror == str(server.folder / 'mirror')}{contacts_host}"
             assert loom.datasets.fetch("made", home).read_bytes() == b"points"
-            assert ("/cloud.ply" in server.asked) == asks_host
+            assert ("/cloud.ply" in server.requests) == contacts_host
 
 
 @pytest.mark.parametrize("name", ["../out", "/out", "..\\out", "C:out"])
@@ -141,12 +142,12 @@ def test_names_that_climb_out_of_an_archive_are_refused(add, tmp_path, name):
 
 
 def test_a_link_in_an_archive_is_refused(add, tmp_path):
-    held = io.BytesIO()
-    with zipfile.ZipFile(held, "w") as file:
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as file:
         entry = zipfile.ZipInfo("link")
         entry.external_attr = 0o120777 << 16
         file.writestr(entry, "/etc/passwd")
-    add("bad.zip", held.getvalue(), "")
+    add("bad.zip", buffer.getvalue(), "")
     with pytest.raises(loom.FileError, match="link"):
         loom.datasets.fetch("made", tmp_path / "home")
 
@@ -165,7 +166,7 @@ def test_a_fetch_that_is_interrupted_leaves_no_set(add, tmp_path, monkeypatch):
     assert everything(loom.datasets.fetch("made", tmp_path / "home")) == [".files.json", "a"]
 
 
-def test_an_unknown_set_is_told_with_the_nearest():
+def test_unknown_dataset_error_suggests_the_nearest_name():
     with pytest.raises(ValueError, match=r"^name:"):
         loom.datasets.fetch("buny")
 

@@ -1,4 +1,4 @@
-"""What loom.datasets hands out is what its docstrings say: true poses, true labels, the same bits each time."""
+"""Synthetic data of loom.datasets: true poses, true labels, bitwise identical in every run."""
 
 import numpy as np
 import pytest
@@ -9,12 +9,12 @@ from pointloom.datasets.scenes.room import surface_errors
 
 
 @pytest.fixture
-def nothing_kept(monkeypatch, tmp_path):
+def without_cache(monkeypatch, tmp_path):
     monkeypatch.setenv("XDG_CACHE_HOME", str(tmp_path / "never"))
     monkeypatch.setattr(module, "MIN_SECONDS", np.inf)
 
 
-def test_exact_frames_lie_on_the_room_and_noisy_ones_near_it(nothing_kept):
+def test_exact_and_noisy_frames_match_the_room_surface(without_cache):
     for noise, limit in ((False, 1e-5), (True, 0.02)):
         frame = loom.datasets.room_frames(2, width=64, height=48, noise=noise)[1]
         assert frame.depth.dtype == np.float32 and frame.color.shape == (48, 64, 3)
@@ -23,7 +23,7 @@ def test_exact_frames_lie_on_the_room_and_noisy_ones_near_it(nothing_kept):
         assert len(cloud) > 2000 and np.median(surface_errors(cloud.points)) < limit
 
 
-def test_frames_are_the_same_bits_each_time_and_the_first_of_more(nothing_kept):
+def test_frames_are_reproducible_for_any_count(without_cache):
     first, second = loom.datasets.room_frames(1, width=64, height=48), loom.datasets.room_frames(2, width=64, height=48)
     assert np.array_equal(first[0].depth, second[0].depth) and np.array_equal(first[0].color, second[0].color)
     assert not np.array_equal(second[0].color, second[1].color)
@@ -32,30 +32,30 @@ def test_frames_are_the_same_bits_each_time_and_the_first_of_more(nothing_kept):
 
 
 @pytest.mark.slow
-def test_the_rooms_cloud_and_mesh_lie_on_the_room_and_normals_point_into_it():
+def test_room_cloud_and_mesh_match_the_room_with_inward_normals():
     cloud, mesh = loom.datasets.room_cloud(voxel_size=0.1), loom.datasets.room_mesh()
     assert np.median(surface_errors(mesh.vertices)) < 0.002
     outwards = surface_errors(cloud.points + 0.03 * cloud.normals)
     assert np.abs(np.linalg.norm(cloud.normals, axis=1) - 1).max() < 1e-5
-    assert np.mean(outwards > surface_errors(cloud.points)) > 0.8  # less in corners, where another wall is near
+    assert np.mean(outwards > surface_errors(cloud.points)) > 0.8  # lower in corners, which have another wall nearby
 
 
 @pytest.mark.slow
 def test_scans_of_the_street_fit_once_they_are_deskewed_and_posed():
     drive = loom.datasets.street_scans(2)
     step = np.linalg.inv(drive.poses[0]) @ drive.poses[1]
-    placed = [loom.registration.deskew_point_cloud(scan, step).transform(pose)
+    world_clouds = [loom.registration.deskew_point_cloud(scan, step).transform(pose)
               for scan, pose in zip(drive.scans, drive.poses, strict=True)]  # fmt: skip
-    road = [cloud.select_by_mask(cloud["label"] == 1) for cloud in placed]
+    road = [cloud.select_by_mask(cloud["label"] == 1) for cloud in world_clouds]
     assert max(np.abs(cloud.points[:, 2]).max() for cloud in road) < 0.05
-    houses = [cloud.select_by_mask(cloud["label"] == 4) for cloud in placed]
-    assert np.median(houses[0].compute_point_cloud_distance(houses[1])) < 0.12
+    buildings = [cloud.select_by_mask(cloud["label"] == 4) for cloud in world_clouds]
+    assert np.median(buildings[0].compute_point_cloud_distance(buildings[1])) < 0.12
     times = drive.scans[1]["time"]
     assert times.min() > 0.1 and times.max() <= 0.2 + 1e-12 and drive.scans[1]["ring"].max() == 31
 
 
 @pytest.mark.slow
-def test_the_figure_is_closed_and_its_exact_scans_lie_on_it():
+def test_figure_is_watertight_and_exact_scans_match_it():
     mesh, scans = loom.datasets.object_mesh(), loom.datasets.object_scans(3, noise=False)
     assert mesh.is_watertight() and mesh.is_edge_manifold() and mesh.is_vertex_manifold()
     assert 20_000 < len(mesh) < 100_000 and len(np.unique(mesh.cluster_connected_triangles()[0])) == 1
@@ -69,7 +69,7 @@ def test_the_figure_is_closed_and_its_exact_scans_lie_on_it():
 
 
 @pytest.mark.slow
-def test_photographs_show_the_figure_where_the_poses_say():
+def test_photographs_match_the_figure_at_their_poses():
     shots, mesh = loom.datasets.photographs(2), loom.datasets.object_mesh()
     for pose, depth in zip(shots.poses, shots.depths, strict=True):
         cloud = loom.PointCloud.create_from_depth_image(depth, shots.intrinsic, np.linalg.inv(pose))

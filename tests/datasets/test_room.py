@@ -1,4 +1,4 @@
-"""The furnished room: depth lies on its surface, noise follows its model, and the folder on disk is a data set."""
+"""The furnished room: exact depth, the noise model, and the dataset on disk."""
 
 from types import SimpleNamespace
 
@@ -27,17 +27,17 @@ def back_project(frame, depth):
     return points @ frame.T_world_camera[:3, :3].T + frame.T_world_camera[:3, 3]
 
 
-def test_exact_depth_lies_on_the_true_surface(device):
+def test_exact_depth_matches_the_true_surface(device):
     sequence = room_sequence(7, **SMALL, noise=False, device=device)
     for frame in sequence:
         assert frame.depth.dtype == np.float32 and frame.depth.min() > 0.3
         assert surface_errors(back_project(frame, frame.depth), device=device).max() < 2e-6
 
 
-def test_the_distance_of_the_room_is_the_least_over_its_solids(device):
+def test_room_distance_is_the_minimum_over_its_solids(device):
     room = furnished_room()
     points = np.random.default_rng(0).uniform(-0.1, np.array(SIZE) + 0.1, (500, 3))
-    least = np.full(500, np.inf)
+    min_distance = np.full(500, np.inf)
     for kind, R, center, extent in zip(room.kinds, room.rotations, room.centers, room.extents, strict=True):
         q = (points - center) @ R.T
         if kind == CYLINDER:
@@ -45,8 +45,8 @@ def test_the_distance_of_the_room_is_the_least_over_its_solids(device):
         a = np.abs(q) - extent[:3]
         a = np.delete(a, 1, axis=1) if kind == CYLINDER else a
         distance = np.linalg.norm(np.maximum(a, 0), axis=1) + np.minimum(a.max(axis=1), 0) - extent[3]
-        least = np.minimum(least, distance)
-    assert np.abs(surface_errors(points, device=device) - np.abs(least)).max() < 1e-12
+        min_distance = np.minimum(min_distance, distance)
+    assert np.abs(surface_errors(points, device=device) - np.abs(min_distance)).max() < 1e-12
 
 
 @pytest.mark.slow
@@ -56,11 +56,11 @@ def test_noise_follows_its_model(device):
     for i in range(6):
         depth, true = noisy.read(i).depth, exact.read(i).depth.astype(np.float64)
         assert depth.dtype == np.uint16
-        kept = depth > 0
-        assert 0.85 < kept.mean() < 1.0
+        valid = depth > 0
+        assert 0.85 < valid.mean() < 1.0
         sigma = 0.0012 + 0.0019 * (true - 0.4) ** 2
         rounding = 0.001**2 / 12
-        scaled.append(((depth / 1000.0 - true) / np.sqrt(sigma**2 + rounding))[kept])
+        scaled.append(((depth / 1000.0 - true) / np.sqrt(sigma**2 + rounding))[valid])
     scaled = np.concatenate(scaled)
     assert abs(scaled.mean()) < 0.01
     assert abs(scaled.std() - 1) < 0.01
@@ -75,12 +75,12 @@ def test_grazing_surfaces_and_edges_lose_their_depth(device):
         for shift in (-1, 1):
             jump = np.maximum(jump, np.abs(np.roll(true, shift, axis) - true))
     beside_edge = jump[1:-1, 1:-1] > 0.05 * true[1:-1, 1:-1]
-    lost = noisy.depth[1:-1, 1:-1] == 0
-    assert lost[beside_edge].mean() > 0.6
-    assert lost[~beside_edge].mean() < 0.1
+    is_missing = noisy.depth[1:-1, 1:-1] == 0
+    assert is_missing[beside_edge].mean() > 0.6
+    assert is_missing[~beside_edge].mean() < 0.1
 
 
-@pytest.mark.parametrize("view", [0.1, 0.4, 0.7, "down", "up", "away"])  # along the path, or from the middle
+@pytest.mark.parametrize("view", [0.1, 0.4, 0.7, "down", "up", "away"])  # along the path, or from the center
 def test_a_room_of_coarse_light_has_the_exact_depth_and_measured_depth_follows_the_noise_model(device, view):
     parts, camera = furnished_room(), PinholeCameraIntrinsic(40, 30, 35.0, 35.0, 19.5, 14.5)
     solids, margins = parts.solids(device), np.full(3, 0.35)
@@ -109,17 +109,17 @@ def test_the_camera_keeps_clear_of_the_furniture_and_moves_smoothly():
     poses = np.array([room_pose(i / 120) for i in range(121)])
     assert surface_errors(poses[:, :3, 3]).min() > 0.35
     assert np.linalg.norm(np.diff(poses[:, :3, 3], axis=0), axis=1).max() < 0.35
-    turns = np.einsum("nji,njk->nik", poses[:-1, :3, :3], poses[1:, :3, :3])
-    angles = np.degrees(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)))
+    rotations = np.einsum("nji,njk->nik", poses[:-1, :3, :3], poses[1:, :3, :3])
+    angles = np.degrees(np.arccos(np.clip((np.trace(rotations, axis1=1, axis2=2) - 1) / 2, -1, 1)))
     assert angles.max() < 16
     assert np.allclose(np.linalg.det(poses[:, :3, :3]), 1)
 
 
-def test_the_round_for_a_film_is_one_turn_as_smooth_as_a_hand():
+def test_film_trajectory_is_one_smooth_revolution():
     poses = np.array([film_pose(k / 240) for k in range(240)])
     forward, eyes = poses[:, :3, 2], poses[:, :3, 3]
-    turn = np.degrees(np.arccos((forward[1:] * forward[:-1]).sum(axis=1)))
-    assert turn.min() > 0.8 and turn.max() < 2.2
+    angles = np.degrees(np.arccos((forward[1:] * forward[:-1]).sum(axis=1)))
+    assert angles.min() > 0.8 and angles.max() < 2.2
     assert 0.02 < np.linalg.norm(np.diff(eyes, axis=0), axis=1).max() < 0.06
     assert surface_errors(eyes).min() > 0.35
     yaw = np.unwrap(np.arctan2(forward[:, 1], forward[:, 0]))

@@ -1,4 +1,4 @@
-"""A round through the furnished room with a camera that bends depth: SLAC brings its surface nearer to the truth."""
+"""SLAC reduces the surface error of a room scan with distorted depth."""
 
 import numpy as np
 import pytest
@@ -10,7 +10,7 @@ from pointloom.registration.deformable.slac import run_rigid_optimizer_for_fragm
 from pointloom.registration.rigid import fit_pose, invert_pose
 from pointloom.rgbd.reconstruction.volumes import integrate_deformed
 
-VIEWS, REACH = 31, 4.0  # frames of one round, and the farthest depth [m] that is taken
+VIEWS, DEPTH_MAX = 31, 4.0  # frames of one round, and the maximum depth [m]
 slac = loom.reconstruction
 
 
@@ -19,7 +19,7 @@ def moved(T, points):
 
 
 class BentRound:
-    """One fragment a frame, depth 2 % too far at the pictures' corners; poses are known, as from a good odometry."""
+    """One fragment per frame; depth is 2 % too large at the image corners; poses are known."""
 
     def __init__(self):
         frames = room_sequence(120, width=80, height=60, noise=False)
@@ -30,7 +30,7 @@ class BentRound:
         seen = [frames.read(i) for i in range(VIEWS)]
         self.poses = [frame.T_world_camera for frame in seen]
         self.depths = [(frame.depth * stretch).astype(np.float32) for frame in seen]
-        self.truths = [np.where(bent <= REACH, f.depth, 0) for f, bent in zip(seen, self.depths, strict=True)]
+        self.truths = [np.where(bent <= DEPTH_MAX, f.depth, 0) for f, bent in zip(seen, self.depths, strict=True)]
         self.clouds = [self.cloud(depth) for depth in self.depths]
         edges = [
             PoseGraphEdge(i, j, invert_pose(self.poses[j]) @ self.poses[i])
@@ -41,20 +41,20 @@ class BentRound:
         self.graph = PoseGraph([PoseGraphNode(T) for T in self.poses], edges)
 
     def cloud(self, depth):
-        return loom.PointCloud.create_from_depth_image(depth, self.camera, depth_trunc=REACH)
+        return loom.PointCloud.create_from_depth_image(depth, self.camera, depth_trunc=DEPTH_MAX)
 
     def fuse(self, graph, grid):
-        """Vertices of the model, in the frame of the room: all points of the fragments fitted to it as one body."""
+        """Vertices of the model in the room's frame, after a rigid fit of all fragments."""
         volume = loom.TSDFVolume(voxel_size=0.04, color=False)
         for node, depth in zip(graph.nodes, self.depths, strict=True):
-            integrate_deformed(volume, grid, depth, self.camera, node.pose, depth_max=REACH)
-        found = [moved(n.pose, grid.deform(c).points) for n, c in zip(graph.nodes, self.clouds, strict=True)]
+            integrate_deformed(volume, grid, depth, self.camera, node.pose, depth_max=DEPTH_MAX)
+        deformed = [moved(n.pose, grid.deform(c).points) for n, c in zip(graph.nodes, self.clouds, strict=True)]
         truth = [
-            moved(T, loom.PointCloud.create_from_depth_image(d, self.camera, depth_trunc=2 * REACH).points)
+            moved(T, loom.PointCloud.create_from_depth_image(d, self.camera, depth_trunc=2 * DEPTH_MAX).points)
             for T, d in zip(self.poses, self.truths, strict=True)
         ]
         mesh = volume.extract_triangle_mesh(weight_threshold=2)
-        return moved(fit_pose(np.concatenate(found), np.concatenate(truth)), mesh.vertices)
+        return moved(fit_pose(np.concatenate(deformed), np.concatenate(truth)), mesh.vertices)
 
 
 @pytest.mark.slow

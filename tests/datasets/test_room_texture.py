@@ -1,4 +1,4 @@
-"""The textured room: a grain that belongs to the place, over the same geometry, and a sensor's noise."""
+"""The textured room: a texture fixed to the surface, unchanged geometry, and sensor noise."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ SMALL = {"width": 160, "height": 120}
 
 
 def local_contrast(picture):
-    """The share of 8 x 8 px blocks in which brightness varies by more than 3 %."""
+    """Fraction of 8 x 8 px blocks in which brightness varies by more than 3 %."""
     gray = picture.astype(float).mean(axis=2)
     blocks = gray.reshape(gray.shape[0] // 8, 8, -1, 8).swapaxes(1, 2).reshape(-1, 64)
     return (blocks.std(axis=1) > 0.03 * 255).mean()
@@ -23,7 +23,7 @@ def test_texture_changes_colors_and_no_depth(device):
     assert local_contrast(textured.color) > 0.95 > 0.5 > local_contrast(plain.color)
 
 
-def test_texture_belongs_to_the_place_and_not_to_the_view(device):
+def test_texture_is_fixed_to_the_surface_not_the_view(device):
     sequence = room_sequence(400, width=320, height=240, noise=False, texture=True, color_noise=0, device=device)
     first, second = sequence.read(0), sequence.read(1)
     v, u = np.mgrid[:240, :320].reshape(2, -1)
@@ -33,14 +33,17 @@ def test_texture_belongs_to_the_place_and_not_to_the_view(device):
     column, row = (
         np.rint(f * a / away + c).astype(int) for f, a, c in ((camera.fx, x, camera.cx), (camera.fy, y, camera.cy))
     )
-    seen = (column >= 0) & (column < 320) & (row >= 0) & (row < 240)
-    seen[seen] = np.abs(second.depth[row[seen], column[seen]] - away[seen]) < 0.01
-    one, other = first.color[v[seen], u[seen]].astype(float), second.color[row[seen], column[seen]].astype(float)
-    assert seen.mean() > 0.5
+    visible = (column >= 0) & (column < 320) & (row >= 0) & (row < 240)
+    visible[visible] = np.abs(second.depth[row[visible], column[visible]] - away[visible]) < 0.01
+    one, other = (
+        first.color[v[visible], u[visible]].astype(float),
+        second.color[row[visible], column[visible]].astype(float),
+    )
+    assert visible.mean() > 0.5
     assert np.corrcoef(one.mean(axis=1), other.mean(axis=1))[0, 1] > 0.98  # up to half a pixel
 
 
-def test_frames_of_one_camera_differ_by_noise_of_the_deviation_asked_for(device):
+def test_frames_differ_by_noise_of_the_requested_deviation(device):
     clean, noisy, other = (
         room_sequence(40, **SMALL, texture=True, color_noise=sigma, seed=seed, device=device)
         .read(3)

@@ -1,6 +1,6 @@
-"""Stand-ins for the drivers of depth cameras: modules with the calls that the adapters make, fed with made-up frames.
+"""Stubs of depth camera drivers: modules with the functions that the adapters call, with synthetic frames.
 
-The names, arguments and units are those of pyrealsense2 2.59 and pyk4a 1.5; what they record shows how they were asked.
+Names, arguments and units are those of pyrealsense2 2.59 and pyk4a 1.5; `calls` records the calls.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ def color_of(i: int) -> np.ndarray:
 
 
 class RealSenseStub:
-    """pyrealsense2, as far as it is used.
+    """The used part of pyrealsense2.
 
     Args:
-        frames: What comes: a number is a frame with that number, a pair one whose color has another number, "late" one
-            without color, "silence" a timeout, and an error is raised.
+        frames: A number is a frame with that number, a pair has color with another number, "late" is a frame without
+            color, "silence" a timeout, and an error is raised.
         coefficients, model: Of the lens.
     """
 
@@ -41,11 +41,11 @@ class RealSenseStub:
             none="none", brown_conrady="brown_conrady", inverse_brown_conrady="inverse_brown_conrady", ftheta="ftheta"
         )
         self.frames, self.lens, self.start_error = list(frames), (model, coefficients), start_error
-        self.asked, self.running = [], False
+        self.calls, self.running = [], False
 
     def config(self):
         def note(name):
-            return lambda *arguments: self.asked.append((name, *arguments))
+            return lambda *arguments: self.calls.append((name, *arguments))
 
         return SimpleNamespace(**{n: note(n) for n in ("enable_stream", "enable_device", "enable_device_from_file")})
 
@@ -62,7 +62,7 @@ class RealSenseStub:
         self.running = True
         sensor = SimpleNamespace(get_depth_scale=lambda: float(UNIT))
         playback = SimpleNamespace(
-            set_real_time=lambda real: self.asked.append(("set_real_time", real)),
+            set_real_time=lambda real: self.calls.append(("set_real_time", real)),
             current_status=lambda: "playing" if self.frames else "stopped",
         )
         device = SimpleNamespace(first_depth_sensor=lambda: sensor, as_playback=lambda: playback)
@@ -79,7 +79,7 @@ class RealSenseStub:
 
     def _wait(self, timeout_ms):
         assert self.running
-        self.asked.append(("wait", timeout_ms))
+        self.calls.append(("wait", timeout_ms))
         if not self.frames:
             return False, None
         frame = self.frames.pop(0)
@@ -98,15 +98,15 @@ class RealSenseStub:
 
 
 class K4ATimeoutException(Exception):  # noqa: N818
-    """As pyk4a raises it: without a message."""
+    """As in pyk4a: raised without a message."""
 
 
 class KinectStub:
-    """pyk4a, as far as it is used; `frames` as of `RealSenseStub`, "silence" being a timeout."""
+    """The used part of pyk4a; `frames` as in `RealSenseStub`, with "silence" for a timeout."""
 
     def __init__(self, frames, *, coefficients=(0,) * 8, start_error=None, jpeg=False):
         self.frames, self.coefficients, self.start_error, self.jpeg = list(frames), coefficients, start_error, jpeg
-        self.asked, self.running = [], False
+        self.calls, self.running = [], False
         self.ColorResolution = SimpleNamespace(RES_720P=1)
         self.ImageFormat = SimpleNamespace(COLOR_BGRA32=3)
         self.DepthMode = SimpleNamespace(NFOV_UNBINNED=2)
@@ -121,13 +121,13 @@ class KinectStub:
         return options
 
     def PyK4A(self, config, device_id):
-        self.asked.append((config, device_id))
+        self.calls.append((config, device_id))
         return SimpleNamespace(
             start=self._start, stop=self._stop, get_capture=self._capture, calibration=self.calibration
         )
 
     def PyK4APlayback(self, path):
-        self.asked.append(path)
+        self.calls.append(path)
         return SimpleNamespace(
             open=self._start, close=self._stop, get_next_capture=self._next, calibration=self.calibration
         )

@@ -1,4 +1,4 @@
-"""A LAS file that tests may damage, and images."""
+"""Fixtures: a LAS file that tests may damage, and images."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from .las_files import make
 
 @pytest.fixture
 def small_las(tmp_path, rng):
-    """A LAS 1.2 file of 20 points of format 3, which start at byte 227."""
+    """A LAS 1.2 file of 20 points of format 3; its points start at byte 227."""
     make(tmp_path / "small.las", 3, 20, rng)
     return tmp_path / "small.las"
 

@@ -1,4 +1,4 @@
-"""Folders of three small frames in each layout; frame k stands k meters along x, and its color is k."""
+"""Folders of three small frames in each layout; frame k is at x = k meters, and its color is k."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def make_redwood(folder: Path, count: int = 3) -> Path:
 
 
 def write_log(folder: Path, ids) -> None:
-    """A log whose pose number k stands k meters along x."""
+    """Write a log in which pose k is at x = k meters."""
     ids = np.array([[i, i, i + 1] for i in ids])
     write_trajectory(folder / "trajectory.log", Trajectory(np.array([pose(k) for k in range(len(ids))]), ids=ids))
 

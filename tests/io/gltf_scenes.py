@@ -1,4 +1,4 @@
-"""glTF scenes for the tests, grown array by array, with whatever else a test puts into their JSON."""
+"""glTF scenes that tests build array by array, with additional JSON."""
 
 from __future__ import annotations
 
@@ -47,7 +47,7 @@ class Scene:
         }  # fmt: skip
 
     def write(self, path, content=None, **buffer):
-        """Write a GLB, or a .gltf whose buffer lies where `buffer` says, else in a data URI."""
+        """Write a GLB, or a .gltf with its buffer in the file `buffer` or in a data URI."""
         content = self.content() if content is None else content
         if path.suffix == ".gltf":
             inside = "data:application/octet-stream;base64," + base64.b64encode(self.data).decode()
@@ -70,7 +70,7 @@ def one_triangle(**more) -> Scene:
 
 
 def changed(scene: Scene, *path_and_value) -> dict:
-    """The JSON of a scene with one value changed: keys, then the value."""
+    """The JSON of a scene with one changed value: keys, then the value."""
     *path, last, value = path_and_value
     content = holder = copy.deepcopy(scene.content())
     for key in path:

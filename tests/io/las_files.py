@@ -1,4 +1,4 @@
-"""LAS files by laspy, and bytes of them replaced."""
+"""LAS files written by laspy, and replacement of their bytes."""
 
 from __future__ import annotations
 
@@ -13,7 +13,8 @@ FILES = {
     "las/1.2-with-color.las": 1065,
     "laz/autzen_trim.laz": 110_000,
 }
-SHIPPED_FILES = FILES | {"autzen/autzen-thin-srs.las": 1066, "laz/autzen_trim.laz": 5000}  # cuts of two are shipped
+# Excerpts of two of them are shipped.
+SHIPPED_FILES = FILES | {"autzen/autzen-thin-srs.las": 1066, "laz/autzen_trim.laz": 5000}
 
 
 def fill(layout, count, rng):

@@ -1,4 +1,4 @@
-"""PNG files of sound chunks and any content."""
+"""PNG files with valid chunks and any content."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import zlib
 
 
 def png_of(width: int, height: int, *streams: bytes, bits: int = 16, color_type: int = 0, interlace: int = 0) -> bytes:
-    """A PNG of sound chunks: a header that says this, and the streams as they are."""
+    """A PNG of valid chunks: a header with these values and the given streams."""
 
     def chunk(kind: bytes, content: bytes) -> bytes:
         return struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
@@ -18,17 +18,17 @@ def png_of(width: int, height: int, *streams: bytes, bits: int = 16, color_type:
 
 
 def png_claiming(width: int, height: int) -> bytes:
-    """A PNG with a sound header of this size and no pixels to speak of."""
+    """A PNG with a valid header of this size and hardly any pixels."""
     return png_of(width, height, zlib.compress(bytes(64)))
 
 
 def with_checksums(data: bytes) -> bytes:
-    """The same PNG with the checksum of each chunk made to fit, as far as its lengths lead."""
-    data, place = bytearray(data), 8
-    while place + 12 <= len(data):
-        end = place + 8 + int.from_bytes(data[place : place + 4], "big")
+    """The same PNG with corrected checksums of all chunks that its lengths lead to."""
+    data, offset = bytearray(data), 8
+    while offset + 12 <= len(data):
+        end = offset + 8 + int.from_bytes(data[offset : offset + 4], "big")
         if end + 4 > len(data):
             break
-        data[end : end + 4] = struct.pack(">I", zlib.crc32(data[place + 4 : end]))
-        place = end + 4
+        data[end : end + 4] = struct.pack(">I", zlib.crc32(data[offset + 4 : end]))
+        offset = end + 4
     return bytes(data)

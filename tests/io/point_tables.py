@@ -1,4 +1,4 @@
-"""Tables of points with all that PLY and PCD hold, and whether two tables are the same to the bit."""
+"""Tables of points with all data types of PLY and PCD, and their bitwise comparison."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pointloom.io.table import PointTable
 
 
 def table_of(count=100, dtype=np.float32, grid=None, **attributes) -> PointTable:
-    """Points with normals, colors in steps of 1/255 and attributes of several types, and more of them."""
+    """Points with normals, colors in steps of 1/255 and attributes of several types, plus additional ones."""
     rng = np.random.default_rng(3)
     more = {
         "alpha": rng.integers(0, 256, count).astype(np.uint8),
@@ -26,12 +26,12 @@ def table_of(count=100, dtype=np.float32, grid=None, **attributes) -> PointTable
     )
 
 
-def assert_same_table(found: PointTable, expected: PointTable) -> None:
-    """That two tables hold the same bits of the same types."""
-    assert found.grid == expected.grid
-    assert sorted(found.attributes) == sorted(expected.attributes)
-    pairs = [(getattr(found, name), getattr(expected, name)) for name in ("points", "normals", "colors")]
-    for left, right in [*pairs, *((found.attributes[name], expected.attributes[name]) for name in found.attributes)]:
+def assert_same_table(result: PointTable, expected: PointTable) -> None:
+    """Check that two tables are bitwise identical and have the same types."""
+    assert result.grid == expected.grid
+    assert sorted(result.attributes) == sorted(expected.attributes)
+    pairs = [(getattr(result, name), getattr(expected, name)) for name in ("points", "normals", "colors")]
+    for left, right in [*pairs, *((result.attributes[name], expected.attributes[name]) for name in result.attributes)]:
         assert (left is None) == (right is None)
         if right is not None:
             assert left.dtype == right.dtype

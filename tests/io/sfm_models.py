@@ -1,4 +1,4 @@
-"""Models of structure from motion, made up: cameras on a circle that look at points in its middle."""
+"""Synthetic structure-from-motion models: cameras on a circle that look at points in its center."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ OTHER = loom.CameraModel("OPENCV", 640, 480, [510.0, 505.0, 322.0, 239.0, -0.1, 
 
 
 def ring_model(pictures: int = 6, points: int = 40, *, seed: int = 0) -> loom.SfmModel:
-    """Pictures with long and odd names of two cameras, points with colors and errors, most of them seen by most."""
+    """Pictures of two cameras with long and unusual names; points with colors and errors, seen by many pictures."""
     rng = np.random.default_rng(seed)
     poses = np.tile(np.eye(4), (pictures, 1, 1))
     for pose, angle in zip(poses, np.arange(pictures) * (2 * np.pi / pictures), strict=True):
@@ -21,23 +21,23 @@ def ring_model(pictures: int = 6, points: int = 40, *, seed: int = 0) -> loom.Sf
         right /= np.linalg.norm(right)
         pose[:3, :3] = np.stack([right, np.cross(forward, right), forward])
         pose[:3, 3] = pose[:3, :3] @ (4 * forward)
-    places = rng.uniform(-1, 1, (points, 3))
+    positions = rng.uniform(-1, 1, (points, 3))
     names = [f"room_{i:02d}_größe.jpg" if i % 2 else f"left/{i:02d}.png" for i in range(pictures)]
     cameras = [OTHER if i % 3 == 0 else LENS for i in range(pictures)]
     rows, pixels = [], []
     for i, pose in enumerate(poses):
-        seen = cameras[i].project(places @ pose[:3, :3].T + pose[:3, 3])
-        for j in np.flatnonzero(np.isfinite(seen).all(axis=1) & (rng.random(points) < 0.8)):
+        pixels_of_points = cameras[i].project(positions @ pose[:3, :3].T + pose[:3, 3])
+        for j in np.flatnonzero(np.isfinite(pixels_of_points).all(axis=1) & (rng.random(points) < 0.8)):
             rows.append((i, j))
-            pixels.append(seen[j])
+            pixels.append(pixels_of_points[j])
     errors = rng.random(points)
     errors[::7] = np.nan
     colors = rng.integers(0, 256, (points, 3)).astype(np.uint8)
-    return loom.SfmModel(names, cameras, poses, places, colors, errors, rows, np.round(pixels, 3))
+    return loom.SfmModel(names, cameras, poses, positions, colors, errors, rows, np.round(pixels, 3))
 
 
 def assert_same(a: loom.SfmModel, b: loom.SfmModel, *, poses: float = 0.0, pixels: float = 0.0) -> None:
-    """That two models hold the same, poses and pixels up to rounding."""
+    """Check that two models are equal, poses and pixels up to rounding."""
     assert a.names == b.names
     assert a.cameras == b.cameras
     assert np.abs(a.T_camera_world - b.T_camera_world).max(initial=0) <= poses

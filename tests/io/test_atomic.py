@@ -1,4 +1,4 @@
-"""Outputs are whole or not there: their modes, and what becomes of the file whose place they take."""
+"""Outputs are written atomically: file modes, and the previous file."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def write(path, content, **options):
 
 
 @pytest.mark.parametrize(("mask", "mode"), [(0o022, 0o644), (0o077, 0o600), (0o002, 0o664)])
-def test_a_new_file_has_the_mode_that_the_users_mask_says(tmp_path, mask, mode):
+def test_new_file_mode_follows_the_umask(tmp_path, mask, mode):
     before = os.umask(mask)
     try:
         write(tmp_path / "a", b"new")
@@ -38,7 +38,7 @@ def test_a_file_that_is_replaced_keeps_its_mode(tmp_path, mode):
     assert path.read_bytes() == b"new" and path.stat().st_mode & 0o777 == mode
 
 
-def test_who_reads_the_old_file_goes_on_reading_it(tmp_path):
+def test_open_readers_of_the_old_file_are_unaffected(tmp_path):
     path = tmp_path / "a"
     path.write_bytes(b"old bytes")
     with path.open("rb") as reader:
@@ -49,7 +49,7 @@ def test_who_reads_the_old_file_goes_on_reading_it(tmp_path):
 
 
 @pytest.mark.parametrize("overwrite", [True, False])
-def test_the_place_is_as_it_was_until_the_block_ends(tmp_path, overwrite):
+def test_target_is_unchanged_until_the_block_ends(tmp_path, overwrite):
     path = tmp_path / "a"
     with atomic_write(path, overwrite=overwrite) as file:
         file.write(b"half")
@@ -59,7 +59,7 @@ def test_the_place_is_as_it_was_until_the_block_ends(tmp_path, overwrite):
     assert [p.name for p in tmp_path.iterdir()] == ["a"]
 
 
-def test_a_file_that_another_program_made_meanwhile_is_kept(tmp_path):
+def test_file_created_by_another_program_is_preserved(tmp_path):
     path = tmp_path / "a"
     with pytest.raises(loom.FileError, match="a:"), atomic_write(path, overwrite=False) as file:
         file.write(b"mine")
@@ -146,7 +146,7 @@ def test_a_folder_survives_a_kill_at_each_step_of_its_replacement(tmp_path, read
     assert reader == "write" or ends == {(9, "old"), (9, "new"), (0, "new")}
 
 
-def test_a_folder_that_cannot_be_replaced_is_kept(tmp_path, monkeypatch):
+def test_folder_that_cannot_be_replaced_is_preserved(tmp_path, monkeypatch):
     path, rename = tmp_path / "out", os.rename
     write_folder(path, "old")
 
@@ -163,7 +163,7 @@ def test_a_folder_that_cannot_be_replaced_is_kept(tmp_path, monkeypatch):
 
 @pytest.mark.parametrize("answer", ["raises", "goes on"])
 @pytest.mark.parametrize("stop", [KeyboardInterrupt, SystemExit])
-def test_a_package_cannot_hide_what_stopped_the_writing(tmp_path, monkeypatch, answer, stop):
+def test_original_error_is_reported_through_other_packages(tmp_path, monkeypatch, answer, stop):
     def interrupted(file, data):
         raise stop("time is up")
 
@@ -171,7 +171,7 @@ def test_a_package_cannot_hide_what_stopped_the_writing(tmp_path, monkeypatch, a
     with pytest.raises(stop), atomic_write(tmp_path / "a.laz") as file, foreign_errors("a.laz", "cannot be written"):
         try:
             file.write(bytes(1 << 20))
-        except BaseException:  # as Rust's callbacks do
+        except BaseException:  # as in Rust's callbacks
             if answer == "raises":
                 raise RuntimeError("IoError: Failed to call write") from None
     assert not [*tmp_path.iterdir()]

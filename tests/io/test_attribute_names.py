@@ -1,4 +1,4 @@
-"""Attributes whose names a format cannot hold are written under others, with a warning."""
+"""Attributes whose names a format does not support are renamed with a warning."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ LONG = "Reflectance of the second return 2"  # 34 bytes
         (".copc.laz", {LONG: LONG[:32]}),
     ],
 )  # fmt: skip
-def test_a_name_that_a_format_cannot_hold_is_another(suffix, names, tmp_path):
+def test_names_unsupported_by_the_format_are_changed(suffix, names, tmp_path):
     for old, new in names.items():
         cloud = loom.PointCloud(np.eye(3), **{old: np.array([1.5, -2, 3], np.float32)})
         with pytest.warns(UserWarning, match="under other names"):
@@ -34,7 +34,7 @@ def test_a_name_that_a_format_cannot_hold_is_another(suffix, names, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("suffix", "names", "found"),
+    ("suffix", "names", "new_names"),
     [
         (".ply", ["a b", "a_b", "a\tb"], ["a_b_2", "a_b", "a_b_3"]),
         (".ply", ["nx", "ny", "nz"], ["nx", "ny", "nz_2"]),  # no normals
@@ -43,12 +43,12 @@ def test_a_name_that_a_format_cannot_hold_is_another(suffix, names, tmp_path):
         (".las", [LONG, LONG + "b", "b" * 32], [LONG[:32], LONG[:30] + "_2", "b" * 32]),
     ],
 )
-def test_names_that_would_become_one_stay_apart(suffix, names, found, tmp_path):
+def test_names_that_would_become_one_stay_apart(suffix, names, new_names, tmp_path):
     cloud = loom.PointCloud(np.eye(3), **{name: np.full(3, k, np.int16) for k, name in enumerate(names)})
     with pytest.warns(UserWarning, match="under other names"):
         loom.write_point_cloud(tmp_path / f"a{suffix}", cloud)
     read = loom.read_point_cloud(tmp_path / f"a{suffix}")
-    assert [read[name].tolist() for name in found] == [[k] * 3 for k in range(3)]
+    assert [read[name].tolist() for name in new_names] == [[k] * 3 for k in range(3)]
     assert not read.has_normals and not read.has_colors
 
 
@@ -59,7 +59,7 @@ def test_components_take_names_too():
 
 
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
-def test_values_that_a_standard_dimension_cannot_hold_have_one_of_their_own(suffix, tmp_path):
+def test_values_out_of_range_of_a_standard_dimension_get_an_extra_one(suffix, tmp_path):
     columns = {"intensity": np.array([0.0, 0.1, 0.9]), "classification": np.array([-1, 0, 300])}
     with pytest.warns(
         UserWarning, match="'intensity' as 'intensity_value', 'classification' as 'classification_value'"
@@ -70,7 +70,7 @@ def test_values_that_a_standard_dimension_cannot_hold_have_one_of_their_own(suff
         np.testing.assert_array_equal(read[f"{name}_value"], values)
 
 
-def test_attributes_of_a_mesh_have_names_that_ply_holds(tmp_path):
+def test_mesh_attribute_names_are_valid_in_ply(tmp_path):
     values = np.arange(3, dtype=np.float32)
     mesh = loom.TriangleMesh(np.eye(3), [[0, 1, 2]], vertex_attributes={"a b": values, "x": values})
     mesh.triangle_attributes["vertex_indices"] = values[:1]
@@ -88,7 +88,7 @@ def test_attributes_of_a_mesh_have_names_that_ply_holds(tmp_path):
 def test_convert_writes_64_bit_integers_to_ply_if_none_changes(values, kind, tmp_path):
     table = PointTable(np.zeros((len(values), 3)), attributes={"label": np.array(values, np.int64)})
     assert write_cloud_table(tmp_path / "a.ply", table) == ([] if kind else ["label"])
-    found = read_ply(tmp_path / "a.ply").attributes
-    assert {name: (column.dtype, column.tolist()) for name, column in found.items()} == (
+    attributes = read_ply(tmp_path / "a.ply").attributes
+    assert {name: (column.dtype, column.tolist()) for name, column in attributes.items()} == (
         {"label": (np.dtype(kind), values)} if kind else {}
     )

@@ -1,4 +1,4 @@
-"""Recordings made by the writers of rosbags are read back, whole and damaged, with the layouts of the drivers."""
+"""Recordings written by rosbags are read, complete and damaged, with the point layouts of the drivers."""
 
 import bz2
 import contextlib
@@ -27,7 +27,7 @@ from rosbags.typesys import Stores, get_typestore
 CLOUD = "sensor_msgs/msg/PointCloud2"
 CODES = {"i1": 1, "u1": 2, "i2": 3, "u2": 4, "i4": 5, "u4": 6, "f4": 7, "f8": 8}
 XYZ = [("x", "f4", 0), ("y", "f4", 4), ("z", "f4", 8)]
-DRIVERS = {  # fields, bytes a row, the field of time and a tenth of a second in its unit
+DRIVERS = {  # fields, bytes per row, the time field and 0.1 s in its unit
     "velodyne": ([*XYZ, ("intensity", "f4", 12), ("ring", "u2", 16), ("time", "f4", 18)], 22, "time", 0.1, 0),
     "ouster": ([*XYZ, ("intensity", "f4", 16), ("t", "u4", 20), ("reflectivity", "u2", 24), ("ring", "u2", 26),
                 ("ambient", "u2", 28), ("range", "u4", 32)], 48, "t", 10**8, 0),
@@ -64,12 +64,12 @@ def cloud_message(store, driver, scan=0, *, big=False, height=1, padding=0):
     header = (
         header(seq=0, stamp=time, frame_id="lidar") if "seq" in header.__dataclass_fields__ else header(time, "lidar")
     )
-    told = [types["sensor_msgs/msg/PointField"](name, at, CODES[code], 1) for name, code, at in fields]
-    return types[CLOUD](header, height, width, told, big, step, width * step + padding, data, True)
+    point_fields = [types["sensor_msgs/msg/PointField"](name, at, CODES[code], 1) for name, code, at in fields]
+    return types[CLOUD](header, height, width, point_fields, big, step, width * step + padding, data, True)
 
 
 def write(folder, form, messages=None, driver="velodyne", topics=("/points",), count=6, compress=None, **layout):
-    """A recording of some scans on each topic, a second apart."""
+    """A recording of some scans on each topic, one second apart."""
     if form == "bag1":
         path, store = folder / "run.bag", get_typestore(Stores.ROS1_NOETIC)
         writer, encode = rosbag1.Writer(path), store.serialize_ros1
@@ -94,7 +94,7 @@ def file_of(path):
 
 
 def in_small_chunks(path):
-    """The same MCAP file in chunks of some 20 kB, by the writer of `mcap`."""
+    """The same MCAP file in chunks of about 20 kB, written by `mcap`."""
     from mcap.reader import make_reader
     from mcap.writer import Writer
 
@@ -115,7 +115,7 @@ FORMS = ["bag1", "mcap", "db3"]
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_scans_come_in_order_of_time_with_all_their_bits(tmp_path, form):
+def test_scans_are_ordered_by_time_and_exact(tmp_path, form):
     path = write(tmp_path, form)
     recording = loom.open_recording(path)
     (topic,) = recording.topics
@@ -144,35 +144,35 @@ def test_packed_chunks_are_unpacked(tmp_path, compress):
 
 
 @pytest.mark.parametrize("form", FORMS)
-def test_what_is_cut_off_is_read_up_to_there_and_said(tmp_path, form):
+def test_truncated_recording_is_read_up_to_the_cut_with_a_warning(tmp_path, form):
     path = file_of(write(tmp_path, form, count=20))
     if form == "mcap":
         path = in_small_chunks(path)
-    data, seen = path.read_bytes(), set()
-    for share in (0.3, 0.6, 0.9):
-        short = tmp_path / f"short{share}{path.suffix}"
-        short.write_bytes(data[: int(len(data) * share)])
-        with warnings.catch_warnings(record=True) as told:
+    data, scans_read = path.read_bytes(), set()
+    for fraction in (0.3, 0.6, 0.9):
+        short = tmp_path / f"short{fraction}{path.suffix}"
+        short.write_bytes(data[: int(len(data) * fraction)])
+        with warnings.catch_warnings(record=True) as caught:
             warnings.simplefilter("always")
             try:
                 recording = loom.open_recording(short)
                 for scan, cloud in enumerate(recording.scans()):
                     np.testing.assert_array_equal(cloud.points.astype(np.float32), points_of(scan))
-                    seen.add(scan)
+                    scans_read.add(scan)
             except FileError:
                 continue
-        assert recording.damage and [w.category for w in told] == [RecordingWarning]
-    assert 5 < len(seen) < 20
+        assert recording.damage and [w.category for w in caught] == [RecordingWarning]
+    assert 5 < len(scans_read) < 20
 
 
 @pytest.mark.parametrize("form", FORMS)
 def test_flipped_bits_give_clouds_or_named_errors(tmp_path, form):
     path = file_of(write(tmp_path, form, count=2))
     data, rng = bytearray(path.read_bytes()), np.random.default_rng(3)
-    for turn in range(15):
+    for trial in range(15):
         at, bit = int(rng.integers(len(data))), 1 << int(rng.integers(8))
         data[at] ^= bit
-        flipped = tmp_path / f"flip{turn}{path.suffix}"
+        flipped = tmp_path / f"flip{trial}{path.suffix}"
         flipped.write_bytes(data)
         data[at] ^= bit
         with warnings.catch_warnings():
@@ -201,8 +201,8 @@ def test_topics_that_do_not_fit_are_named(tmp_path):
 
 def test_info_lists_topics_and_odometry_wants_one(tmp_path):
     path = write(tmp_path, "db3", topics=("/a", "/b"), count=3)
-    told = CliRunner().invoke(cli, ["info", "--json", str(path)])
-    topics = json.loads(told.stdout)["files"][0]["topics"]
+    result = CliRunner().invoke(cli, ["info", "--json", str(path)])
+    topics = json.loads(result.stdout)["files"][0]["topics"]
     assert [(topic["name"], topic["count"]) for topic in topics] == [("/a", 3), ("/b", 3)]
     arguments = ["odometry", str(path), "-o", str(tmp_path / "poses.txt"), "--device", "cpu"]
     assert CliRunner().invoke(cli, arguments).exit_code != 0  # two topics of clouds
@@ -235,7 +235,7 @@ def bomb_of(kind, size):
 
 @pytest.mark.parametrize("kind", ["bz2", "lz4", "zstd"])
 @pytest.mark.parametrize("parts", [1, 2])
-def test_a_chunk_takes_no_more_memory_than_its_header_says(kind, parts):
+def test_chunk_memory_is_limited_by_its_header(kind, parts):
     packed = bomb_of(kind, 1 << 26) * parts
     for claimed in (1000, 1 << 31):  # the second is impossible for so few bytes
         tracemalloc.start()
@@ -259,8 +259,8 @@ def record1(data=b"", **fields):
 
 
 def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, topic=b"/b"):
-    """A bag of two chunks with two messages of /a and /b in each. The changes affect the second chunk."""
-    told = lambda name: b"".join(  # noqa: E731
+    """A bag of two chunks with two messages of /a and /b in each. Changes apply to the second chunk."""
+    header_of = lambda name: b"".join(  # noqa: E731
         u(len(x)) + x
         for x in (b"topic=" + name, b"type=std_msgs/String", b"md5sum=x", b"message_definition=string data")
     )
@@ -269,7 +269,7 @@ def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, to
     )
     data, infos = b"#ROSBAG V2.0\n" + head(1), b""
     for k in range(2):
-        rows, body = {0: [], 1: []}, b"" if k else record1(told(topic), op=b"\7", conn=u(1), topic=topic)
+        rows, body = {0: [], 1: []}, b"" if k else record1(header_of(topic), op=b"\7", conn=u(1), topic=topic)
         for m, c in itertools.product(range(2), range(2)):
             rows[c].append([10 * k + m, c, len(body)])
             body += record1(u(2) + b"ab", op=b"\2", conn=u(c), time=struct.pack("<II", 10 * k + m, c))
@@ -286,7 +286,7 @@ def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, to
             entries = b"".join(struct.pack("<III", *row) for row in rows[c])
             data += record1(entries, op=b"\4", ver=u(1), conn=u(named), count=u(count))
     for c, name in ((0, b"/a"), (1, b"/b")):
-        data += record1(told(name), op=b"\7", conn=u(c), topic=name)
+        data += record1(header_of(name), op=b"\7", conn=u(c), topic=name)
     path.write_bytes(data + infos if closed else data)
 
 
@@ -294,7 +294,7 @@ def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, to
     ("damage", "warns"),
     [
         ({}, False),
-        ({"closed": False}, False),  # as a recorder leaves it that was killed
+        ({"closed": False}, False),  # the state after a killed recorder
         ({"index": [(0, 2)]}, True),
         ({"index": [(0, 2), (1, 2), (1, 2)]}, True),
         ({"index": [(0, 4), (1, 2)]}, True),
@@ -313,10 +313,10 @@ def small_bag(path, index=None, closed=True, info=None, conn=None, time=None, to
 )
 def test_an_index_that_contradicts_its_messages_is_reported_and_not_used(tmp_path, damage, warns):
     small_bag(tmp_path / "run.bag", **damage)
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         recording = loom.open_recording(tmp_path / "run.bag")
-    assert [w.category for w in told] == [RecordingWarning] * warns
+    assert [w.category for w in caught] == [RecordingWarning] * warns
     assert sum(topic.count for topic in recording.topics) == 8
     if "topic" not in damage:
         assert {topic.name: topic.count for topic in recording.topics} == {"/a": 4, "/b": 4}
@@ -326,9 +326,9 @@ def test_an_index_that_contradicts_its_messages_is_reported_and_not_used(tmp_pat
 @pytest.mark.parametrize("form", FORMS)
 def test_a_message_is_compared_with_its_entry(tmp_path, form):
     recording = loom.open_recording(write(tmp_path, form, topics=("/a", "/b"), count=2))
-    time, part, channel, piece, place = recording.rows_of("/a")[0]
+    time, part, channel, piece, offset = recording.rows_of("/a")[0]
     other = next(row[2] for row in recording.rows_of("/b"))
-    for row in ((time + 1, part, channel, piece, place), (time, part, other, piece, place)):
+    for row in ((time + 1, part, channel, piece, offset), (time, part, other, piece, offset)):
         with pytest.raises(FileError, match="run"):
             recording.bytes_at(row)
 
@@ -365,10 +365,10 @@ def test_the_index_of_an_mcap_file_is_compared_with_its_statistics(tmp_path, row
         head = struct.pack("<QHIIIIQQ", statistics, 1, 1, 0, 0, 1, 7, 8)
         data += record_mcap(11, head + u(len(counts)) + counts)
     (tmp_path / "run.mcap").write_bytes(data + record_mcap(2, bytes(20)) + b"\x89MCAP0\r\n")
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         recording = loom.open_recording(tmp_path / "run.mcap")
-    assert len(recording) == 2 and [w.category for w in told] == [RecordingWarning] * warns
+    assert len(recording) == 2 and [w.category for w in caught] == [RecordingWarning] * warns
 
 
 DB3 = {"topics": "id INTEGER PRIMARY KEY, name TEXT, type TEXT, serialization_format TEXT",
@@ -398,14 +398,14 @@ def test_only_real_tables_are_read(tmp_path, name, code):
             base.execute("INSERT INTO topics VALUES (1, '/a', 'b', 'cdr')")
         base.commit()
         base.execute("PRAGMA writable_schema = ON")
-        base.execute("UPDATE sqlite_master SET type = 'table' WHERE name = ?", (name,))  # a lie
+        base.execute("UPDATE sqlite_master SET type = 'table' WHERE name = ?", (name,))  # wrong
         base.commit()
     with pytest.raises(FileError, match=rf"run\.db3: .*{name}"):
         loom.open_recording(tmp_path / "run.db3")
 
 
 def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
-    path, seen = tmp_path / "run.db3", 0
+    path, changed_count = tmp_path / "run.db3", 0
     with contextlib.closing(sqlite3.connect(path)) as base:
         for table, columns in DB3.items():
             base.execute(f"CREATE TABLE {table} ({columns})")
@@ -420,9 +420,9 @@ def test_rows_that_a_damaged_page_hides_or_repeats_are_reported(tmp_path):
         if data[page] in (5, 13) and count > 2:  # of a table: an inner page or a leaf
             first = page + (12 if data[page] == 5 else 8)
             for at, new in ((page + 3, count - 1), (first, int.from_bytes(data[first + 2 : first + 4], "big"))):
-                changed, seen = bytearray(data), seen + 1
+                changed, changed_count = bytearray(data), changed_count + 1
                 changed[at : at + 2] = new.to_bytes(2, "big")
                 path.write_bytes(changed)
                 with pytest.warns(RecordingWarning):
                     loom.open_recording(path)
-    assert seen > 10
+    assert changed_count > 10

@@ -1,4 +1,4 @@
-"""Cameras with known poses in the formats that they come in: telephones', radiance fields', trajectories."""
+"""Cameras with known poses in several formats: phones, radiance fields, trajectories."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def assert_looks_along_x(model, name):
     assert model.names == (name,)
     np.testing.assert_allclose(model.T_world_camera[0, :3, :3], LOOK, atol=1e-12)
     np.testing.assert_allclose(model.centers[0], [1, 2, 3], atol=1e-12)
-    # what lies ahead is in the middle of the picture, what lies higher in its upper half
+    # a point ahead is projected to the center, a higher one to the upper half
     ahead = np.array([[5.0, 2, 3], [5.0, 2.4, 3]]) @ model.T_camera_world[0, :3, :3].T + model.T_camera_world[0, :3, 3]
     (_, middle), (_, upper) = model.cameras[0].project(ahead)
     assert middle == pytest.approx(model.cameras[0].intrinsic.cy) and upper < middle
@@ -55,13 +55,13 @@ def test_transforms_have_y_up_and_z_back(tmp_path):
         ({"is_fisheye": False, "k1": 0.1}, ("OPENCV", [60, 61, 32.5, 24, 0.1, 0, 0, 0])),
     ],
 )
-def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
+def test_lenses_of_transforms_follow_colmap(tmp_path, more, expected):
     (camera,) = loom.read_cameras(transforms(tmp_path, **more)).cameras
     assert (camera.model, list(camera.params)) == expected
 
 
 @pytest.mark.parametrize(
-    ("frame", "more", "said"),
+    ("frame", "more", "message"),
     [
         ({}, {"camera_model": "EQUIRECTANGULAR"}, "EQUIRECTANGULAR"),
         ({}, {"k4": 0.1}, "k4 to k6"),
@@ -76,8 +76,8 @@ def test_lenses_of_transforms_are_those_of_colmap(tmp_path, more, expected):
         ({"transform_matrix": [[10**400, 0, 0, 0], *np.eye(4).tolist()[1:]]}, {}, "too large"),
     ],
 )
-def test_transforms_that_make_no_sense_are_refused(tmp_path, frame, more, said):
-    with pytest.raises(FileError, match=said):
+def test_invalid_transforms_are_rejected(tmp_path, frame, more, message):
+    with pytest.raises(FileError, match=message):
         loom.read_cameras(transforms(tmp_path, frame, **more))
 
 
@@ -108,7 +108,7 @@ def test_transforms_without_a_size_take_that_of_the_picture(tmp_path, name, file
         ({"fl_x": 60, "camera_angle_y": 3.2}, "camera_angle_y"),
     ],
 )
-def test_angles_of_view_stand_for_focal_lengths(tmp_path, angles, expected):
+def test_angles_of_view_are_converted_to_focal_lengths(tmp_path, angles, expected):
     frame = {"file_path": "a.png", "transform_matrix": ARKIT.tolist()}
     path = write(tmp_path / "t.json", {"w": 64, "h": 48, **angles, "frames": [frame]})
     if isinstance(expected, str):
@@ -125,7 +125,7 @@ def polycam(**more):
 
 def test_cameras_of_polycam_have_y_up_and_z_back(tmp_path):
     write(tmp_path / "cameras" / "12345.json", polycam())
-    write(tmp_path / "cameras" / "mesh_info.json", {"alignmentTransform": []})  # lies beside them
+    write(tmp_path / "cameras" / "mesh_info.json", {"alignmentTransform": []})  # is beside them
     model = loom.read_cameras(tmp_path / "cameras")
     assert_looks_along_x(model, "12345")
     assert model.cameras[0] == loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
@@ -184,21 +184,21 @@ def test_poses_without_either_are_in_natural_order_and_as_many(tmp_path):
         loom.read_cameras(path, pictures=["a.png", "b.png"], intrinsic=LENS)
 
 
-def test_a_trajectory_wants_a_lens_and_nothing_else_does(tmp_path):
+def test_only_a_trajectory_requires_a_lens(tmp_path):
     with pytest.raises(FileError, match="no lens"):
         loom.read_cameras(trajectory(tmp_path, "p.kitti"), pictures=["a.png"])
     with pytest.raises(ValueError, match="intrinsic: "):
         loom.read_cameras(transforms(tmp_path), intrinsic=LENS)
 
 
-def test_other_places_are_refused_with_what_is_known(tmp_path):
+def test_unknown_paths_are_rejected(tmp_path):
     with pytest.raises(FileError, match=r"/cameras\.csv:"):
         loom.read_cameras(tmp_path / "cameras.csv")
     with pytest.raises(FileError, match="no supported cameras"):
         loom.read_cameras(tmp_path)
 
 
-def test_a_colmap_model_and_metashape_are_told_by_what_they_are(tmp_path):
+def test_colmap_and_metashape_files_are_detected_by_content(tmp_path):
     camera = loom.CameraModel("PINHOLE", 64, 48, [60, 61, 32.5, 24])
     model = loom.SfmModel(["a.png"], [camera], np.eye(4)[None])
     loom.write_colmap_model(tmp_path / "sparse", model)
@@ -220,7 +220,7 @@ def test_a_colmap_model_and_metashape_are_told_by_what_they_are(tmp_path):
         ("FULL_OPENCV", [60, 61, 32.5, 24, 0.1, -0.02, 0.001, 0.002, 0.003, 0, 0, 0]),
     ],
 )
-def test_written_transforms_come_back(tmp_path, model, params):
+def test_transforms_round_trip(tmp_path, model, params):
     rng = np.random.default_rng(0)
     poses = np.tile(np.eye(4), (2, 1, 1))
     poses[0, :3, :3], poses[:, :3, 3] = LOOK, rng.normal(size=(2, 3))
@@ -239,7 +239,7 @@ def test_written_transforms_come_back(tmp_path, model, params):
     np.testing.assert_allclose(cloud.colors, 40 / 255, atol=1e-6)
 
 
-def test_lenses_that_transforms_cannot_hold_are_refused(tmp_path):
+def test_lenses_unsupported_by_transforms_are_rejected(tmp_path):
     for model, params in (("FOV", [60, 61, 32, 24, 0.9]), ("FULL_OPENCV", [60, 61, 32, 24, *[0] * 5, 0.1, 0, 0])):
         with pytest.raises(ValueError, match=r"^model:"):
             lens = loom.CameraModel(model, 64, 48, params)

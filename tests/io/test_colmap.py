@@ -1,4 +1,4 @@
-"""COLMAP's models: read as COLMAP reads them, written so that it reads ours, and damage told with its place."""
+"""COLMAP models are read as by COLMAP, written files are valid in COLMAP, and damage is reported with its location."""
 
 from __future__ import annotations
 
@@ -26,14 +26,14 @@ def form(request) -> str:
 
 @pytest.fixture
 def folder(tmp_path, form):
-    """A written model; other files are made of it."""
+    """A written model, from which other files are made."""
     loom.write_colmap_model(tmp_path / "model", MODEL, format=form)
     return tmp_path / "model"
 
 
 @pytest.fixture(scope="module")
 def synthetic(tmp_path_factory):
-    """A model that COLMAP made, in both of its forms, and what it says of it; with rigs of two cameras."""
+    """A model made by COLMAP in both formats, and its description; with rigs of two cameras."""
     folders = [tmp_path_factory.mktemp("binary"), tmp_path_factory.mktemp("text")]
     options = {"num_rigs": 2, "num_cameras_per_rig": 2, "num_frames_per_rig": 3, "num_points3D": 80}
     question = {"options": options, "binary": [str(folders[0])], "text": [str(folders[1])]}
@@ -41,50 +41,52 @@ def synthetic(tmp_path_factory):
 
 
 @pytest.mark.parametrize("which", [0, 1], ids=FORMS)
-def test_a_model_of_colmap_is_read_as_colmap_has_it(synthetic, which):
-    folders, told = synthetic
+def test_models_written_by_colmap_are_read(synthetic, which):
+    folders, expected = synthetic
     model = loom.read_colmap_model(folders[which])
-    assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4: passed over
-    assert sorted(told["pictures"]) == list(model.names)
+    assert {"rigs", "frames"} <= {path.stem for path in folders[which].iterdir()}  # of version 4: skipped
+    assert sorted(expected["pictures"]) == list(model.names)
     for i, name in enumerate(model.names):
-        (lens, width, height, params), pose, seen = told["pictures"][name]
+        (lens, width, height, params), pose, observed = expected["pictures"][name]
         assert model.cameras[i] == loom.CameraModel(lens, width, height, params)
         assert np.abs(model.T_camera_world[i, :3] - pose).max() < 1e-14
         rows = model.observations[:, 0] == i
-        ours = np.hstack([model.pixels[rows] + 0.5, model.points[model.observations[rows, 1]]])
-        assert np.array_equal(ours[np.lexsort(ours.T)], np.array(seen)[np.lexsort(np.array(seen).T)])
-    ours = np.column_stack([model.points, model.colors, model.view_counts])
-    assert np.array_equal(ours[np.lexsort(ours.T)], np.array(told["points"])[np.lexsort(np.array(told["points"]).T)])
+        actual = np.hstack([model.pixels[rows] + 0.5, model.points[model.observations[rows, 1]]])
+        assert np.array_equal(actual[np.lexsort(actual.T)], np.array(observed)[np.lexsort(np.array(observed).T)])
+    actual = np.column_stack([model.points, model.colors, model.view_counts])
+    assert np.array_equal(
+        actual[np.lexsort(actual.T)], np.array(expected["points"])[np.lexsort(np.array(expected["points"]).T)]
+    )
 
 
-def test_colmap_reads_what_we_write(folder):
-    told = query_colmap("describe", str(folder))
-    assert sorted(told["pictures"]) == list(MODEL.names)
-    assert told["error"] < 1e-3  # the keypoints have three decimals
-    assert len(told["points"]) == len(MODEL.points)
+def test_colmap_reads_written_models(folder):
+    description = query_colmap("describe", str(folder))
+    assert sorted(description["pictures"]) == list(MODEL.names)
+    assert description["error"] < 1e-3  # the keypoints have three decimals
+    assert len(description["points"]) == len(MODEL.points)
     for i, name in enumerate(MODEL.names):
-        _, pose, seen = told["pictures"][name]
+        _, pose, observed = description["pictures"][name]
         assert np.abs(MODEL.T_camera_world[i, :3] - pose).max() < 1e-14
-        assert len(seen) == (MODEL.observations[:, 0] == i).sum()
+        assert len(observed) == (MODEL.observations[:, 0] == i).sum()
 
 
-def test_a_model_comes_back(folder):
+def test_model_round_trip(folder):
     assert_same(loom.read_colmap_model(folder), MODEL, poses=1e-15, pixels=1e-12)
 
 
 @pytest.mark.parametrize(("pictures", "points"), [(1, 0), (1, 1), (2, 3)])
-def test_small_models_come_back(tmp_path, form, pictures, points):
-    whole = ring_model()
+def test_small_models_round_trip(tmp_path, form, pictures, points):
+    full = ring_model()
     model = loom.SfmModel(
-        whole.names[:pictures], whole.cameras[:pictures], whole.T_camera_world[:pictures], whole.points[:points]
+        full.names[:pictures], full.cameras[:pictures], full.T_camera_world[:pictures], full.points[:points]
     )
     loom.write_colmap_model(tmp_path / "m", model, format=form)
     assert_same(loom.read_colmap_model(tmp_path / "m"), model, poses=1e-15)
 
 
-@pytest.mark.parametrize("place", ["sparse/0", "sparse", "0", "."])
-def test_a_model_is_found_below_its_project(tmp_path, form, place):
-    loom.write_colmap_model(tmp_path / "project" / place, MODEL, format=form)
+@pytest.mark.parametrize("subfolder", ["sparse/0", "sparse", "0", "."])
+def test_model_in_a_subfolder_of_the_project_is_read(tmp_path, form, subfolder):
+    loom.write_colmap_model(tmp_path / "project" / subfolder, MODEL, format=form)
     assert len(loom.read_colmap_model(tmp_path / "project")) == len(MODEL)
 
 
@@ -103,20 +105,20 @@ def test_a_missing_file_is_named(folder, form, name):
         loom.read_colmap_model(folder)
 
 
-def test_a_place_without_a_model_is_told(tmp_path):
+def test_path_without_a_model_is_an_error(tmp_path):
     (tmp_path / "file").write_text("x")
-    for place, reason in (("", "contains no COLMAP model"), ("none", "does not exist"), ("file", "is a file")):
+    for name, reason in (("", "contains no COLMAP model"), ("none", "does not exist"), ("file", "is a file")):
         with pytest.raises(loom.FileError, match=reason):
-            loom.read_colmap_model(tmp_path / place)
+            loom.read_colmap_model(tmp_path / name)
 
 
-def test_writing_replaces_the_model_that_was_there_in_both_forms(folder, form):
+def test_writing_replaces_the_existing_model_in_both_formats(folder, form):
     for name in ("rigs.bin", "frames.txt", "project.ini"):
         (folder / name).write_text("of the old model")
     other = "txt" if form == "bin" else "bin"
     loom.write_colmap_model(folder, MODEL.select(MODEL.names[:3]), format=other)
-    found = sorted(path.name for path in folder.iterdir())
-    assert found == sorted([*(f"{name}.{other}" for name in ("cameras", "images", "points3D")), "project.ini"])
+    names = sorted(path.name for path in folder.iterdir())
+    assert names == sorted([*(f"{name}.{other}" for name in ("cameras", "images", "points3D")), "project.ini"])
     assert len(loom.read_colmap_model(folder)) == 3
 
 
@@ -128,7 +130,7 @@ def test_a_model_that_may_not_be_replaced_stays(folder):
 
 
 @pytest.mark.parametrize("failing", ["write_cameras", "write_pictures", "write_points"])
-def test_a_full_disk_leaves_what_was_there(folder, form, failing, monkeypatch, tmp_path):
+def test_full_disk_preserves_the_existing_files(folder, form, failing, monkeypatch, tmp_path):
     from pointloom.io.models import colmap_binary, colmap_text
 
     def fail(*_):
@@ -136,14 +138,14 @@ def test_a_full_disk_leaves_what_was_there(folder, form, failing, monkeypatch, t
 
     before = {path.name: path.read_bytes() for path in folder.iterdir()}
     monkeypatch.setattr(colmap_binary if form == "bin" else colmap_text, failing, fail)
-    for place in (folder, tmp_path / "new"):
+    for target in (folder, tmp_path / "new"):
         with pytest.raises(loom.FileError, match="No space left"):
-            loom.write_colmap_model(place, MODEL.scaled(2), format=form)
+            loom.write_colmap_model(target, MODEL.scaled(2), format=form)
     assert {path.name: path.read_bytes() for path in folder.iterdir()} == before
     assert not (tmp_path / "new").exists()
 
 
-def test_what_colmap_cannot_hold_is_refused(tmp_path):
+def test_models_unsupported_by_colmap_are_rejected(tmp_path):
     lens = loom.CameraModel("METASHAPE", 640, 480, [500, 320, 240, *[0.0] * 7, 1.0])
     for model, message, form in (
         (loom.SfmModel(["a"], [lens], np.eye(4)[None]), "no camera model METASHAPE", "bin"),
@@ -159,7 +161,7 @@ def test_what_colmap_cannot_hold_is_refused(tmp_path):
 
 
 def spoil(folder, name, at, new):
-    """Bytes of a file replaced."""
+    """Replace bytes of a file."""
     path = folder / name
     data = bytearray(path.read_bytes())
     data[at : at + len(new)] = new
@@ -201,14 +203,14 @@ KEYPOINTS = NAME + len(MODEL.names[0]) + 1
         ("points3D.bin", 8, struct.pack("<Q", 2), r"byte \d+.*number 2 is duplicated"),
     ],
 )
-def test_damage_is_told_with_its_place(binary, name, at, new, message):
+def test_damage_is_reported_with_its_location(binary, name, at, new, message):
     spoil(binary, name, at, new)
     with pytest.raises(loom.FileError, match=message):
         loom.read_colmap_model(binary)
 
 
 @pytest.mark.parametrize("name", ["cameras.bin", "images.bin", "points3D.bin"])
-def test_a_file_that_is_cut_off_or_goes_on_is_refused(binary, name):
+def test_truncated_or_overlong_file_is_rejected(binary, name):
     data = (binary / name).read_bytes()
     rng = np.random.default_rng(3)
     for end in [0, 1, 7, 8, 9, *rng.integers(10, len(data), 40).tolist(), len(data) - 1]:
@@ -225,11 +227,11 @@ def test_random_bytes_never_crash_the_reader(folder, form, name):
     path = folder / f"{name}.{form}"
     data = path.read_bytes()
     rng = np.random.default_rng(5)
-    for turn in range(120):
+    for trial in range(120):
         spoiled = bytearray(data)
-        for at in rng.integers(0, len(data), 1 + turn % 6):
+        for at in rng.integers(0, len(data), 1 + trial % 6):
             spoiled[at] = rng.integers(0, 256)
-        path.write_bytes(spoiled if turn % 4 else rng.bytes(200))
+        path.write_bytes(spoiled if trial % 4 else rng.bytes(200))
         try:
             model = loom.read_colmap_model(folder)
         except loom.FileError as error:
@@ -250,7 +252,7 @@ def write_text(folder, cameras=CAMERAS, images=IMAGES, points=POINTS, encoding="
 
 
 @pytest.mark.parametrize("change", [str, lambda s: s.replace("\n", "\r\n"), lambda s: "\ufeff" + s, str.rstrip])
-def test_text_is_read_whatever_its_line_ends(tmp_path, change):
+def test_text_is_read_with_any_line_ends(tmp_path, change):
     images = change(IMAGES) if change is not str.rstrip else IMAGES
     model = loom.read_colmap_model(write_text(tmp_path, change(CAMERAS), images, change(POINTS)))
     assert model.names == ("a b.png", "c.png")
@@ -295,13 +297,13 @@ def test_a_point_without_an_error_or_a_track_is_read(tmp_path):
         ("points3D", "3 0 0 2,0 1 2 3 0.5 1 0\n", "line 1.*not a number"),
     ],
 )
-def test_text_that_makes_no_sense_is_told_with_its_line(tmp_path, file, text, message):
+def test_invalid_text_is_reported_with_its_line(tmp_path, file, text, message):
     write_text(tmp_path, **{{"points3D": "points"}.get(file, file): text})
     with pytest.raises(loom.FileError, match=message):
         loom.read_colmap_model(tmp_path)
 
 
-def test_text_in_another_encoding_is_told(tmp_path):
+def test_text_in_another_encoding_is_reported(tmp_path):
     write_text(tmp_path)
     (tmp_path / "images.txt").write_bytes(IMAGES.replace("a b", "größe").encode("latin-1"))
     with pytest.raises(loom.FileError, match=r"/images\.txt \(byte 20\):"):

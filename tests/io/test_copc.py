@@ -1,5 +1,4 @@
-"""COPC: what is written is a LAZ file with the same points, its octree is what the specification wants, and windows of
-it are what a crop of the whole gives; octrees that lie are refused."""
+"""COPC: written files are valid LAZ files with a valid octree, windows equal crops, invalid octrees are rejected."""
 
 from __future__ import annotations
 
@@ -22,12 +21,12 @@ from pointloom.io.table import PointTable
 
 from .las_files import edited, make
 
-INFO_AT = 375 + 54  # the first record's bytes, as the specification wants
+INFO_AT = 375 + 54  # the first record's bytes according to the specification
 
 
 def survey(rng, count=12_000, at=(6.3e5, 8.5e6, 120.0)):
-    """A hilly surface with what a scanner tells of each point."""
-    xy = rng.random((count, 2)) ** 3 * (400, 250)  # denser toward a corner, so that the octree is deep there
+    """A hilly surface with all attributes of a scanner."""
+    xy = rng.random((count, 2)) ** 3 * (400, 250)  # denser toward a corner, where the octree is deep
     z = 8 * np.sin(xy[:, 0] / 40) + rng.normal(size=count)
     points = np.column_stack([xy, z]) + at
     attributes = {
@@ -58,31 +57,31 @@ def path(table, tmp_path, small_nodes):
 
 
 def in_order(table):
-    """Rows of all that a table holds, in an order that does not depend on that of its points."""
+    """Rows of all columns of a table, independent of the order of its points."""
     columns = [table.points, table.colors, *(table.attributes[name] for name in sorted(table.attributes))]
     rows = np.column_stack([np.asarray(column, np.float64).reshape(len(table.points), -1) for column in columns])
     return rows[np.lexsort(rows.T)]
 
 
-def taken(table, keep):
+def selected_rows(table, keep):
     attributes = {name: values[keep] for name, values in table.attributes.items()}
     return PointTable(table.points[keep], None, table.colors[keep], attributes)
 
 
 def entries_of(path):
-    """All entries of a file's pages, those that lead to other pages aside."""
+    """All entries of a file's pages, except links to other pages."""
     with laspy.open(path) as file:
         (hierarchy,) = (record for record in file.evlrs if record.user_id == HIERARCHY[0])
     entries = np.frombuffer(hierarchy.bytes, ENTRY)
     return entries[entries["count"] >= 0]
 
 
-def test_a_copc_file_holds_the_points_of_the_laz_file(table, path, tmp_path):
+def test_copc_file_contains_the_points_of_the_laz_file(table, path, tmp_path):
     write_las(tmp_path / "b.laz", table)
     np.testing.assert_array_equal(in_order(read_las(path)), in_order(read_las(tmp_path / "b.laz")))
 
 
-def test_laspy_reads_the_whole_windows_and_levels(table, path):
+def test_laspy_reads_all_points_windows_and_levels(table, path):
     low, high = np.array([6.30005e5, 8.500002e6, 0]), np.array([6.3002e5, 8.50009e6, 500])
     stored = read_las(path).points
     with CopcReader.open(str(path)) as reader:
@@ -90,51 +89,52 @@ def test_laspy_reads_the_whole_windows_and_levels(table, path):
         inside = ((stored >= low) & (stored <= high)).all(axis=1).sum()
         assert 0 < len(reader.query(bounds=Bounds(low, high))) == inside < len(stored)
         for level in range(4):
-            held = reader.query(level=range(level + 1))
+            points = reader.query(level=range(level + 1))
             spacing = reader.copc_info.spacing / 2**level
-            assert len(held) == len(loom.read_copc(path, spacing=spacing))
+            assert len(points) == len(loom.read_copc(path, spacing=spacing))
 
 
-def test_a_window_is_a_crop_of_the_whole(path, device):
+def test_window_equals_a_crop_of_the_full_cloud(path, device):
     low, high = np.array([6.301e5, 8.50005e6, 0]), np.array([6.302e5, 8.5e7, 500])
-    whole = read_las(path)
-    inside = ((whole.points >= low) & (whole.points <= high)).all(axis=1)
-    np.testing.assert_array_equal(in_order(open_copc(path).read(low, high)), in_order(taken(whole, inside)))
+    full = read_las(path)
+    inside = ((full.points >= low) & (full.points <= high)).all(axis=1)
+    np.testing.assert_array_equal(in_order(open_copc(path).read(low, high)), in_order(selected_rows(full, inside)))
     cloud = loom.read_copc(path, within=loom.AxisAlignedBoundingBox(low, high), device=device)
     assert 0 < len(cloud) == inside.sum() < len(inside) and cloud.device == device
 
 
-def test_a_window_unpacks_only_the_chunks_that_reach_into_it(path, monkeypatch):
+def test_window_decompresses_only_intersecting_chunks(path, monkeypatch):
     read, unpack = [], lazrs.decompress_points_with_chunk_table
 
-    def noted(chunks, record, out, told):
-        read.append(told)
-        unpack(chunks, record, out, told)
+    def record_call(chunks, record, out, chunk_table):
+        read.append(chunk_table)
+        unpack(chunks, record, out, chunk_table)
 
-    monkeypatch.setattr(lazrs, "decompress_points_with_chunk_table", noted)
+    monkeypatch.setattr(lazrs, "decompress_points_with_chunk_table", record_call)
     file = open_copc(path)
     read.clear()
     file.read(file.corner, file.corner + np.array([10, 10, 1e3]))
     assert 0 < len(read[0]) < len(file.nodes) / 2
 
 
-def test_coarse_versions_are_as_fine_as_asked_and_no_finer(path):
+def test_coarse_levels_have_the_requested_spacing(path):
     file = open_copc(path)
     for level in range(4):
         spacing = file.spacing / 2**level
         points = file.read(spacing=spacing).points
-        taken, every = (
+        occupied, every = (
             np.unique(np.minimum((p - file.corner) // spacing, 2.0 ** (7 + level) - 1), axis=0)
             for p in (points, file.read().points)
         )
-        assert len(taken) == len(every)
+        assert len(occupied) == len(every)
         assert file.nodes["level"][file.nodes_within(spacing=spacing)].max() == level
     assert len(file.read(spacing=1e9).points) == file.nodes["count"][file.nodes["level"] == 0].sum()
 
 
-def test_the_octree_is_what_the_specification_wants(table, path):
-    """COPC 1.0: the octree's record is the first, formats 6 to 8, each point lies in its node's cube, all nodes above
-    a node are told, counts and chunks add up."""
+def test_octree_follows_the_specification(table, path):
+    """COPC 1.0: the octree's record is the first, formats 6 to 8, each point is in its node's cube, all ancestors of a
+    node are listed, counts and chunks add up.
+    """
     raw, file = path.read_bytes(), open_copc(path)
     assert raw[377:393].rstrip(b"\0") == b"copc" and struct.unpack_from("<H", raw, 393) == (1,)
     assert open_las(path).header.point_format in (6, 7, 8) and open_las(path).header.encoding & 16
@@ -177,14 +177,14 @@ def test_files_of_few_points(count, rng, tmp_path):
         assert reader.header.point_count == count
 
 
-def test_many_points_in_one_place_are_one_node(tmp_path):
+def test_coincident_points_form_one_node(tmp_path):
     points = np.repeat([[5e5, 6e6, 3.0], [5e5, 6e6, 4.0]], 4000, axis=0)
     write_copc(tmp_path / "one.copc.laz", PointTable(points))
     with CopcReader.open(str(tmp_path / "one.copc.laz")) as reader:
         np.testing.assert_array_equal(np.sort(reader.query().z), np.sort(points[:, 2]))
 
 
-def test_old_scan_angles_are_those_of_the_new_formats(rng, tmp_path):
+def test_old_scan_angles_are_converted_to_the_new_formats(rng, tmp_path):
     make(tmp_path / "old.las", 3, 500, rng)
     cloud = loom.read_point_cloud(tmp_path / "old.las")
     loom.write_point_cloud(tmp_path / "new.copc.laz", cloud, like=tmp_path / "old.las")
@@ -194,15 +194,15 @@ def test_old_scan_angles_are_those_of_the_new_formats(rng, tmp_path):
 
 def test_a_real_tile_keeps_all_of_its_points(scan_file, tmp_path):
     source = scan_file("lidar-pdal/laz/autzen_trim.laz")
-    whole = read_las(source)
-    write_copc(tmp_path / "t.copc.laz", whole, like=open_las(source).header)
-    del whole.attributes["scan_angle_rank"]
+    table = read_las(source)
+    write_copc(tmp_path / "t.copc.laz", table, like=open_las(source).header)
+    del table.attributes["scan_angle_rank"]
     again = open_copc(tmp_path / "t.copc.laz").read()
-    again.attributes = {name: again.attributes[name] for name in whole.attributes}
-    np.testing.assert_array_equal(in_order(again), in_order(whole))
+    again.attributes = {name: again.attributes[name] for name in table.attributes}
+    np.testing.assert_array_equal(in_order(again), in_order(table))
 
 
-def test_info_says_what_it_is(path):
+def test_info_reports_copc(path):
     assert describe(path).facts.version == "LAS 1.4, COPC"
 
 
@@ -216,7 +216,7 @@ def test_info_says_what_it_is(path):
         ((INFO_AT + 48, "<Q", 1 << 60), "page of the octree"),
         ((INFO_AT + 48, "<Q", 32), "which are not the"),
         ((104, "B", 0x80 | 3), "(?s)."),
-        # behind the page's beginning
+        # after the beginning of the page
         ((-0, "<i", -1), "level or count"),
         ((-4, "<i", 1), "outside its cube"),
         ((-24, "<i", 1 << 30), "which are not the"),
@@ -224,7 +224,7 @@ def test_info_says_what_it_is(path):
         ((-16, "<Qii", "page", "size", -1), "a cycle"),
     ],
 )
-def test_records_and_entries_that_lie_are_errors(edit, reason, path):
+def test_invalid_records_and_entries_are_errors(edit, reason, path):
     page, size = struct.unpack_from("<QQ", path.read_bytes(), INFO_AT + 40)
     at, form, *values = edit
     values = [{"page": page, "size": size}.get(value, value) for value in values]
@@ -233,15 +233,15 @@ def test_records_and_entries_that_lie_are_errors(edit, reason, path):
     assert str(path) in str(caught.value)
 
 
-def test_any_byte_of_the_octree_may_be_wrong(path, rng):
-    """An error, or the very same points: what is told is held against the chunks."""
-    whole, raw = in_order(read_las(path)), path.read_bytes()
+def test_any_wrong_byte_of_the_octree_is_an_error_or_harmless(path, rng):
+    """An error or identical points: entries are checked against the chunks."""
+    expected, raw = in_order(read_las(path)), path.read_bytes()
     begin = len(raw) - len(entries_of(path)) * ENTRY.itemsize
     for _ in range(60):
         at = int(rng.choice([rng.integers(begin, len(raw)), rng.integers(INFO_AT + 40, INFO_AT + 56)]))
         path.write_bytes(raw[:at] + bytes([raw[at] ^ (1 << int(rng.integers(8)))]) + raw[at + 1 :])
         try:
-            found = in_order(open_copc(path).read())
+            result = in_order(open_copc(path).read())
         except loom.FileError:
             continue
-        np.testing.assert_array_equal(found, whole)
+        np.testing.assert_array_equal(result, expected)

@@ -1,4 +1,4 @@
-"""Which files make a frame: pairing by name, number and time, of the pictures of a folder."""
+"""Pairing of image files to frames by name, number and time."""
 
 from __future__ import annotations
 
@@ -40,8 +40,8 @@ def test_poses_that_are_no_motion_are_refused_by_name(tmp_path, text):
         list_seven_scenes(folder, every=1)
 
 
-def test_redwood_pairs_by_number_where_the_names_differ(tmp_path):
-    """As in the original recordings: a counter from 1 and a time of its own on each side."""
+def test_redwood_pairs_by_number_if_the_names_differ(tmp_path):
+    """As in the original recordings: a counter from 1 and a separate time on each side."""
     folder = make_redwood(tmp_path / "set")
     for i in range(3):
         (folder / "depth" / f"{i:05d}.png").rename(folder / "depth" / f"{i + 1:07d}-{33369 * i:012d}.png")
@@ -63,7 +63,7 @@ def test_redwood_orders_by_number_and_not_by_letters(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["image", "rgb"])
-def test_redwood_knows_the_other_names_of_color(tmp_path, name):
+def test_redwood_accepts_alternative_color_folder_names(tmp_path, name):
     folder = make_redwood(tmp_path / "set")
     (folder / "color").rename(folder / name)
     assert list_redwood(folder)[0].color == folder / name / "00000.jpg"
@@ -124,7 +124,7 @@ def test_hidden_and_foreign_files_do_no_harm(tmp_path):
     assert len(list_redwood(folder)) == 3
 
 
-def test_tum_leaves_out_what_has_no_partner_and_says_so(tmp_path):
+def test_tum_reports_frames_without_a_partner(tmp_path):
     folder = make_tum(tmp_path / "set", 4)
     write_listing(folder, "rgb", [100.012, 100.225, 100.312])  # the second is 25 ms from its depth map
     write_poses(folder, [(100.0, 0), (100.1, 1), (100.2, 2), (100.275, 3)])  # and the last pose from the last one
@@ -155,7 +155,7 @@ def test_association_agrees_with_trying_all_pairs():
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "claim"),
+    ("name", "text", "message"),
     [
         ("depth.txt", "", "lists no image"),
         ("depth.txt", "soon depth/a.png\n", "line 1): not a number"),
@@ -165,12 +165,12 @@ def test_association_agrees_with_trying_all_pairs():
         ("groundtruth.txt", "1 0 0 0 0 0 0 0\n", "unit quaternion"),
     ],
 )
-def test_tum_lists_are_checked_by_line(tmp_path, name, text, claim):
+def test_tum_lists_are_checked_by_line(tmp_path, name, text, message):
     folder = make_tum(tmp_path / "set")
     (folder / name).write_text(text)
     with pytest.raises(FileError) as caught:
         list_tum(folder)
-    assert claim in str(caught.value)
+    assert message in str(caught.value)
 
 
 def test_tum_color_without_its_list_is_refused(tmp_path):

@@ -1,4 +1,4 @@
-"""Folders of RGB-D frames: what belongs together is found, and what does not fit is named."""
+"""Folders of RGB-D frames: matching files are paired, and mismatches are named."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ from .frame_folders import (
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_each_layout_is_told_apart_and_read_in_order(tmp_path, layout):
+def test_each_layout_is_detected_and_read_in_order(tmp_path, layout):
     dataset = open_dataset(make(layout, tmp_path / "set"), intrinsic=SMALL)
     scale = 5000 if layout == "tum" else 1000
     assert (dataset.layout, len(dataset), dataset.depth_scale, dataset.left_out) == (layout, 3, scale, [])
@@ -76,12 +76,12 @@ def test_unknown_layouts_and_folders_are_refused(tmp_path):
         open_dataset(tmp_path / "file")
 
 
-def test_an_empty_folder_is_told_what_was_looked_for(tmp_path):
+def test_empty_folder_error_lists_the_expected_files(tmp_path):
     (tmp_path / "depth").mkdir()
     with pytest.raises(DatasetError) as caught:
         open_dataset(tmp_path)
-    for claim in ("frame-NNNNNN.depth.png (missing)", "depth/ (found)", "trajectory.log (missing)", "groundtruth.txt"):
-        assert claim in str(caught.value)
+    for text in ("frame-NNNNNN.depth.png (missing)", "depth/ (found)", "trajectory.log (missing)", "groundtruth.txt"):
+        assert text in str(caught.value)
     for layout in LAYOUTS:
         with pytest.raises(DatasetError):
             open_dataset(tmp_path, layout=layout)
@@ -112,7 +112,7 @@ def test_other_layouts_keep_the_largest_depth(tmp_path):
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_default_cameras_are_those_of_the_layout(tmp_path, layout):
+def test_default_camera_depends_on_the_layout(tmp_path, layout):
     folder = make(layout, tmp_path / "set")
     for path in folder.rglob("*.png"):
         write_png(path, depth_map(1, (480, 640)) if "depth" in str(path) else picture(1, (480, 640, 3)))
@@ -122,7 +122,7 @@ def test_default_cameras_are_those_of_the_layout(tmp_path, layout):
     assert open_dataset(folder).intrinsic == (expected or PinholeCameraIntrinsic.prime_sense_default())
 
 
-def test_the_camera_in_the_folder_goes_before_the_default_and_a_given_one_before_both(tmp_path):
+def test_given_camera_overrides_the_folder_and_the_default(tmp_path):
     folder = make_redwood(tmp_path / "set")
     write_pinhole_camera_intrinsic(folder / "camera.json", SMALL)
     assert open_dataset(folder).intrinsic == SMALL
@@ -144,7 +144,7 @@ def test_the_depth_scale_of_a_recorder_is_heeded(tmp_path):
         open_dataset(folder)
 
 
-def test_the_matrix_of_a_scene_lies_beside_or_above_its_sequences(tmp_path):
+def test_scene_matrix_is_read_from_the_scene_or_sequence_folder(tmp_path):
     folder = make_seven_scenes(tmp_path / "seq-07")
     np.savetxt(tmp_path / "camera-intrinsics.txt", SMALL.matrix)
     assert open_dataset(folder).intrinsic == SMALL
@@ -164,7 +164,7 @@ def test_two_matrices_that_disagree_are_refused(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("numbers", "doubt"),
+    ("numbers", "warning"),
     [
         ((7, 7, 7.5, 5.5), "of images of 8 x 6; it may be for 15 x 11"),
         ((7, 7, 0, 0), r"principal point \(0, 0\) is far from the center"),
@@ -172,12 +172,12 @@ def test_two_matrices_that_disagree_are_refused(tmp_path):
         ((0.5, 7, 3.5, 2.5), "a field of view of 166 degrees for a width of 8"),
     ],
 )
-def test_a_camera_that_the_images_contradict_is_reported(tmp_path, numbers, doubt):
+def test_camera_that_contradicts_the_images_is_reported(tmp_path, numbers, warning):
     folder, given = make_seven_scenes(tmp_path / "set"), PinholeCameraIntrinsic(8, 6, *numbers)
     np.savetxt(folder / "intrinsics.K.txt", given.matrix)
-    assert re.search(doubt, open_dataset(folder).warnings[0])
+    assert re.search(warning, open_dataset(folder).warnings[0])
     dataset = open_dataset(folder, intrinsic=given)
-    assert re.search(doubt, dataset.warnings[0]) and not dataset.reliable
+    assert re.search(warning, dataset.warnings[0]) and not dataset.reliable
     assert dataset.intrinsic_source == "the intrinsic given"
 
 
@@ -226,7 +226,7 @@ def test_the_red_kitchen_opens_with_its_own_camera(real_file):
 
 
 def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
-    """The depth of the last frame, seen from the first, agrees to centimeters where both see."""
+    """The depth of the last frame, seen from the first, agrees to centimeters where both overlap."""
     dataset = open_dataset(scan_file("rgbd-cupoch-redwood5"))
     assert dataset.layout == "redwood" and len(dataset) == {"shipped": 3, "real": 5}[scan_set]
     first, last = dataset.read(0), dataset.read(len(dataset) - 1)
@@ -237,12 +237,12 @@ def test_redwood_frames_meet_in_the_world(scan_set, scan_file):
     T_first_last = np.linalg.inv(first.T_world_camera) @ last.T_world_camera
     points = T_first_last[:3, :3] @ points + T_first_last[:3, 3:]
     u, v = np.rint((K @ points)[:2] / points[2]).astype(int)
-    seen = (u >= 0) & (v >= 0) & (u < 640) & (v < 480)
-    there = first.depth[v[seen], u[seen]] / dataset.depth_scale
-    assert np.median(np.abs(there - points[2][seen])[there > 0]) < 0.01
+    visible = (u >= 0) & (v >= 0) & (u < 640) & (v < 480)
+    there = first.depth[v[visible], u[visible]] / dataset.depth_scale
+    assert np.median(np.abs(there - points[2][visible])[there > 0]) < 0.01
 
 
-def test_a_folder_of_frames_says_itself_in_one_line(tmp_path):
+def test_frame_folder_repr_is_one_line(tmp_path):
     dataset = open_dataset(make_tum(tmp_path / "set"), intrinsic=SMALL)
     size = f"{SMALL.width} x {SMALL.height}"
     assert repr(dataset) == f"RGBDDataset(tum, {len(dataset)} frames with poses, {size}, depth_scale 5000)"

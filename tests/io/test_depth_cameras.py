@@ -1,4 +1,4 @@
-"""Drivers of depth cameras, played by stubs of their modules: frames, calibration, and what happens when one fails."""
+"""Drivers of depth cameras, replaced by stubs: frames, calibration, and failures."""
 
 from __future__ import annotations
 
@@ -41,25 +41,25 @@ def kinect(monkeypatch):
     ("camera", "module", "extra"),
     [(loom.RealSenseCamera, "pyrealsense2", "realsense"), (loom.AzureKinectCamera, "pyk4a", "azure-kinect")],
 )
-def test_a_missing_driver_is_named_with_what_installs_it(monkeypatch, camera, module, extra):
+def test_missing_driver_is_named_with_its_installation(monkeypatch, camera, module, extra):
     monkeypatch.setitem(sys.modules, module, None)
     with pytest.raises(CameraError, match=rf"{module}.*pip install \"pointloom\[{extra}\]\""):
         camera()
 
 
 def take(camera, count):
-    """The first frames of a camera that never ends."""
+    """The first frames of an endless camera."""
     return [frame for _, frame in zip(range(count), camera, strict=False)]
 
 
-def test_frames_of_a_realsense_come_with_calibration_and_time(realsense):
+def test_realsense_frames_have_calibration_and_time(realsense):
     stub = realsense([1, 2, 3])
     with loom.RealSenseCamera(serial="0123", width=WIDTH, height=HEIGHT, rate=15) as camera:
         assert isinstance(camera, RGBDSource)
         assert (camera.intrinsic, camera.depth_scale) == (CAMERA, pytest.approx(4000, rel=1e-12))
         frames = take(camera, 3)
     assert not stub.running
-    assert stub.asked[:3] == [
+    assert stub.calls[:3] == [
         ("enable_device", "0123"),
         ("enable_stream", "depth", WIDTH, HEIGHT, "z16", 15),
         ("enable_stream", "color", WIDTH, HEIGHT, "rgb8", 15),
@@ -78,8 +78,8 @@ def test_frames_without_color_yet_are_passed_over(realsense):
     assert frame.color is None and np.array_equal(frame.depth, depth_of(0))
 
 
-def test_each_depth_map_comes_once_and_with_the_color_closest_in_time(realsense):
-    """As the driver gives them: a picture again and again while it waits for the other camera."""
+def test_each_depth_map_is_paired_once_with_the_closest_color(realsense):
+    """As from the driver: an image is repeated while it waits for the other camera."""
     realsense([(1, 1), (2, 1), (2, 2), (3, 2), (4, 3), (4, 4), (5, 5)])
     camera = loom.RealSenseCamera()
     pairs = [(frame.depth[0, 0] - 1000, frame.color[0, 0, 2]) for frame in take(camera, 5)]
@@ -89,9 +89,9 @@ def test_each_depth_map_comes_once_and_with_the_color_closest_in_time(realsense)
 
 def test_a_frame_that_waits_for_its_color_is_not_lost_with_the_camera(realsense):
     realsense([1, (2, 1), RuntimeError("Device disconnected")])
-    taken = []
+    times = []
     with pytest.raises(CameraError, match="stopped after 2 frames: Device disconnected"):
-        taken.extend(frame.timestamp for frame in loom.RealSenseCamera())
+        times.extend(frame.timestamp for frame in loom.RealSenseCamera())
     realsense([1, (2, 1)])
     assert len(list(loom.RealSenseCamera(file="walk.bag"))) == 2
 
@@ -111,14 +111,14 @@ def test_frames_that_the_driver_lost_are_counted(realsense):
         (RuntimeError("Device disconnected"), "stopped after 2 frames: Device disconnected"),
     ],
 )
-def test_a_realsense_that_fails_says_so_after_its_last_whole_frame(realsense, last, message):
+def test_realsense_failure_is_reported_after_the_last_complete_frame(realsense, last, message):
     stub = realsense([1, 2, last])
-    camera, taken = loom.RealSenseCamera(timeout=0.5), []
+    camera, frames = loom.RealSenseCamera(timeout=0.5), []
     with pytest.raises(CameraError, match=message), camera:
         for frame in camera:
-            taken.append(frame)
-    assert len(taken) == 2 and np.array_equal(taken[0].depth, depth_of(1))
-    assert ("wait", 500) in stub.asked and not stub.running
+            frames.append(frame)
+    assert len(frames) == 2 and np.array_equal(frames[0].depth, depth_of(1))
+    assert ("wait", 500) in stub.calls and not stub.running
 
 
 def test_a_realsense_that_is_not_there_is_an_error(realsense):
@@ -135,26 +135,26 @@ def test_a_lens_of_an_unknown_kind_is_refused_and_the_camera_released(realsense)
 
 
 @pytest.mark.parametrize("jpeg", [False, True])
-def test_frames_of_a_kinect_recording_come_with_calibration_and_time(kinect, jpeg):
+def test_frames_of_a_kinect_recording_have_calibration_and_time(kinect, jpeg):
     stub = kinect(["late", 1, 2], jpeg=jpeg)
     with loom.AzureKinectCamera(file="walk.mkv") as camera:
         assert (camera.intrinsic, camera.depth_scale) == (CAMERA, 1000.0)
         frames = list(camera)
-    assert stub.asked == ["walk.mkv"] and not stub.running
+    assert stub.calls == ["walk.mkv"] and not stub.running
     assert [frame.timestamp for frame in frames] == pytest.approx([0.033, 0.066])
     for i, frame in enumerate(frames, 1):
         assert np.array_equal(frame.depth, depth_of(i))
         assert np.abs(frame.color.astype(int) - color_of(i)).max() <= (12 if jpeg else 0)
 
 
-def test_a_kinect_that_fails_says_so_after_its_last_whole_frame(kinect):
+def test_kinect_failure_is_reported_after_the_last_complete_frame(kinect):
     stub = kinect([1, 2, "silence"])
-    camera, taken = loom.AzureKinectCamera(number=1), []
-    assert stub.asked[0][1] == 1 and stub.asked[0][0]["synchronized_images_only"]
+    camera, frames = loom.AzureKinectCamera(number=1), []
+    assert stub.calls[0][1] == 1 and stub.calls[0][0]["synchronized_images_only"]
     with pytest.raises(CameraError, match="stopped after 2 frames: K4ATimeoutException"), camera:
         for frame in camera:
-            taken.append(frame)
-    assert len(taken) == 2 and not stub.running
+            frames.append(frame)
+    assert len(frames) == 2 and not stub.running
 
 
 def test_a_kinect_that_is_not_there_is_an_error(kinect):
@@ -174,7 +174,7 @@ def bent_scene(lens_coefficients):
     k = np.zeros(8)
     k[: len(lens_coefficients)] = lens_coefficients
     ideal = np.stack([x, y])
-    for _ in range(60):  # which ideal place each pixel of the lens shows
+    for _ in range(60):  # ideal position of each pixel of the lens
         ideal = ideal - (distort(ideal, k) - np.stack([x, y]))
 
     def scene(a, b):
@@ -186,29 +186,29 @@ def bent_scene(lens_coefficients):
 @pytest.mark.parametrize(
     "coefficients", [(0.12, -0.2, 0.001, -0.002, 0.05), (0.5, -2.5, 3e-4, 1e-4, 1.5, 0.4, -2.3, 1.4)]
 )
-def test_the_lens_is_taken_out_of_depth_and_color(coefficients):
+def test_depth_and_color_are_undistorted(coefficients):
     camera, (depth, gray), (straight_depth, straight_gray) = bent_scene(coefficients)
     lens = LensMap(camera, coefficients)
     assert lens.shift > 0.3
     got, color = lens.straighten_depth(depth), lens.straighten_color(np.dstack([gray] * 3))
-    seen = got > 0
-    assert seen.mean() > 0.9
-    assert np.abs(got.astype(int) - straight_depth)[seen].max() <= 3  # half a pixel of slope
-    assert np.abs(color[..., 1].astype(int) - straight_gray)[seen].max() <= 3
+    valid = got > 0
+    assert valid.mean() > 0.9
+    assert np.abs(got.astype(int) - straight_depth)[valid].max() <= 3  # half a pixel of slope
+    assert np.abs(color[..., 1].astype(int) - straight_gray)[valid].max() <= 3
 
 
-def test_the_inverse_model_undoes_the_model():
+def test_inverse_distortion_inverts_the_model():
     camera = loom.PinholeCameraIntrinsic(160, 120, 140.0, 140.0, 80.0, 59.0)
     k = (0.1, -0.1, 0.001, 0.001, 0.02)
     lens = LensMap(camera, k, inverse=True)
-    places = np.stack([(lens.positions[0] - camera.cx) / camera.fx, (lens.positions[1] - camera.cy) / camera.fy])
-    back = distort(places, np.array([*k, 0, 0, 0]))
+    coordinates = np.stack([(lens.positions[0] - camera.cx) / camera.fx, (lens.positions[1] - camera.cy) / camera.fy])
+    back = distort(coordinates, np.array([*k, 0, 0, 0]))
     v, u = np.mgrid[:120, :160]
     assert np.abs(back[0] * camera.fx + camera.cx - u).max() < 1e-6
     assert np.abs(back[1] * camera.fy + camera.cy - v).max() < 1e-6
 
 
-def test_a_camera_whose_lens_bends_gives_straight_frames(kinect):
+def test_frames_of_a_distorting_camera_are_undistorted(kinect):
     kinect([1], coefficients=(0.3, -0.1, 0, 0, 0, 0, 0, 0))
     camera = loom.AzureKinectCamera(file="walk.mkv")
     frame = next(iter(camera))

@@ -1,4 +1,4 @@
-"""E57: scans lie where their poses place them, what is written reads back, and damaged files are refused."""
+"""E57: scans are transformed by their poses, written files are read back, and damaged files are rejected."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ from pointloom.io.points.e57 import describe_e57, read_e57
 from pointloom.io.points.e57_writer import write_e57
 from pointloom.io.table import PointTable
 
-QUATERNION = np.array([0.5, 0.5, -0.5, 0.5])  # w, x, y, z: a turn by 120 degrees
+QUATERNION = np.array([0.5, 0.5, -0.5, 0.5])  # w, x, y, z: a rotation by 120 degrees
 
 
 def scan_of(rng, count, **fields):
@@ -37,7 +37,7 @@ def write_by_pye57(path, *scans):
 
 
 def write_raw(path, columns, limits=None):
-    """One scan of fields given as (values, node of the prototype's kind), which pye57 itself does not write."""
+    """One scan of fields (values, node of the prototype), which pye57 itself does not write."""
     image = libe57.ImageFile(str(path), "w")
     image.extensionsAdd("", libe57.E57_V1_0_URI)
     for name, node in {"formatName": "ASTM E57 3D Imaging Data File", "guid": "{0}"}.items():
@@ -70,7 +70,7 @@ def double(image):
     return libe57.FloatNode(image, 0.0, libe57.E57_DOUBLE)
 
 
-def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
+def test_scan_pose_agrees_with_pye57(tmp_path, rng):
     path = tmp_path / "a.e57"
     invalid = (np.arange(60) % 5 == 0).astype(np.int8)
     columns = scan_of(rng, 60, intensity=rng.random(60), cartesianInvalidState=invalid)
@@ -81,8 +81,8 @@ def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
     options = {"intensity": True, "colors": True, "row_column": True}
     expected = pye57.E57(str(path)).read_scan(0, **options)
     assert len(table.points) == 48
-    found = [table.attributes["intensity"], table.attributes["row_index"], table.attributes["column_index"]]
-    for values, name in zip(found, ("intensity", "rowIndex", "columnIndex"), strict=True):
+    actual = [table.attributes["intensity"], table.attributes["row_index"], table.attributes["column_index"]]
+    for values, name in zip(actual, ("intensity", "rowIndex", "columnIndex"), strict=True):
         np.testing.assert_array_equal(values, expected[name])
     for axis, letter in enumerate("XYZ"):
         np.testing.assert_allclose(table.points[:, axis], expected[f"cartesian{letter}"], rtol=0, atol=1e-8)
@@ -91,7 +91,7 @@ def test_a_scan_lies_where_pye57_places_it(tmp_path, rng):
     assert table.attributes.keys() == {"intensity", "row_index", "column_index"}
 
 
-def test_all_scans_are_merged_with_the_index_of_each(tmp_path, rng, device):
+def test_scans_are_merged_with_their_indices(tmp_path, rng, device):
     path = tmp_path / "a.e57"
     first = scan_of(rng, 5, intensity=rng.random(5))
     second = scan_of(rng, 7, intensity=rng.random(7), rowIndex=np.arange(7), columnIndex=np.arange(7))
@@ -109,20 +109,20 @@ def test_all_scans_are_merged_with_the_index_of_each(tmp_path, rng, device):
             loom.read_point_cloud(path, scan=scan)
 
 
-def test_spherical_coordinates_become_cartesian_ones(tmp_path, rng):
-    path, reach = tmp_path / "a.e57", rng.random(50) * 20
+def test_spherical_coordinates_are_converted(tmp_path, rng):
+    path, ranges = tmp_path / "a.e57", rng.random(50) * 20
     azimuth, elevation = rng.uniform(-np.pi, np.pi, 50), rng.uniform(-np.pi / 2, np.pi / 2, 50)
-    fields = {"sphericalRange": reach, "sphericalAzimuth": azimuth, "sphericalElevation": elevation}
+    fields = {"sphericalRange": ranges, "sphericalAzimuth": azimuth, "sphericalElevation": elevation}
     write_raw(path, {name: (values, double) for name, values in fields.items()})
     points = read_e57(path).points
-    np.testing.assert_allclose(np.linalg.norm(points, axis=1), reach, rtol=1e-12)
+    np.testing.assert_allclose(np.linalg.norm(points, axis=1), ranges, rtol=1e-12)
     np.testing.assert_allclose(np.arctan2(points[:, 1], points[:, 0]), azimuth, rtol=0, atol=1e-9)
-    np.testing.assert_allclose(points[:, 2], reach * np.sin(elevation), rtol=0, atol=1e-12)
+    np.testing.assert_allclose(points[:, 2], ranges * np.sin(elevation), rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("full", [255, 1023, 65535])
 @pytest.mark.parametrize("has_limits", [True, False])
-def test_colors_are_taken_to_0_1_by_the_limits_or_the_type(full, has_limits, tmp_path, rng):
+def test_colors_are_scaled_by_their_limits_or_type(full, has_limits, tmp_path, rng):
     path, raw = tmp_path / "a.e57", rng.integers(0, full + 1, (30, 3)).astype(np.uint16)
     names = ("colorRed", "colorGreen", "colorBlue")
     fields = {name: (np.zeros(30), double) for name in ("cartesianX", "cartesianY", "cartesianZ")}
@@ -133,7 +133,7 @@ def test_colors_are_taken_to_0_1_by_the_limits_or_the_type(full, has_limits, tmp
     np.testing.assert_allclose(read_e57(path).colors, raw / full, rtol=1e-6, atol=1e-7)
 
 
-def test_a_scan_larger_than_a_block_is_read_whole(tmp_path):
+def test_scan_larger_than_a_block_is_read_completely(tmp_path):
     count = (1 << 18) + 1000
     points = np.arange(3 * count, dtype=np.float32).reshape(-1, 3)
     write_e57(tmp_path / "a.e57", PointTable(points))
@@ -163,31 +163,31 @@ def tables(draw):
 @pytest.mark.slow
 @settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(table=tables())
-def test_what_is_written_reads_back(tmp_path_factory, table):
+def test_round_trip(tmp_path_factory, table):
     path = tmp_path_factory.getbasetemp() / "round.e57"
     write_e57(path, table)
-    found = read_e57(path)
+    result = read_e57(path)
     scans = table.attributes.get("scan_index", np.zeros(len(table.points), np.int32))
     order = np.argsort(scans, kind="stable")
-    np.testing.assert_array_equal(found.points, table.points[order])
+    np.testing.assert_array_equal(result.points, table.points[order])
     for name, values in table.attributes.items():
         expected = np.unique(scans, return_inverse=True)[1] if name == "scan_index" else values
-        np.testing.assert_array_equal(found.attributes[name], expected[order])
-    assert found.attributes.keys() == {*table.attributes, "scan_index"}
-    for ours, theirs in ((table.normals, found.normals), (table.colors, found.colors)):
-        assert (ours is None) == (theirs is None)
-        if ours is not None:
-            np.testing.assert_array_equal(theirs, ours[order])
+        np.testing.assert_array_equal(result.attributes[name], expected[order])
+    assert result.attributes.keys() == {*table.attributes, "scan_index"}
+    for original, actual in ((table.normals, result.normals), (table.colors, result.colors)):
+        assert (original is None) == (actual is None)
+        if original is not None:
+            np.testing.assert_array_equal(actual, original[order])
 
 
-def test_what_is_written_is_right_for_pye57(tmp_path, rng):
+def test_written_file_is_valid_for_pye57(tmp_path, rng):
     cloud = loom.PointCloud(
         rng.random((20, 3)) + np.array([5e5, 5.4e6, 0]), colors=rng.integers(0, 256, (20, 3)).astype(np.uint8)
     )
     loom.write_point_cloud(tmp_path / "a.e57", cloud)
-    found = pye57.E57(str(tmp_path / "a.e57")).read_scan(0, colors=True, ignore_missing_fields=True)
-    np.testing.assert_array_equal(found["cartesianY"], cloud.points[:, 1])
-    np.testing.assert_allclose(found["colorBlue"] / 255, cloud.colors[:, 2], rtol=1e-6)
+    result = pye57.E57(str(tmp_path / "a.e57")).read_scan(0, colors=True, ignore_missing_fields=True)
+    np.testing.assert_array_equal(result["cartesianY"], cloud.points[:, 1])
+    np.testing.assert_allclose(result["colorBlue"] / 255, cloud.colors[:, 2], rtol=1e-6)
     assert list(tmp_path.iterdir()) == [tmp_path / "a.e57"]
 
 
@@ -201,7 +201,7 @@ def test_what_is_written_is_right_for_pye57(tmp_path, rng):
         {"time_stamp": np.array([0, 2**63], np.uint64)},
     ],
 )
-def test_an_attribute_that_e57_cannot_hold_is_named(attribute, tmp_path):
+def test_attribute_unsupported_by_e57_is_named(attribute, tmp_path):
     with pytest.raises(loom.FileError, match=f"attribute '{next(iter(attribute))}' cannot be stored in E57"):
         write_e57(tmp_path / "a.e57", PointTable(np.zeros((2, 3)), attributes=attribute))
     assert list(tmp_path.iterdir()) == []
@@ -241,7 +241,7 @@ def test_a_file_cut_anywhere_is_an_error(small):
 
 
 def with_checksums(content):
-    """The file with the checksum of each page (CRC-32C, big-endian, its last 4 of 1024 bytes) made right again."""
+    """The file with corrected checksums of all pages (CRC-32C, big-endian, its last 4 of 1024 bytes)."""
     table = []
     for value in range(256):
         for _ in range(8):
@@ -255,7 +255,7 @@ def with_checksums(content):
     return bytes(content)
 
 
-def test_a_count_that_lies_is_an_error_even_with_right_checksums(small):
+def test_wrong_count_with_valid_checksums_is_an_error(small):
     content = small.read_bytes()
     assert with_checksums(bytearray(content)) == content
     for count, reason in ((b"999", "truncated: a scan has 300 of 999 points"), (b"-30", "a scan is damaged")):
@@ -265,9 +265,9 @@ def test_a_count_that_lies_is_an_error_even_with_right_checksums(small):
 
 
 @pytest.mark.parametrize("count", [2**20, 2**31, 2**53, 2**63 - 1])
-def test_a_count_beyond_the_memory_is_an_error_before_memory_is_taken(small, count):
+def test_excessive_count_is_an_error_before_allocation(small, count):
     content = small.read_bytes()
-    begin, length = struct.unpack_from("<QQ", content, 24)  # of the text that describes the file, checksums counted in
+    begin, length = struct.unpack_from("<QQ", content, 24)  # of the XML text, including checksums
     logical = b"".join(content[at : at + 1020] for at in range(0, len(content), 1024))
     begin -= 4 * (begin // 1024)
     text = logical[begin : begin + length]
@@ -285,7 +285,7 @@ def test_a_count_beyond_the_memory_is_an_error_before_memory_is_taken(small, cou
     assert peak < 200e6
 
 
-def test_what_is_no_e57_file_is_refused(tmp_path, small):
+def test_other_files_are_rejected(tmp_path, small):
     (tmp_path / "a.e57").write_bytes(b"solid")
     with pytest.raises(loom.FileError, match=r"/a\.e57 \(byte 0\):.*E57"):
         loom.read_point_cloud(tmp_path / "a.e57")
@@ -299,28 +299,28 @@ def test_what_is_no_e57_file_is_refused(tmp_path, small):
 
 
 def test_a_copy_keeps_the_names_and_poses_of_scans(tmp_path, rng):
-    turn = np.array([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7e6], [0, 0, 0, 1.0]])
+    pose = np.array([[0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7e6], [0, 0, 0, 1.0]])
     normals = rng.normal(size=(20, 3)).astype(np.float32)
     clouds = [loom.PointCloud(rng.random((20, 3)), normals=normals) for _ in range(3)]
-    loom.write_stations(tmp_path / "a.e57", clouds, [np.eye(4), turn, turn], names=["hall", "stairs", "roof"])
+    loom.write_stations(tmp_path / "a.e57", clouds, [np.eye(4), pose, pose], names=["hall", "stairs", "roof"])
     table = read_table(tmp_path / "a.e57")
-    kept = table.attributes["scan_index"] != 1  # as a crop leaves them
+    selected = table.attributes["scan_index"] != 1  # as after a crop
     part = PointTable(
-        table.points[kept], table.normals[kept], None, {"scan_index": table.attributes["scan_index"][kept]}
+        table.points[selected], table.normals[selected], None, {"scan_index": table.attributes["scan_index"][selected]}
     )
     for points, names in ((table, ("hall", "stairs", "roof")), (part, ("hall", "roof"))):
         assert write_cloud_table(tmp_path / "b.e57", points, source=tmp_path / "a.e57") == []
-        found, again = loom.read_stations(tmp_path / "b.e57"), read_e57(tmp_path / "b.e57")
-        assert found.names == names
-        np.testing.assert_allclose(found.poses[-1], turn, atol=1e-12)
-        np.testing.assert_allclose(found.clouds[-1].points, clouds[2].points, atol=1e-6)
+        stations, again = loom.read_stations(tmp_path / "b.e57"), read_e57(tmp_path / "b.e57")
+        assert stations.names == names
+        np.testing.assert_allclose(stations.poses[-1], pose, atol=1e-12)
+        np.testing.assert_allclose(stations.clouds[-1].points, clouds[2].points, atol=1e-6)
         np.testing.assert_allclose(again.points, points.points, rtol=0, atol=1e-8)
         np.testing.assert_allclose(again.normals, points.normals, atol=1e-6)
     write_cloud_table(tmp_path / "b.e57", table, source=tmp_path / "a.e57", system_only=True)
     np.testing.assert_array_equal(loom.read_stations(tmp_path / "b.e57").poses, np.tile(np.eye(4), (3, 1, 1)))
 
 
-def test_a_copy_warns_of_what_it_leaves_behind(tmp_path, rng):
+def test_copy_warns_of_omitted_data(tmp_path, rng):
     with pye57.E57(str(tmp_path / "a.e57"), mode="w") as file:
         file.write_scan_raw(scan_of(rng, 5))
         scan = file.root["data3D"][0]
@@ -371,10 +371,10 @@ def integer(low, high):
 
 @pytest.mark.parametrize("bits", [8, 16])
 def test_intensities_and_times_that_are_marked_invalid_are_nan(tmp_path, bits):
-    flag, most = (np.array([0, 1, 0, 1], np.int8), integer(0, 1)), 2**bits - 1
-    values = np.array([1, 2, 3, most], f"u{bits // 8}")
+    flag, max_value = (np.array([0, 1, 0, 1], np.int8), integer(0, 1)), 2**bits - 1
+    values = np.array([1, 2, 3, max_value], f"u{bits // 8}")
     columns = {f"cartesian{axis}": (np.arange(4.0), double) for axis in "XYZ"}
-    columns |= {"intensity": (values, integer(0, most)), "isIntensityInvalid": flag}
+    columns |= {"intensity": (values, integer(0, max_value)), "isIntensityInvalid": flag}
     columns |= {"timeStamp": (np.arange(4.0), double), "isTimeStampInvalid": flag}
     write_raw(tmp_path / "a.e57", columns)
     attributes = read_e57(tmp_path / "a.e57", scan=0).attributes

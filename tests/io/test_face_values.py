@@ -1,4 +1,4 @@
-"""What PLY faces have beside corners: values and colors, triangle strips, and what is left behind."""
+"""Additional data of PLY faces: values, colors, triangle strips, and ignored data."""
 
 from __future__ import annotations
 
@@ -42,9 +42,9 @@ def test_values_and_colors_of_faces_survive_a_round_trip(tmp_path, ascii):
         read = read_ply_mesh(tmp_path / "m.ply").triangle_attributes
         flow = np.stack([read.pop("flow_0"), read.pop("flow_1")], axis=1)
         for name, values in written.triangle_attributes.items():
-            found = flow if name == "flow" else read[name]
-            assert found.dtype == values.dtype
-            np.testing.assert_array_equal(found, values)
+            actual = flow if name == "flow" else read[name]
+            assert actual.dtype == values.dtype
+            np.testing.assert_array_equal(actual, values)
         assert list(read) == ["colors", "label", "quality"]
 
 
@@ -59,17 +59,17 @@ def test_values_of_a_face_go_to_all_its_triangles(tmp_path, kind):
 
 
 @pytest.mark.parametrize(
-    ("values", "wanted"), [("1.5 0 0 1", [1, 0, 0, 1]), ("255 0 51 102", [1, 0, 0.2, 0.4]), ("0 0 nan 1", None)]
+    ("values", "expected"), [("1.5 0 0 1", [1, 0, 0, 1]), ("255 0 51 102", [1, 0, 0.2, 0.4]), ("0 0 nan 1", None)]
 )
-def test_colors_of_faces_out_of_range_are_scaled_clamped_or_left_behind_with_a_warning(tmp_path, values, wanted):
+def test_colors_of_faces_out_of_range_are_scaled_clamped_or_left_behind_with_a_warning(tmp_path, values, expected):
     names = "".join(f"property float {name}\n" for name in ("red", "green", "blue", "alpha"))
     with pytest.warns(UserWarning, match=r"/m\.ply:"):
         read = read_ply_mesh(ply(tmp_path / "m.ply", f"element face 1\n{CORNERS}{names}", f"3 0 1 2 {values}\n"))
     assert len(read.triangles) == 1
-    if wanted is None:
+    if expected is None:
         assert read.triangle_attributes == {}
     else:
-        np.testing.assert_allclose(read.triangle_attributes["colors"], [wanted], atol=1e-7)
+        np.testing.assert_allclose(read.triangle_attributes["colors"], [expected], atol=1e-7)
 
 
 @pytest.mark.parametrize(
@@ -84,12 +84,12 @@ def test_colors_of_faces_out_of_range_are_scaled_clamped_or_left_behind_with_a_w
         ({"a": np.zeros(7, np.int64)}, "no type for int64"),
     ],
 )
-def test_what_would_not_read_back_is_refused(tmp_path, attributes, reason):
+def test_values_that_cannot_be_read_back_are_rejected(tmp_path, attributes, reason):
     with pytest.raises(FileError, match=reason):
         write_ply_mesh(tmp_path / "m.ply", mesh(**attributes))
 
 
-def test_formats_without_values_of_faces_leave_them_out_and_say_so(tmp_path):
+def test_formats_without_face_values_report_omitted_values(tmp_path):
     table = replace(mesh(colors=np.zeros((7, 3)), label=np.zeros(7)), attributes={"weight": np.zeros(9)})
     assert write_mesh_table(tmp_path / "m.ply", table) == []
     assert write_mesh_table(tmp_path / "m.off", table) == ["weight", "triangle label"]
@@ -102,7 +102,7 @@ def strips(path, rows, count=1, more=""):
     return ply(path, f"{more}element tristrips {count}\nproperty list int int vertex_indices\n", rows)
 
 
-def test_strips_turn_their_triangles_one_way_and_begin_anew_at_minus_one(tmp_path):
+def test_strips_keep_one_orientation_and_restart_at_minus_one(tmp_path):
     path = strips(tmp_path / "m.ply", "10 0 1 3 2 -1 3 4 0 -1 1\n")
     mesh = loom.read_triangle_mesh(path)
     np.testing.assert_array_equal(mesh.triangles, [[0, 1, 3], [3, 1, 2], [3, 4, 0]])
@@ -116,7 +116,7 @@ def test_strips_that_are_joined_by_repeated_corners_keep_their_sides(tmp_path):
 
 
 @pytest.mark.parametrize("byte_order", ["<", ">"])
-def test_strips_of_binary_files_stand_behind_the_faces(tmp_path, byte_order):
+def test_strips_of_binary_files_follow_the_faces(tmp_path, byte_order):
     form = {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
     head = HEAD.replace("ascii", form) + f"element face 1\n{CORNERS}element tristrips 2\n"
     points = np.array(VERTICES.split(), byte_order + "f4").tobytes()
@@ -124,8 +124,8 @@ def test_strips_of_binary_files_stand_behind_the_faces(tmp_path, byte_order):
     face = b"\3" + np.array([0, 1, 2], byte_order + "i4").tobytes()
     text = head + "property list int int vertex_indices\nend_header\n"
     (tmp_path / "m.ply").write_bytes(text.encode() + points + face + b"".join(lists))
-    found = read_ply_mesh(tmp_path / "m.ply").triangles
-    np.testing.assert_array_equal(found, [[0, 1, 2], [0, 1, 3], [3, 1, 2], [0, 3, 4]])
+    triangles = read_ply_mesh(tmp_path / "m.ply").triangles
+    np.testing.assert_array_equal(triangles, [[0, 1, 2], [0, 1, 3], [3, 1, 2], [0, 3, 4]])
 
 
 @pytest.mark.parametrize(
@@ -141,11 +141,11 @@ def test_a_damaged_strip_is_refused(tmp_path, rows, reason):
         read_ply_mesh(strips(tmp_path / "m.ply", rows))
 
 
-def test_lists_and_elements_that_no_mesh_has_are_told_once(tmp_path):
+def test_unknown_lists_and_elements_are_reported_once(tmp_path):
     element = f"element face 1\n{CORNERS}property list uchar float more\nelement edge 1\nproperty int vertex1\n"
-    with pytest.warns(UserWarning, match=r"/m\.ply:") as told:
+    with pytest.warns(UserWarning, match=r"/m\.ply:") as caught:
         read = read_ply_mesh(ply(tmp_path / "m.ply", element, "3 0 1 2 1 0.5\n7\n"))
-    assert (len(told), len(read.triangles)) == (1, 1)
+    assert (len(caught), len(read.triangles)) == (1, 1)
 
 
 def test_colors_of_corners_that_vcglib_does_not_declare_are_left_behind(tmp_path):

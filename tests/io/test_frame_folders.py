@@ -1,4 +1,4 @@
-"""Folders of frames without poses, or with some: they open, nothing is made up, what is missing is named."""
+"""Folders of frames with missing poses: nothing is invented, and missing files are named."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_each_layout_opens_without_poses(tmp_path, layout):
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_poses_that_are_not_asked_for_are_not_opened(tmp_path, layout):
+def test_unrequested_poses_are_not_opened(tmp_path, layout):
     folder = make(layout, tmp_path / "set")
     for path in [*folder.glob("*.pose.txt"), folder / "trajectory.log", folder / "groundtruth.txt"]:
         if path.exists():
@@ -74,7 +74,7 @@ def test_tum_frames_have_the_times_of_their_depth(tmp_path):
     assert source.notes == []
 
 
-def test_times_that_jump_are_told_by_frame(tmp_path):
+def test_time_jumps_are_reported_by_frame(tmp_path):
     folder = make_tum(tmp_path / "set", 9)
     times = [100 + 0.1 * i for i in range(7)] + [103.0, 103.1]
     for name in ("depth", "rgb"):
@@ -86,18 +86,18 @@ def test_times_that_jump_are_told_by_frame(tmp_path):
     assert notes == ["103.000000: comes 2.400 s after the frame before it, instead of the usual 0.100 s"]
 
 
-@pytest.mark.parametrize("gone", ["depth", "color"])
-def test_a_picture_missing_in_the_middle_is_named_or_skipped_and_listed(tmp_path, gone):
+@pytest.mark.parametrize("missing", ["depth", "color"])
+def test_a_picture_missing_in_the_middle_is_named_or_skipped_and_listed(tmp_path, missing):
     folder = without_poses(make_seven_scenes(tmp_path / "set"))
-    (folder / f"frame-000001.{gone}.png").unlink()
-    with pytest.raises(DatasetError, match=rf"frame-000001\.{gone}.*: missing"):
+    (folder / f"frame-000001.{missing}.png").unlink()
+    with pytest.raises(DatasetError, match=rf"frame-000001\.{missing}.*: missing"):
         open_frames(folder, intrinsic=SMALL)
     source = open_frames(folder, intrinsic=SMALL, skip_missing=True)
     assert [frame.name for frame in source] == ["frame-000000", "frame-000002"]
-    assert len(source.left_out) == 1 and source.left_out[0].startswith(f"frame-000001.{gone}.")
+    assert len(source.left_out) == 1 and source.left_out[0].startswith(f"frame-000001.{missing}.")
 
 
-def test_redwood_and_tum_name_or_skip_what_is_missing_too(tmp_path):
+def test_redwood_and_tum_name_or_skip_missing_files(tmp_path):
     redwood = make_redwood(tmp_path / "redwood")
     (redwood / "color" / "00001.jpg").unlink()
     with pytest.raises(DatasetError, match=r"00001\.png"):
@@ -113,7 +113,7 @@ def test_redwood_and_tum_name_or_skip_what_is_missing_too(tmp_path):
 
 
 @pytest.mark.parametrize("layout", LAYOUTS)
-def test_a_folder_in_which_nothing_is_whole_is_refused(tmp_path, layout):
+def test_folder_without_complete_frames_is_rejected(tmp_path, layout):
     folder = without_poses(make(layout, tmp_path / "set"))
     for path in folder.rglob("*.png"):
         if "depth" in str(path.relative_to(folder)):
@@ -122,7 +122,7 @@ def test_a_folder_in_which_nothing_is_whole_is_refused(tmp_path, layout):
         open_frames(folder, layout=layout, intrinsic=SMALL, skip_missing=True)
 
 
-def test_fusing_frames_without_pose_says_what_it_needs(tmp_path):
+def test_fusing_frames_without_pose_is_an_error(tmp_path):
     source = open_frames(without_poses(make_seven_scenes(tmp_path / "set")), intrinsic=SMALL)
     with pytest.raises(ValueError, match="frame frame-000000:"):
         loom.fuse(source)
@@ -170,7 +170,7 @@ def make_pictures(folder: Path, names=("{}_depth.png", "{}.png")) -> Path:
         ("{}-D-depth.png", "{}-D-color.png"),
     ],
 )
-def test_pictures_side_by_side_pair_by_what_is_left_of_their_names(tmp_path, names):
+def test_pictures_in_one_folder_pair_by_the_rest_of_their_names(tmp_path, names):
     folder = make_pictures(tmp_path / "set", names)
     source = open_frames(folder, intrinsic=SMALL, depth_scale=5000)
     assert (source.layout, source.depth_scale) == ("pictures", 5000)
@@ -192,7 +192,7 @@ def test_poses_of_pictures_are_matrices_or_a_line_of_tum(tmp_path):
         open_frames(folder, intrinsic=SMALL, depth_scale=1000)
 
 
-def test_what_nothing_tells_must_be_given(tmp_path):
+def test_parameters_missing_from_the_files_must_be_given(tmp_path):
     folder = make_pictures(tmp_path / "set")
     with pytest.raises(DatasetError, match="/set:"):
         open_frames(folder, depth_scale=5000)
@@ -215,7 +215,7 @@ def test_pictures_that_do_not_pair_are_refused_by_name(tmp_path):
         open_frames(folder, intrinsic=SMALL, depth_scale=5000)
 
 
-def test_a_folder_above_points_to_the_frames_and_an_empty_one_tells_what_was_looked_for(tmp_path):
+def test_parent_and_empty_folders_are_rejected_with_a_hint(tmp_path):
     make_pictures(tmp_path / "set")
     with pytest.raises(DatasetError, match=r"Did you mean .*set\?"):
         open_frames(tmp_path)

@@ -1,4 +1,4 @@
-"""Damaged files are refused or read as they are: a small run of benchmarks/fuzz, and what the run is worth."""
+"""Damaged files are rejected or read correctly: a short run of benchmarks/fuzz, and a test of its oracles."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ JOBS = ("area", "steps", "transforms.json", "configuration", "depth bundle", "oc
 
 @pytest.fixture(scope="module")
 def fuzz() -> Iterator[ModuleType]:
-    """The script, with its folder on the path as when it runs."""
+    """The script, with its folder on the path as when it is run."""
     for name in NAMES:
         sys.modules.pop(name, None)
     sys.path.insert(0, str(FOLDER))
@@ -37,23 +37,23 @@ def case_of(fuzz, name):
 
 
 @pytest.mark.parametrize("name", [*CASES, *JOBS, pytest.param("plan of a manifest", marks=pytest.mark.slow)])
-def test_damaged_files_are_refused_or_read_as_they_are(fuzz, name, tmp_path):
-    found = fuzz.fuzz(case_of(fuzz, name), range(60), 0, tmp_path)
-    assert [entry for entry in found if entry[1] not in ("refused", "read")] == []
-    assert {what for _, what, _ in found} == {"refused", "read"}
+def test_damaged_files_are_rejected_or_read_correctly(fuzz, name, tmp_path):
+    results = fuzz.fuzz(case_of(fuzz, name), range(60), 0, tmp_path)
+    assert [entry for entry in results if entry[1] not in ("refused", "read")] == []
+    assert {what for _, what, _ in results} == {"refused", "read"}
 
 
 @pytest.mark.parametrize("name", CASES)
-def test_whole_files_are_read_and_an_oracle_notices_what_is_not_there(fuzz, name, tmp_path):
+def test_valid_files_are_read_and_the_oracle_detects_missing_data(fuzz, name, tmp_path):
     case = case_of(fuzz, name)
     for k, data in enumerate(case.seeds()):
         path = tmp_path / f"{k}{case.suffix}"
         path.write_bytes(data)
         with warnings.catch_warnings():
-            warnings.simplefilter("ignore")  # of what is left behind
+            warnings.simplefilter("ignore")  # about ignored data
             read = case.read(path)
         if b"binary_compressed" in data:
-            read.points = read.points[:-1]  # all that is asked of it
+            read.points = read.points[:-1]  # the minimal requirement
         else:
             assert case.oracle(path, read) is None
             moved = read.points if name == "PCD" else read.vertices
@@ -63,13 +63,13 @@ def test_whole_files_are_read_and_an_oracle_notices_what_is_not_there(fuzz, name
         assert case.oracle(path, read) is not None
 
 
-def test_crashes_raw_errors_and_what_was_invented_are_told_apart(fuzz, tmp_path):
+def test_crashes_raw_errors_and_invented_data_are_distinguished(fuzz, tmp_path):
     path = tmp_path / "x.obj"
     path.write_bytes(b" ")
     case = case_of(fuzz, "OBJ")
 
     def outcome(read):
-        return fuzz.outcome(fuzz.Case("x", ".obj", case.seeds, case.mutate, read, lambda path, found: found), path)
+        return fuzz.outcome(fuzz.Case("x", ".obj", case.seeds, case.mutate, read, lambda path, result: result), path)
 
     def fails(error):
         def read(path):

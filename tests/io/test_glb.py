@@ -1,4 +1,4 @@
-"""GLB: scenes built by hand, what trimesh and Open3D read and write, and files that lie."""
+"""GLB: hand-made scenes, exchange with trimesh and Open3D, and invalid files."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ def test_indices_of_every_type_and_none(tmp_path, code):
     assert mesh.vertices.dtype == np.float32
 
 
-def test_strips_and_fans_turn_as_their_triangles_do(tmp_path):
+def test_strips_and_fans_keep_the_orientation_of_their_triangles(tmp_path):
     grid = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [0, 2, 0]], "f4")
     ring = np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], "f4")
     scene = Scene()
@@ -49,7 +49,7 @@ def test_strips_and_fans_turn_as_their_triangles_do(tmp_path):
     np.testing.assert_array_equal(normals, [[0, 0, 1]] * 5)
 
 
-def test_nodes_place_turn_and_mirror_their_meshes(tmp_path):
+def test_nodes_translate_rotate_and_mirror_their_meshes(tmp_path):
     scene = one_triangle(NORMAL=np.array([[0.6, 0, 0.8]] * 3, "f4"))
     half = np.sqrt(0.5)
     scene.more["nodes"] = [
@@ -62,11 +62,11 @@ def test_nodes_place_turn_and_mirror_their_meshes(tmp_path):
     second = TRIANGLE * [-1, 1, 1] + [0, 0, 7]
     np.testing.assert_allclose(mesh.vertices, np.add([*first, *second], [5e5, 5.4e6, 10]), rtol=0, atol=1e-9)
     np.testing.assert_array_equal(mesh.triangles, [[0, 1, 2], [5, 4, 3]])
-    turned = np.array([0, 0.6 / 2, 0.8 / 4])  # by the inverse of the scales, then about z
-    expected = [turned / np.linalg.norm(turned)] * 3 + [[-0.6, 0, 0.8]] * 3
+    normal = np.array([0, 0.6 / 2, 0.8 / 4])  # by the inverse of the scales, then about z
+    expected = [normal / np.linalg.norm(normal)] * 3 + [[-0.6, 0, 0.8]] * 3
     np.testing.assert_allclose(mesh.vertex_normals, expected, atol=1e-7)
-    placed = loom.read_triangle_mesh(tmp_path / "m.glb")
-    np.testing.assert_allclose(placed.vertices, mesh.vertices, atol=1e-6)
+    read_back = loom.read_triangle_mesh(tmp_path / "m.glb")
+    np.testing.assert_allclose(read_back.vertices, mesh.vertices, atol=1e-6)
 
 
 def test_primitives_that_share_vertices_still_do(tmp_path):
@@ -78,7 +78,7 @@ def test_primitives_that_share_vertices_still_do(tmp_path):
     assert len(mesh.vertices) == 4
 
 
-def test_numbers_of_every_type_and_step_are_taken_for_what_they_are(tmp_path):
+def test_numbers_of_every_type_and_stride_are_read(tmp_path):
     scene = one_triangle()
     rows = np.zeros(3, [("c", "u1", 4), ("uv", "<u2", 2)])
     rows["c"], rows["uv"] = [[255, 0, 51, 9]] * 3, [[65535, 0], [0, 0], [0, 65535]]
@@ -122,11 +122,11 @@ def test_materials_are_textures_factors_and_white(tmp_path):
     ]  # fmt: skip
     with pytest.warns(UserWarning, match=r"/m\.glb:.*TEXCOORD_0.*TEXCOORD_1"):
         mesh = read_glb(materials_of(tmp_path, materials, [0, 1, None, 3]))
-    np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 1, 3, 2])  # nobody has the third
+    np.testing.assert_array_equal(mesh.triangle_material_ids, [0, 1, 3, 2])  # no mesh uses the third
     np.testing.assert_array_equal(mesh.textures[0], PICTURE[::-1])
     np.testing.assert_array_equal(mesh.textures[2], PICTURE)
     pixels = [picture.reshape(3).tolist() for picture in mesh.textures if picture.size == 3]
-    assert pixels == [[255, 128, 0], [255, 255, 255]]  # sRGB holds 0.216 of the light as 128
+    assert pixels == [[255, 128, 0], [255, 255, 255]]  # 128 in sRGB is 0.216 of the light
     np.testing.assert_array_equal(mesh.triangle_uvs, np.repeat([[1, 0], [0, 1], [0, 1], [0, 1]], 3, axis=0))
 
 
@@ -143,7 +143,7 @@ def test_without_scenes_the_nodes_that_are_nobodys_child_count(tmp_path):
     np.testing.assert_array_equal(read_glb(scene.write(tmp_path / "m.glb")).vertices[:, 2], 3)
 
 
-def test_vertices_that_no_triangle_has_are_kept(tmp_path):
+def test_unused_vertices_are_preserved(tmp_path):
     mesh = square()
     mesh.vertices = np.vstack([mesh.vertices, [[9, 9, 9]]])
     write_glb(tmp_path / "m.glb", mesh)
@@ -167,7 +167,7 @@ def test_attributes_that_gltf_has_no_type_for_are_left_out_with_a_warning(tmp_pa
         ({"triangle_uvs": np.full((6, 2), np.inf)}, "TEXCOORD_0: GLB cannot store NaN"),
     ],
 )
-def test_what_glb_cannot_hold_is_refused(tmp_path, change, reason):
+def test_meshes_unsupported_by_glb_are_rejected(tmp_path, change, reason):
     mesh = square()
     for name, value in change.items():
         setattr(mesh, name, value)
@@ -176,7 +176,7 @@ def test_what_glb_cannot_hold_is_refused(tmp_path, change, reason):
     assert not list(tmp_path.iterdir())
 
 
-LIES = [
+INVALID = [
     (("asset", None), "glTF None"),
     (("extensionsRequired", "NOT_YET"), "needs the extension NOT_YET, which is not supported"),
     (("meshes", 0, "primitives", 0, "targets", 3), "targets: expected a list of objects"),
@@ -206,8 +206,8 @@ LIES = [
 ]
 
 
-@pytest.mark.parametrize(("change", "reason"), LIES, ids=[reason[:40] for _, reason in LIES])
-def test_a_lie_is_refused_by_name(tmp_path, change, reason):
+@pytest.mark.parametrize(("change", "reason"), INVALID, ids=[reason[:40] for _, reason in INVALID])
+def test_invalid_file_is_rejected_with_a_reason(tmp_path, change, reason):
     scene = one_triangle()
     with pytest.raises(FileError, match=re.escape(reason)):
         read_glb(scene.write(tmp_path / "m.glb", changed(scene, *change)))
@@ -241,7 +241,7 @@ def test_indices_beyond_the_vertices_are_refused(tmp_path):
         ([look(baseColorTexture={"index": 0})], {"images": [{"uri": 7}]}, "uri is 7, expected a string"),
     ],
 )
-def test_materials_that_lie_are_refused(tmp_path, materials, more, reason):
+def test_invalid_materials_are_rejected(tmp_path, materials, more, reason):
     with pytest.raises(FileError, match=reason):
         read_glb(materials_of(tmp_path, materials, [0], **more))
 
@@ -270,12 +270,12 @@ def test_a_damaged_container_is_refused(tmp_path, change, reason):
         read_glb(path)
 
 
-def places_of(content, path=()):
-    """Every place in the JSON."""
+def paths_of(content, path=()):
+    """Every path in the JSON."""
     yield path
     items = content.items() if isinstance(content, dict) else enumerate(content) if isinstance(content, list) else ()
     for key, value in items:
-        yield from places_of(value, (*path, key))
+        yield from paths_of(value, (*path, key))
 
 
 JUNK = st.sampled_from([None, True, -1, 0, 1, 2, 3, 2**31, 2**63, 1e308, 0.5, "", "x", "VEC4", [], [0], [[]], {}, 5126])
@@ -285,15 +285,15 @@ JUNK = st.sampled_from([None, True, -1, 0, 1, 2, 3, 2**31, 2**63, 1e308, 0.5, ""
 @settings(max_examples=300, derandomize=True, deadline=None, database=None)
 @given(st.data())
 @pytest.mark.filterwarnings("ignore:.*are dropped")
-def test_any_value_in_any_place_is_a_mesh_or_a_file_error(tmp_path_factory, data):
+def test_any_value_at_any_path_is_a_mesh_or_a_file_error(tmp_path_factory, data):
     path = tmp_path_factory.getbasetemp() / "junk.glb"
     write_glb(path, textured())
-    whole = path.read_bytes()
-    size = struct.unpack("<I", whole[12:16])[0]
-    content, body = json.loads(whole[20 : 20 + size]), whole[28 + size :]
+    valid = path.read_bytes()
+    size = struct.unpack("<I", valid[12:16])[0]
+    content, body = json.loads(valid[20 : 20 + size]), valid[28 + size :]
     content["nodes"][0]["matrix"] = np.eye(4).reshape(-1).tolist()
     for _ in range(data.draw(st.integers(1, 2))):
-        *above, last = data.draw(st.sampled_from([place for place in places_of(content) if place]))
+        *above, last = data.draw(st.sampled_from([keys for keys in paths_of(content) if keys]))
         holder = content
         for key in above:
             holder = holder[key]

@@ -1,4 +1,4 @@
-"""glTF beyond one plain GLB: text with files beside it, meshes at rest, compression, and what is left behind."""
+"""glTF beyond a plain GLB: text with external files, rest poses, compression, and omitted data."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ HALF = float(np.sqrt(0.5))
 
 def test_a_gltf_is_read_as_its_glb_is(tmp_path):
     scene = one_triangle()
-    whole = read_glb(scene.write(tmp_path / "m.glb"))
+    expected = read_glb(scene.write(tmp_path / "m.glb"))
     (tmp_path / "my data.bin").write_bytes(scene.data)
     (tmp_path / "50%25.bin").write_bytes(scene.data)
     hexed = "data:,%" + scene.data.hex("%")
@@ -39,8 +39,8 @@ def test_a_gltf_is_read_as_its_glb_is(tmp_path):
     for uri in ("my%20data.bin", "my data.bin", "./my%20data.bin", "50%25.bin", hexed, quoted, None):
         path = scene.write(tmp_path / "m.gltf", **({} if uri is None else {"uri": uri}))
         again = read_glb(path)
-        np.testing.assert_array_equal(again.vertices, whole.vertices)
-        np.testing.assert_array_equal(again.triangles, whole.triangles)
+        np.testing.assert_array_equal(again.vertices, expected.vertices)
+        np.testing.assert_array_equal(again.triangles, expected.triangles)
 
 
 @pytest.mark.parametrize(
@@ -66,7 +66,7 @@ def test_a_buffer_that_is_not_there_is_refused(tmp_path, uri, reason):
         read_glb(scene.write(tmp_path / "in" / "m.gltf", uri=uri))
 
 
-def test_trimesh_and_we_read_each_others_gltf(tmp_path):
+def test_gltf_exchange_with_trimesh(tmp_path):
     trimesh = pytest.importorskip("trimesh")
     from trimesh.exchange.gltf import export_gltf
 
@@ -76,12 +76,12 @@ def test_trimesh_and_we_read_each_others_gltf(tmp_path):
     for name, content in export_gltf(scene).items():
         (tmp_path / name).write_bytes(content)
     with pytest.warns(UserWarning, match=r"/model\.gltf:"):
-        ours = read_glb(tmp_path / "model.gltf")
+        mesh = read_glb(tmp_path / "model.gltf")
     both = scene.to_geometry()
-    np.testing.assert_allclose(ours.vertices[ours.triangles], both.vertices[both.faces], atol=1e-6)
-    loom.write_triangle_mesh(tmp_path / "m.gltf", loom.TriangleMesh(ours.vertices, ours.triangles))
-    theirs = trimesh.load(tmp_path / "m.gltf", process=False, force="mesh")
-    np.testing.assert_allclose(theirs.vertices[theirs.faces], ours.vertices[ours.triangles], atol=1e-6)
+    np.testing.assert_allclose(mesh.vertices[mesh.triangles], both.vertices[both.faces], atol=1e-6)
+    loom.write_triangle_mesh(tmp_path / "m.gltf", loom.TriangleMesh(mesh.vertices, mesh.triangles))
+    loaded = trimesh.load(tmp_path / "m.gltf", process=False, force="mesh")
+    np.testing.assert_allclose(loaded.vertices[loaded.faces], mesh.vertices[mesh.triangles], atol=1e-6)
 
 
 CLIMBING = {
@@ -94,7 +94,7 @@ CLIMBING = {
 
 
 @pytest.mark.parametrize("name", [*CLIMBING, "m.gltf", "far.gltf"])
-def test_pictures_outside_the_folder_are_left_behind_unless_asked_for(tmp_path, name):
+def test_pictures_outside_the_folder_are_omitted_by_default(tmp_path, name):
     folder = tmp_path / "in"
     folder.mkdir()
     (tmp_path / "p.png").write_bytes(encode_png(PICTURE))
@@ -113,8 +113,8 @@ def test_pictures_outside_the_folder_are_left_behind_unless_asked_for(tmp_path, 
     assert len(mesh.triangles) == 1
     assert mesh.textures == ()
     if name != "far.gltf":
-        asked = loom.read_triangle_mesh(folder / name, outside_files=True)
-        np.testing.assert_array_equal(asked.textures[0], PICTURE)
+        with_outside = loom.read_triangle_mesh(folder / name, outside_files=True)
+        np.testing.assert_array_equal(with_outside.textures[0], PICTURE)
 
 
 def test_a_link_beside_the_file_may_lead_anywhere(tmp_path):
@@ -129,15 +129,15 @@ def test_a_link_beside_the_file_may_lead_anywhere(tmp_path):
 
 
 def sparse_scene(rows, values, *, base: bool, code="u2", count=None) -> Scene:
-    """A triangle of which some vertices are replaced by a sparse accessor."""
+    """A triangle with some vertices replaced by a sparse accessor."""
     scene = one_triangle()
-    places, fresh = scene.bytes(np.array(rows, code).tobytes()), scene.bytes(np.array(values, "f4").tobytes())
+    index_view, fresh = scene.bytes(np.array(rows, code).tobytes()), scene.bytes(np.array(values, "f4").tobytes())
     accessor = scene.accessors[0]
     if not base:
         del accessor["bufferView"]
     accessor["sparse"] = {
         "count": len(rows) if count is None else count,
-        "indices": {"bufferView": places, "componentType": {"u1": 5121, "u2": 5123, "u4": 5125, "i2": 5122}[code]},
+        "indices": {"bufferView": index_view, "componentType": {"u1": 5121, "u2": 5123, "u4": 5125, "i2": 5122}[code]},
         "values": {"bufferView": fresh},
     }
     return scene
@@ -151,7 +151,7 @@ def test_sparse_accessors_replace_some_elements(tmp_path, code):
 
 
 def skinned(weights, *, joints=((0, 1, 0, 0),) * 3, binds=True, code="f4") -> Scene:
-    """A triangle that two joints carry, one of them sheared."""
+    """A triangle skinned by two joints, one of them sheared."""
     scene = one_triangle(
         NORMAL=np.array([[0, 0, 1]] * 3, "f4"), JOINTS_0=np.array(joints, "u1"), WEIGHTS_0=np.array(weights, code)
     )
@@ -168,11 +168,11 @@ def skinned(weights, *, joints=((0, 1, 0, 0),) * 3, binds=True, code="f4") -> Sc
 
 
 def morphed(**more) -> Scene:
-    """A triangle with two targets of its positions, one of its normals."""
+    """A triangle with two morph targets of its positions, one of its normals."""
     scene = one_triangle(NORMAL=np.array([[0, 0, 1]] * 3, "f4"))
-    raised, turned = ([[0, 0, 1]] * 3, [[0, 1, 0]] * 3)
+    raised, normal_deltas = ([[0, 0, 1]] * 3, [[0, 1, 0]] * 3)
     targets = [
-        {"POSITION": scene.array(np.array(raised, "f4")), "NORMAL": scene.array(np.array(turned, "f4"))},
+        {"POSITION": scene.array(np.array(raised, "f4")), "NORMAL": scene.array(np.array(normal_deltas, "f4"))},
         {"POSITION": scene.array(np.array([[0, 0, 0], [2, 0, 0], [0, 0, 0]], "f4"))},
     ]
     scene.primitives[0]["targets"] = targets
@@ -180,11 +180,11 @@ def morphed(**more) -> Scene:
     return scene
 
 
-WHOLE, MOVED = skinned([[1, 0, 0, 0]] * 3), [[7, 8, 9], [4, 5, 6]]
+SKINNED, MOVED = skinned([[1, 0, 0, 0]] * 3), [[7, 8, 9], [4, 5, 6]]
 NAN = Scene()
 NAN.primitive(POSITION=np.array([[0, 0, 0], [1, 0, 0], [0, np.nan, 0]], "f4"))
-NO_PLACE = morphed(weights=[1, 0])
-NO_PLACE.primitives[0]["targets"][0]["POSITION"] = NO_PLACE.array(np.full((3, 3), np.inf, "f4"))
+NON_FINITE_TARGET = morphed(weights=[1, 0])
+NON_FINITE_TARGET.primitives[0]["targets"][0]["POSITION"] = NON_FINITE_TARGET.array(np.full((3, 3), np.inf, "f4"))
 
 
 @pytest.mark.parametrize(
@@ -197,16 +197,24 @@ NO_PLACE.primitives[0]["targets"][0]["POSITION"] = NO_PLACE.array(np.full((3, 3)
         (skinned([[np.nan, 0, 0, 0]] * 3), (), "invalid joint weights"),
         (skinned([[2, -1, 0, 0]] * 3), (), "invalid joint weights"),
         (skinned([[0, 1, 0, 0]] * 3, joints=[[0, 2, 0, 0]] * 3), (), "refers to joint 2, of 2"),
-        (WHOLE, ("skins", 0, "joints", []), "has no joints"),
-        (WHOLE, ("skins", 0, "joints", [1, 5]), "its joint nodes 5 is not in the scene"),
-        (WHOLE, ("skins", 0, "joints", [1, 2, 0]), "3 joints, but 2 inverse bind matrices"),
-        (WHOLE, ("nodes", 0, "skin", 4), "refers to skins 4, of 1"),
-        (WHOLE, ("meshes", 0, "primitives", 0, "attributes", {"POSITION": 0}), "has a skin, but no joints and weights"),
+        (SKINNED, ("skins", 0, "joints", []), "has no joints"),
+        (SKINNED, ("skins", 0, "joints", [1, 5]), "its joint nodes 5 is not in the scene"),
+        (SKINNED, ("skins", 0, "joints", [1, 2, 0]), "3 joints, but 2 inverse bind matrices"),
+        (SKINNED, ("nodes", 0, "skin", 4), "refers to skins 4, of 1"),
+        (
+            SKINNED,
+            ("meshes", 0, "primitives", 0, "attributes", {"POSITION": 0}),
+            "has a skin, but no joints and weights",
+        ),
         (skinned([[1, 0, 0, 0]] * 2), (), "WEIGHTS_0 of meshes 0 has 2 elements, POSITION 3"),
         (morphed(weights=[1]), (), "is not 2 numbers"),
         (morphed(weights=["a", 1]), (), "is not 2 numbers"),
         (morphed(weights=3), (), "weights are not a list"),
-        (NO_PLACE, (), r"vertex 0\): POSITION of meshes 0 is moved by a morph target to a NaN or infinite position"),
+        (
+            NON_FINITE_TARGET,
+            (),
+            r"vertex 0\): POSITION of meshes 0 is moved by a morph target to a NaN or infinite position",
+        ),
         (NAN, (), r"vertex 2\): POSITION of meshes 0 is NaN or infinite"),
     ],
 )
@@ -216,7 +224,7 @@ def test_vertices_that_make_no_sense_are_refused(tmp_path, scene, path, reason):
 
 
 def painted(path, materials, *, corners=((0, 0), (1, 0), (0, 1)), **more):
-    """A GLB with a triangle for each material, whose first texture is PICTURE."""
+    """A GLB with a triangle for each material; the first texture is PICTURE."""
     scene = Scene()
     for number in range(len(materials)):
         uvs = np.array(corners, "f4")
@@ -235,13 +243,13 @@ def transformed(**transform) -> dict:
 
 @pytest.mark.parametrize(
     ("transform", "expected"),
-    [  # of the corners (0, 0), (1, 0), (0, 1) of a picture counted from above, as the file has them
+    [  # of the corners (0, 0), (1, 0), (0, 1) of an image counted from above, as in the file
         ({}, [(0, 0), (1, 0), (0, 1)]),
         ({"offset": [0.25, 0.5], "scale": [0.5, 2]}, [(0.25, 0.5), (0.75, 0.5), (0.25, 2.5)]),
-        # the specification's first example: the lower left quarter, a quarter clockwise
+        # the first example of the specification: the lower left quarter, rotated by 90 degrees clockwise
         ({"offset": [0, 1], "rotation": np.pi / 2, "scale": [0.5, 0.5]}, [(0, 1), (0, 0.5), (0.5, 1)]),
         ({"offset": [0, 1], "scale": [1, -1]}, [(0, 1), (1, 1), (0, 0)]),  # its second: from below
-        ({"rotation": np.pi / 2, "scale": [3, 1]}, [(0, 0), (0, -3), (1, 0)]),  # scaled, then turned
+        ({"rotation": np.pi / 2, "scale": [3, 1]}, [(0, 0), (0, -3), (1, 0)]),  # scaled, then rotated
         ({"offset": [0.5, 0], "texCoord": 1}, [(1.5, 1), (0.5, 1), (1.5, 0)]),
     ],
 )
@@ -282,11 +290,11 @@ def test_materials_of_one_picture_share_it_and_it_is_decoded_once(tmp_path, monk
 def test_pictures_that_can_change_are_copied_once_and_others_shared():
     fixed, loose = PICTURE.copy(), PICTURE.copy()
     fixed.flags.writeable = False
-    taken = check_textures("textures", [fixed, loose, loose, loose[::-1], fixed[:, ::-1]])
+    textures = check_textures("textures", [fixed, loose, loose, loose[::-1], fixed[:, ::-1]])
     loose[:] = 0
-    assert taken[0] is fixed
-    assert taken[1] is taken[2]
-    for picture, expected in zip(taken, (PICTURE, PICTURE, PICTURE, PICTURE[::-1], PICTURE[:, ::-1]), strict=True):
+    assert textures[0] is fixed
+    assert textures[1] is textures[2]
+    for picture, expected in zip(textures, (PICTURE, PICTURE, PICTURE, PICTURE[::-1], PICTURE[:, ::-1]), strict=True):
         np.testing.assert_array_equal(picture, expected)
         assert not picture.flags.writeable
 
@@ -321,7 +329,7 @@ def test_pictures_have_a_budget_together(tmp_path, monkeypatch, name):
         assert loom.read_triangle_mesh(tmp_path / name).textures == ()
 
 
-def test_a_factor_with_alpha_is_a_pixel_with_alpha_where_it_blends(tmp_path):
+def test_factor_with_alpha_is_a_pixel_with_alpha_in_blend_mode(tmp_path):
     look = {"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 0.4]}}
     for mode, pixel in (("BLEND", [255, 0, 0, 102]), ("OPAQUE", [255, 0, 0])):
         scene = one_triangle(extra={"material": 0})
@@ -330,7 +338,7 @@ def test_a_factor_with_alpha_is_a_pixel_with_alpha_where_it_blends(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("mode", "alphas", "again", "kept"),
+    ("mode", "alphas", "again", "expected_alpha"),
     [
         (None, [0, 80, 255], None, None),
         ("OPAQUE", [80, 80, 80], None, None),
@@ -341,7 +349,7 @@ def test_a_factor_with_alpha_is_a_pixel_with_alpha_where_it_blends(tmp_path):
     ],
 )
 @pytest.mark.parametrize("suffix", [".glb", ".gltf"])
-def test_the_alpha_of_a_texture_is_kept_as_its_material_shows_it(tmp_path, suffix, mode, alphas, again, kept):
+def test_texture_alpha_follows_the_alpha_mode_of_its_material(tmp_path, suffix, mode, alphas, again, expected_alpha):
     picture = np.zeros((1, 3, 4), np.uint8)
     picture[0, :, 3] = alphas
     scene = one_triangle(TEXCOORD_0=np.zeros((3, 2), "f4"), extra={"material": 0})
@@ -355,7 +363,7 @@ def test_the_alpha_of_a_texture_is_kept_as_its_material_shows_it(tmp_path, suffi
     source, target = scene.write(tmp_path / "m.glb"), tmp_path / f"again{suffix}"
     loom.write_triangle_mesh(target, loom.read_triangle_mesh(source))
     mesh = read_glb(target)
-    assert [kept] == ([mesh.textures[0][0, :, 3].tolist()] if mesh.textures[0].shape[2] == 4 else [None])
+    assert [expected_alpha] == ([mesh.textures[0][0, :, 3].tolist()] if mesh.textures[0].shape[2] == 4 else [None])
     raw = target.read_bytes()
     content = json.loads(raw if suffix == ".gltf" else raw[20 : 20 + int.from_bytes(raw[12:16], "little")])
     assert content["materials"][0].get("alphaMode") == again
@@ -375,13 +383,13 @@ def test_transparency_of_a_palette_is_an_alpha(tmp_path, mode, shape):
     assert texture.shape == shape and texture[0, 0].tolist() == [0, 0, 255, 80][: shape[2]]
 
 
-@pytest.mark.parametrize(("alpha", "shown"), [(0.4, 0), (0.6, None)])
-def test_a_masked_factor_is_shown_or_not_by_its_cutoff(tmp_path, alpha, shown):
+@pytest.mark.parametrize(("alpha", "expected_alpha"), [(0.4, 0), (0.6, None)])
+def test_a_masked_factor_is_shown_or_not_by_its_cutoff(tmp_path, alpha, expected_alpha):
     scene = one_triangle(extra={"material": 0})
     look = {"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, alpha]}, "alphaMode": "MASK"}
     scene.more = {"materials": [look]}
     pixel = read_glb(scene.write(tmp_path / "m.glb")).textures[0].reshape(-1).tolist()
-    assert pixel == [255, 0, 0] + ([] if shown is None else [shown])
+    assert pixel == [255, 0, 0] + ([] if expected_alpha is None else [expected_alpha])
 
 
 def test_the_older_materials_of_specular_and_glossiness_have_a_color(tmp_path):
@@ -401,7 +409,7 @@ def test_a_picture_of_a_kind_that_is_not_read_leaves_textures_behind(tmp_path):
     assert len(mesh.triangle_uvs) == 3
 
 
-def test_all_that_is_left_behind_is_told_of_once(tmp_path):
+def test_omitted_data_is_reported_once(tmp_path):
     texture = {"index": 0}
     material = {
         "name": "brick", "normalTexture": texture, "occlusionTexture": texture, "emissiveTexture": texture,
@@ -463,7 +471,7 @@ def test_vertex_colors_are_linear_light_and_alpha_is_not_converted(tmp_path, nam
     np.testing.assert_allclose(mesh.attributes["alpha"], 0.5, atol=0.5 / min(full, 2**20))
 
 
-def test_vertex_colors_of_8_bits_are_written_as_linear_light_and_come_back(tmp_path):
+def test_8_bit_vertex_colors_round_trip_as_linear_light(tmp_path):
     grays = np.arange(256).repeat(3).reshape(-1, 3)
     colors = np.float32(grays / 255)
     mesh = MeshTable(np.zeros((256, 3)), [[0, 1, 2]], vertex_colors=colors, attributes={"alpha": colors[:, 0]})
@@ -483,8 +491,8 @@ def test_trimesh_finds_our_attributes(tmp_path):
     mesh = square().without_texture()
     mesh.attributes = {"label": np.array([3, 1, 4, 1], "u1")}
     write_glb(tmp_path / "m.glb", mesh)
-    theirs = trimesh.load(tmp_path / "m.glb", process=False, force="mesh")
-    np.testing.assert_array_equal(np.ravel(theirs.vertex_attributes["_label"]), [3, 1, 4, 1])
+    loaded = trimesh.load(tmp_path / "m.glb", process=False, force="mesh")
+    np.testing.assert_array_equal(np.ravel(loaded.vertex_attributes["_label"]), [3, 1, 4, 1])
 
 
 def test_attributes_that_some_lack_are_left_behind(tmp_path):
@@ -513,7 +521,7 @@ def test_few_bytes_do_not_name_endless_elements(tmp_path):
         read_glb(scene.write(tmp_path / "m.glb"))
 
 
-def test_up_turns_y_up_into_z_up_and_back(tmp_path):
+def test_up_converts_y_up_to_z_up_and_back(tmp_path):
     table = textured()
     mesh = loom.TriangleMesh(
         np.add(table.vertices, [5e5, 5.4e6, 10]), table.triangles, vertex_normals=table.vertex_normals
@@ -530,7 +538,7 @@ def test_up_turns_y_up_into_z_up_and_back(tmp_path):
     np.testing.assert_allclose(plain.vertices, mesh.vertices, rtol=0, atol=1e-6)
     assert np.linalg.det(again.vertices[:3] - again.vertices[3:6]) == pytest.approx(
         np.linalg.det(as_it_is.vertices[:3] - as_it_is.vertices[3:6]), rel=1e-4
-    )  # turned, not mirrored
+    )  # rotated, not mirrored
     for path, up in (("m.obj", "z"), ("m.glb", "x"), ("m.glb", None)):
         with pytest.raises(ValueError, match="up: "):
             loom.write_triangle_mesh(tmp_path / path, mesh, up=up)
@@ -539,7 +547,7 @@ def test_up_turns_y_up_into_z_up_and_back(tmp_path):
 
 
 def draco(path, mesh: MeshTable, *, plain=False):
-    """A mesh as GLB that Draco packed, with its plain arrays beside it or without."""
+    """A mesh as GLB packed by Draco, with or without its plain arrays."""
     package = pytest.importorskip("DracoPy")
     packed = package.encode(
         mesh.vertices, mesh.triangles.astype("u4"), preserve_order=True, quantization_bits=24,
@@ -581,12 +589,12 @@ DRACO = ("meshes", 0, "primitives", 0, "extensions", "KHR_draco_mesh_compression
     ],
 )  # fmt: skip
 def test_draco_meshes_that_contradict_the_file_are_refused(tmp_path, path, reason):
-    scene, place = draco(tmp_path / "m.glb", textured())
+    scene, target = draco(tmp_path / "m.glb", textured())
     with pytest.raises(FileError, match=reason):
-        read_glb(scene.write(place, changed(scene, *path)))
+        read_glb(scene.write(target, changed(scene, *path)))
 
 
-def test_without_the_extra_the_error_names_it_and_plain_arrays_are_taken(tmp_path, monkeypatch):
+def test_missing_extra_is_named_and_plain_arrays_are_read(tmp_path, monkeypatch):
     mesh = textured()
     _, path = draco(tmp_path / "m.glb", mesh)
     _, both = draco(tmp_path / "both.glb", mesh, plain=True)
@@ -597,7 +605,7 @@ def test_without_the_extra_the_error_names_it_and_plain_arrays_are_taken(tmp_pat
 
 
 def meshopt(path, mesh: MeshTable):
-    """A mesh as GLB whose views meshoptimizer packed."""
+    """A mesh as GLB with views packed by meshoptimizer."""
     package = pytest.importorskip("meshoptimizer")
     scene = Scene()
     scene.primitive(POSITION=mesh.vertices, indices=mesh.triangles.astype("u4").reshape(-1))
@@ -611,9 +619,9 @@ def meshopt(path, mesh: MeshTable):
         more["mode"] = mode
     scene.data = b""
     for view, (content, more) in zip(scene.views, packed, strict=True):
-        place = {"buffer": 0, "byteOffset": len(scene.data), "byteLength": len(bytes(content)), **more}
+        location = {"buffer": 0, "byteOffset": len(scene.data), "byteLength": len(bytes(content)), **more}
         scene.data += bytes(content) + b"\0" * (-len(bytes(content)) % 4)
-        view |= {"buffer": 1, "extensions": {"EXT_meshopt_compression": place}}
+        view |= {"buffer": 1, "extensions": {"EXT_meshopt_compression": location}}
     fallback = {"byteLength": 10**6, "extensions": {"EXT_meshopt_compression": {"fallback": True}}}
     scene.more = {
         "extensionsRequired": ["EXT_meshopt_compression"], "buffers": [{"byteLength": len(scene.data)}, fallback],
@@ -621,14 +629,14 @@ def meshopt(path, mesh: MeshTable):
     return scene, scene.write(path)
 
 
-def test_meshopt_views_are_those_that_were_packed(tmp_path, monkeypatch):
+def test_meshopt_views_are_decoded(tmp_path, monkeypatch):
     mesh = textured()
     scene, path = meshopt(tmp_path / "m.glb", mesh)
     again = read_glb(path)
     np.testing.assert_array_equal(again.vertices, mesh.vertices)
-    turned = [np.roll(row, -int(np.argmin(row))).tolist() for row in again.triangles]  # a corner first, no other order
-    assert turned == [np.roll(row, -int(np.argmin(row))).tolist() for row in mesh.triangles]
-    place = ("bufferViews", 0, "extensions", "EXT_meshopt_compression")
+    rotated = [np.roll(row, -int(np.argmin(row))).tolist() for row in again.triangles]  # smallest corner first
+    assert rotated == [np.roll(row, -int(np.argmin(row))).tolist() for row in mesh.triangles]
+    keys = ("bufferViews", 0, "extensions", "EXT_meshopt_compression")
     for key, value, reason in (
         ("byteLength", 30, "is compressed with meshoptimizer and damaged"),
         ("mode", "POINTS", "is compressed as POINTS NONE, which is not supported"),
@@ -637,14 +645,14 @@ def test_meshopt_views_are_those_that_were_packed(tmp_path, monkeypatch):
         ("count", 19, "damaged|beyond the 228 bytes"),
     ):
         with pytest.raises(FileError, match=reason):
-            read_glb(scene.write(path, changed(scene, *place, key, value)))
+            read_glb(scene.write(path, changed(scene, *keys, key, value)))
     scene.write(path)
     monkeypatch.setitem(sys.modules, "meshoptimizer", None)
     with pytest.raises(FileError, match=re.escape('needs the package meshoptimizer. pip install "pointloom[meshopt]"')):
         read_glb(path)
 
 
-def test_what_a_content_makes_a_reader_raise_is_a_file_error(tmp_path):
+def test_errors_caused_by_content_are_file_errors(tmp_path):
     odd = [ValueError("odd"), UnicodeDecodeError("utf-8", b"\xff", 0, 1, "odd"), MemoryError(), OverflowError("odd")]
     for error in odd:
 

@@ -1,4 +1,4 @@
-"""Depth maps and pictures: read bit for bit, or refused; a damaged PNG is never read as another picture."""
+"""Depth maps and images are read exactly or rejected; a damaged PNG is never read as another image."""
 
 from __future__ import annotations
 
@@ -18,20 +18,20 @@ BITS = settings(
 )
 
 
-def test_depth_comes_back_bit_for_bit(tmp_path, depth):
+def test_depth_round_trip_is_exact(tmp_path, depth):
     write_png(tmp_path / "d.png", depth)
     again = read_depth(tmp_path / "d.png")
     assert again.dtype == np.uint16 and again.flags.writeable and np.array_equal(again, depth)
 
 
-def test_color_comes_back_bit_for_bit(tmp_path, color):
+def test_color_round_trip_is_exact(tmp_path, color):
     write_png(tmp_path / "c.png", color)
     again = read_color(tmp_path / "c.png")
     assert again.dtype == np.uint8 and again.flags.writeable and np.array_equal(again, color)
 
 
 @pytest.mark.parametrize("view", ["transposed", "every other", "other byte order"])
-def test_any_memory_layout_is_written_as_it_looks(tmp_path, depth, view):
+def test_any_memory_layout_is_written_correctly(tmp_path, depth, view):
     array = {"transposed": depth.T, "every other": depth[::2, ::-2], "other byte order": depth.astype(">u2")}[view]
     write_png(tmp_path / "d.png", array)
     assert np.array_equal(read_depth(tmp_path / "d.png"), array)
@@ -57,7 +57,7 @@ def test_transparency_is_dropped_and_does_not_darken(tmp_path, color):
     assert np.array_equal(read_color(tmp_path / "p.png"), np.asarray(palette.convert("RGB")))
 
 
-def test_float_depth_comes_from_npy_and_keeps_nan(tmp_path):
+def test_float_depth_is_read_from_npy_with_nan(tmp_path):
     depth = np.array([[0.0, 1.5, np.nan], [np.inf, -1.0, 3.25]], np.float32)
     for k, array in enumerate((depth, np.asfortranarray(depth), depth.astype(">f4"))):
         np.save(tmp_path / f"{k}.npy", array)
@@ -66,7 +66,7 @@ def test_float_depth_comes_from_npy_and_keeps_nan(tmp_path):
         np.testing.assert_array_equal(again, depth)
 
 
-def test_headers_tell_size_and_kind_without_the_pixels(tmp_path, depth, color):
+def test_headers_report_size_and_type_without_pixels(tmp_path, depth, color):
     write_png(tmp_path / "d.png", depth)
     (tmp_path / "d.png").write_bytes((tmp_path / "d.png").read_bytes()[:33])
     assert read_picture_header(tmp_path / "d.png") == PictureHeader("png", 32, 24, 1, 16)
@@ -91,7 +91,7 @@ def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color)
 
 
 @pytest.mark.parametrize(
-    ("data", "claim"),
+    ("data", "message"),
     [
         (b"P5 2 2 65535\n", "neither PNG nor JPEG"),
         (b"\x89PNG\r\n\x1a\n", "damaged PNG header"),
@@ -105,12 +105,12 @@ def test_jpeg_is_not_taken_for_depth_nor_depth_for_color(tmp_path, depth, color)
         (b"\x93NUMPY\x07\x00" + bytes(200), ".npy header"),
     ],
 )
-def test_damaged_files_are_refused(tmp_path, data, claim):
+def test_damaged_files_are_refused(tmp_path, data, message):
     path = tmp_path / "x.png"
     path.write_bytes(data)
     with pytest.raises(FileError, match=r"x\.png") as caught:
         read_depth(path)
-    assert claim in str(caught.value)
+    assert message in str(caught.value)
 
 
 @pytest.mark.parametrize("array", [np.zeros((0, 3), np.float32), np.array([[None]])])
@@ -120,7 +120,7 @@ def test_other_arrays_are_no_depth(tmp_path, array):
         read_depth(tmp_path / "d.npy")
 
 
-def test_an_npy_header_whose_shape_is_no_number_is_refused(tmp_path):
+def test_npy_header_with_a_non_numeric_shape_is_rejected(tmp_path):
     path = tmp_path / "d.npy"
     np.save(path, np.ones((1, 4), np.float32))
     path.write_bytes(path.read_bytes().replace(b"(1, 4), }   ", b"(True, 4), }"))
@@ -128,7 +128,7 @@ def test_an_npy_header_whose_shape_is_no_number_is_refused(tmp_path):
         read_depth(path)
 
 
-def test_npy_that_announces_more_than_it_holds_is_refused_before_allocation(tmp_path):
+def test_npy_with_too_few_bytes_is_rejected_before_allocation(tmp_path):
     np.save(tmp_path / "d.npy", np.zeros((10, 10), np.float32))
     data = (tmp_path / "d.npy").read_bytes()
     (tmp_path / "d.npy").write_bytes(data[:-1])
@@ -154,15 +154,15 @@ def test_an_animation_is_not_a_frame(tmp_path, color):
 
 
 @pytest.mark.parametrize(
-    ("array", "error", "claim"),
+    ("array", "error", "message"),
     [
         ([[1, 2]], TypeError, "list"),
         (np.zeros(4, np.uint8), ValueError, "shape"),
         (np.zeros((0, 4), np.uint8), ValueError, "pixels"),
     ],
 )
-def test_arrays_that_png_cannot_hold_are_refused(tmp_path, array, error, claim):
-    with pytest.raises(error, match=claim):
+def test_arrays_unsupported_by_png_are_rejected(tmp_path, array, error, message):
+    with pytest.raises(error, match=message):
         write_png(tmp_path / "x.png", array)
     assert not list(tmp_path.iterdir())
 
@@ -175,11 +175,11 @@ def test_png_is_not_written_under_another_name(tmp_path, depth):
 
 
 @BITS
-@given(place=st.integers(0, 10_000), change=st.integers(1, 255))
-def test_a_changed_byte_is_noticed_wherever_it_lies(tmp_path, depth, place, change):
+@given(offset=st.integers(0, 10_000), change=st.integers(1, 255))
+def test_any_changed_byte_is_detected(tmp_path, depth, offset, change):
     write_png(tmp_path / "d.png", depth)
     data = bytearray((tmp_path / "d.png").read_bytes())
-    data[place % len(data)] ^= change
+    data[offset % len(data)] ^= change
     (tmp_path / "d.png").write_bytes(data)
     with pytest.raises(FileError):
         read_depth(tmp_path / "d.png")
@@ -187,9 +187,11 @@ def test_a_changed_byte_is_noticed_wherever_it_lies(tmp_path, depth, place, chan
 
 @pytest.mark.parametrize("name", ["c.png", "c.jpg", "d.npy"])
 @BITS
-@given(start=st.integers(0, 10_000), length=st.integers(0, 8), patch=st.binary(max_size=8), sound=st.booleans())
-def test_changed_bytes_give_a_picture_or_a_file_error(tmp_path, color, name, start, length, patch, sound):
-    """Also where the checksums were made to fit again, so that the decoder sees the damage."""
+@given(
+    start=st.integers(0, 10_000), length=st.integers(0, 8), patch=st.binary(max_size=8), valid_checksums=st.booleans()
+)
+def test_changed_bytes_give_a_picture_or_a_file_error(tmp_path, color, name, start, length, patch, valid_checksums):
+    """Includes corrected checksums, so that the decoder sees the damage."""
     path = tmp_path / name
     if name == "d.npy":
         np.save(path, color[:, :, 0].astype(np.float32))
@@ -198,7 +200,7 @@ def test_changed_bytes_give_a_picture_or_a_file_error(tmp_path, color, name, sta
     data = path.read_bytes()
     start %= min(len(data), 160) if name == "d.npy" else len(data)
     data = data[:start] + patch + data[start + length :]
-    path.write_bytes(with_checksums(data) if sound and name == "c.png" else data)
+    path.write_bytes(with_checksums(data) if valid_checksums and name == "c.png" else data)
     try:
         array = read_depth(path) if name == "d.npy" else read_color(path)
     except FileError:

@@ -1,4 +1,4 @@
-"""KITTI's scans without a header: what is read, and what cannot be one."""
+"""KITTI scans without a header: accepted and rejected files."""
 
 from __future__ import annotations
 
@@ -19,7 +19,7 @@ def test_a_real_scan_is_read_to_the_bit(real_file):
     assert table.points.dtype == table.attributes["intensity"].dtype == np.float32
 
 
-def test_points_that_are_no_numbers_are_kept(tmp_path):
+def test_non_finite_points_are_preserved(tmp_path):
     rows = np.array([[np.nan, 1, 2, 0.5], [1, np.inf, 3, np.nan]], "<f4")
     rows.tofile(tmp_path / "a.bin")
     table = read_kitti_bin(tmp_path / "a.bin")
@@ -47,14 +47,14 @@ def test_no_file_and_no_byte_are_named(tmp_path):
         read_kitti_bin(tmp_path / "a.bin")
 
 
-def turn_of_scanner(points=1200, rings=40, seed=0):
-    """x y z intensity ring time of a scanner in a street: columns of rings, one after another."""
+def scanner_revolution(points=1200, rings=40, seed=0):
+    """x y z intensity ring time of a scanner in a street, in columns of rings."""
     rng = np.random.default_rng(seed)
     ring, azimuth = np.arange(points) % rings, np.arange(points) // rings * 0.2
     elevation = np.radians(-25 + 40 * (ring * 7 % rings) / rings)  # not in the order of the angles
-    reach = np.minimum(np.where(elevation < 0, -1.7 / np.sin(elevation - 1e-3), 90), rng.uniform(4, 60, points))
-    x, y = (reach * np.cos(elevation) * f(azimuth) for f in (np.cos, np.sin))
-    rows = [x, y, reach * np.sin(elevation), rng.integers(0, 256, points), ring, np.linspace(0, 0.1, points)]
+    ranges = np.minimum(np.where(elevation < 0, -1.7 / np.sin(elevation - 1e-3), 90), rng.uniform(4, 60, points))
+    x, y = (ranges * np.cos(elevation) * f(azimuth) for f in (np.cos, np.sin))
+    rows = [x, y, ranges * np.sin(elevation), rng.integers(0, 256, points), ring, np.linspace(0, 0.1, points)]
     return np.column_stack(rows).astype("<f4")
 
 
@@ -69,7 +69,7 @@ NAMES = {
 @pytest.mark.parametrize("width", NAMES)
 @pytest.mark.parametrize("scale", [1, 1 / 255])
 def test_other_layouts_are_refused_without_columns_and_read_with_them(tmp_path, width, scale):
-    rows = turn_of_scanner()
+    rows = scanner_revolution()
     rows[:, 3] *= scale
     rows = np.ascontiguousarray(np.column_stack([rows, np.abs(rows[:, :2])])[:, :width])
     rows.tofile(tmp_path / "a.bin")
@@ -84,7 +84,7 @@ def test_other_layouts_are_refused_without_columns_and_read_with_them(tmp_path, 
 @pytest.mark.parametrize("rings", [1, 5, 16, 32, 40, 60])
 @pytest.mark.parametrize("scale", [1, 1 / 255, 0])
 def test_scans_of_kitti_s_layout_need_no_columns(tmp_path, rings, scale):
-    rows = np.ascontiguousarray(turn_of_scanner(12_600, rings)[:, :4])
+    rows = np.ascontiguousarray(scanner_revolution(12_600, rings)[:, :4])
     rows[:, 3] *= scale
     rows.tofile(tmp_path / "a.bin")
     np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "a.bin").points.astype("f4"), rows[:, :3])
@@ -99,7 +99,7 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
     assert len(loom.registration.run_odometry(folder, columns=NAMES[5])) == 2
     names = ["--columns", ",".join(NAMES[5])]
     scan, copy = str(folder / "0.bin"), str(tmp_path / "copy.ply")
-    for words in (
+    for command in (
         ["info", scan],
         ["convert", scan, copy],
         ["downsample", scan, copy, "--voxel", "0.1", "--force"],
@@ -110,12 +110,12 @@ def test_runs_of_scans_and_commands_take_columns(tmp_path, capsys):
         ["view", scan, copy, "--screenshot", str(tmp_path / "view.png")],
     ):
         with pytest.raises(SystemExit) as leaving:
-            cli([*words, *names])
-        assert leaving.value.code in (0, 3), capsys.readouterr().err  # 3: one wall is poor for odometry
+            cli([*command, *names])
+        assert leaving.value.code in (0, 3), capsys.readouterr().err  # 3: a single wall is insufficient for odometry
     assert loom.read_point_cloud(copy).attributes.keys() == {"intensity", "ring"}
-    for words in (["register", copy, copy], ["change", copy, copy], ["view", copy, "--save-html", "a.html"]):
+    for command in (["register", copy, copy], ["change", copy, copy], ["view", copy, "--save-html", "a.html"]):
         with pytest.raises(SystemExit):
-            cli([*words, *names])
+            cli([*command, *names])
         assert "columns: only .xyz" in capsys.readouterr().err
     with pytest.raises(SystemExit):
         cli(["multiway", str(folder), "-o", "a.tum", "--voxel", "1", "--job", "job", *names])

@@ -1,4 +1,4 @@
-"""LAS and LAZ, reading: every value is the file's, whole or in parts."""
+"""Reading LAS and LAZ: exact values, from complete files or in parts."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def test_every_value_of_a_real_file_is_laspys(real):
     for name, values in table.attributes.items():
         np.testing.assert_array_equal(values, np.asarray(expected[name]))
     rgb = np.stack([expected[name] for name in ("red", "green", "blue")], axis=1)
-    assert rgb.max() <= 255  # as these files have them: 8 bits in 16-bit fields
+    assert rgb.max() <= 255  # as in these files: 8 bits in 16-bit fields
     np.testing.assert_array_equal(table.colors, (rgb / np.float32(255)).astype(np.float32))
 
 
@@ -64,9 +64,9 @@ def test_every_dimension_of_every_point_format_is_read(point_format, suffix, tmp
     assert table.points.shape == (500, 3)
     for axis, name in enumerate("xyz"):
         np.testing.assert_array_equal(table.points[:, axis], record[name])
-    wanted = set(record.point_format.dimension_names) - {"X", "Y", "Z", "red", "green", "blue"}
-    assert set(table.attributes) == wanted
-    for name in wanted:
+    expected = set(record.point_format.dimension_names) - {"X", "Y", "Z", "red", "green", "blue"}
+    assert set(table.attributes) == expected
+    for name in expected:
         np.testing.assert_array_equal(table.attributes[name], np.asarray(record[name]), err_msg=name)
     assert table.attributes["height"].dtype == np.float32
     assert table.attributes["beam"].shape == (500, 3)
@@ -76,7 +76,7 @@ def test_every_dimension_of_every_point_format_is_read(point_format, suffix, tmp
         np.testing.assert_array_equal(table.colors[:, 1], record["green"] / np.float32(65535))
 
 
-def test_colors_of_8_bits_in_16_bit_fields_are_told_by_their_brightest(tmp_path, rng):
+def test_8_bit_colors_in_16_bit_fields_are_detected_by_the_maximum(tmp_path, rng):
     for brightest, full in ((255, 255), (256, 65535), (0, 255)):
         header = laspy.LasHeader(point_format=2)
         record = laspy.ScaleAwarePointRecord.zeros(3, header=header)
@@ -87,10 +87,10 @@ def test_colors_of_8_bits_in_16_bit_fields_are_told_by_their_brightest(tmp_path,
         np.testing.assert_array_equal(read_las(tmp_path / "a.las").colors[:, 1], expected)
 
 
-def test_bytes_that_no_record_describes_are_kept_as_they_are(tmp_path, rng):
+def test_undescribed_extra_bytes_are_preserved(tmp_path, rng):
     path = tmp_path / "a.las"
     make(path, 0, 7, rng, [laspy.ExtraBytesParams("b", "4u1")])
-    edited(path, (227 + 2, "16s", b"somebody"))  # another's record now
+    edited(path, (227 + 2, "16s", b"somebody"))  # a record of another program
     table = read_las(path)
     assert table.attributes["ExtraBytes"].shape == (7, 4)
     assert table.attributes["ExtraBytes"].dtype == np.uint8
@@ -110,30 +110,34 @@ def test_memory_is_about_that_of_the_result(tmp_path, rng):
     table = PointTable(points, None, rng.random((count, 3), np.float32), {"a": rng.random(count)})
     for name, allowed in (("a.las", 1.1), ("a.laz", 1.5)):
         write_las(tmp_path / name, table)
-        read_las(tmp_path / name)  # what is loaded once is not counted
+        read_las(tmp_path / name)  # one-time imports are not counted
         tracemalloc.start()
-        found = read_las(tmp_path / name)
+        cloud_table = read_las(tmp_path / name)
         _, peak = tracemalloc.get_traced_memory()
         tracemalloc.stop()
-        result = found.points.nbytes + found.colors.nbytes + sum(v.nbytes for v in found.attributes.values())
+        result = (
+            cloud_table.points.nbytes
+            + cloud_table.colors.nbytes
+            + sum(v.nbytes for v in cloud_table.attributes.values())
+        )
         assert peak < allowed * result + 40e6, (name, peak / result)
 
 
 @pytest.mark.parametrize("name", ["autzen/autzen-thin-srs.las", "laz/autzen_trim.laz"])
-def test_the_parts_of_a_file_are_the_whole(scan_file, name, device):
+def test_parts_of_a_file_add_up_to_all_points(scan_file, name, device):
     path = scan_file(f"lidar-pdal/{name}")
-    whole = loom.read_point_cloud(path, device=device)
-    size = len(whole) // 3
+    full = loom.read_point_cloud(path, device=device)
+    size = len(full) // 3
     parts = list(loom.read_las_chunks(path, size, device=device))
     assert [len(part) for part in parts[:-1]] == [size] * (len(parts) - 1)
     assert all((part.origin == parts[0].origin).all() for part in parts)
     joined = np.concatenate([part.points for part in parts])
-    np.testing.assert_allclose(joined, whole.points, rtol=0, atol=1e-3)
+    np.testing.assert_allclose(joined, full.points, rtol=0, atol=1e-3)
     for name in ("colors", "intensity", "gps_time"):
-        np.testing.assert_array_equal(np.concatenate([part[name] for part in parts]), whole[name])
+        np.testing.assert_array_equal(np.concatenate([part[name] for part in parts]), full[name])
 
 
-def test_parts_have_one_origin_whatever_the_header_says_of_its_box(shipped_file, tmp_path):
+def test_parts_share_one_origin_despite_a_wrong_bounding_box(shipped_file, tmp_path):
     path = tmp_path / "a.las"
     path.write_bytes((shipped_file("lidar-pdal/autzen/autzen-utm.las")).read_bytes())
     for low, high in ((0.0, 1.0), (-1e300, 1e300), (np.nan, np.nan)):

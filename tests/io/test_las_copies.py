@@ -1,4 +1,4 @@
-"""LAS to LAS: missing values, extra dimensions, records and the identification of a file survive a copy."""
+"""LAS to LAS: missing values, extra dimensions, records and the identification of a file are preserved."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pointloom.io.points.las import open_las, read_las
 from .las_files import edited
 
 NAN = np.nan
-# The name, the type, the record's other fields, the stored numbers, what they mean and the type of that.
+# Name, type, other fields of the record, stored numbers, their meaning and its type.
 DIMENSIONS = [
     ("height", "i2", {"scales": [0.01], "offsets": [1.0], "no_data": [-9999]}, [100, -9999], [2.0, NAN], "f8"),
     ("pulse", "u1", {"no_data": [255]}, [255, 3], [NAN, 3], "f4"),
@@ -65,7 +65,7 @@ def test_a_stored_no_data_value_is_read_as_nan(suffix, tmp_path):
         np.testing.assert_array_equal(part[name], cloud[name])
 
 
-def test_a_no_data_value_that_no_number_stands_for_stays_with_a_warning(tmp_path):
+def test_unrepresentable_no_data_value_stays_with_a_warning(tmp_path):
     write_dimensions(tmp_path / "a.las", [("id", "i8", {"no_data": [-7]}, [-7, 2**60 + 1])])
     with pytest.warns(UserWarning, match=r"/a\.las:.*7"):
         cloud = loom.read_point_cloud(tmp_path / "a.las")
@@ -80,10 +80,10 @@ def test_a_copy_stores_extra_dimensions_as_its_source(name, tmp_path):
     before, after = laspy.read(tmp_path / "a.las").points.array, laspy.read(tmp_path / name).points.array
     for dimension, *_ in DIMENSIONS[:-1]:
         assert before[dimension].tolist() == after[dimension].tolist()
-    found = described(tmp_path / name)
-    assert found["height"] == [4, 31, [-9999], [2.0], [2.0], [0.01], [1.0], b""]
-    assert found["pulse"] == [1, 7, [255], [3], [3], None, None, b""]
-    assert found["plain"] == [3, 6, None, [0], [65535], None, None, b"counts"]
+    dimensions = described(tmp_path / name)
+    assert dimensions["height"] == [4, 31, [-9999], [2.0], [2.0], [0.01], [1.0], b""]
+    assert dimensions["pulse"] == [1, 7, [255], [3], [3], None, None, b""]
+    assert dimensions["plain"] == [3, 6, None, [0], [65535], None, None, b"counts"]
     copied = loom.read_point_cloud(tmp_path / name)
     for dimension, *_ in DIMENSIONS[:-1]:
         np.testing.assert_array_equal(copied[dimension], cloud[dimension])
@@ -94,9 +94,9 @@ def test_a_copy_stores_extra_dimensions_as_its_source(name, tmp_path):
     [
         ("height", [2.005, NAN]),  # between two steps
         ("height", [1e9, NAN]),  # beyond 16 bits
-        ("height", [-98.99, NAN]),  # the step that stands for a missing value
-        ("pulse", np.array([255, 3], np.uint8)),  # measured now
-        ("plain", [NAN, 3]),  # missing, where the source has no value for that
+        ("height", [-98.99, NAN]),  # the step that represents a missing value
+        ("pulse", np.array([255, 3], np.uint8)),  # now a valid value
+        ("plain", [NAN, 3]),  # missing, but the source defines no value for it
     ],
 )
 def test_values_that_the_source_s_form_would_change_are_stored_in_their_own_type(name, values, tmp_path):
@@ -107,7 +107,7 @@ def test_values_that_the_source_s_form_would_change_are_stored_in_their_own_type
     np.testing.assert_array_equal(loom.read_point_cloud(tmp_path / "b.las")[name], values)
 
 
-def test_ranges_are_those_of_all_points(tmp_path):
+def test_ranges_cover_all_points(tmp_path):
     cloud = loom.PointCloud(np.zeros((4, 3)), a=np.array([3.0, NAN, -2.0, 5.0]), b=np.full(4, NAN))
     for name in ("a.las", "a.copc.laz"):
         loom.write_point_cloud(tmp_path / name, cloud)
@@ -150,14 +150,14 @@ def write_identified(path, *, version="1.4", point_format=6):
 def test_a_copy_keeps_records_and_identification(name, version, tmp_path):
     write_identified(tmp_path / "a.las", version=version, point_format=6 if version == "1.4" else 1)
     assert write_cloud_table(tmp_path / name, read_table(tmp_path / "a.las"), source=tmp_path / "a.las") == []
-    found = laspy.read(tmp_path / name)
-    header = found.header
-    told = (header.file_source_id, header.system_identifier, header.generating_software, header.creation_date)
-    assert told == (77, "SENSOR X", "FLIGHT 3", date(2019, 12, 31))
+    las = laspy.read(tmp_path / name)
+    header = las.header
+    identification = (header.file_source_id, header.system_identifier, header.generating_software, header.creation_date)
+    assert identification == (77, "SENSOR X", "FLIGHT 3", date(2019, 12, 31))
     assert header.global_encoding.value & 9 == 9
-    (record,) = found.vlrs.get_by_id("mine")
+    (record,) = las.vlrs.get_by_id("mine")
     assert (record.record_id, record.description, record.record_data) == (7, "calibration", b"abc")
-    extended = [(r.user_id, r.description, len(r.record_data)) for r in found.evlrs or [] if r.user_id == "mine2"]
+    extended = [(r.user_id, r.description, len(r.record_data)) for r in las.evlrs or [] if r.user_id == "mine2"]
     assert extended == ([("mine2", "log", 70_000)] if version == "1.4" else [])
 
 
@@ -172,18 +172,18 @@ def test_points_of_another_file_take_the_system_alone(tmp_path):
 def test_waveforms_and_spatial_indexes_are_left_out_with_a_warning(tmp_path):
     write_identified(tmp_path / "a.las")
     size = (tmp_path / "a.las").stat().st_size
-    for user, number, word in ((b"LASF_Spec", 65535, "waveforms"), (b"LAStools", 30, "LAStools 30")):
+    for user, number, text in ((b"LASF_Spec", 65535, "waveforms"), (b"LAStools", 30, "LAStools 30")):
         record = struct.pack("<H16sHQ32s", 0, user, number, 4, b"") + b"abcd"
         (tmp_path / "b.las").write_bytes((tmp_path / "a.las").read_bytes() + record)
         edited(tmp_path / "b.las", (235, "<QI", size, 1))
-        with pytest.warns(UserWarning, match=word):
+        with pytest.warns(UserWarning, match=text):
             loom.write_point_cloud(
                 tmp_path / "c.las", loom.read_point_cloud(tmp_path / "b.las"), like=tmp_path / "b.las"
             )
         assert open_las(tmp_path / "c.las").header.find(user.decode(), number) is None
 
 
-def test_the_whole_range_of_32_bits_is_copied(tmp_path):
+def test_full_32_bit_range_is_copied(tmp_path):
     las = laspy.LasData(header_of())
     las.points.array.resize(2)
     for axis, name in enumerate("XYZ"):

@@ -1,4 +1,4 @@
-"""Damaged LAS and LAZ: no header is trusted beyond its file."""
+"""Damaged LAS and LAZ: headers are checked against the file."""
 
 from __future__ import annotations
 
@@ -41,7 +41,7 @@ from .las_files import edited, make
         ([(163, "<d", np.nan)], "offsets"),
     ],
 )
-def test_a_header_that_lies_is_an_error(edits, reason, small_las):
+def test_inconsistent_header_is_an_error(edits, reason, small_las):
     with pytest.raises(loom.FileError, match=reason) as caught:
         loom.read_point_cloud(edited(small_las, *edits))
     assert str(small_las) in str(caught.value)
@@ -61,14 +61,14 @@ def test_a_header_that_lies_is_an_error(edits, reason, small_las):
         ([(375 + 54 + 4, "32s", b"")], "two dimensions of its points have one name, or one has none"),
     ],
 )
-def test_a_header_of_version_1_4_that_lies_is_an_error(edits, reason, tmp_path, rng):
+def test_inconsistent_header_of_version_1_4_is_an_error(edits, reason, tmp_path, rng):
     path = tmp_path / "a.las"
     make(path, 6, 8, rng, [laspy.ExtraBytesParams("height", "f4")])
     with pytest.raises(loom.FileError, match=reason):
         loom.read_point_cloud(edited(path, *edits))
 
 
-def test_points_may_be_followed_by_records_that_the_header_knows(tmp_path, rng):
+def test_extended_records_may_follow_the_points(tmp_path, rng):
     path = tmp_path / "a.las"
     make(path, 6, 8, rng)
     size, wkt = path.stat().st_size, b'PROJCRS["Somewhere",BASEGEOGCRS["x"]]'
@@ -93,14 +93,14 @@ def test_a_file_cut_anywhere_is_an_error(suffix, tmp_path, rng):
             read_las(path)
 
 
-def test_compressed_points_are_held_against_their_tables(tmp_path, rng):
+def test_compressed_points_are_checked_against_their_tables(tmp_path, rng):
     path = tmp_path / "a.laz"
     make(path, 6, 2000, rng)
     content, header = path.read_bytes(), open_las(path).header
     record = content.index(header.find("laszip encoded", 22204))
     (table,) = struct.unpack_from("<q", content, header.begin)
     layers = header.begin + 8 + header.record_length + 4
-    lies = {
+    contradictions = {
         "the header counts 1099511627776 points, the table 1 chunks": [(247, "<Q", 1 << 40)],
         "the header counts 50001 points": [(247, "<Q", 50_001)],
         "the compressed points are damaged": [(247, "<Q", 50_000)],
@@ -114,7 +114,7 @@ def test_compressed_points_are_held_against_their_tables(tmp_path, rng):
         "LASzip's points have 24 bytes": [(record + 34, "<HH", 14, 24)],
         r"items \(type, bytes\) \[\(99, 30\)\]": [(record + 34, "<H", 99)],
     }
-    for reason, edits in lies.items():
+    for reason, edits in contradictions.items():
         path.write_bytes(content)
         with pytest.raises(loom.FileError, match=reason):
             read_las(edited(path, *edits))
@@ -126,7 +126,7 @@ def test_compressed_points_are_held_against_their_tables(tmp_path, rng):
 @pytest.mark.parametrize(
     ("count", "extra"), [(4_000_000_000, []), (2_000_000_000, [laspy.ExtraBytesParams("long", "60000u1")])]
 )
-def test_a_count_that_no_table_refutes_takes_no_memory_before_its_points_come(tmp_path, rng, count, extra):
+def test_unchecked_count_allocates_memory_only_with_its_points(tmp_path, rng, count, extra):
     path = tmp_path / "a.laz"
     make(path, 0, 3, rng, extra)
     header, content = open_las(path).header, path.read_bytes()
@@ -167,7 +167,7 @@ CHUNKS = """
 
 
 def run_in_little_memory(folder, script, *paths):
-    """What a script prints that has 4 GiB and may be ended by the system."""
+    """Output of a script with 4 GiB of memory, which the system may kill."""
     (folder / "script.py").write_text(textwrap.dedent(script))
     package = str(Path(loom.__file__).parents[1])
     answer = subprocess.run(
@@ -190,10 +190,10 @@ def test_chunks_of_very_many_points_are_unpacked_to_the_same_points(tmp_path, rn
     make(path, 7, 51_000, rng, [laspy.ExtraBytesParams("height", "f4")])
     expected = read_las(path)
     monkeypatch.setattr("pointloom.io.points.laszip._PARALLEL_CHUNK_BYTES", 0)
-    found = read_las(path)
-    np.testing.assert_array_equal(found.points, expected.points)
+    result = read_las(path)
+    np.testing.assert_array_equal(result.points, expected.points)
     for name, values in expected.attributes.items():
-        np.testing.assert_array_equal(found.attributes[name], values)
+        np.testing.assert_array_equal(result.attributes[name], values)
 
 
 FUZZ = """

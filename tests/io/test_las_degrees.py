@@ -1,4 +1,4 @@
-"""LAS in degrees: the file's steps survive, its user is told, meters are a call away; coordinate systems survive."""
+"""LAS in degrees: steps are preserved, the user is warned, and coordinate systems are preserved."""
 
 from __future__ import annotations
 
@@ -16,15 +16,15 @@ from pointloom.io.points.las_crs import GeographicWarning, crs_name, is_geograph
 from pointloom.io.points.las_writer import write_las
 from pointloom.io.table import PointTable
 
-STEP = 1e-7  # degrees: a centimetre
+STEP = 1e-7  # degrees: a centimeter
 GEOGRAPHIC = 'GEOGCS["WGS 84",DATUM["x",SPHEROID["y",6378137,298.25]],UNIT["degree",0.0174532925199433]]'
 KEYS = {name: struct.pack("<8H", 1, 1, 0, 1, 1024, 0, 1, value) for name, value in (("projected", 1), ("degrees", 2))}
 
 
 def write_degrees(path, records, rng, count=500, *, has_stray=False):
-    """Points in about 100 m around a place in degrees, heights in millimeters; gives the stored integers.
+    """Write points within about 100 m of a position in degrees, heights in millimeters; return the stored integers.
 
-    The last point may lie next to zero instead, as those do that a program could not place.
+    The last point may be near zero, like points that a program could not georeference.
     """
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = [STEP, STEP, 0.001], [-123, 44, 0]
@@ -64,7 +64,7 @@ def degrees(tmp_path, rng):
         ({2112: b"\xff\xfe", 34735: b"\1"}, False),
     ],
 )
-def test_degrees_are_told_by_the_records(records, expected, tmp_path, rng):
+def test_degrees_are_detected_from_the_records(records, expected, tmp_path, rng):
     path = tmp_path / "a.las"
     write_degrees(path, records, rng)
     assert is_geographic(open_las(path).header) is expected
@@ -72,9 +72,9 @@ def test_degrees_are_told_by_the_records(records, expected, tmp_path, rng):
         warnings.simplefilter("always")
         loom.read_point_cloud(path)
         next(loom.read_las_chunks(path))
-    told = [w for w in caught if w.category is GeographicWarning]
-    assert len(told) == 2 * expected
-    assert all("a.las: x and y are degrees" in str(w.message) and w.filename == __file__ for w in told)
+    geographic = [w for w in caught if w.category is GeographicWarning]
+    assert len(geographic) == 2 * expected
+    assert all("a.las: x and y are degrees" in str(w.message) and w.filename == __file__ for w in geographic)
 
 
 @pytest.mark.filterwarnings("ignore::pointloom.io.points.las_crs.GeographicWarning")
@@ -83,7 +83,7 @@ def test_a_cloud_in_degrees_keeps_the_steps_of_the_file(has_stray, tmp_path, rng
     path = tmp_path / "degrees.las"
     raw = write_degrees(path, {2112: GEOGRAPHIC.encode()}, rng, has_stray=has_stray)
     clouds = [loom.read_point_cloud(path, device=device)]
-    if not has_stray:  # whose box is all that parts have in common
+    if not has_stray:  # only their bounding box is shared by the parts
         clouds.append(next(loom.read_las_chunks(path, device=device)))
     near = slice(0, len(raw) - has_stray)
     for cloud in clouds:
@@ -109,7 +109,7 @@ def test_degrees_become_metres_to_the_step_of_the_file(degrees):
 
 
 @pytest.mark.parametrize("name", ["a.csv", "a.xyz", "a.ply", "a.pcd", "a.npz"])
-def test_degrees_of_formats_that_tell_no_steps_keep_those_they_were_written_in(name, tmp_path, rng):
+def test_degrees_of_formats_without_steps_keep_their_precision(name, tmp_path, rng):
     points = np.round([9.1829, 48.7758, 245.0] + rng.random((500, 3)) * [1e-3, 1e-3, 30], 7)
     if name == "a.csv":
         np.savetxt(tmp_path / name, points, "%.7f", ",")
@@ -125,7 +125,7 @@ def test_metres_near_zero_keep_their_origin_at_zero(tmp_path, rng):
     assert not loom.read_point_cloud(tmp_path / "room.ply").origin.any()
 
 
-def test_metres_keep_their_whole_origin(shipped_file):
+def test_metric_origin_is_rounded_to_integers(shipped_file):
     cloud = loom.read_point_cloud(shipped_file("lidar-pdal/autzen/autzen-utm.las"))
     assert (cloud.origin == np.round(cloud.origin)).all()
 
@@ -147,12 +147,12 @@ def test_the_steps_of_a_written_file_follow_the_extent(middle, extent, largest, 
     assert (np.array(scales) <= largest).all()
     assert (np.array(scales) * 30 >= np.where(np.array(extent) > 0, largest, 0)).all()
     np.testing.assert_allclose(read_las(tmp_path / "a.las").points, points, rtol=0, atol=0.5001 * max(largest))
-    points[7] += 1e6 * np.sign(extent)  # strays do not coarsen the others
+    points[7] += 1e6 * np.sign(extent)  # outliers do not increase the steps of the others
     write_las(tmp_path / "b.las", PointTable(points))
     assert (np.array(open_las(tmp_path / "b.las").header.scales) <= np.maximum(largest, 1e-3)).all()
 
 
-def test_steps_are_no_finer_than_float32_tells_points_apart(tmp_path, rng):
+def test_steps_are_no_finer_than_the_float32_resolution(tmp_path, rng):
     points = (rng.random((1000, 3)) + 4096).astype(np.float32)
     write_las(tmp_path / "a.las", PointTable(points))
     assert open_las(tmp_path / "a.las").header.scales == (0.001, 0.001, 0.001)
@@ -172,7 +172,7 @@ def test_the_coordinate_system_survives_from_las_to_las_to_the_byte(scan_file, t
         np.testing.assert_array_equal(read_las(tmp_path / "b.laz").points, read_las(source).points)
 
 
-def test_well_known_text_beyond_a_record_goes_behind_the_points(tmp_path, rng):
+def test_long_well_known_text_is_stored_after_the_points(tmp_path, rng):
     text = f'PROJCS["Somewhere",{"x" * 70_000}]'.encode()
     source = tmp_path / "a.las"
     write_degrees(source, {}, rng)
@@ -197,7 +197,7 @@ def test_well_known_text_beyond_a_record_goes_behind_the_points(tmp_path, rng):
 
 
 @pytest.mark.parametrize("options", [{"scale": 0.01}, {"like": "a.las"}])
-def test_what_only_las_has_is_refused_for_other_formats(options, tmp_path):
+def test_las_options_are_rejected_for_other_formats(options, tmp_path):
     with pytest.raises(ValueError, match=rf"{next(iter(options))}: is for \.las and \.laz, got \.ply"):
         loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), **options)
     assert not list(tmp_path.iterdir())

@@ -1,4 +1,4 @@
-"""The unit of LAS files: read from text and keys, never invented, taken along when they are written."""
+"""The unit of LAS files: read from text and keys, never guessed, and preserved in copies."""
 
 from __future__ import annotations
 
@@ -26,19 +26,19 @@ NEW = (
 
 
 def keys(*entries, doubles=()):
-    """GeoTIFF's records: keys with their values, and the numbers that they may point to."""
+    """GeoTIFF records: keys with their values, and the numbers that they may refer to."""
     flat = [
         part for key, value in entries for part in ((key, 0, 1, value) if isinstance(value, int) else (key, *value))
     ]
-    found = {34735: struct.pack(f"<{4 + len(flat)}H", 1, 1, 0, len(entries), *flat)}
-    return found | ({34736: struct.pack(f"<{len(doubles)}d", *doubles)} if doubles else {})
+    records = {34735: struct.pack(f"<{4 + len(flat)}H", 1, 1, 0, len(entries), *flat)}
+    return records | ({34736: struct.pack(f"<{len(doubles)}d", *doubles)} if doubles else {})
 
 
-def write(path, records, *, says_text=False):
+def write(path, records, *, wkt_flag=False):
     """A file of three points with these records."""
     header = laspy.LasHeader(point_format=6, version="1.4")
     header.scales, header.offsets = [0.01] * 3, [0, 0, 0]
-    header.global_encoding.wkt = says_text
+    header.global_encoding.wkt = wkt_flag
     for number, content in records.items():
         content = content.encode() if isinstance(content, str) else content
         header.vlrs.append(laspy.VLR("LASF_Projection", number, "", content))
@@ -65,7 +65,7 @@ def write(path, records, *, says_text=False):
         (f'GEOGCRS["WGS 84",CS[ellipsoidal,2],AXIS["lat",north],AXIS["lon",east],ANGLE{DEGREES}]', "degree", None),
         (GEO.replace(DEGREES, 'UNIT["grad",0.015707963267949]'), None, None),
         ('GEOCCS["earth",DATUM["x"],UNIT["metre",1]]', "metre", None),
-        # what is not told, or not whole, is no unit: neither that of the system below nor one that a name suggests
+        # a missing or incomplete unit is no unit: neither the base system nor a name defines it
         (f'PROJCS["NAD83 / Oregon (ft)",{GEO},PROJECTION["x"]]', None, None),
         (PLANE[:-1], None, None),
         (PLANE + "]", None, None),
@@ -80,9 +80,9 @@ def write(path, records, *, says_text=False):
         ("\xff[", None, None), ("", None, None), ("[" * 50_000, None, None), ("A[" * 20_000, None, None),
     ],
 )  # fmt: skip
-def test_the_unit_is_what_well_known_text_says(text, plane, height, tmp_path):
-    found = units_of(open_las(write(tmp_path / "a.las", {2112: text})).header)
-    assert (found.plane, found.height) == (plane, height)
+def test_unit_is_read_from_well_known_text(text, plane, height, tmp_path):
+    units = units_of(open_las(write(tmp_path / "a.las", {2112: text})).header)
+    assert (units.plane, units.height) == (plane, height)
 
 
 @pytest.mark.parametrize(
@@ -102,19 +102,19 @@ def test_the_unit_is_what_well_known_text_says(text, plane, height, tmp_path):
         ({34735: b"\1\0\1"}, None, None),
     ],
 )
-def test_the_unit_is_what_keys_say(records, plane, height, tmp_path):
-    found = units_of(open_las(write(tmp_path / "a.las", records)).header)
-    assert (found.plane, found.height) == (plane, height)
+def test_unit_is_read_from_geokeys(records, plane, height, tmp_path):
+    units = units_of(open_las(write(tmp_path / "a.las", records)).header)
+    assert (units.plane, units.height) == (plane, height)
 
 
-def test_heights_in_another_unit_are_a_warning_with_what_mends_it(tmp_path):
+def test_heights_in_another_unit_warn_with_a_fix(tmp_path):
     path = write(tmp_path / "a.las", keys((1024, 1), (3076, 9002), (4099, 9001)))
-    with pytest.warns(loom.UnitWarning, match=r"/a\.las:.*3\.280839895") as told:
+    with pytest.warns(loom.UnitWarning, match=r"/a\.las:.*3\.280839895") as caught:
         cloud = loom.read_point_cloud(path)
-    assert cloud.unit == "foot" and told[0].filename == __file__
-    with pytest.warns(loom.UnitWarning) as told:
+    assert cloud.unit == "foot" and caught[0].filename == __file__
+    with pytest.warns(loom.UnitWarning) as caught:
         parts = list(loom.read_las_chunks(path, 1))
-    assert [part.unit for part in parts] == ["foot"] * 3 and len(told) == 1
+    assert [part.unit for part in parts] == ["foot"] * 3 and len(caught) == 1
 
 
 def test_heights_in_feet_over_degrees_are_a_warning(tmp_path):
@@ -125,17 +125,17 @@ def test_heights_in_feet_over_degrees_are_a_warning(tmp_path):
     assert loom.project_to_utm(cloud).unit == "metre"
 
 
-@pytest.mark.parametrize(("says_text", "unit"), [(True, "US survey foot"), (False, "metre")])
-def test_text_and_keys_that_differ_are_a_warning_and_the_header_says_which_counts(says_text, unit, tmp_path):
-    path = write(tmp_path / "a.las", {2112: PLANE} | keys((1024, 1), (3076, 9001)), says_text=says_text)
-    if says_text:  # LAS 1.4: the keys do not count
+@pytest.mark.parametrize(("wkt_flag", "unit"), [(True, "US survey foot"), (False, "metre")])
+def test_conflicting_text_and_keys_warn_and_follow_the_header(wkt_flag, unit, tmp_path):
+    path = write(tmp_path / "a.las", {2112: PLANE} | keys((1024, 1), (3076, 9001)), wkt_flag=wkt_flag)
+    if wkt_flag:  # LAS 1.4: the keys are ignored
         assert loom.read_point_cloud(path).unit == unit
         return
     with pytest.warns(loom.UnitWarning, match=r"/a\.las:"):
         assert loom.read_point_cloud(path).unit == unit
 
 
-def test_real_files_are_in_the_units_that_they_tell(shipped_file):
+def test_real_files_have_the_units_of_their_records(shipped_file):
     units = {"laz/autzen_trim.laz": "foot", "autzen/autzen-thin-srs.las": "foot", "autzen/autzen-utm.las": "metre"}
     for name, unit in units.items():
         assert loom.read_point_cloud(shipped_file(f"lidar-pdal/{name}")).unit == unit, name
@@ -144,7 +144,7 @@ def test_real_files_are_in_the_units_that_they_tell(shipped_file):
 
 @pytest.mark.parametrize("name", ["a.las", "a.laz"])
 @pytest.mark.parametrize("unit", ["foot", "US survey foot", "metre", LengthUnit('5" ell', "el", 0.5)], ids=str)
-def test_a_file_that_is_written_tells_the_unit_of_the_cloud(name, unit, tmp_path):
+def test_written_file_stores_the_unit_of_the_cloud(name, unit, tmp_path):
     cloud = loom.PointCloud([[0, 0, 0], [1, 2, 3]], unit=unit)
     loom.write_point_cloud(tmp_path / name, cloud)
     back = loom.read_point_cloud(tmp_path / name)

@@ -1,4 +1,4 @@
-"""GeoTIFF keys become well-known text in formats of LAS 1.4, or it is said that they do not."""
+"""GeoTIFF keys become well-known text in formats of LAS 1.4, or a warning is issued."""
 
 import struct
 
@@ -16,7 +16,7 @@ pyproj = pytest.importorskip("pyproj")
 
 
 def with_keys(path, *keys, version="1.2"):
-    """A file whose system is told by GeoTIFF keys (key, value)."""
+    """A file whose coordinate system is defined by GeoTIFF keys (key, value)."""
     header = laspy.LasHeader(point_format=1, version=version)
     header.scales, header.offsets = [0.01] * 3, [500_000, 4_000_000, 0]
     numbers = [1, 1, 0, len(keys), *(number for key, value in keys for number in (key, 0, 1, value))]
@@ -70,7 +70,7 @@ def test_systems_of_the_register_become_text(tmp_path, keys, code, name):
         ([(1024, 1), (3072, 26910), (4096, 5103)], "EPSG:5103"),
     ],
 )
-def test_what_has_no_text_is_said_and_keeps_its_keys(tmp_path, keys, reason):
+def test_system_without_text_warns_and_keeps_its_keys(tmp_path, keys, reason):
     path = with_keys(tmp_path / "a.laz", *keys)
     cloud = loom.read_point_cloud(path)
     with pytest.warns(LostSystemWarning, match=reason):

@@ -1,4 +1,4 @@
-"""LAS and LAZ, writing: what is written reads back, and what the format cannot hold is refused by name."""
+"""Writing LAS and LAZ: written files are read back, and unsupported values are rejected by name."""
 
 from __future__ import annotations
 
@@ -40,43 +40,43 @@ def tables(draw):
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
 @settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(table=tables())
-def test_what_is_written_reads_back(suffix, tmp_path_factory, table):
+def test_round_trip(suffix, tmp_path_factory, table):
     path = tmp_path_factory.getbasetemp() / f"round{suffix}"
     write_las(path, table)
-    found = read_las(path)
-    np.testing.assert_allclose(found.points, table.points, rtol=0, atol=0.0005 * (1 + 1e-5))
+    result = read_las(path)
+    np.testing.assert_allclose(result.points, table.points, rtol=0, atol=0.0005 * (1 + 1e-5))
     for name, values in table.attributes.items():
-        assert found.attributes[name].dtype == values.dtype
-        np.testing.assert_array_equal(found.attributes[name], values)
-    assert (found.normals is None) == (table.normals is None)
+        assert result.attributes[name].dtype == values.dtype
+        np.testing.assert_array_equal(result.attributes[name], values)
+    assert (result.normals is None) == (table.normals is None)
     if table.normals is not None:
-        np.testing.assert_array_equal(found.normals, table.normals)
+        np.testing.assert_array_equal(result.normals, table.normals)
     if table.colors is not None and table.colors.max(initial=1) > 255 / 65535:
-        np.testing.assert_allclose(found.colors, table.colors, rtol=0, atol=1e-7)
+        np.testing.assert_allclose(result.colors, table.colors, rtol=0, atol=1e-7)
 
 
-def test_what_is_written_is_right_for_laspy(tmp_path, rng):
+def test_written_file_is_valid_for_laspy(tmp_path, rng):
     points, colors = rng.random((100, 3)) * 50 + [5e5, 5.4e6, 200], rng.random((100, 3))
     cloud = loom.PointCloud(points, colors=colors, classification=np.full(100, 6), ring=np.arange(100, dtype=np.uint16))
     for name in ("a.las", "a.laz"):
         loom.write_point_cloud(tmp_path / name, cloud, scale=0.01)
-        found = laspy.read(tmp_path / name)
-        assert str(found.header.version) == "1.4"
-        assert found.header.point_format.id == 7
-        np.testing.assert_array_equal(found.header.offsets, cloud.origin)
-        np.testing.assert_allclose(found.xyz, points, rtol=0, atol=0.0051)
-        np.testing.assert_allclose(found.header.mins, found.xyz.min(axis=0), rtol=0, atol=1e-9)
-        np.testing.assert_allclose(found.red, colors[:, 0] * 65535, rtol=0, atol=0.6)
-        assert (np.asarray(found.classification) == 6).all()
-        np.testing.assert_array_equal(found["ring"], np.arange(100))
+        las = laspy.read(tmp_path / name)
+        assert str(las.header.version) == "1.4"
+        assert las.header.point_format.id == 7
+        np.testing.assert_array_equal(las.header.offsets, cloud.origin)
+        np.testing.assert_allclose(las.xyz, points, rtol=0, atol=0.0051)
+        np.testing.assert_allclose(las.header.mins, las.xyz.min(axis=0), rtol=0, atol=1e-9)
+        np.testing.assert_allclose(las.red, colors[:, 0] * 65535, rtol=0, atol=0.6)
+        assert (np.asarray(las.classification) == 6).all()
+        np.testing.assert_array_equal(las["ring"], np.arange(100))
 
 
 @pytest.mark.parametrize("suffix", [".las", ".laz"])
 def test_a_file_without_points_survives(suffix, tmp_path):
     loom.write_point_cloud(tmp_path / f"a{suffix}", loom.PointCloud(colors=np.empty((0, 3))))
-    found = loom.read_point_cloud(tmp_path / f"a{suffix}")
-    assert len(found) == 0
-    assert found.has_colors
+    result = loom.read_point_cloud(tmp_path / f"a{suffix}")
+    assert len(result) == 0
+    assert result.has_colors
     assert list(loom.read_las_chunks(tmp_path / f"a{suffix}")) == []
 
 
@@ -90,18 +90,18 @@ def test_a_file_without_points_survives(suffix, tmp_path):
         ({"a": np.zeros((2, 2)), "a_1": np.zeros(2)}, "something else"),
     ],
 )
-def test_an_attribute_that_las_cannot_hold_is_named(attribute, reason, tmp_path):
+def test_attribute_unsupported_by_las_is_named(attribute, reason, tmp_path):
     with pytest.raises(loom.FileError, match=f"attribute '{next(iter(attribute))[0]}.*{reason}"):
         write_las(tmp_path / "a.las", PointTable(np.zeros((2, 3)), attributes=attribute))
     assert list(tmp_path.iterdir()) == []
 
 
-def test_whole_numbers_of_any_type_go_to_the_standard_dimensions(tmp_path):
+def test_integers_of_any_type_go_to_the_standard_dimensions(tmp_path):
     attributes = {"intensity": np.array([1.0, 65535.0]), "withheld": np.array([True, False])}
     write_las(tmp_path / "a.las", PointTable(np.zeros((2, 3)), attributes=attributes))
-    found = read_las(tmp_path / "a.las").attributes
-    assert found["intensity"].tolist() == [1, 65535]
-    assert found["withheld"].tolist() == [1, 0]
+    result = read_las(tmp_path / "a.las").attributes
+    assert result["intensity"].tolist() == [1, 65535]
+    assert result["withheld"].tolist() == [1, 0]
 
 
 def test_coordinates_beyond_32_bits_are_an_error_that_names_a_scale(tmp_path):
@@ -114,7 +114,7 @@ def test_coordinates_beyond_32_bits_are_an_error_that_names_a_scale(tmp_path):
     np.testing.assert_allclose(read_las(tmp_path / "a.las").points, table.points, rtol=0, atol=0.005)
 
 
-def test_what_las_cannot_hold_is_refused(tmp_path):
+def test_clouds_unsupported_by_las_are_rejected(tmp_path):
     with pytest.raises(loom.FileError, match=r"/a\.las:.*1"):
         loom.write_point_cloud(tmp_path / "a.las", loom.PointCloud([[0, 0, 0], [np.nan, 0, 0]]))
     for scale in (0, -1, np.nan, [1, 2]):
@@ -124,8 +124,8 @@ def test_what_las_cannot_hold_is_refused(tmp_path):
 
 
 @pytest.mark.parametrize("standard", [True, False])
-def test_a_file_written_like_another_counts_gps_time_as_it_does(tmp_path, rng, standard):
-    """Bit 0 of the header's encoding: times of the GPS's own clock less 1e9 s, or seconds of the week."""
+def test_file_written_like_another_has_its_gps_time_type(tmp_path, rng, standard):
+    """Bit 0 of the global encoding: GPS time less 1e9 s, or seconds of the week."""
     kind = laspy.header.GpsTimeType.STANDARD if standard else laspy.header.GpsTimeType.WEEK_TIME
     for point_format in (1, 6):
         make(tmp_path / "a.las", point_format, 3, rng)

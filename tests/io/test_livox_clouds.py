@@ -1,4 +1,4 @@
-"""Clouds of Livox's own message, written by rosbags with the driver's definitions."""
+"""Clouds of Livox's custom message, written by rosbags with the driver's definitions."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ POINT = "uint32 offset_time\nfloat32 x\nfloat32 y\nfloat32 z\nuint8 reflectivity
 CLOUD = "std_msgs/Header header\nuint64 timebase\nuint32 point_num\nuint8 lidar_id\nuint8[3] rsvd\n"
 
 
-def made(folder, form, counts=(5, 1, 0, 40), package="livox_ros_driver2", frame="livox_frame", lie=0):
-    """A recording of clouds with so many points each."""
+def made(folder, form, counts=(5, 1, 0, 40), package="livox_ros_driver2", frame="livox_frame", count_error=0):
+    """A recording of clouds with the given numbers of points."""
     store = get_typestore(Stores.ROS1_NOETIC if form == "bag1" else Stores.ROS2_HUMBLE)
     kinds = get_types_from_msg(POINT, f"{package}/msg/CustomPoint")
     kinds |= get_types_from_msg(CLOUD + f"{package}/CustomPoint[] points\n", f"{package}/msg/CustomMsg")
@@ -36,7 +36,7 @@ def made(folder, form, counts=(5, 1, 0, 40), package="livox_ros_driver2", frame=
         for number, count in enumerate(counts):
             make = types[f"{package}/msg/CustomPoint"]
             points = [make(1000 * i, 1.5 * i, -i, 0.25 * number, i % 256, 16, i % 6) for i in range(count)]
-            message = types[kind](header, 10**18, count + lie, 1, np.zeros(3, np.uint8), points)
+            message = types[kind](header, 10**18, count + count_error, 1, np.zeros(3, np.uint8), points)
             encode = store.serialize_ros1 if form == "bag1" else store.serialize_cdr
             writer.write(connection, (number + 1) * 10**9, encode(message, kind))
     return path
@@ -44,7 +44,7 @@ def made(folder, form, counts=(5, 1, 0, 40), package="livox_ros_driver2", frame=
 
 @pytest.mark.parametrize("form", ["bag1", "mcap"])
 @pytest.mark.parametrize("frame", ["a", "livox", "livox_frame"])
-def test_points_come_with_times_lines_and_reflectivity(tmp_path, form, frame):
+def test_points_have_times_lines_and_reflectivity(tmp_path, form, frame):
     scans = list(loom.open_recording(made(tmp_path, form, frame=frame)).scans())
     assert [len(scan) for scan in scans] == [5, 1, 0, 40]
     i = np.arange(40)
@@ -54,9 +54,9 @@ def test_points_come_with_times_lines_and_reflectivity(tmp_path, form, frame):
     np.testing.assert_array_equal(scans[3]["reflectivity"], i)
 
 
-def test_a_cloud_that_lies_or_is_cut_is_named(tmp_path):
+def test_truncated_or_inconsistent_cloud_is_named(tmp_path):
     with pytest.raises(FileError, match=r"/run:.*0.*6.*5"):
-        list(loom.open_recording(made(tmp_path, "mcap", lie=1)).scans())
+        list(loom.open_recording(made(tmp_path, "mcap", count_error=1)).scans())
     recording = loom.open_recording(made(tmp_path, "bag1"))
     encoding, data = recording.bytes_at(recording.rows_of("/livox/lidar")[3])
     for end in (0, 10, 20, 30, len(data) - 1):

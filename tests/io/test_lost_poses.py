@@ -1,4 +1,4 @@
-"""Poses that tracking lost, marked by inf or NaN, are left out by name and never refuse more than they have to."""
+"""Poses marked as lost by inf or NaN are omitted by name and do not invalidate the other frames."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def matrix(mark, rows=4):
 
 
 def make(folder, layout, marks):
-    """A folder of frames whose poses have marks, or are right where these are empty."""
+    """A folder of frames whose poses have these marks, or are valid if the mark is empty."""
     names = [f"{i:06d}" for i in range(len(marks))]
     if layout == "7scenes":
         for kind in ("depth", "color"):
@@ -51,9 +51,9 @@ def make(folder, layout, marks):
 
 
 @pytest.mark.parametrize("layout", ["7scenes", "redwood", "tum", "pictures"])
-@pytest.mark.parametrize("mark", MARKS)
-def test_frames_with_lost_poses_are_left_out_by_name(tmp_path, layout, mark):
-    folder = make(tmp_path / "set", layout, ["", "", mark, ""])
+@pytest.mark.parametrize("lost_value", MARKS)
+def test_frames_with_lost_poses_are_left_out_by_name(tmp_path, layout, lost_value):
+    folder = make(tmp_path / "set", layout, ["", "", lost_value, ""])
     options = {"intrinsic": CAMERA, "layout": layout}
     scale = {"depth_scale": 1000.0}
     frames = loom.open_frames(folder, **options, **scale)
@@ -78,29 +78,29 @@ def test_a_folder_of_lost_poses_alone_is_refused(tmp_path):
 def test_the_command_leaves_them_out(tmp_path, capsys):
     folder = make(tmp_path / "set", "7scenes", ["", "-inf", "", ""])
     loom.write_pinhole_camera_intrinsic(tmp_path / "camera.json", CAMERA)
-    words = ["fuse", str(folder), "-o", str(tmp_path / "a.ply"), "--intrinsic", str(tmp_path / "camera.json")]
+    command = ["fuse", str(folder), "-o", str(tmp_path / "a.ply"), "--intrinsic", str(tmp_path / "camera.json")]
     with pytest.raises(SystemExit) as leaving:
-        cli(words)
+        cli(command)
     assert leaving.value.code == 1 and "--skip-missing" in capsys.readouterr().err
     with pytest.raises(SystemExit):
-        cli([*words, "--skip-missing"])
+        cli([*command, "--skip-missing"])
     assert "frame-000001.pose.txt" in capsys.readouterr().out and (tmp_path / "a.ply").exists()
 
 
-@pytest.mark.parametrize("mark", MARKS)
+@pytest.mark.parametrize("lost_value", MARKS)
 @pytest.mark.parametrize("name", ["path.log", "path.tum", "path.kitti"])
-def test_a_trajectory_leaves_them_out_and_tells_the_others(tmp_path, name, mark):
+def test_trajectory_omits_lost_poses_on_request(tmp_path, name, lost_value):
     rows = {
         "path.log": lambda i, m: f"{i} {i} {i + 1}\n{matrix(m)}",
         "path.tum": lambda i, m: f"{i}.0 " + (" ".join([m] * 7) if m else "0 0 0 0 0 0 1"),
         "path.kitti": lambda i, m: matrix(m, 3).replace("\n", " "),
     }[name]
     path = tmp_path / name
-    path.write_text("\n".join(rows(i, m) for i, m in enumerate(["", mark, ""])) + "\n")
+    path.write_text("\n".join(rows(i, m) for i, m in enumerate(["", lost_value, ""])) + "\n")
     with pytest.raises(loom.FileError, match=r"line \d+.*skip_missing=True"):
         loom.read_trajectory(path)
-    found = loom.read_trajectory(path, skip_missing=True)
-    numbers = found.timestamps if name == "path.tum" else found.ids[:, 0]
-    assert len(found) == 2 and list(numbers) == [0, 2] and np.isfinite(found.poses).all()
+    result = loom.read_trajectory(path, skip_missing=True)
+    numbers = result.timestamps if name == "path.tum" else result.ids[:, 0]
+    assert len(result) == 2 and list(numbers) == [0, 2] and np.isfinite(result.poses).all()
     lens = loom.read_cameras(path, pictures=["0.png", "1.png", "2.png"], intrinsic=CAMERA)
     assert len(lens) == 2 and lens.left_out == ("1.png: no pose",)

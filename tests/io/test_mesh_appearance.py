@@ -1,4 +1,4 @@
-"""A mesh whose geometry is complete is read whatever its colors and materials are; a warning names what was changed."""
+"""A mesh with complete geometry is read regardless of its colors and materials; a warning names the changes."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ CORNERS = ((0, 0, 0), (1, 0, 0), (0, 1, 0))
 
 
 def write_colored(path, color):
-    """A file of one triangle with these floating-point colors at its three vertices."""
+    """Write one triangle with these floating-point colors at its three vertices."""
     rows = "".join(f"{x} {y} {z} {color}\n" for x, y, z in CORNERS)
     if path.suffix == ".glb":
         scene = one_triangle(COLOR_0=np.array([[float(word) for word in color.split()]] * 3, "f4"))
@@ -41,28 +41,28 @@ def write_colored(path, color):
 
 @pytest.mark.parametrize("suffix", [".obj", ".glb", ".ply", ".off"])
 @pytest.mark.parametrize(
-    ("color", "wanted"), [("1.5 0 1", [1, 0, 1]), ("-0.5 1 0", [0, 1, 0]), ("nan 0 0", None), ("inf 0 0", None)]
+    ("color", "expected"), [("1.5 0 1", [1, 0, 1]), ("-0.5 1 0", [0, 1, 0]), ("nan 0 0", None), ("inf 0 0", None)]
 )
-def test_colors_outside_0_to_1_are_clamped_and_those_not_finite_left_behind(tmp_path, suffix, color, wanted):
+def test_colors_outside_0_to_1_are_clamped_and_those_not_finite_left_behind(tmp_path, suffix, color, expected):
     path = write_colored(tmp_path / f"m{suffix}", color)
     with pytest.warns(UserWarning, match="color"):
         mesh = read_mesh(path)
     assert len(mesh.triangles) == 1
-    if wanted is None:
+    if expected is None:
         assert mesh.vertex_colors is None
     else:
-        np.testing.assert_array_equal(mesh.vertex_colors, np.float32([wanted] * 3))
+        np.testing.assert_array_equal(mesh.vertex_colors, np.float32([expected] * 3))
 
 
-@pytest.mark.parametrize(("color", "wanted"), [("255 51 0", [1, 0.2, 0]), ("1.5 0 1", [1, 0, 1]), ("nan 0 0", None)])
-def test_a_cloud_of_ply_is_read_whatever_its_colors_are(tmp_path, color, wanted):
+@pytest.mark.parametrize(("color", "expected"), [("255 51 0", [1, 0.2, 0]), ("1.5 0 1", [1, 0, 1]), ("nan 0 0", None)])
+def test_ply_cloud_is_read_with_any_colors(tmp_path, color, expected):
     with pytest.warns(UserWarning, match="color"):
         cloud = read_ply(write_colored(tmp_path / "m.ply", color))
     assert len(cloud.points) == 3
-    if wanted is None:
+    if expected is None:
         assert cloud.colors is None
     else:
-        np.testing.assert_array_equal(cloud.colors, np.float32([wanted] * 3))
+        np.testing.assert_array_equal(cloud.colors, np.float32([expected] * 3))
 
 
 @pytest.mark.parametrize("suffix", [".obj", ".ply", ".off"])
@@ -74,7 +74,7 @@ def test_floating_point_colors_of_0_to_255_are_divided_by_255(tmp_path, suffix, 
 
 
 def binary_stl(path, header, values):
-    """A binary STL of a facet for each value of its attribute bytes."""
+    """A binary STL with one facet for each value of its attribute bytes."""
     facet = struct.pack("<12f", 0, 0, 1, *np.ravel(CORNERS))
     facets = b"".join(facet + struct.pack("<H", value) for value in values)
     path.write_bytes(header.ljust(80) + struct.pack("<I", len(values)) + facets)
@@ -82,7 +82,7 @@ def binary_stl(path, header, values):
 
 
 @pytest.mark.parametrize(
-    ("header", "values", "told", "wanted"),
+    ("header", "values", "warning", "expected"),
     [
         (b"viscam", [0x801F, 0xFC00], None, [[0, 0, 1], [1, 0, 0]]),
         (b"viscam", [0x801F, 0x7C00], "1 of 2 facets have no color", [[0, 0, 1], [1, 1, 1]]),
@@ -92,12 +92,12 @@ def binary_stl(path, header, values):
         (b"", [0, 0], None, None),
     ],
 )
-def test_colors_of_a_binary_stl_are_those_of_its_triangles(tmp_path, header, values, told, wanted):
+def test_binary_stl_colors_are_assigned_to_triangles(tmp_path, header, values, warning, expected):
     path = binary_stl(tmp_path / "m.stl", header, values)
-    with pytest.warns(UserWarning, match=told) if told else nullcontext():
+    with pytest.warns(UserWarning, match=warning) if warning else nullcontext():
         mesh = read_mesh(path)
     assert len(mesh.triangles) == 2
-    check_triangle_colors(mesh, wanted)
+    check_triangle_colors(mesh, expected)
 
 
 def test_colors_of_triangles_are_written_to_stl(tmp_path):
@@ -106,14 +106,14 @@ def test_colors_of_triangles_are_written_to_stl(tmp_path):
     write_stl(tmp_path / "m.stl", mesh)
     again = read_mesh(tmp_path / "m.stl").triangle_attributes["colors"]
     np.testing.assert_array_equal(again, (fives / 31).astype("f4"))
-    for values, lost in (
+    for values, omitted in (
         (np.c_[fives / 31, [1, 0.5]], "opacity of triangle colors"),
         (fives / 31 + 0.1, "triangle colors"),
         (np.full((2, 3), np.nan), "triangle colors"),
         (fives, "triangle colors"),
         (np.zeros(2), "triangle colors"),
     ):
-        with pytest.warns(UserWarning, match=f"m.stl: {lost} left out"):
+        with pytest.warns(UserWarning, match=f"m.stl: {omitted} left out"):
             write_stl(tmp_path / "m.stl", replace(mesh, triangle_attributes={"colors": values}))
 
 
@@ -121,7 +121,7 @@ FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop"
 
 
 @pytest.mark.parametrize(
-    ("before", "within", "told", "wanted"),
+    ("before", "within", "warning", "expected"),
     [
         (["", ""], ["color 0 0.5 1", "color 1 0 0"], None, [[0, 0.5, 1], [1, 0, 0]]),
         (["color 0 0 1", ""], ["", "COLOR 1 0 0"], None, [[0, 0, 1], [1, 0, 0]]),
@@ -132,7 +132,7 @@ FACET = ["outer loop", "vertex 0 0 0", "vertex 1 0 0", "vertex 0 1 0", "endloop"
         (["", ""], ["color red", ""], "colors are dropped", None),
     ],
 )
-def test_color_lines_of_a_text_stl_are_colors_of_its_triangles(tmp_path, before, within, told, wanted):
+def test_color_lines_of_a_text_stl_are_colors_of_its_triangles(tmp_path, before, within, warning, expected):
     lines = ["solid a"]
     for outer, inner in zip(before, within, strict=True):
         lines += [outer, "facet normal 0 0 1", inner, *FACET]
@@ -140,15 +140,15 @@ def test_color_lines_of_a_text_stl_are_colors_of_its_triangles(tmp_path, before,
     with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
         mesh = read_mesh(tmp_path / "m.stl")
-    assert (told or "") in str([str(each.message) for each in caught]) and bool(caught) == bool(told)
+    assert (warning or "") in str([str(each.message) for each in caught]) and bool(caught) == bool(warning)
     assert len(mesh.triangles) == 2
-    check_triangle_colors(mesh, wanted)
+    check_triangle_colors(mesh, expected)
 
 
-def check_triangle_colors(mesh, wanted):
-    assert list(mesh.triangle_attributes) == ([] if wanted is None else ["colors"])
-    if wanted is not None:
-        np.testing.assert_allclose(mesh.triangle_attributes["colors"], wanted, atol=1e-7)
+def check_triangle_colors(mesh, expected):
+    assert list(mesh.triangle_attributes) == ([] if expected is None else ["colors"])
+    if expected is not None:
+        np.testing.assert_allclose(mesh.triangle_attributes["colors"], expected, atol=1e-7)
 
 
 @pytest.mark.parametrize(

@@ -129,7 +129,7 @@ def test_a_file_without_usable_faces_is_refused(tmp_path, header, reason):
         read_ply_mesh(path)
 
 
-def test_obj_text_is_what_the_specification_says(tmp_path):
+def test_obj_text_follows_the_specification(tmp_path):
     small = MeshTable(np.eye(3, dtype=np.float32), np.array([[0, 1, 2]]), np.eye(3), np.eye(3) * 0.5)
     write_obj(tmp_path / "m.obj", small)
     assert (tmp_path / "m.obj").read_text().splitlines() == [
@@ -137,7 +137,7 @@ def test_obj_text_is_what_the_specification_says(tmp_path):
     ]  # fmt: skip
 
 
-def test_stl_bytes_are_what_the_specification_says(tmp_path):
+def test_stl_bytes_follow_the_specification(tmp_path):
     small = MeshTable(np.array([[0, 0, 0], [2, 0, 0], [0, 2, 0]]), np.array([[0, 1, 2], [0, 1, 1]]))
     write_stl(tmp_path / "m.stl", small)
     data = (tmp_path / "m.stl").read_bytes()
@@ -149,16 +149,16 @@ def test_stl_bytes_are_what_the_specification_says(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("write", "lost"), [(write_obj, "weight"), (write_stl, "colors, weight"), (write_off, "weight")]
+    ("write", "omitted"), [(write_obj, "weight"), (write_stl, "colors, weight"), (write_off, "weight")]
 )
-def test_what_a_mesh_format_cannot_hold_is_left_out_with_a_warning_naming_ply(tmp_path, write, lost):
-    with pytest.warns(UserWarning, match=rf": {lost}, triangle label left out.*\.ply stores everything"):
+def test_values_unsupported_by_a_mesh_format_are_omitted_with_a_warning(tmp_path, write, omitted):
+    with pytest.warns(UserWarning, match=rf": {omitted}, triangle label left out.*\.ply stores everything"):
         write(tmp_path / "m.any", replace(mesh(), triangle_attributes={"label": np.zeros(90)}))
     assert (tmp_path / "m.any").stat().st_size > 3000
 
 
 @pytest.mark.parametrize("write", [write_obj, write_stl, write_off])
-def test_a_place_that_is_not_finite_is_refused(tmp_path, write):
+def test_non_finite_vertex_is_rejected(tmp_path, write):
     nowhere = bare(mesh())
     nowhere.vertices[nowhere.triangles[7, 0]] = np.nan
     with pytest.raises(FileError, match=r"finite|NaN"):

@@ -1,4 +1,4 @@
-"""OBJ and STL read: against a reading by hand, Open3D and what we write, and what is refused."""
+"""Reading OBJ and STL: compared with a manual reading, Open3D and pointloom's writers; rejected files."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def obj(tmp_path, text):
 
 
 @pytest.mark.parametrize("name", MESHES)
-def test_real_files_are_what_a_reading_by_hand_gives(real_file, name):
+def test_real_files_match_a_manual_reading(real_file, name):
     path = real_file(f"mesh-common3d/{name}")
     vertices, triangles = [], []
     for line in path.read_text().splitlines():
@@ -60,14 +60,14 @@ def test_negative_corners_count_from_the_face_on_back(tmp_path):
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [3, 4, 0]])
 
 
-def test_polygons_and_what_is_no_surface(tmp_path):
+def test_polygons_and_elements_other_than_faces(tmp_path):
     head, tail = "# c\nmtllib a.mtl\no thing\n", "g side\nusemtl red\ns off\nf 1 2 3 4 5\nl 1 2\np 1\nf 1 2 3\n"
     text = f"{head}{SQUARE}v -1 0.5 0 # a corner\n{tail}"
-    with warnings.catch_warnings(record=True) as told:
+    with warnings.catch_warnings(record=True) as messages:
         warnings.simplefilter("always")
         table = read_obj(obj(tmp_path, text))
-    told = [str(warning.message).split(": the ", 1)[1] for warning in told]
-    assert told == [
+    messages = [str(warning.message).split(": the ", 1)[1] for warning in messages]
+    assert messages == [
         "textures are dropped, because the file 'a.mtl' of its materials is not beside it",
         "points and lines are dropped, because a mesh cannot store them",
         "names are dropped, because a mesh cannot store them: objects 'thing'; groups 'side'",
@@ -75,7 +75,7 @@ def test_polygons_and_what_is_no_surface(tmp_path):
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2], [0, 2, 3], [0, 3, 4], [0, 1, 2]])
 
 
-def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
+def test_normals_are_read_if_there_is_one_per_vertex(tmp_path):
     agree = "vn 0 0 1\nvn 1 0 0\nf 1//1 2//2 3//1\nf 1//1 3//1 4//2\n"
     table = read_obj(obj(tmp_path, SQUARE + agree))
     np.testing.assert_array_equal(table.vertex_normals, [[0, 0, 1], [1, 0, 0], [0, 0, 1], [1, 0, 0]])
@@ -86,7 +86,7 @@ def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("vertices", "faces", "lost"),
+    ("vertices", "faces", "omitted"),
     [
         (SQUARE, "vt 0 0\nf 1/2 2/1 3/1\n", "texture coordinates are dropped, because a face refers to 2 of 1"),
         (SQUARE, "vt 0 0\nvn 0 0 1\nf 1/1/0 2/1/1 3/1/1\n", "normals are dropped, because a face refers to 0 of 1"),
@@ -96,16 +96,16 @@ def test_normals_are_taken_where_they_are_one_a_vertex(tmp_path):
         (SQUARE, "usemtl red\nf 1 2 3\n", "names are dropped.*: materials 'red'"),
     ],
 )
-def test_what_is_not_whole_beside_the_geometry_is_left_behind_and_told(tmp_path, vertices, faces, lost):
+def test_incomplete_data_beside_the_geometry_is_omitted_with_a_warning(tmp_path, vertices, faces, omitted):
     path = obj(tmp_path, vertices + faces)
-    with pytest.warns(UserWarning, match=lost) as told:
+    with pytest.warns(UserWarning, match=omitted) as caught:
         table = read_obj(path)
-    assert len(told) == 1
+    assert len(caught) == 1
     np.testing.assert_array_equal(table.vertices[:3], [[0, 0, 0], [1, 0, 0], [1, 1, 0]])
     np.testing.assert_array_equal(table.triangles, [[0, 1, 2]])
-    if "texture" not in lost:
+    if "texture" not in omitted:
         assert table.vertex_colors is table.vertex_normals is None
-    assert (table.triangle_uvs is None) == ("normals" not in lost)
+    assert (table.triangle_uvs is None) == ("normals" not in omitted)
 
 
 def test_corners_may_end_in_slashes_and_lines_begin_with_a_dollar(tmp_path):
@@ -137,10 +137,10 @@ def test_a_number_of_many_digits_takes_no_memory(tmp_path):
 
 @pytest.mark.parametrize("normals", [False, True])
 @pytest.mark.parametrize("colors", [False, True])
-def test_what_we_write_as_obj_reads_back_the_same(tmp_path, rng, normals, colors):
+def test_obj_round_trip(tmp_path, rng, normals, colors):
     written = MeshTable(
         rng.normal(size=(50, 3)),
-        rng.integers(0, 49, (80, 3)).astype(np.int32),  # no triangle has the last vertex
+        rng.integers(0, 49, (80, 3)).astype(np.int32),  # no triangle uses the last vertex
         rng.normal(size=(50, 3)).astype(np.float32) if normals else None,
         rng.random((50, 3)).astype(np.float32) if colors else None,
     )
@@ -205,7 +205,7 @@ def test_a_cube_as_stl_gets_its_eight_vertices_back(tmp_path):
     assert mesh.get_volume() == 1
 
 
-def test_vertices_come_in_the_order_of_the_facets_and_minus_zero_is_zero(tmp_path):
+def test_vertices_follow_facet_order_and_minus_zero_is_zero(tmp_path):
     text = TEXT_FACET + TEXT_FACET.replace("vertex 0 0 0", "vertex -0 5 0").replace("vertex 1 0 0", "vertex -0 -0.0 0")
     (tmp_path / "m.stl").write_text(f"solid a b\n{text}endsolid a b\n")
     table = read_stl(tmp_path / "m.stl")
@@ -223,7 +223,7 @@ def test_a_binary_file_that_begins_with_solid_is_read(tmp_path):
 def test_a_truncated_binary_stl_is_refused(tmp_path):
     write_stl(tmp_path / "m.stl", MeshTable(np.eye(3), np.array([[0, 1, 2]] * 3)))
     data = (tmp_path / "m.stl").read_bytes()
-    for changed, place in ((data[:-1], 233), (data + b"\0", 234)):
+    for changed, offset in ((data[:-1], 233), (data + b"\0", 234)):
         (tmp_path / "m.stl").write_bytes(changed)
-        with pytest.raises(FileError, match=rf"\(byte {place}\): {len(changed)} bytes, but the 3 facets .* take 234"):
+        with pytest.raises(FileError, match=rf"\(byte {offset}\): {len(changed)} bytes, but the 3 facets .* take 234"):
             read_stl(tmp_path / "m.stl")

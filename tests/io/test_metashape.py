@@ -1,4 +1,4 @@
-"""Cameras that Metashape exports: poses and lenses as its manual has them, and files that are none."""
+"""Cameras exported by Metashape: poses and lenses as in its manual, and invalid files."""
 
 from __future__ import annotations
 
@@ -8,9 +8,9 @@ import pytest
 import pointloom as loom
 from pointloom.io.models.metashape import read_metashape_cameras
 
-POSE = "0 -1 0 2 1 0 0 3 0 0 1 4 0 0 0 1"  # a quarter turn about z, at (2, 3, 4)
-TURN = "<rotation locked='true'>0 0 1 1 0 0 0 1 0</rotation>"
-PLACED = f"<transform>{TURN}<translation>10 20 30</translation><scale locked='true'>2</scale></transform>"
+POSE = "0 -1 0 2 1 0 0 3 0 0 1 4 0 0 0 1"  # 90 degrees about z, at (2, 3, 4)
+ROTATION = "<rotation locked='true'>0 0 1 1 0 0 0 1 0</rotation>"
+TRANSFORM = f"<transform>{ROTATION}<translation>10 20 30</translation><scale locked='true'>2</scale></transform>"
 
 
 def sensor(lens: str, *, kind: str = "frame", number: int = 0, resolution: str = "width='640' height='480'") -> str:
@@ -41,7 +41,7 @@ def read(tmp_path, text: str | bytes) -> loom.SfmModel:
     return read_metashape_cameras(path)
 
 
-def test_a_camera_stands_where_its_transform_says(tmp_path):
+def test_camera_center_is_read_from_its_transform(tmp_path):
     model = read(tmp_path, document(camera()))
     assert model.names == ("IMG_1",)
     assert model.centers.tolist() == [[2, 3, 4]]
@@ -49,9 +49,9 @@ def test_a_camera_stands_where_its_transform_says(tmp_path):
 
 
 @pytest.mark.parametrize("what", ["chunk", "component"])
-def test_a_chunk_or_component_places_its_cameras_in_the_world(tmp_path, what):
-    component = f"<components><component id='7'>{PLACED}</component></components>"
-    text = document(camera(more="component_id='7'"), more=PLACED if what == "chunk" else component)
+def test_chunk_and_component_transforms_apply_to_cameras(tmp_path, what):
+    component = f"<components><component id='7'>{TRANSFORM}</component></components>"
+    text = document(camera(more="component_id='7'"), more=TRANSFORM if what == "chunk" else component)
     model = read(tmp_path, text)
     assert model.centers[0].tolist() == pytest.approx([10 + 2 * 4, 20 + 2 * 2, 30 + 2 * 3])
     assert model.T_world_camera[0, :3, 0].tolist() == pytest.approx([0, 0, 1])
@@ -59,28 +59,28 @@ def test_a_chunk_or_component_places_its_cameras_in_the_world(tmp_path, what):
 
 
 def test_a_component_counts_above_the_chunk_and_only_for_its_own_cameras(tmp_path):
-    more = f"<components><component id='7'>{PLACED}</component></components><transform><scale>5</scale></transform>"
+    more = f"<components><component id='7'>{TRANSFORM}</component></components><transform><scale>5</scale></transform>"
     cameras = camera("a", more="component_id='7'") + camera("b", more="component_id='8'")
     model = read(tmp_path, document(cameras, more=more))
     assert model.centers[0].tolist() == pytest.approx([18, 24, 36])
     assert model.centers[1].tolist() == pytest.approx([10, 15, 20])
 
 
-def test_places_in_geocentric_metres_keep_their_digits(tmp_path):
-    place = "<translation>-2499366.429888 -4256836.520906 4029217.965003</translation><scale>12.35</scale>"
-    model = read(tmp_path, document(camera(), more=f"<transform>{place}</transform>"))
+def test_geocentric_positions_keep_their_precision(tmp_path):
+    transform = "<translation>-2499366.429888 -4256836.520906 4029217.965003</translation><scale>12.35</scale>"
+    model = read(tmp_path, document(camera(), more=f"<transform>{transform}</transform>"))
     expected = np.array([-2499366.429888, -4256836.520906, 4029217.965003]) + 12.35 * np.array([2, 3, 4])
     assert np.abs(model.centers[0] - expected).max() < 1e-8
 
 
-def test_cameras_without_a_pose_are_told(tmp_path):
+def test_cameras_without_a_pose_are_reported(tmp_path):
     cameras = "<group id='0'>" + camera("in a group") + "</group>"
     cameras += camera("lost", None) + camera("off", more="enabled='false'") + camera("old", more="enabled='0'")
     cameras += camera("right eye", None, more="master_id='0'")
     model = read(tmp_path, document(cameras))
     assert model.names == ("in a group",)
-    told = ("lost: not aligned", "off: disabled", "old: disabled", "right eye: of a multi-camera system")
-    assert model.left_out == told
+    expected = ("lost: not aligned", "off: disabled", "old: disabled", "right eye: of a multi-camera system")
+    assert model.left_out == expected
 
 
 @pytest.mark.parametrize(
@@ -100,11 +100,11 @@ def test_cameras_without_a_pose_are_told(tmp_path):
         ("equidistant_fisheye", {"k1": 0.02, "b2": 0.5, "p1": 1e-3}, "METASHAPE_FISHEYE"),
     ],
 )
-def test_a_lens_becomes_the_plainest_model_that_says_the_same(tmp_path, kind, terms, model):
+def test_lens_becomes_the_simplest_equivalent_model(tmp_path, kind, terms, model):
     values = {"f": 500.0, "cx": 1.5, "cy": -2.25, **terms}
     lens = "".join(f"<{name}>{value}</{name}>" for name, value in values.items())
-    found = read(tmp_path, document(camera(), sensor(lens, kind=kind))).cameras[0]
-    assert found.model == model
+    result = read(tmp_path, document(camera(), sensor(lens, kind=kind))).cameras[0]
+    assert result.model == model
     x, y = 0.3, -0.2
     if kind != "frame":
         r = np.hypot(x, y)
@@ -115,10 +115,10 @@ def test_a_lens_becomes_the_plainest_model_that_says_the_same(tmp_path, kind, te
     xd = x * radial + v["p1"] * (r2 + 2 * x * x) + 2 * v["p2"] * x * y
     yd = y * radial + v["p2"] * (r2 + 2 * y * y) + 2 * v["p1"] * x * y
     expected = [320 + v["cx"] + xd * v["f"] + xd * v["b1"] + yd * v["b2"], 240 + v["cy"] + yd * v["f"]]
-    assert (found.project([[0.3, -0.2, 1.0]])[0] + 0.5).tolist() == pytest.approx(expected, abs=1e-9)
+    assert (result.project([[0.3, -0.2, 1.0]])[0] + 0.5).tolist() == pytest.approx(expected, abs=1e-9)
 
 
-def test_an_initial_calibration_serves_where_none_was_adjusted(tmp_path):
+def test_initial_calibration_is_used_if_none_was_adjusted(tmp_path):
     lens = "<resolution width='640' height='480'/><calibration class='initial'><f>700</f></calibration>"
     model = read(tmp_path, document(camera(), f"<sensor id='0'>{lens}</sensor>"))
     assert model.cameras[0].params[0] == 700
@@ -161,19 +161,19 @@ LEAK = "<!DOCTYPE d [<!ENTITY a SYSTEM 'file:///etc/hostname'>]><document>&a;</d
         (document("<camera id='0' label='a'><transform>1</transform></camera>"), "has no sensor_id"),
     ],
 )
-def test_what_is_no_export_of_cameras_is_told(tmp_path, text, message):
+def test_files_that_are_not_camera_exports_are_rejected(tmp_path, text, message):
     with pytest.raises(loom.FileError, match=message):
         read(tmp_path, text)
 
 
 def test_random_damage_never_crashes_the_reader(tmp_path):
-    data = document(camera() + camera("b", number=1), more=PLACED).encode()
+    data = document(camera() + camera("b", number=1), more=TRANSFORM).encode()
     rng = np.random.default_rng(4)
-    for turn in range(200):
+    for trial in range(200):
         spoiled = bytearray(data)
-        for at in rng.integers(0, len(data), 1 + turn % 4):
+        for at in rng.integers(0, len(data), 1 + trial % 4):
             spoiled[at] = rng.integers(0, 256)
         try:
-            read(tmp_path, bytes(spoiled[: rng.integers(1, len(data))] if turn % 3 == 0 else spoiled))
+            read(tmp_path, bytes(spoiled[: rng.integers(1, len(data))] if trial % 3 == 0 else spoiled))
         except loom.FileError as error:
             assert "cameras.xml" in str(error)

@@ -1,4 +1,4 @@
-"""Damaged files: a reader returns a consistent table or raises FileError, whatever the bytes."""
+"""Damaged files: a reader returns a consistent table or raises FileError."""
 
 from __future__ import annotations
 
@@ -45,7 +45,7 @@ def cloud(count=7) -> PointTable:
 
 
 def quads_and_triangles(path, byte_order):
-    """Faces of varying length behind vertices that carry a list of varying length."""
+    """Faces of varying length after vertices with a list of varying length."""
     word = {"<": "binary_little_endian", ">": "binary_big_endian"}[byte_order]
     header = (
         f"ply\nformat {word} 1.0\nelement vertex 4\nproperty float x\nproperty list uchar short tags\n"
@@ -151,7 +151,7 @@ pytestmark = [
 
 @st.composite
 def damages(draw):
-    """A list of edits, each at a relative position of the file."""
+    """A list of edits, each at a relative position in the file."""
     edits = st.tuples(
         st.sampled_from(["set", "cut", "insert", "delete", "repeat"]),
         st.floats(0, 1, exclude_max=True),
@@ -162,12 +162,12 @@ def damages(draw):
     return draw(st.lists(edits, min_size=1, max_size=4)), draw(st.floats(0, 1))
 
 
-def damage(valid, edits, share):
-    """Apply the edits; a share below 0.6 keeps them in the header, where they do the most."""
+def damage(valid, edits, fraction):
+    """Apply the edits; a fraction below 0.6 limits them to the header, where they have the largest effect."""
     data = bytearray(valid)
-    for kind, place, payload, length in edits:
-        reach = min(len(data), 400) if share < 0.6 else len(data)
-        at = int(place * reach)
+    for kind, position, payload, length in edits:
+        extent = min(len(data), 400) if fraction < 0.6 else len(data)
+        at = int(position * extent)
         if kind == "set":
             data[at : at + len(payload)] = payload[: len(data) - at]
         elif kind == "cut":
@@ -226,8 +226,8 @@ def test_damaged_bytes_give_a_consistent_table_or_a_file_error(name, valid_files
 def test_a_truncated_file_that_lost_a_value_is_an_error(name, valid_files):
     folder, files = valid_files
     path, content = folder / f"short_{name}", files[name]
-    whole = len(content.rstrip()) - len(content.split()[-1]) if name in COUNTED else len(content)
-    for size in sorted({*range(0, whole, max(1, whole // 50)), *range(whole - 9, whole)}):
+    total = len(content.rstrip()) - len(content.split()[-1]) if name in COUNTED else len(content)
+    for size in sorted({*range(0, total, max(1, total // 50)), *range(total - 9, total)}):
         path.write_bytes(content[:size])
         with pytest.raises(FileError):
             MAKERS[name][1](path)

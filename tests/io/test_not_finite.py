@@ -1,4 +1,4 @@
-"""NaN, NaN that signals, and infinities go through readers, writers and clouds without a warning of NumPy's."""
+"""NaN, signaling NaN and infinities pass through readers, writers and clouds without NumPy warnings."""
 
 from __future__ import annotations
 
@@ -38,7 +38,7 @@ def vectors(kind, dtype):
 
 
 def attempt(operation, *args, **kwargs):
-    """The result, or None where it is refused; a warning is neither, nor is one that became a refusal's reason."""
+    """The result, or None if rejected. A warning is an error, even as the cause of a rejection."""
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         warnings.simplefilter("ignore", UserWarning)  # of attributes with other names
@@ -51,13 +51,13 @@ def attempt(operation, *args, **kwargs):
 
 @pytest.mark.parametrize("dtype", SIGNALLING)
 @pytest.mark.parametrize("kind", KINDS)
-def test_a_cloud_of_what_is_not_finite_warns_of_nothing(kind, dtype, device):
+def test_non_finite_cloud_issues_no_warning(kind, dtype, device):
     rows = vectors(kind, dtype)
     cloud = attempt(loom.PointCloud, rows, device=device)
     if cloud is not None:
-        found = attempt(lambda: cloud.points)
-        np.testing.assert_array_equal(np.isnan(found), np.isnan(rows))
-        assert np.isfinite(found[:2]).all() == np.isfinite(rows[:2]).all()
+        points = attempt(lambda: cloud.points)
+        np.testing.assert_array_equal(np.isnan(points), np.isnan(rows))
+        assert np.isfinite(points[:2]).all() == np.isfinite(rows[:2]).all()
     attempt(loom.PointCloud, rows, origin=[1e5, 0, 0], device=device)
     for name in ("normals", "colors", "intensity"):
         attempt(loom.PointCloud, np.zeros((6, 3)), device=device, **{name: rows})
@@ -66,7 +66,7 @@ def test_a_cloud_of_what_is_not_finite_warns_of_nothing(kind, dtype, device):
 @pytest.mark.parametrize("dtype", SIGNALLING)
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("name", ["points", "normals", "intensity"])
-def test_a_file_of_what_is_not_finite_warns_of_nothing(name, kind, dtype, tmp_path):
+def test_non_finite_file_issues_no_warning(name, kind, dtype, tmp_path):
     rows = vectors(kind, dtype)
     plain = np.arange(18, dtype=dtype).reshape(6, 3)
     for extension in READERS:
@@ -85,7 +85,7 @@ def test_a_file_of_what_is_not_finite_warns_of_nothing(name, kind, dtype, tmp_pa
 
 
 @pytest.mark.parametrize("bound", ["7ff0000000000001", "7ff0000000000000", "fff0000000000000", "7fefffffffffffff"])
-def test_a_las_header_whose_box_is_not_finite_warns_of_nothing(bound, small_las):
+def test_las_header_with_a_non_finite_box_issues_no_warning(bound, small_las):
     edited(small_las, *((at, "<Q", int(bound, 16)) for at in range(179, 227, 8)))
     parts = attempt(lambda: list(loom.read_las_chunks(small_las, 7)))
     assert [len(part) for part in parts] == [7, 7, 6]
@@ -93,14 +93,14 @@ def test_a_las_header_whose_box_is_not_finite_warns_of_nothing(bound, small_las)
     np.testing.assert_allclose(joined, read_las(small_las).points, rtol=0, atol=4)  # 2e7 m apart
 
 
-def test_an_extra_dimension_whose_scale_is_not_finite_warns_of_nothing(tmp_path, rng):
+def test_extra_dimension_with_a_non_finite_scale_issues_no_warning(tmp_path, rng):
     extra = laspy.ExtraBytesParams("range", "i4", scales=[np.inf], offsets=[-np.inf])
     make(tmp_path / "a.las", 6, 20, rng, [extra])
     cloud = attempt(loom.read_point_cloud, tmp_path / "a.las")
     assert not np.isfinite(cloud["range"]).any()
 
 
-def test_coordinates_that_no_cloud_can_hold_name_the_file(tmp_path):
+def test_coordinate_overflow_error_names_the_file(tmp_path):
     (tmp_path / "far.xyz").write_text("0 0 0\n1e39 0 0\n")
     with pytest.raises(loom.FileError, match=r"far\.xyz"):
         loom.read_point_cloud(tmp_path / "far.xyz")

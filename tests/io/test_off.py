@@ -1,4 +1,4 @@
-"""OFF: against what Open3D reads and writes, every header, and what is refused."""
+"""OFF: exchange with Open3D, all header variants, and rejected files."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ def off(tmp_path, text):
 @pytest.mark.parametrize("normals", [False, True])
 @pytest.mark.parametrize("colors", [False, True])
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_what_we_write_reads_back_the_same(tmp_path, normals, colors, dtype):
+def test_round_trip(tmp_path, normals, colors, dtype):
     written = mesh(normals, colors, dtype)
     write_off(tmp_path / "m.off", written)
     read = read_off(tmp_path / "m.off")
@@ -53,7 +53,7 @@ def test_faces_are_fans_and_comments_are_passed_over(tmp_path, head):
     np.testing.assert_array_equal(read.vertices[2], [1, 1, 0])
 
 
-def test_every_header_says_what_stands_at_vertices(tmp_path):
+def test_header_defines_the_vertex_columns(tmp_path):
     rows = {"": "1 2 3", "N": "4 5 6", "C": "255 0 51", "ST": "0.25 0.75"}
     for textured in ("", "ST"):
         for colored in ("", "C"):
@@ -78,23 +78,23 @@ def test_colors_up_to_one_are_parts(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("values", "faces", "lost"),
+    ("values", "faces", "omitted"),
     [
         ("", "3 0 1 2 5\n3 0 2 1 6", "colors of faces are dropped, because [0-2] of 2 faces"),
         ("", "3 0 1 2\n3 0 2 1 9 9 9", "colors of faces are dropped, because [0-2] of 2 faces"),
         ("", "3 0 1 2 9 9 9\n3 0 2 1 9 9 9 9", "colors of faces are dropped, because [0-2] of 2 faces"),
     ],
 )
-def test_colors_that_are_not_whole_are_left_behind_and_told(tmp_path, values, faces, lost):
+def test_incomplete_colors_are_omitted_with_a_warning(tmp_path, values, faces, omitted):
     head, count = "COFF" if values else "OFF", faces.count("\n") + 1
     path = off(tmp_path, f"{head}\n3 {count} 0\n" + f"0 0 0 {values}\n" * 3 + f"{faces}\n")
-    with pytest.warns(UserWarning, match=lost):
+    with pytest.warns(UserWarning, match=omitted):
         read = read_off(path)
     assert read.attributes == read.triangle_attributes == {}
     assert len(read.triangles) == count
 
 
-def test_an_alpha_that_is_not_opaque_is_an_attribute_and_comes_back(tmp_path):
+def test_transparent_alpha_is_an_attribute_and_round_trips(tmp_path):
     rows = "0 0 0 255 0 51 255\n1 0 0 255 0 51 7\n0 1 0 255 0 51 0\n"
     for _ in range(2):
         read = read_off(off(tmp_path, f"COFF\n3 1 0\n{rows}3 0 1 2\n"))
@@ -148,7 +148,7 @@ def test_a_damaged_file_is_refused_with_its_line(tmp_path, text, where, reason):
     assert caught.value.where == where
 
 
-def test_what_off_cannot_hold_is_refused(tmp_path):
+def test_meshes_unsupported_by_off_are_rejected(tmp_path):
     wild = mesh()
     wild.vertices[3, 0] = np.inf
     with pytest.raises(FileError, match=r"/m\.off:"):

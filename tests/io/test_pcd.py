@@ -1,4 +1,4 @@
-"""PCD: the three encodings, organized clouds, packed colors, what is refused, LZF, and agreement with Open3D."""
+"""PCD: the three encodings, organized clouds, packed colors, rejected files, LZF, and agreement with Open3D."""
 
 from __future__ import annotations
 
@@ -32,9 +32,9 @@ def path(tmp_path):
 
 @pytest.mark.parametrize("encoding", ENCODINGS)
 @pytest.mark.parametrize(("count", "dtype"), [(0, np.float32), (1, np.float64), (120, np.float32), (500, np.float64)])
-def test_every_array_survives_a_round_trip_to_the_bit(path, encoding, dtype, count):
-    whole = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "large": np.arange(count) - 2**62}
-    table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **whole)
+def test_every_array_round_trips_exactly(path, encoding, dtype, count):
+    integers = {"stamp": np.arange(count, dtype=np.uint64) + 2**63, "large": np.arange(count) - 2**62}
+    table = table_of(count, dtype, fpfh=np.ones((count, 33), np.float32), **integers)
     write_pcd(path, table, encoding=encoding)
     assert_same_table(read_pcd(path), table)
 
@@ -131,11 +131,11 @@ def test_older_headers_without_viewpoint_or_counts_are_read(path, version):
         ("4 5 6\n", "4 5 6\n\n7 8 9\n", "line 15", "1 lines follow the declared 2 points"),
     ],
 )
-def test_a_damaged_file_is_refused_with_place_and_reason(path, old, new, where, reason):
-    whole = HEAD + "1 2 3\n4 5 6\n"
-    assert old in whole
-    path.write_bytes(whole.replace(old, new, 1).encode("latin-1"))
-    if old == "WIDTH 2\n":  # POINTS alone says enough
+def test_damaged_file_is_rejected_with_location_and_reason(path, old, new, where, reason):
+    valid = HEAD + "1 2 3\n4 5 6\n"
+    assert old in valid
+    path.write_bytes(valid.replace(old, new, 1).encode("latin-1"))
+    if old == "WIDTH 2\n":  # POINTS alone is sufficient
         assert len(read_pcd(path).points) == 2
         return
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
@@ -144,7 +144,7 @@ def test_a_damaged_file_is_refused_with_place_and_reason(path, old, new, where, 
 
 
 @pytest.mark.parametrize(("width", "height"), [(0, 0), (0, 1), (2, 0)])
-def test_a_grid_of_nothing_leaves_the_points_that_are_counted(tmp_path, width, height):
+def test_empty_grid_keeps_the_counted_points(tmp_path, width, height):
     path = tmp_path / "c.pcd"
     head = HEAD.replace("WIDTH 2", f"WIDTH {width}").replace("HEIGHT 1", f"HEIGHT {height}")
     path.write_text(head + "1 2 3\n4 5 6\n")
@@ -167,7 +167,7 @@ def test_an_impossible_count_is_refused_before_anything_is_allocated(path, encod
         read_pcd(path)
 
 
-def test_a_compressed_size_that_no_stream_can_reach_is_refused_unread(path):
+def test_impossible_compressed_size_is_rejected_before_reading(path):
     head = HEAD.replace("ascii", "binary_compressed").replace(" 2\n", " 300000000\n")
     path.write_bytes(head.encode() + np.array([20, 300000000 * 12], "<u4").tobytes() + bytes(20))
     with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 199\):.*20.*3600000000"):
@@ -176,25 +176,25 @@ def test_a_compressed_size_that_no_stream_can_reach_is_refused_unread(path):
 
 def test_truncated_binary_names_the_missing_bytes_and_surplus_names_its_offset(path):
     write_pcd(path, PointTable(np.zeros((10, 3), np.float32)))
-    whole = path.read_bytes()
-    path.write_bytes(whole[:-5])
+    valid = path.read_bytes()
+    path.write_bytes(valid[:-5])
     with pytest.raises(FileError, match=r"/cloud\.pcd \(byte 281\):.*120.*115.*5") as caught:
         read_pcd(path)
-    assert caught.value.where == f"byte {len(whole) - 5}"
-    path.write_bytes(whole + b"\0")
+    assert caught.value.where == f"byte {len(valid) - 5}"
+    path.write_bytes(valid + b"\0")
     with pytest.raises(FileError, match="1 bytes follow") as caught:
         read_pcd(path)
-    assert caught.value.where == f"byte {len(whole)}"
+    assert caught.value.where == f"byte {len(valid)}"
 
 
-def test_the_zero_page_that_pcl_leaves_behind_compressed_payloads_is_allowed_and_nothing_else(path):
+def test_only_pcls_zero_padding_may_follow_compressed_payloads(path):
     table = PointTable(np.random.default_rng(0).random((10, 3)))
     write_pcd(path, table, encoding="binary_compressed")
-    whole = path.read_bytes()
-    path.write_bytes(whole + bytes(3900))
+    valid = path.read_bytes()
+    path.write_bytes(valid + bytes(3900))
     assert_same_table(read_pcd(path), table)
     for surplus in (bytes(4096), bytes(100) + b"\1"):
-        path.write_bytes(whole + surplus)
+        path.write_bytes(valid + surplus)
         with pytest.raises(FileError, match="bytes follow"):
             read_pcd(path)
 
@@ -210,7 +210,7 @@ def test_the_zero_page_that_pcl_leaves_behind_compressed_payloads_is_allowed_and
         ({name: np.zeros(2) for name in ("normal_x", "normal_y", "normal_z")}, "would be read as normals or colors"),
     ],
 )
-def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written(path, attributes, reason):
+def test_attribute_that_cannot_be_read_back_is_rejected(path, attributes, reason):
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         write_pcd(path, PointTable(np.zeros((2, 3)), attributes=attributes))
     assert caught.value.remedy
@@ -224,12 +224,12 @@ def test_an_unknown_encoding_is_a_value_error(path):
 
 @settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(st.lists(st.tuples(st.binary(min_size=1, max_size=40), st.integers(1, 40)), max_size=20))
-def test_lzf_gives_back_what_went_in(runs):
+def test_lzf_round_trip(runs):
     data = b"".join(chunk * times for chunk, times in runs)
     assert lzf.decompress(lzf.compress(data), len(data)) == data
 
 
-def test_lzf_crosses_its_blocks_and_shrinks_what_repeats(monkeypatch):
+def test_lzf_crosses_blocks_and_compresses_repetitions(monkeypatch):
     monkeypatch.setattr(lzf, "_BLOCK", 1 << 16)
     data = np.repeat(np.random.default_rng(0).integers(0, 9, 40_000), 4).astype(np.uint8).tobytes()
     packed = lzf.compress(data)
@@ -272,7 +272,7 @@ def test_colors_that_are_nan_in_a_text_are_left_out_with_a_warning(tmp_path, nam
 
 @pytest.mark.parametrize("kind", ["F", "signed F", "U", "I"])
 @pytest.mark.parametrize("alpha", [0, 255])
-def test_packed_colors_as_whole_numbers_of_a_text_are_read(tmp_path, kind, alpha):
+def test_packed_colors_as_integers_in_text_are_read(tmp_path, kind, alpha):
     colors = [(255, 0, 0), (0, 255, 0), (0, 0, 255), (0, 0, 0)]
     numbers = np.array([(alpha << 24) + (r << 16) + (g << 8) + b for r, g, b in colors], np.uint32)
     written = numbers if kind in "FU" else numbers.view(np.int32)
@@ -290,15 +290,15 @@ def test_colors_of_points_that_were_not_measured_do_not_matter(tmp_path):
 POSE = "10 20.5 -30 0.70710678 0 0 0.70710678"
 
 
-def test_a_viewpoint_is_told_and_stays_in_copies(tmp_path, capsys):
+def test_viewpoint_is_reported_and_copied(tmp_path, capsys):
     source, copy = tmp_path / "a.pcd", tmp_path / "b.pcd"
     source.write_text(text_with("x y z", "F F F", ["1 0 0", "2 0 0", "3 0 0"], POSE))
     with pytest.warns(UserWarning, match=r"a\.pcd: VIEWPOINT 10 20\.5 -30") as caught:
         np.testing.assert_array_equal(loom.read_point_cloud(source).points[:, 0], [1, 2, 3])
     assert caught[0].filename == __file__
-    for words in (["convert"], ["downsample", "--every", "2"], ["convert", "--ascii"]):
+    for command in (["convert"], ["downsample", "--every", "2"], ["convert", "--ascii"]):
         with pytest.raises(SystemExit):
-            cli([*words, str(source), str(copy), "--force"])
+            cli([*command, str(source), str(copy), "--force"])
         assert f"VIEWPOINT {POSE}\n".encode() in copy.read_bytes()
     capsys.readouterr()
     with pytest.raises(SystemExit):

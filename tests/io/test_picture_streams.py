@@ -1,4 +1,4 @@
-"""Pictures whose pixels are not all there, or more than there should be: refused, never filled in."""
+"""Images with missing or excess pixels are rejected, never filled in."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ RED_GREEN_BLUE = {"bits": 8, "color_type": 2}
 
 @pytest.mark.parametrize(("kind", "pixel", "read"), [(DEEP, 2, read_depth), (RED_GREEN_BLUE, 3, read_color)])
 @pytest.mark.parametrize(
-    ("rows", "cut", "claim"),
+    ("rows", "cut", "message"),
     [
         (24, 0, None),
         (12, 0, "but its stream of pixels contains"),
@@ -34,20 +34,20 @@ RED_GREEN_BLUE = {"bits": 8, "color_type": 2}
         (24, 30, "but its stream of pixels contains"),
     ],
 )
-def test_a_png_whose_stream_does_not_fit_its_header_is_refused(tmp_path, kind, pixel, read, rows, cut, claim):
+def test_png_stream_that_contradicts_its_header_is_rejected(tmp_path, kind, pixel, read, rows, cut, message):
     rng, path = np.random.default_rng(2), tmp_path / "x.png"
     stream = zlib.compress(b"".join(b"\0" + rng.bytes(32 * pixel) for _ in range(rows)))
     path.write_bytes(png_of(32, 24, stream[: len(stream) - cut], **kind))
-    if claim is None:
+    if message is None:
         assert read(path).shape[:2] == (24, 32)
         return
     with pytest.raises(FileError, match=r"x\.png") as caught:
         read(path)
-    assert claim in str(caught.value)
+    assert message in str(caught.value)
 
 
 @pytest.mark.parametrize(("width", "height"), [(48, 32), (24, 64), (12, 32), (24, 16), (10_000, 10_000), (33, 24)])
-def test_a_png_whose_header_was_changed_is_refused_with_sound_checksums(tmp_path, depth, width, height):
+def test_png_with_a_changed_header_and_valid_checksums_is_rejected(tmp_path, depth, width, height):
     write_png(tmp_path / "d.png", depth)
     data = bytearray((tmp_path / "d.png").read_bytes())
     data[16:24] = struct.pack(">II", width, height)
@@ -56,31 +56,31 @@ def test_a_png_whose_header_was_changed_is_refused_with_sound_checksums(tmp_path
         read_depth(tmp_path / "d.png")
 
 
-def test_what_else_a_png_may_not_have_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(ImageFile, "LOAD_TRUNCATED_IMAGES", True)  # with which Pillow goes on behind an error
+def test_other_invalid_pngs_are_rejected(tmp_path, monkeypatch):
+    monkeypatch.setattr(ImageFile, "LOAD_TRUNCATED_IMAGES", True)  # with which Pillow continues after an error
     row = b"\0" + bytes(8)
-    whole = zlib.compress(row * 4)
+    compressed = zlib.compress(row * 4)
     cases = {
-        "continues after its end": png_of(4, 4, whole + b"more"),
+        "continues after its end": png_of(4, 4, compressed + b"more"),
         "not a zlib stream": png_of(4, 4, b"no stream"),
         "unknown filter": png_of(4, 4, zlib.compress(row * 3 + b"\5" + bytes(8))),
-        "no 16 bits a channel for color type 3": png_of(4, 4, whole, color_type=3),
-        "interlacing 2": png_of(4, 4, whole, interlace=2),
-        "contains 36": png_of(4, 4, whole, interlace=1),
+        "no 16 bits a channel for color type 3": png_of(4, 4, compressed, color_type=3),
+        "interlacing 2": png_of(4, 4, compressed, interlace=2),
+        "contains 36": png_of(4, 4, compressed, interlace=1),
     }
-    sound = png_of(4, 4, whole[:5], whole[5:])
-    cases["not in one run"] = sound[:-12] + sound[8:33].replace(b"IHDR", b"tEXt") + sound[33:]
-    cases["a second PNG header"] = sound[:33] + sound[8:]
-    cases["a chunk 'CRIT' that is unknown"] = sound[:33] + sound[8:33].replace(b"IHDR", b"CRIT") + sound[33:]
-    for claim, data in cases.items():
+    valid = png_of(4, 4, compressed[:5], compressed[5:])
+    cases["not in one run"] = valid[:-12] + valid[8:33].replace(b"IHDR", b"tEXt") + valid[33:]
+    cases["a second PNG header"] = valid[:33] + valid[8:]
+    cases["a chunk 'CRIT' that is unknown"] = valid[:33] + valid[8:33].replace(b"IHDR", b"CRIT") + valid[33:]
+    for message, data in cases.items():
         (tmp_path / "x.png").write_bytes(with_checksums(data))
-        with pytest.raises(FileError, match=claim):
+        with pytest.raises(FileError, match=message):
             read_depth(tmp_path / "x.png")
-    (tmp_path / "x.png").write_bytes(sound)
+    (tmp_path / "x.png").write_bytes(valid)
     assert not read_depth(tmp_path / "x.png").any()
 
 
-def test_texts_and_profiles_of_a_png_are_left_aside_whatever_they_unpack_to(tmp_path, depth):
+def test_text_and_profiles_of_a_png_are_not_decompressed(tmp_path, depth):
     write_png(tmp_path / "d.png", depth)
     data = (tmp_path / "d.png").read_bytes()
     bomb = zlib.compress(bytes(10**8))
@@ -92,7 +92,7 @@ def test_texts_and_profiles_of_a_png_are_left_aside_whatever_they_unpack_to(tmp_
 
 
 def test_interlaced_pictures_of_every_depth_and_size_are_read(tmp_path):
-    """Their passes are of up to seven sizes, some of them empty; Pillow writes none, so these are all of one value."""
+    """Their passes have up to seven sizes, some of them empty. Pillow writes none, so all have one value."""
     for bits, color_type, channels in [(1, 0, 1), (4, 0, 1), (8, 2, 3), (8, 4, 2), (16, 0, 1), (16, 2, 3), (16, 6, 4)]:
         for width, height in [(1, 1), (2, 1), (1, 5), (4, 4), (5, 3), (8, 8), (9, 17)]:
             size = 0
@@ -133,12 +133,12 @@ def test_a_jpeg_that_ends_early_is_refused_with_and_without_an_end_mark(tmp_path
             read_color(path)
 
 
-def test_a_jpeg_that_cannot_hold_its_pixels_is_refused_before_memory_is_taken(tmp_path, color):
+def test_jpeg_with_too_few_bytes_is_rejected_before_allocation(tmp_path, color):
     path, file = tmp_path / "c.jpg", io.BytesIO()
     Image.fromarray(color).save(file, "JPEG", progressive=True)
     data = bytearray(file.getvalue())
-    place = data.index(b"\xff\xc2")
-    data[place + 5 : place + 9] = struct.pack(">HH", 2**14, 2**14)
+    offset = data.index(b"\xff\xc2")
+    data[offset + 5 : offset + 9] = struct.pack(">HH", 2**14, 2**14)
     path.write_bytes(data)
     with pytest.raises(FileError, match=r"/c\.jpg \(byte 242\):.*16384.*16384"):
         read_color(path)
@@ -148,14 +148,14 @@ def test_a_jpeg_without_one_of_its_scans_is_refused(tmp_path, color):
     path, file = tmp_path / "c.jpg", io.BytesIO()
     Image.fromarray(color).save(file, "JPEG", progressive=True)
     data = file.getvalue()
-    places = [k for k in range(len(data)) if data[k : k + 2] in (b"\xff\xda", b"\xff\xc4")]  # scans, and their tables
-    for place in places[2:]:
-        path.write_bytes(data[:place] + b"\xff\xd9")
+    offsets = [k for k in range(len(data)) if data[k : k + 2] in (b"\xff\xda", b"\xff\xc4")]  # scans, and their tables
+    for offset in offsets[2:]:
+        path.write_bytes(data[:offset] + b"\xff\xd9")
         with pytest.raises(FileError, match=r"/c\.jpg:"):
             read_color(path)
 
 
-def test_jpegs_of_which_it_cannot_be_told_are_refused_by_name(tmp_path, color, monkeypatch):
+def test_unverifiable_jpegs_are_rejected_with_a_reason(tmp_path, color, monkeypatch):
     path, file = tmp_path / "c.jpg", io.BytesIO()
     Image.fromarray(color).save(file, "JPEG")
     path.write_bytes(file.getvalue().replace(b"\xff\xc0\0\x11", b"\xff\xc9\0\x11"))

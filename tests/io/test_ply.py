@@ -1,4 +1,4 @@
-"""PLY: what is read and written, what is refused and how the error says so, and agreement with Open3D."""
+"""PLY: reading, writing, rejected files with their messages, and agreement with Open3D."""
 
 from __future__ import annotations
 
@@ -120,7 +120,7 @@ def test_any_line_end_is_read(path, end, form):
     "names", [("red", "green", "blue"), ("diffuse_red", "diffuse_green", "diffuse_blue"), tuple("rgb")]
 )
 @pytest.mark.parametrize(("code", "full"), [("uchar", 255), ("ushort", 65535), ("float", 1), ("double", 1)])
-def test_colors_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
+def test_colors_of_every_name_and_type_are_scaled_to_0_1(path, names, code, full):
     head = HEAD.replace("end_header\n", "".join(f"property {code} {name}\n" for name in names) + "end_header\n")
     table = read_ply(write(path, head + f"0 0 0 0 0 {full}\n0 0 0 {full} 0 0\n"))
     assert table.colors is not None
@@ -160,7 +160,7 @@ def test_colors_of_every_name_and_type_come_in_0_to_1(path, names, code, full):
         (HEAD.replace("float z", "int z").encode() + b"1 2 nan\n4 5 6\n", "line 8", "does not fit"),
     ],
 )  # fmt: skip
-def test_a_damaged_file_is_refused_with_place_and_reason(path, content, where, reason):
+def test_damaged_file_is_rejected_with_location_and_reason(path, content, where, reason):
     path.write_bytes(content)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         read_ply(path)
@@ -170,20 +170,20 @@ def test_a_damaged_file_is_refused_with_place_and_reason(path, content, where, r
 
 def test_truncated_binary_ply_names_the_missing_bytes(path):
     write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
-    whole = path.read_bytes()
-    path.write_bytes(whole[:-7])
+    valid = path.read_bytes()
+    path.write_bytes(valid[:-7])
     with pytest.raises(FileError, match=r"/cloud\.ply \(byte 229\):.*120.*113.*7") as caught:
         read_ply(path)
-    assert caught.value.where == f"byte {len(whole) - 7}"
+    assert caught.value.where == f"byte {len(valid) - 7}"
 
 
 def test_bytes_behind_the_payload_are_named_by_their_offset(path):
     write_ply(path, PointTable(np.zeros((10, 3), np.float32)))
-    whole = path.read_bytes()
-    path.write_bytes(whole + b"\n")
+    valid = path.read_bytes()
+    path.write_bytes(valid + b"\n")
     with pytest.raises(FileError, match="1 bytes follow") as caught:
         read_ply(path)
-    assert caught.value.where == f"byte {len(whole)}"
+    assert caught.value.where == f"byte {len(valid)}"
 
 
 @pytest.mark.parametrize("count", [10**10, 10**18])
@@ -216,7 +216,7 @@ def test_a_negative_list_length_is_refused_with_its_row(path):
     assert caught.value.where.startswith("row 1, byte")
 
 
-def test_what_is_no_file_is_refused(tmp_path):
+def test_missing_files_are_rejected(tmp_path):
     with pytest.raises(FileError, match=r"/none\.ply:"):
         read_ply(tmp_path / "none.ply")
     with pytest.raises(FileError, match="is a folder"):
@@ -238,7 +238,7 @@ def test_what_is_no_file_is_refused(tmp_path):
         ({name: np.zeros(2) for name in "rgb"}, "would be read as normals or colors"),
     ],
 )
-def test_an_attribute_that_would_not_read_back_is_refused_and_nothing_is_written(path, attributes, reason):
+def test_attribute_that_cannot_be_read_back_is_rejected(path, attributes, reason):
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         write_ply(path, PointTable(np.zeros((2, 3)), attributes=attributes))
     assert caught.value.remedy
@@ -262,9 +262,9 @@ def test_a_table_of_wrong_shapes_is_a_value_error(path):
 
 
 @pytest.mark.parametrize("ascii", [True, False])
-def test_comments_stand_in_the_header_and_change_nothing_else(tmp_path, ascii):
-    plain, said = tmp_path / "plain.ply", tmp_path / "said.ply"
+def test_comments_change_only_the_header(tmp_path, ascii):
+    plain, commented = tmp_path / "plain.ply", tmp_path / "said.ply"
     write_ply(plain, table_of(5), ascii=ascii)
-    write_ply(said, table_of(5), ascii=ascii, comments=["units arbitrary"])
-    assert said.read_bytes() == plain.read_bytes().replace(b"1.0\n", b"1.0\ncomment units arbitrary\n", 1)
-    np.testing.assert_array_equal(read_ply(said).points, read_ply(plain).points)
+    write_ply(commented, table_of(5), ascii=ascii, comments=["units arbitrary"])
+    assert commented.read_bytes() == plain.read_bytes().replace(b"1.0\n", b"1.0\ncomment units arbitrary\n", 1)
+    np.testing.assert_array_equal(read_ply(commented).points, read_ply(plain).points)

@@ -1,4 +1,4 @@
-"""Clouds to files and back: every format and attribute, nothing lost in silence, whole or not at all."""
+"""Point cloud files: round trips of every format and attribute, warnings about losses, atomic writing."""
 
 from __future__ import annotations
 
@@ -39,20 +39,20 @@ def test_every_attribute_survives_a_round_trip_in_its_own_type(device, extension
     cloud = full_cloud(rng, device, shift=shift)
     path = tmp_path / f"cloud{extension}"
     loom.write_point_cloud(path, cloud, ascii=ascii)
-    found = loom.read_point_cloud(path, device=device)
-    assert found.device == cloud.device and sorted(found.attributes) == sorted(cloud.attributes)
+    result = loom.read_point_cloud(path, device=device)
+    assert result.device == cloud.device and sorted(result.attributes) == sorted(cloud.attributes)
     for name in EVERYTHING:
-        assert found[name].dtype == cloud[name].dtype
-        np.testing.assert_array_equal(found[name], cloud[name], err_msg=name)
-    np.testing.assert_array_equal(found.origin, cloud.origin)
+        assert result[name].dtype == cloud[name].dtype
+        np.testing.assert_array_equal(result[name], cloud[name], err_msg=name)
+    np.testing.assert_array_equal(result.origin, cloud.origin)
 
 
 @pytest.mark.parametrize(("extension", "ascii"), [*BINARY, (".xyz", True), (".pts", True)])
 def test_utm_coordinates_are_exact_in_every_format(extension, ascii, rng, tmp_path, tolerances):
-    """In the file always; in the cloud read back where it has the same middle, else to float32 of its extent."""
-    whole = loom.PointCloud(rng.random((500, 3)) * [2000, 2000, 50] + UTM)
-    part = whole.select_by_mask(whole.points[:, 0] > UTM[0] + 1500)
-    for cloud, limit in ((whole, 0), (part, tolerances.float32_relative * 1001)):
+    """Exact in the file; in the cloud exact for the same origin, otherwise to float32 of its extent."""
+    full = loom.PointCloud(rng.random((500, 3)) * [2000, 2000, 50] + UTM)
+    part = full.select_by_mask(full.points[:, 0] > UTM[0] + 1500)
+    for cloud, limit in ((full, 0), (part, tolerances.float32_relative * 1001)):
         path = tmp_path / f"cloud{extension}"
         loom.write_point_cloud(path, cloud, ascii=ascii)
         np.testing.assert_array_equal(READERS[extension](path).points, cloud.points)
@@ -76,10 +76,10 @@ def test_an_organized_cloud_keeps_its_grid_and_its_holes(device, extension, tmp_
     cloud = loom.PointCloud.create_from_depth_image(depth, camera, project_valid_depth_only=False, device=device)
     path = tmp_path / f"cloud{extension}"
     loom.write_point_cloud(path, cloud)
-    found = loom.read_point_cloud(path, device=device)
-    assert found.grid == (4, 6)
-    np.testing.assert_array_equal(found.points, cloud.points)
-    assert np.isnan(found.points).any()
+    result = loom.read_point_cloud(path, device=device)
+    assert result.grid == (4, 6)
+    np.testing.assert_array_equal(result.points, cloud.points)
+    assert np.isnan(result.points).any()
 
 
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz"])
@@ -90,7 +90,7 @@ def test_an_empty_cloud_survives_a_round_trip(extension, tmp_path):
 
 
 @pytest.mark.parametrize("extension", [".ply", ".pcd", ".npz", ".xyz"])
-def test_an_existing_file_is_replaced_whole_or_kept(extension, rng, tmp_path):
+def test_existing_file_is_replaced_atomically(extension, rng, tmp_path):
     path = tmp_path / f"cloud{extension}"
     first, second = (loom.PointCloud(rng.random((n, 3))) for n in (5, 9))
     loom.write_point_cloud(path, first)
@@ -131,7 +131,7 @@ def test_an_attribute_with_the_name_of_a_clouds_own_array_is_read_under_another(
         assert loom.read_point_cloud(path)["points_2"].tolist() == [4]
 
 
-def test_what_is_no_cloud_is_refused_by_name(rng, tmp_path):
+def test_other_objects_are_rejected_by_name(rng, tmp_path):
     with pytest.raises(TypeError, match="cloud:"):
         loom.write_point_cloud(tmp_path / "cloud.ply", rng.random((4, 3)))  # type: ignore[arg-type]
     assert list(tmp_path.iterdir()) == []
@@ -153,6 +153,6 @@ def test_a_missing_package_is_named_with_the_line_that_installs_it(missing, suff
 
     monkeypatch.setattr(builtins, "__import__", refuse)
     monkeypatch.setattr("importlib.import_module", lambda name, package=None: refuse(name, package, loader=load))
-    said = rf'{suffix} needs the package {missing}. pip install "pointloom\[{extra}\]"'
-    with pytest.raises(loom.FileError, match=said):
+    message = rf'{suffix} needs the package {missing}. pip install "pointloom\[{extra}\]"'
+    with pytest.raises(loom.FileError, match=message):
         loom.read_point_cloud(tmp_path / f"a{suffix}")

@@ -1,4 +1,4 @@
-"""Times of points are seconds where the message itself says in which unit they are."""
+"""Times of points are converted to seconds if the message determines their unit."""
 
 import warnings
 from pathlib import Path
@@ -14,34 +14,34 @@ SINCE_1970, SINCE_START = 1.7e9, 512.25  # [s]
 SWEEPS = np.linspace(0, 0.1, COUNT)
 
 
-def read(name, times, stamp=SINCE_1970, seen=None):
-    seen = np.ones(len(times), bool) if seen is None else seen
-    with warnings.catch_warnings(record=True) as told:
+def read(name, times, stamp=SINCE_1970, valid=None):
+    valid = np.ones(len(times), bool) if valid is None else valid
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        found = with_seconds(PATH, {name: times, "ring": np.arange(len(times))}, seen, stamp)
-    assert {w.category for w in told} <= {RecordingWarning}
-    return found, [str(w.message) for w in told]
+        attributes = with_seconds(PATH, {name: times, "ring": np.arange(len(times))}, valid, stamp)
+    assert {w.category for w in caught} <= {RecordingWarning}
+    return attributes, [str(w.message) for w in caught]
 
 
-def assert_sweep(found, tolerance=1e-6, told=()):
-    assert "time" in found and not told
-    np.testing.assert_allclose(found["time"], SWEEPS, atol=tolerance)
+def assert_sweep(attributes, tolerance=1e-6, messages=()):
+    assert "time" in attributes and not messages
+    np.testing.assert_allclose(attributes["time"], SWEEPS, atol=tolerance)
 
 
 @pytest.mark.parametrize("unit", UNITS)
 @pytest.mark.parametrize("start", [SINCE_1970, SINCE_START], ids=["1970", "boot"])
-def test_a_clock_of_the_header_tells_the_unit(unit, start):
-    found, told = read("timestamp", (start + SWEEPS) / UNITS[unit], stamp=start + 0.1)
-    assert_sweep(found, 1e-6, told)
+def test_header_clock_determines_the_unit(unit, start):
+    attributes, messages = read("timestamp", (start + SWEEPS) / UNITS[unit], stamp=start + 0.1)
+    assert_sweep(attributes, 1e-6, messages)
 
 
 @pytest.mark.parametrize("unit", UNITS)
 @pytest.mark.parametrize("start", [SINCE_1970, SINCE_START, 86_000.0], ids=["1970", "boot", "a day"])
 @pytest.mark.parametrize("stamp", [0.0, 1.6e9])
-def test_a_clock_of_its_own_is_read_by_the_length_of_a_sweep(unit, start, stamp):
-    """Nanoseconds since the sensor was switched on are small numbers: by their size they would be 10^8 s."""
-    found, told = read("timestamp", (start + SWEEPS) / UNITS[unit], stamp=stamp)
-    assert_sweep(found, 1e-6, told)
+def test_unit_of_a_separate_clock_follows_from_the_sweep_duration(unit, start, stamp):
+    """Nanoseconds since power-on are small numbers: by their size they would be 10^8 s."""
+    attributes, messages = read("timestamp", (start + SWEEPS) / UNITS[unit], stamp=stamp)
+    assert_sweep(attributes, 1e-6, messages)
 
 
 @pytest.mark.parametrize(
@@ -53,9 +53,9 @@ def test_a_clock_of_its_own_is_read_by_the_length_of_a_sweep(unit, start, stamp)
         ("offset_time", np.uint32(SWEEPS * 1e9)),
     ],
 )
-def test_what_one_driver_writes_is_read_by_its_name(name, times):
-    found, told = read(name, times)
-    assert_sweep(found, 1e-6, told)
+def test_times_of_known_drivers_are_read_by_name(name, times):
+    attributes, messages = read(name, times)
+    assert_sweep(attributes, 1e-6, messages)
 
 
 @pytest.mark.parametrize(
@@ -66,14 +66,14 @@ def test_what_one_driver_writes_is_read_by_its_name(name, times):
         ("time", np.float64(1e3 * SWEEPS), "ms"),
     ],
 )
-def test_another_unit_than_the_drivers_is_said(name, times, unit):
-    found, told = read(name, times)
-    assert_sweep(found, 1e-6)
-    assert len(told) == 1 and f"read as {unit}" in told[0] and repr(name) in told[0]
+def test_unit_other_than_the_drivers_is_reported(name, times, unit):
+    attributes, messages = read(name, times)
+    assert_sweep(attributes, 1e-6)
+    assert len(messages) == 1 and f"read as {unit}" in messages[0] and repr(name) in messages[0]
 
 
 @pytest.mark.parametrize(
-    ("name", "times", "kept"),
+    ("name", "times", "expected_name"),
     [
         ("timestamp", np.float64(SWEEPS * 1e-3), "timestamp"),  # 0.1 ms, or 100 s of thousandths
         ("time", np.float32([0.0, 1900.0]), "timestamps"),
@@ -82,25 +82,25 @@ def test_another_unit_than_the_drivers_is_said(name, times, unit):
         ("timestamp", np.float32(1.7e9 + 1000 * SWEEPS), "timestamp"),
     ],
 )
-def test_numbers_in_no_unit_stay_as_they_are_and_are_told(name, times, kept):
-    found, told = read(name, times, stamp=5.0)
-    assert "time" not in found and len(told) == 1 and "in any unit" in told[0]
-    np.testing.assert_array_equal(found[kept], times)
+def test_numbers_without_a_unit_are_preserved_and_reported(name, times, expected_name):
+    attributes, messages = read(name, times, stamp=5.0)
+    assert "time" not in attributes and len(messages) == 1 and "in any unit" in messages[0]
+    np.testing.assert_array_equal(attributes[expected_name], times)
 
 
 @pytest.mark.parametrize("name", ["time", "t", "timestamp"])
-def test_a_flash_takes_no_time(name):
-    found, told = read(name, np.full(COUNT, 7, "u4" if name == "t" else "f8"))
-    assert not told and found["time"].tolist() == [0] * COUNT
+def test_flash_has_zero_duration(name):
+    attributes, messages = read(name, np.full(COUNT, 7, "u4" if name == "t" else "f8"))
+    assert not messages and attributes["time"].tolist() == [0] * COUNT
 
 
-def test_points_that_were_not_measured_have_no_say():
+def test_unmeasured_points_are_ignored():
     times, seen = SINCE_1970 + SWEEPS, np.ones(COUNT, bool)
-    times[[3, 9]], seen[3] = 0, False  # one that is not finite, and one whose time was never set
-    found, told = read("timestamp", times, stamp=0.0, seen=seen)
+    times[[3, 9]], seen[3] = 0, False  # one not finite, and one with an unset time
+    attributes, messages = read("timestamp", times, stamp=0.0, valid=seen)
     others = np.delete(np.arange(COUNT), [3, 9])
-    assert not told
-    np.testing.assert_allclose(found["time"][others], SWEEPS[others], atol=1e-6)
+    assert not messages
+    np.testing.assert_allclose(attributes["time"][others], SWEEPS[others], atol=1e-6)
 
 
 def test_a_cloud_without_points_or_times_is_read():

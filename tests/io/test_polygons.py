@@ -1,4 +1,4 @@
-"""Faces of more than three corners: triangles that cover each once, whatever its shape and the format."""
+"""Faces with more than three corners: triangles cover each face once, for any shape and format."""
 
 from __future__ import annotations
 
@@ -10,11 +10,11 @@ from hypothesis import strategies as st
 import pointloom as loom
 from pointloom.io.triangulation import clip_ears, split_faces
 
-# A house with its roof fallen in: five corners of which the fourth is concave; from corner 3 on its fan turns over.
+# A house with an inverted roof: the fourth of five corners is concave; the fan from corner 3 has flipped triangles.
 CONCAVE = np.array([[0, 0, 0], [4, 0, 0], [4, 4, 0], [2, 1, 0], [0, 4, 0]], float)
 STAR = np.array([[np.sin(a), np.cos(a), 0] for a in np.arange(5) * 4 * np.pi / 5])
 BOW_TIE = np.array([[0, 0, 0], [1, 1, 0], [1, 0, 0], [0, 1, 0]], float)
-# A square with a square hole, to which an edge leads that is walked both ways.
+# A square with a square hole, joined by an edge that is traversed in both directions.
 RING = np.array([[0, 0], [4, 0], [4, 4], [0, 4], [0, 0], [1, 1], [1, 3], [3, 3], [3, 1], [1, 1]], float)
 
 
@@ -51,14 +51,14 @@ def test_a_concave_polygon_is_covered_once_in_every_format(tmp_path, suffix, sta
     path = tmp_path / f"m{suffix}"
     write(path, CONCAVE, [np.roll(np.arange(5), -start)])
     mesh = loom.read_triangle_mesh(path)
-    found = areas(mesh.vertices, mesh.triangles)
-    assert found.min() > 0
-    assert found.sum() == 10  # the fan around corner 2 has 22
+    triangle_areas = areas(mesh.vertices, mesh.triangles)
+    assert triangle_areas.min() > 0
+    assert triangle_areas.sum() == 10  # the fan around corner 2 has 22
     np.testing.assert_array_equal(mesh.compute_triangle_normals(), [[0, 0, 1]] * 3)
 
 
 @pytest.mark.parametrize("count", [4, 5, 6, 9, 40])
-def test_faces_whose_fan_turns_as_they_do_stay_fans(count):
+def test_faces_with_a_consistent_fan_stay_fans(count):
     angles = np.arange(count) * 2 * np.pi / count
     points = np.c_[np.cos(angles), np.sin(angles), np.ones(count)]
     points[1, :2] *= 0.999
@@ -81,7 +81,7 @@ def test_texture_coordinates_and_values_of_faces_follow_their_triangles(tmp_path
     np.testing.assert_array_equal(mesh.triangle_uvs, mesh.vertices[mesh.triangles.reshape(-1), :2] / 4)
 
 
-def test_holes_spikes_repeated_and_straight_corners_are_taken():
+def test_holes_spikes_repeated_and_straight_corners_are_supported():
     for flat, area in (
         (RING, 12),
         ([[0, 0], [1, 0], [2, 0], [2, 1], [2, 2], [0, 2]], 4),
@@ -90,29 +90,29 @@ def test_holes_spikes_repeated_and_straight_corners_are_taken():
     ):
         points = np.c_[np.array(flat, float), np.zeros(len(flat))]
         for start in range(len(points)):
-            turned = np.roll(points, -start, axis=0)
-            found = areas(turned, triangles_of(turned))
-            assert len(found) == len(points) - 2
-            assert found.min() >= 0
-            assert found.sum() == pytest.approx(area, rel=1e-14)
+            rotated = np.roll(points, -start, axis=0)
+            triangle_areas = areas(rotated, triangles_of(rotated))
+            assert len(triangle_areas) == len(points) - 2
+            assert triangle_areas.min() >= 0
+            assert triangle_areas.sum() == pytest.approx(area, rel=1e-14)
 
 
 @pytest.mark.parametrize("points", [STAR, BOW_TIE])
-def test_a_face_that_crosses_itself_stays_a_fan_and_is_told(points):
+def test_self_intersecting_face_stays_a_fan_with_a_warning(points):
     with pytest.warns(UserWarning, match=r"m\.ply:.*2.*1"):
-        found = triangles_of(np.r_[CONCAVE, points, points], [5, len(points), len(points)])
+        triangles = triangles_of(np.r_[CONCAVE, points, points], [5, len(points), len(points)])
     fan = [[0, k, k + 1] for k in range(1, len(points) - 1)]
-    np.testing.assert_array_equal(found[3:], np.r_[np.add(5, fan), np.add(5 + len(points), fan)])
+    np.testing.assert_array_equal(triangles[3:], np.r_[np.add(5, fan), np.add(5 + len(points), fan)])
 
 
 @pytest.mark.parametrize("points", [np.zeros((4, 3)), np.outer(np.arange(6), [1, 2, 3.0]), np.full((5, 3), np.nan)])
-def test_a_face_without_area_or_place_stays_a_fan(points):
-    found = triangles_of(points)
-    np.testing.assert_array_equal(found, [[0, k, k + 1] for k in range(1, len(points) - 1)])
+def test_face_without_area_or_finite_vertices_stays_a_fan(points):
+    triangles = triangles_of(points)
+    np.testing.assert_array_equal(triangles, [[0, k, k + 1] for k in range(1, len(points) - 1)])
 
 
 @pytest.mark.parametrize("scale", [1e-30, 1, 1e30, 1e90])
-def test_scale_and_place_change_no_triangle(scale):
+def test_scale_and_translation_change_no_triangle(scale):
     expected = triangles_of(np.roll(CONCAVE, -2, axis=0))
     np.testing.assert_array_equal(triangles_of(np.roll(CONCAVE, -2, axis=0) * scale), expected)
     moved = np.roll(CONCAVE, -2, axis=0) + np.array([4e5, 5e6, 100])
@@ -126,11 +126,11 @@ def test_any_outline_is_covered_once(count, seed):
     angles = np.sort(rng.random(count)) * 2 * np.pi
     outline = np.c_[np.cos(angles), np.sin(angles)] * rng.uniform(0.1, 1, (count, 1))
     outline = np.roll(outline, rng.integers(count), axis=0)
-    found, good = clip_ears(outline[None, :, 0], outline[None, :, 1])
+    triangles, good = clip_ears(outline[None, :, 0], outline[None, :, 1])
     x, y = outline.T
     area = (x * np.roll(y, -1) - y * np.roll(x, -1)).sum() / 2
     if np.diff(angles, append=angles[0] + 2 * np.pi).max() < np.pi:  # the middle is inside: no edges cross
         assert good.all()
-        parts = areas(np.c_[outline, np.zeros(count)], found[0])
+        parts = areas(np.c_[outline, np.zeros(count)], triangles[0])
         assert parts.min() >= -1e-15
         assert parts.sum() == pytest.approx(area, rel=1e-12)

@@ -1,6 +1,4 @@
-"""PTX: scans lie where their matrices place them, missing returns are no points, and files that contradict themselves
-are refused.
-"""
+"""PTX: scans are transformed by their matrices, missing returns are omitted, and inconsistent files are rejected."""
 
 from __future__ import annotations
 
@@ -10,13 +8,13 @@ import pytest
 import pointloom as loom
 from pointloom.io.meshes.tables import read_table, write_cloud_table
 
-TURNED = "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1"  # of row vectors: x becomes y
+TRANSFORM = "0 1 0 0\n-1 0 0 0\n0 0 1 0\n10 20 30 1"  # of row vectors: x becomes y
 STRAIGHT = "1 0 0 0\n0 1 0 0\n0 0 1 0\n0 0 0 1"
 FOUR = "1 0 0 0.5\n0 0 0 0.5\n0 2 0 0.25\n0 0 3 1"
 
 
-def scan(points=FOUR, shape="2\n2", matrix=TURNED, place="0 0 0\n1 0 0\n0 1 0\n0 0 1"):
-    return f"{shape}\n{place}\n{matrix}\n{points}\n"
+def scan(points=FOUR, shape="2\n2", matrix=TRANSFORM, scanner_pose="0 0 0\n1 0 0\n0 1 0\n0 0 1"):
+    return f"{shape}\n{scanner_pose}\n{matrix}\n{points}\n"
 
 
 def write(path, *scans, end="\n"):
@@ -25,7 +23,7 @@ def write(path, *scans, end="\n"):
 
 
 @pytest.mark.parametrize("end", ["\n", "\r\n", "\r"])
-def test_scans_lie_where_their_matrices_place_them(tmp_path, end):
+def test_scans_are_transformed_by_their_matrices(tmp_path, end):
     cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", scan(), "\n", scan(matrix=STRAIGHT), end=end))
     np.testing.assert_allclose(cloud.points[:3], [[10, 21, 30], [8, 20, 30], [10, 20, 33]], atol=1e-6)
     np.testing.assert_allclose(cloud.points[3:], [[1, 0, 0], [0, 2, 0], [0, 0, 3]], atol=1e-6)
@@ -39,11 +37,11 @@ def test_scans_lie_where_their_matrices_place_them(tmp_path, end):
         loom.read_point_cloud(tmp_path / "a.ptx", scan=2)
 
 
-def test_colors_are_whole_numbers_of_8_bits(tmp_path):
+def test_colors_are_8_bit_integers(tmp_path):
     colored = scan("1 0 0 0.5 255 0 51\n0 0 0 0.5 0 0 0", "2\n1")
     cloud = loom.read_point_cloud(write(tmp_path / "a.ptx", colored))
     np.testing.assert_allclose(cloud.colors, [[1, 0, 0.2]], atol=1e-7)
-    assert not loom.read_point_cloud(write(tmp_path / "b.ptx", colored, scan())).has_colors  # not all scans have them
+    assert not loom.read_point_cloud(write(tmp_path / "b.ptx", colored, scan())).has_colors  # not all scans have colors
 
 
 def test_missing_returns_and_coordinates_that_are_not_finite_are_no_points(tmp_path):
@@ -57,13 +55,13 @@ def test_missing_returns_and_coordinates_that_are_not_finite_are_no_points(tmp_p
 
 
 def test_stations_keep_their_own_coordinates(tmp_path):
-    found = loom.read_stations(write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT)))
-    assert found.names == ("0", "1") and found.posed.all()
-    np.testing.assert_allclose(found.poses[0], [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]])
-    np.testing.assert_allclose(found.clouds[0].points, [[1, 0, 0], [0, 2, 0], [0, 0, 3]])
+    stations = loom.read_stations(write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT)))
+    assert stations.names == ("0", "1") and stations.posed.all()
+    np.testing.assert_allclose(stations.poses[0], [[0, -1, 0, 10], [1, 0, 0, 20], [0, 0, 1, 30], [0, 0, 0, 1]])
+    np.testing.assert_allclose(stations.clouds[0].points, [[1, 0, 0], [0, 2, 0], [0, 0, 3]])
 
 
-def test_an_e57_made_of_it_keeps_the_poses(tmp_path):
+def test_conversion_to_e57_keeps_the_poses(tmp_path):
     path = write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
     write_cloud_table(tmp_path / "a.e57", read_table(path), source=path)
     before, after = loom.read_stations(path), loom.read_stations(tmp_path / "a.e57")
@@ -73,28 +71,28 @@ def test_an_e57_made_of_it_keeps_the_poses(tmp_path):
         assert {*a.attributes} == {*b.attributes} == {"intensity", "row_index", "column_index"}
 
 
-def test_tiles_are_made_of_it(tmp_path):
+def test_tiles_from_ptx(tmp_path):
     write(tmp_path / "a.ptx", scan(), scan(matrix=STRAIGHT))
     loom.tiling.plan_tiles(tmp_path / "a.ptx", [], tmp_path / "job")
     loom.tiling.run_tiles(tmp_path / "job")
-    found = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))
-    whole = loom.read_point_cloud(tmp_path / "a.ptx")
-    np.testing.assert_allclose(np.sort(found.points, axis=0), np.sort(whole.points, axis=0), atol=1e-4)
-    assert sorted(found["intensity_value"].tolist()) == sorted(whole["intensity"].tolist())
+    result = loom.read_point_cloud(loom.tiling.finish_tiles(tmp_path / "job", tmp_path / "a.laz"))
+    expected = loom.read_point_cloud(tmp_path / "a.ptx")
+    np.testing.assert_allclose(np.sort(result.points, axis=0), np.sort(expected.points, axis=0), atol=1e-4)
+    assert sorted(result["intensity_value"].tolist()) == sorted(expected["intensity"].tolist())
 
 
 @pytest.mark.parametrize(
     ("text", "where"),
     [
-        (scan()[:-10], "line 1"),  # a line of a point is gone
+        (scan()[:-10], "line 1"),  # a line of a point is missing
         (scan(shape="2\n3"), "line 1"),
         (scan(shape="2\n1"), "line 13"),  # the third point is no number of columns
-        (scan() + "2\n2\n0 0 0\n", "line 17"),  # a header is cut off
+        (scan() + "2\n2\n0 0 0\n", "line 17"),  # a truncated header
         (scan(shape="1000000000\n1000000000"), "line 1"),
         (scan(shape="-2\n2"), "line 1"),
         (scan(shape="2\n2.5"), "line 2"),
-        (scan(place="0 0\n1 0 0\n0 1 0\n0 0 1"), "line 3"),
-        (scan(place="nan 0 0\n1 0 0\n0 1 0\n0 0 1"), "line 3"),
+        (scan(scanner_pose="0 0\n1 0 0\n0 1 0\n0 0 1"), "line 3"),
+        (scan(scanner_pose="nan 0 0\n1 0 0\n0 1 0\n0 0 1"), "line 3"),
         (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 nan 0")), "line 9"),
         (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 2 0")), "lines 7 to 10"),  # scale
         (scan(matrix=STRAIGHT.replace("0 0 1 0", "0 0 -1 0")), "lines 7 to 10"),  # a mirror
@@ -108,7 +106,7 @@ def test_tiles_are_made_of_it(tmp_path):
         ("x y z\n1 2 3\n", "line 1"),
     ],
 )
-def test_a_file_that_contradicts_itself_is_refused_with_its_place(tmp_path, text, where):
+def test_inconsistent_file_is_rejected_with_its_location(tmp_path, text, where):
     with pytest.raises(loom.FileError) as caught:
         loom.read_point_cloud(write(tmp_path / "a.ptx", text))
     assert (caught.value.path, caught.value.where) == (str(tmp_path / "a.ptx"), where)

@@ -1,4 +1,4 @@
-"""RGB-D frames out of recordings made by the writers of rosbags: encodings, pairs in time, cameras, damage."""
+"""RGB-D frames from recordings written by rosbags: encodings, pairing by time, cameras, damage."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def png(array):
 
 
 class Writer:
-    """A recording of ROS 1 or 2 that is written message by message."""
+    """A ROS 1 or 2 recording that is written message by message."""
 
     def __init__(self, folder, form="mcap"):
         self.is_one = form == "bag1"
@@ -99,7 +99,7 @@ def write(folder, form="mcap", count=5, apart=0.004):
 
 
 @pytest.mark.parametrize("form", ["bag1", "mcap"])
-def test_frames_come_with_camera_color_and_times(tmp_path, form):
+def test_frames_have_camera_color_and_times(tmp_path, form):
     frames = loom.open_recording(write(tmp_path, form)).frames()
     camera = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 20.0, 21.0, 7.5, 5.5)
     assert (len(frames), frames.intrinsic, frames.depth_scale) == (5, camera, 1000)
@@ -115,7 +115,7 @@ def test_frames_come_with_camera_color_and_times(tmp_path, form):
     ("rgb8", [0, 1, 2]), ("bgr8", [2, 1, 0]), ("8UC3", [2, 1, 0]), ("rgba8", [0, 1, 2, 0]), ("bgra8", [2, 1, 0, 0]),
 ])  # fmt: skip
 @pytest.mark.parametrize("padding", [0, 3])
-def test_colors_of_every_order_come_as_rgb(tmp_path, encoding, channels, padding):
+def test_colors_of_every_order_are_converted_to_rgb(tmp_path, encoding, channels, padding):
     with Writer(tmp_path) as out:
         out.info()
         out.image(DEPTH_TOPIC, 1.0, "16UC1", depth_of(0))
@@ -174,7 +174,7 @@ def test_pictures_pair_by_their_headers_and_the_rest_is_listed(tmp_path):
         recording.frames(tolerance=0.001)
 
 
-def test_a_lens_that_is_not_straightened_is_told_and_a_rectified_picture_has_p(tmp_path):
+def test_distorted_depth_warns_and_rectified_images_use_p(tmp_path):
     with Writer(tmp_path) as out:
         out.info(d=(0.1, -0.2, 0, 0, 0), p=[30.0, 0, 8, 0, 0, 31.0, 6, 0, 0, 0, 1, 0])
         out.image(DEPTH_TOPIC, 1.0, "16UC1", depth_of(0))
@@ -185,7 +185,7 @@ def test_a_lens_that_is_not_straightened_is_told_and_a_rectified_picture_has_p(t
     assert (rect.intrinsic.fx, rect.intrinsic.cy, rect.warnings) == (30.0, 6.0, ())
 
 
-def test_cameras_that_are_missing_or_say_nothing_are_named(tmp_path):
+def test_missing_or_empty_cameras_are_named(tmp_path):
     with Writer(tmp_path) as out:
         out.info("/other/camera_info")
         out.image(DEPTH_TOPIC, 1.0, "16UC1", depth_of(0))
@@ -208,7 +208,7 @@ def test_cameras_that_are_missing_or_say_nothing_are_named(tmp_path):
     ("rgb8", color_of(0)[:, :, 0], 0, "rows of 16 bytes, but 16 pixels need 48"),
     ("rgb8", color_of(0)[:6], 0, r"of 12 rows of 24 bytes|rows of 24 bytes, but 16 pixels"),
 ])  # fmt: skip
-def test_pictures_that_lie_are_refused_by_their_frame(tmp_path, encoding, array, step, words):
+def test_inconsistent_images_are_rejected_with_their_frame(tmp_path, encoding, array, step, words):
     with Writer(tmp_path) as out:
         out.info()
         out.image(DEPTH_TOPIC, 1.0, "16UC1", depth_of(0))
@@ -217,7 +217,7 @@ def test_pictures_that_lie_are_refused_by_their_frame(tmp_path, encoding, array,
         loom.open_recording(out.path).frames().read(0)
 
 
-def test_a_recording_without_depth_says_so(tmp_path):
+def test_recording_without_depth_is_an_error(tmp_path):
     with Writer(tmp_path) as out:
         out.image(COLOR_TOPIC, 1.0, "rgb8", color_of(0))
     recording = loom.open_recording(out.path)
@@ -233,7 +233,7 @@ def test_a_recording_without_depth_says_so(tmp_path):
 
 
 @pytest.mark.slow
-def test_the_command_takes_a_recording_and_refuses_what_it_has_not(tmp_path):
+def test_command_reads_a_recording_and_rejects_missing_topics(tmp_path):
     path = write(tmp_path, count=3)
     result = CliRunner().invoke(cli, ["track", str(path), "-o", str(tmp_path / "poses.tum"), "--depth-scale", "500"])
     assert result.exit_code == 1 and "is a recording, for which depth_scale is not an option" in result.output

@@ -1,4 +1,4 @@
-"""Streams of frames: each is checked, frames dropped on purpose are counted, and recordings are whole at any moment."""
+"""Streams of frames: checked, dropped frames are counted, and recordings are always readable."""
 
 from __future__ import annotations
 
@@ -27,12 +27,12 @@ def stream(*items, **options):
     return loom.frames_from(iter(items), CAMERA, **options)
 
 
-def test_pairs_triples_and_frames_are_taken_and_copied():
+def test_pairs_triples_and_frames_are_accepted_and_copied():
     depth = DEPTH.copy()
-    kept = list(stream((COLOR, depth), (None, depth.astype(np.float32), 2.5)))
-    again = list(loom.frames_from(kept, CAMERA))
+    frames = list(stream((COLOR, depth), (None, depth.astype(np.float32), 2.5)))
+    again = list(loom.frames_from(frames, CAMERA))
     depth[:] = 7
-    for first, second in (kept, again):
+    for first, second in (frames, again):
         assert (first.depth == 1500).all() and first.depth.dtype == np.uint16 and (first.color == 40).all()
         assert (second.depth == 1500).all() and second.depth.dtype == np.float32 and second.color is None
         assert (first.timestamp, second.timestamp, first.T_world_camera) == (None, 2.5, None)
@@ -78,7 +78,7 @@ def test_a_frame_that_is_none_is_named_and_the_frames_before_it_are_given(item, 
     assert taken == ["frame-000000"]
 
 
-def test_color_of_another_size_is_resized_where_asked_for():
+def test_color_of_another_size_is_resized_on_request():
     large = np.repeat(np.repeat(COLOR, 3, axis=0), 3, axis=1)
     large[:3, :3] = 100
     (frame,) = stream((large, DEPTH), resize_color=True)
@@ -87,7 +87,7 @@ def test_color_of_another_size_is_resized_where_asked_for():
         list(stream((np.zeros((80, 20, 3), np.uint8), DEPTH), resize_color=True))
 
 
-def test_times_that_stand_still_go_back_or_jump_are_told():
+def test_repeated_reversed_and_jumping_times_are_reported():
     times = [0.0, 0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.6, 3.0, 1.0, 1.1]
     source = stream(*((COLOR, DEPTH, t) for t in times))
     assert len(list(source)) == len(times)
@@ -111,8 +111,8 @@ def test_a_steady_stream_and_one_without_times_cause_no_remarks_and_an_endless_o
 
 def test_sources_of_all_kinds_are_rgbd_sources(tmp_path):
     loom.record_frames(stream((COLOR, DEPTH)), tmp_path / "set")
-    rooms = room_loop_sequence(2, width=8, height=6)
-    for source in (stream((COLOR, DEPTH)), loom.open_frames(tmp_path / "set"), rooms, loom.LatestFrames(rooms)):
+    sequence = room_loop_sequence(2, width=8, height=6)
+    for source in (stream((COLOR, DEPTH)), loom.open_frames(tmp_path / "set"), sequence, loom.LatestFrames(sequence)):
         assert isinstance(source, RGBDSource)
     assert not isinstance([(COLOR, DEPTH)], RGBDSource)
 
@@ -148,7 +148,7 @@ def test_a_fast_job_gets_all_frames():
     assert taken == [0, 1, 2, 3, 4, 5] and (latest.dropped, latest.notes) == (0, [])
 
 
-def test_an_error_of_the_source_comes_after_the_frames_before_it():
+def test_source_error_is_raised_after_the_preceding_frames():
     latest, taken = loom.LatestFrames(stream((COLOR, DEPTH), (COLOR, None))), []
     with pytest.raises(TypeError, match="frame-000001: depth"):
         for frame in latest:
@@ -157,7 +157,7 @@ def test_an_error_of_the_source_comes_after_the_frames_before_it():
 
 
 class Live:
-    """A camera that never ends; it notes that it was closed."""
+    """An endless camera that records whether it was closed."""
 
     intrinsic, depth_scale, dropped = CAMERA, 1000.0, 3
 
@@ -217,7 +217,7 @@ def test_a_recording_is_the_stream_again(tmp_path):
     assert len(loom.open_dataset(tmp_path / "set")) == 3  # it has poses
 
 
-def test_a_recording_keeps_the_unit_of_depth_and_what_is_not_known(tmp_path):
+def test_recording_keeps_the_depth_unit_and_missing_values(tmp_path):
     loom.record_frames(stream((None, DEPTH), depth_scale=5000), tmp_path / "set")
     source = loom.open_frames(tmp_path / "set")
     (frame,) = source
@@ -225,7 +225,7 @@ def test_a_recording_keeps_the_unit_of_depth_and_what_is_not_known(tmp_path):
     assert (frame.color, frame.T_world_camera, frame.timestamp) == (None, None, None)
 
 
-def test_metres_are_rounded_to_millimeters_and_what_is_no_depth_is_none(tmp_path):
+def test_meters_are_rounded_to_millimeters_and_invalid_depth_is_zero(tmp_path):
     meters = np.full((6, 8), 1.2345, np.float32)
     meters[0, :4] = np.nan, -1, 0, 65.0
     loom.record_frames(stream((None, meters)), tmp_path / "set")
@@ -238,7 +238,7 @@ def test_metres_are_rounded_to_millimeters_and_what_is_no_depth_is_none(tmp_path
 
 
 def test_a_recording_can_be_read_after_each_step_of_writing_it(tmp_path, monkeypatch):
-    """However far the second frame got, the first is there and nothing is half."""
+    """Regardless of the progress of the second frame, the first is complete."""
     recorder = FrameRecorder(tmp_path / "set", CAMERA)
     frames = list(stream((COLOR, DEPTH, 0.5), (COLOR, DEPTH, 0.6)))
     recorder.write(frames[0])
@@ -256,7 +256,7 @@ def test_a_recording_can_be_read_after_each_step_of_writing_it(tmp_path, monkeyp
     assert steps == [[0.5], [0.5]]
     assert [frame.timestamp for frame in loom.open_frames(tmp_path / "set")] == [0.5, 0.6]
     listing = tmp_path / "set" / FRAME_TIMES
-    listing.write_bytes(listing.read_bytes()[:-2])  # the power went while the line was written
+    listing.write_bytes(listing.read_bytes()[:-2])  # the power failed while the line was written
     assert [frame.timestamp for frame in loom.open_frames(tmp_path / "set")] == [0.5]
 
 
@@ -276,17 +276,17 @@ def test_a_disk_that_fills_up_leaves_the_frames_before_it(tmp_path, monkeypatch)
         recorder.write(frames[1])
     assert recorder.count == 1 and len(loom.open_frames(tmp_path / "set")) == 1
     monkeypatch.setattr(recordings, "write_png", write)
-    recorder.write(frames[1])  # there is room again
+    recorder.write(frames[1])  # space is available again
     assert len(loom.open_frames(tmp_path / "set")) == 2
 
 
-def test_a_stream_that_fails_leaves_a_recording_of_what_came(tmp_path):
+def test_failed_stream_leaves_a_recording_of_the_received_frames(tmp_path):
     with pytest.raises(TypeError, match="frame-000002"):
         loom.record_frames(stream((COLOR, DEPTH), (COLOR, DEPTH), (COLOR, None)), tmp_path / "set")
     assert len(loom.open_frames(tmp_path / "set")) == 2
 
 
-def test_color_comes_with_all_frames_or_none(tmp_path):
+def test_color_is_present_in_all_frames_or_none(tmp_path):
     with pytest.raises(ValueError, match="frame frame-000001:"):
         loom.record_frames(stream((COLOR, DEPTH), (None, DEPTH)), tmp_path / "set")
 
@@ -312,7 +312,7 @@ def test_a_damaged_list_of_times_is_refused_by_line(tmp_path, line):
         loom.open_frames(tmp_path / "set")
 
 
-def test_a_folder_that_holds_something_is_left_alone(tmp_path):
+def test_nonempty_folder_is_not_overwritten(tmp_path):
     (tmp_path / "notes.txt").write_text("mine")
     with pytest.raises(loom.FileError, match=r"notes\.txt"):
         FrameRecorder(tmp_path, CAMERA)

@@ -1,4 +1,4 @@
-"""The scans of a folder in their order, and folders that are none."""
+"""The scans of a folder in order, and invalid folders."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from pointloom.io.points.scan_files import list_scans
 from pointloom.registration import run_odometry
 
 
-def test_names_with_leading_zeros_and_words_have_an_order(tmp_path):
+def test_names_with_leading_zeros_and_words_are_ordered(tmp_path):
     names = ["a1.pcd", "a01.pcd", "a002.pcd", "a10.pcd", "b.pcd", "2.pcd", "10.pcd"]
     for name in names:
         (tmp_path / name).touch()
     (tmp_path / "notes.md").touch()
     (tmp_path / "more.pcd").mkdir()
-    found = [path.name for path in list_scans(tmp_path)]
-    assert found == ["a01.pcd", "a1.pcd", "a002.pcd", "a10.pcd", "b.pcd", "2.pcd", "10.pcd"]
+    listed = [path.name for path in list_scans(tmp_path)]
+    assert listed == ["a01.pcd", "a1.pcd", "a002.pcd", "a10.pcd", "b.pcd", "2.pcd", "10.pcd"]
 
 
 def test_tables_beside_scans_are_no_scans(tmp_path):

@@ -1,4 +1,4 @@
-"""Models of structure from motion: what belongs together stays together, and what makes no sense is refused."""
+"""Structure-from-motion models: consistent selection, and rejected arguments."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MODEL = ring_model()
 
 
 def reprojections(model: loom.SfmModel) -> np.ndarray:
-    """Where each observation should be, shape [k, 2]."""
+    """Expected pixel of each observation, shape [k, 2]."""
     seen = np.empty_like(model.pixels)
     for i, camera in enumerate(model.cameras):
         rows = model.observations[:, 0] == i
@@ -42,7 +42,7 @@ def test_pictures_are_sorted_by_name_with_all_that_belongs_to_them():
     assert_same(shuffled, MODEL)
 
 
-def test_cameras_stand_where_their_poses_say():
+def test_camera_centers_follow_from_their_poses():
     for center, T in zip(MODEL.centers, MODEL.T_camera_world, strict=True):
         assert np.abs(T[:3, :3] @ center + T[:3, 3]).max() < 1e-14
     assert np.abs(MODEL.T_world_camera @ MODEL.T_camera_world - np.eye(4)).max() < 1e-14
@@ -64,7 +64,7 @@ def test_a_moved_model_is_seen_as_before(scale, far):
     )
 
 
-def test_scaling_there_and_back_changes_nothing():
+def test_scaling_is_inverted_by_the_inverse_scale():
     assert_same(MODEL.scaled(8.0).scaled(0.125), MODEL)
     larger = MODEL.scaled(2.0)
     assert np.array_equal(larger.centers, 2 * MODEL.centers)
@@ -72,14 +72,14 @@ def test_scaling_there_and_back_changes_nothing():
     assert np.array_equal(larger.pixels, MODEL.pixels)
 
 
-def test_selected_pictures_keep_the_points_that_they_saw():
+def test_selected_pictures_keep_their_observed_points():
     names = [MODEL.names[4], MODEL.names[1]]
     part = MODEL.select(names)
     assert part.names == tuple(sorted(names))
     assert np.array_equal(np.unique(part.observations[:, 1]), np.arange(len(part.points)))
-    kept = np.isin(MODEL.observations[:, 0], [1, 4])
-    assert np.array_equal(part.points[part.observations[:, 1]], MODEL.points[MODEL.observations[kept, 1]])
-    assert np.array_equal(reprojections(part), reprojections(MODEL)[kept])
+    selected = np.isin(MODEL.observations[:, 0], [1, 4])
+    assert np.array_equal(part.points[part.observations[:, 1]], MODEL.points[MODEL.observations[selected, 1]])
+    assert np.array_equal(reprojections(part), reprojections(MODEL)[selected])
     assert len(MODEL.select([])) == 0
 
 
@@ -105,7 +105,7 @@ def test_points_go_out_as_a_cloud(tmp_path):
     assert len(ring_model(2, 0).point_cloud().points) == 0
 
 
-def test_a_model_cannot_be_changed_and_does_not_change_what_it_was_made_of():
+def test_model_is_immutable_and_copies_its_arguments():
     with pytest.raises(ValueError, match="read-only"):
         MODEL.points[0] = 0
     points = np.zeros((1, 3))
@@ -119,7 +119,7 @@ def test_a_model_survives_copies_and_pickling():
         assert_same(other, MODEL)
 
 
-def test_a_picture_is_found_by_its_name():
+def test_picture_index_is_looked_up_by_name():
     assert [MODEL.index_of(name) for name in MODEL.names] == list(range(6))
     with pytest.raises(KeyError, match="did you mean"):
         MODEL.index_of("left/0.png")
@@ -156,7 +156,7 @@ def good(**changed):
         ({"left_out": "text"}, TypeError, "left_out"),
     ],
 )
-def test_what_does_not_fit_is_refused(changed, kind, message):
+def test_inconsistent_arguments_are_rejected(changed, kind, message):
     loom.SfmModel(**good())
     with pytest.raises(kind, match=message):
         loom.SfmModel(**good(**changed))
@@ -171,6 +171,6 @@ def test_what_does_not_fit_is_refused(changed, kind, message):
         (lambda: MODEL.transform(np.full((4, 4), np.nan)), "transformation"),
     ],
 )
-def test_what_is_no_scale_or_similarity_is_refused(call, message):
+def test_invalid_scales_and_similarities_are_rejected(call, message):
     with pytest.raises(ValueError, match=message):
         call()

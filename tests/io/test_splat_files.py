@@ -1,4 +1,4 @@
-"""Splats from and to PLY, .splat and SPZ: the same bits, Open3D's values, and what is refused."""
+"""Splats from and to PLY, .splat and SPZ: exact round trips, Open3D's values, and rejected files."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ EXTENSIONS = (".ply", ".splat", ".spz")
 FLIPS = np.array([1, -1, -1])
 
 
-def turned(splats: loom.GaussianSplats) -> loom.GaussianSplats:
-    """With y and z turned round, as SPZ has them."""
+def flipped(splats: loom.GaussianSplats) -> loom.GaussianSplats:
+    """Splats with y and z negated, as in SPZ."""
     return splats.rotate(np.diag(FLIPS), center=[0, 0, 0])
 
 
@@ -119,17 +119,17 @@ def test_other_numbers_of_columns_are_refused(tmp_path, name, columns, message):
 def test_every_cut_is_refused(tmp_path, extension):
     splats = made(3, 0)
     loom.write_splats(tmp_path / f"a{extension}", splats)
-    whole = (tmp_path / f"a{extension}").read_bytes()
-    for end in range(0, len(whole), max(1, len(whole) // 60)):
+    complete = (tmp_path / f"a{extension}").read_bytes()
+    for end in range(0, len(complete), max(1, len(complete) // 60)):
         if extension == ".splat" and end and end % 32 == 0:
-            continue  # such a file is a shorter one
-        (tmp_path / f"b{extension}").write_bytes(whole[:end])
+            continue  # such a file is a valid shorter one
+        (tmp_path / f"b{extension}").write_bytes(complete[:end])
         with pytest.raises(FileError):
             loom.read_splats(tmp_path / f"b{extension}")
 
 
 @pytest.mark.parametrize("version", [3, 4])
-def test_a_count_that_lies_takes_no_memory(tmp_path, version):
+def test_wrong_count_allocates_no_memory(tmp_path, version):
     head = struct.pack("<IIIBBBB", 0x5053474E, version, 0xFFFFFFFF, 3, 12, 0, 6)
     content = head + struct.pack("<I", 32) + bytes(200)
     (tmp_path / "a.spz").write_bytes(gzip.compress(content) if version == 3 else content)
@@ -137,14 +137,14 @@ def test_a_count_that_lies_takes_no_memory(tmp_path, version):
         loom.read_splats(tmp_path / "a.spz")
 
 
-@pytest.mark.parametrize(("place", "value", "message"), [
+@pytest.mark.parametrize(("offset", "value", "message"), [
     (4, 1, "SPZ of version 1"), (12, 7, "harmonics of degree 7"), (13, 24, "24 fractional bits"), (0, 0, "magic"),
 ])  # fmt: skip
-def test_headers_of_spz_are_held_to(tmp_path, place, value, message):
+def test_invalid_spz_headers_are_rejected(tmp_path, offset, value, message):
     loom.write_splats(tmp_path / "a.spz", made(3, 0))
-    whole = bytearray(gzip.decompress((tmp_path / "a.spz").read_bytes()))
-    whole[place] = value
-    (tmp_path / "a.spz").write_bytes(gzip.compress(bytes(whole)))
+    content = bytearray(gzip.decompress((tmp_path / "a.spz").read_bytes()))
+    content[offset] = value
+    (tmp_path / "a.spz").write_bytes(gzip.compress(bytes(content)))
     with pytest.raises(FileError, match=message):
         loom.read_splats(tmp_path / "a.spz")
 
@@ -152,7 +152,7 @@ def test_headers_of_spz_are_held_to(tmp_path, place, value, message):
 def test_turning_harmonics_by_signs_is_turning_them():
     splats = made(4, 4)
     signs = signs_of_flip((1, -1, -1), 4)
-    np.testing.assert_allclose(turned(splats).harmonics[:, 1:], splats.harmonics[:, 1:] * signs[:, None], atol=1e-6)
+    np.testing.assert_allclose(flipped(splats).harmonics[:, 1:], splats.harmonics[:, 1:] * signs[:, None], atol=1e-6)
 
 
 def test_rows_that_are_no_splats_are_refused(tmp_path):
@@ -192,20 +192,20 @@ CHUNK = [0, -1, 10, 1, 1, 20, -5, -4, -3, -1, -2, 0]
 
 def test_compressed_splats_are_between_the_bounds_of_their_chunk(tmp_path):
     rows = [packed(), packed((2047, 1023, 2047), 0, (2047, 1023, 0), (255, 0, 51, 255)), packed((1023, 0, 0))]
-    found = loom.read_splats(compressed(tmp_path / "a.ply", rows, [CHUNK], sh=[[0, 255] + [128] * 7] * 3))
-    np.testing.assert_allclose(found.centers, [[0, -1, 10], [1, 1, 20], [1023 / 2047, -1, 10]], rtol=1e-6)
-    np.testing.assert_allclose(found.cloud["scale"][:2], [[-5, -4, -3], [-1, -2, -3]])
-    np.testing.assert_allclose(found.opacities, [0, 1, 0])
-    np.testing.assert_allclose(found.cloud["f_dc"][1] * 0.28209479 + 0.5, [1, 0, 0.2], atol=1e-6)
-    np.testing.assert_allclose(found.cloud["f_rest"][0], [-4, 4] + [128 * 8 / 255 - 4] * 7, atol=1e-6)
+    result = loom.read_splats(compressed(tmp_path / "a.ply", rows, [CHUNK], sh=[[0, 255] + [128] * 7] * 3))
+    np.testing.assert_allclose(result.centers, [[0, -1, 10], [1, 1, 20], [1023 / 2047, -1, 10]], rtol=1e-6)
+    np.testing.assert_allclose(result.cloud["scale"][:2], [[-5, -4, -3], [-1, -2, -3]])
+    np.testing.assert_allclose(result.opacities, [0, 1, 0])
+    np.testing.assert_allclose(result.cloud["f_dc"][1] * 0.28209479 + 0.5, [1, 0, 0.2], atol=1e-6)
+    np.testing.assert_allclose(result.cloud["f_rest"][0], [-4, 4] + [128 * 8 / 255 - 4] * 7, atol=1e-6)
     many = loom.read_splats(compressed(tmp_path / "b.ply", [packed()] * 257, [CHUNK, [7] * 12]))
     assert many.centers[255].tolist() == [0, -1, 10] and many.centers[256].tolist() == [7, 7, 7]
 
 
 def test_colors_of_compressed_splats_have_bounds_in_newer_files(tmp_path):
     row, chunk = packed(color=(255, 0, 51, 255)), [*CHUNK, -1, 0.25, 0, 2, 1, 1]
-    found = loom.read_splats(compressed(tmp_path / "a.ply", row, chunk, ends=[*ENDS, *COLOR_ENDS]))
-    np.testing.assert_allclose(found.cloud["f_dc"][0] * 0.28209479 + 0.5, [2, 0.25, 0.2], atol=1e-6)
+    result = loom.read_splats(compressed(tmp_path / "a.ply", row, chunk, ends=[*ENDS, *COLOR_ENDS]))
+    np.testing.assert_allclose(result.cloud["f_dc"][0] * 0.28209479 + 0.5, [2, 0.25, 0.2], atol=1e-6)
 
 
 @pytest.mark.parametrize("largest", range(4))
@@ -213,9 +213,9 @@ def test_the_largest_part_of_a_compressed_rotation_follows_from_the_others(tmp_p
     others = np.array([0.1, -0.2, 0.3])
     bits = np.rint((others / np.sqrt(2) + 0.5) * 1023).astype(int).tolist()
     word = largest << 30 | bits[0] << 20 | bits[1] << 10 | bits[2]
-    found = loom.read_splats(compressed(tmp_path / "a.ply", packed(rotation=word), CHUNK))
+    result = loom.read_splats(compressed(tmp_path / "a.ply", packed(rotation=word), CHUNK))
     expected = np.insert(others, largest, np.sqrt(1 - (others**2).sum()))
-    np.testing.assert_allclose(found.rotations[0], expected, atol=1e-3)
+    np.testing.assert_allclose(result.rotations[0], expected, atol=1e-3)
 
 
 @pytest.mark.parametrize(

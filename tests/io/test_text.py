@@ -1,4 +1,4 @@
-"""XYZ, XYZN, XYZRGB and PTS: what is read, what is refused, and agreement with Open3D."""
+"""XYZ, XYZN, XYZRGB and PTS: reading, rejected files, and agreement with Open3D."""
 
 from __future__ import annotations
 
@@ -28,7 +28,7 @@ def table_for(suffix, count=50):
 
 
 @pytest.mark.parametrize("suffix", SUFFIXES)
-def test_what_the_format_holds_survives_a_round_trip_to_the_bit(tmp_path, suffix):
+def test_supported_values_survive_a_round_trip_exactly(tmp_path, suffix):
     path, table = tmp_path / f"cloud{suffix}", table_for(suffix)
     write_text(path, table)
     assert_same_table(read_text(path), table)
@@ -44,7 +44,7 @@ def test_comments_and_blank_lines_are_skipped_in_the_xyz_family(tmp_path, end):
 @pytest.mark.parametrize("with_intensity", [False, True])
 @pytest.mark.parametrize("with_colors", [False, True])
 @pytest.mark.parametrize("count", [0, 1, 9])
-def test_pts_holds_intensity_and_colors_in_any_combination(tmp_path, with_intensity, with_colors, count):
+def test_pts_stores_intensity_and_colors_in_any_combination(tmp_path, with_intensity, with_colors, count):
     path, table = tmp_path / "c.pts", table_for(".pts", count)
     if not with_colors:
         table.colors = None
@@ -79,7 +79,7 @@ def test_pts_holds_intensity_and_colors_in_any_combination(tmp_path, with_intens
         ("c.txt", "1 2 3\n", "", "'.txt' is not one of .xyz, .xyzn, .xyzrgb, .pts"),
     ],
 )
-def test_a_damaged_file_is_refused_with_place_and_reason(tmp_path, name, content, where, reason):
+def test_damaged_file_is_rejected_with_location_and_reason(tmp_path, name, content, where, reason):
     path = tmp_path / name
     path.write_text(content)
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
@@ -95,7 +95,7 @@ def test_a_damaged_file_is_refused_with_place_and_reason(tmp_path, name, content
         (".xyzrgb", {"colors": None}, ".xyzrgb needs colors"),
     ],
 )
-def test_what_would_be_lost_is_refused_with_a_remedy_naming_ply(tmp_path, suffix, change, reason):
+def test_unsupported_data_is_rejected_with_a_suggestion_of_ply(tmp_path, suffix, change, reason):
     table = table_for(suffix)
     for name, value in change.items():
         setattr(table, name, value)

@@ -1,4 +1,4 @@
-"""Tables of text: .csv, .txt and .xyz with names or without, and every column whose meaning nothing tells refused."""
+"""Text tables: .csv, .txt and .xyz with or without names; columns without a meaning are rejected."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def test_three_columns_are_positions_however_they_are_parted(tmp_path, name, tex
     assert (table.normals, table.colors, table.attributes) == (None, None, {})
 
 
-def test_names_say_what_columns_are(tmp_path):
+def test_names_define_columns(tmp_path):
     names = "Red,green,B,Normal_X,ny,nz,Intensity,x,y,z,Ring number"
     text = f"{names}\n255,0,128,0,0,1,7,1.5,2,3,4\n0,0,0,1,0,0,8,4,5,-0.25,nan\n"
     table = read_text_table(write(tmp_path / "a.csv", text))
@@ -68,13 +68,13 @@ def test_names_say_what_columns_are(tmp_path):
         ("0 0 0\n0 0 0", np.zeros((2, 3))),
     ],
 )
-def test_the_range_of_colors_is_that_of_the_file(tmp_path, colors, expected):
+def test_color_range_is_derived_from_the_complete_file(tmp_path, colors, expected):
     first, second = colors.split("\n")
     table = read_text_table(write(tmp_path / "a.txt", f"x y z r g b\n0 0 0 {first}\n0 0 0 {second}\n"))
     np.testing.assert_allclose(table.colors, expected, atol=1e-7)
 
 
-def test_names_of_cloudcompare_say_that_colors_are_parts_of_1(tmp_path):
+def test_cloudcompare_names_mark_colors_as_fractions(tmp_path):
     text = "//X Y Z Rf Gf Bf Nx Ny Nz Scalar_field\n2\n1.5 2 3 1 0 0 0 0 1 7\n4 5 -0.25 0 1 1 1 0 0 8\n"
     table = read_text_table(write(tmp_path / "a.asc", text))
     np.testing.assert_array_equal(table.points, POINTS)
@@ -113,13 +113,13 @@ def test_names_of_cloudcompare_say_that_colors_are_parts_of_1(tmp_path):
         ("x y z r g b\n0 0 0 0.5 1 -0.5\n", "row 0", "a color is outside 0..1"),
     ],
 )
-def test_what_is_not_plain_is_refused_with_its_place(tmp_path, text, where, reason):
+def test_unsupported_text_is_rejected_with_its_location(tmp_path, text, where, reason):
     with pytest.raises(FileError, match=re.escape(reason)) as caught:
         read_text_table(write(tmp_path / "a.csv", text))
     assert caught.value.where == where
 
 
-def test_six_columns_say_how_to_tell_what_they_are(tmp_path):
+def test_six_unnamed_columns_are_ambiguous(tmp_path):
     path = write(tmp_path / "a.xyz", "1 2 3 0 0 1\n")
     with pytest.raises(FileError, match=r"/a\.xyz:"):
         loom.read_point_cloud(path)
@@ -129,7 +129,7 @@ def test_six_columns_say_how_to_tell_what_they_are(tmp_path):
     np.testing.assert_array_equal(loom.read_point_cloud(path.with_suffix(".xyzn")).normals, [[0, 0, 1]])
 
 
-def test_columns_take_the_place_of_names(tmp_path):
+def test_columns_replace_names(tmp_path):
     path = write(tmp_path / "a.csv", "easting,northing,height\n1.5,2,3\n4,5,-0.25\n")
     np.testing.assert_array_equal(loom.read_point_cloud(path, columns=["x", "y", "z"]).points, POINTS)
     with pytest.raises(FileError, match=r"/a\.csv \(line 2\):.*4.*3"):
@@ -148,7 +148,7 @@ def test_columns_take_the_place_of_names(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["a.csv", "a.txt", "a.bin"])
-def test_formats_that_are_only_read_say_which_are_written(tmp_path, name):
+def test_read_only_formats_name_the_writable_ones(tmp_path, name):
     with pytest.raises(FileError, match=r"read from \.\w+, but not written to it\. Use one of \.ply"):
         loom.write_point_cloud(tmp_path / name, loom.PointCloud(POINTS))
     assert not list(tmp_path.iterdir())

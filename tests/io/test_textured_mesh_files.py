@@ -1,4 +1,4 @@
-"""Textures through OBJ, PLY and GLB: with what we write, what others write and read, and what is damaged."""
+"""Textures in OBJ, PLY and GLB: round trips, exchange with other programs, and damaged files."""
 
 from __future__ import annotations
 
@@ -32,7 +32,7 @@ FACE = "f 1/1 2/2 3/3 4/4\n"
 
 
 @pytest.mark.parametrize("suffix", FORMATS)
-def test_a_picture_stands_upright(tmp_path, suffix):
+def test_picture_is_upright(tmp_path, suffix):
     write, read = FORMATS[suffix]
     write(tmp_path / f"m{suffix}", square())
     again = read(tmp_path / f"m{suffix}")
@@ -44,11 +44,11 @@ def test_a_picture_stands_upright(tmp_path, suffix):
 def test_trimesh_sees_our_picture_upright(tmp_path, suffix):
     trimesh = pytest.importorskip("trimesh")
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
-    theirs = trimesh.load(tmp_path / f"m{suffix}", process=False, force="mesh")
-    material = theirs.visual.material
+    loaded = trimesh.load(tmp_path / f"m{suffix}", process=False, force="mesh")
+    material = loaded.visual.material
     picture = material.baseColorTexture if suffix.startswith(".gl") else material.image
-    uvs = np.asarray(theirs.visual.uv)[theirs.faces.reshape(-1)]
-    mesh = MeshTable(np.asarray(theirs.vertices), np.asarray(theirs.faces), triangle_uvs=uvs)
+    uvs = np.asarray(loaded.visual.uv)[loaded.faces.reshape(-1)]
+    mesh = MeshTable(np.asarray(loaded.vertices), np.asarray(loaded.faces), triangle_uvs=uvs)
     mesh.textures = (np.asarray(picture.convert("RGB")),)
     assert seen_at_corners(mesh) == CORNERS
 
@@ -63,8 +63,8 @@ def test_we_see_pictures_of_trimesh_upright(tmp_path):
     other = trimesh.Trimesh(mesh.vertices, mesh.triangles, visual=look, process=False)
     for name in ("t.glb", "t.obj"):
         other.export(tmp_path / name)
-        lost = "dropped: factors of base colors beside a texture" if name == "t.glb" else None
-        with pytest.warns(UserWarning, match=lost) if lost else nullcontext():
+        omitted = "dropped: factors of base colors beside a texture" if name == "t.glb" else None
+        with pytest.warns(UserWarning, match=omitted) if omitted else nullcontext():
             assert seen_at_corners(FORMATS[name[1:]][1](tmp_path / name)) == CORNERS
 
 
@@ -75,17 +75,17 @@ def test_textured_meshes_survive_a_round_trip(tmp_path, suffix, bare):
     written = textured(normals=not bare, colors=not bare)
     write(tmp_path / f"m{suffix}", written)
     again = read(tmp_path / f"m{suffix}")
-    if suffix in (".glb", ".gltf"):  # 1 - v rounds; all else is the same
+    if suffix in (".glb", ".gltf"):  # 1 - v rounds; the rest is exact
         np.testing.assert_allclose(corner_table(again), corner_table(written), atol=2**-24)
     else:
         np.testing.assert_array_equal(corner_table(again).astype(np.float32), corner_table(written).astype(np.float32))
         np.testing.assert_array_equal(again.triangles, written.triangles)
     assert len(again.textures) == 3
-    for ours, theirs in zip(again.textures, written.textures, strict=True):
-        np.testing.assert_array_equal(ours, theirs)
+    for actual, theirs in zip(again.textures, written.textures, strict=True):
+        np.testing.assert_array_equal(actual, theirs)
 
 
-def test_text_ply_holds_textures_to_the_bit(tmp_path):
+def test_text_ply_stores_textures_exactly(tmp_path):
     write_ply_mesh(tmp_path / "m.ply", textured(), ascii=True)
     np.testing.assert_array_equal(corner_table(read_ply_mesh(tmp_path / "m.ply")), corner_table(textured()))
 
@@ -121,7 +121,7 @@ def test_triangle_meshes_read_and_write_textures(tmp_path, device):
         assert [picture.shape for picture in again.textures] == [picture.shape for picture in mesh.textures]
 
 
-def test_what_is_not_to_be_written_is_left_out(tmp_path):
+def test_unsupported_textures_are_omitted(tmp_path):
     table = textured()
     mesh = loom.TriangleMesh(
         table.vertices, table.triangles, vertex_normals=table.vertex_normals, vertex_colors=table.vertex_colors
@@ -179,7 +179,7 @@ def test_texture_coordinates_have_one_to_three_values(tmp_path):
     np.testing.assert_array_equal(read_obj(tmp_path / "m.obj").triangle_uvs, [[0.25, 0], [0.5, 0.75], [-1, 2]])
 
 
-def test_a_picture_in_a_folder_with_blanks_and_options_is_found(tmp_path):
+def test_picture_path_with_blanks_and_options_is_read(tmp_path):
     (tmp_path / "my pictures").mkdir()
     path = obj(tmp_path, "usemtl a\n" + FACE, "newmtl a\nmap_Kd -clamp on -s 1 1 1 -o 0 my pictures\\p 1.png\n")
     write_png(tmp_path / "my pictures" / "p 1.png", PICTURE)
@@ -231,7 +231,7 @@ def test_a_damaged_vt_is_refused_with_its_line(tmp_path, text, where, reason):
 
 
 @pytest.mark.parametrize(
-    ("mtl", "told", "seen"),
+    ("mtl", "warning", "seen"),
     [
         ("Kd 1 1 1\nnewmtl a\nKd 0 0 1\n", "line 1: kd comes before any newmtl", [0, 0, 255]),
         ("newmtl a\nKd 0 0 1\nnewmtl a\nKd 1 1 1\n", "line 3: the material 'a' is defined twice", [0, 0, 255]),
@@ -246,10 +246,10 @@ def test_a_damaged_vt_is_refused_with_its_line(tmp_path, text, where, reason):
         ("newmtl a\nmap_Kd p.png\nmap_d o.png\n", "the opacity map 'o.png' of 'a' is ignored", PICTURE),
     ],
 )
-def test_faults_of_an_mtl_are_warned_of_and_the_mesh_is_read(tmp_path, mtl, told, seen):
+def test_mtl_errors_are_warnings_and_the_mesh_is_read(tmp_path, mtl, warning, seen):
     path = obj(tmp_path, "usemtl a\n" + FACE)
     (tmp_path / "m.mtl").write_text(mtl, encoding="utf-8")
-    with pytest.warns(UserWarning, match=re.escape(told)) if told else nullcontext():
+    with pytest.warns(UserWarning, match=re.escape(warning)) if warning else nullcontext():
         mesh = read_obj(path)
     assert len(mesh.triangles) == 2
     assert len(mesh.textures) == (seen is not None)
@@ -264,7 +264,7 @@ def test_scales_and_shifts_of_a_picture_are_in_the_texture_coordinates_of_its_ma
     np.testing.assert_array_equal(mesh.triangle_uvs, [*(plain * [2, 3] + [0.5, 0]), *(plain * [4, 1])])
 
 
-@pytest.mark.parametrize("kind", ["WEBP", "TGA", "text"])  # TGA has no mark but its name, which is .png here
+@pytest.mark.parametrize("kind", ["WEBP", "TGA", "text"])  # TGA is identified by its name only, which is .png here
 @pytest.mark.parametrize("suffix", [".obj", ".ply"])
 def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_path, suffix, kind):
     FORMATS[suffix][0](tmp_path / f"m{suffix}", square())
@@ -279,26 +279,26 @@ def test_a_picture_of_another_kind_leaves_textures_behind_with_a_warning(tmp_pat
 
 @pytest.mark.parametrize("mode", ["RGB", "RGBA", "L", "P", "1"])
 @pytest.mark.parametrize("name", ["p.bmp", "p.tif", "P.TGA"])
-def test_pictures_of_other_kinds_are_those_of_pillow(tmp_path, name, mode):
+def test_other_image_formats_agree_with_pillow(tmp_path, name, mode):
     picture = Image.fromarray(PICTURE)
     if mode == "RGBA":
         picture.putalpha(80)
     picture = picture.convert(mode)
     picture.save(tmp_path / name)
-    found = read_obj(obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\nd 0.5\n")).textures[0]
-    has_alpha = mode == "RGBA" and name != "p.bmp"  # whose fourth byte Pillow writes and does not read
-    np.testing.assert_array_equal(found, np.array(picture.convert("RGBA" if has_alpha else "RGB")))
+    result = read_obj(obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\nd 0.5\n")).textures[0]
+    has_alpha = mode == "RGBA" and name != "p.bmp"  # whose fourth byte Pillow writes but does not read
+    np.testing.assert_array_equal(result, np.array(picture.convert("RGBA" if has_alpha else "RGB")))
 
 
 @pytest.mark.parametrize("name", ["p.bmp", "p.tif", "p.tga"])
-def test_pictures_of_other_kinds_are_read_strictly(tmp_path, name, monkeypatch):
+def test_other_image_formats_are_read_strictly(tmp_path, name, monkeypatch):
     path = obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd {name}\n")
     Image.fromarray(np.tile(PICTURE, (8, 8, 1))).save(tmp_path / name)
-    whole = (tmp_path / name).read_bytes()
-    (tmp_path / name).write_bytes(whole[: len(whole) // 2])
+    valid = (tmp_path / name).read_bytes()
+    (tmp_path / name).write_bytes(valid[: len(valid) // 2])
     with pytest.warns(UserWarning, match=r"/m\.obj:"):
         assert read_obj(path).textures == ()
-    (tmp_path / name).write_bytes(whole)
+    (tmp_path / name).write_bytes(valid)
     monkeypatch.setattr(image_files, "PIXEL_LIMIT", 10)
     with pytest.warns(UserWarning, match=r"/m\.obj:.*1.*10"):
         assert read_obj(path).textures == ()
@@ -312,16 +312,16 @@ def test_a_texture_of_16_bits_is_left_behind(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("look", "kept"),
+    ("look", "with_alpha"),
     [("", False), ("d 1\n", False), ("d 0.5\n", True), ("map_d p.png\n", True), ("map_D p.png\nd 1\n", True)],
 )
-def test_the_alpha_of_a_picture_counts_where_the_material_of_an_obj_shows_it(tmp_path, look, kept):
+def test_texture_alpha_of_an_obj_follows_its_material(tmp_path, look, with_alpha):
     path = obj(tmp_path, "usemtl a\n" + FACE, f"newmtl a\nmap_Kd p.png\n{look}")
     picture = np.dstack([PICTURE, np.full(PICTURE.shape[:2], 80, np.uint8)])
     (tmp_path / "p.png").write_bytes(encode_png(picture))
     for _ in range(2):
         mesh = read_obj(path)
-        np.testing.assert_array_equal(mesh.textures[0], picture if kept else PICTURE)
+        np.testing.assert_array_equal(mesh.textures[0], picture if with_alpha else PICTURE)
         path = tmp_path / "again.obj"
         write_obj(path, mesh)
 
@@ -330,11 +330,11 @@ def test_the_alpha_of_a_picture_counts_where_the_material_of_an_obj_shows_it(tmp
 def test_a_damaged_picture_leaves_textures_behind_with_a_warning(tmp_path, suffix):
     path = tmp_path / f"m{suffix}"
     FORMATS[suffix][0](path, square())
-    place = path if suffix == ".glb" else tmp_path / "m_0.png"
-    data = bytearray(place.read_bytes())
+    damaged = path if suffix == ".glb" else tmp_path / "m_0.png"
+    data = bytearray(damaged.read_bytes())
     at = data.index(b"IDAT") + 6
     data[at] ^= 1
-    place.write_bytes(data)
+    damaged.write_bytes(data)
     with pytest.warns(UserWarning, match="the textures.*checksum does not fit"):
         mesh = FORMATS[suffix][1](path)
     assert (len(mesh.triangles), mesh.textures) == (2, ())
@@ -365,7 +365,7 @@ def test_ply_faces_take_their_coordinates_into_the_fan(tmp_path):
 
 
 @pytest.mark.parametrize("names", [("s", "t"), ("u", "v"), ("texture_u", "texture_v")])
-def test_ply_coordinates_at_vertices_are_those_of_corners(tmp_path, names):
+def test_ply_vertex_coordinates_become_corner_coordinates(tmp_path, names):
     vertex = "".join(f"property float {name}\n" for name in names)
     mesh = read_ply_mesh(ply(tmp_path, "3 0 1 2\n3 0 2 3\n", vertex, "", ("0 0", "1 0", "1 1", "0 1")))
     np.testing.assert_array_equal(mesh.triangle_uvs, square().triangle_uvs)

@@ -1,4 +1,4 @@
-"""Trajectories: every format gives back what it was given, agrees with Open3D, and refuses the rest by line."""
+"""Trajectories: round trips of every format, agreement with Open3D, and errors with line numbers."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ BITS = settings(
 
 
 def rotations(generator, count):
-    """Random rotations, among them half turns, where a quaternion has w = 0."""
+    """Random rotations, including rotations by 180 degrees, for which a quaternion has w = 0."""
     q = generator.normal(size=(count, 4))
     q[:3] = [[1, 0, 0, 0], [0, 1, 0, 1e-9], [0.6, 0.8, 0, 0]]
     q /= np.linalg.norm(q, axis=1, keepdims=True)
@@ -53,7 +53,7 @@ def json_text(*cameras) -> str:
 
 
 @pytest.mark.parametrize(("format", "name"), FORMATS)
-def test_reading_what_was_written_gives_the_same_poses(tmp_path, trajectory, format, name):
+def test_round_trip(tmp_path, trajectory, format, name):
     write_trajectory(tmp_path / name, trajectory, format=format, intrinsic=CAMERA)
     again = read_trajectory(tmp_path / name)
     np.testing.assert_allclose(again.poses, trajectory.poses, rtol=0, atol=1e-12)
@@ -80,8 +80,8 @@ def test_tum_quaternions_are_x_y_z_w_and_camera_to_world(tmp_path):
     path.write_text("# a comment\n\n7.5 1 2 3 0 0 0.7071 0.7071\n")
     trajectory = read_trajectory(path)
     assert trajectory.timestamps is not None and trajectory.timestamps.tolist() == [7.5]
-    quarter_turn_about_z = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
-    np.testing.assert_allclose(trajectory.poses[0], quarter_turn_about_z, atol=1e-12)
+    expected = [[0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]]
+    np.testing.assert_allclose(trajectory.poses[0], expected, atol=1e-12)
 
 
 def test_missing_times_and_ids_are_counted_as_open3d_does(tmp_path):
@@ -93,7 +93,7 @@ def test_missing_times_and_ids_are_counted_as_open3d_does(tmp_path):
     assert times is not None and times.tolist() == [0, 1, 2]
 
 
-def test_rounded_rotations_are_returned_as_they_stand(tmp_path):
+def test_rounded_rotations_are_returned_unchanged(tmp_path):
     rounded = np.eye(4)
     rounded[0, 0] = 0.995
     (tmp_path / "t.log").write_text(log_text(rounded))
@@ -108,7 +108,7 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("name", "text", "claim"),
+    ("name", "text", "message"),
     [
         ("t.log", "# nothing\n", "contains no pose"),
         ("t.log", log_text() + "1 1 2\n1 0 0 0\n", "line 7): ends within a pose"),
@@ -130,7 +130,7 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
         ("t.json", json_text(3), "key parameters[0]"),
         ("t.json", json_text({"extrinsic": [1, 2]}), "extrinsic): expected a list of 16 numbers, got 2"),
         ("t.json", json_text({"extrinsic": [0] * 15 + [1]}), "extrinsic): pose: expected a rigid motion"),
-        # digits, blanks and line ends are those of ASCII
+        # digits, blanks and line ends of ASCII
         ("t.tum", "\uff11 0 0 0 0 0 0 1\n", "line 1"),
         ("t.tum", "1 0 0 0 0 0 0 1\n\u2028\n2 0 0 0 0 0 0 1\n", "line 2"),
         ("t.tum", "1 0 0 0 0 0 0\u00a01\n", "line 1"),
@@ -141,11 +141,11 @@ def test_tum_takes_the_nearest_rotation_of_a_rounded_one(tmp_path):
         ("t.log", b"\xff", "not a text file"),
     ],
 )
-def test_bad_files_are_refused_with_the_line(tmp_path, name, text, claim):
+def test_bad_files_are_refused_with_the_line(tmp_path, name, text, message):
     (tmp_path / name).write_bytes(text if isinstance(text, bytes) else text.encode())
     with pytest.raises(FileError) as caught:
         read_trajectory(tmp_path / name)
-    assert claim in str(caught.value) and name in str(caught.value)
+    assert message in str(caught.value) and name in str(caught.value)
 
 
 def test_missing_file_is_a_file_error(tmp_path):
@@ -153,7 +153,7 @@ def test_missing_file_is_a_file_error(tmp_path):
         read_trajectory(tmp_path / "none.log")
 
 
-def test_a_pose_file_holds_four_rows(tmp_path):
+def test_pose_file_has_four_rows(tmp_path):
     path = tmp_path / "frame.pose.txt"
     path.write_text("1 0 0 5\n0 1 0 6\n0 0 1 7\n0 0 0 1\n")
     assert read_pose(path)[:3, 3].tolist() == [5, 6, 7]
@@ -189,7 +189,7 @@ def test_formats_and_names_must_agree(tmp_path, trajectory):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "claim"),
+    ("arguments", "message"),
     [
         ({"poses": np.eye(4)}, r"poses: expected shape \[n, 4, 4\], got \[4, 4\]"),
         ({"poses": np.eye(4)[None], "timestamps": [1, 2]}, r"timestamps: expected shape \[1\]"),
@@ -197,8 +197,8 @@ def test_formats_and_names_must_agree(tmp_path, trajectory):
         ({"poses": np.eye(4)[None], "ids": [[0], [1]]}, r"ids: expected integers of shape \[1, k\]"),
     ],
 )
-def test_trajectories_of_wrong_shape_are_refused(arguments, claim):
-    with pytest.raises(ValueError, match=claim):
+def test_trajectories_of_wrong_shape_are_refused(arguments, message):
+    with pytest.raises(ValueError, match=message):
         Trajectory(**arguments)
 
 
@@ -224,5 +224,5 @@ def test_changed_bytes_give_poses_or_a_file_error(tmp_path, trajectory, name, st
     assert np.isfinite(again.poses).all() and len(again) >= 1
 
 
-def test_a_trajectory_is_walked_pose_by_pose(trajectory):
+def test_trajectory_iterates_over_poses(trajectory):
     assert np.array_equal(trajectory[-1], trajectory.poses[-1]) and np.array_equal(list(trajectory), trajectory.poses)

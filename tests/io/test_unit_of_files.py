@@ -1,4 +1,4 @@
-"""The unit of lengths in files that have a place for it, in those whose standard fixes it, and in the others."""
+"""The unit of lengths in files: formats that store it, formats with a fixed unit, and the others."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def test_the_unit_survives(suffix, ascii, unit, tmp_path):
     )
 
 
-def test_a_file_without_a_unit_is_what_it_was(tmp_path):
+def test_file_without_a_unit_is_unchanged(tmp_path):
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
     assert "comment" not in (tmp_path / "a.ply").read_text()
     loom.write_point_cloud(tmp_path / "a.pcd", loom.PointCloud([[0, 0, 0]]), ascii=True)
@@ -38,14 +38,14 @@ def test_a_file_without_a_unit_is_what_it_was(tmp_path):
     "comments",
     ["unit mm", "unit of the scan", "units foot", "unit foot\ncomment unit metre", "Unit foot", "unit x = 0 m"],
 )
-def test_other_comments_say_nothing(comments, tmp_path):
+def test_other_comments_are_ignored(comments, tmp_path):
     path = tmp_path / "a.ply"
     loom.write_point_cloud(path, loom.PointCloud([[0, 0, 0]], unit="foot"), ascii=True)
     path.write_text(path.read_text().replace("unit foot", comments))
     assert loom.read_point_cloud(path).unit is None
 
 
-def test_a_comment_behind_the_header_says_nothing(tmp_path):
+def test_comment_after_the_header_is_ignored(tmp_path):
     points = np.frombuffer(b"\ncomment unit foot\n".ljust(24), "<f4").reshape(2, 3)
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud(points, origin=[0, 0, 0]))
     assert b"unit foot" in (tmp_path / "a.ply").read_bytes()
@@ -81,7 +81,7 @@ def test_an_e57_is_in_metres(tmp_path):
         loom.write_point_cloud(path, loom.PointCloud([[8, 48, 0]], unit="degree"))
 
 
-def test_meshes_keep_the_unit_where_their_format_has_a_place(tmp_path):
+def test_meshes_keep_the_unit_if_the_format_stores_it(tmp_path):
     mesh = loom.TriangleMesh(*TRIANGLE)
     mesh.unit = "foot"
     loom.write_triangle_mesh(tmp_path / "a.ply", mesh)
@@ -94,7 +94,7 @@ def test_meshes_keep_the_unit_where_their_format_has_a_place(tmp_path):
 
 
 @pytest.mark.parametrize("suffix", [".obj", ".stl", ".off", ".xyz"])
-def test_a_format_without_a_place_for_the_unit_says_so(suffix, tmp_path):
+def test_format_without_a_unit_field_warns(suffix, tmp_path):
     path = tmp_path / f"a{suffix}"
     for unit, count in (("foot", 1), ("metre", 0), (None, 0)):
         mesh = loom.TriangleMesh(*TRIANGLE)

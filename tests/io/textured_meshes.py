@@ -1,4 +1,4 @@
-"""Meshes with textures for the tests of files."""
+"""Meshes with textures for file tests."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ import numpy as np
 
 from pointloom.io.table import MeshTable
 
-# The corners of the picture differ: red above left, green above right, blue below left, yellow below right.
+# The corners of the image differ: red above left, green above right, blue below left, yellow below right.
 PICTURE = np.zeros((8, 8, 3), np.uint8)
 PICTURE[:4, :4], PICTURE[:4, 4:], PICTURE[4:, :4], PICTURE[4:, 4:] = [
     [255, 0, 0],
@@ -18,7 +18,7 @@ CORNERS = {(0.0, 0.0): (0, 0, 255), (1.0, 0.0): (255, 255, 0), (0.0, 1.0): (255,
 
 
 def square() -> MeshTable:
-    """A square whose corners show the corners of the picture."""
+    """A square whose corners show the corners of the image."""
     return MeshTable(
         np.array([[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]], np.float32),
         np.array([[0, 1, 2], [0, 2, 3]]),
@@ -43,7 +43,7 @@ def textured(dtype=np.float32, *, normals=True, colors=True) -> MeshTable:
 
 
 def corner_table(mesh) -> np.ndarray:
-    """What each corner of a mesh looks like: place, coordinates and material; rows of 3 corners, sorted."""
+    """Position, coordinates and material of each corner; rows of 3 corners, sorted."""
     at = mesh.triangles.reshape(-1)
     columns = [mesh.vertices[at], mesh.triangle_uvs]
     ids = mesh.triangle_material_ids
@@ -54,10 +54,10 @@ def corner_table(mesh) -> np.ndarray:
 
 
 def seen_at_corners(mesh) -> dict:
-    """The color of the picture at each corner of a mesh, its rows from above, v from below."""
-    found = {}
+    """The image's color at each corner of a mesh; rows from above, v from below."""
+    colors = {}
     for at, (u, v) in zip(mesh.triangles.reshape(-1), mesh.triangle_uvs, strict=True):
         picture = mesh.textures[0]
         row, column = round((1 - float(v)) * (len(picture) - 1)), round(float(u) * (picture.shape[1] - 1))
-        found[tuple(mesh.vertices[at, :2].tolist())] = tuple(picture[row, column].tolist())
-    return found
+        colors[tuple(mesh.vertices[at, :2].tolist())] = tuple(picture[row, column].tolist())
+    return colors

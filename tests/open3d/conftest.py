@@ -1,4 +1,4 @@
-"""What the tests of Open3D's names share: the folder of files that the scripts of its tutorials read."""
+"""Folders of files that Open3D's tutorial scripts read."""
 
 from __future__ import annotations
 
@@ -14,14 +14,14 @@ import pointloom.open3d as o3d
 
 FRAMES = (0, 1, 2)
 COUNT = 3
-EVERY = 7  # points of the two clouds
+EVERY = 7  # keep every 7th point of the two clouds
 FARTHEST = 4.0  # [m]
 POLYGON = [[-0.9, 0.0, 1.2], [0.6, 0.0, 1.2], [0.8, 0.0, 2.6], [-0.7, 0.0, 2.8]]
 
 
 @pytest.fixture(scope="session")
 def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with made clouds, frames, a mesh, cameras and a polygon, by the names that tutorials use."""
+    """A folder with synthetic clouds, frames, a mesh, cameras and a polygon, named as in the tutorials."""
     folder = tmp_path_factory.mktemp("tutorials")
     loom.write_point_cloud(folder / "street.pcd", loom.PointCloud(street(np.random.default_rng(1))))
     figure = loom.datasets.object_mesh().simplify_quadric_decimation(2500)
@@ -50,7 +50,7 @@ def tutorial_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 def street(rng: np.random.Generator) -> np.ndarray:
-    """A road, a wall and cars: points of a scanner, some of them stray."""
+    """A road, a wall and cars: scanner points with some stray ones."""
     road = np.column_stack([rng.uniform(-12, 12, (3000, 2)), rng.normal(-1.6, 0.02, 3000)])
     wall = np.column_stack([rng.uniform(-12, 12, 1200), rng.normal(9, 0.02, 1200), rng.uniform(-1.2, 3, 1200)])
     cars = [rng.uniform(-0.5, 0.5, (400, 3)) * (4, 1.8, 1.4) + (x, y, -0.6) for x, y in ((-7, 3), (0, -4), (6, 2))]
@@ -60,7 +60,7 @@ def street(rng: np.random.Generator) -> np.ndarray:
 
 @pytest.fixture(scope="session")
 def page_files(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A folder with three frames of a made room, 320 x 240, and files that the pages on pipelines read."""
+    """A folder with three frames of a synthetic room, 320 x 240, and the files of the pipeline pages."""
     folder = tmp_path_factory.mktemp("pages")
     frames = loom.datasets.room_frames(COUNT)
     T_first_world = np.linalg.inv(frames[0].T_world_camera)

@@ -1,4 +1,4 @@
-"""Runs a script that was written for Open3D: as it is, and with its import line changed; both in this process."""
+"""Run a script written for Open3D in this process, with Open3D or with pointloom.open3d."""
 
 from __future__ import annotations
 
@@ -18,15 +18,15 @@ IMPORT = "import open3d as o3d\n"
 LARGE = 600  # numbers of an array
 
 
-def found_by(chapter: str, package: str, folder: Path) -> dict[str, Any]:
-    """What a script leaves in `found`, run in a folder with one of the packages."""
+def results_of(chapter: str, package: str, folder: Path) -> dict[str, Any]:
+    """Run a script in a folder with one of the packages and return its `results`."""
     text = (CHAPTERS / f"{chapter}.py").read_text()
     assert text.count(IMPORT) == 1
     program = compile(text.replace(IMPORT, f"import {package} as o3d\n"), f"{chapter}.py", "exec")
     names: dict[str, Any] = {"__name__": "__main__"}
     with inside(folder):
         exec(program, names)
-    return names["found"]
+    return names["results"]
 
 
 @contextlib.contextmanager
@@ -41,55 +41,57 @@ def inside(folder: Path) -> Iterator[None]:
 
 
 def draw_nothing(monkeypatch: Any, module: ModuleType) -> list[int]:
-    """Windows stay closed: `draw_geometries` counts what it is given."""
-    shown: list[int] = []
-    monkeypatch.setattr(module.visualization, "draw_geometries", lambda shapes, **_: shown.append(len(shapes)))
-    return shown
+    """Replace `draw_geometries` by a function that counts its geometries and opens no window."""
+    drawn: list[int] = []
+    monkeypatch.setattr(module.visualization, "draw_geometries", lambda shapes, **_: drawn.append(len(shapes)))
+    return drawn
 
 
-def assert_found_by_both(
-    oracle: Any, script: str, folder: Path, monkeypatch: Any, tolerances: dict[str, float], usual: float
+def assert_same_results(
+    oracle: Any, script: str, folder: Path, monkeypatch: Any, tolerances: dict[str, float], default_tolerance: float
 ) -> None:
-    """A script finds and draws with pointloom.open3d what it does with Open3D: all in live runs, or the stored part."""
+    """Check that a script gives the same results with pointloom.open3d as with Open3D (live runs) or as stored."""
 
     def run(package: ModuleType) -> dict[str, Any]:
-        shown = draw_nothing(monkeypatch, package)
-        return found_by(script, package.__name__, folder) | {"windows": shown}
+        drawn = draw_nothing(monkeypatch, package)
+        return results_of(script, package.__name__, folder) | {"windows": drawn}
 
     def compare_and_shorten(open3d: ModuleType) -> dict[str, Any]:
-        theirs = run(open3d)
-        assert differences(theirs, ours, tolerances, usual) == []
-        return shortened(theirs)
+        expected = run(open3d)
+        assert differences(expected, actual, tolerances, default_tolerance) == []
+        return shortened(expected)
 
-    ours = run(pointloom.open3d)
+    actual = run(pointloom.open3d)
     stored = oracle(f"open3d/{Path(script).name}", compare_and_shorten)
-    assert differences(stored, shortened(ours), tolerances, usual) == []
+    assert differences(stored, shortened(actual), tolerances, default_tolerance) == []
 
 
-def shortened(found: dict[str, Any]) -> dict[str, Any]:
-    """What a script found, with large arrays by their shape and some of their rows: an answer that can be stored."""
+def shortened(results: dict[str, Any]) -> dict[str, Any]:
+    """Replace large arrays by their shape and some rows, so that results can be stored."""
     short: dict[str, Any] = {}
-    for name, value in found.items():
+    for name, value in results.items():
         if isinstance(value, np.ndarray) and value.size > LARGE:
             rows = value.reshape(len(value), -1)[:: value.size // LARGE + 1]
             value = rows.astype(np.float32) if rows.dtype.kind == "f" else rows
-            short[f"{name}: shape"] = str(found[name].shape)
+            short[f"{name}: shape"] = str(results[name].shape)
         short[name] = value
     return short
 
 
-def differences(theirs: dict[str, Any], ours: dict[str, Any], tolerances: dict[str, float], usual: float) -> list[str]:
-    """What two runs found otherwise: text alike, numbers within a tolerance, claims (of type bool) true in both."""
-    said = [f"{name} is missing" for name in theirs.keys() ^ ours.keys()]
-    for name in theirs.keys() & ours.keys():
-        expected, got = theirs[name], ours[name]
+def differences(
+    theirs: dict[str, Any], actual: dict[str, Any], tolerances: dict[str, float], default_tolerance: float
+) -> list[str]:
+    """Differences of two results: text must be equal, numbers within a tolerance, booleans true in both."""
+    messages = [f"{name} is missing" for name in theirs.keys() ^ actual.keys()]
+    for name in theirs.keys() & actual.keys():
+        expected, got = theirs[name], actual[name]
         if isinstance(expected, bool):
-            said += [f"{name}: {expected} and {got}"] if not (expected and got) else []
+            messages += [f"{name}: {expected} and {got}"] if not (expected and got) else []
         elif isinstance(expected, str):
-            said += [f"{name}: {expected!r} and {got!r}"] if expected != got else []
+            messages += [f"{name}: {expected!r} and {got!r}"] if expected != got else []
         else:
-            said += _apart(name, np.asarray(expected), np.asarray(got), tolerances.get(name, usual))
-    return said
+            messages += _apart(name, np.asarray(expected), np.asarray(got), tolerances.get(name, default_tolerance))
+    return messages
 
 
 def _apart(name: str, expected: np.ndarray, got: np.ndarray, tolerance: float) -> list[str]:
@@ -100,5 +102,5 @@ def _apart(name: str, expected: np.ndarray, got: np.ndarray, tolerance: float) -
     if expected.size == 0:
         return []
     scale = max(1.0, float(np.abs(expected[np.isfinite(expected)]).max(initial=0)))
-    apart = float(np.abs(expected.astype(float) - got).max()) / scale
-    return [] if apart <= tolerance else [f"{name}: {apart:.3g} apart"]
+    difference = float(np.abs(expected.astype(float) - got).max()) / scale
+    return [] if difference <= tolerance else [f"{name}: {difference:.3g} apart"]

@@ -1,4 +1,4 @@
-"""Conventions of Open3D that scripts rely on without naming them, beside Open3D's answers."""
+"""Undocumented conventions of Open3D that scripts rely on, compared with Open3D's results."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ import pointloom.open3d as bridge
 
 ROWS = (3, 1, 1, 0)
 GRID = np.stack(np.meshgrid(*[np.arange(4.0)] * 3, indexing="ij"), -1).reshape(-1, 3)
-TURN = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
+ROTATION = np.array([[0.0, -1, 0], [0, 0, -1], [1, 0, 0]])
 EDITS = ("select_by_index", "remove_triangles_by_index", "remove_vertices_by_index")
 FANS = [(np.eye(5, 3), np.array(rows, np.int32)) for rows in ([[0, 1, 2], [0, 2, 3]], [[0, 1, 1]], [[0, 1, 2]] * 2, [])]
 SHAPES = {"DoubleVector": (4,), "IntVector": (4,), "Vector2dVector": (4, 2), "Vector3dVector": (4, 3)}
@@ -37,7 +37,7 @@ def cloud(o3d, count=5, seed=0):
 
 
 def mesh(o3d):
-    """A sphere whose normals, of vertices and of triangles, are assigned: neither unit vectors nor its own."""
+    """A sphere with assigned vertex and triangle normals, neither unit vectors nor its own."""
     made, random = o3d.geometry.TriangleMesh.create_sphere(1.0, 3), np.random.default_rng(0)
     made.vertex_normals = o3d.utility.Vector3dVector(random.normal(size=(len(made.vertices), 3)))
     made.triangle_normals = o3d.utility.Vector3dVector(random.normal(size=(len(made.triangles), 3)))
@@ -50,7 +50,7 @@ def arrays(shape):
 
 
 def edited(shape, method, *values):
-    """A shape after a method that changes it and returns something else."""
+    """A shape after a method that modifies it and returns something else."""
     getattr(shape, method)(*values)
     return arrays(shape)
 
@@ -61,7 +61,7 @@ def feature(o3d):
     return made
 
 
-def found(o3d, search, *values):
+def neighbor_count(o3d, search, *values):
     tree = o3d.geometry.KDTreeFlann(o3d.geometry.PointCloud(o3d.utility.Vector3dVector(GRID)))
     return getattr(tree, search)([1, 1, 1], *values)[0]
 
@@ -72,7 +72,7 @@ def fpfh(o3d, rows):
 
 
 def in_numpy(o3d, kind):
-    """True for each call that takes a vector as its array, and for each that is refused."""
+    """True for each call that accepts a vector as its array, and for each that is rejected."""
     array = np.arange(1, 1 + np.prod(SHAPES[kind])).reshape(SHAPES[kind]) % 7 + 1
     vector = getattr(o3d.utility, kind)(
         array.astype(np.int32) if "iVector" in kind or kind == "IntVector" else array / 4
@@ -138,7 +138,7 @@ def assigned(made, name, value):
 
 
 def registered(o3d, criteria):
-    source, target = cloud(o3d, 30), cloud(o3d, 30).rotate(TURN, center=(0, 0, 0))
+    source, target = cloud(o3d, 30), cloud(o3d, 30).rotate(ROTATION, center=(0, 0, 0))
     pairs = o3d.utility.Vector2iVector(np.repeat(np.arange(30, dtype=np.int32)[:, None], 2, axis=1))
     register = o3d.pipelines.registration.registration_ransac_based_on_correspondence
     return np.array(register(source, target, pairs, 0.05, criteria=criteria).transformation)
@@ -148,9 +148,9 @@ def param(o3d, radius):
     return o3d.geometry.KDTreeSearchParamRadius(radius)
 
 
-# Each claim is called with Open3D and with its names here. Open3D's answers are stored.
+# Each claim is called with Open3D and with pointloom.open3d. Open3D's results are stored.
 CLAIMS = {
-    # Indices flag elements: repeats and the order have no effect, but for meshes, whose vertices they order.
+    # Indices are flags: repeats and order have no effect, except for meshes, whose vertices they order.
     "select repeats": lambda o3d: arrays(cloud(o3d).select_by_index(ROWS)),
     "select an IntVector": lambda o3d: arrays(cloud(o3d).select_by_index(o3d.utility.IntVector(ROWS))),
     "select a set": lambda o3d: arrays(cloud(o3d).select_by_index(set(ROWS))),
@@ -162,10 +162,10 @@ CLAIMS = {
     "remove triangles by repeats": lambda o3d: edited(mesh(o3d), "remove_triangles_by_index", ROWS),
     "remove vertices by repeats": lambda o3d: edited(mesh(o3d), "remove_vertices_by_index", ROWS),
     # Points at exactly the radius are not within it.
-    "radius": lambda o3d: [found(o3d, "search_radius_vector_3d", r) for r in (0, 1, 1.01, 2**0.5, 2, np.inf)],
-    "radius of any dimension": lambda o3d: [found(o3d, "search_radius_vector_xd", r) for r in (1, 2)],
-    "hybrid": lambda o3d: [found(o3d, "search_hybrid_vector_3d", r, 50) for r in (0, 1, 1.01, 2, np.inf)],
-    "radius of a parameter": lambda o3d: [found(o3d, "search_vector_3d", param(o3d, r)) for r in (1, 1.01)],
+    "radius": lambda o3d: [neighbor_count(o3d, "search_radius_vector_3d", r) for r in (0, 1, 1.01, 2**0.5, 2, np.inf)],
+    "radius of any dimension": lambda o3d: [neighbor_count(o3d, "search_radius_vector_xd", r) for r in (1, 2)],
+    "hybrid": lambda o3d: [neighbor_count(o3d, "search_hybrid_vector_3d", r, 50) for r in (0, 1, 1.01, 2, np.inf)],
+    "radius of a parameter": lambda o3d: [neighbor_count(o3d, "search_vector_3d", param(o3d, r)) for r in (1, 1.01)],
     # Normals of triangles, computed or assigned.
     "areas by normals": lambda o3d: arrays(mesh(o3d).compute_triangle_normals(normalized=False))["triangle_normals"],
     "normals weighted by areas": lambda o3d: arrays(mesh(o3d).compute_vertex_normals(normalized=False)),
@@ -175,7 +175,7 @@ CLAIMS = {
     "normalized normals": lambda o3d: arrays(mesh(o3d).normalize_normals()),
     "mesh translated": lambda o3d: arrays(mesh(o3d).translate([1, 2, 3])),
     "mesh scaled": lambda o3d: arrays(mesh(o3d).scale(2, center=(0, 0, 1))),
-    "mesh rotated": lambda o3d: arrays(mesh(o3d).rotate(TURN, center=(0, 0, 1))),
+    "mesh rotated": lambda o3d: arrays(mesh(o3d).rotate(ROTATION, center=(0, 0, 1))),
     "mesh painted": lambda o3d: arrays(mesh(o3d).paint_uniform_color([1, 0, 0])),
     "mesh written to": lambda o3d: arrays(edited_vertices(o3d).translate([0, 0, 1])),
     "vertices removed": lambda o3d: edited(mesh(o3d), "remove_vertices_by_mask", np.arange(14) % 5 == 0),
@@ -188,27 +188,27 @@ CLAIMS = {
     "even samples with assigned normals": lambda o3d: np.array(sampled(o3d, "poisson_disk").normals),
     "a mesh without normals added": lambda o3d: arrays(mesh(o3d) + o3d.geometry.TriangleMesh.create_box()),
     "a mesh added to an empty one": lambda o3d: arrays(o3d.geometry.TriangleMesh() + mesh(o3d)),
-    # Points of both clouds, also those without a line.
+    # Points of both clouds, including those without a line.
     "correspondences": lambda o3d: arrays(joined(o3d, [(0, 1), (2, 3)])),
     "correspondences that repeat": lambda o3d: arrays(joined(o3d, [(0, 1), (0, 1), (4, 5)])),
     "edges of a mesh": lambda o3d: arrays(o3d.geometry.LineSet.create_from_triangle_mesh(mesh(o3d))),
     "points in their own box": lambda o3d: len(points_in_box(o3d, cloud(o3d, 200))),
     "voxels from the lowest corner": lambda o3d: len(traced(o3d, cloud(o3d, 200))),
     "no correspondences": lambda o3d: arrays(joined(o3d, [])),
-    # Matrices that are no rigid motions are applied as they are.
+    # Matrices that are not rigid motions are applied unchanged.
     "cloud translated": lambda o3d: arrays(cloud(o3d).translate([1, 2, 3])),
     "mirror": lambda o3d: arrays(cloud(o3d).rotate(np.diag([1, 1, -1.0]), center=(0, 0, 1))),
     "mirror about the mean": lambda o3d: arrays(cloud(o3d).rotate(-np.eye(3))),
-    "enlarging rotation": lambda o3d: arrays(cloud(o3d).rotate(2 * TURN, center=(0, 0, 1)))["points"],
+    "enlarging rotation": lambda o3d: arrays(cloud(o3d).rotate(2 * ROTATION, center=(0, 0, 1)))["points"],
     "projection": lambda o3d: arrays(cloud(o3d).rotate(np.diag([1, 1, 0.0]), center=(0, 0, 1))),
     "negative scale": lambda o3d: arrays(cloud(o3d).scale(-2, center=(1, 0, 0))),
     "scale 0": lambda o3d: arrays(cloud(o3d).scale(0, center=(1, 0, 0))),
     "projective cloud": lambda o3d: arrays(cloud(o3d).transform(SHEAR)),
     "projective mesh": lambda o3d: arrays(mesh(o3d).transform(SHEAR)),
     "projective lines": lambda o3d: arrays(joined(o3d, [(0, 1)]).transform(SHEAR)),
-    "columns": lambda o3d: arrays(cloud(o3d).translate(COLUMN).scale(1, center=COLUMN).rotate(TURN, center=COLUMN)),
+    "columns": lambda o3d: arrays(cloud(o3d).translate(COLUMN).scale(1, center=COLUMN).rotate(ROTATION, center=COLUMN)),
     "points of columns": lambda o3d: points_of(o3d, [COLUMN, -COLUMN], COLUMN),
-    "rotations of columns": lambda o3d: [turn(COLUMN) for turn in rotations(o3d)],
+    "rotations of columns": lambda o3d: [rotate(COLUMN) for rotate in rotations(o3d)],
     "columns of corners": lambda o3d: len(traced(o3d, cloud(o3d, 200), -np.ones((3, 1)), np.ones((3, 1)))),
     "a frame at a column": lambda o3d: o3d.geometry.TriangleMesh.create_coordinate_frame(1, COLUMN).get_min_bound(),
     "a camera at a column": lambda o3d: sorted(cloud(o3d, 30).hidden_point_removal(9 * COLUMN, 100.0)[1]),
@@ -223,7 +223,7 @@ CLAIMS = {
     "Euler characteristic": lambda o3d: [mesh_of(o3d, *shape).euler_poincare_characteristic() for shape in FANS],
     "orientable": lambda o3d: [mesh_of(o3d, *shape).is_orientable() for shape in FANS[:1]],
     "version": lambda o3d: [int(part) for part in o3d.__version__.split(".")],
-    "oriented box of columns": lambda o3d: corners(o3d.geometry.OrientedBoundingBox(-COLUMN, TURN, COLUMN)),
+    "oriented box of columns": lambda o3d: corners(o3d.geometry.OrientedBoundingBox(-COLUMN, ROTATION, COLUMN)),
 }
 
 
@@ -252,17 +252,17 @@ def expected(oracle):
 
 
 @pytest.mark.parametrize("name", CLAIMS)
-def test_conventions_are_those_of_open3d(name, expected):
-    theirs, ours = expected[name], CLAIMS[name](bridge)
+def test_conventions_agree_with_open3d(name, expected):
+    theirs, actual = expected[name], CLAIMS[name](bridge)
     if not isinstance(theirs, dict):
-        theirs, ours = {name: theirs}, {name: ours}
-    assert theirs.keys() == ours.keys()
+        theirs, actual = {name: theirs}, {name: actual}
+    assert theirs.keys() == actual.keys()
     for part, values in theirs.items():
-        np.testing.assert_allclose(ours[part], values, rtol=2e-6, atol=2e-6, err_msg=part)
+        np.testing.assert_allclose(actual[part], values, rtol=2e-6, atol=2e-6, err_msg=part)
 
 
 def files(o3d, folder):
-    """What writers return for shapes that lack something, and how many vertices an .stl of a box has."""
+    """Return values of writers for incomplete shapes, and the number of vertices of a box as .stl."""
     box, empty = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.PointCloud()
     returned = [o3d.io.write_point_cloud(str(folder / f"a.{kind}"), empty) for kind in ("ply", "pcd")]
     returned += [o3d.io.write_triangle_mesh(str(folder / "a.stl"), box)]
@@ -281,7 +281,7 @@ def test_files_differ_from_those_of_open3d_as_documented(oracle, tmp_path):
     ("indices", "kind"),
     [([True], TypeError), (np.arange(4) < 3, TypeError), ([0.0], TypeError), ([-1], IndexError), ([9], IndexError)],
 )
-def test_what_is_no_list_of_indices_is_refused(indices, kind):
+def test_invalid_index_lists_are_rejected(indices, kind):
     calls = [cloud(bridge).select_by_index, feature(bridge).select_by_index]
     calls += [getattr(bridge.geometry.TriangleMesh.create_tetrahedron(), name) for name in EDITS]
     for call in calls:

@@ -1,4 +1,4 @@
-"""docs/open3d-names.md says of each name of the installed Open3D what it is here, as the script would write it now."""
+"""docs/open3d-names.md lists the pointloom equivalent of each name of the installed Open3D."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Scripts of Open3D's pages on pipelines give Open3D's numbers when their import line is changed."""
+"""Scripts of Open3D's pipeline pages give Open3D's numbers after changing their import line."""
 
 from __future__ import annotations
 
@@ -11,17 +11,17 @@ import pytest
 import pointloom as loom
 import pointloom.open3d as bridge
 
-from .runner import assert_found_by_both, differences, draw_nothing, found_by
+from .runner import assert_same_results, differences, draw_nothing, results_of
 
-USUAL = 1e-6  # positions are float32 about an origin here, float64 there
+USUAL = 1e-6  # positions are float32 about an origin here, float64 in Open3D
 TOLERANCES = {
     "icp_registration": {},
     "colored_icp": {},
-    # noise of 0.1 m: the fixed points of ICP are close to each other, and other steps end in another one
+    # noise of 0.1 m: fixed points of ICP are close to each other, so other steps may end in another one
     "robust_kernels": dict.fromkeys(("tukey", "huber", "cauchy", "gm"), 1e-3),
-    # the misfit of a turn is 2 sin(a / 2) here and sin(a) there; a last step that still helps is taken
+    # the residual of a rotation is 2 sin(a / 2) here and sin(a) in Open3D; a last improving step is accepted
     "multiway_registration": {"poses": 1e-5, "again": 1e-5, "moved by": 1e-5, "confidence": 1e-5, "middle": 1e-5},
-    # what brightness alone leaves nearly open is found by 35 steps of other sums
+    # directions that brightness hardly constrains need 35 steps, with other rounding
     "rgbd_odometry": {"color": 1e-3},
 }
 VOXEL = 0.05  # [m] of rgbd_integration
@@ -29,30 +29,30 @@ VOXEL = 0.05  # [m] of rgbd_integration
 
 @pytest.mark.parametrize("page", TOLERANCES)
 def test_a_page_gives_the_same_numbers(page, oracle, page_files, monkeypatch):
-    assert_found_by_both(oracle, f"../pages/{page}", page_files, monkeypatch, TOLERANCES[page], USUAL)
+    assert_same_results(oracle, f"../pages/{page}", page_files, monkeypatch, TOLERANCES[page], USUAL)
 
 
 @pytest.fixture
 def both(o3d, page_files, monkeypatch):
-    """What a page's script finds with Open3D and with its names here, which draw the same."""
+    """Results of a page's script with Open3D and with pointloom.open3d, which draw the same."""
 
     def run(page):
-        shown = [draw_nothing(monkeypatch, module) for module in (o3d, bridge)]
-        pair = [found_by(f"../pages/{page}", package, page_files) for package in ("open3d", "pointloom.open3d")]
-        assert shown[0] == shown[1] != []
+        drawn = [draw_nothing(monkeypatch, module) for module in (o3d, bridge)]
+        pair = [results_of(f"../pages/{page}", package, page_files) for package in ("open3d", "pointloom.open3d")]
+        assert drawn[0] == drawn[1] != []
         return pair
 
     return run
 
 
 def test_a_volume_has_the_same_surface(both):
-    theirs, ours = both("rgbd_integration")
-    surfaces = [loom.TriangleMesh(*found.pop("surface")) for found in (theirs, ours)]
-    clouds = [found.pop("cloud") for found in (theirs, ours)]
-    scalable = [found.pop("scalable") for found in (theirs, ours)]
-    tolerances = {"mean color": 0.01, "area": 0.02}  # voxels lie at other places, edges of the surface with them
-    assert differences(theirs, ours, tolerances, USUAL) == []
-    # Open3D 0.20 divides the depth of an RGBDImage, which is in meters, by 1000 again, and finds no block of voxels
+    theirs, actual = both("rgbd_integration")
+    surfaces = [loom.TriangleMesh(*output.pop("surface")) for output in (theirs, actual)]
+    clouds = [output.pop("cloud") for output in (theirs, actual)]
+    scalable = [output.pop("scalable") for output in (theirs, actual)]
+    tolerances = {"mean color": 0.01, "area": 0.02}  # voxel positions differ, and surface edges with them
+    assert differences(theirs, actual, tolerances, USUAL) == []
+    # Open3D 0.20 divides the depth of an RGBDImage, already in meters, by 1000 again and gets no voxel blocks
     assert len(scalable[0]) == 0
     pairs = [(surfaces[0], points) for points in (surfaces[1].vertices, clouds[1], scalable[1])]
     for surface, points in (*pairs, (surfaces[1], surfaces[0].vertices), (surfaces[1], clouds[0])):
@@ -63,16 +63,16 @@ def test_a_volume_has_the_same_surface(both):
 
 
 def test_color_maps_give_the_same_colors(both):
-    theirs, ours = both("color_map_optimization")
-    plain = [found.pop("plain") for found in (theirs, ours)]
-    # but where a vertex lies half way between two pixels, or takes the color of one that does
+    theirs, actual = both("color_map_optimization")
+    plain = [output.pop("plain") for output in (theirs, actual)]
+    # except vertices halfway between two pixels, or with the color of such a vertex
     assert (np.abs(plain[0] - plain[1]).max(axis=1) < 1e-6).mean() > 0.95
-    # a step of theirs is an eighth of ours, and on these walls both walk 15 cm away from the true poses: each ends
-    # elsewhere, so that of what is optimized only the kind is compared
+    # Open3D's steps are an eighth of pointloom's, and on these walls both move 15 cm away from the true poses
+    # to different end points, so only the kind of the optimized values is compared
     for name in ("rigid", "bent"):
-        colors = [found.pop(name) for found in (theirs, ours)]
+        colors = [output.pop(name) for output in (theirs, actual)]
         assert colors[0].shape == colors[1].shape and all(0 <= one.min() < one.max() <= 1 for one in colors)
-    assert differences(theirs, ours, {}, USUAL) == []
+    assert differences(theirs, actual, {}, USUAL) == []
 
 
 OBJECTS = """
@@ -99,14 +99,14 @@ def objects_of(package):
     return [one for line in OBJECTS.strip().splitlines() for one in eval(f"[{line}]", names)]
 
 
-def test_options_say_themselves_as_those_of_open3d(oracle):
+def test_options_have_the_repr_of_open3d(oracle):
     texts = oracle("open3d/options", lambda open3d: [repr(one) for one in objects_of(open3d)])
-    for said, ours in zip(texts, objects_of(bridge), strict=True):
-        for same in (ours, copy.copy(ours), copy.deepcopy(ours), pickle.loads(pickle.dumps(ours))):
-            assert repr(same) == said
+    for text, option in zip(texts, objects_of(bridge), strict=True):
+        for same in (option, copy.copy(option), copy.deepcopy(option), pickle.loads(pickle.dumps(option))):
+            assert repr(same) == text
 
 
-def test_options_are_assigned_and_checked_where_they_are_used():
+def test_options_are_checked_on_use():
     reg = bridge.pipelines.registration
     criteria = reg.ICPConvergenceCriteria()
     criteria.max_iteration = -1
@@ -124,8 +124,8 @@ def test_options_are_assigned_and_checked_where_they_are_used():
         kinds.ScalableTSDFVolume(0.1, 0.4, kinds.TSDFVolumeColorType.Gray32)
 
 
-def poses_of_pairs(package, points, turned):
-    clouds = [package.geometry.PointCloud(package.utility.Vector3dVector(rows)) for rows in (points, turned)]
+def poses_of_pairs(package, points, target):
+    clouds = [package.geometry.PointCloud(package.utility.Vector3dVector(rows)) for rows in (points, target)]
     pairs = package.utility.Vector2iVector(np.column_stack([np.arange(20)] * 2))
     methods = [package.pipelines.registration.TransformationEstimationPointToPoint(s) for s in (False, True)]
     return [
@@ -135,14 +135,14 @@ def poses_of_pairs(package, points, turned):
 
 
 def test_pairs_fix_a_pose_as_in_open3d(oracle, rng):
-    points, turned = rng.random((20, 3)), rng.random((20, 3))
-    wanted = oracle("open3d/pairs", poses_of_pairs, points, turned)
-    for (T, rmse), (T_ours, rmse_ours) in zip(wanted, poses_of_pairs(bridge, points, turned), strict=True):
-        assert np.allclose(T_ours, T, atol=1e-6)
-        assert rmse_ours == pytest.approx(rmse, abs=1e-6)
+    points, target = rng.random((20, 3)), rng.random((20, 3))
+    expected = oracle("open3d/pairs", poses_of_pairs, points, target)
+    for (T, rmse), (T_actual, rmse_actual) in zip(expected, poses_of_pairs(bridge, points, target), strict=True):
+        assert np.allclose(T_actual, T, atol=1e-6)
+        assert rmse_actual == pytest.approx(rmse, abs=1e-6)
 
 
-def test_graphs_keep_copies_of_what_is_put_into_them():
+def test_graphs_copy_their_nodes_and_edges():
     reg, pose = bridge.pipelines.registration, np.eye(4)
     graph, node = reg.PoseGraph(), reg.PoseGraphNode(pose)
     graph.nodes.append(node)

@@ -1,4 +1,4 @@
-"""Windows under Open3D's names: pages of the browser, or pictures where nobody looks, with Open3D's cameras."""
+"""Windows under Open3D's names: browser pages, or images without a viewer, with Open3D's cameras."""
 
 from __future__ import annotations
 
@@ -13,9 +13,9 @@ from pointloom.core.errors import PointloomError
 
 from ..visualization.viewer.events import announced_events, wait_until  # noqa: F401  a fixture
 from ..visualization.viewer.pages import HELLO, line_of, say
-from .runner import differences, draw_nothing, found_by
+from .runner import differences, draw_nothing, results_of
 
-FRAMES = 60  # that an unattended window lives for
+FRAMES = 60  # lifetime of an unattended window
 
 
 @pytest.fixture(autouse=True)
@@ -25,8 +25,8 @@ def unattended(monkeypatch):
 
 @pytest.fixture
 def both(request, page_files, monkeypatch):
-    """What a page's script finds with Open3D, whose windows are hidden and end as ours do, and with its names here."""
-    open3d = request.getfixturevalue("o3d")  # a name that these tests use for ours
+    """Results of a page's script with Open3D, whose windows are hidden and closed, and with pointloom.open3d."""
+    open3d = request.getfixturevalue("o3d")  # a name that these tests use for the pointloom class
     visualization = open3d.visualization
     window = visualization.Visualizer()
     if not window.create_window(visible=False):
@@ -66,20 +66,20 @@ def both(request, page_files, monkeypatch):
     def compare(page):
         for module in (open3d, o3d):
             draw_nothing(monkeypatch, module)
-        return [found_by(f"../pages/{page}", package, page_files) for package in ("open3d", "pointloom.open3d")]
+        return [results_of(f"../pages/{page}", package, page_files) for package in ("open3d", "pointloom.open3d")]
 
     return compare
 
 
 @pytest.mark.slow
 @pytest.mark.usefixtures("o3d")
-def test_customized_windows_look_from_where_open3d_does(both):
-    theirs, ours = both("customized_visualization")
-    depths = [np.array(found.pop("depths")) for found in (theirs, ours)]
-    assert differences(theirs, ours, {}, 1e-6) == []
-    seen = [depth > 0 for depth in depths]
-    assert (seen[0] != seen[1]).mean() < 0.08  # a disc of ours is seen in more pixels
-    in_both = seen[0] & seen[1]
+def test_customized_windows_have_open3ds_cameras(both):
+    theirs, actual = both("customized_visualization")
+    depths = [np.array(output.pop("depths")) for output in (theirs, actual)]
+    assert differences(theirs, actual, {}, 1e-6) == []
+    drawn = [depth > 0 for depth in depths]
+    assert (drawn[0] != drawn[1]).mean() < 0.08  # a disc of pointloom covers more pixels
+    in_both = drawn[0] & drawn[1]
     assert (np.abs(depths[0] - depths[1])[in_both] < 1e-3).mean() > 0.95
 
 
@@ -116,13 +116,13 @@ def test_a_picture_is_captured_without_a_page(box, tmp_path):
 
 
 def test_loops_of_an_unattended_script_end(box):
-    vis, turns = o3d.visualization.Visualizer(), 0
+    vis, iterations = o3d.visualization.Visualizer(), 0
     vis.create_window()
     vis.add_geometry(box)
     while vis.poll_events():
-        turns += 1
+        iterations += 1
         vis.update_renderer()
-    assert turns == FRAMES - 1
+    assert iterations == FRAMES - 1
     calls = []
     o3d.visualization.draw_geometries_with_animation_callback([box], lambda window: calls.append(window.close()))
     assert calls == [None]
@@ -171,7 +171,7 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
                 command = next(command for command in viewer.panel._commands if command.hotkey == key)
                 say(page, {"say": "command", "id": command.id})
             wait_until(lambda: vis._pressed.qsize() == 2)
-            assert pressed == []  # in the program's own loop, not in a thread of the page
+            assert pressed == []  # in the program's own loop, not in a page thread
             assert vis.poll_events()
             assert pressed == [True, (1, 0)]
             vis.get_render_option().background_color = [0, 0, 0]
@@ -191,7 +191,7 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
 
 @pytest.fixture
 def window(monkeypatch, capsys):
-    """The window of `draw` as a page that nobody has opened yet."""
+    """The window of `draw` as a page that has not been opened yet."""
     monkeypatch.delenv("POINTLOOM_DRAW")
     window = o3d.visualization.O3DVisualizer("parts", 640, 480)
     yield window
@@ -199,7 +199,7 @@ def window(monkeypatch, capsys):
 
 
 def press(control, value=None):
-    """A page presses a button, or sets a value; until the program has been called."""
+    """Press a button of the page, or set a value, and wait until the program has been called."""
     handle, done = control._handles[0], threading.Event()
     for callback in handle._callbacks:
         callback(SimpleNamespace(client_id=0, value=value, target=handle))
@@ -253,7 +253,7 @@ def test_an_animation_calls_while_its_box_is_ticked(box, window):
     assert not window.is_animating and not window._window._viewer._calls_made._beats
 
 
-def test_draw_without_a_page_takes_what_it_takes_with_one(box, tmp_path):
+def test_draw_accepts_the_same_arguments_without_a_page(box, tmp_path):
     pictures = []
 
     def look(vis):

@@ -1,4 +1,4 @@
-"""Objects of Open3D over ours: who holds the truth, and who follows whom."""
+"""Objects of pointloom.open3d wrap pointloom objects: ownership and synchronization of arrays."""
 
 from __future__ import annotations
 
@@ -27,7 +27,7 @@ def test_the_import_is_as_light_as_that_of_the_package():
     assert answer.stdout.strip() == "set()"
 
 
-def test_what_is_written_into_an_array_counts(cloud):
+def test_writes_to_an_array_take_effect(cloud):
     points = np.asarray(cloud.points)
     points += [0, 0, 5]
     assert cloud.get_center()[2] > 5
@@ -35,7 +35,7 @@ def test_what_is_written_into_an_array_counts(cloud):
     assert cloud.get_max_bound().tolist() == [7, 7, 7]
 
 
-def test_arrays_follow_operations_in_place(cloud):
+def test_arrays_follow_inplace_operations(cloud):
     points, vector = np.asarray(cloud.points), cloud.points
     before = points.copy()
     assert cloud.translate([1, 0, 0]) is cloud
@@ -63,19 +63,19 @@ def test_points_that_were_assigned_keep_their_digits(cloud):
     assert (np.asarray(cloud.normals) == values).all()
 
 
-def test_ours_shares_no_memory_with_vectors(cloud):
+def test_conversion_shares_no_memory_with_vectors(cloud):
     cloud.colors = V(np.full((50, 3), 0.5))
     cloud.covariances = o3d.utility.Matrix3dVector(np.tile(np.eye(3), (50, 1, 1)))
     before = cloud._native
-    kept = [np.array(values) for values in (before.points, before.colors, before.covariances)]
+    copies = [np.array(values) for values in (before.points, before.colors, before.covariances)]
     for vector in (cloud.points, cloud.colors, cloud.covariances):
         np.asarray(vector)[:] = 0
-    for values, now in zip(kept, (before.points, before.colors, before.covariances), strict=True):
+    for values, now in zip(copies, (before.points, before.colors, before.covariances), strict=True):
         assert (values == now).all()
     assert not cloud._native.covariances.any()
 
 
-def test_arrays_of_other_lengths_wait_for_each_other(cloud):
+def test_arrays_of_other_lengths_are_applied_together(cloud):
     cloud.colors = V(np.full((20, 3), 0.5))
     assert not cloud.has_colors() and not cloud._native.has_colors()
     cloud.points = V(np.asarray(cloud.points)[:20])
@@ -106,7 +106,7 @@ def test_a_mesh_has_normals_of_triangles_once_they_were_computed():
     assert pickle.loads(pickle.dumps(mesh)).has_triangle_normals() and copy.deepcopy(mesh).has_triangle_normals()
 
 
-def test_triangles_may_come_before_vertices():
+def test_triangles_may_be_assigned_before_vertices():
     mesh = o3d.geometry.TriangleMesh()
     mesh.triangles = o3d.utility.Vector3iVector([[0, 1, 2]])
     mesh.vertices = V(np.eye(3))
@@ -150,7 +150,7 @@ def test_vectors_grow_like_lists():
 
 
 @pytest.mark.parametrize(
-    ("wrong", "kind", "said"),
+    ("wrong", "kind", "message"),
     [
         (lambda: o3d.t, AttributeError, "there is one PointCloud"),
         (lambda: o3d.ml, AttributeError, "torch"),
@@ -172,17 +172,17 @@ def test_vectors_grow_like_lists():
         (lambda: o3d.geometry.Image(np.zeros((2, 2))), TypeError, "astype"),
     ],
 )  # fmt: skip
-def test_what_is_not_here_names_our_way(wrong, kind, said):
-    with pytest.raises(kind, match=said):
+def test_missing_features_name_the_pointloom_equivalent(wrong, kind, message):
+    with pytest.raises(kind, match=message):
         wrong()
 
 
-def test_objects_of_the_real_package_are_told_apart(to_open3d):
+def test_objects_of_the_real_package_are_rejected(to_open3d):
     with pytest.raises(TypeError, match="target:"):
         o3d.geometry.PointCloud(V(np.eye(3))).compute_point_cloud_distance(to_open3d(np.eye(3)))
 
 
-def test_objects_of_ours_are_taken(cloud):
+def test_pointloom_objects_are_accepted(cloud):
     assert len(cloud.compute_point_cloud_distance(loom.PointCloud(np.eye(3)))) == 50
     assert o3d.geometry.PointCloud(loom.PointCloud(np.eye(3))).has_points()
     assert len((o3d.geometry.TriangleMesh.create_box() + loom.TriangleMesh.create_box()).triangles) == 24

@@ -1,4 +1,4 @@
-"""Asserts of the modules that tests share tell what they compare, as those of tests do."""
+"""Enable pytest's assertion messages in modules that tests share."""
 
 import pytest
 

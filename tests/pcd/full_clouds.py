@@ -1,4 +1,4 @@
-"""Clouds with everything that a cloud may hold, and how to compare them."""
+"""Clouds with all kinds of attributes, and their comparison."""
 
 import numpy as np
 
@@ -26,7 +26,7 @@ def full_cloud(rng, device, count=200, shift=0.0):
 
 
 def contents(cloud):
-    """Everything that a cloud holds, copied."""
+    """A copy of all arrays of a cloud."""
     names = ["points", *(n for n in ("normals", "colors") if n in cloud), *cloud.attributes]
     return {n: cloud.array(n).numpy().copy() for n in names} | {"origin": cloud.origin, "grid": cloud.grid}
 

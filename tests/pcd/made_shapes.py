@@ -1,4 +1,4 @@
-"""Made points of simple shapes, with the true normals."""
+"""Synthetic points of simple shapes, with the true normals."""
 
 import numpy as np
 
@@ -6,10 +6,10 @@ SIZES = {"plane": (), "sphere": (0.5,), "cylinder": (0.3,), "cone": (0.4,), "tor
 
 
 def made_shape(kind, count, rng, noise=0.0, sizes=None, arc=1.0, motion=True):
-    """(points, center, axis) of a shape turned and moved at random; all of it has a size of about one."""
+    """(points, center, axis) of a randomly rotated and translated shape with a size of about one."""
     sizes = SIZES[kind] if sizes is None else sizes
-    turn, height = 2 * np.pi * arc * rng.random(count), rng.random(count)
-    around, zero = np.stack([np.cos(turn), np.sin(turn), 0 * turn], 1), np.zeros(count)
+    angle, height = 2 * np.pi * arc * rng.random(count), rng.random(count)
+    around, zero = np.stack([np.cos(angle), np.sin(angle), 0 * angle], 1), np.zeros(count)
     up = np.array([0.0, 0.0, 1.0])
     if kind == "plane":
         points = np.stack([rng.random(count), height, zero], 1)
@@ -38,9 +38,9 @@ def bumpy(rng, count=600):
 
 
 def factory(rng, noise=0.0, clutter=0.25):
-    """(points, labels, parts): a hall of some 2 m with pipes, tanks, a funnel and a ring; -1 for clutter.
+    """(points, labels, parts): a hall of about 2 m with pipes, tanks, a funnel and a ring; label -1 for clutter.
 
-    Each part is (kind, sizes). Outliers are `clutter` of the points.
+    Each part is (kind, sizes). Clutter is a fraction `clutter` of the points.
     """
     parts = [
         ("plane", (), 5000, [0, 0, 0], None, 2.0),
@@ -52,7 +52,7 @@ def factory(rng, noise=0.0, clutter=0.25):
         ("torus", (0.3, 0.08), 2000, [1.5, 1.5, 0.6], "tilted", 1.0),
     ]
     points, labels = [], []
-    for number, (kind, sizes, count, place, pose, size) in enumerate(parts):
+    for number, (kind, sizes, count, position, pose, size) in enumerate(parts):
         made = made_shape(kind, count, rng, 0.0, sizes, motion=False)[0] * size
         if pose == "wall":
             made = made[:, [2, 0, 1]]
@@ -60,7 +60,7 @@ def factory(rng, noise=0.0, clutter=0.25):
             made = made[:, [2, 1, 0]] * [-1, 1, 1]
         if pose == "tilted":
             made = made @ np.array([[1, 0, 0], [0, 0.8, -0.6], [0, 0.6, 0.8]])
-        points.append(made + place)
+        points.append(made + position)
         labels.append(np.full(count, number))
     points, labels = np.vstack(points), np.concatenate(labels)
     points += noise * rng.normal(size=points.shape)

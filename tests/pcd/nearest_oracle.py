@@ -1,4 +1,4 @@
-"""Clouds to search, and the float64 brute force that neighbors are held against."""
+"""Clouds to search, and a float64 brute-force neighbor search as reference."""
 
 import numpy as np
 from scipy.spatial.distance import cdist
@@ -18,7 +18,7 @@ def grid(side):
 
 
 def clusters(rng):
-    """Micrometres of detail at the origin, and the same again 1e5 m away, where float32 no longer holds it."""
+    """Micrometer-sized details at the origin, and again 1e5 m away, beyond the resolution of float32."""
     near = rng.normal(size=(301, 3)) * ROOT_DETAIL
     return np.concatenate([near, near + np.array([1e5, 0, 0])])
 
@@ -35,7 +35,7 @@ SHAPES = {
     "utm": lambda rng: rng.random((1001, 3)) * [200, 200, 30] + [5e5, 5.4e6, 100],
     "density": lambda rng: sphere(rng, 1101) * np.exp(rng.uniform(0, np.log(1000), (1101, 1))),
 }
-EXACT = {"grid", "all equal", "collinear"}  # distances are exact in float32, so ties are ties
+EXACT = {"grid", "all equal", "collinear"}  # distances are exact in float32, so ties are exact
 
 
 def make_cloud(name, rng, device):
@@ -44,7 +44,7 @@ def make_cloud(name, rng, device):
 
 
 def queries_for(points, rng):
-    """Points of the cloud, quarters of meters and random places around them, and places far outside the box."""
+    """Points of the cloud, quarters of meters and random positions around them, and positions far outside the box."""
     low, high = points.min(axis=0), points.max(axis=0)
     size = (high - low).max() + 1e-3
     inside = rng.uniform(low - 0.1 * size, high + 0.1 * size, (90, 3))
@@ -53,46 +53,50 @@ def queries_for(points, rng):
 
 
 def square_distances(cloud, queries):
-    """float64 squared distances of the coordinates that the cloud holds; infinite where one is not finite."""
+    """float64 squared distances of the stored coordinates; infinite if one is not finite."""
     origin = cloud.origin
     points = cloud.array("points").numpy().astype(np.float64)
     with np.errstate(over="ignore"):
-        places = (np.asarray(queries, np.float64) - origin).astype(np.float32).astype(np.float64)
-    d = cdist(places, points, "sqeuclidean") if len(points) and len(places) else np.zeros((len(places), len(points)))
-    d[~np.isfinite(places).all(axis=1)] = np.inf
+        positions = (np.asarray(queries, np.float64) - origin).astype(np.float32).astype(np.float64)
+    d = (
+        cdist(positions, points, "sqeuclidean")
+        if len(points) and len(positions)
+        else np.zeros((len(positions), len(points)))
+    )
+    d[~np.isfinite(positions).all(axis=1)] = np.inf
     d[:, ~np.isfinite(points).all(axis=1)] = np.inf
     return d
 
 
 def nearest_of(expected, k):
-    """The first k columns of a stable sort of each row, of which only what may stand among them is sorted."""
+    """The first k columns of a stable sort of each row; only the candidates for these columns are sorted."""
     if k >= expected.shape[1]:
         return np.argsort(expected, axis=1, kind="stable")
     limit = np.partition(expected, k - 1, axis=1)[:, k - 1 : k]
-    most = (expected <= limit).sum(axis=1).max(initial=k)  # ties with the last one, of the row that has most
-    near = np.argpartition(expected, most - 1, axis=1)[:, :most]
+    max_count = (expected <= limit).sum(axis=1).max(initial=k)  # ties of the last neighbor, of the largest row
+    near = np.argpartition(expected, max_count - 1, axis=1)[:, :max_count]
     near.sort(axis=1)
     return np.take_along_axis(near, np.argsort(np.take_along_axis(expected, near, 1), axis=1, kind="stable")[:, :k], 1)
 
 
-def assert_nearest(found, expected, k, radius, tolerances, exact=False):
-    """Rows are the k nearest of each query within the radius, by distance and then by index.
+def assert_nearest(result, expected, k, radius, tolerances, exact=False):
+    """Check that rows are the k nearest neighbors of each query within the radius, by distance and then by index.
 
     Args:
-        found: Neighbors with rows of k.
+        result: Neighbors with rows of k.
         expected: float64 squared distances [m, n]; infinite means never a neighbor.
-        exact: In rows whose distances are exact in float32 the very indices are fixed.
+        exact: Require exact indices in rows whose distances are exact in float32.
     """
-    indices, sqdists, counts = found
+    indices, sqdists, counts = result
     rows, n = expected.shape
     assert indices.dtype == np.int32 and sqdists.dtype == np.float32 and counts.dtype == np.int32
     assert indices.shape == sqdists.shape == (rows, k) and counts.shape == (rows,)
     slack, tiny = tolerances.sqdist_relative, tolerances.sqdist_absolute
     limit = np.float64(radius) ** 2
     with np.errstate(invalid="ignore"):
-        least = np.minimum((expected + tiny < limit * (1 - slack)).sum(axis=1), k)
-        most = np.minimum(((expected - tiny < limit * (1 + slack)) & np.isfinite(expected)).sum(axis=1), k)
-    assert (counts >= least).all() and (counts <= most).all()
+        min_counts = np.minimum((expected + tiny < limit * (1 - slack)).sum(axis=1), k)
+        max_counts = np.minimum(((expected - tiny < limit * (1 + slack)) & np.isfinite(expected)).sum(axis=1), k)
+    assert (counts >= min_counts).all() and (counts <= max_counts).all()
     valid = np.arange(k) < counts[:, None]
     assert (indices[~valid] == -1).all() and np.isposinf(sqdists[~valid]).all()
     assert (indices[valid] >= 0).all() and (indices[valid] < n).all()
@@ -102,13 +106,13 @@ def assert_nearest(found, expected, k, radius, tolerances, exact=False):
     bounds = {"rtol": slack, "atol": tiny}
     np.testing.assert_allclose(sqdists[valid], nearest[valid], **bounds)
     if n:
-        own = np.take_along_axis(expected, np.where(valid, indices, 0), axis=1)
-        np.testing.assert_allclose(sqdists[valid], own[valid], **bounds)
+        expected_sqdists = np.take_along_axis(expected, np.where(valid, indices, 0), axis=1)
+        np.testing.assert_allclose(sqdists[valid], expected_sqdists[valid], **bounds)
     both = valid[:, 1:]
-    later = (sqdists[:, 1:] > sqdists[:, :-1]) | (
+    is_ordered = (sqdists[:, 1:] > sqdists[:, :-1]) | (
         (sqdists[:, 1:] == sqdists[:, :-1]) & (indices[:, 1:] > indices[:, :-1])
     )
-    assert later[both].all(), "rows are not ordered by distance and index, or name a point twice"
+    assert is_ordered[both].all(), "rows are not ordered by distance and index, or name a point twice"
     if exact and n:
         order = np.pad(order, ((0, 0), (0, k - order.shape[1])), constant_values=-1)
         fixed = valid & (nearest == nearest.astype(np.float32)).all(axis=1, keepdims=True)
@@ -116,9 +120,9 @@ def assert_nearest(found, expected, k, radius, tolerances, exact=False):
         np.testing.assert_array_equal(indices[fixed], order[fixed])
 
 
-def rows_of(found, k):
-    """Flat neighbors of a radius search as rows of k, the padding as in the others."""
-    indices, sqdists, counts = found
+def rows_of(result, k):
+    """Flat neighbors of a radius search as rows of k, padded like the others."""
+    indices, sqdists, counts = result
     assert counts.max(initial=0) <= k
     rows, distances = np.full((len(counts), k), -1, np.int32), np.full((len(counts), k), np.inf, np.float32)
     valid = np.arange(k) < counts[:, None]

@@ -1,10 +1,10 @@
-"""Open3D's form of clouds and of limits on neighbors, for functions that compute its answers (tests/oracle.py)."""
+"""Clouds and search parameters as Open3D objects, for functions that compute its results (tests/oracle.py)."""
 
 import numpy as np
 
 
 def cloud_of(o3d, points, normals=None, colors=None):
-    """A legacy cloud of arrays."""
+    """A legacy cloud from arrays."""
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(points, np.float64)))
     for name, values in (("normals", normals), ("colors", colors)):
         if values is not None:

@@ -1,4 +1,4 @@
-"""What the tests of orientation share: a call, random signs, and a surface whose normals are known."""
+"""Helpers of orientation tests: a call, random signs, and a surface with known normals."""
 
 import numpy as np
 
@@ -14,8 +14,8 @@ def random_signs(rng, normals):
     return (normals * rng.choice([-1, 1], (len(normals), 1))).astype(np.float32)
 
 
-def agreement(found, expected):
-    return float(((found * expected).sum(axis=1) > 0).mean())
+def agreement(actual, expected):
+    return float(((actual * expected).sum(axis=1) > 0).mean())
 
 
 def sphere(rng, count, radius=1.0):

@@ -1,4 +1,4 @@
-"""Boxes: Open3D's, the smallest against fine searches, and flat ones where Open3D raises errors."""
+"""Boxes: equal to Open3D's, minimal boxes against fine searches, and degenerate clouds on which Open3D fails."""
 
 from types import SimpleNamespace
 
@@ -12,7 +12,7 @@ import pointloom as loom
 from .any_cloud import clouds, examples, parts
 from .open3d_clouds import cloud_of
 
-TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
+ROTATION = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
 MAKERS = ("get_oriented_bounding_box", "get_minimal_oriented_bounding_box")
 
 
@@ -22,23 +22,23 @@ def random_rotation(rng):
     return Q * np.sign(np.linalg.det(Q))
 
 
-def assert_same_box(found, expected, limit):
-    """The same box whatever the signs of its axes."""
-    np.testing.assert_allclose(found.center, expected.center, rtol=0, atol=limit)
-    np.testing.assert_allclose(found.extent, expected.extent, rtol=0, atol=limit)
-    assert np.abs(np.abs(np.einsum("ij,ij->j", found.R, expected.R)) - 1).max() < 1e-12
-    assert np.linalg.det(found.R) > 0
+def assert_same_box(actual, expected, limit):
+    """Check that two boxes are equal up to the signs of their axes."""
+    np.testing.assert_allclose(actual.center, expected.center, rtol=0, atol=limit)
+    np.testing.assert_allclose(actual.extent, expected.extent, rtol=0, atol=limit)
+    assert np.abs(np.abs(np.einsum("ij,ij->j", actual.R, expected.R)) - 1).max() < 1e-12
+    assert np.linalg.det(actual.R) > 0
 
 
 def open3d_boxes(o3d, clouds):
-    """The volume of the smallest box that Open3D finds of each cloud, and whether it holds the cloud."""
-    found = []
+    """Volume of Open3D's smallest box of each cloud, and whether it contains the cloud."""
+    results = []
     for points in clouds:
         vectors = o3d.utility.Vector3dVector(np.array(points))
         box = cloud_of(o3d, points).get_minimal_oriented_bounding_box()
         wider = o3d.geometry.OrientedBoundingBox(box.center, box.R, box.extent * (1 + 1e-6) + 1e-9)
-        found.append((box.volume(), len(wider.get_point_indices_within_bounding_box(vectors)) == len(points)))
-    return found
+        results.append((box.volume(), len(wider.get_point_indices_within_bounding_box(vectors)) == len(points)))
+    return results
 
 
 def open3d_principal(o3d, points):
@@ -47,7 +47,7 @@ def open3d_principal(o3d, points):
 
 
 def test_the_principal_box_of_a_cloud_is_open3ds(device, rng, oracle, tolerances):
-    points = (rng.normal(size=(500, 3)) * [3, 2, 1] @ TURN).astype(np.float32).astype(float)
+    points = (rng.normal(size=(500, 3)) * [3, 2, 1] @ ROTATION).astype(np.float32).astype(float)
     cloud = loom.PointCloud(points, device=device)
     expected = oracle("pcd/boxes/principal", open3d_principal, points)
     box, names = cloud.get_oriented_bounding_box(), ("center", "extent", "R")
@@ -59,32 +59,32 @@ def test_the_principal_box_of_a_cloud_is_open3ds(device, rng, oracle, tolerances
 
 
 def made_shapes(rng):
-    """Clouds of few points, of a ball, flat ones and solids."""
+    """Small clouds, a ball, flat and solid shapes."""
     ball = rng.normal(size=(150, 3))
     clouds = [rng.normal(size=(n, 3)) for n in (4, 5, 5, 6, 7, 8, 9)]
     clouds += [rng.normal(size=(n, 3)) * [3, 2, 1] for n in (30, 100)]
     clouds += [ball / np.linalg.norm(ball, axis=1, keepdims=True), rng.random((60, 3)) * [50, 50, 1]]
-    clouds += [np.indices((3, 3, 3)).reshape(3, -1).T @ TURN, np.concatenate([np.eye(3), -np.eye(3)])]
-    clouds += [np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1.0]]) @ TURN]
-    clouds += [np.array([[np.cos(a), np.sin(a), z] for a in np.arange(7) for z in (0, 0.5)]) @ TURN]
+    clouds += [np.indices((3, 3, 3)).reshape(3, -1).T @ ROTATION, np.concatenate([np.eye(3), -np.eye(3)])]
+    clouds += [np.array([[1, 1, 1], [1, -1, -1], [-1, 1, -1], [-1, -1, 1.0]]) @ ROTATION]
+    clouds += [np.array([[np.cos(a), np.sin(a), z] for a in np.arange(7) for z in (0, 0.5)]) @ ROTATION]
     return [points.astype(np.float32).astype(float) for points in clouds]
 
 
 def test_the_smallest_box_of_a_shape_is_no_larger_than_open3ds(device, rng, oracle, tolerances):
-    """Where Open3D finds axes that are not orthogonal it takes x, y, z, and a box that does not hold the points."""
+    """If Open3D's axes are not orthogonal, it falls back to x, y, z and a box that does not contain all points."""
     clouds = made_shapes(rng)
     expected = oracle("pcd/boxes/smallest", open3d_boxes, clouds)
-    assert sum(holds for _, holds in expected) >= len(clouds) - 2
-    for points, (volume, holds) in zip(clouds, expected, strict=True):
+    assert sum(contains_all for _, contains_all in expected) >= len(clouds) - 2
+    for points, (volume, contains_all) in zip(clouds, expected, strict=True):
         cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
         box = cloud.get_minimal_oriented_bounding_box()
         assert len(cloud.crop(box)) == len(cloud)
-        assert not holds or box.volume() <= volume * (1 + tolerances.box_volume)
+        assert not contains_all or box.volume() <= volume * (1 + tolerances.box_volume)
 
 
 @pytest.mark.slow
 def test_no_frame_of_a_fine_search_gives_a_smaller_box(device, rng, tolerances):
-    """200,000 frames, then steps from the best of them that grow smaller, for each cloud."""
+    """200,000 frames, then shrinking steps from the best of them, for each cloud."""
     frames = np.stack([random_rotation(rng) for _ in range(2000)])
     small = np.stack([random_rotation(rng) for _ in range(100)])
     frames = (frames[:, None] @ small[None]).reshape(-1, 3, 3)
@@ -92,25 +92,25 @@ def test_no_frame_of_a_fine_search_gives_a_smaller_box(device, rng, tolerances):
         points = rng.normal(size=(count, 3)).astype(np.float32).astype(float)
         box = loom.PointCloud(points, device=device, origin=np.zeros(3)).get_minimal_oriented_bounding_box()
 
-        def volumes(turns, points=points):
-            return np.ptp(np.einsum("nj,fjk->fnk", points, turns), axis=1).prod(axis=1)
+        def volumes(rotations, points=points):
+            return np.ptp(np.einsum("nj,fjk->fnk", points, rotations), axis=1).prod(axis=1)
 
-        found = volumes(frames)
-        best, frame = found.min(), frames[found.argmin()]
+        box_volumes = volumes(frames)
+        best, frame = box_volumes.min(), frames[box_volumes.argmin()]
         for scale in 0.5 ** np.arange(1, 22):
             axes = rng.normal(size=(200, 3)) * scale * 0.2
             K = np.zeros((200, 3, 3))
             K[:, 0, 1], K[:, 0, 2], K[:, 1, 2] = axes.T
             steps, _ = np.linalg.qr(np.eye(3) + K - K.transpose(0, 2, 1))
-            found = volumes(frame @ steps)
-            if found.min() < best:
-                best, frame = found.min(), frame @ steps[found.argmin()]
+            box_volumes = volumes(frame @ steps)
+            if box_volumes.min() < best:
+                best, frame = box_volumes.min(), frame @ steps[box_volumes.argmin()]
         assert box.volume() <= best * (1 + tolerances.box_volume)
         assert best < box.volume() * 1.02, "the search finds nearly the same box"
 
 
 @pytest.mark.parametrize("maker", MAKERS)
-def test_a_turned_box_is_found_again(device, maker, rng):
+def test_oriented_box_is_recovered(device, maker, rng):
     corners = loom.AxisAlignedBoundingBox([0, 0, 0], [4, 2, 1]).get_box_points()
     inside = rng.random((300, 3)) * [4, 2, 1]
     R = random_rotation(rng)
@@ -127,14 +127,14 @@ def test_a_turned_box_is_found_again(device, maker, rng):
 
 
 @pytest.mark.parametrize("maker", MAKERS)
-@pytest.mark.parametrize("turn", [np.eye(3), TURN], ids=["aligned", "turned"])
-def test_boxes_of_degenerate_clouds_are_flat(device, maker, turn):
-    """Open3D raises errors of Qhull for each of them."""
+@pytest.mark.parametrize("rotation", [np.eye(3), ROTATION], ids=["aligned", "turned"])
+def test_boxes_of_degenerate_clouds_are_flat(device, maker, rotation):
+    """Open3D raises a Qhull error for each of them."""
     square = np.array([[0, 0, 0], [4, 0, 0], [4, 2, 0], [0, 2, 0], [1, 1, 0]], float)
     clouds = {"plane": (square, [0, 2, 4]), "triangle": (square[:3], None), "line": (square[:2], [0, 0, 4])}
     clouds |= {"point": (square[:1] + 3, [0, 0, 0]), "equal": (np.ones((9, 3)), [0, 0, 0])}
     for name, (points, extents) in clouds.items():
-        points = points @ turn.T
+        points = points @ rotation.T
         cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
         box = getattr(cloud, maker)()
         assert np.sort(box.extent)[0] < 2e-6 and len(cloud.crop(box)) == len(points), name
@@ -142,7 +142,7 @@ def test_boxes_of_degenerate_clouds_are_flat(device, maker, turn):
             np.testing.assert_allclose(np.sort(box.extent), extents, atol=2e-6, err_msg=name)
 
 
-def test_the_smallest_box_of_points_in_a_plane_has_the_least_area(device, rng):
+def test_smallest_box_of_planar_points_has_minimal_area(device, rng):
     flat = rng.normal(size=(300, 2))
     points = np.column_stack([flat, np.full(300, 2.0)])
     box = loom.PointCloud(points, device=device).get_minimal_oriented_bounding_box()
@@ -155,7 +155,7 @@ def test_the_smallest_box_of_points_in_a_plane_has_the_least_area(device, rng):
 
 
 @pytest.mark.parametrize("maker", MAKERS)
-def test_a_cloud_without_finite_points_has_no_turned_box(device, maker):
+def test_cloud_without_finite_points_has_no_oriented_box(device, maker):
     for points in (np.zeros((0, 3)), [[np.nan, 0, 0], [np.inf, 0, 0]]):
         cloud = loom.PointCloud(points, device=device)
         with pytest.raises(ValueError, match="points:"):
@@ -164,9 +164,9 @@ def test_a_cloud_without_finite_points_has_no_turned_box(device, maker):
         assert aligned == loom.AxisAlignedBoundingBox([0] * 3, [0] * 3) and aligned.is_empty()
 
 
-@given(points=clouds(parts(2, 2), parts(128, 512), least=1, most=12), gap=st.integers(1, 30))
+@given(points=clouds(parts(2, 2), parts(128, 512), min_size=1, max_size=12), gap=st.integers(1, 30))
 @examples(25)
-def test_boxes_hold_their_points_and_the_smallest_is_smallest(device, points, gap):
+def test_boxes_contain_their_points_and_the_smallest_is_smallest(device, points, gap):
     points = points.copy()
     if gap < len(points):
         points[gap, gap % 3] = np.nan
@@ -181,8 +181,8 @@ def test_boxes_hold_their_points_and_the_smallest_is_smallest(device, points, ga
 
 
 @pytest.mark.parametrize("maker", MAKERS)
-def test_the_box_of_a_slanted_segment_holds_its_ends(device, maker):
-    """Across it the ends lie at 0 in one order of sums and at 1e-17 in another."""
+def test_box_of_a_slanted_segment_contains_its_ends(device, maker):
+    """Across the segment its ends are at 0 or at 1e-17, depending on the order of sums."""
     cloud = loom.PointCloud([(0.0, 1 / 128, 0.5), (1.0, 0.5, 0.0)], device=device)
     box = getattr(cloud, maker)()
     assert len(cloud.crop(box)) == 2
@@ -201,20 +201,20 @@ MOVES = {
     "translate": ([1, 2, 3],),
     "translate there": ([1, 2, 3], False),
     "scale": (2.5, [1, 0, -1]),
-    "rotate": (TURN, [1, 0, -1]),
+    "rotate": (ROTATION, [1, 0, -1]),
 }
 
 
 def pair(library):
-    """An aligned and a turned box, of Open3D's classes or ours."""
+    """An axis-aligned and an oriented box of Open3D or pointloom."""
     return {
         "aligned": library.AxisAlignedBoundingBox(LOW, HIGH),
-        "turned": library.OrientedBoundingBox(MIDDLE, TURN, [2, 4, 6]),
+        "turned": library.OrientedBoundingBox(MIDDLE, ROTATION, [2, 4, 6]),
     }
 
 
 def open3d_measures(o3d, kind):
-    """What Open3D says of a box: its measures and corners, and its corners after each move."""
+    """Open3D's measures and corners of a box, and its corners after each transformation."""
     box = pair(o3d.geometry)[kind]
     names = ("get_center", "get_min_bound", "get_max_bound", "volume", "is_empty")
     measures = {name: np.asarray(getattr(box, name)()) for name in names}
@@ -223,7 +223,7 @@ def open3d_measures(o3d, kind):
     moved = {"bounds": np.asarray(box.get_axis_aligned_bounding_box().get_box_points())}
     for name, arguments in MOVES.items():
         box = pair(o3d.geometry)[kind]
-        if kind == "aligned" and name == "rotate":  # Open3D refuses it
+        if kind == "aligned" and name == "rotate":  # rejected by Open3D
             box = o3d.geometry.OrientedBoundingBox.create_from_axis_aligned_bounding_box(box)
         moved[name] = np.asarray(getattr(box, name.split()[0])(*arguments).get_box_points())
     return measures, moved, pair(o3d.geometry)["aligned"].get_print_info()
@@ -247,7 +247,7 @@ def test_measures_and_moves_of_a_box_are_open3ds(kind, oracle):
         np.testing.assert_allclose(there.get_box_points(), moved[name], rtol=1e-14, atol=1e-14)
         assert there.color.tolist() == [1, 0, 0]
         np.testing.assert_array_equal(box.get_box_points(), before)
-    np.testing.assert_allclose(box.rotate(TURN).get_center(), box.get_center())
+    np.testing.assert_allclose(box.rotate(ROTATION).get_center(), box.get_center())
     for wrong in ((1, 0), (2, 0, 0), (np.nan, 0, 0)):
         with pytest.raises(ValueError, match="color"):
             box.color = wrong
@@ -258,13 +258,13 @@ def open3d_indices(o3d, points):
     return [np.array(box.get_point_indices_within_bounding_box(vectors)) for box in pair(o3d.geometry).values()]
 
 
-def test_the_points_in_a_box_are_open3ds_of_arrays_and_of_clouds(device, rng, oracle):
+def test_points_in_a_box_agree_with_open3d_for_arrays_and_clouds(device, rng, oracle):
     points = np.concatenate([rng.integers(-2, 12, (800, 3)) / 2.0, rng.random((300, 3)) * 8, [[np.nan, 1, 1]]])
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
-    held = cloud.points.copy()
-    for box, expected in zip(pair(loom).values(), oracle("pcd/boxes/inside", open3d_indices, held), strict=True):
+    positions = cloud.points.copy()
+    for box, expected in zip(pair(loom).values(), oracle("pcd/boxes/inside", open3d_indices, positions), strict=True):
         assert 10 < len(expected) < 1000
-        for given_points in (held, cloud):
+        for given_points in (positions, cloud):
             np.testing.assert_array_equal(box.get_point_indices_within_bounding_box(given_points), expected)
 
 
@@ -286,7 +286,7 @@ def test_sums_of_boxes_are_open3ds(oracle):
     assert sums == [loom.AxisAlignedBoundingBox(*ends) for ends in expected]
 
 
-def test_boxes_made_of_points_are_those_of_the_cloud(rng, tolerances):
+def test_boxes_of_points_equal_boxes_of_their_cloud(rng, tolerances):
     points = (rng.normal(size=(400, 3)) * [3, 2, 1]).astype(np.float32).astype(float)
     points[7] = np.nan
     cloud = loom.PointCloud(points, origin=np.zeros(3))
@@ -296,17 +296,17 @@ def test_boxes_made_of_points_are_those_of_the_cloud(rng, tolerances):
     assert_same_box(made, cloud.get_oriented_bounding_box(), 100 * tolerances.box_share)
     smallest = loom.OrientedBoundingBox.create_from_points_minimal(points)
     assert smallest.volume() == pytest.approx(cloud.get_minimal_oriented_bounding_box().volume())
-    turned = loom.OrientedBoundingBox.create_from_axis_aligned_bounding_box(cloud.get_axis_aligned_bounding_box())
-    np.testing.assert_array_equal(turned.R, np.eye(3))
+    oriented = loom.OrientedBoundingBox.create_from_axis_aligned_bounding_box(cloud.get_axis_aligned_bounding_box())
+    np.testing.assert_array_equal(oriented.R, np.eye(3))
 
 
 def test_boxes_compare_by_value_and_show_it():
-    aligned, turned = pair(loom).values()
-    assert aligned == pair(loom)["aligned"] and turned == pair(loom)["turned"] and aligned != turned
-    assert aligned != aligned.translate([0, 0, 1]) and turned != turned.scale(2, [0, 0, 0])
+    aligned, oriented = pair(loom).values()
+    assert aligned == pair(loom)["aligned"] and oriented == pair(loom)["turned"] and aligned != oriented
+    assert aligned != aligned.translate([0, 0, 1]) and oriented != oriented.scale(2, [0, 0, 0])
     assert repr(aligned) == "AxisAlignedBoundingBox([0.5, 1.0, 2.0], [3.0, 5.0, 8.25])"
-    assert repr(turned).startswith("OrientedBoundingBox([1.0, 2.0, 3.0], [[0.8,")
-    # six digits of its size, wherever it lies
+    assert repr(oriented).startswith("OrientedBoundingBox([1.0, 2.0, 3.0], [[0.8,")
+    # six digits of its size, independent of its position
     far = loom.AxisAlignedBoundingBox([500_000 + 1 / 3, 1 / 3, -1e-9], [500_002, 2 / 3, 0.1])
     assert repr(far) == "AxisAlignedBoundingBox([500000.333333, 0.333333, 0.0], [500002.0, 0.666667, 0.1])"
     small = loom.AxisAlignedBoundingBox([1e-5 / 3] * 3, [1e-5] * 3)

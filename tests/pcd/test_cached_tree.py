@@ -1,4 +1,4 @@
-"""The search tree is built once for all clouds over the same points, goes with them, and follows what they become."""
+"""The cached search tree: built once for all clouds with the same points, shared, and updated with them."""
 
 import copy
 import gc
@@ -78,15 +78,15 @@ def test_assigned_points_are_searched_and_leave_other_clouds_alone(device, rng):
     np.testing.assert_array_equal(shared.compute_nearest_neighbor_distance(), before)
 
 
-def test_points_that_were_written_in_place_are_noticed(device, rng, builds):
+def test_overwritten_points_are_detected(device, rng, builds):
     if device != "cpu":
         pytest.skip("NumPy writes to the CPU's arrays")
     points = np.float32(rng.random((700, 3)))
     cloud = loom.PointCloud.from_dlpack(points)
-    lent = loom.PointCloud(points, device=device)
-    lent.search_tree()
-    view = lent.array("points").numpy()
-    for changed, array in ((cloud, points), (lent, view)):
+    borrowed = loom.PointCloud(points, device=device)
+    borrowed.search_tree()
+    view = borrowed.array("points").numpy()
+    for changed, array in ((cloud, points), (borrowed, view)):
         for step in range(3):
             array[step] += 5.0
             fresh = loom.PointCloud(array)
@@ -95,8 +95,8 @@ def test_points_that_were_written_in_place_are_noticed(device, rng, builds):
             )
     before = len(builds)
     cloud.compute_nearest_neighbor_distance()
-    lent.compute_nearest_neighbor_distance()
-    assert len(builds) == before  # what was not written is not built again
+    borrowed.compute_nearest_neighbor_distance()
+    assert len(builds) == before  # unchanged points are not rebuilt
 
 
 def test_pickled_buffers_are_copies(rng):
@@ -110,11 +110,11 @@ def test_pickled_buffers_are_copies(rng):
     np.testing.assert_array_equal(cloud.points, before)
 
 
-def test_the_tree_goes_with_the_last_cloud(device, rng):
+def test_tree_is_freed_with_the_last_cloud(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device)
     shared = cloud.estimate_normals(max_nn=5)
     tree, points = weakref.ref(cloud.search_tree()), weakref.ref(cloud._device_array("points"))
-    gc.disable()  # nothing may wait for the collector: it does not know how full the device is
+    gc.disable()  # memory must be freed without the garbage collector, which does not see device memory
     try:
         del cloud
         assert tree() is not None
@@ -131,21 +131,21 @@ def test_a_fingerprint_changes_with_any_bit_and_any_exchange(device, rng, count)
     points[::7] = np.nan
     original = fingerprint(upload(points, vec3, where))
     assert fingerprint(upload(points, vec3, where)) == original
-    found = {original}
+    fingerprints = {original}
     for row in {0, count // 2, count - 1} if count else ():
         for axis in range(3):
             changed = points.copy()
             changed.view(np.uint32)[row, axis] ^= 1
-            found.add(fingerprint(upload(changed, vec3, where)))
+            fingerprints.add(fingerprint(upload(changed, vec3, where)))
     if count > 1:
         swapped = points.copy()
         swapped[[0, count - 1]] = swapped[[count - 1, 0]]
-        found.add(fingerprint(upload(swapped, vec3, where)))
-    assert len(found) == 1 + 3 * len({0, count // 2, count - 1} if count else ()) + (count > 1)
+        fingerprints.add(fingerprint(upload(swapped, vec3, where)))
+    assert len(fingerprints) == 1 + 3 * len({0, count // 2, count - 1} if count else ()) + (count > 1)
 
 
-def test_the_kept_tree_is_right_after_smoothing_with_fixed_neighborhoods(device, rng):
-    """That pass moves points by place on the curve; it must not move those of the tree that the cloud keeps."""
+def test_cached_tree_is_unchanged_by_smoothing_with_fixed_neighborhoods(device, rng):
+    """The pass reorders points along the curve; it must not modify those of the cached tree."""
     cloud = loom.PointCloud(rng.random((900, 3)), device=device)
     before = download(cloud.search_tree().points).copy()
     _ = cloud.smooth_laplacian(iterations=3, use_fixed_neighborhoods=True)
@@ -179,16 +179,16 @@ SEARCHES = {
         (1e20, r"^(points|targets): expected most points within 5e\+18 m .* overflow float32. .*scale\([12]e-21"),
     ],
 )
-def test_points_whose_squared_distances_are_no_numbers_are_refused(operation, scale, message):
-    """All would lie at one place, or out of each other's reach."""
+def test_points_with_overflowing_squared_distances_are_rejected(operation, scale, message):
+    """All points would coincide or be out of range of each other."""
     cloud = loom.PointCloud(CORNERS * scale)
-    for _ in range(2):  # and no tree is kept that the next call would take
+    for _ in range(2):  # and no cached tree remains for the next call
         with pytest.raises(ValueError, match=message):
             SEARCHES[operation](cloud)
 
 
 @pytest.mark.parametrize("scale", [1e-20, 9e-14, 1e20, 1e30])
-def test_points_that_are_refused_are_measured_once_they_are_scaled_as_the_message_says(device, scale, rng):
+def test_rejected_points_are_measured_after_the_suggested_scaling(device, scale, rng):
     points = rng.random((50, 3))
     cloud = loom.PointCloud(points * scale, device=device)
     with pytest.raises(ValueError, match=r"^points:") as error:
@@ -196,23 +196,23 @@ def test_points_that_are_refused_are_measured_once_they_are_scaled_as_the_messag
     factor = float(str(error.value).split("scale(")[1].split(",")[0])
     distances = np.linalg.norm(points[:, None] - points, axis=2) + 9 * np.eye(50)
     scaled = cloud.scale(factor, cloud.get_center())
-    found = scaled.compute_nearest_neighbor_distance()
-    np.testing.assert_allclose(found, distances.min(axis=1) * scale * factor, rtol=1e-5)
+    result = scaled.compute_nearest_neighbor_distance()
+    np.testing.assert_allclose(result, distances.min(axis=1) * scale * factor, rtol=1e-5)
 
 
 @pytest.mark.parametrize(
     "points", [np.full((7, 3), 1e-20), np.zeros((1, 3)), np.full((3, 3), np.nan), np.zeros((0, 3))]
 )
-def test_points_at_one_place_are_not_too_near_each_other(device, points):
+def test_coincident_points_are_not_too_close(device, points):
     assert not np.nan_to_num(loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()).any()
 
 
-def test_half_of_the_points_may_lie_out_of_reach(device, rng):
-    """They are nobody's neighbors; with more of them nothing much is left to measure."""
+def test_half_of_the_points_may_be_out_of_range(device, rng):
+    """They are nobody's neighbors. With more of them, few points remain to be measured."""
     points = rng.random((20, 3))
     points[:9] *= 1e25
-    found = loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()
-    assert (found[9:] < 1).all()
+    distances = loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()
+    assert (distances[9:] < 1).all()
     points[9:11] *= 1e25
     with pytest.raises(ValueError, match=r"^points:"):
         loom.PointCloud(points, device=device).compute_nearest_neighbor_distance()

@@ -1,4 +1,4 @@
-"""M3C2: what it says is that of brute force in float64, and what has not changed is not called a change."""
+"""M3C2: agrees with brute force in float64, and unchanged surfaces are not significant."""
 
 import numpy as np
 import pytest
@@ -6,11 +6,11 @@ from scipy.spatial import cKDTree
 
 import pointloom as loom
 
-RADII, CYLINDER, REACH, ERROR = (0.6, 1.2, 2.0), 0.8, 2.5, 0.01
+RADII, CYLINDER, MAX_DISTANCE, ERROR = (0.6, 1.2, 2.0), 0.8, 2.5, 0.01
 
 
 def epoch(seed, *, count=20_000, at=(0, 0, 0), sunk=0.0, noise=0.02):
-    """A hilly surface of 30 x 30 m; a pit of `sunk` meters within 4 m of its middle."""
+    """A hilly surface of 30 x 30 m with a pit of `sunk` meters within 4 m of its center."""
     rng = np.random.default_rng(seed)
     xy = rng.random((count, 2)) * 30
     z = 2 * np.sin(xy[:, 0] / 5) + 1.5 * np.cos(xy[:, 1] / 4) + rng.normal(size=count) * noise
@@ -20,7 +20,7 @@ def epoch(seed, *, count=20_000, at=(0, 0, 0), sunk=0.0, noise=0.02):
 
 def brute(first, second, cores):
     """Rows of direction, scale, distance, limit, two spreads and two counts, by NumPy in float64."""
-    trees, found = [cKDTree(first), cKDTree(second)], []
+    trees, results = [cKDTree(first), cKDTree(second)], []
     for core in cores:
         best, direction, scale = 0.0, np.full(3, np.nan), np.nan
         for radius in RADII:
@@ -31,37 +31,37 @@ def brute(first, second, cores):
             if (values[1] - values[0]) / values[2] > best:
                 best, scale = (values[1] - values[0]) / values[2], radius
                 direction = vectors[:, 0] * (1 if vectors[2, 0] >= 0 else -1)
-        places = []
+        projections = []
         for tree, points in zip(trees, (first, second), strict=True):
-            near = points[tree.query_ball_point(core, np.hypot(CYLINDER, REACH) + 0.01)] - core
+            near = points[tree.query_ball_point(core, np.hypot(CYLINDER, MAX_DISTANCE) + 0.01)] - core
             along = near @ direction
-            beside = (near**2).sum(axis=1) - along**2
-            places.append(along[(np.abs(along) <= REACH) & (beside <= CYLINDER**2)])
-        counts = [len(place) for place in places]
-        spreads = [place.std(ddof=1) for place in places]
+            radial_sqdists = (near**2).sum(axis=1) - along**2
+            projections.append(along[(np.abs(along) <= MAX_DISTANCE) & (radial_sqdists <= CYLINDER**2)])
+        counts = [len(along_values) for along_values in projections]
+        spreads = [along_values.std(ddof=1) for along_values in projections]
         limit = 1.96 * (np.sqrt(sum(s**2 / n for s, n in zip(spreads, counts, strict=True))) + ERROR)
-        found.append([*direction, scale, places[1].mean() - places[0].mean(), limit, *spreads, *counts])
-    return np.array(found)
+        results.append([*direction, scale, projections[1].mean() - projections[0].mean(), limit, *spreads, *counts])
+    return np.array(results)
 
 
 @pytest.mark.parametrize("at", [(0, 0, 0), (6.3e5, 5.4e6, 300)], ids=["at the origin", "in UTM"])
-def test_all_that_it_says_is_that_of_brute_force_in_float64(at, device):
+def test_result_agrees_with_brute_force_in_float64(at, device):
     first, second = epoch(0, at=at), epoch(1, at=at, sunk=0.3)
     cores = first[::400]
     clouds = [loom.PointCloud(points, device=device) for points in (first, second, cores)]
-    found = loom.change.m3c2(
-        *clouds[:2], core_points=clouds[2], normal_radii=RADII, cylinder_radius=CYLINDER, max_distance=REACH,
+    result = loom.change.m3c2(
+        *clouds[:2], core_points=clouds[2], normal_radii=RADII, cylinder_radius=CYLINDER, max_distance=MAX_DISTANCE,
         registration_error=ERROR,
     )  # fmt: skip
-    wanted = brute(first, second, cores)
-    same = (found.counts == wanted[:, 8:]).all(axis=1)  # float32 positions move a point across a boundary now and then
-    assert same.mean() > 0.97 and np.abs(found.counts - wanted[:, 8:]).max() <= 1
-    np.testing.assert_array_equal(found.scales, wanted[:, 3])
-    turn = np.linalg.norm(np.cross(found.directions, wanted[:, :3]), axis=1)
-    assert turn.max() < 2e-4
-    np.testing.assert_allclose(found.distances[same], wanted[same, 4], rtol=0, atol=2e-6)
-    np.testing.assert_allclose(found.level_of_detection[same], wanted[same, 5], rtol=0, atol=2e-6)
-    np.testing.assert_allclose(found.spreads[same], wanted[same, 6:8], rtol=0, atol=2e-6)
+    expected = brute(first, second, cores)
+    same = (result.counts == expected[:, 8:]).all(axis=1)  # rounding to float32 may move a point across a boundary
+    assert same.mean() > 0.97 and np.abs(result.counts - expected[:, 8:]).max() <= 1
+    np.testing.assert_array_equal(result.scales, expected[:, 3])
+    angles = np.linalg.norm(np.cross(result.directions, expected[:, :3]), axis=1)
+    assert angles.max() < 2e-4
+    np.testing.assert_allclose(result.distances[same], expected[same, 4], rtol=0, atol=2e-6)
+    np.testing.assert_allclose(result.level_of_detection[same], expected[same, 5], rtol=0, atol=2e-6)
+    np.testing.assert_allclose(result.spreads[same], expected[same, 6:8], rtol=0, atol=2e-6)
 
 
 def compared(first, second, device, **options):
@@ -69,38 +69,38 @@ def compared(first, second, device, **options):
     return loom.change.m3c2(loom.PointCloud(first, device=device), loom.PointCloud(second, device=device), **given)
 
 
-def test_what_has_not_changed_is_called_a_change_in_one_of_twenty_places(device):
+def test_unchanged_points_are_significant_in_one_of_twenty(device):
     cores = loom.PointCloud(epoch(0)[::40], device=device)
-    found = compared(epoch(0), epoch(1), device, core_points=cores)
+    result = compared(epoch(0), epoch(1), device, core_points=cores)
     inside = (np.abs(cores.points[:, :2] - 15) < 13).all(axis=1)
-    assert 0.01 < found.is_significant[inside].mean() < 0.12
+    assert 0.01 < result.is_significant[inside].mean() < 0.12
 
 
-def test_the_order_in_which_points_are_met_changes_no_bit(device):
-    """Points far away give the trees another curve and other buckets; on a lattice normals hang on the last bits."""
+def test_result_is_independent_of_the_traversal_order(device):
+    """Distant points change the curve and the buckets of the trees; on a lattice, normals depend on rounding."""
     first = np.indices((18, 18, 18)).reshape(3, -1).T * 0.3 - 2.55
     first += np.random.default_rng(2).normal(size=first.shape) * 1e-7
     second = first + np.array([0.05, 0.02, 0.11])
     far = np.random.default_rng(3).random((777, 3)) * 20 + [1000, 300, 50]
     cores = loom.PointCloud(first[::7], device=device)
     options = {"core_points": cores, "normal_radii": [0.91, 1.31], "cylinder_radius": 0.7, "max_distance": 2.0}
-    alone = loom.change.m3c2(*(loom.PointCloud(p, device=device) for p in (first, second)), **options)
+    expected = loom.change.m3c2(*(loom.PointCloud(p, device=device) for p in (first, second)), **options)
     among = loom.change.m3c2(
         *(loom.PointCloud(np.vstack([far, p])[::-1], origin=(0, 0, 0), device=device) for p in (first, second)),
         **options,
     )
     for name in ("distances", "level_of_detection", "directions", "scales", "spreads", "counts"):
-        np.testing.assert_array_equal(getattr(among, name), getattr(alone, name))
-    assert np.isfinite(alone.distances).mean() > 0.9
+        np.testing.assert_array_equal(getattr(among, name), getattr(expected, name))
+    assert np.isfinite(expected.distances).mean() > 0.9
 
 
-def test_a_pit_is_found_to_its_depth(device):
+def test_pit_depth_is_measured(device):
     cores = loom.PointCloud(epoch(0)[::40], device=device)
-    found = compared(epoch(0), epoch(1, sunk=0.3), device, core_points=cores, max_distance=1.0)
+    result = compared(epoch(0), epoch(1, sunk=0.3), device, core_points=cores, max_distance=1.0)
     away = np.hypot(*(cores.points[:, :2] - 15).T)
-    assert found.is_significant[away < 2.5].all()
-    slope = found.directions[away < 2.5, 2]  # the pit is as deep along z, and this much along the normal
-    np.testing.assert_allclose(found.distances[away < 2.5], -0.3 * slope, atol=0.02)
+    assert result.is_significant[away < 2.5].all()
+    slope = result.directions[away < 2.5, 2]  # the depth of the pit is along z, this is its component along the normal
+    np.testing.assert_allclose(result.distances[away < 2.5], -0.3 * slope, atol=0.02)
 
 
 def test_directions_may_be_given_for_all_or_for_each(device):
@@ -112,27 +112,27 @@ def test_directions_may_be_given_for_all_or_for_each(device):
     assert np.isnan(one.scales).all() and (one.directions == (0, 0, 1)).all()
 
 
-def test_a_cylinder_far_longer_than_wide_counts_each_point_once(device):
+def test_long_cylinder_counts_each_point_once(device):
     first, second = epoch(0), epoch(1)
     cores = loom.PointCloud(first[::500], device=device)
     up = {"core_points": cores, "directions": (0, 0, 1), "cylinder_radius": 0.5}
-    found = compared(first, second, device, max_distance=40.0, **up)
+    result = compared(first, second, device, max_distance=40.0, **up)
     for k, points in enumerate((first, second)):
-        held = [(np.hypot(*(points[:, :2] - core[:2]).T) <= 0.5).sum() for core in cores.points]
-        assert np.abs(found.counts[:, k] - held).max() <= 1 and (found.counts[:, k] == held).mean() > 0.9
+        counts = [(np.hypot(*(points[:, :2] - core[:2]).T) <= 0.5).sum() for core in cores.points]
+        assert np.abs(result.counts[:, k] - counts).max() <= 1 and (result.counts[:, k] == counts).mean() > 0.9
 
 
-def test_empty_cylinders_and_points_that_are_not_finite_have_no_distance(device):
+def test_empty_cylinders_and_non_finite_points_have_no_distance(device):
     first, cores = epoch(0), [[15.0, 15, 0], [np.nan, 0, 0], [15, 15, 500]]
-    found = compared(first, first + np.array([0, 0, 90]), device, core_points=loom.PointCloud(cores, device=device))
-    assert np.isnan(found.distances).all() and not found.is_significant.any()
-    assert found.counts[0, 0] > 0 and found.counts[0, 1] == 0 and (found.counts[1:] == 0).all()
-    assert np.isnan(found.directions[1:]).all() and np.isnan(found.scales[1:]).all()
+    result = compared(first, first + np.array([0, 0, 90]), device, core_points=loom.PointCloud(cores, device=device))
+    assert np.isnan(result.distances).all() and not result.is_significant.any()
+    assert result.counts[0, 0] > 0 and result.counts[0, 1] == 0 and (result.counts[1:] == 0).all()
+    assert np.isnan(result.directions[1:]).all() and np.isnan(result.scales[1:]).all()
 
 
 @pytest.mark.parametrize("empty", [0, 1, 2])
 def test_empty_clouds(empty, device):
     clouds = [epoch(0, count=500), epoch(1, count=500), epoch(0, count=5)]
     clouds[empty] = np.zeros((0, 3))
-    found = compared(*clouds[:2], device, core_points=loom.PointCloud(clouds[2], device=device))
-    assert len(found.distances) == len(clouds[2]) and np.isnan(found.distances).all()
+    result = compared(*clouds[:2], device, core_points=loom.PointCloud(clouds[2], device=device))
+    assert len(result.distances) == len(clouds[2]) and np.isnan(result.distances).all()

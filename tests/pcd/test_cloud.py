@@ -1,4 +1,4 @@
-"""PointCloud: what it accepts and refuses, and how precisely it holds coordinates far from zero."""
+"""PointCloud: accepted and rejected arguments, and the precision of coordinates far from zero."""
 
 from contextlib import nullcontext
 
@@ -13,7 +13,7 @@ from pointloom.kernels.memory import upload
 from .full_clouds import EXTRAS, UTM, assert_same, contents, full_cloud, rigid
 
 
-def test_a_cloud_gives_back_what_it_was_made_of(device, rng):
+def test_cloud_returns_its_arrays(device, rng):
     points, normals, colors = rng.random((50, 3)), rng.normal(size=(50, 3)), rng.random((50, 3))
     cloud = loom.PointCloud(points, normals=normals, colors=colors, device=device, ring=np.arange(50))
     assert len(cloud) == 50 and cloud.has_normals and cloud.has_colors and list(cloud.attributes) == ["ring"]
@@ -41,7 +41,7 @@ def test_an_empty_cloud_takes_every_operation(device):
 
 
 @pytest.mark.parametrize("dtype", ["i1", "u2", "u4", "i8", "f2", "f4", ">f8", "?"])
-def test_points_and_attributes_of_any_number_type_are_taken(device, dtype):
+def test_points_and_attributes_of_any_numeric_type_are_accepted(device, dtype):
     values = np.array([[0, 1, 0], [1, 1, 0], [1, 0, 1]]).astype(dtype)
     cloud = loom.PointCloud(values, device=device, extra=values[:, 0], wide=values)
     np.testing.assert_array_equal(cloud.points, values.astype(float))
@@ -62,14 +62,14 @@ def test_a_device_that_is_none_is_named():
             loom.PointCloud(device=device)
 
 
-def test_nan_and_infinite_points_are_taken_and_kept(device):
+def test_nan_and_infinite_points_are_preserved(device):
     points = np.array([[np.nan, 0, 0], [np.inf, -np.inf, 1], [1, 2, 3], [2e4, 0, 0]])
     cloud = loom.PointCloud(points, device=device)
     np.testing.assert_array_equal(cloud.points, points)
     assert cloud.get_min_bound().tolist() == [1, 0, 0] and cloud.get_max_bound().tolist() == [2e4, 2, 3]
 
 
-def test_a_missing_array_is_an_error_that_says_what_to_do(device):
+def test_missing_array_error_suggests_a_fix(device):
     cloud = loom.PointCloud(np.zeros((2, 3)), device=device, ring=[1, 2])
     for call, message in (
         (lambda: cloud.normals, r"no normals: call cloud = cloud\.estimate_normals\(\)"),
@@ -84,7 +84,7 @@ def test_a_missing_array_is_an_error_that_says_what_to_do(device):
         iter(cloud)
 
 
-def test_what_is_assigned_is_checked_and_read_back(device, rng):
+def test_assigned_arrays_are_checked_and_read_back(device, rng):
     cloud = loom.PointCloud(np.zeros((4, 3)), device=device)
     cloud.normals, cloud.colors, cloud["ring"] = np.ones((4, 3)), np.zeros((4, 3)), np.arange(4)
     cloud["points"] = rng.random((4, 3)) + UTM
@@ -95,7 +95,7 @@ def test_what_is_assigned_is_checked_and_read_back(device, rng):
             cloud[name] = np.zeros((5, 3))
 
 
-def test_what_is_read_is_a_copy_that_cannot_be_written(device, rng):
+def test_read_arrays_are_read_only_copies(device, rng):
     cloud = full_cloud(rng, device)
     before = contents(cloud)
     read = [getattr(cloud, name) for name in ("points", "normals", "colors", "origin")]
@@ -127,7 +127,7 @@ def test_the_origin_stays_at_zero_up_to_its_limit_and_moves_beyond(device):
 def test_utm_coordinates_survive_to_the_float32_of_their_extent(device, extent, rng, tolerances):
     points = UTM + (rng.random((500, 3)) - 0.5) * extent
     error = np.abs(loom.PointCloud(points, device=device).points - points).max()
-    assert error <= tolerances.float32_relative * (extent / 2 + 1) + 1e-9  # half a metre from rounding the origin
+    assert error <= tolerances.float32_relative * (extent / 2 + 1) + 1e-9  # half a meter from rounding the origin
     assert error < tolerances.position
     float32_alone = np.abs(points.astype(np.float32) - points).max()
     assert float32_alone > 0.1
@@ -173,7 +173,7 @@ def test_a_transform_moves_the_origin_with_the_cloud(device, rng, tolerances):
 
 
 def test_a_cloud_that_a_transform_stretches_in_any_direction_keeps_its_precision(device, tolerances):
-    """A shear whose rows cancel along the diagonal of the box, and still carry its corners beyond 1e4."""
+    """A shear whose rows cancel along the diagonal of the box, but move its corners beyond 1e4."""
     corners = np.stack(np.meshgrid(*[[1000.0, 2000.0]] * 3), -1).reshape(-1, 3) + 1 / 3
     T = np.eye(4)
     T[:3, :3] = [[100, -100, 0], [0, 100, -100], [0, 0, 1]]

@@ -1,4 +1,4 @@
-"""Operations of PointCloud: what each keeps, that none changes its operand, and transforms."""
+"""Operations of PointCloud: preserved attributes, unchanged operands, and transforms."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ NORMALS_ALONE = ["estimate_normals", "orient to direction", "orient to camera", 
 
 def operations():
     box = loom.AxisAlignedBoundingBox([2, 2, 2], [8, 8, 8])
-    turned = loom.OrientedBoundingBox([5, 5, 5], np.eye(3), [6, 6, 6])
+    oriented = loom.OrientedBoundingBox([5, 5, 5], np.eye(3), [6, 6, 6])
     T = np.diag([2.0, 2, 2, 1])
     return {
         "select_by_index": lambda c: c.select_by_index([3, 1, 1]),
@@ -21,7 +21,7 @@ def operations():
         "select_by_mask": lambda c: c.select_by_mask(np.arange(len(c)) % 2 == 0),
         "crop": lambda c: c.crop(box),
         "crop inverted": lambda c: c.crop(box, invert=True),
-        "crop turned": lambda c: c.crop(turned),
+        "crop turned": lambda c: c.crop(oriented),
         "remove_non_finite_points": lambda c: c.remove_non_finite_points(),
         "voxel_down_sample": lambda c: c.voxel_down_sample(3.0),
         "transform": lambda c: c.transform(T),
@@ -37,7 +37,7 @@ def operations():
 
 
 @pytest.mark.parametrize("name", operations())
-def test_an_operation_carries_all_attributes_and_leaves_its_operand_as_it_was(device, name, rng):
+def test_operations_keep_all_attributes_and_their_operand(device, name, rng):
     cloud = full_cloud(rng, device)
     before = contents(cloud)
     result = operations()[name](cloud)
@@ -57,10 +57,10 @@ def test_an_operation_shares_the_arrays_that_it_did_not_change(device, name, rng
     cloud = full_cloud(rng, device)
     cloud.grid = (20, 10)
     result = operations()[name](cloud)
-    own = {"copy": (), "transform": ("points", "normals")}.get(name, ("normals",))
+    changed = {"copy": (), "transform": ("points", "normals")}.get(name, ("normals",))
     assert result.grid == (20, 10)
     for array in ("points", "normals", "colors", *EXTRAS):
-        assert (result.array(array) is cloud.array(array)) == (array not in own), array
+        assert (result.array(array) is cloud.array(array)) == (array not in changed), array
 
 
 @pytest.mark.parametrize(
@@ -76,7 +76,7 @@ def test_each_selected_point_keeps_its_own_attributes(device, name, rng):
 
 
 def test_a_cloud_moved_to_another_device_and_back_is_the_same(device, rng, monkeypatch):
-    """Without a GPU the cloud is said to be elsewhere: then all but the copy itself is tested."""
+    """Without a GPU the cloud only claims another device: everything except the copy itself is tested."""
     cloud = full_cloud(rng, device, shift=UTM)
     cloud.grid = (20, 10)
     assert cloud.to(cloud.device) is cloud
@@ -91,7 +91,7 @@ def test_a_cloud_moved_to_another_device_and_back_is_the_same(device, rng, monke
 
 
 def test_operands_on_two_devices_are_an_error(rng, monkeypatch):
-    """A stand-in for a second device, so that the rule is held where there is no GPU."""
+    """A stand-in for a second device tests the rule without a GPU."""
     cloud, other = loom.PointCloud(rng.random((9, 3))), loom.PointCloud(rng.random((9, 3)))
     search = loom.NearestNeighborSearch(cloud)
     monkeypatch.setattr(
@@ -105,15 +105,15 @@ def test_operands_on_two_devices_are_an_error(rng, monkeypatch):
 
 
 @pytest.mark.parametrize("scale", [1.0, 0.001, 250.0])
-def test_a_transform_is_that_of_numpy_in_float64(device, scale, rng, tolerances):
+def test_transform_agrees_with_numpy_in_float64(device, scale, rng, tolerances):
     cloud, T = full_cloud(rng, device), rigid(rng)
     T[:3, :3] *= scale
     result = cloud.transform(T)
     expected = cloud.points @ T[:3, :3].T + T[:3, 3]
     size = np.abs(expected - result.origin).max()
     np.testing.assert_allclose(result.points, expected, rtol=0, atol=tolerances.transform_relative * size)
-    turned = cloud.normals.astype(float) @ (T[:3, :3] / scale).T
-    np.testing.assert_allclose(result.normals, turned, rtol=0, atol=tolerances.unit_length)
+    rotated = cloud.normals.astype(float) @ (T[:3, :3] / scale).T
+    np.testing.assert_allclose(result.normals, rotated, rtol=0, atol=tolerances.unit_length)
 
 
 def test_normals_stay_normal_to_a_sheared_plane(device, rng, tolerances):
@@ -122,6 +122,9 @@ def test_normals_stay_normal_to_a_sheared_plane(device, rng, tolerances):
     u, v = np.array([0, 1, 0.0]), np.array([0.8, 0, -0.6])
     T = np.eye(4)
     T[:3, :3] = A
-    turned = loom.PointCloud(np.zeros((1, 3)), normals=n[None], device=device).transform(T).normals[0]
-    assert abs(turned @ (A @ u)) < 4 * tolerances.unit_length and abs(turned @ (A @ v)) < 4 * tolerances.unit_length
-    np.testing.assert_allclose(np.linalg.norm(turned), 1, rtol=tolerances.unit_length)
+    transformed = loom.PointCloud(np.zeros((1, 3)), normals=n[None], device=device).transform(T).normals[0]
+    assert (
+        abs(transformed @ (A @ u)) < 4 * tolerances.unit_length
+        and abs(transformed @ (A @ v)) < 4 * tolerances.unit_length
+    )
+    np.testing.assert_allclose(np.linalg.norm(transformed), 1, rtol=tolerances.unit_length)

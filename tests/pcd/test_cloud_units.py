@@ -1,4 +1,4 @@
-"""The unit of a cloud: it goes along, is converted when asked for, and is told where two meet."""
+"""The unit of a cloud: propagated, converted on request, and checked when two clouds are combined."""
 
 import copy
 import pickle
@@ -17,7 +17,7 @@ def slow(operation):
 
 @pytest.fixture
 def feet(rng):
-    """A cloud in feet, far from zero, with all that operations ask for."""
+    """A cloud in feet, far from zero, with all attributes that operations need."""
     points, normals = rng.random((200, 3)) + np.array([2_500_000, 700_000, 400]), rng.normal(size=(200, 3))
     return loom.PointCloud(points, normals=normals, colors=rng.random((200, 3)), unit="foot", ring=range(200))
 
@@ -56,7 +56,7 @@ def test_operations_keep_the_unit(operation, feet):
 
 
 @pytest.mark.parametrize("factor", [0.3048, 2.0])
-def test_what_is_scaled_has_no_known_unit(factor, feet):
+def test_scaled_cloud_has_no_unit(factor, feet):
     mesh = loom.TriangleMesh.create_sphere()
     mesh.unit = "foot"
     assert feet.scale(factor).unit is None and mesh.scale(factor).unit is None
@@ -72,7 +72,7 @@ def test_a_unit_is_assigned_by_name_and_moves_no_point():
     assert cloud.unit is None
     with pytest.raises(ValueError, match=r"^unit:"):
         cloud.unit = "ell"
-    cloud["unit"] = [7]  # an attribute of that name is another thing
+    cloud["unit"] = [7]  # an attribute of that name is unrelated
     assert cloud.unit is None and cloud["unit"].tolist() == [7]
 
 
@@ -91,7 +91,7 @@ def test_conversion_is_exact_far_from_zero(device, feet):
     assert survey.to_unit("metre").points[0, 2] == pytest.approx(1200, rel=1e-7)
 
 
-def test_conversion_refuses_what_it_cannot_know():
+def test_conversion_without_a_known_unit_is_rejected():
     with pytest.raises(ValueError, match=r"^unit:"):
         loom.PointCloud([[0, 0, 1]]).to_unit("metre")
     with pytest.raises(ValueError, match="project_to_utm"):
@@ -103,9 +103,9 @@ def test_conversion_refuses_what_it_cannot_know():
 def test_meshes_are_converted_too():
     mesh = loom.TriangleMesh([[1e6, 0, 0], [1e6 + 10, 0, 0], [1e6, 10, 0]], [[0, 1, 2]], origin=[1e6, 0, 0])
     mesh.unit = "foot"
-    found = mesh.to_unit("metre")
-    assert found.get_surface_area() == pytest.approx(50 * 0.3048**2) and found.origin[0] == 304_800
-    assert np.allclose(found.vertices, mesh.vertices * 0.3048)
+    result = mesh.to_unit("metre")
+    assert result.get_surface_area() == pytest.approx(50 * 0.3048**2) and result.origin[0] == 304_800
+    assert np.allclose(result.vertices, mesh.vertices * 0.3048)
 
 
 @pytest.mark.parametrize(
@@ -124,13 +124,13 @@ def test_meshes_are_converted_too():
 def test_two_units_that_meet_are_a_warning(meeting, feet):
     meters = feet.copy()
     meters.unit = "metre"
-    with pytest.warns(loom.UnitWarning, match=r"got (foot and metre|metre and foot)\. Convert .* to_unit") as told:
+    with pytest.warns(loom.UnitWarning, match=r"got (foot and metre|metre and foot)\. Convert .* to_unit") as caught:
         meeting(feet, meters)
-    assert told[0].filename == __file__
+    assert caught[0].filename == __file__
     meters.unit = None
     with warnings.catch_warnings():
         warnings.simplefilter("error", loom.UnitWarning)
-        meeting(feet, meters)  # what is not known contradicts nothing
+        meeting(feet, meters)  # an unknown unit contradicts nothing
 
 
 def test_lidar_odometry_counts_in_metres(feet):
@@ -139,8 +139,8 @@ def test_lidar_odometry_counts_in_metres(feet):
 
 
 def test_ground_by_lengths_in_metres_is_a_warning_in_feet(feet):
-    with pytest.warns(loom.UnitWarning, match=r"^cloud:") as told:
+    with pytest.warns(loom.UnitWarning, match=r"^cloud:") as caught:
         loom.classify_ground(feet, cell_size=3.3)
-    assert told[0].filename == __file__
+    assert caught[0].filename == __file__
     loom.classify_ground(feet, cell_size=3.3, max_window=59.1, elevation_threshold=1.64, scaling=4.1)
     loom.classify_ground(feet.to_unit("metre"))

@@ -1,4 +1,4 @@
-"""Clusters: labels equal to Open3D's and to brute force, for every eps and every threshold."""
+"""Clusters: labels equal to Open3D's and to brute force, for every eps and threshold."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ import pointloom as loom
 from pointloom.kernels import lang
 
 from ..scan_cases import on_sets
-from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, parts
+from .any_cloud import INTEGERS, NOT_FINITE, clouds, examples, parts
 from .nearest_oracle import sphere
 from .open3d_clouds import cloud_of
 
@@ -29,20 +29,20 @@ def brute_dbscan(points, eps, min_points):
     _, component = connected_components(near[np.ix_(core, core)], directed=False)
     _, first = np.unique(component, return_index=True)
     number = np.argsort(np.argsort(first))
-    found = np.full(len(finite), -1)
-    found[core] = number[component]
-    reached = np.where(near[:, core], found[core], len(points)).min(axis=1)
-    found[~core] = np.where(reached < len(points), reached, -1)[~core]
-    labels[finite] = found
+    result = np.full(len(finite), -1)
+    result[core] = number[component]
+    reached = np.where(near[:, core], result[core], len(points)).min(axis=1)
+    result[~core] = np.where(reached < len(points), reached, -1)[~core]
+    labels[finite] = result
     return labels
 
 
-def by_size(labels, least=1, most=10**9):
-    """Labels renamed so that larger clusters come first, ties in their order; -1 for other sizes."""
+def by_size(labels, min_size=1, max_size=10**9):
+    """Labels renumbered by decreasing cluster size, ties in their order; -1 for other sizes."""
     sizes = np.bincount(labels[labels >= 0])
-    kept = [k for k in np.argsort(-sizes, kind="stable") if least <= sizes[k] <= most]
+    selected = [k for k in np.argsort(-sizes, kind="stable") if min_size <= sizes[k] <= max_size]
     renamed = np.full(len(sizes) + 1, -1)
-    renamed[kept] = np.arange(len(kept))
+    renamed[selected] = np.arange(len(selected))
     return renamed[labels]
 
 
@@ -60,19 +60,19 @@ FRAGMENT_CASES = [(0.02, 10), (0.01, 5), (0.006, 4)]
 @on_sets("eps min_points", shipped=FRAGMENT_CASES, real=[*FRAGMENT_CASES, (0.05, 200)])
 def test_labels_of_the_fragment_are_open3ds(device, eps, min_points, fragment, o3d):
     points = fragment.points if (eps, min_points) == (0.02, 10) else fragment.points[::2]
-    found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
+    labels = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
     expected = dbscan_of(o3d, points, eps, min_points)
-    assert found.dtype == np.int32 and expected.max() >= 0
-    np.testing.assert_array_equal(found, expected)
+    assert labels.dtype == np.int32 and expected.max() >= 0
+    np.testing.assert_array_equal(labels, expected)
 
 
 @pytest.mark.parametrize(("eps", "min_points"), [(0.05, 2), (0.5, 10), (3.0, 100), (20.0, 600)])
 def test_labels_of_a_lidar_scan_are_open3ds(device, eps, min_points, lidar, o3d):
     points = lidar[:: 1 if eps < 3 else 5, :3].astype(np.float64)  # Open3D's lists take a minute at 20 m
-    found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
+    labels = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
     expected = dbscan_of(o3d, points, eps, min_points)
     assert (expected < 0).any() and expected.max() >= 0
-    np.testing.assert_array_equal(found, expected)
+    np.testing.assert_array_equal(labels, expected)
 
 
 MADE = {
@@ -96,35 +96,35 @@ def test_labels_of_made_clouds_are_open3ds_also_at_utm_coordinates(device, shape
     cloud, far = (loom.PointCloud(points + origin, device=device, origin=origin) for origin in (np.zeros(3), utm))
     for limits, expected in zip(LIMITS, oracle(f"pcd/clusters/{shape}", open3d_labels, points), strict=True):
         np.testing.assert_array_equal(cloud.cluster_dbscan(*limits), expected)
-    near = loom.PointCloud(far.points - utm, device=device, origin=np.zeros(3))  # as held: rounded to 1e-9 m
+    near = loom.PointCloud(far.points - utm, device=device, origin=np.zeros(3))  # as stored: rounded to 1e-9 m
     np.testing.assert_array_equal(far.cluster_dbscan(*LIMITS[1]), near.cluster_dbscan(*LIMITS[1]))
 
 
 @examples(40)
 @given(
-    points=clouds(WHOLE, parts(4, 40), NOT_FINITE, most=50),
+    points=clouds(INTEGERS, parts(4, 40), NOT_FINITE, max_size=50),
     copies=st.integers(1, 4),
     eps=st.sampled_from([0.25, 1.0, np.nextafter(1.0, 2), 1.25, 2.0, 5.0, 30.0]),
     min_points=st.sampled_from([1, 2, 3, 5, 10, 60, 201]),
-    least=st.integers(1, 3),
+    min_size=st.integers(1, 3),
 )
-def test_any_small_cloud_has_the_labels_of_the_definition(device, points, copies, eps, min_points, least):
-    """On a lattice of quarters: squared distances are exact in float32, ties with eps among them."""
+def test_any_small_cloud_has_the_labels_of_the_definition(device, points, copies, eps, min_points, min_size):
+    """On a lattice of quarters squared distances are exact in float32, including ties with eps."""
     points = np.tile(points, (copies, 1))
     cloud = loom.PointCloud(points, device=device, origin=np.zeros(3))
     expected = brute_dbscan(points, eps, min_points)
     np.testing.assert_array_equal(cloud.cluster_dbscan(eps, min_points), expected)
-    chained = by_size(brute_dbscan(points, eps, 1), least, 20)
-    np.testing.assert_array_equal(cloud.cluster_euclidean(eps, least, 20), chained)
+    chained = by_size(brute_dbscan(points, eps, 1), min_size, 20)
+    np.testing.assert_array_equal(cloud.cluster_euclidean(eps, min_size, 20), chained)
 
 
 @pytest.mark.parametrize(
     ("eps", "min_points"), [(0.07, 1), (0.07, 2), (0.2, 30), (0.5, 2), (0.5, 700), (0.9, 30), (0.9, 1203), (0.9, 1204)]
 )
-def test_labels_are_those_of_the_definition_for_every_reach_and_threshold(device, eps, min_points, rng):
+def test_labels_match_the_definition_for_every_radius_and_threshold(device, eps, min_points, rng):
     points = float32_exact(np.concatenate([rng.random((700, 3)), rng.random((503, 3)) * 0.2 + [1.3, 0, 0]]))
-    found = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
-    np.testing.assert_array_equal(found, brute_dbscan(points, eps, min_points))
+    labels = loom.PointCloud(points, device=device).cluster_dbscan(eps, min_points)
+    np.testing.assert_array_equal(labels, brute_dbscan(points, eps, min_points))
 
 
 def test_a_point_at_exactly_eps_is_no_neighbor(device):
@@ -135,7 +135,7 @@ def test_a_point_at_exactly_eps_is_no_neighbor(device):
 
 
 def test_a_border_point_takes_the_lowest_label_and_joins_no_clusters(device):
-    row = np.array([10, 11, 12, 13, -3, -2, -1, 0, 5], float)  # 5 lies between the ends of two rows
+    row = np.array([10, 11, 12, 13, -3, -2, -1, 0, 5], float)  # 5 is between the ends of two rows
     points = np.column_stack([row, row * 0, row * 0])
     labels = loom.PointCloud(points, device=device).cluster_dbscan(5.5, 4)
     assert labels.tolist() == [0, 0, 0, 0, 1, 1, 1, 1, 0]
@@ -158,8 +158,8 @@ def test_clouds_of_a_few_points_have_labels(device, count):
 def test_coplanar_and_collinear_points_are_clustered(device, flat, rng):
     points = rng.integers(0, 60, (600, 3)) * np.array(flat, float)
     for limits in ((1.5, 3), (2.0, 4), (40.0, 100)):
-        found = loom.PointCloud(points, device=device).cluster_dbscan(*limits)
-        np.testing.assert_array_equal(found, brute_dbscan(points, *limits))
+        labels = loom.PointCloud(points, device=device).cluster_dbscan(*limits)
+        np.testing.assert_array_equal(labels, brute_dbscan(points, *limits))
 
 
 def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device):
@@ -168,17 +168,17 @@ def test_a_hundred_thousand_equal_points_are_one_cluster_or_noise(device):
         assert (cloud.cluster_dbscan(eps, min_points) == label).all()
 
 
-@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # which such a length is right to cause
+@pytest.mark.filterwarnings("ignore::pointloom.UnitWarning")  # a warning is correct for such a length
 @pytest.mark.parametrize("eps", [0.6, 1e200])
 def test_an_eps_of_the_size_of_the_cloud_takes_no_time(device, eps, rng):
-    """30,000 points, each within reach of thousands: lists of neighbors would fill gigabytes."""
+    """30,000 points with thousands of neighbors each: neighbor lists would need gigabytes."""
     cloud = loom.PointCloud(rng.random((30_000, 3)), device=device)
     assert (cloud.cluster_dbscan(eps, 2500) == 0).all()
     assert (cloud.cluster_dbscan(eps, 30_001) == -1).all()
 
 
-def test_blobs_at_places_of_many_duplicates_do_not_join(device, rng):
-    """Five balls of 4,000 points, each smaller than eps, 1.01 eps apart in a row, and one that touches the fifth."""
+def test_duplicate_blobs_farther_than_eps_do_not_join(device, rng):
+    """Five balls of 4,000 points, each smaller than eps, in a row 1.01 eps apart, and one that touches the fifth."""
     balls = [np.repeat(sphere(rng, 40) * 0.01, 100, axis=0) + np.array([1.03 * k, 0, 0]) for k in range(5)]
     balls.append(balls[4] + [0.5, 0.5, 0])
     points = float32_exact(np.concatenate(balls))
@@ -190,16 +190,16 @@ def test_blobs_at_places_of_many_duplicates_do_not_join(device, rng):
 
 
 def test_a_long_chain_is_one_cluster_until_a_link_is_missing(device, rng):
-    turns = np.linspace(0, 40 * np.pi, 30_000)
-    points = np.column_stack([turns * np.cos(turns), turns * np.sin(turns), 0 * turns])
+    angles = np.linspace(0, 40 * np.pi, 30_000)
+    points = np.column_stack([angles * np.cos(angles), angles * np.sin(angles), 0 * angles])
     step = np.linalg.norm(np.diff(points, axis=0), axis=1).max() * 1.001
     order = rng.permutation(len(points))
     cloud = loom.PointCloud(points[order], device=device)
     assert (cloud.cluster_dbscan(step, 2) == 0).all() and (cloud.cluster_euclidean(step) == 0).all()
-    whole = np.arange(len(points)) != 29_000
-    broken = loom.PointCloud(points[order][whole[order]], device=device)
+    remaining = np.arange(len(points)) != 29_000
+    broken = loom.PointCloud(points[order][remaining[order]], device=device)
     labels = broken.cluster_euclidean(step)
-    np.testing.assert_array_equal(labels, (order[whole[order]] > 29_000).astype(int))
+    np.testing.assert_array_equal(labels, (order[remaining[order]] > 29_000).astype(int))
 
 
 @pytest.mark.parametrize("tolerance", [0.1, 0.4, 1.0])
@@ -213,8 +213,8 @@ def test_euclidean_clusters_of_a_lidar_scan_are_its_components_by_size(device, t
 
 
 def test_euclidean_clusters_are_numbered_by_size_then_by_first_point(device):
-    places = [[9, 9], [0, 0], [5, 0], [5, 0.1], [0, 0.1], [2, 2], [2, 2.1], [2, 2.2]]
-    cloud = loom.PointCloud(np.column_stack([places, np.zeros(8)]), device=device)
+    positions = [[9, 9], [0, 0], [5, 0], [5, 0.1], [0, 0.1], [2, 2], [2, 2.1], [2, 2.2]]
+    cloud = loom.PointCloud(np.column_stack([positions, np.zeros(8)]), device=device)
     assert cloud.cluster_euclidean(0.15).tolist() == [3, 1, 2, 2, 1, 0, 0, 0]
     assert cloud.cluster_euclidean(0.15, 2).tolist() == [-1, 1, 2, 2, 1, 0, 0, 0]
     assert cloud.cluster_euclidean(0.15, 1, 2).tolist() == [2, 0, 1, 1, 0, -1, -1, -1]
@@ -223,7 +223,7 @@ def test_euclidean_clusters_are_numbered_by_size_then_by_first_point(device):
 
 
 def test_memory_is_linear_and_small(device, rng, monkeypatch):
-    """14 B a point beside the tree, also where each point has ten thousand neighbors."""
+    """14 B per point beside the tree, even if each point has ten thousand neighbors."""
     from pointloom.kernels.search import tree_walk
     from pointloom.kernels.segmentation import cluster_labels, dbscan
 

@@ -20,7 +20,7 @@ SEARCHES = {
 
 
 def untied(points, search):
-    """Where the last neighbor that the count admits is nearer than the next: elsewhere either may be taken."""
+    """True where the last neighbor within the count is nearer than the next one; otherwise the choice is free."""
     k = search["max_nn"]
     if k is None:
         return np.ones(len(points), bool)
@@ -28,17 +28,17 @@ def untied(points, search):
     return distances[:, k] > distances[:, k - 1] * (1 + 1e-6)
 
 
-def assert_agree(found, expected, tolerances):
-    """Relative to the largest entry of each; but for neighbors that lie on the radius."""
+def assert_agree(actual, expected, tolerances):
+    """Compare relative to the largest entry of each matrix, except for neighbors at exactly the radius."""
     sizes = np.abs(expected).max(axis=(1, 2))
-    errors = np.abs(found - expected).max(axis=(1, 2))
-    share = (errors <= tolerances.covariance_relative * sizes).mean()
-    assert share >= tolerances.normal_share, f"{share:.5f} of the covariances agree"
+    errors = np.abs(actual - expected).max(axis=(1, 2))
+    fraction = (errors <= tolerances.covariance_relative * sizes).mean()
+    assert fraction >= tolerances.normal_share, f"{fraction:.5f} of the covariances agree"
 
 
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
-    """Points by name as float32 holds them, and a length [m] to scale the searches by; the tile about its middle."""
+    """Points by name, rounded to float32, and a length [m] that scales the searches; the tile is centered."""
     tile = (terrain - np.round(terrain.mean(axis=0))).astype(np.float32).astype(float)
     return {
         "fragment": (fragment.points[::10], 1.0),
@@ -54,19 +54,19 @@ def test_covariances_of_scans_are_open3ds(device, scan, search, scans, o3d, tole
     limits = dict(SEARCHES[search])
     if "radius" in limits:
         limits["radius"] *= scale
-    found = loom.PointCloud(points, device=device).estimate_covariances(**limits).covariances
+    result = loom.PointCloud(points, device=device).estimate_covariances(**limits).covariances
     sure = untied(points, limits)
     assert sure.mean() > 0.5
-    assert_agree(found[sure], covariances_of(o3d, points, limits)[sure], tolerances)
+    assert_agree(result[sure], covariances_of(o3d, points, limits)[sure], tolerances)
 
 
 @pytest.mark.parametrize("search", SEARCHES)
 def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle, tolerances):
     xy = rng.random((200, 2))
     points = np.column_stack([xy, 0.1 * np.sin(9 * xy[:, 0])]).astype(np.float32).astype(float)
-    found = loom.PointCloud(points, device=device).estimate_covariances(**SEARCHES[search]).covariances
+    result = loom.PointCloud(points, device=device).estimate_covariances(**SEARCHES[search]).covariances
     expected = oracle(f"pcd/covariances/{search}", covariances_of, points, SEARCHES[search])
-    assert_agree(found, expected, tolerances)
+    assert_agree(result, expected, tolerances)
 
 
 @given(
@@ -77,29 +77,29 @@ def test_covariances_of_a_bumpy_surface_are_open3ds(device, search, rng, oracle,
     search=st.sampled_from([{"max_nn": 1}, {"max_nn": 7}, {"radius": 1.5}, {"radius": 1.5, "max_nn": None}]),
 )
 @examples(15)
-def test_covariances_are_numpys_of_the_neighbors_found(device, seed, count, lattice, spoiled, search, tolerances):
+def test_covariances_agree_with_numpy_for_the_same_neighbors(device, seed, count, lattice, spoiled, search, tolerances):
     rng = np.random.default_rng(seed)
     points = (rng.integers(0, 4, (count, 3)) if lattice else rng.normal(size=(count, 3))).astype(np.float32)
     if spoiled:
         points[rng.random(count) < 0.2, rng.integers(0, 3)] = rng.choice([np.nan, np.inf])
     cloud = loom.PointCloud(points, device=device)
-    found = cloud.estimate_covariances(**search).covariances
+    result = cloud.estimate_covariances(**search).covariances
     finite = np.isfinite(points).all(axis=1)
     with np.errstate(invalid="ignore"):
         sqdists = ((points[:, None].astype(float) - points[None]) ** 2).sum(axis=2)
     for row in range(count):
         if not finite[row]:
-            assert np.isnan(found[row]).all()
+            assert np.isnan(result[row]).all()
             continue
         near = np.flatnonzero(sqdists[row] < search.get("radius", np.inf) ** 2)
         near = near[np.argsort(sqdists[row, near])]
         k = search.get("max_nn", 30) or count
         if len(near) > k and sqdists[row, near[k - 1]] == sqdists[row, near[k]]:
-            continue  # a tie: either may be taken
+            continue  # a tie: either is valid
         near = near[:k]
         expected = np.cov(points[near].astype(float).T, bias=True) if len(near) >= 3 else np.eye(3)
         size = np.abs(expected).max()
-        assert np.abs(found[row] - expected).max() <= tolerances.covariance_relative * size
+        assert np.abs(result[row] - expected).max() <= tolerances.covariance_relative * size
 
 
 @pytest.mark.parametrize("search", [{"max_nn": 10}, {"radius": 0.5}, {"radius": 0.5, "max_nn": None}], ids=str)
@@ -107,16 +107,16 @@ def test_fewer_than_three_neighbors_give_the_identity(device, search):
     points = np.array([[0, 0, 0], [0.1, 0, 0]])
     for count in (0, 1, 2):
         cloud = loom.PointCloud(points[:count].reshape(-1, 3), device=device)
-        found = cloud.estimate_covariances(**search).covariances
-        np.testing.assert_array_equal(found, np.tile(np.eye(3), (count, 1, 1)))
+        result = cloud.estimate_covariances(**search).covariances
+        np.testing.assert_array_equal(result, np.tile(np.eye(3), (count, 1, 1)))
 
 
 def test_equal_and_collinear_points_have_their_plain_covariance(device):
     equal = loom.PointCloud(np.full((40, 3), 0.3), device=device).estimate_covariances(max_nn=10).covariances
     np.testing.assert_array_equal(equal, 0)
     line = np.outer([-1.0, 0, 1], [0, 0, 3.0])
-    found = loom.PointCloud(line, device=device).estimate_covariances(radius=100.0).covariances
-    np.testing.assert_array_equal(found, np.tile(np.diag([0, 0, 6]), (3, 1, 1)))
+    result = loom.PointCloud(line, device=device).estimate_covariances(radius=100.0).covariances
+    np.testing.assert_array_equal(result, np.tile(np.diag([0, 0, 6]), (3, 1, 1)))
 
 
 def test_covariances_are_matrices_that_travel_with_their_points(device, rng):
@@ -136,7 +136,7 @@ def test_covariances_are_matrices_that_travel_with_their_points(device, rng):
 
 
 def test_stored_covariances_do_not_change_the_normals_fitted(device, rng):
-    """Open3D takes them in place of the neighbors that it is asked for."""
+    """Open3D uses them instead of the requested neighbors."""
     cloud = loom.PointCloud(rng.random((50, 3)), device=device)
     expected = cloud.estimate_normals(max_nn=8).normals
     cloud.covariances = np.tile(np.diag([1.0, 2, 3]), (50, 1, 1))
@@ -145,18 +145,18 @@ def test_stored_covariances_do_not_change_the_normals_fitted(device, rng):
 
 def test_lists_made_in_parts_give_the_same(device, rng, monkeypatch):
     cloud = loom.PointCloud(rng.random((1003, 3)), device=device)
-    whole = cloud.estimate_covariances(max_nn=9).covariances
+    full = cloud.estimate_covariances(max_nn=9).covariances
     monkeypatch.setattr("pointloom.kernels.surface.covariances.LIST_ENTRIES", 1000)
-    np.testing.assert_array_equal(cloud.estimate_covariances(max_nn=9).covariances, whole)
+    np.testing.assert_array_equal(cloud.estimate_covariances(max_nn=9).covariances, full)
 
 
-def test_covariances_turn_with_the_cloud(device, rng, tolerances):
+def test_covariances_rotate_with_the_cloud(device, rng, tolerances):
     cloud = loom.PointCloud(rng.random((500, 3)) * [3, 2, 1], device=device).estimate_covariances(max_nn=12)
     angle = 0.7
     T = np.array(
         [[np.cos(angle), -np.sin(angle), 0, 5], [np.sin(angle), np.cos(angle), 0, -1], [0, 0, 1, 2], [0, 0, 0, 1]]
     )
     expected = T[:3, :3] @ cloud.covariances.astype(float) @ T[:3, :3].T
-    turned = cloud.transform(T).covariances
-    np.testing.assert_allclose(turned, expected, atol=tolerances.float32_relative * np.abs(expected).max())
-    assert np.abs(turned - cloud.covariances).max() > 0.01
+    rotated = cloud.transform(T).covariances
+    np.testing.assert_allclose(rotated, expected, atol=tolerances.float32_relative * np.abs(expected).max())
+    assert np.abs(rotated - cloud.covariances).max() > 0.01

@@ -1,4 +1,4 @@
-"""RGB-D images of every format, normals of depth images, and images of clouds: Open3D's, and back again exactly."""
+"""RGB-D images of every format, normals of depth images, and projections of clouds, compared with Open3D."""
 
 import numpy as np
 import pytest
@@ -25,11 +25,17 @@ def redwood(shipped_file):
 
 
 def encoded(millimeters):
-    """A depth image as each format holds it; `defaults` has farther depths, which are cut."""
-    words = millimeters.astype(np.uint16)
-    shares = 351.3 / np.maximum(words, 500) * 1000  # NYU's own scale: meters = 351.3 / (1092.5 - word)
-    nyu = np.where(words > 0, np.rint(1092.5 - shares), 2047).astype(np.uint16).byteswap()
-    return {"redwood": words, "tum": 5 * words, "sun": (words << 3) | (words >> 13), "nyu": nyu, "defaults": 2 * words}
+    """A depth image as stored by each format; `defaults` contains larger depths, which are truncated."""
+    raw_values = millimeters.astype(np.uint16)
+    shares = 351.3 / np.maximum(raw_values, 500) * 1000  # NYU's own scale: meters = 351.3 / (1092.5 - word)
+    nyu = np.where(raw_values > 0, np.rint(1092.5 - shares), 2047).astype(np.uint16).byteswap()
+    return {
+        "redwood": raw_values,
+        "tum": 5 * raw_values,
+        "sun": (raw_values << 3) | (raw_values >> 13),
+        "nyu": nyu,
+        "defaults": 2 * raw_values,
+    }
 
 
 def open3d_frame(o3d, layout, color, raw, to_intensity):
@@ -39,7 +45,7 @@ def open3d_frame(o3d, layout, color, raw, to_intensity):
     image = getattr(o3d.geometry.RGBDImage, f"create_from_{name}")(*images, convert_rgb_to_intensity=to_intensity)
     camera = o3d.camera.PinholeCameraIntrinsic(raw.shape[1], raw.shape[0], *PRIME_SENSE[2:])
     cloud = o3d.geometry.PointCloud.create_from_rgbd_image(image, camera)
-    return [np.asarray(found) for found in (image.depth, image.color, cloud.points, cloud.colors)]
+    return [np.asarray(array) for array in (image.depth, image.color, cloud.points, cloud.colors)]
 
 
 def check_frame(device, layout, color, raw, to_intensity, expected, tolerances):
@@ -56,10 +62,10 @@ def check_frame(device, layout, color, raw, to_intensity, expected, tolerances):
     else:
         np.testing.assert_array_equal(image.color, color)
     camera = loom.PinholeCameraIntrinsic(raw.shape[1], raw.shape[0], *PRIME_SENSE[2:])
-    found, keep = loom.PointCloud.create_from_rgbd_image(image, camera), ~at_limit[image.depth > 0]
+    result, keep = loom.PointCloud.create_from_rgbd_image(image, camera), ~at_limit[image.depth > 0]
     limits = {"rtol": tolerances.image_relative, "atol": tolerances.image_absolute}
-    np.testing.assert_allclose(found.points[keep], points, **limits)
-    np.testing.assert_allclose(found.colors[keep], colors, rtol=tolerances.intensity_relative)
+    np.testing.assert_allclose(result.points[keep], points, **limits)
+    np.testing.assert_allclose(result.colors[keep], colors, rtol=tolerances.intensity_relative)
 
 
 @pytest.mark.parametrize("layout", ["redwood", "tum", "sun", "nyu", "defaults"])
@@ -70,7 +76,7 @@ def test_images_of_a_data_set_are_open3ds(device, layout, redwood, oracle, toler
 
 
 def decoded(o3d, layout, raw):
-    """Meters of every word."""
+    """Meters of every raw value."""
     color = o3d.geometry.Image(np.zeros((256, 256, 3), np.uint8))
     image = getattr(o3d.geometry.RGBDImage, f"create_from_{layout}_format")(color, o3d.geometry.Image(raw))
     return np.asarray(image.depth)
@@ -78,15 +84,15 @@ def decoded(o3d, layout, raw):
 
 @pytest.mark.parametrize("layout", ["sun", "nyu"])
 def test_every_raw_depth_is_decoded_as_by_open3d(device, layout, oracle, tolerances):
-    """But for Open3D's 7 m themselves, which it drops."""
+    """Except for exactly 7 m, which Open3D drops."""
     raw = np.arange(65536, dtype=np.uint16).reshape(256, 256)
-    found = getattr(loom.RGBDImage, f"create_from_{layout}_format")(
+    result = getattr(loom.RGBDImage, f"create_from_{layout}_format")(
         np.zeros((256, 256, 3), np.uint8), raw, device=device
     ).depth
     expected = np.array(oracle(f"pcd/depth_clouds/{layout}", decoded, layout, raw))
-    expected[found == 7] = 7
-    np.testing.assert_allclose(found, expected, rtol=tolerances.float32_relative)
-    assert (found == 7).sum() <= 1 and len(np.unique(found)) > 500
+    expected[result == 7] = 7
+    np.testing.assert_allclose(result, expected, rtol=tolerances.float32_relative)
+    assert (result == 7).sum() <= 1 and len(np.unique(result)) > 500
 
 
 def test_float_depth_is_metres_and_is_cut_too(device):
@@ -108,7 +114,7 @@ def test_gray_images_stay_gray_as_brightness(device):
 
 
 def open3d_maps(o3d, raw, K):
-    """Points and normals of the pixels, the latter shorter than 1 where pixels are small."""
+    """Points and normals of the pixels; normals are shorter than 1 where pixels are small."""
     image = o3d.t.geometry.Image(o3d.core.Tensor(np.array(raw, order="C")[..., None]))
     vertices = image.clip_transform(1000.0, 0.0, 1000.0, np.nan).create_vertex_map(o3d.core.Tensor(K), np.nan)
     return vertices.as_tensor().numpy(), vertices.create_normal_map(np.nan).as_tensor().numpy()
@@ -122,31 +128,31 @@ def test_normals_of_a_depth_image_are_open3ds_of_its_grid(device, redwood, oracl
     K = camera.matrix / np.array([[stride], [stride], [1]])
     points, expected = oracle("pcd/depth_clouds/normals", open3d_maps, raw[::stride, ::stride], K)
     expected = expected / np.linalg.norm(expected, axis=2, keepdims=True)
-    found = cloud.normals.reshape(expected.shape)
-    np.testing.assert_array_equal(np.isnan(found), np.isnan(expected))
-    assert 0.5 < np.isfinite(found).mean() < 1
-    np.testing.assert_allclose(found, expected, atol=tolerances.normal_map)
+    result = cloud.normals.reshape(expected.shape)
+    np.testing.assert_array_equal(np.isnan(result), np.isnan(expected))
+    assert 0.5 < np.isfinite(result).mean() < 1
+    np.testing.assert_allclose(result, expected, atol=tolerances.normal_map)
     np.testing.assert_allclose(cloud.points.reshape(expected.shape), points, atol=tolerances.image_absolute)
     good = np.isfinite(cloud.normals).all(axis=1)
-    kept = loom.PointCloud.create_from_depth_image(raw, camera, **options)
-    np.testing.assert_array_equal(kept.normals, cloud.normals[good])
-    np.testing.assert_array_equal(kept.points, cloud.points[good])
-    assert ((kept.points * kept.normals).sum(axis=1) <= 1e-6).all(), "toward the camera"
+    filtered = loom.PointCloud.create_from_depth_image(raw, camera, **options)
+    np.testing.assert_array_equal(filtered.normals, cloud.normals[good])
+    np.testing.assert_array_equal(filtered.points, cloud.points[good])
+    assert ((filtered.points * filtered.normals).sum(axis=1) <= 1e-6).all(), "toward the camera"
 
 
-def test_normals_turn_with_the_camera(device, redwood):
+def test_normals_rotate_with_the_camera(device, redwood):
     color, raw = redwood
     image = loom.RGBDImage(color, raw, device=device)
     near = loom.PointCloud.create_from_rgbd_image(image, CAMERA, stride=4, with_normals=True)
-    turned = loom.PointCloud.create_from_rgbd_image(image, CAMERA, EXTRINSIC, stride=4, with_normals=True)
+    rotated = loom.PointCloud.create_from_rgbd_image(image, CAMERA, EXTRINSIC, stride=4, with_normals=True)
     back = near.transform(np.linalg.inv(EXTRINSIC))
-    np.testing.assert_allclose(turned.normals, back.normals, atol=3e-7)
-    np.testing.assert_allclose(turned.points, back.points, atol=1e-6)
-    np.testing.assert_array_equal(turned.colors, near.colors)
+    np.testing.assert_allclose(rotated.normals, back.normals, atol=3e-7)
+    np.testing.assert_allclose(rotated.points, back.points, atol=1e-6)
+    np.testing.assert_array_equal(rotated.colors, near.colors)
 
 
 def blurred_cloud(o3d, depth, K):
-    """Points and normals by Open3D, which blurs the depth first. No holes: there its blur spreads NaN."""
+    """Points and normals by Open3D, which blurs the depth first. Without holes, where the blur would spread NaN."""
     image = o3d.t.geometry.Image(o3d.core.Tensor(depth[..., None]))
     cloud = o3d.t.geometry.PointCloud.create_from_depth_image(
         image, o3d.core.Tensor(K), depth_scale=1.0, depth_max=3.0, with_normals=True
@@ -161,10 +167,10 @@ def test_blurred_normals_are_open3ds_with_normals(device, oracle, tolerances):
     points, normals = oracle("pcd/depth_clouds/blurred", blurred_cloud, depth, K)
     smooth = loom.filter_depth_bilateral(depth, 5, 10.0, 10.0, device=device)
     intrinsic = loom.PinholeCameraIntrinsic.from_matrix(K, 32, 24)
-    ours = loom.PointCloud.create_from_depth_image(smooth, intrinsic, with_normals=True, device=device)
-    assert len(ours) == len(points) == 23 * 31
-    np.testing.assert_allclose(ours.points, points, atol=2e-6)
-    np.testing.assert_allclose(ours.normals, normals, atol=tolerances.normal_map)
+    cloud = loom.PointCloud.create_from_depth_image(smooth, intrinsic, with_normals=True, device=device)
+    assert len(cloud) == len(points) == 23 * 31
+    np.testing.assert_allclose(cloud.points, points, atol=2e-6)
+    np.testing.assert_allclose(cloud.normals, normals, atol=tolerances.normal_map)
 
 
 def test_images_of_one_row_or_column_have_no_normals(device):
@@ -182,18 +188,18 @@ def open3d_depth(o3d, points, matrix, extrinsic):
 
 def test_the_depth_image_of_a_cloud_is_open3ds(device, rng, oracle, tolerances):
     points, camera = rng.random((4000, 3)) * 2 - 1, loom.PinholeCameraIntrinsic(64, 48, 52.5, 52.5, 31.5, 23.5)
-    extrinsic = EXTRINSIC.copy()  # rotated as it is, 1.8 m before the middle of the points
+    extrinsic = EXTRINSIC.copy()  # rotated in its own position, 1.8 m in front of the center of the points
     extrinsic[:3, 3] = [0, 0, 1.8]
-    found = loom.PointCloud(points, device=device).project_to_depth_image(64, 48, camera, extrinsic, 1000.0, 2.6)
+    result = loom.PointCloud(points, device=device).project_to_depth_image(64, 48, camera, extrinsic, 1000.0, 2.6)
     expected = oracle("pcd/depth_clouds/projected", open3d_depth, points, camera.matrix, extrinsic)
-    assert found.dtype == np.float32 and found.shape == (48, 64) and (expected > 0).mean() > 0.3
-    same = np.isclose(found, expected, rtol=tolerances.projected_relative)
+    assert result.dtype == np.float32 and result.shape == (48, 64) and (expected > 0).mean() > 0.3
+    same = np.isclose(result, expected, rtol=tolerances.projected_relative)
     assert same.mean() > tolerances.projected_share, f"{1 - same.mean():.3%} of the pixels differ"
 
 
 @pytest.mark.parametrize("moved", [False, True])
 @pytest.mark.parametrize("layout", ["redwood", "tum"])
-def test_a_depth_image_comes_back_from_its_cloud(device, layout, moved, redwood):
+def test_depth_image_round_trip_through_its_cloud(device, layout, moved, redwood):
     raw = encoded(redwood[1])[layout]
     extrinsic = EXTRINSIC if moved else None
     cloud = loom.PointCloud.create_from_depth_image(raw, CAMERA, extrinsic, device=device)
@@ -204,7 +210,7 @@ def test_a_depth_image_comes_back_from_its_cloud(device, layout, moved, redwood)
         np.testing.assert_array_equal(meters, raw.astype(np.float32) / np.float32(1000))
 
 
-def test_every_16_bit_depth_comes_back(device):
+def test_every_16_bit_depth_round_trips(device):
     raw = np.arange(65536, dtype=np.uint16).reshape(256, 256)
     intrinsic = loom.PinholeCameraIntrinsic(256, 256, 200.0, 210.0, 127.3, 100.1)
     for scale in (1000.0, 5000.0):
@@ -218,7 +224,7 @@ def test_every_16_bit_depth_comes_back(device):
         np.testing.assert_array_equal(again.points, cloud.points)
 
 
-def test_an_rgbd_image_comes_back_from_its_cloud(device, redwood):
+def test_rgbd_image_round_trip_through_its_cloud(device, redwood):
     color, raw = redwood
     image = loom.RGBDImage(color, raw, device=device)
     cloud = loom.PointCloud.create_from_rgbd_image(image, CAMERA)
@@ -231,10 +237,10 @@ def test_an_rgbd_image_comes_back_from_its_cloud(device, redwood):
     np.testing.assert_array_equal(again.colors, cloud.colors)
 
 
-@settings(derandomize=True, deadline=None, max_examples=25)  # the first example compiles
+@settings(derandomize=True, deadline=None, max_examples=25)  # the first example includes compilation
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 60), size=st.tuples(st.integers(1, 9), st.integers(1, 7)))
 def test_the_nearest_point_of_each_pixel_wins_ties_to_the_first(seed, count, size):
-    """Against a loop; coordinates of a coarse lattice, so that points tie, lie on borders, behind and at the camera."""
+    """Compared with a loop; coordinates of a coarse lattice give ties, borders, and points behind and at the camera."""
     rng = np.random.default_rng(seed)
     points = rng.integers(-4, 9, (count, 3)) / 2.0
     points[rng.random(count) < 0.1] = np.nan

@@ -1,4 +1,4 @@
-"""Distances within and between clouds: Open3D's on real scans, brute force on random ones, defined in odd cases."""
+"""Distances within and between clouds: Open3D's on real scans, brute force on random ones, degenerate cases."""
 
 import numpy as np
 import pytest
@@ -16,7 +16,7 @@ lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=0, max_size=40
 
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
-    """Points of the indoor fragment, of a LiDAR frame, and of a terrain tile about its own middle."""
+    """Points of the indoor fragment, of a LiDAR frame, and of a centered terrain tile."""
     return {"fragment": fragment.points[::4], "lidar": lidar[:, :3].astype(float), "terrain": terrain - terrain.mean(0)}
 
 
@@ -24,12 +24,12 @@ def open3d_distances(o3d, source, target):
     a, b = cloud_of(o3d, source), cloud_of(o3d, target)
     between, nearest = a.compute_point_cloud_distance(b), a.compute_nearest_neighbor_distance()
     moments, mahalanobis = a.compute_mean_and_covariance(), a.compute_mahalanobis_distance()
-    found = [np.asarray(values) for values in (between, nearest, mahalanobis, *moments)]
+    results = [np.asarray(values) for values in (between, nearest, mahalanobis, *moments)]
     metric = o3d.t.geometry.Metric
     names = [metric.ChamferDistance, metric.HausdorffDistance, metric.FScore]
     parameters = o3d.t.geometry.MetricParameters(fscore_radius=FSCORE_RADII)
     clouds = [o3d.t.geometry.PointCloud(points.astype(np.float32)) for points in (source, target)]
-    return [*found, clouds[0].compute_metrics(clouds[1], names, parameters).numpy()]
+    return [*results, clouds[0].compute_metrics(clouds[1], names, parameters).numpy()]
 
 
 FSCORE_RADII = [0.01, 0.03, 0.1]
@@ -41,14 +41,14 @@ def check_distances(device, source, target, expected, tolerances):
     near = {"rtol": tolerances.distance_relative, "atol": tolerances.distance_absolute}
     np.testing.assert_allclose(cloud.compute_point_cloud_distance(other), between, **near)
     np.testing.assert_allclose(cloud.compute_nearest_neighbor_distance(), nearest, **near)
-    found_mean, found_covariance = cloud.compute_mean_and_covariance()
+    actual_mean, actual_covariance = cloud.compute_mean_and_covariance()
     spread = np.sqrt(np.trace(covariance))
-    np.testing.assert_allclose(found_mean, mean, atol=tolerances.moment_relative * spread)
-    np.testing.assert_allclose(found_covariance, covariance, atol=tolerances.moment_relative * spread**2)
-    found = cloud.compute_mahalanobis_distance()
-    np.testing.assert_allclose(found, mahalanobis, rtol=tolerances.mahalanobis_relative)
-    found = loom.compute_metrics(cloud, other, fscore_radius=FSCORE_RADII)
-    np.testing.assert_allclose([found.chamfer, found.hausdorff, *found.fscore], metrics, rtol=1e-5)
+    np.testing.assert_allclose(actual_mean, mean, atol=tolerances.moment_relative * spread)
+    np.testing.assert_allclose(actual_covariance, covariance, atol=tolerances.moment_relative * spread**2)
+    result = cloud.compute_mahalanobis_distance()
+    np.testing.assert_allclose(result, mahalanobis, rtol=tolerances.mahalanobis_relative)
+    result = loom.compute_metrics(cloud, other, fscore_radius=FSCORE_RADII)
+    np.testing.assert_allclose([result.chamfer, result.hausdorff, *result.fscore], metrics, rtol=1e-5)
 
 
 def test_distances_of_two_made_clouds_are_open3ds(device, rng, oracle, tolerances):
@@ -65,21 +65,21 @@ def test_distances_of_scans_are_open3ds(device, scan, scans, o3d, tolerances):
 def test_a_flat_cloud_has_mahalanobis_distances_within_its_plane(device, rng):
     """Open3D inverts a singular covariance: all its distances are NaN."""
     points = np.column_stack([rng.normal(size=(500, 2)), np.zeros(500)])
-    found = loom.PointCloud(points, device=device).compute_mahalanobis_distance()
+    result = loom.PointCloud(points, device=device).compute_mahalanobis_distance()
     inverse = np.linalg.inv(np.cov(points[:, :2].T, bias=True))
     offset = points[:, :2] - points[:, :2].mean(0)
-    np.testing.assert_allclose(found**2, np.einsum("ni,ij,nj->n", offset, inverse, offset), rtol=1e-5)
+    np.testing.assert_allclose(result**2, np.einsum("ni,ij,nj->n", offset, inverse, offset), rtol=1e-5)
 
 
 @settings(max_examples=20, deadline=None)
 @given(source=lattice, target=lattice)
-def test_distances_are_those_of_brute_force(source, target):
+def test_distances_agree_with_brute_force(source, target):
     a, b = np.array(source, float).reshape(-1, 3), np.array(target, float).reshape(-1, 3)
-    found = loom.PointCloud(a).compute_point_cloud_distance(loom.PointCloud(b))
-    np.testing.assert_allclose(found, cdist(a, b).min(axis=1, initial=np.inf), rtol=1e-7)
-    own = cdist(a, a)
-    np.fill_diagonal(own, np.inf)
-    nearest = own.min(axis=1, initial=np.inf)
+    result = loom.PointCloud(a).compute_point_cloud_distance(loom.PointCloud(b))
+    np.testing.assert_allclose(result, cdist(a, b).min(axis=1, initial=np.inf), rtol=1e-7)
+    within = cdist(a, a)
+    np.fill_diagonal(within, np.inf)
+    nearest = within.min(axis=1, initial=np.inf)
     expected = np.where(np.isinf(nearest), 0, nearest)
     np.testing.assert_allclose(loom.PointCloud(a).compute_nearest_neighbor_distance(), expected, rtol=1e-7)
 

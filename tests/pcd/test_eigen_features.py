@@ -1,4 +1,4 @@
-"""Shapes of neighborhoods against NumPy in float64, and defined in every degenerate one."""
+"""Eigenvalue features of neighborhoods, compared with NumPy in float64, and in degenerate cases."""
 
 import numpy as np
 import pytest
@@ -28,42 +28,42 @@ def plain_shapes(near):
 
 
 def lists_of(cloud, radius=None, max_nn=30):
-    """The neighbors of each point by our own search, so that nothing is hidden in a choice of neighbors."""
+    """The neighbors of each point by pointloom's own search, so that both use the same ones."""
     finder = loom.NearestNeighborSearch(cloud)
     if max_nn is None:
-        found = finder.radius_search(cloud, radius)
-        return np.split(found.indices, np.cumsum(found.counts)[:-1])
-    found = finder.knn_search(cloud, max_nn) if radius is None else finder.hybrid_search(cloud, radius, max_nn)
-    return [row[row >= 0] for row in found.indices]
+        neighbors = finder.radius_search(cloud, radius)
+        return np.split(neighbors.indices, np.cumsum(neighbors.counts)[:-1])
+    neighbors = finder.knn_search(cloud, max_nn) if radius is None else finder.hybrid_search(cloud, radius, max_nn)
+    return [row[row >= 0] for row in neighbors.indices]
 
 
 @ON_REAL_SCANS
 @pytest.mark.parametrize("search", [{"radius": 0.1}, {"max_nn": 20}, {"radius": 0.06, "max_nn": None}], ids=str)
-def test_shapes_of_the_fragment_are_those_of_float64(device, search, fragment, tolerances):
+def test_features_of_the_fragment_agree_with_float64(device, search, fragment, tolerances):
     cloud = loom.PointCloud(fragment.points[::17], device=device)
     shapes = loom.compute_eigen_features(cloud, **search)
-    lists, held = lists_of(cloud, **search), cloud.points
-    check_shapes(shapes, lists, held, range(0, len(cloud), 40), tolerances)
-    check_density(shapes, lists, held, **search)
+    lists, points = lists_of(cloud, **search), cloud.points
+    check_shapes(shapes, lists, points, range(0, len(cloud), 40), tolerances)
+    check_density(shapes, lists, points, **search)
     np.testing.assert_array_equal(loom.estimate_curvature(cloud, **search)["curvature"], shapes["curvature"])
 
 
 @on_sets("scan", shipped=("lidar", "terrain"), real=["lidar"])
-def test_shapes_of_scans_are_those_of_float64(device, scan, lidar, terrain, tolerances):
-    """The tile at UTM coordinates by radius: on its grid of 0.5 m many neighbors tie for the last place of a count."""
+def test_features_of_scans_agree_with_float64(device, scan, lidar, terrain, tolerances):
+    """The tile at UTM coordinates by radius: on its grid of 0.5 m many neighbors tie for the last slot of a count."""
     points, search = (lidar[:, :3], {"max_nn": 20}) if scan == "lidar" else (terrain, {"radius": 4.3, "max_nn": None})
     cloud = loom.PointCloud(points, device=device)
     shapes = loom.compute_eigen_features(cloud, **search)
     check_shapes(shapes, lists_of(cloud, **search), cloud.points - cloud.origin, range(0, len(cloud), 70), tolerances)
 
 
-def check_shapes(shapes, lists, held, rows, tolerances):
+def check_shapes(shapes, lists, points, rows, tolerances):
     checked = 0
     for row in rows:
         if len(lists[row]) < 3:
             assert np.isnan(shapes["linearity"][row])
             continue
-        expected = plain_shapes(held[lists[row]])
+        expected = plain_shapes(points[lists[row]])
         scale = expected["eigenvalues"][0]
         assert np.abs(shapes["eigenvalues"][row] - expected.pop("eigenvalues")).max() < tolerances.eigen_feature * scale
         for name, value in expected.items():
@@ -73,17 +73,17 @@ def check_shapes(shapes, lists, held, rows, tolerances):
     assert checked > 100
 
 
-def check_density(shapes, lists, held, radius=None, max_nn=30):
-    """Neighbors over the volume of the ball that the search ends at."""
-    for row in range(0, len(held), 40):
+def check_density(shapes, lists, points, radius=None, max_nn=30):
+    """Number of neighbors over the volume of the search ball."""
+    for row in range(0, len(points), 40):
         if len(lists[row]) >= 3:
             is_full = max_nn is not None and len(lists[row]) == max_nn
-            farthest = np.linalg.norm(held[lists[row]] - held[row], axis=1).max()
+            farthest = np.linalg.norm(points[lists[row]] - points[row], axis=1).max()
             volume = 4 / 3 * np.pi * (farthest if is_full else radius) ** 3
             assert shapes["density"][row] == pytest.approx(len(lists[row]) / volume, rel=1e-5)
 
 
-def test_lines_planes_and_balls_are_told_apart(device, rng):
+def test_lines_planes_and_balls_are_distinguished(device, rng):
     line = np.outer(np.linspace(0, 1, 100), [0, 0.6, 0.8])
     wall = np.column_stack([np.zeros(400), rng.random((400, 2))])
     ball = rng.normal(size=(1000, 3))
@@ -97,7 +97,7 @@ def test_lines_planes_and_balls_are_told_apart(device, rng):
     assert loom.compute_eigen_features(loom.PointCloud(line, device=device), max_nn=9)["omnivariance"].max() < 1e-6
 
 
-def test_neighborhoods_that_span_nothing_have_no_shape(device):
+def test_degenerate_neighborhoods_have_no_features(device):
     for points in (np.zeros((0, 3)), np.zeros((1, 3)), np.eye(3)[:2], np.ones((20, 3)), np.full((5, 3), np.nan)):
         shapes = loom.compute_eigen_features(loom.PointCloud(points, device=device), max_nn=10)
         assert shapes["eigenvalues"].shape == (len(points), 3)
@@ -124,7 +124,7 @@ def test_shapes_travel_with_attributes_origin_and_grid(device, rng):
 @pytest.mark.parametrize("scale", [1e-12, 1e12])
 def test_shapes_do_not_depend_on_scale(device, scale, rng):
     points = bumpy(rng)
-    found = loom.compute_eigen_features(loom.PointCloud(points * scale, device=device, origin=np.zeros(3)), max_nn=12)
+    result = loom.compute_eigen_features(loom.PointCloud(points * scale, device=device, origin=np.zeros(3)), max_nn=12)
     expected = loom.compute_eigen_features(loom.PointCloud(points, device=device), max_nn=12)
-    agree = np.abs(found["planarity"] - expected["planarity"]) < 1e-4
+    agree = np.abs(result["planarity"] - expected["planarity"]) < 1e-4
     assert agree.mean() > 0.98, "coordinates are rounded anew"

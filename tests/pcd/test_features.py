@@ -1,4 +1,4 @@
-"""FPFH against Open3D on real scans and against its formula, with the limits of every feature."""
+"""FPFH compared with Open3D on real scans and with its formula, and the limits of every feature."""
 
 import numpy as np
 import pytest
@@ -22,13 +22,13 @@ def terrain(shipped_file):
 @pytest.fixture(scope="module")
 def scenes(fragment, lidar, terrain):
     """Clouds with normals on the CPU, by name."""
-    whole = loom.PointCloud(fragment.points)
+    full = loom.PointCloud(fragment.points)
     near = lidar[np.linalg.norm(lidar[:, :3], axis=1) < 12, :3]
-    # Its normals look up, as for any use: which of two equally far neighbors is taken tells most where normals
-    # lie on both sides (45 rows, where 12 differ now).
+    # Normals point up, as usual: which of two equally distant neighbors is chosen matters most if normals
+    # are on both sides (45 rows, instead of 12 now).
     slope = loom.PointCloud(terrain).estimate_normals(radius=8.0, max_nn=30).orient_normals_to_align_with_direction()
     return {
-        "fragment 0.05": whole.voxel_down_sample(0.05).estimate_normals(radius=0.1, max_nn=30),
+        "fragment 0.05": full.voxel_down_sample(0.05).estimate_normals(radius=0.1, max_nn=30),
         "lidar": loom.PointCloud(near).estimate_normals(radius=0.5, max_nn=30),
         "terrain": slope,
     }
@@ -43,16 +43,16 @@ CASES = [
 ]
 
 
-def assert_same_features(cloud, found, expected, radius, max_nn, tolerances):
-    """Rows equal Open3D's, but for a few with neighbors whose choice float32 or a tie decides, or theirs."""
-    different = np.flatnonzero(np.abs(found - expected).max(axis=1) > tolerances.fpfh_block)
+def assert_same_features(cloud, actual, expected, radius, max_nn, tolerances):
+    """Check that rows equal Open3D's, except for rows whose neighbors depend on float32 rounding or ties."""
+    different = np.flatnonzero(np.abs(actual - expected).max(axis=1) > tolerances.fpfh_block)
     assert len(different) < tolerances.fpfh_ties * len(cloud), f"{len(different)} of {len(cloud)} rows differ"
-    doubtful = doubtful_points(cloud, radius, max_nn, tolerances) if len(different) else set()
-    assert set(different) <= doubtful, f"{len(set(different) - doubtful)} rows differ without a reason"
+    uncertain = uncertain_points(cloud, radius, max_nn, tolerances) if len(different) else set()
+    assert set(different) <= uncertain, f"{len(set(different) - uncertain)} rows differ without a reason"
 
 
-def doubtful_points(cloud, radius, max_nn, tolerances):
-    """The points whose neighbors are not certain, and all that have one of these among their neighbors."""
+def uncertain_points(cloud, radius, max_nn, tolerances):
+    """Points whose neighbors are ambiguous, and all points with one of these among their neighbors."""
     from scipy.spatial import cKDTree
 
     p = cloud.array("points").numpy().astype(float)
@@ -67,19 +67,19 @@ def doubtful_points(cloud, radius, max_nn, tolerances):
         slack = radius * tolerances.sqdist_relative
         outer, inner = (tree.query_ball_point(p, r, return_length=True) for r in (radius + slack, radius - slack))
         uncertain |= (outer != inner) & (inner <= (max_nn or len(p)))
-    reach = radius or tree.query(p, max_nn)[0].max()
-    rows = tree.query_ball_point(p[uncertain], reach)
+    max_distance = radius or tree.query(p, max_nn)[0].max()
+    rows = tree.query_ball_point(p[uncertain], max_distance)
     return set(np.flatnonzero(uncertain)).union(*rows)
 
 
 @on_sets("scene search", shipped=CASES, real=[case for case in CASES if case[0] != "terrain"])
 def test_fpfh_of_real_scans_is_open3ds(device, scene, search, scenes, o3d, tolerances):
     cloud = scenes[scene].to(device)
-    found = loom.compute_fpfh_feature(cloud, **search)
+    result = loom.compute_fpfh_feature(cloud, **search)
     limits = {"radius": None, "max_nn": 100} | search
-    assert found.dtype == np.float32 and found.shape == (len(cloud), 33)
+    assert result.dtype == np.float32 and result.shape == (len(cloud), 33)
     expected = features_of(o3d, cloud.array("points").numpy(), cloud.normals, **limits)
-    assert_same_features(scenes[scene], found, expected, **limits, tolerances=tolerances)
+    assert_same_features(scenes[scene], result, expected, **limits, tolerances=tolerances)
 
 
 def pair_of_points():
@@ -87,7 +87,7 @@ def pair_of_points():
 
 
 def duplicates(rng):
-    """More than there are neighbors: the point itself may not be among its own; one of these goes in its stead."""
+    """More duplicates than neighbors: the point itself may be missing from its neighbors, replaced by a duplicate."""
     normals = rng.normal(size=(43, 3))
     return np.concatenate([np.zeros((40, 3)), np.eye(3)]), normals / np.linalg.norm(normals, axis=1, keepdims=True)
 
@@ -100,11 +100,11 @@ def bumpy_with_normals(rng, length):
 
 
 def flat(rng):
-    """Every pair ties for which normal comes first, and angles are exactly zero."""
+    """The order of normals ties for every pair, and angles are exactly zero."""
     return np.float32(np.column_stack([rng.random((200, 2)), np.zeros(200)])).astype(float), [[0, 0, 1.0]] * 200
 
 
-SMALL = {  # scenes for which Open3D's features are stored, and limits; normals need not be of unit length
+SMALL = {  # scenes with stored features of Open3D, and limits; normals need not have unit length
     "unit": (lambda rng: bumpy_with_normals(rng, 1.0), 0.2, 40),
     "short": (lambda rng: bumpy_with_normals(rng, 0.9), 0.2, None),
     "long": (lambda rng: bumpy_with_normals(rng, 1.5), 0.2, 40),
@@ -122,13 +122,13 @@ def test_fpfh_of_a_small_scene_is_open3ds(device, scene, rng, oracle, tolerances
     points, normals = make(rng)
     expected = oracle(f"pcd/features/{scene.replace(' ', '-')}", features_of, points, normals, radius, max_nn)
     cloud = loom.PointCloud(points, normals=normals, device=device, origin=np.zeros(3))
-    found = loom.compute_fpfh_feature(cloud, radius=radius, max_nn=max_nn)
-    rows = slice(40) if scene == "duplicates" else slice(None)  # of the others the neighbors are tied
-    np.testing.assert_allclose(found[rows], expected[rows], atol=tolerances.fpfh_block)
+    result = loom.compute_fpfh_feature(cloud, radius=radius, max_nn=max_nn)
+    rows = slice(40) if scene == "duplicates" else slice(None)  # the neighbors of the others are tied
+    np.testing.assert_allclose(result[rows], expected[rows], atol=tolerances.fpfh_block)
     if scene == "flat":
-        assert found[:, [5, 16, 27]].min() > 199.99
+        assert result[:, [5, 16, 27]].min() > 199.99
     if scene == "duplicates":
-        np.testing.assert_array_equal(np.unique(found[rows]), [0, 100])
+        np.testing.assert_array_equal(np.unique(result[rows]), [0, 100])
 
 
 def pair_bins(p, n, q, m):
@@ -149,7 +149,7 @@ def pair_bins(p, n, q, m):
 
 
 def plain_features(points, normals, radius, max_nn):
-    """FPFH in float64 without any search structure; neighbors by float32 distance, as documented."""
+    """FPFH in float64 without a search structure; neighbors by float32 distance, as documented."""
     n = len(points)
     single = np.float32(points)
     good = np.isfinite(single).all(axis=1) & np.isfinite(normals).all(axis=1)
@@ -181,7 +181,7 @@ LIMITS = st.sampled_from(
 @examples(12)
 @given(seed=st.integers(0, 2**32 - 1), count=st.integers(0, 30), limits=LIMITS)
 def test_fpfh_is_its_formula(device, tolerances, seed, count, limits):
-    """Duplicates, equal normals, points and normals that are not finite; lattice points where no count is limited."""
+    """Duplicates, equal normals, non-finite points and normals; lattice points if no count is limited."""
     rng = np.random.default_rng(seed)
     points = rng.random((count, 3))
     if limits[1] is None:
@@ -192,8 +192,8 @@ def test_fpfh_is_its_formula(device, tolerances, seed, count, limits):
     points[rng.random(count) < 0.1] = np.nan
     normals[rng.random(count) < 0.1, 1] = np.inf
     cloud = loom.PointCloud(points, normals=normals, device=device)
-    found = loom.compute_fpfh_feature(cloud, radius=limits[0], max_nn=limits[1])
-    np.testing.assert_allclose(found, plain_features(points, normals, *limits), rtol=0, atol=tolerances.fpfh_block)
+    result = loom.compute_fpfh_feature(cloud, radius=limits[0], max_nn=limits[1])
+    np.testing.assert_allclose(result, plain_features(points, normals, *limits), rtol=0, atol=tolerances.fpfh_block)
 
 
 @pytest.mark.parametrize("search", [{"radius": 0.2}, {"max_nn": 9}, {"radius": 0.2, "max_nn": None}], ids=str)
@@ -204,10 +204,10 @@ def test_features_of_some_points_are_rows_of_all(device, search, rng, tolerances
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=12)
     every = loom.compute_fpfh_feature(cloud, **search)
     for indices in ([3], [880, 7, 12, 12, -1, 0], [], rng.permutation(900)[:300], np.arange(900)):
-        found = loom.compute_fpfh_feature(cloud, indices=indices, **search)
-        assert found.shape == (len(indices), 33)
+        result = loom.compute_fpfh_feature(cloud, indices=indices, **search)
+        assert result.shape == (len(indices), 33)
         chosen = every[np.asarray(indices, int)]
-        np.testing.assert_allclose(found, chosen, rtol=0, atol=tolerances.fpfh_block)
+        np.testing.assert_allclose(result, chosen, rtol=0, atol=tolerances.fpfh_block)
 
 
 @pytest.mark.parametrize("search", [{"radius": 0.5}, {"max_nn": 30}, {"radius": 0.5, "max_nn": None}], ids=str)
@@ -218,15 +218,15 @@ def test_points_without_neighbors_have_zero_features(device, search):
     if "radius" in search:
         apart = loom.PointCloud(np.eye(3), normals=np.eye(3), device=device)
         assert loom.compute_fpfh_feature(apart, **search).tolist() == [[0.0] * 33] * 3
-    alone = loom.PointCloud(np.eye(3), normals=np.eye(3), device=device)
-    assert not loom.compute_fpfh_feature(alone, max_nn=1).any()
+    isolated = loom.PointCloud(np.eye(3), normals=np.eye(3), device=device)
+    assert not loom.compute_fpfh_feature(isolated, max_nn=1).any()
 
 
 def test_equal_points_have_features(device):
     equal = loom.PointCloud(np.ones((50, 3)), normals=np.tile([0, 0, 1], (50, 1)), device=device)
     for search in ({"radius": 1.0}, {"max_nn": 100}, {"radius": 1.0, "max_nn": None}):
-        found = loom.compute_fpfh_feature(equal, **search)
-        assert np.unique(found[:, [5, 16, 27]]).tolist() == [100] and found.sum() == 50 * 300
+        result = loom.compute_fpfh_feature(equal, **search)
+        assert np.unique(result[:, [5, 16, 27]]).tolist() == [100] and result.sum() == 50 * 300
 
 
 @pytest.mark.parametrize("scale", [1e-12, 1e12])
@@ -234,13 +234,13 @@ def test_fpfh_does_not_depend_on_scale(device, scale, rng):
     points = bumpy(rng)
     plain = loom.PointCloud(points, device=device).estimate_normals(max_nn=12)
     scaled = loom.PointCloud(points * scale, normals=plain.normals, device=device, origin=np.zeros(3))
-    found = loom.compute_fpfh_feature(scaled, radius=0.2 * scale)
-    agree = np.abs(found - loom.compute_fpfh_feature(plain, radius=0.2)).max(axis=1) < 0.02
+    result = loom.compute_fpfh_feature(scaled, radius=0.2 * scale)
+    agree = np.abs(result - loom.compute_fpfh_feature(plain, radius=0.2)).max(axis=1) < 0.02
     assert agree.mean() > 0.98, "coordinates are rounded anew"
 
 
-def test_points_nearer_than_any_scanner_can_tell_have_finite_features(device, rng):
-    """A weight is one over the squared distance: at 2e-19 m that times a histogram is beyond float32."""
+def test_extremely_close_points_have_finite_features(device, rng):
+    """A weight is one over the squared distance: at 2e-19 m its product with a histogram overflows float32."""
     points = np.concatenate([np.arange(3)[:, None] * [2e-19, 0, 0], rng.uniform(-1, 1, (40, 3))])
     normals = rng.normal(size=points.shape)
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)

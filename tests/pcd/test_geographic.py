@@ -1,4 +1,4 @@
-"""Degrees to UTM: published points, what defines the projection, and nothing lost on the way."""
+"""Degrees to UTM: published points, the defining properties of the projection, and preserved attributes."""
 
 import numpy as np
 from hypothesis import given, settings
@@ -16,11 +16,11 @@ WGS84 = 6378137.0, 1 / 298.257223563
 def transverse_mercator(longitudes, latitudes, radius, flattening, device="cpu"):
     """Easting and northing [m], in float64."""
     degrees = np.stack([longitudes, latitudes, np.zeros(len(longitudes))], axis=1)
-    found = download(project_degrees(upload(degrees, vec3d, device), mercator(0.0, radius, flattening)))
-    return found[:, 0], found[:, 1]
+    result = download(project_degrees(upload(degrees, vec3d, device), mercator(0.0, radius, flattening)))
+    return result[:, 0], result[:, 1]
 
 
-def test_snyders_example_comes_out():
+def test_snyders_example():
     """Snyder 1987, "Map Projections: A Working Manual", page 269: Clarke 1866, given to 0.1 m."""
     flattening = 1 - np.sqrt(1 - 0.00676866)
     easting, northing = transverse_mercator(np.array([1.5]), np.array([40.5]), 6378206.4, flattening)
@@ -32,25 +32,25 @@ def test_the_meridian_keeps_its_length():
     latitudes = np.array([-79.5, -33.3, 0.0, 12.25, 51.0, 84.0])
     easting, northing = transverse_mercator(np.zeros(6), latitudes, *WGS84)
     squared = WGS84[1] * (2 - WGS84[1])
-    for latitude, found in zip(latitudes, northing, strict=True):
+    for latitude, result in zip(latitudes, northing, strict=True):
         nodes, weights = np.polynomial.legendre.leggauss(40)
         half = np.radians(latitude) / 2
         curvature = (1 - squared) / (1 - squared * np.sin(half * (nodes + 1)) ** 2) ** 1.5
-        assert abs(found - WGS84[0] * half * (weights @ curvature)) < 1e-8 + 1e-14 * abs(found)
+        assert abs(result - WGS84[0] * half * (weights @ curvature)) < 1e-8 + 1e-14 * abs(result)
     np.testing.assert_array_equal(easting, 0)
 
 
 @settings(max_examples=25, derandomize=True, deadline=None, database=None)
 @given(st.floats(-30, 30), st.floats(-80, 84))
-def test_angles_are_kept(longitude, latitude):
-    """With the meridian's length this defines the projection: the north and east on the ground stay at right angles."""
+def test_projection_is_conformal(longitude, latitude):
+    """With the length of the meridian this defines the projection: north and east stay orthogonal."""
     step, squared = 1e-5, WGS84[1] * (2 - WGS84[1])
     around = np.array([[step, 0], [-step, 0], [0, step], [0, -step]]) + np.array([longitude, latitude])
     east, north = transverse_mercator(around[:, 0], around[:, 1], *WGS84)
-    places = np.stack([east, north], axis=1)
+    projected = np.stack([east, north], axis=1)
     root = np.sqrt(1 - squared * np.sin(np.radians(latitude)) ** 2)
-    to_east = (places[0] - places[1]) * root / np.cos(np.radians(latitude))
-    to_north = (places[2] - places[3]) * root**3 / (1 - squared)
+    to_east = (projected[0] - projected[1]) * root / np.cos(np.radians(latitude))
+    to_north = (projected[2] - projected[3]) * root**3 / (1 - squared)
     np.testing.assert_allclose(
         [to_east[1], to_east[0]], [-to_north[0], to_north[1]], rtol=0, atol=2e-7 * abs(to_north).max()
     )
@@ -58,22 +58,22 @@ def test_angles_are_kept(longitude, latitude):
 
 def test_longitudes_beyond_the_antimeridian_belong_to_the_zones_on_both_sides(device):
     """3.1 degrees west of 177 W is 179.9 E, and 3.1 degrees east of 177 E is 179.9 W."""
-    wanted = transverse_mercator(np.array([-3.1, 3.1]), np.array([10.0, -20.0]), *WGS84)
+    expected = transverse_mercator(np.array([-3.1, 3.1]), np.array([10.0, -20.0]), *WGS84)
     for k, (meridian, longitude) in enumerate([(-177.0, 179.9), (177.0, -179.9)]):
         degrees = upload(np.array([[longitude, [10.0, -20.0][k], 0.0]]), vec3d, device)
-        found = download(project_degrees(degrees, mercator(meridian, *WGS84)))[0]
-        np.testing.assert_allclose(found[:2], [wanted[0][k], wanted[1][k]], rtol=0, atol=1e-6)
+        result = download(project_degrees(degrees, mercator(meridian, *WGS84)))[0]
+        np.testing.assert_allclose(result[:2], [expected[0][k], expected[1][k]], rtol=0, atol=1e-6)
 
 
-def test_a_cloud_comes_out_in_metres_with_all_it_has(device):
-    tower = [-79.387139, 43.642567, 553.0]  # the CN Tower, which the zone's own article gives as 630084 E, 4833438 N
+def test_projected_cloud_is_in_meters_with_all_attributes(device):
+    tower = [-79.387139, 43.642567, 553.0]  # the CN Tower, 630084 E, 4833438 N according to the article on UTM
     cloud = loom.PointCloud([tower, [np.nan, 0, 0]], colors=[[1, 0, 0], [0, 1, 0]], ring=[3, 4], device=device)
-    found = loom.project_to_utm(cloud)
-    assert found["ring"].tolist() == [3, 4]
-    assert found.has_colors
-    assert str(found.device) == device
-    assert np.isnan(found.points[1, 0])
-    np.testing.assert_allclose(found.points[0], [630084, 4833438, 553], rtol=0, atol=1)
+    result = loom.project_to_utm(cloud)
+    assert result["ring"].tolist() == [3, 4]
+    assert result.has_colors
+    assert str(result.device) == device
+    assert np.isnan(result.points[1, 0])
+    np.testing.assert_allclose(result.points[0], [630084, 4833438, 553], rtol=0, atol=1)
     assert cloud.points[0, 0] == np.float32(tower[0])
 
 
@@ -81,7 +81,7 @@ def test_the_south_counts_from_ten_million_and_a_zone_may_be_given():
     cloud = loom.PointCloud([[177.0, -0.001, 0]])
     assert utm_epsg(cloud) == 32760
     assert abs(loom.project_to_utm(cloud).points[0, 1] - (1e7 - 110.53)) < 0.01
-    across = loom.PointCloud([[-179.9, -0.001, 0]])  # another zone, which begins at the same meridian
+    across = loom.PointCloud([[-179.9, -0.001, 0]])  # another zone, starting at the same meridian
     assert utm_epsg(across) == 32701
     assert loom.project_to_utm(across, epsg=32760).points[0, 0] > loom.project_to_utm(cloud).points[0, 0]
     assert utm_epsg(loom.PointCloud([[180.0, 3.0, 0]])) == 32601

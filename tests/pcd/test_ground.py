@@ -1,4 +1,4 @@
-"""Ground: few errors on airborne scans with known ground, and exact answers on terrain made by formula."""
+"""Ground classification: few errors on airborne scans with known ground, exact results on synthetic terrain."""
 
 import importlib.util
 import sys
@@ -27,18 +27,18 @@ def scoring():
 @pytest.fixture(scope="module")
 def tiles(real_file, scoring):
     """Points and true ground of the tiles by name."""
-    found = scoring.tiles(real_file("lidar-pcl-terrain"))
-    assert len(found) == 9
-    return found
+    result = scoring.tiles(real_file("lidar-pcl-terrain"))
+    assert len(result) == 9
+    return result
 
 
 def village(rng, count=15_000, slope=0.1):
-    """A slope of 100 x 80 m with two houses and trees, and which of its points are ground."""
+    """A slope of 100 x 80 m with two houses and trees, and the mask of its ground points."""
     x, y = rng.random((2, count)) * [[100], [80]]
-    house = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
-    tree = ~house & (np.hypot(x % 25 - 12, y % 25 - 12) < 2.5) & (rng.random(count) < 0.6)
-    height = np.where(house, 6.0, np.where(tree, rng.uniform(1.5, 9, count), 0.02 * rng.normal(size=count)))
-    return np.column_stack([x, y, slope * x + 0.5 * np.sin(y / 15) + height]), ~(house | tree)
+    building = (abs(x - 30) < 8) & (abs(y - 40) < 10) | (abs(x - 70) < 6) & (abs(y - 25) < 6)
+    tree = ~building & (np.hypot(x % 25 - 12, y % 25 - 12) < 2.5) & (rng.random(count) < 0.6)
+    height = np.where(building, 6.0, np.where(tree, rng.uniform(1.5, 9, count), 0.02 * rng.normal(size=count)))
+    return np.column_stack([x, y, slope * x + 0.5 * np.sin(y / 15) + height]), ~(building | tree)
 
 
 def test_errors_on_tiles_with_known_ground_are_small(device, tiles, scoring, tolerances):
@@ -50,7 +50,7 @@ def test_errors_on_tiles_with_known_ground_are_small(device, tiles, scoring, tol
     assert np.mean(kappas) > tolerances.ground_kappa
 
 
-def test_errors_are_those_of_their_definition(scoring):
+def test_errors_follow_their_definition(scoring):
     truth = np.array([1, 1, 1, 1, 0, 0], bool)
     errors = scoring.compare(np.array([1, 1, 1, 0, 1, 0], bool), truth)
     assert errors.first == 25 and errors.second == 50 and errors.total == pytest.approx(100 / 3)
@@ -59,11 +59,11 @@ def test_errors_are_those_of_their_definition(scoring):
 
 
 @pytest.mark.parametrize("slope", [0.0, 0.1])
-def test_ground_of_a_village_is_found(device, rng, slope):
+def test_ground_of_a_village_is_classified(device, rng, slope):
     points, ground = village(rng, slope=slope)
-    found = loom.classify_ground(loom.PointCloud(points, device=device))
-    assert found.dtype == bool and found.shape == (len(points),)
-    assert (found != ground).mean() < 0.005
+    result = loom.classify_ground(loom.PointCloud(points, device=device))
+    assert result.dtype == bool and result.shape == (len(points),)
+    assert (result != ground).mean() < 0.005
 
 
 def test_a_plane_is_ground_however_steep(device, rng):
@@ -77,16 +77,16 @@ def test_stray_returns_below_the_ground_do_not_pull_it_down(device, rng):
     points, ground = village(rng, slope=0.0)
     points[::3000, 2] -= 40
     ground[::3000] = False
-    found = loom.classify_ground(loom.PointCloud(points, device=device))
-    assert (found != ground).mean() < 0.006 and not found[::3000].any()
+    result = loom.classify_ground(loom.PointCloud(points, device=device))
+    assert (result != ground).mean() < 0.006 and not result[::3000].any()
 
 
-def test_parameters_choose_what_is_ground(device, rng):
+def test_parameters_affect_the_classification(device, rng):
     points, _ = village(rng, slope=0.0)
     cloud = loom.PointCloud(points, device=device)
-    house = points[:, 2] > 5
-    assert loom.classify_ground(cloud, max_window=4.0)[house].mean() > 0.3, "houses are wider than the windows"
-    assert loom.classify_ground(cloud, max_window=18.0)[house].mean() < 0.01
+    building = points[:, 2] > 5
+    assert loom.classify_ground(cloud, max_window=4.0)[building].mean() > 0.3, "houses are wider than the windows"
+    assert loom.classify_ground(cloud, max_window=18.0)[building].mean() < 0.01
     near = loom.classify_ground(cloud, elevation_threshold=0.01, scaling=0.0).sum()
     assert near < loom.classify_ground(cloud).sum()
     coarse = loom.classify_ground(cloud, cell_size=2.5)
@@ -100,36 +100,36 @@ def test_a_few_points_are_ground(device, count):
 
 
 @pytest.mark.parametrize("points", [np.ones((20, 3)), np.outer(np.arange(20), [0, 1, 0]), np.full((5, 3), np.nan)])
-def test_equal_points_lines_and_nothing_finite_are_answered(device, points):
-    found = loom.classify_ground(loom.PointCloud(points, device=device))
-    assert found.tolist() == [bool(np.isfinite(points).all())] * len(points)
+def test_degenerate_clouds_are_classified(device, points):
+    result = loom.classify_ground(loom.PointCloud(points, device=device))
+    assert result.tolist() == [bool(np.isfinite(points).all())] * len(points)
 
 
 @settings(max_examples=20, deadline=None)
 @given(seed=st.integers(0, 2**20), count=st.integers(1, 60), spread=st.floats(0.01, 30))
 def test_the_lowest_point_of_a_flat_scene_is_ground(seed, count, spread):
-    """Points on a level floor stay ground whatever stands on it."""
+    """Points on a level floor stay ground regardless of objects on it."""
     rng = np.random.default_rng(seed)
     floor = np.column_stack([rng.random((count, 2)) * spread, np.zeros(count)])
     above = floor[: count // 2] + np.array([0, 0, 3.0])
-    found = loom.classify_ground(loom.PointCloud(np.vstack([floor, above])))
-    assert found[:count].all() and not found[count:].any()
+    result = loom.classify_ground(loom.PointCloud(np.vstack([floor, above])))
+    assert result[:count].all() and not result[count:].any()
 
 
 def test_ridges_of_steep_hills_are_ground(device, rng):
-    """No window takes away at once what slopes of up to 45 degrees rise to over many cells."""
+    """No window removes at once the height that slopes of up to 45 degrees gain over many cells."""
     points = rng.random((30_000, 3)) * [150, 150, 0]
     points[:, 2] = 15 * np.sin(points[:, 0] / 15) * np.cos(points[:, 1] / 25)
     assert loom.classify_ground(loom.PointCloud(points, device=device)).mean() > 0.97
 
 
-def test_a_stray_return_below_is_left_out_and_a_steep_pit_is_kept(device, rng):
-    """A cell is stray where it is five times deeper than wide."""
+def test_stray_return_is_removed_and_steep_pit_is_preserved(device, rng):
+    """A cell is stray if it is five times deeper than wide."""
     ground = rng.uniform(0, 30, (6000, 3)) * [1, 1, 0]
-    for depth, kept in ((3.0, True), (4.5, True), (5.5, False), (40.0, False)):
+    for depth, is_ground in ((3.0, True), (4.5, True), (5.5, False), (40.0, False)):
         points = np.concatenate([ground, [[15.5, 15.5, -depth], [0, 0, 0], [30, 30, 0]]])
         mask = loom.classify_ground(loom.PointCloud(points, device=device), cell_size=1.0)
-        assert mask[6000] == kept, depth
+        assert mask[6000] == is_ground, depth
         assert mask[:6000].mean() > 0.99
 
 

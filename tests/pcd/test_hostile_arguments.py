@@ -1,7 +1,7 @@
-"""Every argument of every public function refuses what makes no sense, quickly, by an error that names it.
+"""Every argument of every public function rejects invalid values quickly, with an error that names it.
 
-The checks are the host's, so the CPU stands for all devices. Left out, as any value has a meaning for them: switches
-(`invert`, `ascii`, ...), which go by their truth. Records that operations return are left out, too.
+The checks run on the host, so only the CPU is tested. Switches (`invert`, `ascii`, ...) are excluded, since every value
+is valid for them. Records returned by operations are excluded, too.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ from ..hostile import (
 )
 from ..io.camera_stubs import KinectStub, RealSenseStub
 
-# One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
+# One line per call: the function and a valid value of each argument, as expressions over `things()`.
 CALLS = """
 loom.PointCloud(points=points, normals=normals, colors=colors, device="cpu", origin=three, unit="foot", label=row)
 loom.PointCloud.concatenate(clouds=[cloud, cloud])
@@ -347,7 +347,7 @@ paged_filled.ray_cast(intrinsic=camera, extrinsic=pose, depth_min=0.1, depth_max
 
 @cache
 def things() -> dict[str, Any]:
-    """What the expressions of the table name."""
+    """Objects used by the expressions of the table."""
     rng = np.random.default_rng(0)
     points, row = rng.random((60, 3)), np.arange(60)
     colors, depth = rng.random((60, 3)), 1 + rng.random((12, 16))
@@ -429,7 +429,7 @@ HOMES = {
     "straightened": "Undistortion", "panorama": "Panorama",
     "splats": "GaussianSplats", "distance_field": "DistanceField",
 }  # fmt: skip
-# Results; errors; what takes device arrays, which users do not call; and what tests of other folders try.
+# Results; errors; functions of device arrays, which are not public; and functions tested in other folders.
 LEFT_OUT = {
     "DatasetError", "FileError", "DeviceError", "PointloomError", "CameraError", "NonFiniteWarning",
     "GeographicWarning", "RecordingWarning", "evaluate_depth", "sample_file",
@@ -451,7 +451,7 @@ LEFT_OUT |= {
     f"Recording.{name}"
     for name in ("choose_topic", "messages", "scans", "frames", "imu", "trajectory", "transforms", "header_at")
 } | {f"Recording.{name}_{how}" for name, how in (("rows", "of"), ("bytes", "at"), ("content", "at"))}
-LEFT_OUT |= {  # other names of what the table has
+LEFT_OUT |= {  # aliases of table entries
     f"{kind.__name__}.{name}"
     for kind in (loom.PointCloud, loom.RGBDImage, loom.TriangleMesh)
     for name in dir(kind)
@@ -462,7 +462,7 @@ TAKES_ARRAYS = {
     "NearestNeighborSearch", "TriangleMesh.is_intersecting", "LatestFrames", "record_frames",
 }  # or a mesh, or frames  # fmt: skip
 MAY_BE_INFINITE = {"invalid_fill"}
-# What a message says in place of the argument's name.
+# Text that a message uses instead of the argument's name.
 ALSO = {
     "NearestNeighborSearch": "points",
     "PointCloud.array": "the cloud has no",
@@ -475,7 +475,7 @@ TABLE = read_table(CALLS, HOMES)
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """Files named by hostile values go here; the drivers of cameras are played by stubs."""
+    """Working folder of files with hostile names; camera drivers are replaced by stubs."""
     monkeypatch.chdir(tmp_path)
     monkeypatch.setitem(sys.modules, "pyrealsense2", RealSenseStub([1]))
     monkeypatch.setitem(sys.modules, "pyk4a", KinectStub([1] * 1000))
@@ -488,15 +488,15 @@ def test_the_table_names_every_argument_of_every_public_call():
 @pytest.mark.slow
 @pytest.mark.filterwarnings("ignore::pointloom.DroppedResultWarning", "ignore::pointloom.NormalsWarning")
 @pytest.mark.parametrize("call", TABLE)
-def test_the_good_arguments_are_taken(call):
+def test_valid_arguments_are_accepted(call):
     function, expressions = TABLE[call]
     values = dict(things())
     good = {name: eval(expression, values) for name, expression in expressions.items()}
-    with contextlib.suppress(loom.FileError):  # of files that are not there
+    with contextlib.suppress(loom.FileError):  # of missing files
         eval(function, values)(**good)
 
 
-DEAR = [  # they take 2^24 points, and do so
+EXPENSIVE = [  # they accept 2^24 points
     ("TriangleMesh.compute_metrics", "n_sampled_points"), ("TriangleMesh.sample_points_uniformly", "number_of_points"),
     ("compare_meshes", "samples"),
 ]  # fmt: skip
@@ -504,12 +504,12 @@ DEAR = [  # they take 2^24 points, and do so
 
 @pytest.mark.parametrize("call", TABLE)
 def test_a_hostile_value_is_refused_by_name(call):
-    arguments = [name for name, good in TABLE[call][1].items() if good != "True" and (call, name) not in DEAR]
+    arguments = [name for name, good in TABLE[call][1].items() if good != "True" and (call, name) not in EXPENSIVE]
     check_arguments(call, arguments)
 
 
 @pytest.mark.nightly
-@pytest.mark.parametrize(("call", "argument"), DEAR)
+@pytest.mark.parametrize(("call", "argument"), EXPENSIVE)
 def test_a_hostile_count_is_refused_by_name(call, argument):
     check_arguments(call, [argument])
 
@@ -534,7 +534,7 @@ CLOUDS = ("cloud", "other")
 
 
 @pytest.mark.parametrize("call", calls_of_clouds(TABLE, CLOUDS))
-def test_a_hostile_cloud_is_answered_without_a_warning(call):
+def test_hostile_cloud_issues_no_warning(call):
     faults = faults_of_clouds(TABLE[call], CLOUDS, things())
     assert not faults, "\n".join(faults)
 
@@ -559,6 +559,6 @@ def test_a_hostile_cloud_is_answered_without_a_warning(call):
         ("cloud.random_down_sample(0.5, seed=10**400)", r"seed: .* below 2\^31, got an integer of 1329 bits"),
     ],
 )
-def test_a_size_beyond_reason_is_refused_with_what_to_do(line, message):
+def test_excessive_size_is_rejected_with_a_suggestion(line, message):
     with pytest.raises(ValueError, match=message):
         eval(line, dict(things()))

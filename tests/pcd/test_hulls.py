@@ -1,4 +1,4 @@
-"""Convex hulls: Open3D's on real scans, those of brute force on small clouds, and right where Open3D's raise errors."""
+"""Convex hulls: Open3D's on real scans, brute force on small clouds, and degenerate clouds on which Open3D fails."""
 
 import numpy as np
 import pytest
@@ -11,7 +11,7 @@ from .any_cloud import clouds, examples, parts
 from .open3d_clouds import cloud_of
 
 CUBE = np.array([[x, y, z] for x in (0.0, 1.0) for y in (0.0, 1.0) for z in (0.0, 1.0)])
-TURN = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
+ROTATION = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
 
 
 def rows_of(points):
@@ -31,7 +31,7 @@ def signed_volume(hull):
 
 
 def assert_encloses(hull, points, limit):
-    """No point lies farther than the limit outside any triangle that is large enough to have a plane."""
+    """Check that no point is farther than the limit outside any non-degenerate triangle."""
     a, b, c = (hull.vertices[hull.triangles[:, k]] for k in range(3))
     normals = np.cross(b - a, c - a)
     sizes = np.linalg.norm(normals, axis=1)
@@ -42,7 +42,7 @@ def assert_encloses(hull, points, limit):
 
 
 def open3d_hull(o3d, points):
-    """Its vertices as rows of the cloud, volume and area."""
+    """Vertices of Open3D's hull as rows of the cloud, volume and area."""
     mesh, indices = cloud_of(o3d, points).compute_convex_hull()
     mesh.orient_triangles()
     return np.sort(indices), abs(mesh.get_volume()), mesh.get_surface_area()
@@ -65,7 +65,7 @@ def test_the_hull_of_a_made_cloud_is_open3ds(device, shape, stretch, rng, oracle
 
 @pytest.mark.parametrize("shape", ["ball", "needle", "corner", "lattice"])
 def test_the_points_that_kernels_rule_out_are_no_vertices(device, shape, rng):
-    """Above the count from which the filter works, against Qhull of all points."""
+    """Above the point count at which the filter is used, compared with Qhull on all points."""
     from scipy.spatial import ConvexHull as Qhull
 
     points = rng.normal(size=(6_001, 3))
@@ -73,7 +73,7 @@ def test_the_points_that_kernels_rule_out_are_no_vertices(device, shape, rng):
         points /= np.linalg.norm(points, axis=1, keepdims=True)
     elif shape == "needle":
         points *= [100, 0.1, 1e-4]
-    elif shape == "corner":  # the middle of its box lies outside
+    elif shape == "corner":  # the center of its box is outside
         points = rng.dirichlet([1, 1, 1, 1], 6_001)[:, :3]
     elif shape == "lattice":
         points = rng.integers(0, 12, (6_001, 3)).astype(float)
@@ -93,7 +93,9 @@ def test_the_filter_leaves_few_points(device, rng):
     assert 100 < len(left) < 10_000
 
 
-@given(points=clouds(parts(4, 8), parts(256, 1024), least=1, most=14), gaps=st.sets(st.integers(0, 13), max_size=3))
+@given(
+    points=clouds(parts(4, 8), parts(256, 1024), min_size=1, max_size=14), gaps=st.sets(st.integers(0, 13), max_size=3)
+)
 @examples(25)
 def test_hulls_of_small_clouds_enclose_them_by_their_own_points(device, points, gaps):
     points = points.copy()
@@ -118,7 +120,7 @@ def test_hulls_of_small_clouds_enclose_them_by_their_own_points(device, points, 
 def test_points_in_a_plane_have_a_flat_hull(device):
     """Open3D raises QH6154."""
     square = np.array([[0, 0, 3], [2, 0, 3], [2, 2, 3], [0, 2, 3], [1, 1, 3], [1, 0, 3]], float)
-    for points in (square, square @ TURN.T, square[:3]):
+    for points in (square, square @ ROTATION.T, square[:3]):
         hull, indices = loom.PointCloud(points, device=device, origin=np.zeros(3)).compute_convex_hull()
         corners = min(4, len(points))
         assert indices.tolist() == list(range(corners)) and len(hull.triangles) == 2 * (corners - 2)
@@ -151,7 +153,7 @@ def test_a_flat_hull_of_many_points_is_their_polygon(device, count, rng):
     ],
     ids=["none", "nan", "one", "equal", "two", "line", "long line"],
 )
-def test_points_without_a_hull_are_refused_by_what_they_are(device, points, message):
+def test_points_without_a_hull_are_rejected_with_the_reason(device, points, message):
     with pytest.raises(ValueError, match=f"points: .*{message}"):
         loom.PointCloud(points, device=device).compute_convex_hull()
 

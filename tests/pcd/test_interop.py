@@ -1,4 +1,4 @@
-"""Clouds to and from Open3D, arrays shared with other libraries, pickles."""
+"""Clouds to and from Open3D, arrays shared with other libraries, and pickles."""
 
 import copy
 import gc
@@ -20,7 +20,7 @@ from .full_clouds import UTM, assert_same, contents, full_cloud
 
 
 class Shared:
-    """An array of another library, which speaks DLPack and nothing else."""
+    """An array of another library that supports DLPack only."""
 
     def __init__(self, values):
         self.values = values
@@ -33,7 +33,7 @@ class Shared:
 
 
 class OnGpu:
-    """An array of another library, which speaks `__cuda_array_interface__` and nothing else."""
+    """An array of another library that supports `__cuda_array_interface__` only."""
 
     def __init__(self, values, strides=None):
         self.values = values
@@ -70,20 +70,20 @@ def test_the_source_lives_as_long_as_the_cloud_and_no_longer():
         pass
 
     points = np.arange(300, dtype=np.float32).reshape(100, 3).view(Array)
-    gone = weakref.ref(points)
+    reference = weakref.ref(points)
     shared = loom.PointCloud.from_dlpack(Shared(points))
     part, view = shared.copy(), np.from_dlpack(shared.array("points"))
     del points, shared
     gc.collect()
-    assert gone() is not None
+    assert reference() is not None
     np.testing.assert_array_equal(part.points, np.arange(300).reshape(100, 3))
     np.testing.assert_array_equal(view, np.arange(300).reshape(100, 3))
     del part, view
     gc.collect()
-    assert gone() is None
+    assert reference() is None
 
 
-def test_what_pointloom_holds_is_shared_with_numpy_and_warp(cloud):
+def test_pointloom_arrays_are_shared_with_numpy_and_warp(cloud):
     for name, shape in (("points", (200, 3)), ("colors", (200, 3)), ("label", (200,)), ("pair", (200, 2))):
         array = cloud.array(name)
         if array.device.is_cpu:
@@ -106,7 +106,7 @@ def test_what_pointloom_holds_is_shared_with_numpy_and_warp(cloud):
         st_numpy.array_shapes(min_dims=1, max_dims=2, min_side=0, max_side=6),
     )
 )
-def test_an_attribute_of_any_type_and_shape_is_shared_as_it_is(values):
+def test_attribute_of_any_type_and_shape_is_shared(values):
     points = np.zeros((len(values), 3), np.float32)
     shared = loom.PointCloud.from_dlpack(points, values=values)
     assert len(shared) == len(values)
@@ -124,12 +124,12 @@ def test_an_attribute_of_any_type_and_shape_is_shared_as_it_is(values):
         ([[1.0, 2, 3]], TypeError, "expected an array with __dlpack__ or __cuda_array_interface__, got list"),
     ],
 )
-def test_what_cannot_be_shared_is_an_error_that_says_how(points, error, reason):
+def test_unsharable_array_error_explains_the_reason(points, error, reason):
     with pytest.raises(error, match=f"points: {reason}"):
         loom.PointCloud.from_dlpack(points)
 
 
-def test_shared_arrays_are_held_against_each_other(rng):
+def test_shared_arrays_must_be_consistent(rng):
     points = rng.random((4, 3)).astype(np.float32)
     with pytest.raises(ValueError, match="label:"):
         loom.PointCloud.from_dlpack(points, label=np.arange(5))
@@ -148,8 +148,8 @@ def test_an_array_of_a_gpu_that_is_not_here_is_no_silent_copy(rng):
         loom.PointCloud.from_dlpack(OnGpu(rng.random((4, 3)).astype(np.float32)))
 
 
-def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
-    """Held with host memory in the place of a GPU's: the address, type, shape and strides are what is read."""
+def test_cuda_array_interface_is_respected(rng, monkeypatch):
+    """Uses host memory instead of a GPU: the address, type, shape and strides are read."""
     monkeypatch.setattr(wp, "get_cuda_device_count", lambda: 1)
     monkeypatch.setattr(wp, "get_cuda_device", lambda: wp.get_device("cpu"))
     waited_for = []
@@ -168,7 +168,7 @@ def test_the_cuda_array_interface_is_read_as_it_says(rng, monkeypatch):
         loom.PointCloud.from_dlpack(masked)
 
 
-def test_a_legacy_cloud_comes_and_goes(fragment, legacy_fragment, device):
+def test_legacy_cloud_round_trip(fragment, legacy_fragment, device):
     cloud = loom.PointCloud.from_open3d(legacy_fragment, device=device)
     np.testing.assert_array_equal(cloud.points, fragment.points.astype(np.float32))
     np.testing.assert_array_equal(cloud.normals, fragment.normals.astype(np.float32))
@@ -177,7 +177,7 @@ def test_a_legacy_cloud_comes_and_goes(fragment, legacy_fragment, device):
         np.testing.assert_array_equal(np.asarray(getattr(back, name)), cloud[name].astype(np.float64))
 
 
-def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, o3d, to_open3d, tolerances):
+def test_legacy_cloud_far_from_zero_keeps_its_position(rng, device, o3d, to_open3d, tolerances):
     points = rng.random((200, 3)) * 100 + np.array([5e5, 5.4e6, 100])
     legacy = to_open3d(points)
     legacy.estimate_covariances(o3d.geometry.KDTreeSearchParamKNN(10))
@@ -194,9 +194,9 @@ def test_a_legacy_cloud_far_from_zero_keeps_its_place(rng, device, o3d, to_open3
 
 
 @pytest.mark.parametrize("dtype", [np.float32, np.float64])
-def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype, o3d):
+def test_tensor_cloud_round_trip_keeps_all_attributes(rng, device, dtype, o3d):
     tensor = o3d.t.geometry.PointCloud()
-    held = {
+    arrays = {
         "positions": rng.random((30, 3)).astype(dtype),
         "normals": rng.random((30, 3)).astype(np.float32),
         "colors": rng.integers(0, 256, (30, 3)).astype(np.uint8),
@@ -205,16 +205,16 @@ def test_a_tensor_cloud_comes_and_goes_with_all_it_holds(rng, device, dtype, o3d
         "inside": rng.random((30, 1)) > 0.5,
         "blocks": rng.random((30, 2, 2)),
     }
-    for name, values in held.items():
+    for name, values in arrays.items():
         tensor.point[name] = o3d.core.Tensor(values)
     cloud = loom.PointCloud.from_open3d(tensor, device=device)
-    np.testing.assert_array_equal(cloud.points, held["positions"].astype(np.float32))
-    np.testing.assert_array_equal(cloud.colors, held["colors"] / np.float32(255))
-    np.testing.assert_array_equal(cloud["blocks"], held["blocks"].reshape(30, 4))
+    np.testing.assert_array_equal(cloud.points, arrays["positions"].astype(np.float32))
+    np.testing.assert_array_equal(cloud.colors, arrays["colors"] / np.float32(255))
+    np.testing.assert_array_equal(cloud["blocks"], arrays["blocks"].reshape(30, 4))
     back = cloud.to_open3d_tensor()
     assert back.point.positions.dtype == o3d.core.float32
     for name in ("normals", "intensity", "label", "inside"):
-        np.testing.assert_array_equal(back.point[name].numpy(), held[name])
+        np.testing.assert_array_equal(back.point[name].numpy(), arrays[name])
     assert loom.PointCloud(np.zeros((3, 3)), a=np.arange(3)).to_open3d_tensor().point["a"].shape == (3, 1)
 
 
@@ -224,7 +224,7 @@ def test_16_bit_colors_of_a_tensor_cloud_are_parts_of_65535(o3d):
     np.testing.assert_allclose(loom.PointCloud.from_open3d(tensor).colors, [[0, 1 / 255, 1]], rtol=1e-6)
 
 
-def test_clouds_without_points_come_and_go(device, o3d):
+def test_empty_clouds_round_trip(device, o3d):
     for empty in (o3d.geometry.PointCloud(), o3d.t.geometry.PointCloud()):
         cloud = loom.PointCloud.from_open3d(empty, device=device)
         assert len(cloud) == 0
@@ -232,7 +232,7 @@ def test_clouds_without_points_come_and_go(device, o3d):
         assert cloud.to_open3d_tensor().is_empty()
 
 
-def test_what_is_no_open3d_cloud_is_refused(monkeypatch, o3d):
+def test_other_objects_are_rejected(monkeypatch, o3d):
     for wrong in (np.zeros((3, 3)), loom.TriangleMesh(), None):
         with pytest.raises(TypeError, match="cloud:"):
             loom.PointCloud.from_open3d(wrong)
@@ -246,10 +246,10 @@ def test_what_is_no_open3d_cloud_is_refused(monkeypatch, o3d):
 
 @pytest.mark.parametrize("protocol", [2, pickle.HIGHEST_PROTOCOL])
 def test_a_cloud_survives_a_pickle(cloud, protocol):
-    found = pickle.loads(pickle.dumps(cloud, protocol))
-    assert_same(contents(found), contents(cloud))
-    assert found.device == cloud.device
-    assert len(found.voxel_down_sample(5.0)) == len(cloud.voxel_down_sample(5.0))
+    restored = pickle.loads(pickle.dumps(cloud, protocol))
+    assert_same(contents(restored), contents(cloud))
+    assert restored.device == cloud.device
+    assert len(restored.voxel_down_sample(5.0)) == len(cloud.voxel_down_sample(5.0))
 
 
 def test_a_pickle_keeps_the_grid_and_an_empty_cloud(device):
@@ -261,7 +261,7 @@ def test_a_pickle_keeps_the_grid_and_an_empty_cloud(device):
     assert empty["label"].dtype == np.int64
 
 
-def test_a_deep_copy_shares_nothing_and_a_shallow_one_all(cloud):
+def test_deep_copies_share_nothing_and_shallow_copies_everything(cloud):
     shallow, deep = copy.copy(cloud), copy.deepcopy(cloud)
     assert_same(contents(deep), contents(cloud))
     for name in ("points", "normals", "label", "pair"):
@@ -289,12 +289,12 @@ def test_a_pickle_from_a_gpu_needs_one(cloud):
 
 def test_a_shared_cloud_pickles_as_its_own(rng):
     points = rng.random((5, 3)).astype(np.float32)
-    found = pickle.loads(pickle.dumps(loom.PointCloud.from_dlpack(points)))
+    restored = pickle.loads(pickle.dumps(loom.PointCloud.from_dlpack(points)))
     points[:] = 0
-    assert found.points.any()
+    assert restored.points.any()
 
 
-def test_what_is_wanted_on_the_host_never_comes_from_a_gpu_unasked():
+def test_gpu_arrays_are_not_copied_to_the_host_implicitly():
     class OnGpu:
         __cuda_array_interface__ = {"shape": (1, 3), "typestr": "<f4", "data": (0, False), "version": 3}  # noqa: RUF012
 

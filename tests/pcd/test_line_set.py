@@ -1,30 +1,30 @@
-"""Line sets: what they join, the boxes and cameras of Open3D, refusals."""
+"""Line sets: construction, boxes and cameras as in Open3D, and rejected arguments."""
 
 import numpy as np
 from scipy.spatial.transform import Rotation
 
 import pointloom as loom
 
-TURN = Rotation.from_euler("XYZ", (0.3, -0.5, 1.1)).as_matrix()
+ROTATION = Rotation.from_euler("XYZ", (0.3, -0.5, 1.1)).as_matrix()
 
 
 def rows_of(lines):
-    """The ends of each line, in Open3D's or our set, shape [m, 2, 3]."""
+    """The end points of each line of an Open3D or pointloom line set, shape [m, 2, 3]."""
     return np.asarray(lines.points)[np.asarray(lines.lines)]
 
 
 K = np.array([[500.0, 0, 320], [0, 510, 250], [0, 0, 1]])
 EXTRINSIC = np.eye(4)
-EXTRINSIC[:3, :3], EXTRINSIC[:3, 3] = TURN, [0.5, -1, 2]
+EXTRINSIC[:3, :3], EXTRINSIC[:3, 3] = ROTATION, [0.5, -1, 2]
 
 
 def open3d_lines(o3d, mesh):
-    """The ends of the lines of two boxes, of a camera and of a mesh, and the colors of the camera's."""
+    """End points of the lines of two boxes, of a camera and of a mesh, and the camera's colors."""
     lines, geometry = o3d.geometry.LineSet, o3d.geometry
     legacy = geometry.TriangleMesh(o3d.utility.Vector3dVector(mesh[0]), o3d.utility.Vector3iVector(mesh[1]))
     sets = [
         lines.create_from_axis_aligned_bounding_box(geometry.AxisAlignedBoundingBox([1, 2, 3], [2, 4, 7])),
-        lines.create_from_oriented_bounding_box(geometry.OrientedBoundingBox([1, 2, 3], TURN, [1, 2, 3])),
+        lines.create_from_oriented_bounding_box(geometry.OrientedBoundingBox([1, 2, 3], ROTATION, [1, 2, 3])),
         lines.create_camera_visualization(640, 480, K, EXTRINSIC, 0.2),
     ]
     edges = np.asarray(lines.create_from_triangle_mesh(legacy).lines)
@@ -34,21 +34,21 @@ def open3d_lines(o3d, mesh):
 def test_lines_of_boxes_cameras_and_meshes_are_open3ds(oracle):
     mesh = loom.TriangleMesh.create_icosahedron()
     arrays = mesh.vertices.copy(), np.array(mesh.triangles, np.int32)
-    (aligned, turned, frustum), colors, edges = oracle("pcd/line_set/made", open3d_lines, arrays)
+    (aligned, oriented, frustum), colors, edges = oracle("pcd/line_set/made", open3d_lines, arrays)
     box = loom.AxisAlignedBoundingBox([1, 2, 3], [2, 4, 7])
     box.color = [1, 0, 0]
-    ours = loom.LineSet.create_from_axis_aligned_bounding_box(box)
-    np.testing.assert_array_equal(rows_of(ours), aligned)
-    assert ours.colors is not None and (ours.colors == [1, 0, 0]).all()
-    ours = loom.LineSet.create_from_oriented_bounding_box(loom.OrientedBoundingBox([1, 2, 3], TURN, [1, 2, 3]))
-    np.testing.assert_allclose(rows_of(ours), turned, atol=1e-14)
+    result = loom.LineSet.create_from_axis_aligned_bounding_box(box)
+    np.testing.assert_array_equal(rows_of(result), aligned)
+    assert result.colors is not None and (result.colors == [1, 0, 0]).all()
+    result = loom.LineSet.create_from_oriented_bounding_box(loom.OrientedBoundingBox([1, 2, 3], ROTATION, [1, 2, 3]))
+    np.testing.assert_allclose(rows_of(result), oriented, atol=1e-14)
     camera = loom.PinholeCameraIntrinsic(640, 480, 500.0, 510.0, 320.0, 250.0)
-    ours = loom.LineSet.create_camera_visualization(camera, EXTRINSIC, 0.2)
-    np.testing.assert_allclose(rows_of(ours), frustum, atol=1e-12)
-    np.testing.assert_array_equal(ours.colors, colors)
-    ours = loom.LineSet.create_from_triangle_mesh(mesh)
-    assert len(ours) == 30
-    assert {tuple(row) for row in ours.lines.tolist()} == {tuple(sorted(row)) for row in edges.tolist()}
+    result = loom.LineSet.create_camera_visualization(camera, EXTRINSIC, 0.2)
+    np.testing.assert_allclose(rows_of(result), frustum, atol=1e-12)
+    np.testing.assert_array_equal(result.colors, colors)
+    result = loom.LineSet.create_from_triangle_mesh(mesh)
+    assert len(result) == 30
+    assert {tuple(row) for row in result.lines.tolist()} == {tuple(sorted(row)) for row in edges.tolist()}
 
 
 def test_pairs_join_the_points_of_two_clouds():

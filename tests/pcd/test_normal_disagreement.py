@@ -1,4 +1,4 @@
-"""Whether neighbors' normals point to one side: by hand, by brute force, and what does not count."""
+"""Normal disagreement between neighbors: by hand, by brute force, and ignored points."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def by_hand(points: np.ndarray, normals: np.ndarray, k: int) -> float:
 
 
 @pytest.mark.parametrize("k", [1, 6, 15])
-def test_the_share_is_that_of_the_rule(device, rng, k):
+def test_fraction_follows_the_rule(device, rng, k):
     points = rng.random((400, 3)).astype(np.float32)
     normals = (rng.normal(size=(400, 3)) * rng.uniform(0.1, 3, (400, 1))).astype(np.float32)
     cloud = loom.PointCloud(points, normals=normals, device=device)
@@ -47,7 +47,7 @@ def test_agreement_is_zero_and_random_signs_are_a_half(device, rng):
     assert 0.45 < loom.PointCloud(points, normals=points * signs, device=device).normal_disagreement() < 0.55
 
 
-def test_a_seam_between_two_patches_is_seen_and_orienting_mends_it(device):
+def test_seam_between_two_patches_is_detected_and_orienting_removes_it(device):
     points = ball(2000)
     cloud = loom.PointCloud(points, normals=points * np.sign(points[:, :1]), device=device)
     assert 0.02 < cloud.normal_disagreement() < 0.1
@@ -65,6 +65,6 @@ def test_edges_of_a_box_and_the_two_sides_of_a_wall_do_not_count(device, rng):
 
 
 @pytest.mark.parametrize("count", [0, 1, 2])
-def test_few_points_disagree_in_nothing(device, count):
+def test_tiny_clouds_have_no_disagreement(device, count):
     points = ball(3)[:count]
     assert loom.PointCloud(points, normals=points, device=device).normal_disagreement(30) == 0

@@ -1,4 +1,4 @@
-"""Normals: against Open3D on real scans, exact far from the origin, and defined in every degenerate neighborhood."""
+"""Normals: compared with Open3D on real scans, exact far from the origin, and defined in degenerate neighborhoods."""
 
 import numpy as np
 import pytest
@@ -16,11 +16,11 @@ SEARCHES = {
 }
 
 
-def assert_agree(found, expected, tolerances):
-    """In direction and side."""
-    share = ((found * expected).sum(axis=1) > tolerances.normal_dot).mean()
-    assert share >= tolerances.normal_share, f"{share:.5f} of the normals agree"
-    np.testing.assert_allclose(np.linalg.norm(found, axis=1), 1, atol=tolerances.unit_length)
+def assert_agree(actual, expected, tolerances):
+    """Check direction and sign."""
+    fraction = ((actual * expected).sum(axis=1) > tolerances.normal_dot).mean()
+    assert fraction >= tolerances.normal_share, f"{fraction:.5f} of the normals agree"
+    np.testing.assert_allclose(np.linalg.norm(actual, axis=1), 1, atol=tolerances.unit_length)
 
 
 @pytest.fixture(scope="module")
@@ -31,20 +31,20 @@ def fragment_normals(fragment, o3d):
 
 @pytest.mark.parametrize("search", SEARCHES)
 def test_normals_of_the_fragment_are_open3ds(device, search, fragment, fragment_normals, tolerances):
-    found = loom.PointCloud(fragment.points, device=device).estimate_normals(**SEARCHES[search]).normals
-    assert_agree(found, fragment_normals[search], tolerances)
+    result = loom.PointCloud(fragment.points, device=device).estimate_normals(**SEARCHES[search]).normals
+    assert_agree(result, fragment_normals[search], tolerances)
 
 
 @pytest.mark.parametrize("search", [{"max_nn": 20}, {"radius": 0.1, "max_nn": 30}, {"radius": 0.1, "max_nn": None}])
-def test_normals_of_a_depth_frame_lie_on_open3ds_side(device, search, rng, oracle, tolerances):
-    """Noise as of a camera, so that no two neighbors are equally far, of which Open3D takes some."""
+def test_normals_of_a_depth_frame_have_open3ds_side(device, search, rng, oracle, tolerances):
+    """Noise as of a camera: no two neighbors are equally distant, so Open3D's choice is unique."""
     v, u = np.mgrid[:24, :32]
     depth = np.minimum(2.0 + 0.04 * u, 1.4 + 0.08 * v) + 0.3 * np.sin(u / 3) * np.cos(v / 2)  # two walls, a relief
     depth = (depth + rng.normal(0, 2e-3, depth.shape)).astype(np.float32)
     points = np.stack([(u - 15.5) / 28 * depth, (v - 11.5) / 28 * depth, depth], -1).reshape(-1, 3).astype(np.float32)
     name = "pcd/normals/" + "-".join(search) + ("" if search["max_nn"] else "-all")
-    found = loom.PointCloud(points, device=device).estimate_normals(**search).normals
-    assert_agree(found, oracle(name, normals_of, points.astype(float), search), tolerances)
+    result = loom.PointCloud(points, device=device).estimate_normals(**search).normals
+    assert_agree(result, oracle(name, normals_of, points.astype(float), search), tolerances)
 
 
 lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=40)
@@ -53,21 +53,21 @@ lattice = st.lists(st.tuples(*[st.integers(-3, 3)] * 3), min_size=1, max_size=40
 @settings(max_examples=20, deadline=None)
 @given(points=lattice, k=st.integers(1, 45), scale=st.sampled_from([1.0, 1e-3, 1e3]))
 def test_no_direction_is_thinner_than_the_normal(points, k, scale):
-    """The spread along the normal is the least of all directions, whatever the neighbors are."""
+    """The spread along the normal is minimal over all directions, for any neighbors."""
     cloud = loom.PointCloud(np.array(points, float) * scale)
-    found = cloud.estimate_normals(max_nn=k).normals.astype(float)
-    held = cloud.points
+    result = cloud.estimate_normals(max_nn=k).normals.astype(float)
+    positions = cloud.points
     indices, sqdists, counts = loom.NearestNeighborSearch(cloud).knn_search(cloud, k + 1)
     for row in range(len(points)):
         if counts[row] > k and sqdists[row, k - 1] == sqdists[row, k]:
-            continue  # which of the tied neighbors counts is not promised
-        near = held[indices[row, : min(k, counts[row])]]
+            continue  # the choice between tied neighbors is not specified
+        near = positions[indices[row, : min(k, counts[row])]]
         if len(near) < 3:
-            assert found[row].tolist() == [0, 0, 1]
+            assert result[row].tolist() == [0, 0, 1]
             continue
         covariance = np.cov(near.T, bias=True)
-        least, size = np.linalg.eigvalsh(covariance)[[0, 2]]
-        assert found[row] @ covariance @ found[row] <= least + 1e-6 * size
+        min_spread, size = np.linalg.eigvalsh(covariance)[[0, 2]]
+        assert result[row] @ covariance @ result[row] <= min_spread + 1e-6 * size
 
 
 def wavy(rng, count=1500):
@@ -78,30 +78,30 @@ def wavy(rng, count=1500):
 @pytest.mark.parametrize("search", [{"radius": 0.5}, {"radius": 0.5, "max_nn": None}, {"max_nn": 2}], ids=str)
 def test_fewer_than_three_neighbors_give_the_z_axis(device, search):
     points = np.array([[0, 0, 0], [0.1, 0, 0], [9, 9, 9], [100, 0, 0], [100, 0.1, 0]])
-    found = loom.PointCloud(points, device=device).estimate_normals(**search).normals
-    assert found.tolist() == [[0, 0, 1]] * 5
+    result = loom.PointCloud(points, device=device).estimate_normals(**search).normals
+    assert result.tolist() == [[0, 0, 1]] * 5
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 4])
 def test_clouds_of_a_few_points_have_normals(device, count):
     points = np.array([[0, 0, 0], [1, 0, 0], [0, 0, 1], [1, 0, 1.0]])[:count]
     for search in ({"max_nn": 30}, {"radius": 5.0}, {"radius": 5.0, "max_nn": None}):
-        found = loom.PointCloud(points, device=device).estimate_normals(**search).normals
+        result = loom.PointCloud(points, device=device).estimate_normals(**search).normals
         expected = [0, 0, 1] if count < 3 else [0, 1, 0]
-        np.testing.assert_allclose(np.abs(found), [expected] * count, atol=1e-7)
+        np.testing.assert_allclose(np.abs(result), [expected] * count, atol=1e-7)
 
 
 @pytest.mark.parametrize(
     "direction", [(1, 0, 0), (0, 1, 0), (0, 0, 1), (1, 1, 0), (1, 2, 3), (1, 1e-4, 0), (0, 1e-6, 1)], ids=str
 )
 def test_normals_of_points_on_a_line_are_orthogonal_to_it(device, direction, tolerances):
-    """Open3D's of a vertical line lie along it."""
+    """Open3D's normals of a vertical line are parallel to it."""
     d = np.array(direction) / np.linalg.norm(direction)
     points = np.outer(np.linspace(-1, 1, 101), d)
     for search in ({"max_nn": 10}, {"radius": 0.1, "max_nn": None}):
-        found = loom.PointCloud(points, device=device).estimate_normals(**search).normals
-        np.testing.assert_allclose(np.linalg.norm(found, axis=1), 1, atol=tolerances.unit_length)
-        assert np.abs(found @ d).max() < 1e-5, "the float32 points lie 6e-8 off the line, 0.02 apart"
+        result = loom.PointCloud(points, device=device).estimate_normals(**search).normals
+        np.testing.assert_allclose(np.linalg.norm(result, axis=1), 1, atol=tolerances.unit_length)
+        assert np.abs(result @ d).max() < 1e-5, "the float32 points lie 6e-8 off the line, 0.02 apart"
 
 
 @pytest.mark.parametrize("width", [1e-2, 1e-3, 1e-4, 1e-5])
@@ -109,24 +109,24 @@ def test_normals_of_a_thin_ribbon_are_orthogonal_to_its_width(device, width, rng
     """Two eigenvalues are up to 1e-10 of the third: no root of the cubic resolves them."""
     points = np.column_stack([rng.random(400), np.zeros(400), width * rng.choice([-1, 1], 400)])
     R = np.array([[0.8, 0.0, 0.6], [0.36, 0.8, -0.48], [-0.48, 0.6, 0.64]])
-    turned = loom.PointCloud(points @ R.T, device=device, origin=np.zeros(3))
-    found = turned.estimate_normals(radius=3.0, max_nn=400).normals
+    rotated = loom.PointCloud(points @ R.T, device=device, origin=np.zeros(3))
+    result = rotated.estimate_normals(radius=3.0, max_nn=400).normals
     noise = 6e-8 / width  # rounding of the coordinates to float32, relative to the ribbon's width
-    assert np.abs(found @ R[:, 1]).min() > 1 - max(1e-6, 4 * noise**2)
+    assert np.abs(result @ R[:, 1]).min() > 1 - max(1e-6, 4 * noise**2)
 
 
 def test_equal_points_have_the_z_axis(device):
     for search in ({"max_nn": 10}, {"radius": 0.1}, {"radius": 0.1, "max_nn": None}):
-        found = loom.PointCloud(np.full((50, 3), 0.3), device=device).estimate_normals(**search).normals
-        assert found.tolist() == [[0, 0, 1]] * 50
+        result = loom.PointCloud(np.full((50, 3), 0.3), device=device).estimate_normals(**search).normals
+        assert result.tolist() == [[0, 0, 1]] * 50
 
 
 @pytest.mark.parametrize("scale", [1e-12, 1e12])
 def test_normals_do_not_depend_on_scale(device, scale, rng):
     points = wavy(rng, 500)
-    found = loom.PointCloud(points * scale, device=device, origin=np.zeros(3)).estimate_normals(max_nn=10).normals
+    result = loom.PointCloud(points * scale, device=device, origin=np.zeros(3)).estimate_normals(max_nn=10).normals
     expected = loom.PointCloud(points, device=device).estimate_normals(max_nn=10).normals
-    assert (np.abs((found * expected).sum(axis=1)) > 0.9999).mean() > 0.99
+    assert (np.abs((result * expected).sum(axis=1)) > 0.9999).mean() > 0.99
 
 
 def test_normals_take_the_sign_of_earlier_ones(device, rng):
@@ -151,44 +151,44 @@ def test_orientation_to_a_direction_and_to_a_camera_is_open3ds(device, rng, orac
     normals /= np.linalg.norm(normals, axis=1, keepdims=True)
     normals[5] = 0
     cloud = loom.PointCloud(points, normals=normals, device=device)
-    held = cloud.points.copy(), cloud.normals.copy()
-    along, toward = oracle("pcd/normals/oriented", open3d_orientations, *held)
+    arrays = cloud.points.copy(), cloud.normals.copy()
+    along, toward = oracle("pcd/normals/oriented", open3d_orientations, *arrays)
     np.testing.assert_allclose(cloud.orient_normals_to_align_with_direction([0, 0.6, -0.8]).normals, along, atol=1e-7)
-    found = cloud.orient_normals_towards_camera_location([3, -2, 0.5]).normals
-    np.testing.assert_allclose(found, toward, atol=2e-7)
+    result = cloud.orient_normals_towards_camera_location([3, -2, 0.5]).normals
+    np.testing.assert_allclose(result, toward, atol=2e-7)
 
 
 @pytest.mark.parametrize(
     "search", [{"max_nn": 15}, {"radius": 0.7, "max_nn": None}, {"radius": 0.6, "max_nn": 12}], ids=str
 )
 def test_normals_of_walls_and_lines_depend_on_no_order(device, search, rng):
-    """Rounding decides how the normal of a vertical line lies, and on which side of the level that of a wall."""
+    """Rounding decides the direction of a vertical line's normal, and the side of a wall's normal."""
     along = rng.random((300, 12, 1)) * [1.1, 0.3, 0.7] + np.arange(300.0)[:, None, None] * [0, 2, 0]
     wide = rng.random((4000, 1)) * 9
     wall = np.column_stack([wide * 0.8 - 30, wide * 0.6 - 30, rng.random(4000) * 3])
     points = np.concatenate([along.reshape(-1, 3), wall])
     elsewhere = rng.random((7_001, 3)) * [9, 600, 1] + [40, 0, 0]
-    found = []
+    results = []
     for cloud in (points, np.concatenate([elsewhere, points])):
         fitted = loom.PointCloud(cloud, device=device, origin=np.zeros(3)).estimate_normals(**search)
         fitted = fitted.orient_normals_to_align_with_direction([0, 0, 1])
-        found.append(fitted.normals[-len(points) :])
+        results.append(fitted.normals[-len(points) :])
         covariances = loom.PointCloud(cloud, device=device, origin=np.zeros(3)).estimate_covariances(**search)
-        found.append(covariances.covariances[-len(points) :])
-    np.testing.assert_array_equal(found[0], found[2])
-    np.testing.assert_array_equal(found[1], found[3])
+        results.append(covariances.covariances[-len(points) :])
+    np.testing.assert_array_equal(results[0], results[2])
+    np.testing.assert_array_equal(results[1], results[3])
 
 
 def test_normalized_normals_have_unit_length(device, rng, tolerances):
-    """As in Open3D those of length zero stay."""
+    """As in Open3D, normals of length zero are unchanged."""
     normals = (rng.normal(size=(500, 3)) * 10 ** rng.uniform(-18, 18, (500, 1))).astype(np.float32)
     normals[3], normals[4, 1] = 0, np.nan
-    found = loom.PointCloud(rng.random((500, 3)), normals=normals, device=device).normalize_normals().normals
-    np.testing.assert_array_equal(found[3], 0)
+    result = loom.PointCloud(rng.random((500, 3)), normals=normals, device=device).normalize_normals().normals
+    np.testing.assert_array_equal(result[3], 0)
     good, exact = ~np.isin(np.arange(500), (3, 4)), normals.astype(float)
     expected = exact[good] / np.linalg.norm(exact[good], axis=1, keepdims=True)
-    np.testing.assert_allclose(found[good], expected, rtol=tolerances.float32_relative)
-    assert np.isnan(found[4, 1])
+    np.testing.assert_allclose(result[good], expected, rtol=tolerances.float32_relative)
+    assert np.isnan(result[4, 1])
 
 
 def test_flipped_normals_are_the_opposite_ones(device, rng):

@@ -1,4 +1,4 @@
-"""What Open3D's classes are asked and given is asked and given alike here: questions, aliases, assignments, copies."""
+"""Open3D's queries, aliases, assignments and copies work for the corresponding pointloom classes."""
 
 import copy
 import io
@@ -42,8 +42,8 @@ def test_all_shapes_are_bounded_and_moved_alike(shapes, kind):
         (shape.rotate(R, [0, 0, 0]), [-2, 0, 0]),
         (shape.rotate(R), [-0.5, 0.5, 0]),
     ):
-        middle_kept = moved.get_center().tolist() == [0.5, 1, 1.5] and low == [0, 0, 0]
-        expected = np.subtract(moved.get_center(), [1, 2, 3]) if middle_kept else low
+        keeps_center = moved.get_center().tolist() == [0.5, 1, 1.5] and low == [0, 0, 0]
+        expected = np.subtract(moved.get_center(), [1, 2, 3]) if keeps_center else low
         np.testing.assert_allclose(moved.get_min_bound(), expected, atol=1e-6)
 
 
@@ -109,7 +109,7 @@ def test_vertices_and_triangles_are_assigned(shapes):
         ("loom.write_point_cloud(cloud, 'a.ply')", "path: expected the path of a file or folder, got a PointCloud; it"),
     ],
 )
-def test_what_cannot_be_meant_is_told(shapes, line, message):
+def test_invalid_arguments_are_rejected_with_a_reason(shapes, line, message):
     with pytest.raises((TypeError, ValueError), match=message):
         exec(line, {**shapes, "np": np, "loom": loom})
 
@@ -159,7 +159,7 @@ def test_images_and_scenes_are_copied(take, device):
     assert scene.cast_rays(ray)["t_hit"].tolist() == [4] and other.cast_rays(ray)["t_hit"].tolist() == [9]
 
 
-def test_a_picture_shows_itself(shapes, tmp_path):
+def test_image_has_a_notebook_repr(shapes, tmp_path):
     picture = loom.render(shapes["mesh"], size=(32, 24))
     assert repr(picture) == "Picture(32 x 24)" and isinstance(picture, Picture)
     np.testing.assert_array_equal(np.asarray(Image.open(io.BytesIO(picture._repr_png_()))), picture)
@@ -176,9 +176,9 @@ def test_a_volume_takes_an_image_as_open3d_does(device):
     rgbd = loom.RGBDImage(COLOR, DEPTH * 4, depth_trunc=10, device=device)
     volume, other = (loom.TSDFVolume(voxel_size=0.1, device=device) for _ in range(2))
     assert volume.integrate(rgbd, CAMERA, np.eye(4)) == other.integrate(DEPTH * 4, CAMERA, np.eye(4), COLOR, None, 10)
-    mine, same = (one.extract_point_cloud(weight_threshold=0) for one in (volume, other))
-    np.testing.assert_array_equal(mine.points, same.points)
-    np.testing.assert_array_equal(mine.colors, same.colors)
+    result, same = (one.extract_point_cloud(weight_threshold=0) for one in (volume, other))
+    np.testing.assert_array_equal(result.points, same.points)
+    np.testing.assert_array_equal(result.colors, same.colors)
     gray = loom.RGBDImage.create_from_color_and_depth(COLOR, DEPTH, device=device)
     with pytest.raises(TypeError, match=r"^depth:.*convert_rgb_to_intensity"):
         volume.integrate(gray, CAMERA, np.eye(4))

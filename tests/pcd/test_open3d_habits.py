@@ -1,4 +1,4 @@
-"""What users of Open3D write by habit works, or says what to write: nothing is a silent no-op."""
+"""Habits of Open3D users work or raise an error with the replacement: there are no silent no-ops."""
 
 import warnings
 
@@ -13,7 +13,7 @@ def cloud(device, rng):
     return loom.PointCloud(rng.random((60, 3)), colors=rng.random((60, 3)), label=np.arange(60), device=device)
 
 
-def test_what_an_interactive_prompt_shows_is_taken(cloud, capsys):
+def test_printed_representations_are_accepted(cloud, capsys):
     with warnings.catch_warnings():
         warnings.simplefilter("error")
         exec(compile("cloud.estimate_normals()\n", "<prompt>", "single"), {"cloud": cloud})
@@ -27,7 +27,7 @@ def test_the_warning_names_the_line_that_drops_the_result(cloud):
     assert caught[0].filename == __file__
 
 
-def test_the_attributes_are_those_of_the_cloud(cloud):
+def test_attributes_of_the_cloud(cloud):
     cloud.attributes["intensity"] = np.linspace(0, 1, 60)
     assert list(cloud.attributes) == ["label", "intensity"] and "intensity" in cloud
     np.testing.assert_array_equal(cloud["intensity"], np.linspace(0, 1, 60))
@@ -75,7 +75,7 @@ def test_attributes_are_dropped_by_name(cloud):
         cloud.without("points")
 
 
-def test_a_notebook_shows_what_a_cloud_holds(cloud):
+def test_notebook_repr_lists_the_arrays_of_a_cloud(cloud):
     html = cloud._repr_html_()
     assert "<caption>PointCloud(60 points, colors, label, " in html
     assert "<td>points</td><td>float32 [60, 3]</td>" in html and "<td>label</td><td>int64 [60]</td>" in html
@@ -86,19 +86,19 @@ def test_a_notebook_shows_what_a_cloud_holds(cloud):
 def test_translating_turning_and_scaling_follow_open3d(device, rng, far):
     points, R = rng.random((50, 3)) + far, np.array([[0, -1.0, 0], [1, 0, 0], [0, 0, 1]])
     normals = rng.normal(size=(50, 3)).astype(np.float32)
-    ours = loom.PointCloud(points, normals=normals, device=device)
+    cloud = loom.PointCloud(points, normals=normals, device=device)
     middle, corner = points.mean(axis=0), np.array([far, far, 1])
-    np.testing.assert_allclose(ours.get_center(), middle, atol=1e-7)
-    for moved, expected, turn in (
-        (ours.translate([1, 2, 3]), points + np.array([1, 2, 3]), np.eye(3)),
-        (ours.translate([1, 2, 3], relative=False), points - middle + [1, 2, 3], np.eye(3)),
-        (ours.rotate(R), (points - middle) @ R.T + middle, R),
-        (ours.rotate(R, center=corner), (points - corner) @ R.T + corner, R),
-        (ours.scale(3.0, corner), 3 * (points - corner) + corner, np.eye(3)),
-        (ours.scale(3.0), 3 * (points - middle) + middle, np.eye(3)),
+    np.testing.assert_allclose(cloud.get_center(), middle, atol=1e-7)
+    for moved, expected, rotation in (
+        (cloud.translate([1, 2, 3]), points + np.array([1, 2, 3]), np.eye(3)),
+        (cloud.translate([1, 2, 3], relative=False), points - middle + [1, 2, 3], np.eye(3)),
+        (cloud.rotate(R), (points - middle) @ R.T + middle, R),
+        (cloud.rotate(R, center=corner), (points - corner) @ R.T + corner, R),
+        (cloud.scale(3.0, corner), 3 * (points - corner) + corner, np.eye(3)),
+        (cloud.scale(3.0), 3 * (points - middle) + middle, np.eye(3)),
     ):
         np.testing.assert_allclose(moved.points, expected, atol=1e-6)
-        np.testing.assert_allclose(moved.normals, normals @ turn.T, atol=1e-6)
+        np.testing.assert_allclose(moved.normals, normals @ rotation.T, atol=1e-6)
 
 
 def test_points_that_are_not_finite_do_not_move_the_middle(device):
@@ -120,7 +120,7 @@ def test_a_single_query_has_a_single_answer(cloud, device):
 
 def test_missing_neighbors_are_infinitely_far(device):
     search = loom.NearestNeighborSearch([[0, 0, 0], [1, 0, 0]], device=device)
-    found = search.knn_search([[0, 0, 0], [np.nan, 0, 0]], 3)
-    assert found.indices.tolist() == [[0, 1, -1], [-1, -1, -1]]
-    assert found.sqdists.tolist() == [[0, 1, np.inf], [np.inf] * 3]
+    result = search.knn_search([[0, 0, 0], [np.nan, 0, 0]], 3)
+    assert result.indices.tolist() == [[0, 1, -1], [-1, -1, -1]]
+    assert result.sqdists.tolist() == [[0, 1, np.inf], [np.inf] * 3]
     assert search.hybrid_search([0, 0, 0], 0.5, 2).sqdists.tolist() == [0, np.inf]

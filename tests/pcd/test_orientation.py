@@ -1,4 +1,4 @@
-"""Consistent orientation: against Kruskal's algorithm on small clouds, on surfaces that are known, and at the edges."""
+"""Consistent orientation: compared with Kruskal's algorithm on small clouds, known surfaces, and edge cases."""
 
 import numpy as np
 import pytest
@@ -19,7 +19,7 @@ def row_sums(a):
 
 
 def listed_neighbors(points, units, k, cos_alpha_tol, outliers):
-    """[n, k] by distance, ties by index; those left out are the point itself."""
+    """[n, k] by distance, ties by index; excluded neighbors are replaced by the point itself."""
     d = points[None] - points[:, None]
     sqdists = row_sums(d * d)
     lists = np.argsort(sqdists, axis=1, kind="stable")[:, :k]
@@ -34,13 +34,13 @@ def listed_neighbors(points, units, k, cos_alpha_tol, outliers):
 
 
 def orient_by_kruskal(points, normals, k, cos_alpha_tol=1.0, outliers=False):
-    """The rule in NumPy, quadratic; vertices are ranks on the tree's curve, since ties are broken by them."""
+    """The rule in NumPy, quadratic; vertices are ranks on the tree's curve, which breaks ties."""
     usable = np.flatnonzero(np.isfinite(points).all(axis=1) & np.isfinite(normals).all(axis=1))
     oriented = normals.copy()
     if not len(usable):
         return oriented
     rows = usable[download(PointTree(upload(points[usable], vec3, "cpu")).order)]
-    held, exact = points[rows], normals[rows].astype(float)
+    positions, exact = points[rows], normals[rows].astype(float)
     sizes = np.sqrt(row_sums(exact * exact))
     units = (exact / np.where(sizes > 0, sizes, 1)[:, None]).astype(np.float32)
     cosines = row_sums(units[:, None].astype(float) * units[None].astype(float))
@@ -52,16 +52,16 @@ def orient_by_kruskal(points, normals, k, cos_alpha_tol=1.0, outliers=False):
             signs[part] *= (-1.0 if cosines[u, v] < 0 else 1.0) * signs[u] * signs[v]
             labels[part] = labels[u]
 
-    lists = listed_neighbors(held, units, min(k, len(rows)), cos_alpha_tol, outliers)
+    lists = listed_neighbors(positions, units, min(k, len(rows)), cos_alpha_tol, outliers)
     starts = np.repeat(np.arange(len(rows)), lists.shape[1])
     weights = (1 - np.abs(cosines[starts, lists.ravel()])).astype(np.float32).clip(0)
     for entry in np.argsort(weights, kind="stable"):
         join(starts[entry], lists.flat[entry])
     u, v = np.triu_indices(len(rows), 1)
-    d = held[v] - held[u]
+    d = positions[v] - positions[u]
     for pair in np.argsort(row_sums(d * d), kind="stable"):
         join(u[pair], v[pair])
-    low = np.flatnonzero(held[:, 2] == held[:, 2].min())
+    low = np.flatnonzero(positions[:, 2] == positions[:, 2].min())
     low = low[rows[low].argmin()]
     signs *= signs[low] * (-1 if normals[rows[low], 2] > 0 else 1)
     oriented[rows] *= signs[:, None].astype(np.float32)
@@ -85,22 +85,22 @@ def small_clouds(draw):
 
 @given(cloud=small_clouds(), k=st.sampled_from([1, 2, 5, 12, 100]))
 @examples(15)
-def test_signs_are_those_along_the_least_spanning_tree(device, cloud, k):
-    """With duplicates, ties of every kind, zero normals, and points and normals that are not finite."""
+def test_signs_follow_the_minimum_spanning_tree(device, cloud, k):
+    """With duplicates, all kinds of ties, zero normals, and non-finite points and normals."""
     points, normals = cloud
-    found = orient(points, normals, k, device)
-    np.testing.assert_array_equal(found, orient_by_kruskal(points, normals, k))
+    result = orient(points, normals, k, device)
+    np.testing.assert_array_equal(result, orient_by_kruskal(points, normals, k))
 
 
 @pytest.mark.parametrize("options", [(0.5, 1.0), (0.0, 0.6), (0.5, 0.8)], ids=str)
 def test_steep_and_outlying_neighbors_are_left_out(device, rng, options):
     penalty, steepest = options
-    changed = penalty > 0  # what an outlier changes shows on a thin wall, below
+    changed = penalty > 0  # the effect of outliers is tested on a thin wall below
     for k in (3, 8, 20):
         points, normals = rng.normal(size=(2, 120, 3)).astype(np.float32) ** 3
-        found = orient(points, normals, k, device, lambda_penalty=penalty, cos_alpha_tol=steepest)
-        np.testing.assert_array_equal(found, orient_by_kruskal(points, normals, k, steepest, penalty > 0))
-        changed |= not np.array_equal(found, orient(points, normals, k, device))
+        result = orient(points, normals, k, device, lambda_penalty=penalty, cos_alpha_tol=steepest)
+        np.testing.assert_array_equal(result, orient_by_kruskal(points, normals, k, steepest, penalty > 0))
+        changed |= not np.array_equal(result, orient(points, normals, k, device))
     assert changed, "the options matter on such clouds"
 
 
@@ -116,10 +116,10 @@ def nested(rng, count):
 
 
 @pytest.mark.parametrize("surface", [sphere, torus, nested])
-def test_closed_surfaces_come_out_with_all_normals_outward(device, surface, rng):
+def test_normals_of_closed_surfaces_point_outward(device, surface, rng):
     points, outward = surface(rng, 4000)
-    found = orient(points, random_signs(rng, outward), 12, device)
-    np.testing.assert_array_equal(found, outward.astype(np.float32))
+    result = orient(points, random_signs(rng, outward), 12, device)
+    np.testing.assert_array_equal(result, outward.astype(np.float32))
     fitted = loom.PointCloud(points, device=device).estimate_normals(max_nn=12)
     assert agreement(fitted.orient_normals_consistent_tangent_plane(12).normals, outward) == 1.0
 
@@ -130,16 +130,16 @@ def thin_wall(half, spacing):
     xy = np.stack(np.meshgrid(steps, steps), axis=-1).reshape(-1, 2)
     xy = xy[(xy**2).sum(axis=1) < 1]
     faces = [np.column_stack([xy, np.full(len(xy), side)]) for side in (-half, half)]
-    turn, tilt = np.meshgrid(np.arange(0, 2 * np.pi, spacing), np.linspace(-np.pi / 2, np.pi / 2, 7))
-    turn, tilt = turn.ravel(), tilt.ravel()
-    rim = np.stack([np.cos(turn) * np.cos(tilt), np.sin(turn) * np.cos(tilt), np.sin(tilt)], axis=1)
-    points = np.concatenate([*faces, np.stack([np.cos(turn), np.sin(turn), 0 * turn], axis=1) + half * rim])
+    angle, tilt = np.meshgrid(np.arange(0, 2 * np.pi, spacing), np.linspace(-np.pi / 2, np.pi / 2, 7))
+    angle, tilt = angle.ravel(), tilt.ravel()
+    rim = np.stack([np.cos(angle) * np.cos(tilt), np.sin(angle) * np.cos(tilt), np.sin(tilt)], axis=1)
+    points = np.concatenate([*faces, np.stack([np.cos(angle), np.sin(angle), 0 * angle], axis=1) + half * rim])
     return points, np.concatenate([np.tile([0, 0, side], (len(xy), 1)) for side in (-1.0, 1.0)] + [rim])
 
 
 @pytest.mark.parametrize("options", [{"cos_alpha_tol": 0.5}, {"lambda_penalty": 1.0}], ids=str)
-def test_the_faces_of_a_thin_wall_look_apart_where_neighbors_across_are_left_out(device, options, rng):
-    """The faces lie 4 cm apart and their points 3 cm: among ten neighbors is one on the other face."""
+def test_faces_of_a_thin_wall_are_separated_by_excluding_neighbors_across(device, options, rng):
+    """The faces are 4 cm apart and their points 3 cm: one of ten neighbors is on the other face."""
     points, outward = thin_wall(0.02, 0.03)
     normals = random_signs(rng, outward)
     assert agreement(orient(points, normals, 10, device), outward) < 0.9
@@ -159,8 +159,8 @@ def test_coplanar_and_collinear_points_are_oriented(device, rng):
 
 
 @pytest.mark.parametrize("k", [1, 3, 40])
-def test_duplicates_end(device, rng, k):
-    """More copies of a point than k: its neighbors are its copies alone."""
+def test_duplicates_terminate(device, rng, k):
+    """More copies of a point than k: all its neighbors are copies."""
     points = np.repeat(rng.normal(size=(7, 3)), 60, axis=0)[rng.permutation(420)]
     down = np.tile([0.6, 0.0, -0.8], (420, 1))
     assert agreement(orient(points, random_signs(rng, down), k, device), down) == 1.0
@@ -173,5 +173,5 @@ def test_clouds_of_a_few_points_are_oriented(device, k):
     points = np.array([[0, 0, 1], [0, 0, 0], [1, 0, 0.0]])
     normals = np.array([[0, 0.6, 0.8], [0, 0, 1], [0, 0.6, -0.8]], np.float32)
     for count, expected in ((0, []), (1, [-1]), (2, [-1, -1]), (3, [-1, -1, 1])):
-        found = orient(points[:count].reshape(-1, 3), normals[:count].reshape(-1, 3), k, device)
-        np.testing.assert_array_equal(found, normals[:count] * np.array(expected, np.float32).reshape(-1, 1))
+        result = orient(points[:count].reshape(-1, 3), normals[:count].reshape(-1, 3), k, device)
+        np.testing.assert_array_equal(result, normals[:count] * np.array(expected, np.float32).reshape(-1, 1))

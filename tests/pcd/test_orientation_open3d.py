@@ -1,4 +1,4 @@
-"""Consistent orientation on scans: Hoppe's graph of neighbors, whole, beside what Open3D takes of it."""
+"""Consistent orientation on scans: Hoppe's complete neighbor graph compared with Open3D's subset of it."""
 
 from functools import cache
 from itertools import combinations
@@ -28,7 +28,7 @@ def without(edges, others):
 
 
 def orient_along(points, normals, edges):
-    """Open3D's rule on a graph that is given."""
+    """Open3D's rule on a given graph."""
     weights = 1 - np.abs((normals[edges[:, 0]] * normals[edges[:, 1]]).sum(axis=1))
     low = int(points[:, 2].argmin())
     order, before = breadth_first_order(spanning_tree(len(points), edges, weights.clip(0)), low, directed=False)
@@ -44,8 +44,8 @@ FRAGMENT = pytest.param("fragment", marks=pytest.mark.slow)
 
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain, o3d, to_open3d):
-    """Points and float32 normals of an indoor scan, a LiDAR frame and a terrain tile about its middle, all thinned."""
-    found = {}
+    """Points and float32 normals of an indoor scan, a LiDAR frame and a centered terrain tile, all thinned."""
+    arrays = {}
     for name, points, voxel in (
         ("fragment", fragment.points, 0.03),
         ("lidar", lidar[:, :3], 0.3),
@@ -54,8 +54,8 @@ def scans(fragment, lidar, terrain, o3d, to_open3d):
         cloud = to_open3d(points).voxel_down_sample(voxel)
         cloud.points = o3d.utility.Vector3dVector(np.asarray(cloud.points).astype(np.float32))
         cloud.estimate_normals(o3d.geometry.KDTreeSearchParamKNN(20))
-        found[name] = (np.asarray(cloud.points), np.asarray(cloud.normals).astype(np.float32).astype(float))
-    return found
+        arrays[name] = (np.asarray(cloud.points), np.asarray(cloud.normals).astype(np.float32).astype(float))
+    return arrays
 
 
 @pytest.fixture(scope="module")
@@ -73,7 +73,7 @@ def oracle(scans, to_open3d):
 
 @pytest.fixture(scope="module")
 def graphs(scans):
-    """A function (scan, k) -> the edges of the graphs: all of it, what Open3D takes of it, and the k nearest alone."""
+    """A function (scan, k) -> edges of the complete graph, of Open3D's graph, and of the k nearest neighbors."""
 
     @cache
     def euclidean_tree(scan):
@@ -88,8 +88,8 @@ def graphs(scans):
         nearest = cKDTree(points).query(points, k)[1]
         nearest = np.stack([np.repeat(np.arange(len(points)), k), nearest.ravel()], axis=1)
         nearest = pairs(nearest[nearest[:, 0] != nearest[:, 1]])
-        whole, reduced = (pairs(np.concatenate([tree, e])) for e in (nearest, without(nearest, delaunay)))
-        return whole, reduced, nearest
+        complete, reduced = (pairs(np.concatenate([tree, e])) for e in (nearest, without(nearest, delaunay)))
+        return complete, reduced, nearest
 
     return make_graphs
 
@@ -101,15 +101,15 @@ def test_orientation_of_the_fragment_is_open3ds(device, k, scans, oracle, tolera
 
 @on_sets("scan", shipped=("terrain", FRAGMENT), real=("lidar", FRAGMENT))
 @pytest.mark.parametrize("k", [15, pytest.param(30, marks=pytest.mark.slow)])
-def test_orientation_is_open3ds_rule_on_the_whole_graph(device, scan, k, scans, oracle, graphs, tolerances):
-    """Open3D leaves out neighbors that are edges of its Delaunay tetrahedra but not of its Euclidean tree.
+def test_orientation_follows_open3ds_rule_on_the_complete_graph(device, scan, k, scans, oracle, graphs, tolerances):
+    """Open3D omits neighbors that are edges of its Delaunay tetrahedra but not of its Euclidean tree.
 
-    Where normals are noise, as in trees and on a LiDAR's far rings, that turns whole patches. Its rule on its graph
-    gives its result; the same rule on all neighbors gives ours.
+    Where normals are noisy, as in trees and on distant LiDAR rings, this flips whole patches. Its rule on its graph
+    gives its result; the same rule on all neighbors gives pointloom's.
     """
-    whole, reduced, nearest = graphs(scan, k)
-    assert len(whole) - len(reduced) > 0.1 * len(nearest)
-    theirs = orient_along(*scans[scan], reduced)
-    assert agreement(theirs, oracle(scan, k)) >= tolerances.orientation_share
-    found = orient(*scans[scan], k, device)
-    assert agreement(found, orient_along(*scans[scan], whole)) >= tolerances.orientation_share
+    complete, reduced, nearest = graphs(scan, k)
+    assert len(complete) - len(reduced) > 0.1 * len(nearest)
+    expected = orient_along(*scans[scan], reduced)
+    assert agreement(expected, oracle(scan, k)) >= tolerances.orientation_share
+    result = orient(*scans[scan], k, device)
+    assert agreement(result, orient_along(*scans[scan], complete)) >= tolerances.orientation_share

@@ -1,4 +1,4 @@
-"""Flat patches: those of Open3D on a real scan, the faces of rooms, and none where nothing is flat."""
+"""Planar patches: Open3D's on a real scan, the faces of rooms, and none on curved surfaces."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ ROOM = np.array([6.0, 4.0, 2.7])  # [m]
 
 
 def room(rng, count, noise, size=ROOM):
-    """Points of the six faces of a box, each face with as many, and the face of each: axis, or axis + 3."""
+    """Points of the six faces of a box, equally many per face, and the face of each: axis, or axis + 3."""
     face = np.arange(count) % 6
     points = rng.random((count, 3)) * size
     points[np.arange(count), face % 3] = np.where(face < 3, 0, size[face % 3])
@@ -20,7 +20,7 @@ def room(rng, count, noise, size=ROOM):
 
 
 def covered(box, other, slack):
-    """Share of a box's face that lies in another box, that one widened by a slack [m]."""
+    """Fraction of a box's face inside another box that is enlarged by a slack [m]."""
     u, v = np.meshgrid(np.linspace(-0.45, 0.45, 20), np.linspace(-0.45, 0.45, 20))
     face = np.stack([u, v, 0 * u], axis=-1).reshape(-1, 3) * np.asarray(box.extent)
     local = (face @ np.asarray(box.R).T + np.asarray(box.center) - np.asarray(other.center)) @ np.asarray(other.R)
@@ -28,7 +28,7 @@ def covered(box, other, slack):
 
 
 def matches(box, others, tolerances):
-    """Whether one of the others has the normal of a box and at least half of its area."""
+    """Whether one of the other boxes has the normal of a box and at least half of its area."""
     for other in others:
         cosine = abs(np.asarray(box.R)[:, 2] @ np.asarray(other.R)[:, 2])
         if cosine > np.cos(np.radians(tolerances.patch_degrees)):
@@ -51,33 +51,33 @@ def scan(request, fragment, o3d, to_open3d):
 
 def test_patches_of_the_fragment_are_open3ds(device, scan, tolerances):
     cloud, expected = scan
-    found = cloud.to(device).detect_planar_patches(**TUTORIAL)
-    for boxes, others in ((found, expected), (expected, found)):
+    result = cloud.to(device).detect_planar_patches(**TUTORIAL)
+    for boxes, others in ((result, expected), (expected, result)):
         areas = np.array([box.extent[0] * box.extent[1] for box in boxes])
         known = np.array([matches(box, others, tolerances) for box in boxes])
         assert areas[known].sum() / areas.sum() > tolerances.patch_area
 
 
 @pytest.mark.parametrize(
-    ("noise", "shift", "turned"), [(0.0, 0.0, False), (0.02, 0.0, False), (0.005, 5.0e6, True)], ids=str
+    ("noise", "shift", "rotated"), [(0.0, 0.0, False), (0.02, 0.0, False), (0.005, 5.0e6, True)], ids=str
 )
-def test_a_room_has_its_six_faces(device, noise, shift, turned, rng):
-    """Open3D finds only some of them without noise: none of the points is closer than 0 to an exact plane."""
+def test_a_room_has_its_six_faces(device, noise, shift, rotated, rng):
+    """Open3D detects only some of them without noise: no point is closer than 0 to an exact plane."""
     points, _ = room(rng, 12_000, noise)
-    R, place = np.eye(3), np.array([shift / 10, shift, 100])
-    if turned:
+    R, offset = np.eye(3), np.array([shift / 10, shift, 100])
+    if rotated:
         R = np.linalg.qr(rng.normal(size=(3, 3)))[0]
         R *= np.sign(np.linalg.det(R))
-    cloud = loom.PointCloud(points @ R.T + place, device=device).estimate_normals(max_nn=30)
+    cloud = loom.PointCloud(points @ R.T + offset, device=device).estimate_normals(max_nn=30)
     patches = cloud.detect_planar_patches()
     assert len(patches) == 6
     faces = set()
     for patch in patches:
         np.testing.assert_allclose(patch.R.T @ patch.R, np.eye(3), atol=1e-9)
-        own, middle = R.T @ patch.R, R.T @ (patch.center - place)
-        axis = int(np.abs(own[:, 2]).argmax())
-        assert abs(own[axis, 2]) > 0.999 and np.linalg.det(patch.R) > 0
-        assert not turned or np.abs(own[:, 0]).max() > 0.99, "sides along the room's own edges"
+        rotation, middle = R.T @ patch.R, R.T @ (patch.center - offset)
+        axis = int(np.abs(rotation[:, 2]).argmax())
+        assert abs(rotation[axis, 2]) > 0.999 and np.linalg.det(patch.R) > 0
+        assert not rotated or np.abs(rotation[:, 0]).max() > 0.99, "sides along the room's own edges"
         faces.add((axis, bool(middle[axis] > ROOM[axis] / 2)))
         assert min(abs(middle[axis]), abs(middle[axis] - ROOM[axis])) < 0.15
         sides = np.sort(np.delete(ROOM, axis))
@@ -86,27 +86,27 @@ def test_a_room_has_its_six_faces(device, noise, shift, turned, rng):
 
 
 def test_a_floor_with_a_step_is_two_patches(device, rng):
-    """The halves do not fit each other; rough points on the step fit both, and tie them together in Open3D."""
+    """The two levels do not fit each other; rough points on the step fit both, which joins them in Open3D."""
     x, y = rng.random((2, 24_000)) * [[2], [1.5]]
     rough = np.where((x > 0.95) & (x < 1.15), 0.0075, 0.003)
     height = 0.04 * np.clip((x - 1) / 0.1, 0, 1) + rough * rng.normal(size=len(x))
-    frame = [[0, 0, 1.5], [2, 1.5, 1.5]]  # far above, so that a half is no eighth of the box
+    frame = [[0, 0, 1.5], [2, 1.5, 1.5]]  # far above, so that a level is not an eighth of the box
     points = np.vstack([np.column_stack([x, y, height]), frame])
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    ours = sorted(cloud.detect_planar_patches(**TUTORIAL), key=lambda patch: patch.center[0])
-    assert len(ours) == 2
-    for patch, middle, level in zip(ours, (0.5, 1.5), (0.0, 0.04), strict=True):
+    patches = sorted(cloud.detect_planar_patches(**TUTORIAL), key=lambda patch: patch.center[0])
+    assert len(patches) == 2
+    for patch, middle, level in zip(patches, (0.5, 1.5), (0.0, 0.04), strict=True):
         assert sorted(patch.extent)[1:] == pytest.approx([1.0, 1.5], abs=0.1)
         assert patch.center[[0, 2]] == pytest.approx([middle, level], abs=0.06)
 
 
 def test_box_of_a_rectangle_is_the_rectangle(device, rng):
-    """Least area to a tenth of a degree, all points inside, up to rounding."""
+    """Minimal area to a tenth of a degree, all points inside up to rounding."""
     side = rng.random((20_000, 2)) * [3.0, 1.0]
     angle = np.radians(17.0)
     across = np.array([[np.cos(angle), -np.sin(angle)], [np.sin(angle), np.cos(angle)]])
     flat = np.column_stack([side @ across.T, 0.002 * rng.normal(size=20_000)])
-    frame = np.array([[0, 0, 4.0], [3, 0, 4.2]])  # far below, so that the rectangle is no eighth of the box
+    frame = np.array([[0, 0, 4.0], [3, 0, 4.2]])  # far below, so that the rectangle is not an eighth of the box
     cloud = loom.PointCloud(np.vstack([flat, frame]), device=device).estimate_normals(max_nn=20)
     (patch,) = cloud.detect_planar_patches()
     np.testing.assert_allclose(np.sort(patch.extent)[1:], [1.0, 3.0], atol=0.02)
@@ -117,14 +117,14 @@ def test_box_of_a_rectangle_is_the_rectangle(device, rng):
 
 
 def test_normals_need_no_common_side(device, rng):
-    """Open3D takes the median of the signed normals, which means nothing where signs are mixed."""
+    """Open3D uses the median of the signed normals, which is undefined for mixed signs."""
     points, _ = room(rng, 12_000, 0.004)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     expected = cloud.detect_planar_patches()
     cloud.normals = cloud.normals * rng.choice([-1.0, 1.0], len(cloud))[:, None]
-    found = cloud.detect_planar_patches()
-    assert len(found) == len(expected) == 6
-    for a, b in zip(found, expected, strict=True):
+    result = cloud.detect_planar_patches()
+    assert len(result) == len(expected) == 6
+    for a, b in zip(result, expected, strict=True):
         np.testing.assert_allclose(a.center, b.center, atol=1e-5)
         np.testing.assert_allclose(a.extent, b.extent, atol=1e-5)
 

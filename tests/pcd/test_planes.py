@@ -1,4 +1,4 @@
-"""Planes: as good as Open3D's on real scans, exact far from the origin, and the same bits from run to run."""
+"""Plane segmentation: as good as Open3D on real scans, exact far from the origin, and reproducible."""
 
 import numpy as np
 import pytest
@@ -26,11 +26,11 @@ def open3d_plane(o3d, points, threshold, **limits):
     return np.asarray(model), np.asarray(inliers)
 
 
-def cluttered(rng, count=4000, share=0.5, noise=0.003, normal=(0.3, -0.2, 1.0), offset=0.4):
-    """A noisy plane through part of a unit cube, and points all over it; the model and which points belong."""
+def cluttered(rng, count=4000, plane_fraction=0.5, noise=0.003, normal=(0.3, -0.2, 1.0), offset=0.4):
+    """A noisy plane in a unit cube with uniform clutter; the model and the mask of its points."""
     normal = np.array(normal) / np.linalg.norm(normal)
     points = rng.random((count, 3)) - 0.5
-    member = rng.random(count) < share
+    member = rng.random(count) < plane_fraction
     height = points @ normal - offset
     flat = points - height[:, None] * normal + noise * rng.normal(size=(count, 1)) * normal
     return np.where(member[:, None], flat, points), np.append(normal, -offset), member
@@ -44,7 +44,7 @@ def terrain(scan_file):
 
 @pytest.fixture(scope="module")
 def scans(fragment, lidar, terrain):
-    """Points by name, the tile about its middle, and a threshold for each."""
+    """Points by name, the tile centered, and a threshold for each."""
     return {
         "fragment": (fragment.points[::4], 0.02),
         "lidar": (lidar[:, :3].astype(float), 0.1),
@@ -77,7 +77,7 @@ def test_final_plane_of_made_inliers_is_open3ds_fit(device, rng, oracle, toleran
 
 
 @pytest.mark.parametrize(("normal", "ransac_n"), [((0, 0, 1), 5), ((1, 0, 0), 3), ((0.3, -0.2, 1), 3), ((-2, 1, 1), 5)])
-def test_known_plane_is_found_among_noise_and_clutter(device, rng, normal, ransac_n):
+def test_known_plane_is_detected_among_noise_and_clutter(device, rng, normal, ransac_n):
     points, true, member = cluttered(rng, normal=normal, offset=0.1)
     model, inliers = loom.PointCloud(points, device=device).segment_plane(0.01, ransac_n, 1000)
     assert degrees_between(model[:3], true[:3]) < 0.1
@@ -115,8 +115,8 @@ def test_the_seed_chooses_the_samples(device, rng):
 
 
 def test_a_probability_ends_the_search_after_a_batch_and_one_never(device, rng):
-    """Half of the points lie in the plane: 11 samples hold one of inliers alone with a probability of 0.9."""
-    points, _, _ = cluttered(rng, 3000, share=0.6, noise=0.006)
+    """Half of the points are in the plane: 11 samples contain an all-inlier sample with a probability of 0.9."""
+    points, _, _ = cluttered(rng, 3000, plane_fraction=0.6, noise=0.006)
     cloud = loom.PointCloud(points, device=device)
     early, batch, all_samples = (
         len(cloud.segment_plane(0.01, 3, *limits)[1]) for limits in ((3000, 0.9), (32, 1.0), (3000, 1.0))
@@ -134,7 +134,7 @@ def faces(rng, sizes=(900, 600, 300)):
     return np.vstack(parts), np.repeat(np.arange(len(sizes)), sizes)
 
 
-def test_planes_come_one_after_another_each_from_the_points_left(device, rng):
+def test_planes_are_segmented_successively_from_the_remaining_points(device, rng):
     points, face = faces(rng)
     order = rng.permutation(len(points))
     labels, models = loom.PointCloud(points[order], device=device).segment_planes(0.01, min_points=100)
@@ -176,7 +176,7 @@ def test_clouds_of_fewer_than_three_points_have_no_planes(device, count):
 
 @pytest.mark.parametrize("points", [np.ones((50, 3)), np.outer(np.arange(50), [1, 2, -1])], ids=["equal", "line"])
 def test_points_on_a_line_have_no_plane(device, points):
-    """Open3D gives a plane of zeros, and all points as its inliers."""
+    """Open3D returns a plane of zeros with all points as inliers."""
     cloud = loom.PointCloud(points, device=device)
     for ransac_n in (3, 6):
         with pytest.raises(ValueError, match="no plane found"):
@@ -190,8 +190,8 @@ coordinates = st.one_of(st.integers(-3, 3).map(float), st.floats(-3, 3, width=32
 @pytest.mark.slow
 @settings(max_examples=60, deadline=None)
 @given(rows=st.lists(st.tuples(coordinates, coordinates, coordinates), min_size=3, max_size=40), seed=st.integers(0, 9))
-def test_no_better_plane_stands_through_three_points_of_any_small_cloud(rows, seed):
-    """With some thousand samples nearly all triples of ten points are drawn: none has more inliers by brute force."""
+def test_no_better_plane_exists_through_three_points_of_a_small_cloud(rows, seed):
+    """Some thousand samples include nearly all triples of ten points: none has more inliers by brute force."""
     points = np.array(rows[:10])
     finite = points[np.isfinite(points).all(axis=1)]
     triples = [finite[list(t)] for t in np.ndindex(*[len(finite)] * 3) if t[0] < t[1] < t[2]]
@@ -199,7 +199,7 @@ def test_no_better_plane_stands_through_three_points_of_any_small_cloud(rows, se
     for p, q, r in triples:
         normal = np.cross(q - p, r - p)
         size = np.linalg.norm(normal)
-        if size > 1e-3 * np.linalg.norm(q - p) * np.linalg.norm(r - p):  # thinner ones are a matter of rounding
+        if size > 1e-3 * np.linalg.norm(q - p) * np.linalg.norm(r - p):  # thinner ones depend on rounding
             best = max(best, (np.abs((finite - p) @ normal) / size < 0.0999).sum())
     if best == 0:
         return

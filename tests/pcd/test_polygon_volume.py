@@ -1,4 +1,4 @@
-"""SelectionPolygonVolume: Open3D's choice of points, on any axis, at any coordinates, and its files read strictly."""
+"""SelectionPolygonVolume: selects the same points as Open3D on any axis and at any coordinates; strict file reading."""
 
 import json
 import tempfile
@@ -18,7 +18,7 @@ SQUARE = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]]
 
 
 def text_of(**changes):
-    """A volume's JSON with some keys changed, or left out where None."""
+    """JSON text of a volume with some keys changed, or removed if None."""
     content = {
         "axis_max": 2.0, "axis_min": -1.0, "bounding_polygon": SQUARE, "class_name": "SelectionPolygonVolume",
         "orthogonal_axis": "Z", "version_major": 1, "version_minor": 0, **changes,
@@ -28,7 +28,7 @@ def text_of(**changes):
 
 @pytest.fixture(scope="module")
 def open3d_volume(o3d, tmp_path_factory):
-    """A function that makes Open3D's volume of ours, by our file."""
+    """A function that converts a volume to Open3D's through its file."""
     path = tmp_path_factory.mktemp("volumes") / "volume.json"
 
     def convert(volume):
@@ -43,19 +43,19 @@ def open3d_indices(o3d, volume, points):
 
 
 def open3d_choices(o3d, volumes, points):
-    """Rows inside each volume, which Open3D reads from our file."""
-    found = []
+    """Rows inside each volume, which Open3D reads from pointloom's file."""
+    results = []
     with tempfile.TemporaryDirectory() as folder:
         for volume in volumes:
             path = Path(folder) / "volume.json"
             volume.to_json(path)
-            theirs = o3d.visualization.read_selection_polygon_volume(str(path))
-            found.append(np.array(open3d_indices(o3d, theirs, points), np.int16))
-    return found
+            open3d_polygon = o3d.visualization.read_selection_polygon_volume(str(path))
+            results.append(np.array(open3d_indices(o3d, open3d_polygon, points), np.int16))
+    return results
 
 
 def star(middle, radii, axis):
-    """A pentagram: five corners, each joined with the next but one; its middle is surrounded twice."""
+    """A pentagram: each of the five corners is joined with the next but one; its center is enclosed twice."""
     angles = np.arange(5) * 4 * np.pi / 5 + 0.3
     corners = np.full((5, 3), 7.5)
     u, v = [a for a in range(3) if a != axis]
@@ -65,7 +65,7 @@ def star(middle, radii, axis):
 
 
 def concave(middle, radii, axis):
-    """An arrow head with a notch, its corners beyond the cloud in part."""
+    """An arrow head with a notch; some of its corners are outside the cloud."""
     corners = np.full((4, 3), -1.0)
     u, v = [a for a in range(3) if a != axis]
     corners[:, u] = middle[u] + radii[u] * np.array([-1, 0, 1.2, 0])
@@ -74,7 +74,7 @@ def concave(middle, radii, axis):
 
 
 def check_choice(volume, cloud, expected):
-    """Both ways to crop, and both inverted."""
+    """Check both crop functions, and both inverted."""
     points = cloud.points
     assert 0 < len(expected) < len(points)
     others = np.setdiff1d(np.arange(len(points)), expected)
@@ -87,7 +87,7 @@ def check_choice(volume, cloud, expected):
 
 @pytest.mark.parametrize("at", [np.zeros(3), np.array([5e5, 5.4e6, 200])], ids=["here", "utm"])
 def test_choices_are_open3ds(device, at, rng, oracle):
-    """Open3D's arithmetic is exact enough in UTM; float32 would round the corners by half a metre."""
+    """Open3D's arithmetic is exact enough in UTM; float32 would round the corners by half a meter."""
     cloud = loom.PointCloud(np.round(rng.random((500, 3)) * 64) / 8 + at, device=device)
     volumes = [
         loom.SelectionPolygonVolume(shape(at + 4.1, [3.5, 3.7, 3.2], axis), "XYZ"[axis], at[axis] + 1, at[axis] + 7)
@@ -104,18 +104,18 @@ COORDINATES = st.integers(-2, 2).map(float), real(3)
 
 @examples(80)
 @given(
-    corners=clouds(*COORDINATES, least=3, most=7), points=clouds(*COORDINATES, least=1, most=30),
+    corners=clouds(*COORDINATES, min_size=3, max_size=7), points=clouds(*COORDINATES, min_size=1, max_size=30),
     axis=st.sampled_from("XYZxyz"), ends=st.tuples(*[st.one_of(*COORDINATES)] * 2),
 )  # fmt: skip
-def test_any_polygon_chooses_what_open3ds_does(device, o3d, open3d_volume, corners, points, axis, ends):
-    """Corners and points on a lattice lie on each other's edges; polygons cross themselves or are flat."""
+def test_any_polygon_agrees_with_open3d(device, o3d, open3d_volume, corners, points, axis, ends):
+    """Corners and points of a lattice are on each other's edges; polygons are self-intersecting or flat."""
     volume = loom.SelectionPolygonVolume(corners, axis, min(ends), max(ends))
     expected = open3d_indices(o3d, open3d_volume(volume), points)
     assert volume.crop_in_polygon(loom.PointCloud(points, device=device)).tolist() == expected
     assert volume.crop_in_polygon(points).tolist() == expected
 
 
-def test_ends_are_inclusive_and_of_the_edges_the_upper_ones(device):
+def test_axis_limits_and_upper_edges_are_inclusive(device):
     volume = loom.SelectionPolygonVolume(SQUARE, "Z", -1, 2)
     points = [[1, 1, -1], [1, 1, 2], [1, 1, 2.1], [0, 1, 0], [4, 1, 0], [1, 0, 0], [1, 4, 0], [0, 0, 0], [4, 4, 0]]
     assert volume.crop_in_polygon(loom.PointCloud(points, device=device)).tolist() == [0, 1, 4, 6, 8]
@@ -127,10 +127,10 @@ def test_a_crop_carries_attributes_and_origin(device, rng):
     )
     volume = loom.SelectionPolygonVolume(np.add(SQUARE, [5e5, 5.4e6, 0]), "Z", 0, 8)
     rows = volume.crop_in_polygon(cloud)
-    found = volume.crop_point_cloud(cloud)
-    assert 0 < len(rows) < 50 and rows.dtype == np.int32 and (found.origin == cloud.origin).all()
+    result = volume.crop_point_cloud(cloud)
+    assert 0 < len(rows) < 50 and rows.dtype == np.int32 and (result.origin == cloud.origin).all()
     for name in ("points", "normals", "row"):
-        np.testing.assert_array_equal(found[name], cloud[name][rows])
+        np.testing.assert_array_equal(result[name], cloud[name][rows])
 
 
 def test_a_file_gives_back_every_bit(tmp_path, rng):
@@ -141,7 +141,7 @@ def test_a_file_gives_back_every_bit(tmp_path, rng):
     assert (again.orthogonal_axis, again.axis_min, again.axis_max) == ("Y", -np.pi, 1e-17)
 
 
-def test_a_file_with_whole_numbers_is_read(tmp_path):
+def test_file_with_integers_is_read(tmp_path):
     (tmp_path / "a.json").write_text(text_of(axis_min=0))
     assert loom.SelectionPolygonVolume.from_json(tmp_path / "a.json").axis_min == 0.0
 
@@ -171,14 +171,14 @@ BAD_FILES = {
 
 
 @pytest.mark.parametrize("content", BAD_FILES, ids=BAD_FILES.values())
-def test_a_bad_file_is_refused_with_the_place(tmp_path, content):
+def test_invalid_file_is_rejected_with_its_location(tmp_path, content):
     path = tmp_path / "bad.json"
     path.write_bytes(content if isinstance(content, bytes) else content.encode())
     with pytest.raises(loom.FileError, match=f"bad.json.*({BAD_FILES[content]})"):
         loom.SelectionPolygonVolume.from_json(path)
 
 
-def test_places_that_cannot_be_read_or_written_are_file_errors(tmp_path):
+def test_inaccessible_paths_are_file_errors(tmp_path):
     with pytest.raises(loom.FileError, match=r"/missing\.json:"):
         loom.SelectionPolygonVolume.from_json(tmp_path / "missing.json")
     with pytest.raises(loom.FileError, match=r"/a\.json:"):

@@ -1,6 +1,6 @@
-"""Arguments that make no sense are refused by an error that names them: one table for all operations on clouds.
+"""Invalid arguments are rejected by an error that names them: one table for all operations on clouds.
 
-Values that are no numbers at all, or not finite, are tried by test_hostile_arguments.py.
+Values that are not numbers, or not finite, are tested in test_hostile_arguments.py.
 """
 
 import re
@@ -292,7 +292,7 @@ KINDS = {ValueError: VALUES, TypeError: TYPES, IndexError: INDICES}
 @pytest.mark.parametrize(
     ("line", "error"), [(line, error) for error, lines in KINDS.items() for line in lines.strip().splitlines()]
 )
-def test_what_makes_no_sense_is_refused_by_name(line, error):
-    call, _, words = line.rpartition(" | ")
-    with pytest.raises(error, match=rf"(^|\W){re.escape(words)}(?!\w)"):
+def test_invalid_arguments_are_rejected_by_name(line, error):
+    call, _, message = line.rpartition(" | ")
+    with pytest.raises(error, match=rf"(^|\W){re.escape(message)}(?!\w)"):
         eval(call, dict(NAMES))

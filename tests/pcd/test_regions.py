@@ -1,4 +1,4 @@
-"""Smooth regions: those of a plain loop over the same neighbors, ties of no order, PCL's where no order matters."""
+"""Region growing: equal to a plain loop over the same neighbors, independent of order, and PCL's where unambiguous."""
 
 import numpy as np
 import pytest
@@ -6,8 +6,8 @@ import pytest
 import pointloom as loom
 
 
-def grown_plainly(cloud, degrees, limit, least, max_nn):
-    """The regions by a queue over lists, in the words of the docstring; labels of regions by size."""
+def grown_plainly(cloud, degrees, limit, min_size, max_nn):
+    """Regions by a queue over lists, as documented; labels in the order of size."""
     points, normals = cloud.points, cloud.normals.astype(np.float32)
     near = loom.NearestNeighborSearch(cloud).knn_search(cloud, max_nn)[0].reshape(len(points), -1)
     curvature = loom.estimate_curvature(cloud, max_nn=max_nn)["curvature"]
@@ -33,7 +33,9 @@ def grown_plainly(cloud, degrees, limit, least, max_nn):
         if facing:
             grown[i] = labels[max(facing)[2]]
     heads, counts = np.unique(grown[grown >= 0], return_counts=True)
-    order = [head for _, head in sorted(zip(-counts, heads, strict=True)) if counts[list(heads).index(head)] >= least]
+    order = [
+        head for _, head in sorted(zip(-counts, heads, strict=True)) if counts[list(heads).index(head)] >= min_size
+    ]
     return np.array([order.index(label) if label in order else -1 for label in grown])
 
 
@@ -48,7 +50,7 @@ def room(rng, noise=0.003):
 
 
 @pytest.mark.parametrize(("degrees", "limit", "max_nn"), [(5.0, 0.02, 20), (12.0, 0.005, 12), (30.0, 0.3, 10)])
-def test_regions_are_those_of_a_plain_loop(device, rng, degrees, limit, max_nn):
+def test_regions_agree_with_a_plain_loop(device, rng, degrees, limit, max_nn):
     cloud = loom.PointCloud(room(rng), device=device).estimate_normals(max_nn=20)
     labels = cloud.region_growing(degrees, limit, 20, max_nn=max_nn)
     np.testing.assert_array_equal(labels, grown_plainly(cloud, degrees, limit, 20, max_nn))
@@ -64,7 +66,7 @@ def test_a_floor_a_wall_and_a_ball_are_three_regions_the_largest_first(device, r
 
 
 def test_labels_go_with_the_points_in_any_order(device, rng):
-    """No seed is first: a shuffled cloud has the same regions, up to ties of neighbors, of which it has none."""
+    """The result does not depend on a first seed: a shuffled cloud without ties has the same regions."""
     cloud = loom.PointCloud(room(rng), device=device).estimate_normals(max_nn=20)
     order = rng.permutation(len(cloud))
     labels = cloud.region_growing(8.0, 0.02, 30, max_nn=12)

@@ -1,4 +1,4 @@
-"""Thinning a cloud: Open3D's voxels with their traces, every k-th, a random choice, the farthest from each other."""
+"""Down-sampling: Open3D's voxels with traces, every k-th point, random selection, and farthest points."""
 
 from __future__ import annotations
 
@@ -12,20 +12,20 @@ from hypothesis import strategies as st
 
 import pointloom as loom
 
-from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, parts, real
+from .any_cloud import INTEGERS, NOT_FINITE, clouds, examples, parts, real
 from .full_clouds import full_cloud
 from .open3d_clouds import cloud_of
 
 
 def numbered(rng, device):
-    """A cloud with every kind of attribute, far from zero, and the numbers of its rows."""
+    """A cloud with every kind of attribute, far from zero, and its row indices."""
     cloud = full_cloud(rng, device, shift=np.array([5e5, 5.4e6, 100]))
     cloud["row"] = np.arange(len(cloud))
     return cloud
 
 
-def assert_holds_rows(result, cloud, rows):
-    """The result is exactly these points of a cloud, with all their attributes."""
+def assert_contains_rows(result, cloud, rows):
+    """Check that the result consists of these points of a cloud with all their attributes."""
     assert (result.origin == cloud.origin).all() and len(result) == len(rows)
     for name in ("points", "normals", "colors", *cloud.attributes):
         assert result[name].dtype == cloud[name].dtype
@@ -33,7 +33,7 @@ def assert_holds_rows(result, cloud, rows):
 
 
 def check_trace(trace, oracle, tolerances, limit):
-    """The voxels, octants and means of Open3D's trace, whose order of voxels is open."""
+    """Check voxels, octants and means of Open3D's trace, in any order of voxels."""
     cloud, cubic_id, original_indices = trace
     expected, expected_cubes, expected_indices = oracle
     rows = {int(indices[0]): row for row, indices in enumerate(original_indices)}
@@ -44,8 +44,8 @@ def check_trace(trace, oracle, tolerances, limit):
         assert (trace.voxel_of_point[original_indices[row]] == row).all()
     assert cubic_id.dtype == np.int32
     np.testing.assert_array_equal(cubic_id[order], expected_cubes)
-    found = cloud.points[order] - cloud.origin
-    np.testing.assert_allclose(found, np.asarray(expected.points), rtol=0, atol=limit)
+    actual = cloud.points[order] - cloud.origin
+    np.testing.assert_allclose(actual, np.asarray(expected.points), rtol=0, atol=limit)
     for name in ("normals", "colors"):
         if name in cloud:
             values = np.asarray(getattr(expected, name))
@@ -75,7 +75,7 @@ def test_traces_of_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
 
 
 def brute_trace(points, size, corner):
-    """Voxels in ascending order, as lists of rows, and the last row in each octant, by a dictionary."""
+    """Voxels in ascending order as lists of rows, and the last row in each octant, by a dictionary."""
     voxels: dict[tuple, list[int]] = {}
     for row in np.flatnonzero(np.isfinite(points).all(axis=1)):
         voxels.setdefault(tuple(np.floor((points[row] - corner) / size).tolist()), []).append(int(row))
@@ -83,12 +83,12 @@ def brute_trace(points, size, corner):
     lists = [voxels[cell] for cell in sorted(voxels)]
     for voxel, rows in enumerate(lists):
         for row in rows:
-            place = (points[row] - corner) / size
-            cubes[voxel, int((place - np.floor(place) >= 0.5) @ [1, 2, 4])] = row
+            position = (points[row] - corner) / size
+            cubes[voxel, int((position - np.floor(position) >= 0.5) @ [1, 2, 4])] = row
     return lists, cubes
 
 
-SMALL = clouds(WHOLE, parts(4, 8), real(5), NOT_FINITE, st.just(900.0), most=30)
+SMALL = clouds(INTEGERS, parts(4, 8), real(5), NOT_FINITE, st.just(900.0), max_size=30)
 
 
 @examples(25)
@@ -110,11 +110,11 @@ def test_any_small_cloud_is_traced_as_a_dictionary_traces_it(device, points, siz
 def test_a_trace_without_bounds_has_the_voxels_of_voxel_down_sample(device, rng):
     cloud = numbered(rng, device)
     trace, plain = cloud.voxel_down_sample_and_trace(3.0), cloud.voxel_down_sample(3.0)
-    assert_holds_rows(trace.cloud, plain, np.arange(len(plain)))
+    assert_contains_rows(trace.cloud, plain, np.arange(len(plain)))
     assert len(trace) == 3 and repr(trace) == f"VoxelTrace(200 points in {len(plain)} voxels)"
 
 
-def test_a_trace_of_nothing_is_empty(device):
+def test_trace_of_an_empty_cloud_is_empty(device):
     for points in (np.zeros((0, 3)), np.full((4, 3), np.nan)):
         cloud, cubic_id, original_indices = loom.PointCloud(points, device=device).voxel_down_sample_and_trace(1.0)
         assert len(cloud) == 0 and cubic_id.shape == (0, 8) and original_indices == []
@@ -137,19 +137,19 @@ def test_classes_are_the_commonest_of_their_voxel(device, rng):
             counts = Counter(attributes[name][rows].tolist())
             assert trace.cloud[name][voxel] == min(counts, key=lambda value: (-counts[value], value)), name
         counts = Counter(map(tuple, cloud.colors[rows].tolist()))
-        places = {tuple(color): place for place, color in enumerate(ranked.tolist())}
-        assert tuple(trace.cloud.colors[voxel].tolist()) == min(counts, key=lambda c: (-counts[c], places[c]))
+        rank_of = {tuple(color): rank for rank, color in enumerate(ranked.tolist())}
+        assert tuple(trace.cloud.colors[voxel].tolist()) == min(counts, key=lambda c: (-counts[c], rank_of[c]))
     np.testing.assert_array_equal(trace.cloud["wide"], plain["wide"])
     np.testing.assert_array_equal(trace.cloud["time"], plain["time"])
 
 
 @pytest.mark.parametrize("gray", [1.0, 0.5])
 def test_classes_keep_their_color(device, gray):
-    """Open3D keeps the whole part of red."""
+    """Open3D uses the integer part of red."""
     points, colors = [[0, 0, 0], [0.1, 0, 0], [0.2, 0, 0], [5, 5, 5]], np.array([[0] * 3, *[[gray] * 3] * 3])
     cloud = loom.PointCloud(points, colors=colors, device=device)
-    found = cloud.voxel_down_sample_and_trace(1.0, [0, 0, 0], [9, 9, 9], True)
-    assert found.cloud.colors.tolist() == [[gray] * 3] * 2
+    result = cloud.voxel_down_sample_and_trace(1.0, [0, 0, 0], [9, 9, 9], True)
+    assert result.cloud.colors.tolist() == [[gray] * 3] * 2
 
 
 def nearest_rows(points, lists):
@@ -160,16 +160,16 @@ def nearest_rows(points, lists):
     return rows
 
 
-def test_the_nearest_point_stands_for_its_voxel_with_all_attributes(device, rng):
+def test_nearest_point_represents_its_voxel_with_all_attributes(device, rng):
     cloud = numbered(rng, device)
     local = cloud.points - cloud.origin
     lists, _ = brute_trace(local, 3.0, local.min(axis=0) - 1.5)
     rows = nearest_rows(local, lists)
     assert max(map(len, lists)) > 5
-    assert_holds_rows(cloud.voxel_down_sample(3.0, reduction="nearest"), cloud, rows)
+    assert_contains_rows(cloud.voxel_down_sample(3.0, reduction="nearest"), cloud, rows)
 
 
-def test_of_equally_near_points_the_first_stands_for_its_voxel(device):
+def test_first_of_equally_near_points_represents_its_voxel(device):
     points = np.array([[1, 0, 0], [-1, 0, 0], [0, 1, 0], [0, -1, 0.0], [1, 0, 0]])
     points = np.vstack([points, [[np.nan, 0, 0]], points + 100])[:-1]
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
@@ -178,21 +178,21 @@ def test_of_equally_near_points_the_first_stands_for_its_voxel(device):
 
 
 @pytest.mark.parametrize("step", [1, 2, 7, 200, 10**6])
-def test_every_kth_point_is_taken(device, step, rng):
+def test_every_kth_point_is_selected(device, step, rng):
     cloud = numbered(rng, device)
-    found = cloud.uniform_down_sample(step)
-    assert_holds_rows(found, cloud, np.arange(0, 200, step))
+    result = cloud.uniform_down_sample(step)
+    assert_contains_rows(result, cloud, np.arange(0, 200, step))
     assert len(loom.PointCloud(device=device).uniform_down_sample(step)) == 0
 
 
 @pytest.mark.parametrize(("ratio", "count"), [(0, 0), (0.001, 0), (0.29, 57), (0.5, 100), (0.999999, 199), (1, 200)])
 def test_a_random_choice_has_open3ds_size_and_keeps_the_order(device, ratio, count, rng):
     cloud = numbered(rng, device)
-    found = cloud.random_down_sample(ratio, seed=5)
-    rows = found["row"]
+    result = cloud.random_down_sample(ratio, seed=5)
+    rows = result["row"]
     assert (np.diff(rows) > 0).all()
-    assert_holds_rows(found, cloud, rows)
-    assert len(found) == count
+    assert_contains_rows(result, cloud, rows)
+    assert len(result) == count
     np.testing.assert_array_equal(cloud.random_down_sample(ratio, seed=5)["row"], rows)
     assert len(loom.PointCloud(device=device).random_down_sample(ratio)) == 0
 
@@ -205,15 +205,15 @@ def test_another_seed_is_another_choice(device, rng):
 
 @pytest.mark.parametrize("samples", [1, 50, 700])
 def test_farthest_points_of_the_fragment_are_open3ds(device, samples, fragment, to_open3d):
-    """Near-ties, where float32 and float64 choose differently, do not come up in this data."""
+    """The data has no near-ties, for which float32 and float64 differ."""
     points = fragment.points[::2]
     expected = to_open3d(points).farthest_point_down_sample(samples, 1234)
-    found = loom.PointCloud(points, device=device).farthest_point_down_sample(samples, 1234)
-    np.testing.assert_array_equal(found.points, np.asarray(expected.points))
+    result = loom.PointCloud(points, device=device).farthest_point_down_sample(samples, 1234)
+    np.testing.assert_array_equal(result.points, np.asarray(expected.points))
 
 
 def plain_choice(points, count, start):
-    """The plain algorithm in float32 on what the cloud holds."""
+    """The algorithm in float32 on the stored coordinates."""
     distances = np.where(np.isfinite(points).all(axis=1), np.float32(np.inf), np.float32(-1))
     chosen = []
     while len(chosen) < count:
@@ -229,11 +229,11 @@ def plain_choice(points, count, start):
 
 
 @examples(30)
-@given(points=SMALL.filter(lambda p: np.isfinite(p).all(axis=1).any()), share=st.floats(0, 1))
-def test_farthest_points_of_any_small_cloud_are_those_of_the_plain_algorithm(device, points, share):
+@given(points=SMALL.filter(lambda p: np.isfinite(p).all(axis=1).any()), fraction=st.floats(0, 1))
+def test_farthest_points_of_small_clouds_agree_with_the_plain_algorithm(device, points, fraction):
     cloud = loom.PointCloud(points, device=device, row=np.arange(len(points)))
     start = int(np.flatnonzero(np.isfinite(points).all(axis=1))[-1])
-    samples = int(share * (len(points) - 1))
+    samples = int(fraction * (len(points) - 1))
     expected = plain_choice(points.astype(np.float32), samples, start)
     assert cloud.farthest_point_indices(samples, start).tolist() == expected
     assert cloud.farthest_point_down_sample(samples, start)["row"].tolist() == sorted(expected)
@@ -244,7 +244,7 @@ def test_a_longer_choice_begins_with_the_shorter(device, rng):
     order = cloud.farthest_point_indices(150, 3)
     assert order[0] == 3 and len(set(order.tolist())) == 150
     np.testing.assert_array_equal(cloud.farthest_point_indices(40, 3), order[:40])
-    assert_holds_rows(cloud.farthest_point_down_sample(40, 3), cloud, np.sort(order[:40]))
+    assert_contains_rows(cloud.farthest_point_down_sample(40, 3), cloud, np.sort(order[:40]))
 
 
 def open3d_choices(o3d, points, counts):
@@ -253,7 +253,7 @@ def open3d_choices(o3d, points, counts):
 
 
 def test_farthest_points_of_made_clouds_are_open3ds(device, rng, oracle):
-    """Repeated positions count once; near-ties, where float32 and float64 choose differently, do not come up."""
+    """Repeated positions count once; there are no near-ties, for which float32 and float64 differ."""
     repeated = np.array([[0, 0, 0], [0, 0, 0], [1, 0, 0], [1, 0, 0], [2, 0, 0.0]])
     random = rng.random((500, 3)).astype(np.float32).astype(float)
     for name, points, counts in (("repeated", repeated, range(6)), ("random", random, (1, 50, 120))):
@@ -265,7 +265,7 @@ def test_farthest_points_of_made_clouds_are_open3ds(device, rng, oracle):
     assert loom.PointCloud(np.ones((9, 3)), device=device).farthest_point_indices(8, 4).tolist() == [4]
 
 
-def test_asking_for_all_points_gives_the_finite_ones(device):
+def test_requesting_all_points_returns_the_finite_ones(device):
     cloud = loom.PointCloud([[0, 0, 0], [np.nan, 0, 0], [1, 1, 1], [1, 1, 1]], device=device, row=np.arange(4))
     assert cloud.farthest_point_down_sample(4)["row"].tolist() == [0, 2, 3]
     assert len(loom.PointCloud(device=device).farthest_point_down_sample(0)) == 0

@@ -1,4 +1,4 @@
-"""Neighbor search is exact: against float64 brute force and Open3D, on every kind of cloud and every path."""
+"""Neighbor search is exact: compared with float64 brute force and Open3D, on all kinds of clouds and code paths."""
 
 import numpy as np
 import pytest
@@ -11,34 +11,36 @@ from pointloom.kernels.search.point_tree import LEAF, PointTree
 from pointloom.kernels.search.tree_search import search_nearest
 from pointloom.pcd.cached_tree import SMALLEST_EXTENT
 
-from .any_cloud import NOT_FINITE, WHOLE, clouds, examples, real
+from .any_cloud import INTEGERS, NOT_FINITE, clouds, examples, real
 from .nearest_oracle import EXACT, SHAPES, assert_nearest, make_cloud, queries_for, rows_of, sphere, square_distances
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_k_nearest_are_those_of_brute_force(device, shape, rng, tolerances):
+def test_k_nearest_agree_with_brute_force(device, shape, rng, tolerances):
     cloud = make_cloud(shape, rng, device)
     search = loom.NearestNeighborSearch(cloud)
-    places = queries_for(cloud.points, rng)
-    expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
+    queries = queries_for(cloud.points, rng)
+    expected, self_sqdists = square_distances(cloud, queries), square_distances(cloud, cloud.points)
     for k in (1, 9, 64):
-        assert_nearest(search.knn_search(places, k), expected, k, np.inf, tolerances, shape in EXACT)
-    assert_nearest(search.knn_search(cloud, 20), own, 20, np.inf, tolerances, shape in EXACT)
+        assert_nearest(search.knn_search(queries, k), expected, k, np.inf, tolerances, shape in EXACT)
+    assert_nearest(search.knn_search(cloud, 20), self_sqdists, 20, np.inf, tolerances, shape in EXACT)
 
 
 @pytest.mark.parametrize("shape", SHAPES)
-def test_neighbors_within_a_radius_are_those_of_brute_force(device, shape, rng, tolerances):
+def test_radius_search_agrees_with_brute_force(device, shape, rng, tolerances):
     cloud = make_cloud(shape, rng, device)
     search = loom.NearestNeighborSearch(cloud)
-    places = queries_for(cloud.points, rng)
-    expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
-    near = np.sqrt(np.partition(own, min(15, len(cloud) - 1), axis=1)[:, min(15, len(cloud) - 1)].mean()) or 0.1
+    queries = queries_for(cloud.points, rng)
+    expected, self_sqdists = square_distances(cloud, queries), square_distances(cloud, cloud.points)
+    near = (
+        np.sqrt(np.partition(self_sqdists, min(15, len(cloud) - 1), axis=1)[:, min(15, len(cloud) - 1)].mean()) or 0.1
+    )
     for radius in (near / 30, near, 1e7):
-        found = search.hybrid_search(places, radius, 12)
-        assert_nearest(found, expected, 12, radius, tolerances, shape in EXACT)
-        found = search.hybrid_search(cloud, radius, 12)
-        assert_nearest(found, own, 12, radius, tolerances, shape in EXACT)
-        rows = rows_of(search.radius_search(places, radius), len(cloud))
+        result = search.hybrid_search(queries, radius, 12)
+        assert_nearest(result, expected, 12, radius, tolerances, shape in EXACT)
+        result = search.hybrid_search(cloud, radius, 12)
+        assert_nearest(result, self_sqdists, 12, radius, tolerances, shape in EXACT)
+        rows = rows_of(search.radius_search(queries, radius), len(cloud))
         assert_nearest(rows, expected, len(cloud), radius, tolerances, shape in EXACT)
 
 
@@ -46,13 +48,13 @@ def test_neighbors_within_a_radius_are_those_of_brute_force(device, shape, rng, 
 def test_small_clouds_have_all_their_neighbors(device, count, rng, tolerances):
     cloud = loom.PointCloud(rng.random((count, 3)), device=device)
     search = loom.NearestNeighborSearch(cloud)
-    places = rng.random((5, 3))
-    expected, own = square_distances(cloud, places), square_distances(cloud, cloud.points)
+    queries = rng.random((5, 3))
+    expected, self_sqdists = square_distances(cloud, queries), square_distances(cloud, cloud.points)
     for k in (1, 8, count + 3):
-        assert_nearest(search.knn_search(places, k), expected, k, np.inf, tolerances)
-        assert_nearest(search.knn_search(cloud, k), own, k, np.inf, tolerances)
-        assert_nearest(search.hybrid_search(places, 0.5, k), expected, k, 0.5, tolerances)
-    assert_nearest(rows_of(search.radius_search(places, 0.5), count + 1), expected, count + 1, 0.5, tolerances)
+        assert_nearest(search.knn_search(queries, k), expected, k, np.inf, tolerances)
+        assert_nearest(search.knn_search(cloud, k), self_sqdists, k, np.inf, tolerances)
+        assert_nearest(search.hybrid_search(queries, 0.5, k), expected, k, 0.5, tolerances)
+    assert_nearest(rows_of(search.radius_search(queries, 0.5), count + 1), expected, count + 1, 0.5, tolerances)
 
 
 MORE_THAN_THERE_ARE = {
@@ -68,7 +70,7 @@ MORE_THAN_THERE_ARE = {
 
 @pytest.mark.parametrize("operation", MORE_THAN_THERE_ARE)
 def test_asking_for_more_neighbors_than_there_are_takes_all(device, operation, rng):
-    """The boxes of 513 points fill their records so badly that a walk without a bound would leave them."""
+    """The boxes of 513 points fill their records badly: a traversal without a bound would leave them."""
     cloud = loom.PointCloud(rng.random((8 * 8 * LEAF + 1, 3)), device=device)
     compute = MORE_THAN_THERE_ARE[operation]
     assert compute(cloud, len(cloud) + 1) == compute(cloud, len(cloud) + 70) == compute(cloud, len(cloud))
@@ -89,36 +91,36 @@ def test_a_point_too_far_for_a_squared_distance_is_nobodys_neighbor_and_an_outli
 
 def test_no_queries_give_empty_rows(device, rng):
     search = loom.NearestNeighborSearch(rng.random((20, 3)), device=device)
-    for found in (search.knn_search(np.zeros((0, 3)), 4), search.hybrid_search(np.zeros((0, 3)), 1.0, 4)):
-        assert found.indices.shape == found.sqdists.shape == (0, 4) and found.counts.shape == (0,)
-    found = search.radius_search(np.zeros((0, 3)), 1.0)
-    assert found.indices.shape == found.sqdists.shape == found.counts.shape == (0,)
+    for result in (search.knn_search(np.zeros((0, 3)), 4), search.hybrid_search(np.zeros((0, 3)), 1.0, 4)):
+        assert result.indices.shape == result.sqdists.shape == (0, 4) and result.counts.shape == (0,)
+    result = search.radius_search(np.zeros((0, 3)), 1.0)
+    assert result.indices.shape == result.sqdists.shape == result.counts.shape == (0,)
 
 
 @pytest.mark.parametrize(("k", "radius"), [(1, 10.0), (10, 0.05), (10, 0.25), (40, 0.7), (40, np.inf)])
-def test_gathering_walking_and_the_overflow_between_them_agree_bit_for_bit(device, radius, k, rng, monkeypatch):
-    """The density jumps by a factor of 400, so that what one group finds misleads the next."""
+def test_gathering_traversal_and_overflow_are_bitwise_identical(device, radius, k, rng, monkeypatch):
+    """The density changes by a factor of 400, so that the result of one group misleads the next."""
     points = np.concatenate([sphere(rng, 3001), 0.05 * sphere(rng, 1000)])
     cloud = loom.PointCloud(points, device=device).array("points")
-    found = {}
-    for room in (0, 8 * LEAF, 500 * LEAF):  # none gathered; many too many; all that there are
+    results = {}
+    for room in (0, 8 * LEAF, 500 * LEAF):  # none gathered; too many; all of them
         monkeypatch.setattr(group_scratch, "candidate_room", lambda device, k, room=room: room)
-        found[room] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
+        results[room] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
     monkeypatch.undo()
-    found["as it is"] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
-    assert (found[0][2] > 0).all()
-    for room, parts in found.items():
-        for part, expected in zip(parts, found[0], strict=True):
+    results["as it is"] = [part.numpy() for part in search_nearest(PointTree(cloud), cloud, k, radius)]
+    assert (results[0][2] > 0).all()
+    for room, parts in results.items():
+        for part, expected in zip(parts, results[0], strict=True):
             np.testing.assert_array_equal(part.view(np.int32), expected.view(np.int32), err_msg=f"room {room}")
 
 
 @pytest.mark.parametrize("radius", [np.inf, 0.3])
-def test_a_search_in_parts_gives_the_same_bits(device, radius, rng, monkeypatch):
+def test_search_in_parts_is_bitwise_identical(device, radius, rng, monkeypatch):
     cloud = loom.PointCloud(sphere(rng, 1001), device=device)
     points = cloud.array("points")
-    whole = search_nearest(PointTree(points), points, 7, radius)
+    full = search_nearest(PointTree(points), points, 7, radius)
     monkeypatch.setattr(tree_search, "MAX_ROWS", 7 * 96 + 3)  # parts of 96 queries
-    for part, expected in zip(search_nearest(PointTree(points), points, 7, radius), whole, strict=True):
+    for part, expected in zip(search_nearest(PointTree(points), points, 7, radius), full, strict=True):
         assert part.shape == expected.shape
         np.testing.assert_array_equal(part.numpy().view(np.int32), expected.numpy().view(np.int32))
 
@@ -159,27 +161,27 @@ def test_neighbors_in_a_made_cloud_are_open3ds(device, rng, oracle, tolerances):
     relative = tolerances.sqdist_relative
     np.testing.assert_allclose(search.knn_search(queries, 8).sqdists, nearest, rtol=relative, atol=1e-9)
     for radius, (indices, sqdists, splits) in zip(radii, within, strict=True):
-        found = search.radius_search(queries, radius)
-        np.testing.assert_array_equal(found.indices, indices)
-        np.testing.assert_allclose(found.sqdists, sqdists, rtol=relative, atol=1e-9)
-        np.testing.assert_array_equal(found.counts, np.diff(splits))
+        result = search.radius_search(queries, radius)
+        np.testing.assert_array_equal(result.indices, indices)
+        np.testing.assert_allclose(result.sqdists, sqdists, rtol=relative, atol=1e-9)
+        np.testing.assert_array_equal(result.counts, np.diff(splits))
 
 
 @pytest.mark.parametrize("scale", [2e-13, 1e18])
 def test_neighbors_are_exact_at_any_scale(device, scale, rng, tolerances):
-    """Beyond these the points are refused: test_cached_tree.py."""
+    """Points beyond these scales are rejected: test_cached_tree.py."""
     cloud = loom.PointCloud(rng.random((300, 3)) * scale, device=device, origin=np.zeros(3))
     search = loom.NearestNeighborSearch(cloud)
     assert_nearest(search.knn_search(cloud, 8), square_distances(cloud, cloud.points), 8, np.inf, tolerances)
 
 
 @pytest.mark.parametrize("radius", [1e-300, 1e30, 1.7e308])
-def test_any_positive_radius_is_taken(device, radius, rng):
+def test_any_positive_radius_is_accepted(device, radius, rng):
     search = loom.NearestNeighborSearch(rng.random((50, 3)), device=device)
     expected = 1 if radius < 1 else 50
-    places = search.cloud
-    assert (search.radius_search(places, radius).counts == expected).all()
-    assert (search.hybrid_search(places, radius, 60).counts == expected).all()
+    queries = search.cloud
+    assert (search.radius_search(queries, radius).counts == expected).all()
+    assert (search.hybrid_search(queries, radius, 60).counts == expected).all()
 
 
 def test_queries_with_another_origin_are_moved_to_the_clouds(device, rng):
@@ -187,25 +189,25 @@ def test_queries_with_another_origin_are_moved_to_the_clouds(device, rng):
     search = loom.NearestNeighborSearch(points, device=device)
     queries = loom.PointCloud(points[:50], device=device, origin=[4.9e5, 5.41e6, 3.0])
     assert (queries.origin != search.cloud.origin).any()
-    found = search.knn_search(queries, 1)
-    np.testing.assert_array_equal(found.indices[:, 0], np.arange(50))
+    result = search.knn_search(queries, 1)
+    np.testing.assert_array_equal(result.indices[:, 0], np.arange(50))
 
 
-def test_a_search_does_not_follow_what_is_assigned_to_the_cloud_later(device, rng):
+def test_search_ignores_new_points_assigned_to_the_cloud(device, rng):
     points = rng.random((400, 3))
     cloud = loom.PointCloud(points, device=device)
     search = loom.NearestNeighborSearch(cloud)
     before = search.knn_search(points[::-1], 5)
     for shift in (0.3, 5e5):
         cloud.points = points + shift
-        for _ in range(4):  # an array of the same size may take the address of one that was given up
+        for _ in range(4):  # an array of the same size may get the address of a freed one
             after = search.knn_search(points[::-1], 5)
             np.testing.assert_array_equal(after.indices, before.indices)
             np.testing.assert_array_equal(after.sqdists, before.sqdists)
 
 
 SIZES = [real(1).map(lambda x, size=size: x * size) for size in (1e-25, 1e15)]
-SMALL = clouds(WHOLE, real(10), *SIZES, NOT_FINITE)
+SMALL = clouds(INTEGERS, real(10), *SIZES, NOT_FINITE)
 
 
 @examples(30)
@@ -222,5 +224,5 @@ def test_any_small_cloud_is_searched_exactly(device, tolerances, points, queries
     assert_nearest(search.knn_search(queries, k), expected, k, np.inf, tolerances)
     assert_nearest(search.hybrid_search(queries, radius, k), expected, k, radius, tolerances)
     assert_nearest(rows_of(search.radius_search(queries, radius), 41), expected, 41, radius, tolerances)
-    own = square_distances(cloud, cloud.points)
-    assert_nearest(search.hybrid_search(cloud, radius, k), own, k, radius, tolerances)
+    self_sqdists = square_distances(cloud, cloud.points)
+    assert_nearest(search.hybrid_search(cloud, radius, k), self_sqdists, k, radius, tolerances)

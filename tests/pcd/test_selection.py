@@ -1,4 +1,4 @@
-"""Selecting points: duplicates, the complement of a list; crops by boxes stand in test_cropping.py."""
+"""Selecting points: duplicates and complements of lists. Crops by boxes are tested in test_cropping.py."""
 
 import numpy as np
 import pytest
@@ -12,7 +12,7 @@ from .open3d_clouds import cloud_of
 
 
 def first_rows(points):
-    """Rows of first occurrences, by a set; a row with a NaN equals none."""
+    """Rows of first occurrences, by a set; a row with a NaN is equal to none."""
     rows, seen = [], set()
     for row, point in enumerate(points.tolist()):
         if np.isnan(point).any() or tuple(point) not in seen:
@@ -46,11 +46,11 @@ def test_equal_points_become_the_first_of_them_with_its_attributes(device, count
         np.full((count, 3), 5.4e6), normals=np.arange(3.0 * count).reshape(-1, 3), time=np.arange(count) / 3,
         device=device,
     )  # fmt: skip
-    found = cloud.remove_duplicated_points()
-    assert len(found) == min(count, 1)
-    np.testing.assert_array_equal(found.points, cloud.points[:1])
-    np.testing.assert_array_equal(found.normals, cloud.normals[:1])
-    np.testing.assert_array_equal(found["time"], cloud["time"][:1])
+    result = cloud.remove_duplicated_points()
+    assert len(result) == min(count, 1)
+    np.testing.assert_array_equal(result.points, cloud.points[:1])
+    np.testing.assert_array_equal(result.normals, cloud.normals[:1])
+    np.testing.assert_array_equal(result["time"], cloud["time"][:1])
 
 
 KEYS = {
@@ -69,12 +69,12 @@ def test_points_are_selected_as_numpy_selects_rows(device, name):
         np.add(rng.random((10, 3)), [5e5, 5e6, 0]), normals=rng.normal(size=(10, 3)), colors=rng.random((10, 3)),
         label=np.arange(10), weights=rng.random((10, 2)).astype(np.float32), unit="metre", device=device,
     )  # fmt: skip
-    found, rows = cloud[key], np.zeros(0, int) if name == "no index" else key
+    result, rows = cloud[key], np.zeros(0, int) if name == "no index" else key
     for attribute in ("points", "normals", "colors", "label", "weights"):
-        np.testing.assert_array_equal(found[attribute], cloud[attribute][rows])
-        assert found[attribute].dtype == cloud[attribute].dtype
-    assert (found.unit, found.device) == (cloud.unit, cloud.device)
-    np.testing.assert_array_equal(found.origin, cloud.origin)
+        np.testing.assert_array_equal(result[attribute], cloud[attribute][rows])
+        assert result[attribute].dtype == cloud[attribute].dtype
+    assert (result.unit, result.device) == (cloud.unit, cloud.device)
+    np.testing.assert_array_equal(result.origin, cloud.origin)
 
 
 def test_arrays_of_the_device_select_too(device):
@@ -106,7 +106,7 @@ def test_arrays_of_the_device_select_too(device):
         ("label", ValueError, r"the cloud has points"),
     ],
 )
-def test_what_selects_no_points_is_refused(device, key, error, message):
+def test_invalid_selections_are_rejected(device, key, error, message):
     cloud = loom.PointCloud(np.arange(30.0).reshape(10, 3), device=device)
     with pytest.raises(error, match=message):
         cloud.__getitem__(key)

@@ -1,4 +1,4 @@
-"""Boxes of found planes: cartons on a floor, what was not seen of them, a room; bad input."""
+"""Boxes of detected planes: cartons on a floor, unobserved faces, a room, and invalid input."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ UTM = np.array([500_000.0, 5_400_000.0, 300.0])
 
 
 def face(rng, count, fixed, at, *sides):
-    """Points of a rectangle across an axis, within the sides along the others."""
+    """Points of a rectangle across an axis, within the bounds along the other axes."""
     points = np.zeros((count, 3))
     points[:, fixed] = at
     for axis, (low, high) in zip([k for k in range(3) if k != fixed], sides, strict=True):
@@ -17,11 +17,11 @@ def face(rng, count, fixed, at, *sides):
     return points
 
 
-def boxes_of(points, device, rng, turn=None, noise=0.001):
-    moved = (points + noise * rng.normal(size=points.shape)) @ (np.eye(3) if turn is None else turn).T + UTM
+def boxes_of(points, device, rng, rotation=None, noise=0.001):
+    moved = (points + noise * rng.normal(size=points.shape)) @ (np.eye(3) if rotation is None else rotation).T + UTM
     cloud = loom.PointCloud(moved, device=device).estimate_normals(max_nn=30)
-    found = loom.detect_shapes(cloud, 0.004, 25, kinds="plane", min_support=300, cluster_epsilon=0.06)
-    return loom.find_boxes(cloud, found, 0.016), found
+    detection = loom.detect_shapes(cloud, 0.004, 25, kinds="plane", min_support=300, cluster_epsilon=0.06)
+    return loom.find_boxes(cloud, detection, 0.016), detection
 
 
 def test_cartons_on_a_floor_are_boxes_without_it(device):
@@ -31,23 +31,23 @@ def test_cartons_on_a_floor_are_boxes_without_it(device):
     for x, y, z in (small, large):
         parts += [face(rng, 1500, 2, z[1], x, y), face(rng, 1200, 0, x[0], y, z), face(rng, 1200, 1, y[0], x, z)]
     parts.append(face(rng, 1200, 0, 1.2, large[1], large[2]))
-    turn = np.linalg.qr(rng.normal(size=(3, 3)))[0]
-    turn[:, 0] *= np.sign(np.linalg.det(turn))
-    boxes, found = boxes_of(np.vstack(parts), device, rng, turn)
-    assert len(found.shapes) == 8 and [int((box.faces >= 0).sum()) for box in boxes] == [4, 3]
+    rotation = np.linalg.qr(rng.normal(size=(3, 3)))[0]
+    rotation[:, 0] *= np.sign(np.linalg.det(rotation))
+    boxes, detection = boxes_of(np.vstack(parts), device, rng, rotation)
+    assert len(detection.shapes) == 8 and [int((box.faces >= 0).sum()) for box in boxes] == [4, 3]
     for box, (x, y, z) in zip(boxes, (large, small), strict=True):
         sides = np.array([x, y, z])
         assert box.reliable, box
         np.testing.assert_allclose(np.sort(box.size), np.sort(np.ptp(sides, axis=1)), atol=0.008)
-        np.testing.assert_allclose(box.center, turn @ sides.mean(axis=1) + UTM, atol=0.005)
+        np.testing.assert_allclose(box.center, rotation @ sides.mean(axis=1) + UTM, atol=0.005)
         np.testing.assert_allclose(box.axes @ box.axes.T, np.eye(3), atol=1e-12)
         assert np.linalg.det(box.axes) > 0
         mesh = loom.TriangleMesh(*box.to_mesh())
         assert mesh.get_volume() == pytest.approx(np.prod(box.size), rel=1e-4)
-        assert box.support == sum(found.shapes[k].support for k in box.faces.ravel() if k >= 0)
+        assert box.support == sum(detection.shapes[k].support for k in box.faces.ravel() if k >= 0)
 
 
-def test_of_two_faces_the_length_across_which_none_was_seen_is_said(device):
+def test_unobserved_length_of_two_faces_is_reported(device):
     rng = np.random.default_rng(5)
     top, front = face(rng, 1500, 2, 0.2, (0, 0.4), (0, 0.3)), face(rng, 1500, 1, 0.0, (0, 0.4), (0, 0.2))
     (box,), _ = boxes_of(np.vstack([top, front]), device, rng)
@@ -56,7 +56,7 @@ def test_of_two_faces_the_length_across_which_none_was_seen_is_said(device):
     assert box.to_dict()["warnings"] == list(box.warnings) and str(box).startswith("box: ")
 
 
-def test_planes_that_cross_are_tilted_or_lie_apart_are_no_box(device):
+def test_crossing_tilted_or_separate_planes_form_no_box(device):
     rng = np.random.default_rng(6)
     floor = face(rng, 2000, 2, 0.0, (-1, 1), (0, 1))
     across, away = face(rng, 1500, 0, 0.0, (0, 1), (-0.5, 0.5)), face(rng, 1500, 0, 1.3, (0, 1), (0.3, 1))
@@ -66,13 +66,13 @@ def test_planes_that_cross_are_tilted_or_lie_apart_are_no_box(device):
         assert boxes_of(np.vstack([floor, other]), device, rng)[0] == []
 
 
-def test_what_is_no_finding_of_the_cloud_is_refused(device, rng):
+def test_invalid_detections_are_rejected(device, rng):
     cloud = loom.PointCloud(rng.random((300, 3)), device=device).estimate_normals()
-    found = loom.detect_shapes(cloud, 0.01, num_iterations=100)
-    assert loom.find_boxes(cloud, found) == []
+    detection = loom.detect_shapes(cloud, 0.01, num_iterations=100)
+    assert loom.find_boxes(cloud, detection) == []
     with pytest.raises(TypeError, match="found:"):
         loom.find_boxes(cloud, 3)
     with pytest.raises(ValueError, match="found:"):
-        loom.find_boxes(loom.PointCloud(np.eye(3)[:2], device=device), found)
+        loom.find_boxes(loom.PointCloud(np.eye(3)[:2], device=device), detection)
     with pytest.raises(ValueError, match="angle_threshold_deg:"):
-        loom.find_boxes(cloud, found, angle_threshold_deg=60)
+        loom.find_boxes(cloud, detection, angle_threshold_deg=60)

@@ -1,4 +1,4 @@
-"""What is asked as a kind that it is none of is not sure, and the reason says what it is; what is beside a shape."""
+"""Quality checks of fitted shapes: wrong kinds are unreliable and the warning names a better kind."""
 
 from dataclasses import replace
 
@@ -18,7 +18,7 @@ from .made_shapes import made_shape
 
 
 @pytest.mark.parametrize(
-    ("kind", "asked", "said"),
+    ("kind", "fitted_kind", "warning"),
     [
         ("cylinder", "sphere", "runs on"),
         ("sphere", "cone", "runs on"),
@@ -26,14 +26,14 @@ from .made_shapes import made_shape
         ("cylinder", "cone", "other kind: a cylinder fits as well"),
     ],
 )
-def test_a_shape_that_was_asked_as_another_kind_is_not_sure(device, kind, asked, said):
-    points, _, _ = made_shape(kind, 3000, np.random.default_rng(100), 0.004, arc=0.25 if asked == "cone" else 1.0)
+def test_shape_fitted_as_another_kind_is_unreliable(device, kind, fitted_kind, warning):
+    points, _, _ = made_shape(kind, 3000, np.random.default_rng(100), 0.004, arc=0.25 if fitted_kind == "cone" else 1.0)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
-    shape, _ = getattr(cloud, f"segment_{asked}")(0.012, 25, 2000)
-    assert any(reason.startswith(said) for reason in shape.warnings), shape
+    shape, _ = getattr(cloud, f"segment_{fitted_kind}")(0.012, 25, 2000)
+    assert any(reason.startswith(warning) for reason in shape.warnings), shape
 
 
-def test_a_bent_strip_that_lies_in_a_plane_is_said_to_be_a_cylinder(device):
+def test_bent_strip_fitted_as_a_plane_warns_of_a_cylinder(device):
     points, _, _ = made_shape("cylinder", 3000, np.random.default_rng(100), 0.004, arc=0.1)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     (plane,) = loom.detect_shapes(cloud, 0.012, 25, kinds="plane", min_support=1000).shapes
@@ -48,9 +48,9 @@ def test_points_beside_a_plane_are_counted_within_its_box_by_distance_and_by_nor
     normals[:400:4] = [1.0, 0.0, 0.0]
     search, _ = search_of(loom.PointCloud(points, normals=normals, device=device), limits_of(0.01, 20.0, 0.0, None))
     plane = np.concatenate([-search.center, [0.0, 0.0, 1.0, 1.0, 1.0]])
-    found = DetectedShape(PLANE, replace(search.fitter.fit(PLANE, plane, search.rows), shape=plane), search.rows)
+    detected = DetectedShape(PLANE, replace(search.fitter.fit(PLANE, plane, search.rows), shape=plane), search.rows)
     frame = frame_of(np.array([0.0, 0.0, 1.0]))
     ends = np.array([[0.0, 0.0, 0.0], [1.0, 1.0, 0.0]]) @ frame.T
     box = upload(np.concatenate([ends.min(axis=0), ends.max(axis=0)]).astype(np.float32), float32, search.device)
-    band = Band(*download(count_band(search, found, box, 0.01, 0.9)).tolist())
+    band = Band(*download(count_band(search, detected, box, 0.01, 0.9)).tolist())
     assert band == Band(on=100, beside=200, on_facing=75, beside_facing=150)

@@ -1,4 +1,4 @@
-"""All shapes of a made hall: each part once, its points, its sizes; what is no shape is none; planes are not round."""
+"""Shape detection in a synthetic hall: each part once with its points and sizes, no false shapes."""
 
 import numpy as np
 import pytest
@@ -17,38 +17,38 @@ def detect(points, device, noise, **options):
 
 
 @pytest.mark.parametrize(("noise", "clutter"), [(0.0, 0.2), (0.005, 0.5)])
-def test_each_part_of_a_hall_is_found_once_with_its_points_and_sizes(device, noise, clutter):
+def test_each_part_of_a_hall_is_detected_once_with_its_points_and_sizes(device, noise, clutter):
     points, labels, parts = factory(np.random.default_rng(1), noise, clutter)
-    found = detect(points + UTM, device, noise)
-    seen = []
-    for k, shape in enumerate(found.shapes):
-        mine = found.labels == k
-        part = int(np.bincount(labels[mine] + 1).argmax()) - 1
-        seen.append(part)
+    result = detect(points + UTM, device, noise)
+    detected = []
+    for k, shape in enumerate(result.shapes):
+        in_shape = result.labels == k
+        part = int(np.bincount(labels[in_shape] + 1).argmax()) - 1
+        detected.append(part)
         assert shape.kind == parts[part][0] and shape.reliable, shape
-        hits = (labels[mine] == part).sum()
-        assert hits / mine.sum() > 0.93 and hits / (labels == part).sum() > 0.92, (shape, hits)
-        told = [getattr(shape, name) for name in SIZES if np.isfinite(getattr(shape, name))]
-        # noise across the axis, too, makes a radius r look larger by noise^2 / 2r, the most at a cone's narrow end
-        np.testing.assert_allclose(told, parts[part][1], atol=0.0005 + 0.3 * noise)
-        assert shape.support == mine.sum()
-        gaps = np.abs(shape.compute_distances(points[mine] + UTM))
-        np.testing.assert_allclose(np.abs(found.distances[mine]), gaps, atol=1e-6)
-    assert sorted(seen) == list(range(len(parts)))
-    assert np.isnan(found.distances[found.labels < 0]).all()
+        hits = (labels[in_shape] == part).sum()
+        assert hits / in_shape.sum() > 0.93 and hits / (labels == part).sum() > 0.92, (shape, hits)
+        sizes = [getattr(shape, name) for name in SIZES if np.isfinite(getattr(shape, name))]
+        # noise across the axis enlarges a radius r by noise^2 / 2r, most at a cone's narrow end
+        np.testing.assert_allclose(sizes, parts[part][1], atol=0.0005 + 0.3 * noise)
+        assert shape.support == in_shape.sum()
+        gaps = np.abs(shape.compute_distances(points[in_shape] + UTM))
+        np.testing.assert_allclose(np.abs(result.distances[in_shape]), gaps, atol=1e-6)
+    assert sorted(detected) == list(range(len(parts)))
+    assert np.isnan(result.distances[result.labels < 0]).all()
 
 
 @pytest.mark.slow
-def test_the_same_seed_gives_the_same_shapes_and_progress_is_told(device):
+def test_same_seed_gives_the_same_shapes_and_progress_is_reported(device):
     points, _, parts = factory(np.random.default_rng(2), 0.005)
-    told = []
-    first = detect(points, device, 0.005, seed=3, progress=lambda *said: told.append(said))
+    events = []
+    first = detect(points, device, 0.005, seed=3, progress=lambda *event: events.append(event))
     second = detect(points, device, 0.005, seed=3)
     np.testing.assert_array_equal(first.labels, second.labels)
     np.testing.assert_array_equal(first.distances, second.distances)
     assert str(first) == str(second) and first.to_dict() == second.to_dict()
-    assert told[0] == ("shapes", 0, len(points)) and told[-1][1] == (first.labels >= 0).sum()
-    assert len(told) == len(parts) + 1
+    assert events[0] == ("shapes", 0, len(points)) and events[-1][1] == (first.labels >= 0).sum()
+    assert len(events) == len(parts) + 1
 
 
 def test_a_hall_of_planes_has_no_round_shape_that_is_sure(device, rng):
@@ -59,31 +59,31 @@ def test_a_hall_of_planes_has_no_round_shape_that_is_sure(device, rng):
     assert not any(shape.reliable for shape in round_ones.shapes), round_ones
 
 
-def test_what_lies_apart_is_two_shapes(device, rng):
+def test_separate_regions_are_two_shapes(device, rng):
     half = np.column_stack([rng.random((2000, 2)), 0.001 * rng.normal(size=2000)])
     cloud = loom.PointCloud(np.vstack([half, half + np.array([3, 0, 0])]), device=device).estimate_normals()
-    found = loom.detect_shapes(cloud, 0.01, kinds="plane")
-    assert [shape.support for shape in found.shapes] == [2000, 2000]
-    assert set(found.labels[:2000]) != set(found.labels[2000:])
+    result = loom.detect_shapes(cloud, 0.01, kinds="plane")
+    assert [shape.support for shape in result.shapes] == [2000, 2000]
+    assert set(result.labels[:2000]) != set(result.labels[2000:])
     joined = loom.detect_shapes(cloud, 0.01, kinds="plane", cluster_epsilon=3.0)
     assert len(joined.shapes) == 1
     assert len(loom.detect_shapes(cloud, 0.01, kinds="plane", max_shapes=1).shapes) == 1
 
 
-def test_all_faces_of_a_box_are_found_though_candidates_were_of_the_largest(device):
+def test_all_faces_of_a_box_are_detected(device):
     box = loom.TriangleMesh.create_box(0.4, 0.3, 0.2, device=device).sample_points_uniformly(6000, seed=1)
-    found = loom.detect_shapes(box.estimate_normals(), 0.005, kinds="plane")
-    assert len(found.shapes) == 6 and min(shape.support for shape in found.shapes) > 500
+    result = loom.detect_shapes(box.estimate_normals(), 0.005, kinds="plane")
+    assert len(result.shapes) == 6 and min(shape.support for shape in result.shapes) > 500
 
 
 def test_clutter_alone_has_no_shape(device, rng):
     cloud = loom.PointCloud(rng.random((4000, 3)), device=device).estimate_normals()
-    found = loom.detect_shapes(cloud, 0.01, num_iterations=5000)
-    assert found.shapes == [] and (found.labels == -1).all()
+    result = loom.detect_shapes(cloud, 0.01, num_iterations=5000)
+    assert result.shapes == [] and (result.labels == -1).all()
 
 
 def test_clouds_without_enough_points_have_no_shape(device):
     for points in (np.zeros((0, 3)), np.full((500, 3), np.nan), np.ones((500, 3)), np.eye(3)):
         normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
-        found = loom.detect_shapes(loom.PointCloud(points, normals=normals, device=device), 0.01)
-        assert found.shapes == [] and found.labels.tolist() == [-1] * len(points)
+        result = loom.detect_shapes(loom.PointCloud(points, normals=normals, device=device), 0.01)
+        assert result.shapes == [] and result.labels.tolist() == [-1] * len(points)

@@ -1,4 +1,4 @@
-"""A shape through all points is SciPy's of the same true distances, with its covariance; weights, starts, bad input."""
+"""Shape fitting agrees with SciPy on the same distances, with covariance; weights, initial shapes and invalid input."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ SIZES["torus"] = ("radius", "minor_radius")
 
 
 def distances_of(kind, shape, points, x):
-    """Distances of points from a shape that is moved, tilted and resized by x: a reference of its own."""
+    """Distances of points from a shape that is moved, tilted and resized by x: an independent reference."""
     frame = shape.frame
     sizes = [getattr(shape, name) + change for name, change in zip(SIZES[kind], x[5:], strict=True)]
     axis = frame[2] + x[3] * frame[0] + x[4] * frame[1]
@@ -64,13 +64,13 @@ def test_points_of_no_weight_and_those_that_are_not_finite_are_left_out(device, 
     wild = np.vstack([made, rng.random((400, 3)) * 3, [[np.nan] * 3]])
     weights = np.where(np.arange(len(wild)) < 800, 7.0, 0.0)
     weighted = loom.fit_shape(loom.PointCloud(wild, device=device), "sphere", weights=weights)
-    alone = loom.fit_shape(loom.PointCloud(made, device=device), "sphere")
-    assert weighted.support == 800 and weighted.radius == pytest.approx(alone.radius, abs=1e-7)
-    np.testing.assert_allclose(weighted.covariance, alone.covariance, rtol=1e-4, atol=1e-12)
+    unweighted = loom.fit_shape(loom.PointCloud(made, device=device), "sphere")
+    assert weighted.support == 800 and weighted.radius == pytest.approx(unweighted.radius, abs=1e-7)
+    np.testing.assert_allclose(weighted.covariance, unweighted.covariance, rtol=1e-4, atol=1e-12)
     np.testing.assert_allclose(weighted.center, center, atol=5 * 0.002 / 20)
 
 
-def test_a_start_leads_to_the_same_shape_and_to_the_same_bits_each_time(device, rng):
+def test_initial_shape_gives_the_same_reproducible_result(device, rng):
     made, _, _ = made_shape("torus", 1500, rng, 0.004)
     cloud = loom.PointCloud(made + UTM, device=device)
     first, second = loom.fit_shape(cloud, "torus"), loom.fit_shape(cloud, "torus")
@@ -79,7 +79,7 @@ def test_a_start_leads_to_the_same_shape_and_to_the_same_bits_each_time(device, 
     np.testing.assert_allclose([again.radius, again.minor_radius], [first.radius, first.minor_radius], atol=1e-8)
 
 
-def test_points_of_another_kind_are_said(device):
+def test_points_of_another_kind_are_reported(device):
     rng = np.random.default_rng(5)
     made, _, _ = made_shape("cone", 1500, rng, 0.002)
     shape = loom.fit_shape(loom.PointCloud(made, device=device), "cylinder")

@@ -1,4 +1,4 @@
-"""Round shapes: found among clutter, exact far from the origin, sizes with the error that is said, doubts told."""
+"""Round shapes: detected among clutter, exact far from the origin, sizes with standard deviations, and warnings."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ def sigma_of(shape):
 
 
 def scene(kind, rng, count=3000, clutter=1500, noise=0.0, **options):
-    """Points of a shape, then clutter in a box of two meters about it."""
+    """Points of a shape, then clutter in a box of two meters around it."""
     points, center, axis = made_shape(kind, count, rng, noise, **options)
     return np.vstack([points, center + 2 * rng.random((clutter, 3)) - 1]), center, axis
 
@@ -33,7 +33,7 @@ SCENES = [("sphere", 0.02), ("cylinder", 0.005), ("cylinder", 0.0), ("cone", 0.0
 
 
 @pytest.mark.parametrize(("kind", "noise"), SCENES)
-def test_a_shape_among_clutter_is_found_with_its_sizes(device, rng, kind, noise):
+def test_shape_among_clutter_is_detected_with_its_sizes(device, rng, kind, noise):
     points, _, axis = scene(kind, rng, noise=noise)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=30)
     shape, inliers = segment(cloud, kind, max(0.004, 2.5 * noise), 25)
@@ -49,8 +49,8 @@ def test_a_shape_among_clutter_is_found_with_its_sizes(device, rng, kind, noise)
 
 @pytest.mark.slow
 @pytest.mark.parametrize("kind", ROUND)
-def test_stated_errors_are_those_that_are_made(device, kind):
-    """Thirty made shapes: the errors of the sizes over their standard deviations are of size one."""
+def test_estimated_standard_deviations_match_the_errors(device, kind):
+    """Thirty synthetic shapes: errors of the sizes divided by their standard deviations are about one."""
     ratios = []
     for seed in range(30):
         rng = np.random.default_rng(seed)
@@ -62,7 +62,7 @@ def test_stated_errors_are_those_that_are_made(device, kind):
 
 
 @pytest.mark.parametrize("kind", ROUND)
-def test_the_same_seed_gives_the_same_bits_and_inliers_are_those_of_the_shape(device, rng, kind):
+def test_same_seed_is_reproducible_and_inliers_fit_the_shape(device, rng, kind):
     points = scene(kind, rng, 1500, 1037, 0.01)[0]
     cloud = loom.PointCloud(points, device=device).estimate_normals()
     (a, first), (b, second) = (segment(cloud, kind, 0.02, 30, seed=7) for _ in range(2))
@@ -83,7 +83,7 @@ def test_of_many_points_a_part_is_fitted_first_and_all_of_them_last(device, rng,
     assert (np.abs(sizes_of(shape) - SIZES[kind]) < 4 * sigma_of(shape) + 2e-4).all()
 
 
-def test_a_fit_keeps_to_the_radii_that_were_asked_for(device, rng):
+def test_fit_respects_the_requested_radii(device, rng):
     points, _, _ = made_shape("plane", 2000, rng, 0.003)
     cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=15)
     try:
@@ -95,7 +95,7 @@ def test_a_fit_keeps_to_the_radii_that_were_asked_for(device, rng):
 
 
 @pytest.mark.parametrize(("kind", "noise"), [("sphere", 0.0), ("cylinder", 0.005), ("cone", 0.005), ("torus", 0.0)])
-def test_a_plane_is_no_round_shape_and_is_said_to_be_flat(device, rng, kind, noise):
+def test_plane_is_no_round_shape_and_is_reported_as_flat(device, rng, kind, noise):
     points, _, _ = made_shape("plane", 3000, rng, noise)
     cloud = loom.PointCloud(points, device=device).estimate_normals()
     try:
@@ -121,7 +121,7 @@ def test_a_small_arc_of_a_cylinder_leaves_its_radius_open(device, rng):
     assert shape.coverage < 0.2
 
 
-def test_a_cylinder_asked_as_a_cone_leaves_its_half_angle_open(device, rng):
+def test_cylinder_fitted_as_a_cone_leaves_its_half_angle_open(device, rng):
     points, _, _ = made_shape("cylinder", 2000, rng, 0.01)
     cloud = loom.PointCloud(points, device=device).estimate_normals()
     try:
@@ -135,16 +135,16 @@ def test_a_cylinder_asked_as_a_cone_leaves_its_half_angle_open(device, rng):
 @pytest.mark.parametrize("kind", ROUND)
 def test_bad_clouds_are_refused_by_name(device, kind):
     ones = np.ones((20, 3))
-    for points, said in [
+    for points, message in [
         (np.zeros((0, 3)), "0 finite points"),
         (np.full((20, 3), np.nan), "0 finite points"),
         (ones[:3], "3 finite points"),
         (ones, "are equal"),
     ]:
         normals = np.tile([0.0, 0.0, 1.0], (len(points), 1))
-        with pytest.raises(ValueError, match=said):
+        with pytest.raises(ValueError, match=message):
             segment(loom.PointCloud(points, normals=normals, device=device), kind)
-    normals = np.tile([2.0, -1.0, 0.0], (50, 1))  # all alike: what is estimated of points on a line is rounding
+    normals = np.tile([2.0, -1.0, 0.0], (50, 1))  # all equal: an estimate from points on a line depends on rounding
     line = loom.PointCloud(np.linspace(0, 1, 50)[:, None] * [1, 2, 3], normals=normals, device=device)
     with pytest.raises(ValueError, match=f"no {kind} found"):
         segment(line, kind, 0.01, num_iterations=500)
@@ -153,7 +153,7 @@ def test_bad_clouds_are_refused_by_name(device, kind):
 
 
 @pytest.mark.parametrize("kind", ROUND)
-def test_a_mesh_of_a_shape_lies_on_it_and_faces_outward(device, rng, kind):
+def test_mesh_of_a_shape_is_on_its_surface_and_faces_outward(device, rng, kind):
     points, _, _ = made_shape(kind, 1500, rng)
     shape, _ = segment(loom.PointCloud(points, device=device).estimate_normals(), kind, 0.005)
     vertices, triangles = shape.to_mesh(32)
@@ -168,12 +168,12 @@ def test_a_mesh_of_a_shape_lies_on_it_and_faces_outward(device, rng, kind):
     assert np.sqrt(tree.knn_search(vertices, 1)[1]).max() < 0.15
 
 
-def test_a_shape_says_itself(device, rng):
+def test_shape_str_and_dict(device, rng):
     points, _, _ = made_shape("torus", 3000, rng)
     shape, _ = loom.PointCloud(points, device=device).estimate_normals().segment_torus(0.005)
     assert str(shape).startswith("torus: radius 0.5") and "minor_radius 0.1" in str(shape)
-    told = shape.to_dict()
-    assert told["kind"] == "torus" and told["half_angle"] is None and told["support"] == shape.support
+    as_dict = shape.to_dict()
+    assert as_dict["kind"] == "torus" and as_dict["half_angle"] is None and as_dict["support"] == shape.support
 
 
 def test_a_bent_patch_is_too_small_a_part_of_a_round_shape_but_few_points_all_over_are_not(device):

@@ -1,4 +1,4 @@
-"""Smoothing: brute force on small clouds, less noise on surfaces that are known, and the rest of the contract."""
+"""Smoothing: brute force on small clouds, less noise on known surfaces, and preserved attributes."""
 
 import numpy as np
 import pytest
@@ -9,7 +9,7 @@ import pointloom as loom
 
 
 def brute_neighbors(points, row, k, radius):
-    """Rows of the k nearest by distance, ties as they come, strictly within the radius."""
+    """Rows of the k nearest by distance, ties in any order, strictly within the radius."""
     sqdists = ((points - points[row]) ** 2).sum(axis=1)
     rows = np.argsort(sqdists, kind="stable")[: len(points) if k is None else k]
     return rows[sqdists[rows] < radius**2], sqdists
@@ -56,11 +56,11 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
     rng = np.random.default_rng(seed)
     points = rng.random((count, 3)).astype(np.float32).astype(np.float64)
     normals = rng.normal(size=(count, 3)).astype(np.float32).astype(np.float64)
-    held = np.insert(points, rng.integers(0, count + 1, missing), [np.nan, np.inf, 0], axis=0)
-    good = np.isfinite(held).all(axis=1)
-    sides = np.full(held.shape, 0.5)
+    all_points = np.insert(points, rng.integers(0, count + 1, missing), [np.nan, np.inf, 0], axis=0)
+    good = np.isfinite(all_points).all(axis=1)
+    sides = np.full(all_points.shape, 0.5)
     sides[good] = normals
-    cloud = loom.PointCloud(held, normals=sides, label=np.arange(len(held)))
+    cloud = loom.PointCloud(all_points, normals=sides, label=np.arange(len(all_points)))
     cases = [
         (cloud.smooth_mls(radius=0.4, max_nn=k), brute_mls(points, k, 0.4)),
         (cloud.smooth_mls(radius=0.4, max_nn=None), brute_mls(points, None, 0.4)),
@@ -75,21 +75,21 @@ def test_small_clouds_are_smoothed_as_by_brute_force(seed, count, k, missing):
         (cloud.smooth_laplacian(1, 0.5, k), brute_averages(points, [0.5], k, False)),
         (cloud.smooth_taubin(2, 0.5, -0.53, k, True), brute_averages(points, [0.5, -0.53] * 2, k, True)),
     ]
-    for found, expected in cases:
-        np.testing.assert_array_equal(found.points[~good], held[~good])
-        np.testing.assert_array_equal(found["label"], np.arange(len(held)))
-        error = np.abs(found.points[good] - expected).max(axis=1)
+    for result, expected in cases:
+        np.testing.assert_array_equal(result.points[~good], all_points[~good])
+        np.testing.assert_array_equal(result["label"], np.arange(len(all_points)))
+        error = np.abs(result.points[good] - expected).max(axis=1)
         assert (error > 1e-5).mean() <= 0.05, "1e-5: planes through near-isotropic neighbors amplify rounding"
 
 
 def wave(rng, count=4000, noise=0.01):
-    """Noisy points of a wavy surface, and how far points lie above it."""
+    """Noisy points of a wavy surface, and a function that returns their heights above it."""
     xy = rng.random((count, 2)) * 2
     points = np.column_stack([xy, 0.1 * np.sin(3 * xy[:, 0]) + noise * rng.normal(size=count)])
 
-    def residuals(found):
-        inside = ((found[:, :2] > 0.2) & (found[:, :2] < 1.8)).all(axis=1)  # fits are one-sided at the rim
-        return (found[:, 2] - 0.1 * np.sin(3 * found[:, 0]))[inside]
+    def residuals(positions):
+        inside = ((positions[:, :2] > 0.2) & (positions[:, :2] < 1.8)).all(axis=1)  # fits are one-sided at the border
+        return (positions[:, 2] - 0.1 * np.sin(3 * positions[:, 0]))[inside]
 
     return points, residuals
 
@@ -105,13 +105,13 @@ def wave(rng, count=4000, noise=0.01):
 )
 def test_noise_across_a_surface_falls_by_a_factor(device, name, arguments, factor, rng):
     points, residuals = wave(rng)
-    found = getattr(loom.PointCloud(points, device=device), name)(**arguments).points
-    before, after = (np.sqrt((residuals(p) ** 2).mean()) for p in (points, found))
+    result = getattr(loom.PointCloud(points, device=device), name)(**arguments).points
+    before, after = (np.sqrt((residuals(p) ** 2).mean()) for p in (points, result))
     assert after < before / factor, f"RMS {before:.4f} m became {after:.4f} m"
 
 
 def roof(rng, count=6000):
-    """Noisy points of two planes that meet at a right angle along y, and how far points lie off them."""
+    """Noisy points of two orthogonal planes that meet along y, and a function that returns their distances."""
     along, y = rng.uniform(-1, 1, count), rng.random(count)
     points = np.column_stack([along, y, -np.abs(along)]) + 0.01 * rng.normal(size=(count, 3))
     return points, lambda p: np.abs(p[:, 2] + np.abs(p[:, 0])) / np.sqrt(2)
@@ -123,9 +123,9 @@ def test_the_bilateral_filter_keeps_an_edge_that_planes_round_off(device, rng):
     edge = np.abs(points[:, 0]) < 0.05
     flat = (np.abs(points[:, 0]) > 0.3) & (np.abs(points[:, 0]) < 0.9) & (np.abs(points[:, 1] - 0.5) < 0.3)
     plane = cloud.smooth_mls(radius=0.2, max_nn=None).points
-    kept = cloud.smooth_bilateral(radius=0.2, max_nn=None, sigma_s=0.1, sigma_r=0.02).points
-    assert distances(kept)[edge].mean() < 0.6 * distances(plane)[edge].mean()
-    assert distances(kept)[flat].mean() < 0.4 * distances(points)[flat].mean()
+    bilateral = cloud.smooth_bilateral(radius=0.2, max_nn=None, sigma_s=0.1, sigma_r=0.02).points
+    assert distances(bilateral)[edge].mean() < 0.6 * distances(plane)[edge].mean()
+    assert distances(bilateral)[flat].mean() < 0.4 * distances(points)[flat].mean()
 
 
 def test_taubin_keeps_a_sphere_that_laplacian_shrinks(device, rng):
@@ -152,25 +152,25 @@ OPERATIONS = {
 
 
 @pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-def test_attributes_travel_and_the_cloud_itself_stays(device, operation, rng):
+def test_attributes_are_preserved_and_the_cloud_is_unchanged(device, operation, rng):
     points = wave(rng, 300)[0]
     cloud = loom.PointCloud(points, colors=rng.random((300, 3)), label=np.arange(300), device=device)
     before = cloud.points
-    found = operation(cloud)
-    assert type(found) is loom.PointCloud and str(found.device) == device
-    np.testing.assert_array_equal(found["label"], np.arange(300))
-    np.testing.assert_array_equal(found.colors, cloud.colors)
+    result = operation(cloud)
+    assert type(result) is loom.PointCloud and str(result.device) == device
+    np.testing.assert_array_equal(result["label"], np.arange(300))
+    np.testing.assert_array_equal(result.colors, cloud.colors)
     np.testing.assert_array_equal(cloud.points, before)
-    assert np.abs(found.points - before).max() > 1e-4 and not found.has_normals
+    assert np.abs(result.points - before).max() > 1e-4 and not result.has_normals
 
 
 @pytest.mark.parametrize("operation", OPERATIONS.values(), ids=OPERATIONS)
-def test_a_few_points_equal_ones_and_none_that_is_finite_are_smoothed(device, operation):
+def test_small_degenerate_and_non_finite_clouds_are_smoothed(device, operation):
     points = np.array([[0, 0, 0], [0.1, 0, 0], [0, 0.1, 0.0]])
     for count in (0, 1, 2, 3):
-        found = operation(loom.PointCloud(points[:count], device=device)).points
-        assert found.shape == (count, 3) and np.isfinite(found).all()
-        assert np.abs(found).max(initial=0) <= (0.1 + 1e-7 if count > 1 else 0)
+        result = operation(loom.PointCloud(points[:count], device=device)).points
+        assert result.shape == (count, 3) and np.isfinite(result).all()
+        assert np.abs(result).max(initial=0) <= (0.1 + 1e-7 if count > 1 else 0)
     for fill in (0.3, np.nan):
         same = np.full((70, 3), fill, np.float32)
         np.testing.assert_array_equal(operation(loom.PointCloud(same, device=device)).points, same)
@@ -192,31 +192,31 @@ def test_plane_normals_take_the_sides_of_those_before(device, rng):
     cloud = loom.PointCloud(np.vstack([points, [[50, 50, 50]]]), device=device)
     signs = rng.choice([-1.0, 1.0], len(cloud))
     cloud.normals = np.outer(signs, [0, 0, 2.0])
-    found = cloud.smooth_mls(radius=0.2, max_nn=40)
-    assert (np.sign(found.normals[:, 2]) == signs).all()
-    assert found.normals[-1].tolist() == [0, 0, 2 * signs[-1]], "too few neighbors: as it was"
-    np.testing.assert_allclose(np.linalg.norm(found.normals[:-1], axis=1), 1, atol=3e-7)
-    slope = 0.3 * np.cos(3 * found.points[:-1, 0])
+    result = cloud.smooth_mls(radius=0.2, max_nn=40)
+    assert (np.sign(result.normals[:, 2]) == signs).all()
+    assert result.normals[-1].tolist() == [0, 0, 2 * signs[-1]], "too few neighbors: as it was"
+    np.testing.assert_allclose(np.linalg.norm(result.normals[:-1], axis=1), 1, atol=3e-7)
+    slope = 0.3 * np.cos(3 * result.points[:-1, 0])
     true = np.column_stack([-slope, np.zeros_like(slope), np.ones_like(slope)]) / np.sqrt(1 + slope**2)[:, None]
-    assert np.median(np.abs((found.normals[:-1] * true).sum(axis=1))) > 0.995
+    assert np.median(np.abs((result.normals[:-1] * true).sum(axis=1))) > 0.995
 
 
 def test_a_point_without_a_side_is_left_by_the_bilateral_filter(device, rng):
     points = wave(rng, 500)[0]
     normals = np.tile([0, 0, 3.0], (500, 1))
     normals[:10], normals[10:20] = 0, np.nan
-    found = loom.PointCloud(points, normals=normals, device=device).smooth_bilateral(radius=0.3, max_nn=20).points
-    np.testing.assert_array_equal(found[:20], points.astype(np.float32)[:20])
-    assert (np.abs(found[20:] - points[20:]).max(axis=1) > 1e-6).all()
+    result = loom.PointCloud(points, normals=normals, device=device).smooth_bilateral(radius=0.3, max_nn=20).points
+    np.testing.assert_array_equal(result[:20], points.astype(np.float32)[:20])
+    assert (np.abs(result[20:] - points[20:]).max(axis=1) > 1e-6).all()
     unit = loom.PointCloud(points, normals=normals / 3, device=device).smooth_bilateral(radius=0.3, max_nn=20).points
-    np.testing.assert_allclose(found, unit, atol=1e-6, err_msg="the length of a normal does not count")
+    np.testing.assert_allclose(result, unit, atol=1e-6, err_msg="the length of a normal does not count")
 
 
 def test_tiny_and_huge_deviations_are_the_limits(device, rng):
     points = wave(rng, 400)[0]
     cloud = loom.PointCloud(points, normals=np.tile([0, 0, 1.0], (400, 1)), device=device)
-    alone = cloud.smooth_bilateral(radius=0.3, max_nn=20, sigma_s=1e-200, sigma_r=1e-30).points
-    np.testing.assert_array_equal(alone, cloud.points)
+    unchanged = cloud.smooth_bilateral(radius=0.3, max_nn=20, sigma_s=1e-200, sigma_r=1e-30).points
+    np.testing.assert_array_equal(unchanged, cloud.points)
     wide = cloud.smooth_bilateral(radius=None, max_nn=20, sigma_s=1e200, sigma_r=1e200).points
     near = loom.NearestNeighborSearch(cloud).knn_search(cloud, 20).indices
     np.testing.assert_allclose(wide, cloud.points[near].mean(axis=1), atol=1e-6)
@@ -225,14 +225,14 @@ def test_tiny_and_huge_deviations_are_the_limits(device, rng):
 def test_more_duplicates_than_neighbors_stay_together(device, rng):
     points = np.repeat(rng.random((5, 3)), 40, axis=0)
     for fixed in (False, True):
-        found = loom.PointCloud(points, device=device).smooth_laplacian(4, 0.5, 10, fixed).points
-        np.testing.assert_array_equal(found, points.astype(np.float32))
+        result = loom.PointCloud(points, device=device).smooth_laplacian(4, 0.5, 10, fixed).points
+        np.testing.assert_array_equal(result, points.astype(np.float32))
 
 
-def test_no_pass_and_no_factor_change_nothing(device, rng):
+def test_zero_iterations_and_zero_factors_change_nothing(device, rng):
     cloud = loom.PointCloud(rng.random((200, 3)), device=device)
-    for found in (
+    for result in (
         cloud.smooth_laplacian(0), cloud.smooth_laplacian(0, use_fixed_neighborhoods=True), cloud.smooth_taubin(0),
         cloud.smooth_laplacian(2, 0.0), cloud.smooth_laplacian(2, 0.0, use_fixed_neighborhoods=True),
     ):  # fmt: skip
-        np.testing.assert_array_equal(found.points, cloud.points)
+        np.testing.assert_array_equal(result.points, cloud.points)

@@ -1,4 +1,4 @@
-"""What a camera sees of Gaussian splats, held against the equations in float64."""
+"""Rendered images of Gaussian splats, compared with the equations in float64."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ def exp_kernel(x: array(dtype=float32), out: array(dtype=float32)):
 
 
 def made(count=60, degree=2, seed=0, device="cpu", at=(0, 0, 0)):
-    """Splats of all sizes before and behind the camera at `at`, which looks along z."""
+    """Splats of all sizes in front of and behind the camera at `at`, which looks along z."""
     rng = np.random.default_rng(seed)
     centers = np.stack([rng.normal(0, 1, count), rng.normal(0, 1, count), rng.uniform(-1, 5, count)], axis=1)
     scales = np.exp(rng.normal(-2, 1, (count, 3)))
@@ -31,10 +31,10 @@ def made(count=60, degree=2, seed=0, device="cpu", at=(0, 0, 0)):
     return loom.GaussianSplats(centers + at, scales, rng.normal(size=(count, 4)), opacities, harmonics, device=device)
 
 
-def pose_at(place, turn=(0.05, -0.1, 0.02)):
+def pose_at(position, rotation=(0.05, -0.1, 0.02)):
     T = np.eye(4)
-    T[:3, :3] = Rotation.from_rotvec(turn).as_matrix()
-    T[:3, 3] = -T[:3, :3] @ np.asarray(place, float)
+    T[:3, :3] = Rotation.from_rotvec(rotation).as_matrix()
+    T[:3, 3] = -T[:3, :3] @ np.asarray(position, float)
     return T
 
 
@@ -44,7 +44,7 @@ def rays_of(camera):
 
 
 def reference(splats, camera, T, near=0.01):
-    """The picture by every splat in every pixel, in float64: color, light left, depth, median, normals."""
+    """The image from every splat in every pixel, in float64: color, transmittance, depth, median, normals."""
     q = splats.centers @ T[:3, :3].T + T[:3, 3]
     covariances = T[:3, :3] @ splats.covariances() @ T[:3, :3].T
     eye = np.linalg.inv(T)[:3, 3]
@@ -62,8 +62,8 @@ def reference(splats, camera, T, near=0.01):
         x, y, z = q[i]
         if z <= near:
             continue
-        wide, high = 0.15 * camera.width, 0.15 * camera.height
-        tx = np.clip(x / z, (-wide - camera.cx) / camera.fx, (camera.width + wide - camera.cx) / camera.fx)
+        margin, high = 0.15 * camera.width, 0.15 * camera.height
+        tx = np.clip(x / z, (-margin - camera.cx) / camera.fx, (camera.width + margin - camera.cx) / camera.fx)
         ty = np.clip(y / z, (-high - camera.cy) / camera.fy, (camera.height + high - camera.cy) / camera.fy)
         J = np.array([[camera.fx / z, 0, -camera.fx * tx / z], [0, camera.fy / z, -camera.fy * ty / z]])
         conic = np.linalg.inv(J @ covariances[i] @ J.T + 0.3 * np.eye(2))
@@ -72,30 +72,30 @@ def reference(splats, camera, T, near=0.01):
         alpha = np.minimum(splats.opacities[i].astype(float) * np.exp(power), 0.99)
         alpha[(alpha < 1 / 255) | (left <= 1e-4)] = 0
         A = np.linalg.inv(covariances[i])
-        met = (rays @ A @ q[i]) / np.einsum("hwi,ij,hwj->hw", rays, A, rays)
-        reach = 3 * np.sqrt(covariances[i][2, 2])
-        met = np.clip(met, z - reach, z + reach)
+        ray_depth = (rays @ A @ q[i]) / np.einsum("hwi,ij,hwj->hw", rays, A, rays)
+        extent = 3 * np.sqrt(covariances[i][2, 2])
+        ray_depth = np.clip(ray_depth, z - extent, z + extent)
         normal = axes[i][:, sizes[i].argmin()]
         normal = -normal if normal @ q[i] > 0 else normal
-        share = left * alpha
-        color += share[..., None] * colors[i]
-        normals += share[..., None] * normal
-        depth += share * met
-        median = np.where((left > 0.5) & (left - share <= 0.5), met, median)
-        left = left - share
+        weight = left * alpha
+        color += weight[..., None] * colors[i]
+        normals += weight[..., None] * normal
+        depth += weight * ray_depth
+        median = np.where((left > 0.5) & (left - weight <= 0.5), ray_depth, median)
+        left = left - weight
     lengths = np.linalg.norm(normals, axis=-1, keepdims=True)
-    seen = left < 1
+    hit = left < 1
     return (
         color,
         left,
-        np.where(seen, depth / np.where(seen, 1 - left, 1), 0),
+        np.where(hit, depth / np.where(hit, 1 - left, 1), 0),
         median,
         normals / np.maximum(lengths, 1e-9),
     )
 
 
 @pytest.mark.parametrize("degree", [0, 2, 4])
-def test_a_picture_is_that_of_the_equations(degree, device):
+def test_image_follows_the_equations(degree, device):
     splats = made(degree=degree, seed=degree, device=device)
     T = pose_at([0.1, 0.2, -1.5])
     picture = splats.rasterize(CAMERA, T)
@@ -104,13 +104,13 @@ def test_a_picture_is_that_of_the_equations(degree, device):
     firm = left < 0.9
     pairs = [(picture.opacity, 1 - left), (picture.color, color), (picture.depth[firm], depth[firm])]
     pairs += [(picture.median_depth[firm], median[firm]), (picture.normals[firm], normals[firm])]
-    for found, expected in pairs:
-        # a splat is left out below 1/255 of opacity: rounding puts it on either side in single pixels
-        assert (np.abs(found - expected) > 3e-5).mean() < 1e-3
+    for actual, expected in pairs:
+        # splats below 1/255 of opacity are skipped: rounding affects single pixels
+        assert (np.abs(actual - expected) > 3e-5).mean() < 1e-3
 
 
-def test_what_is_solid_hides_the_splats_behind_it(device):
-    """A mesh over the left half of the picture, 2 m away."""
+def test_solid_surface_hides_the_splats_behind_it(device):
+    """A mesh over the left half of the image, 2 m away."""
     splats, T = made(device=device), np.eye(4)
     corners = [[-9, -9, 2], [0, -9, 2], [0, 9, 2], [-9, 9, 2]]
     wall = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]], vertex_colors=np.full((4, 3), 0.2), device=device)
@@ -134,16 +134,16 @@ def test_a_picture_at_utm_coordinates_is_the_same(device):
 
 def test_a_flat_splat_gives_the_depth_of_its_plane(device):
     tilt = Rotation.from_rotvec([0.6, 0.3, 0])
-    turn = np.roll(tilt.as_quat(), 1)
-    splats = loom.GaussianSplats([[0, 0, 3]], [[0.8, 0.8, 1e-6]], [turn], [0.95], [[0, 0, 0]], device=device)
+    rotation = np.roll(tilt.as_quat(), 1)
+    splats = loom.GaussianSplats([[0, 0, 3]], [[0.8, 0.8, 1e-6]], [rotation], [0.95], [[0, 0, 0]], device=device)
     picture = splats.rasterize(CAMERA, np.eye(4))
     rays = rays_of(CAMERA)
     normal = tilt.as_matrix()[:, 2]
     plane = 3 * normal[2] / (rays @ normal)
-    seen = picture.opacity > 0.3
-    assert seen.sum() > 300
-    np.testing.assert_allclose(picture.depth[seen], plane[seen], rtol=2e-5)
-    np.testing.assert_allclose(picture.normals[seen], np.broadcast_to(-normal, (seen.sum(), 3)), atol=1e-6)
+    visible = picture.opacity > 0.3
+    assert visible.sum() > 300
+    np.testing.assert_allclose(picture.depth[visible], plane[visible], rtol=2e-5)
+    np.testing.assert_allclose(picture.normals[visible], np.broadcast_to(-normal, (visible.sum(), 3)), atol=1e-6)
 
 
 def test_the_nearer_of_two_hides_the_other_and_the_background_shows_beside(device):
@@ -167,17 +167,17 @@ def test_splats_that_are_not_finite_are_not_drawn(device):
     cloud = splats.cloud.copy()
     scale, opacity = (cloud[name].copy() for name in ("scale", "opacity"))
     scale[0, 1], scale[1, 0], opacity[2], opacity[3] = np.nan, np.inf, np.nan, -np.inf
-    opacity[4], scale[4, 2], scale[5] = np.inf, -np.inf, 80.0  # opaque and flat: drawn; so large that it overflows: not
+    opacity[4], scale[4, 2], scale[5] = np.inf, -np.inf, 80.0  # opaque and flat: drawn; overflowing size: skipped
     cloud["scale"], cloud["opacity"] = scale, opacity
     hostile = loom.GaussianSplats.from_cloud(cloud)
-    found = hostile.rasterize(CAMERA, np.eye(4))
-    sound = hostile.select_by_index([4, *range(6, 30)]).rasterize(CAMERA, np.eye(4))
-    assert sound.opacity.max() > 0.5 and np.isfinite(found.color).all()
+    result = hostile.rasterize(CAMERA, np.eye(4))
+    valid = hostile.select_by_index([4, *range(6, 30)]).rasterize(CAMERA, np.eye(4))
+    assert valid.opacity.max() > 0.5 and np.isfinite(result.color).all()
     for name in ("color", "opacity", "depth", "median_depth"):
-        np.testing.assert_array_equal(getattr(found, name), getattr(sound, name))
+        np.testing.assert_array_equal(getattr(result, name), getattr(valid, name))
 
 
-def test_nothing_is_seen_of_none_behind_or_beside(device):
+def test_splats_behind_or_beside_the_camera_are_invisible(device):
     splats = made(device=device)
     for chosen in (splats.select_by_index([]), splats.translate([0, 0, -50]), splats.translate([1000, 0, 0])):
         picture = chosen.rasterize(CAMERA, pose_at([0, 0, -1]))
@@ -185,10 +185,10 @@ def test_nothing_is_seen_of_none_behind_or_beside(device):
 
 
 @pytest.mark.slow
-def test_the_exponential_is_right_to_two_units_in_the_last_place(device):
+def test_exponential_is_accurate_to_two_ulps(device):
     x = np.concatenate([np.linspace(-87, 88, 20_001), [0, -np.inf, np.inf, -200, 1e-7]]).astype(np.float32)
-    place = resolve_device(device)
-    out = empty(len(x), float32, place)
-    launch(exp_kernel, len(x), [upload(x, float32, place), out])
+    target_device = resolve_device(device)
+    out = empty(len(x), float32, target_device)
+    launch(exp_kernel, len(x), [upload(x, float32, target_device), out])
     expected = np.exp(np.clip(x.astype(np.float64), -87, 88))
     assert np.abs(download(out) / expected - 1).max() < 2 * np.finfo(np.float32).eps

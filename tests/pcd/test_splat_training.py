@@ -1,4 +1,4 @@
-"""The spike that trains splats, benchmarks/splat_training.py: its gradients are those of the equations."""
+"""Gradients of the splat training prototype, benchmarks/splat_training.py, follow the equations."""
 
 import importlib.util
 import sys

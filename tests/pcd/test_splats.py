@@ -1,4 +1,4 @@
-"""Gaussian splats: what moving them does to centers, axes and colors, and which are kept."""
+"""Gaussian splats: transformation of centers, axes and colors, and selection."""
 
 from __future__ import annotations
 
@@ -25,7 +25,7 @@ def made(count=200, degree=3, *, at=(0, 0, 0), device="cpu", seed=0) -> loom.Gau
 
 
 def colors_from(splats: loom.GaussianSplats, directions) -> np.ndarray:
-    """What a splat looks like from each direction: [n, m, 3]."""
+    """Color of a splat from each direction: [n, m, 3]."""
     return np.einsum("mk,nkc->nmc", harmonics_at(directions, splats.degree), splats.harmonics.astype(np.float64))
 
 
@@ -58,15 +58,15 @@ def test_a_translation_leaves_every_bit_of_the_rest():
 
 
 @pytest.mark.parametrize("degree", range(5))
-def test_harmonics_turn_exactly(degree, directions):
+def test_harmonics_rotate_exactly(degree, directions):
     R = Rotation.from_rotvec([1.0, 0.3, -0.7]).as_matrix()
-    turns = rotation_of_harmonics(R, degree)
-    np.testing.assert_allclose(turns @ turns.T, np.eye(len(turns)), atol=1e-13)
+    rotation = rotation_of_harmonics(R, degree)
+    np.testing.assert_allclose(rotation @ rotation.T, np.eye(len(rotation)), atol=1e-13)
     before, after = harmonics_at(directions @ R, degree)[:, 1:], harmonics_at(directions, degree)[:, 1:]
-    np.testing.assert_allclose(after @ turns, before, atol=1e-13)
+    np.testing.assert_allclose(after @ rotation, before, atol=1e-13)
 
 
-def test_the_basis_is_that_of_the_paper(directions):
+def test_harmonics_basis_follows_the_paper(directions):
     x, y, z = directions.T
     one = np.sqrt(3 / (4 * np.pi))
     two = np.sqrt(15 / (4 * np.pi))
@@ -76,21 +76,21 @@ def test_the_basis_is_that_of_the_paper(directions):
     assert [degree_of(count) for count in (1, 4, 9, 16, 25, 5, 36, 0)] == [0, 1, 2, 3, 4, None, None, None]
 
 
-def test_cleaning_keeps_what_is_seen_and_of_a_size(device):
+def test_cleaning_keeps_visible_splats_within_size_limits(device):
     splats = made(2000, 0, device=device)
-    kept = splats.clean(min_opacity=0.3, min_scale=0.1, max_scale=0.5)
+    cleaned = splats.clean(min_opacity=0.3, min_scale=0.1, max_scale=0.5)
     largest = splats.scales.max(axis=1)
     expected = (splats.opacities >= 0.3) & (largest >= 0.1) & (largest <= 0.5)
     assert 0 < expected.sum() < 2000
-    np.testing.assert_array_equal(kept.centers, splats.centers[expected])
+    np.testing.assert_array_equal(cleaned.centers, splats.centers[expected])
     assert len(splats.clean()) == 2000
 
 
-def test_cleaning_drops_what_cannot_be_drawn(device):
+def test_cleaning_removes_invalid_splats(device):
     cloud = made(6, 0, device=device).cloud.copy()
     scale, rot, opacity = (cloud[name].copy() for name in ("scale", "rot", "opacity"))
     scale[0, 1], scale[1, 0], rot[2], opacity[3] = np.nan, np.inf, 0, np.nan
-    opacity[4], scale[4, 2] = np.inf, -np.inf  # wholly opaque and flat: sound
+    opacity[4], scale[4, 2] = np.inf, -np.inf  # fully opaque and flat: valid
     cloud["scale"], cloud["rot"], cloud["opacity"] = scale, rot, opacity
     splats = loom.GaussianSplats.from_cloud(cloud)
     np.testing.assert_array_equal(splats.clean().centers, cloud.points[4:])
@@ -102,15 +102,15 @@ def test_choosing_and_joining_keep_all_columns():
     inside = (np.abs(splats.centers) <= 1).all(axis=1) & (splats.centers[:, 0] <= 0.5)
     np.testing.assert_array_equal(splats.crop(box).harmonics, splats.harmonics[inside])
     np.testing.assert_array_equal(splats.select_by_mask(inside).rotations, splats.rotations[inside])
-    whole = loom.GaussianSplats.concatenate([splats, others])
-    assert (len(whole), whole.degree) == (80, 3)
-    np.testing.assert_array_equal(whole.harmonics[50:, :4], others.harmonics)
-    assert not whole.harmonics[50:, 4:].any()
+    joined = loom.GaussianSplats.concatenate([splats, others])
+    assert (len(joined), joined.degree) == (80, 3)
+    np.testing.assert_array_equal(joined.harmonics[50:, :4], others.harmonics)
+    assert not joined.harmonics[50:, 4:].any()
 
 
 def test_a_cloud_of_the_centers_has_colors_and_shortest_axes():
     flat = loom.GaussianSplats([[1, 2, 3]], [[1, 1, 0.1]], [[np.sqrt(0.5), np.sqrt(0.5), 0, 0]], [0.25], [[1.0, 0, -9]])
     cloud = flat.to_point_cloud()
-    np.testing.assert_allclose(np.abs(cloud.normals), [[0, 1, 0]], atol=1e-6)  # z turned by a quarter about x
+    np.testing.assert_allclose(np.abs(cloud.normals), [[0, 1, 0]], atol=1e-6)  # z rotated by 90 degrees about x
     np.testing.assert_allclose(cloud.colors, [[0.5 + 0.28209479, 0.5, 0]], atol=1e-6)
     np.testing.assert_allclose(cloud["opacity"], [0.25], atol=1e-6)

@@ -1,4 +1,4 @@
-"""Rasters and heights above ground are those of float64 sums, of SciPy's triangles, and of cells fixed in space."""
+"""Rasters and heights above ground agree with float64 sums, SciPy's triangulation, and a fixed grid of cells."""
 
 import signal
 import sys
@@ -16,7 +16,7 @@ ORIGIN = np.array([500_000.0, 4_000_000.0, 250.0])
 
 
 def survey(rng, device="cpu", count=3000, side=(40.0, 25.0)):
-    """A slope with trees, half of it ground, some points noise and some not finite, far from zero."""
+    """A slope with trees, half of it ground, some noise points and some non-finite ones, far from zero."""
     points = np.column_stack([rng.random((count, 2)) * side, rng.random(count)])
     points[:, 2] += 0.2 * points[:, 0]
     points[::200, 2] = np.nan
@@ -30,25 +30,25 @@ def survey(rng, device="cpu", count=3000, side=(40.0, 25.0)):
 
 
 def centers(raster):
-    """x and y of the cells' centers about the origin, as the raster's rows and columns."""
+    """x and y of the cell centers about the origin, in the raster's rows and columns."""
     (rows, columns), (x, y) = raster.values.shape, raster.corner - ORIGIN[:2]
     return np.meshgrid(x + (np.arange(columns) + 0.5) * raster.cell, y + (np.arange(rows)[::-1] + 0.5) * raster.cell)
 
 
-def weighed(places, x, y, *, cell, corner, reach, neighbors, least=0):
-    """Inverse distance by its definition: squares of cells grow until they hold enough points that are within reach."""
-    own, held = np.floor((np.array([x, y]) - corner) / cell), np.floor((places[:, :2] - corner) / cell)
-    rings = np.abs(held - own).max(axis=1)
-    sqdists = ((places[:, :2] - [x, y]) ** 2).sum(axis=1)
-    near = sqdists <= reach**2
-    m = next((m for m in range(least, 200) if (near & (rings <= m)).sum() >= neighbors), 200)
+def weighed(positions, x, y, *, cell, corner, radius, neighbors, min_rings=0):
+    """Inverse distance weighting: a square of cells grows until it contains enough points within the radius."""
+    own, cells = np.floor((np.array([x, y]) - corner) / cell), np.floor((positions[:, :2] - corner) / cell)
+    rings = np.abs(cells - own).max(axis=1)
+    sqdists = ((positions[:, :2] - [x, y]) ** 2).sum(axis=1)
+    near = sqdists <= radius**2
+    m = next((m for m in range(min_rings, 200) if (near & (rings <= m)).sum() >= neighbors), 200)
     near &= rings <= m
     if not near.any():
         return np.nan
     if (sqdists[near] == 0).any():
-        return places[near & (sqdists == 0), 2].mean()
+        return positions[near & (sqdists == 0), 2].mean()
     weights = 1 / sqdists[near]
-    return (weights * places[near, 2]).sum() / weights.sum()
+    return (weights * positions[near, 2]).sum() / weights.sum()
 
 
 def local(cloud, mask):
@@ -56,13 +56,13 @@ def local(cloud, mask):
     return points.astype(np.float32).astype(np.float64)
 
 
-@pytest.mark.parametrize(("cell", "reach"), [(1.5, 4.0), (1.1, 1.5), (6.5, 30.0)])
-def test_bare_earth_is_the_inverse_distance_of_its_definition(device, rng, cell, reach):
+@pytest.mark.parametrize(("cell", "radius"), [(1.5, 4.0), (1.1, 1.5), (6.5, 30.0)])
+def test_terrain_model_follows_inverse_distance_weighting(device, rng, cell, radius):
     cloud = survey(rng, device, 600)
-    raster = loom.rasterize(cloud, cell, "dtm", reach=reach, neighbors=5, corner=ORIGIN[:2] + 0.3)
+    raster = loom.rasterize(cloud, cell, "dtm", reach=radius, neighbors=5, corner=ORIGIN[:2] + 0.3)
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
-    told = {"cell": cell, "corner": 0.3, "reach": reach, "neighbors": 5}
-    expected = [weighed(ground, x, y, **told) for x, y in zip(*map(np.ravel, centers(raster)), strict=True)]
+    parameters = {"cell": cell, "corner": 0.3, "radius": radius, "neighbors": 5}
+    expected = [weighed(ground, x, y, **parameters) for x, y in zip(*map(np.ravel, centers(raster)), strict=True)]
     assert np.isfinite(expected).any()
     expected = (np.reshape(expected, raster.values.shape) + ORIGIN[2]).astype(np.float32)
     np.testing.assert_allclose(raster.values, expected, rtol=2e-7)
@@ -92,14 +92,17 @@ def test_centers_on_the_edges_of_triangles_belong_to_one(device):
 
 
 @pytest.mark.parametrize("kind", ["dsm", "lowest", "density", "intensity"])
-def test_what_lies_in_a_cell_is_counted_once(device, rng, kind):
+def test_points_in_a_cell_are_counted_once(device, rng, kind):
     cloud = survey(rng, device)
     raster = loom.rasterize(cloud, 1.5, kind)
     chosen = np.isfinite(cloud.points).all(axis=1) & (np.asarray(cloud["classification"]) != 7)
     if kind == "dsm":
         chosen &= np.asarray(cloud["return_number"]) == 1
-    places, column = (cloud.points)[chosen], np.floor((cloud.points[chosen][:, 0] - raster.corner[0]) / 1.5).astype(int)
-    row = raster.values.shape[0] - 1 - np.floor((places[:, 1] - raster.corner[1]) / 1.5).astype(int)
+    positions, column = (
+        (cloud.points)[chosen],
+        np.floor((cloud.points[chosen][:, 0] - raster.corner[0]) / 1.5).astype(int),
+    )
+    row = raster.values.shape[0] - 1 - np.floor((positions[:, 1] - raster.corner[1]) / 1.5).astype(int)
     expected = np.full(raster.values.shape, {"dsm": -np.inf, "lowest": np.inf}.get(kind, 0.0))
     counts = np.zeros(raster.values.shape)
     np.add.at(counts, (row, column), 1)
@@ -110,7 +113,7 @@ def test_what_lies_in_a_cell_is_counted_once(device, rng, kind):
         np.add.at(expected, (row, column), np.asarray(cloud["intensity"], np.float64)[chosen])
         expected = expected / np.where(counts, counts, np.nan)
     else:
-        (np.maximum if kind == "dsm" else np.minimum).at(expected, (row, column), places[:, 2])
+        (np.maximum if kind == "dsm" else np.minimum).at(expected, (row, column), positions[:, 2])
     expected[counts == 0] = np.nan
     np.testing.assert_array_equal(raster.values, expected.astype(np.float32))
 
@@ -121,46 +124,48 @@ def test_canopy_is_the_surface_less_the_ground(device, rng):
     np.testing.assert_allclose(canopy.values, surface.values - ground.values, atol=1e-4)
 
 
-def test_heights_above_ground_are_those_of_the_definition(device, rng):
+def test_heights_above_ground_follow_the_definition(device, rng):
     cloud = survey(rng, device, 400)
     heights = loom.height_above_ground(cloud, reach=2.5, neighbors=4, cell=1.0, corner=ORIGIN[:2])
     ground = local(cloud, np.asarray(cloud["classification"]) == 2)
-    places = np.asarray(cloud.points - cloud.origin).astype(np.float32).astype(np.float64)
-    told = {"cell": 1.0, "corner": 0.0, "reach": 2.5, "neighbors": 4, "least": 1}
-    expected = [z - weighed(ground, x, y, **told) if np.isfinite(z) else np.nan for x, y, z in places]
+    positions = np.asarray(cloud.points - cloud.origin).astype(np.float32).astype(np.float64)
+    parameters = {"cell": 1.0, "corner": 0.0, "radius": 2.5, "neighbors": 4, "min_rings": 1}
+    expected = [z - weighed(ground, x, y, **parameters) if np.isfinite(z) else np.nan for x, y, z in positions]
     np.testing.assert_allclose(heights, expected, atol=2e-6)
     assert np.asarray(heights).dtype == np.float32
 
 
-def test_a_point_far_from_the_ground_has_no_height_and_one_at_the_edge_of_the_reach_has(device):
+def test_points_beyond_the_radius_have_no_height(device):
     points = [[0, 0, 1], [10, 0, 5], [10.5, 0, 5], [-10, 0, 6], [0, 0, 3], [1e6, 0, 0]]
     cloud = loom.PointCloud(points, classification=[2, 1, 1, 1, 2, 1], device=device, origin=(0, 0, 0))
     heights = loom.height_above_ground(cloud, reach=10.0, cell=0.25)
-    np.testing.assert_array_equal(heights, [-1, 3, np.nan, 4, 1, np.nan])  # the mean of two at one place
+    np.testing.assert_array_equal(heights, [-1, 3, np.nan, 4, 1, np.nan])  # the mean of two coincident points
 
 
-def test_ground_depends_on_nothing_beyond_its_reach(device, rng):
-    reach = ground_reach(1.0, 2.0)
+def test_ground_depends_on_nothing_beyond_its_radius(device, rng):
+    radius = ground_reach(1.0, 2.0)
     x, y = rng.random((2, 9000)) * [[150], [60]]
     points = np.column_stack([x, y, np.sin(x / 9) + 2 * ((x % 20 < 4) & (y % 20 < 4)) + 0.05 * rng.normal(size=9000)])
-    far = rng.random((4000, 3)) * [300, 60, 40] + [150 + reach, 0, -20]
-    told = {"cell_size": 1.0, "max_window": 2.0, "corner": (0.3, -0.2)}
-    alone = loom.classify_ground(loom.PointCloud(points, device=device, origin=(0, 0, 0)), **told)
-    mixed = loom.classify_ground(loom.PointCloud(np.vstack([points, far]), device=device, origin=(0, 0, 0)), **told)
-    assert 0.3 < np.mean(alone) < 0.99
-    np.testing.assert_array_equal(np.asarray(mixed)[:9000], alone)
-    near = np.vstack([points, far - [reach + 8, 0, 0]])
-    other = loom.classify_ground(loom.PointCloud(near, device=device, origin=(0, 0, 0)), **told)
-    assert not np.array_equal(np.asarray(other)[:9000], alone)
+    far = rng.random((4000, 3)) * [300, 60, 40] + [150 + radius, 0, -20]
+    parameters = {"cell_size": 1.0, "max_window": 2.0, "corner": (0.3, -0.2)}
+    alone_mask = loom.classify_ground(loom.PointCloud(points, device=device, origin=(0, 0, 0)), **parameters)
+    mixed = loom.classify_ground(
+        loom.PointCloud(np.vstack([points, far]), device=device, origin=(0, 0, 0)), **parameters
+    )
+    assert 0.3 < np.mean(alone_mask) < 0.99
+    np.testing.assert_array_equal(np.asarray(mixed)[:9000], alone_mask)
+    near = np.vstack([points, far - [radius + 8, 0, 0]])
+    other = loom.classify_ground(loom.PointCloud(near, device=device, origin=(0, 0, 0)), **parameters)
+    assert not np.array_equal(np.asarray(other)[:9000], alone_mask)
 
 
 @settings(max_examples=6)
 @given(shift=st.tuples(st.integers(-3000, 3000), st.integers(-3000, 3000)))
-def test_ground_and_rasters_move_with_whole_cells(shift):
+def test_ground_and_rasters_move_with_cells(shift):
     points = np.random.default_rng(0).random((500, 3)) * (16, 8, 0.5)
     points = np.round(points * 64) / 64  # exact about either origin
     moved = points + np.array([*shift, 0])
-    clouds = [loom.PointCloud(places, origin=(0, 0, 0)) for places in (points, moved)]
+    clouds = [loom.PointCloud(positions, origin=(0, 0, 0)) for positions in (points, moved)]
     masks = [loom.classify_ground(cloud, max_window=2.0, corner=(0, 0)) for cloud in clouds]
     np.testing.assert_array_equal(*masks)
     for cloud, mask in zip(clouds, masks, strict=True):
@@ -170,7 +175,7 @@ def test_ground_and_rasters_move_with_whole_cells(shift):
     np.testing.assert_array_equal(rasters[1].corner - rasters[0].corner, shift)
 
 
-def test_filled_cells_are_marked_and_the_rest_stays(rng):
+def test_filled_cells_are_flagged_and_the_rest_is_unchanged(rng):
     cloud = survey(rng)
     raster = loom.rasterize(cloud, 0.5, "lowest")
     filled = raster.fill_gaps(1.0)
@@ -179,13 +184,13 @@ def test_filled_cells_are_marked_and_the_rest_stays(rng):
     np.testing.assert_array_equal(filled.filled, ~known & np.isfinite(filled.values))
     row, column = np.argwhere(filled.filled)[0]
     y, x = np.argwhere(known).T
-    places = np.column_stack([x + 0.5, known.shape[0] - y - 0.5, raster.values[known]])
-    place = (column + 0.5, known.shape[0] - row - 0.5)
-    expected = weighed(places, *place, cell=1.0, corner=0.0, reach=2.0, neighbors=8)
+    positions = np.column_stack([x + 0.5, known.shape[0] - y - 0.5, raster.values[known]])
+    position = (column + 0.5, known.shape[0] - row - 0.5)
+    expected = weighed(positions, *position, cell=1.0, corner=0.0, radius=2.0, neighbors=8)
     assert filled.values[row, column] == pytest.approx(expected, rel=1e-6)
 
 
-def test_a_geotiff_holds_values_place_and_marks(tmp_path, rng):
+def test_geotiff_stores_values_georeference_and_flags(tmp_path, rng):
     rasterio = pytest.importorskip("rasterio")
     raster = loom.rasterize(survey(rng), 0.5, "dsm", crs="EPSG:32633").fill_gaps(0.6)
     with rasterio.open(raster.write(tmp_path / "dsm.tif")) as file:
@@ -198,7 +203,7 @@ def test_a_geotiff_holds_values_place_and_marks(tmp_path, rng):
     assert (x, y) == pytest.approx((raster.bounds[0] + 0.25, raster.bounds[3] - 0.25))
 
 
-def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
+def test_failed_geotiff_leaves_no_file(tmp_path, rng):
     pytest.importorskip("rasterio")
     raster = loom.rasterize(survey(rng), 2.0, "dsm", crs="no system")
     with pytest.raises(loom.FileError, match="crs:"):
@@ -214,7 +219,7 @@ def test_a_geotiff_that_cannot_be_written_leaves_nothing(tmp_path, rng):
 
 @pytest.mark.skipif(sys.platform == "win32", reason="a limit of the size of files stands for a full disk")
 @pytest.mark.parametrize("missing", [1, 5000])
-def test_a_disk_that_is_full_at_the_very_end_is_noticed(tmp_path, missing):
+def test_disk_full_at_the_end_is_detected(tmp_path, missing):
     pytest.importorskip("rasterio")
     import resource
 
@@ -228,7 +233,7 @@ def test_a_disk_that_is_full_at_the_very_end_is_noticed(tmp_path, missing):
     finally:
         resource.setrlimit(resource.RLIMIT_FSIZE, before)
         signal.signal(signal.SIGXFSZ, handler)
-    assert [found.name for found in tmp_path.iterdir()] == ["whole.tif"]
+    assert [entry.name for entry in tmp_path.iterdir()] == ["whole.tif"]
 
 
 GROUND = {"classification": np.full(5, 2, np.uint8)}
@@ -266,12 +271,12 @@ POINTS = np.random.default_rng(0).random((5, 3)) * (100, 100, 1)
         (loom.PointCloud(POINTS, **GROUND), {"corner": (1e90, 0)}, r"corner: is more than 2\^48 cells away"),
     ],
 )
-def test_what_no_raster_can_be_made_of_is_said_by_name(cloud, options, message):
+def test_invalid_raster_arguments_are_rejected(cloud, options, message):
     with pytest.raises(ValueError, match=message):
         loom.rasterize(cloud, **{"cell": 1.0} | options)
 
 
-def test_a_cloud_without_ground_is_said_by_name():
+def test_cloud_without_ground_is_an_error():
     bare = loom.PointCloud(POINTS, classification=np.ones(5, np.uint8))
     with pytest.raises(NoGroundError, match=r"^cloud:.*2.*classify_ground"):
         loom.rasterize(bare, 1.0)

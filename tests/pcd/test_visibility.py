@@ -1,4 +1,4 @@
-"""Hidden points: Open3D's answer on real scans, Qhull's of all points on made ones, and degenerate views."""
+"""Hidden point removal: Open3D's result on real scans, Qhull's on synthetic ones, and degenerate views."""
 
 import numpy as np
 import pytest
@@ -16,14 +16,14 @@ def rows_of(points):
 
 
 def visible_by_brute_force(points, camera, radius):
-    """The visible points' positions by Qhull of all mirrored points in float64."""
+    """Positions of the visible points by Qhull on all mirrored points in float64."""
     from scipy.spatial import ConvexHull
 
     arms = points - camera
     sizes = np.linalg.norm(arms, axis=1, keepdims=True)
     mirrored = np.concatenate([arms * (2 * radius - sizes) / sizes, np.zeros((1, 3))])
-    found = ConvexHull(mirrored).vertices
-    return rows_of(points[found[found < len(points)]])
+    hull_rows = ConvexHull(mirrored).vertices
+    return rows_of(points[hull_rows[hull_rows < len(points)]])
 
 
 def visible(points, camera, radius, device):
@@ -36,12 +36,12 @@ def visible(points, camera, radius, device):
 
 def open3d_views(o3d, points, views):
     """The visible rows and the number of triangles of each view."""
-    found = [cloud_of(o3d, points).hidden_point_removal(camera, radius) for camera, radius in views]
-    return [(np.sort(indices).astype(np.int16), len(mesh.triangles)) for mesh, indices in found]
+    results = [cloud_of(o3d, points).hidden_point_removal(camera, radius) for camera, radius in views]
+    return [(np.sort(indices).astype(np.int16), len(mesh.triangles)) for mesh, indices in results]
 
 
 def test_the_visible_points_of_a_made_scan_are_open3ds(device, rng, oracle):
-    """A hilly surface, seen from its middle, from aside and from an aeroplane's place."""
+    """A hilly surface, seen from its center, from the side and from an airplane."""
     xy = rng.random((6000, 2)) * 40 - 20
     heights = 2 * np.sin(xy[:, 0] / 3) * np.cos(xy[:, 1] / 4)
     points = np.column_stack([xy, heights]).astype(np.float32).astype(float)
@@ -52,8 +52,8 @@ def test_the_visible_points_of_a_made_scan_are_open3ds(device, rng, oracle):
     for (camera, radius), (rows, triangles) in zip(
         views, oracle("pcd/visibility/hills", open3d_views, points, views), strict=True
     ):
-        surface, found = visible(points, camera, radius, device)
-        assert found == rows_of(points[rows])
+        surface, result = visible(points, camera, radius, device)
+        assert result == rows_of(points[rows])
         assert abs(len(surface.triangles) - triangles) <= 0.001 * triangles
 
 
@@ -69,7 +69,7 @@ def test_the_visible_points_of_a_made_scan_are_open3ds(device, rng, oracle):
     ],
 )
 def test_the_points_that_kernels_rule_out_are_hidden(device, scene, scale, rng):
-    """Above the count from which the filter works, against Qhull of all points."""
+    """Above the point count at which the filter is used, compared with Qhull on all points."""
     points, camera = rng.random((6001, 3)), np.array([0.3, 0.4, 3.0])
     if scene == "two walls":
         points[:, 2] = rng.integers(0, 2, 6001) * 0.5
@@ -84,11 +84,11 @@ def test_the_points_that_kernels_rule_out_are_hidden(device, scene, scale, rng):
         points = rng.integers(0, 20, (6001, 3)) / 16.0
     points = points.astype(np.float32).astype(float)
     radius = scale * np.linalg.norm(points - camera, axis=1).max()
-    _, found = visible(points, camera, radius, device)
-    assert found == visible_by_brute_force(points, camera, radius)
+    _, result = visible(points, camera, radius, device)
+    assert result == visible_by_brute_force(points, camera, radius)
 
 
-def test_the_filter_rules_most_hidden_points_out(device, rng):
+def test_filter_removes_the_bulk_of_hidden_points(device, rng):
     from pointloom.kernels.extent.visibility import visible_rows
 
     points = rng.random((40_000, 3))
@@ -98,7 +98,7 @@ def test_the_filter_rules_most_hidden_points_out(device, rng):
     assert 15_000 < rows.size < 25_000
 
 
-@given(points=clouds(parts(2, 2), parts(256, 1024), most=14), gap=st.integers(0, 20))
+@given(points=clouds(parts(2, 2), parts(256, 1024), max_size=14), gap=st.integers(0, 20))
 @examples(25)
 def test_small_clouds_are_seen_as_by_brute_force(device, points, gap):
     camera, radius = np.array([0.3, 0.2, 6.0]), 50.0
@@ -107,20 +107,20 @@ def test_small_clouds_are_seen_as_by_brute_force(device, points, gap):
     if gap < len(points):
         cloud[gap] = np.nan
     finite = points[np.isfinite(cloud).all(axis=1)]
-    _, found = visible(cloud, camera, radius, device)
-    assert found <= rows_of(finite) and bool(found) == bool(len(finite))
+    _, result = visible(cloud, camera, radius, device)
+    assert result <= rows_of(finite) and bool(result) == bool(len(finite))
     if len(finite) > 3 and np.linalg.svd(arms[np.isfinite(cloud).all(axis=1)], compute_uv=False)[2] > 0.1:
-        assert found == visible_by_brute_force(finite, camera, radius)
+        assert result == visible_by_brute_force(finite, camera, radius)
 
 
-def test_a_wall_hides_what_is_behind_it_and_a_hole_shows_it(device):
+def test_wall_hides_points_behind_it_except_through_a_hole(device):
     u = np.linspace(-1, 1, 41)
     wall = np.array([[x, y, 0] for x in u for y in u])
     holed = wall[np.abs(wall[:, :2]).max(axis=1) > 0.3]
     behind = np.array([[0, 0, -0.5], [0.8, 0.8, -0.5]])
-    for points, seen in ((wall, set()), (holed, {(0.0, 0.0, -0.5)})):
-        _, found = visible(np.concatenate([points, behind]), np.array([0, 0, 4.0]), 400.0, device)
-        assert found & rows_of(behind) == seen
+    for points, expected in ((wall, set()), (holed, {(0.0, 0.0, -0.5)})):
+        _, result = visible(np.concatenate([points, behind]), np.array([0, 0, 4.0]), 400.0, device)
+        assert result & rows_of(behind) == expected
 
 
 def test_triangles_face_the_camera(device, rng):
@@ -149,6 +149,6 @@ def test_no_point_and_a_point_at_the_camera_are_not_seen(device, rng):
         assert len(indices) == len(surface.vertices) == len(surface.triangles) == 0
     points = rng.random((6000, 3)).astype(np.float32).astype(float)
     camera = points[17]
-    found = visible(points, camera, 50.0, device)[1]
-    assert tuple(camera) not in found
-    assert found == visible_by_brute_force(np.delete(points, 17, axis=0), camera, 50.0)
+    result = visible(points, camera, 50.0, device)[1]
+    assert tuple(camera) not in result
+    assert result == visible_by_brute_force(np.delete(points, 17, axis=0), camera, 50.0)

@@ -2,9 +2,9 @@ import numpy as np
 import open3d as o3d
 
 pcd = o3d.io.read_point_cloud("street.pcd")
-found = {"before": len(pcd.points)}
+results = {"before": len(pcd.points)}
 pcd = pcd.uniform_down_sample(every_k_points=5)
-found["after"] = np.asarray(pcd.points)
+results["after"] = np.asarray(pcd.points)
 
 
 def display_inlier_outlier(pcd, ind):
@@ -19,8 +19,8 @@ def display_inlier_outlier(pcd, ind):
 pcd = o3d.io.read_point_cloud("street.pcd")
 pcd = pcd.uniform_down_sample(every_k_points=2)
 cl, ind = pcd.remove_statistical_outlier(nb_neighbors=20, std_ratio=2.0)
-found["statistical"] = ind
-found["colors"] = np.asarray(display_inlier_outlier(pcd, ind).colors)
+results["statistical"] = ind
+results["colors"] = np.asarray(display_inlier_outlier(pcd, ind).colors)
 cl, ind = pcd.remove_radius_outlier(nb_points=10, radius=1.0)
-found["radius"] = ind
-found["kept"] = np.asarray(cl.points)
+results["radius"] = ind
+results["kept"] = np.asarray(cl.points)

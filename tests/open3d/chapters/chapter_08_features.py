@@ -21,20 +21,20 @@ def off(transformation):
 voxel_size = 0.12
 target = o3d.io.read_point_cloud("0.pcd")
 source = copy.deepcopy(target)
-turn = o3d.geometry.get_rotation_matrix_from_xyz((0.3, -0.4, 0.5))
+rotation = o3d.geometry.get_rotation_matrix_from_xyz((0.3, -0.4, 0.5))
 truth = np.eye(4)
-truth[:3, :3], truth[:3, 3] = turn, [0.5, -0.2, 0.3]
+truth[:3, :3], truth[:3, 3] = rotation, [0.5, -0.2, 0.3]
 source.transform(truth)
 target_down, target_fpfh = preprocess_point_cloud(target, voxel_size)
-found = {"features": [target_fpfh.dimension(), target_fpfh.num()]}
-sums = target_fpfh.data.sum(axis=0)  # of three histograms of 100 and their neighbors' 100
-found["each histogram is whole"] = bool(np.abs(sums - 600).max() < 1e-3)
+results = {"features": [target_fpfh.dimension(), target_fpfh.num()]}
+sums = target_fpfh.data.sum(axis=0)  # three histograms of 100 and the 100 of their neighbors
+results["each histogram is whole"] = bool(np.abs(sums - 600).max() < 1e-3)
 source_down = copy.deepcopy(target_down).transform(truth)
 source_fpfh = o3d.pipelines.registration.compute_fpfh_feature(
     source_down, o3d.geometry.KDTreeSearchParamHybrid(radius=voxel_size * 5, max_nn=100)
 )
 matches = np.asarray(o3d.pipelines.registration.correspondences_from_features(source_fpfh, target_fpfh, True))
-found["most points match themselves"] = bool((matches[:, 0] == matches[:, 1]).mean() > 0.9)
+results["most points match themselves"] = bool((matches[:, 0] == matches[:, 1]).mean() > 0.9)
 o3d.utility.random.seed(3)
 distance_threshold = voxel_size * 1.5
 registration = o3d.pipelines.registration
@@ -53,7 +53,7 @@ result_ransac = registration.registration_ransac_based_on_feature_matching(
     ],
     registration.RANSACConvergenceCriteria(10000),
 )
-found["RANSAC finds the pose"] = bool(off(result_ransac.transformation) < 0.1)
+results["RANSAC finds the pose"] = bool(off(result_ransac.transformation) < 0.1)
 result_icp = registration.registration_icp(
     source_down,
     target_down,
@@ -62,9 +62,9 @@ result_icp = registration.registration_icp(
     registration.TransformationEstimationPointToPoint(),
     registration.ICPConvergenceCriteria(max_iteration=100),
 )
-found["refined"] = bool(off(result_icp.transformation) < 1e-3 and result_icp.fitness > 0.99)
+results["refined"] = bool(off(result_icp.transformation) < 1e-3 and result_icp.fitness > 0.99)
 option = registration.FastGlobalRegistrationOption(maximum_correspondence_distance=voxel_size * 0.5)
 result_fast = registration.registration_fgr_based_on_feature_matching(
     source_down, target_down, source_fpfh, target_fpfh, option
 )
-found["fast finds the pose"] = bool(off(result_fast.transformation) < 0.02)
+results["fast finds the pose"] = bool(off(result_fast.transformation) < 0.02)

@@ -10,7 +10,7 @@ vis.create_window()
 vis.add_geometry(source)
 vis.add_geometry(target)
 points = np.asarray(source.points)
-found = {}
+results = {}
 for i in range(3):
     result = o3d.pipelines.registration.registration_icp(
         source,
@@ -24,6 +24,6 @@ for i in range(3):
     vis.update_geometry(source)
     vis.poll_events()
     vis.update_renderer()
-    found[f"step {i}"] = [result.fitness, result.inlier_rmse]
+    results[f"step {i}"] = [result.fitness, result.inlier_rmse]
 vis.destroy_window()
-found["points"] = points  # taken before the steps: they follow
+results["points"] = points  # assigned before the steps: they follow

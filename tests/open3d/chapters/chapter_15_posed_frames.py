@@ -3,19 +3,19 @@ import open3d as o3d
 
 prime_sense = o3d.camera.PinholeCameraIntrinsicParameters.PrimeSenseDefault
 intrinsic = o3d.camera.PinholeCameraIntrinsic(prime_sense)
-found = {"matrix": intrinsic.intrinsic_matrix, "empty": str(o3d.camera.PinholeCameraIntrinsic())}
+results = {"matrix": intrinsic.intrinsic_matrix, "empty": str(o3d.camera.PinholeCameraIntrinsic())}
 x = o3d.camera.PinholeCameraIntrinsic(640, 480, 525, 525, 320, 240)
-found["said"] = str(x)
+results["said"] = str(x)
 o3d.io.write_pinhole_camera_intrinsic("test.json", x)
 y = o3d.io.read_pinhole_camera_intrinsic("test.json")
-found["read"] = np.asarray(y.intrinsic_matrix)
+results["read"] = np.asarray(y.intrinsic_matrix)
 pcds = []
 trajectory = o3d.io.read_pinhole_camera_trajectory("trajectory.log")
 o3d.io.write_pinhole_camera_trajectory("traj.json", trajectory)
-found["extrinsic"] = np.asarray(trajectory.parameters[0].extrinsic)
+results["extrinsic"] = np.asarray(trajectory.parameters[0].extrinsic)
 again = o3d.io.read_pinhole_camera_trajectory("traj.json")
-found["again"] = [one.extrinsic for one in again.parameters]
-found["cameras"] = [one.intrinsic.get_focal_length() for one in again.parameters]
+results["again"] = [one.extrinsic for one in again.parameters]
+results["cameras"] = [one.intrinsic.get_focal_length() for one in again.parameters]
 for i in range(3):
     im1 = o3d.io.read_image("depth/" + str(i) + ".png")
     im2 = o3d.io.read_image("color/" + str(i) + ".jpg")
@@ -24,6 +24,6 @@ for i in range(3):
         im, trajectory.parameters[i].intrinsic, trajectory.parameters[i].extrinsic
     )
     pcds.append(pcd.voxel_down_sample(voxel_size=0.2))
-found["voxels"] = [len(p.points) for p in pcds]
-found["means"] = [np.asarray(p.points).mean(0) for p in pcds]
+results["voxels"] = [len(p.points) for p in pcds]
+results["means"] = [np.asarray(p.points).mean(0) for p in pcds]
 o3d.visualization.draw_geometries(pcds)

@@ -8,37 +8,37 @@ voxel_grid = o3d.geometry.VoxelGrid.create_from_point_cloud(pcd, voxel_size=0.2)
 voxels = voxel_grid.get_voxels()
 index = np.array([voxel.grid_index for voxel in voxels])
 order = np.lexsort(index.T)
-found = {"said": str(voxel_grid), "indices": index[order]}
-found["colors"] = np.array([voxel.color for voxel in voxels])[order]
-found["grid"] = [*voxel_grid.origin, voxel_grid.voxel_size, *voxel_grid.get_center(), *voxel_grid.get_max_bound()]
+results = {"said": str(voxel_grid), "indices": index[order]}
+results["colors"] = np.array([voxel.color for voxel in voxels])[order]
+results["grid"] = [*voxel_grid.origin, voxel_grid.voxel_size, *voxel_grid.get_center(), *voxel_grid.get_max_bound()]
 queries = np.asarray(pcd.points)[:100]
 output = voxel_grid.check_if_included(o3d.utility.Vector3dVector(queries))
-found["included"] = output[:10]
+results["included"] = output[:10]
 o3d.visualization.draw_geometries([voxel_grid])
 of_mesh = o3d.geometry.VoxelGrid.create_from_triangle_mesh(mesh, voxel_size=0.1)
 index = np.array([voxel.grid_index for voxel in of_mesh.get_voxels()])
-found["voxels of the mesh"] = index[np.lexsort(index.T)]
+results["voxels of the mesh"] = index[np.lexsort(index.T)]
 box = o3d.geometry.OrientedBoundingBox.create_from_points(pcd.points)
-found["box"] = [box.get_center(), np.sort(box.extent)]
+results["box"] = [box.get_center(), np.sort(box.extent)]
 box.R = np.eye(3)
 box.extent = [1, 2, 3]
-found["cropped"] = np.asarray(pcd.crop(box).points)
+results["cropped"] = np.asarray(pcd.crop(box).points)
 lines = o3d.geometry.LineSet.create_from_oriented_bounding_box(box)
-found["edges"] = np.asarray(lines.points)
+results["edges"] = np.asarray(lines.points)
 lines = o3d.geometry.LineSet(
     points=o3d.utility.Vector3dVector(np.eye(3)), lines=o3d.utility.Vector2iVector([[0, 1], [1, 2]])
 )
 lines.colors = o3d.utility.Vector3dVector([[1, 0, 0], [0, 1, 0]])
 lines.translate([0, 0, 1])
-found["lines"] = [*np.asarray(lines.points), *np.asarray(lines.colors)]
+results["lines"] = [*np.asarray(lines.points), *np.asarray(lines.colors)]
 aligned = pcd.get_axis_aligned_bounding_box()
-found["inside"] = len(aligned.get_point_indices_within_bounding_box(pcd.points))
+results["inside"] = len(aligned.get_point_indices_within_bounding_box(pcd.points))
 keypoints = o3d.geometry.keypoint.compute_iss_keypoints(mesh.sample_points_uniformly(10))
-found["keypoints"] = bool(len(keypoints.points) <= 10)
+results["keypoints"] = bool(len(keypoints.points) <= 10)
 pcd.points = mesh.vertices
 keypoints = o3d.geometry.keypoint.compute_iss_keypoints(pcd, salient_radius=0.15, non_max_radius=0.1)
-found["keypoints of the mesh"] = np.asarray(keypoints.points)
+results["keypoints of the mesh"] = np.asarray(keypoints.points)
 tetra_mesh, pt_map = o3d.geometry.TetraMesh.create_from_point_cloud(pcd)
 for alpha in (0.3, 0.1):
     shape = o3d.geometry.TriangleMesh.create_from_point_cloud_alpha_shape(pcd, alpha, tetra_mesh, pt_map)
-    found[f"alpha {alpha}"] = len(shape.triangles)
+    results[f"alpha {alpha}"] = len(shape.triangles)

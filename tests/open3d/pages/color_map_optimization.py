@@ -1,4 +1,4 @@
-"""Open3D's documentation, "Color map optimization", on three frames of a made room."""
+"""Open3D's documentation, "Color map optimization", on three frames of a synthetic room."""
 
 import numpy as np
 import open3d as o3d
@@ -30,7 +30,7 @@ mesh_bent, trajectory_bent = o3d.pipelines.color_map.run_non_rigid_optimizer(
 )
 o3d.visualization.draw_geometries([mesh_bent])
 
-found = {
+results = {
     "plain": np.asarray(mesh_plain.vertex_colors),
     "rigid": np.asarray(mesh_rigid.vertex_colors),
     "bent": np.asarray(mesh_bent.vertex_colors),

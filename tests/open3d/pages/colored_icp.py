@@ -1,4 +1,4 @@
-"""Open3D's documentation, "Colored point cloud registration", on two frames of a made room."""
+"""Open3D's documentation, "Colored point cloud registration", on two frames of a synthetic room."""
 
 import copy
 
@@ -19,7 +19,7 @@ draw_registration_result_original_color(source, target, current_transformation)
 
 voxel_radius = [0.2, 0.1, 0.05]
 max_iter = [50, 30, 14]
-found = {}
+results = {}
 for scale in range(3):
     iter = max_iter[scale]
     radius = voxel_radius[scale]
@@ -40,6 +40,6 @@ for scale in range(3):
     )
     current_transformation = result_icp.transformation
     print(result_icp)
-    found |= {f"fitness {scale}": result_icp.fitness, f"rmse {scale}": result_icp.inlier_rmse}
+    results |= {f"fitness {scale}": result_icp.fitness, f"rmse {scale}": result_icp.inlier_rmse}
 draw_registration_result_original_color(source, target, result_icp.transformation)
-found |= {"transformation": result_icp.transformation, "pairs": len(result_icp.correspondence_set)}
+results |= {"transformation": result_icp.transformation, "pairs": len(result_icp.correspondence_set)}

@@ -1,11 +1,11 @@
-"""Open3D's documentation, "Customized visualization": windows with callbacks, on a cloud of a made room."""
+"""Open3D's documentation, "Customized visualization": windows with callbacks, on a cloud of a synthetic room."""
 
 from pathlib import Path
 
 import numpy as np
 import open3d as o3d
 
-found = {}
+results = {}
 
 
 def custom_draw_geometry(pcd):
@@ -22,9 +22,9 @@ def custom_draw_geometry_with_custom_fov(pcd, fov_step):
     vis.create_window()
     vis.add_geometry(pcd)
     ctr = vis.get_view_control()
-    found[f"fov before {fov_step}"] = ctr.get_field_of_view()
+    results[f"fov before {fov_step}"] = ctr.get_field_of_view()
     ctr.change_field_of_view(step=fov_step)
-    found[f"fov after {fov_step}"] = ctr.get_field_of_view()
+    results[f"fov after {fov_step}"] = ctr.get_field_of_view()
     vis.run()
     vis.destroy_window()
 
@@ -39,7 +39,7 @@ def custom_draw_geometry_with_rotation(pcd):
         return False
 
     o3d.visualization.draw_geometries_with_animation_callback([pcd], rotate_view)
-    found["turned"] = frames[:30]
+    results["turned"] = frames[:30]
 
 
 def custom_draw_geometry_load_option(pcd, render_option_path):
@@ -48,7 +48,7 @@ def custom_draw_geometry_load_option(pcd, render_option_path):
     vis.add_geometry(pcd)
     vis.get_render_option().load_from_json(render_option_path)
     option = vis.get_render_option()
-    found["option"] = [option.point_size, *option.background_color, option.show_coordinate_frame, option.line_width]
+    results["option"] = [option.point_size, *option.background_color, option.show_coordinate_frame, option.line_width]
     vis.run()
     vis.destroy_window()
 
@@ -65,7 +65,7 @@ def custom_draw_geometry_with_key_callback(pcd, render_option_path):
 
     def capture_depth(vis):
         depth = vis.capture_depth_float_buffer()
-        found["depth of key"] = np.asarray(depth).max()
+        results["depth of key"] = np.asarray(depth).max()
         return False
 
     key_to_callback = {}
@@ -91,7 +91,7 @@ def custom_draw_geometry_with_camera_trajectory(pcd, camera_trajectory_path):
             seen.append((depth, image))
         state["index"] = state["index"] + 1
         if state["index"] < len(trajectory.parameters):
-            found[f"moved {state['index']}"] = bool(
+            results[f"moved {state['index']}"] = bool(
                 ctr.convert_from_pinhole_camera_parameters(trajectory.parameters[state["index"]], allow_arbitrary=True)
             )
         else:
@@ -117,6 +117,6 @@ custom_draw_geometry_with_rotation(pcd)
 custom_draw_geometry_load_option(pcd, "renderoption.json")
 custom_draw_geometry_with_key_callback(pcd, "renderoption.json")
 seen = custom_draw_geometry_with_camera_trajectory(pcd, "cameras.json")
-found["size"] = np.asarray(o3d.io.read_image("captures/00002.png")).shape
-found["frames"] = len(seen)
-found["depths"] = [depth for depth, image in seen]
+results["size"] = np.asarray(o3d.io.read_image("captures/00002.png")).shape
+results["frames"] = len(seen)
+results["depths"] = [depth for depth, image in seen]

@@ -1,4 +1,4 @@
-"""Open3D's documentation, "ICP registration", on two frames of a made room."""
+"""Open3D's documentation, "ICP registration", on two frames of a synthetic room."""
 
 import copy
 
@@ -63,6 +63,10 @@ information = o3d.pipelines.registration.get_information_matrix_from_point_cloud
     source, target, threshold, reg_p2l.transformation
 )
 
-found = {"evaluation": str(evaluation), "pairs": np.asarray(evaluation.correspondence_set), "information": information}
+results = {
+    "evaluation": str(evaluation),
+    "pairs": np.asarray(evaluation.correspondence_set),
+    "information": information,
+}
 for name, result in {"p2p": reg_p2p, "p2p long": reg_p2p_long, "p2l": reg_p2l}.items():
-    found |= {f"{name} fitness": result.fitness, f"{name} rmse": result.inlier_rmse, name: result.transformation}
+    results |= {f"{name} fitness": result.fitness, f"{name} rmse": result.inlier_rmse, name: result.transformation}

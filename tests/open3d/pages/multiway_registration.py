@@ -1,9 +1,9 @@
-"""Open3D's documentation, "Multiway registration", on three frames of a made room."""
+"""Open3D's documentation, "Multiway registration", on three frames of a synthetic room."""
 
 import numpy as np
 import open3d as o3d
 
-voxel_size = 0.047  # no multiple of two millimeters, on which depths lie: voxels' faces go between them
+voxel_size = 0.047  # not a multiple of 2 mm, the step of depth values: no point is on a voxel face
 to_the_end = o3d.pipelines.registration.ICPConvergenceCriteria(1e-12, 1e-12, 300)
 camera = o3d.io.read_pinhole_camera_intrinsic("camera.json")
 
@@ -80,7 +80,7 @@ max_correspondence_distance_coarse = voxel_size * 15
 max_correspondence_distance_fine = voxel_size * 1.5
 pose_graph = full_registration(pcds_down, max_correspondence_distance_coarse, max_correspondence_distance_fine)
 before = [np.array(node.pose) for node in pose_graph.nodes]
-found = {"graph": str(pose_graph), "edges": [edge.transformation for edge in pose_graph.edges]}
+results = {"graph": str(pose_graph), "edges": [edge.transformation for edge in pose_graph.edges]}
 
 print("Optimizing PoseGraph ...")
 option = o3d.pipelines.registration.GlobalOptimizationOption(
@@ -110,7 +110,7 @@ o3d.io.write_pose_graph("multiway_registration.json", pose_graph)
 again = o3d.io.read_pose_graph("multiway_registration.json")
 o3d.visualization.draw_geometries([pcd_combined_down])
 
-found |= {
+results |= {
     "poses": [node.pose for node in pose_graph.nodes],
     "moved by": np.abs(np.array(before) - [node.pose for node in pose_graph.nodes]).max(),
     "confidence": [edge.confidence for edge in pose_graph.edges],

@@ -1,4 +1,4 @@
-"""Open3D's documentation, "RGBD integration", on three frames of a made room."""
+"""Open3D's documentation, "RGBD integration", on three frames of a synthetic room."""
 
 from pathlib import Path
 
@@ -53,7 +53,7 @@ mesh.compute_vertex_normals()
 o3d.visualization.draw_geometries([mesh])
 cloud = cube.extract_point_cloud()
 
-found = {
+results = {
     "volume": f"{volume} {volume.voxel_length} {volume.sdf_trunc} {volume.color_type}",
     "cube": f"{cube} {cube.voxel_length} {cube.length} {cube.resolution}",
     "has colors": mesh.has_vertex_colors(),

@@ -1,4 +1,4 @@
-"""Open3D's documentation, "RGBD odometry", on two frames of a made room."""
+"""Open3D's documentation, "RGBD odometry", on two frames of a synthetic room."""
 
 import numpy as np
 import open3d as o3d
@@ -48,7 +48,7 @@ if success_hybrid_term:
     source_pcd_hybrid_term.transform(trans_hybrid_term)
     o3d.visualization.draw_geometries([target_pcd, source_pcd_hybrid_term])
 
-found = {
+results = {
     "option": repr(option),
     "color success": bool(success_color_term),
     "hybrid success": bool(success_hybrid_term),

@@ -1,4 +1,4 @@
-"""Open3D's documentation, "Robust kernels", on two frames of a made room with noise."""
+"""Open3D's documentation, "Robust kernels", on two frames of a synthetic room with noise."""
 
 import copy
 
@@ -27,7 +27,7 @@ print("Source PointCloud + noise:")
 o3d.visualization.draw_geometries([source_noisy])
 
 threshold = 1.0
-found = {"untouched": np.asarray(source.points), "noisy": np.asarray(source_noisy.points)}
+results = {"untouched": np.asarray(source.points), "noisy": np.asarray(source_noisy.points)}
 p2l = o3d.pipelines.registration.TransformationEstimationPointToPlane()
 losses = {
     "vanilla": None,
@@ -41,10 +41,10 @@ for name, loss in losses.items():
     print(f"Robust point-to-plane ICP, threshold={threshold}:", loss)
     if loss is not None:
         p2l = o3d.pipelines.registration.TransformationEstimationPointToPlane(loss)
-        found[f"{name} weight"] = loss.weight(0.07)
-        found[f"{name} text"] = repr(loss)
+        results[f"{name} weight"] = loss.weight(0.07)
+        results[f"{name} text"] = repr(loss)
     reg_p2l = o3d.pipelines.registration.registration_icp(source_noisy, target, threshold, trans_init, p2l)
     print(reg_p2l)
-    found[f"{name} fitness"] = reg_p2l.fitness
-    if name != "l1":  # residuals near 0 weigh up to 1e9 there: rounding decides the way, in Open3D from run to run
-        found[name] = reg_p2l.transformation
+    results[f"{name} fitness"] = reg_p2l.fitness
+    if name != "l1":  # residuals near 0 have weights up to 1e9: rounding decides the result, in Open3D from run to run
+        results[name] = reg_p2l.transformation
