@@ -104,23 +104,24 @@ class Processes:
 
     def map(self, call: Callable[..., Result], tasks: Iterable[tuple[Any, ...]]) -> Iterator[Result]:
         """Yield `call(*task)` in task order, about one per process ahead. FileError after repeated deaths."""
-        if self._client is None:
+        client = self._client
+        if client is None:
             yield from (call(*task) for task in tasks)
             return
         waiting: deque[Any] = deque()
         for task in tasks:
-            waiting.append((self._client.submit(call, *task, pure=False), call, task))
+            waiting.append((client.submit(call, *task, pure=False), call, task))
             if len(waiting) > self.count:
-                yield self._result(*waiting.popleft())
+                yield self._result(client, *waiting.popleft())
         while waiting:
-            yield self._result(*waiting.popleft())
+            yield self._result(client, *waiting.popleft())
 
-    def _result(self, future: Any, call: Callable[..., Result], task: tuple[Any, ...]) -> Result:
+    def _result(self, client: Any, future: Any, call: Callable[..., Result], task: tuple[Any, ...]) -> Result:
         while True:
             try:
-                return _result_of(self._client, future)
+                return _result_of(client, future)
             except LostTaskError:
-                future = self._client.submit(call, *task, pure=False)
+                future = client.submit(call, *task, pure=False)
             except importlib.import_module("distributed").KilledWorker as error:
                 raise FileError(self._path, DIED, remedy="Use fewer workers") from error
 
