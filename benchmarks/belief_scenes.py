@@ -1,6 +1,6 @@
-"""Clouds of many scenes, for the poses that registration accepts: which belong together, and their poses.
+"""Point clouds of many scenes with known poses, for testing which registrations are accepted.
 
-Made rooms, and all the data of the folder that POINTLOOM_DATA names; what is not there is left out.
+Sources: synthetic rooms and the data sets in the folder `POINTLOOM_DATA`. Missing data sets are skipped.
 """
 
 from __future__ import annotations
@@ -18,20 +18,20 @@ from real_data import DataMissingError, real_data
 
 Array = NDArray[np.float64]
 
-MADE = 20  # made rooms, and as many fresh ones that nothing was fitted to
-FRAMES = 30  # of the kitchen that make a fragment
-FAR = 3.5  # [m] of depth that counts
+MADE = 20  # synthetic rooms, and the same number of fresh ones that were not used for fitting
+FRAMES = 30  # frames of the kitchen per fragment
+FAR = 3.5  # [m] maximum depth
 
 
 @dataclass(frozen=True)
 class Scan:
-    """A cloud of a scene.
+    """A point cloud of a scene.
 
     Attributes:
-        name, scene: What it is, and of what; clouds of one scene may lie on each other.
-        kind: "room", "object", "street" or "terrain": clouds of one kind are compared with the same voxels.
-        points: float64 [n, 3] [m]; objects have a size of one, so that all are compared with the same voxels.
-        pose: T_scene_scan where it is known.
+        name, scene: Names of the cloud and of its scene; clouds of one scene may overlap.
+        kind: "room", "object", "street" or "terrain"; clouds of one kind are compared with the same voxel sizes.
+        points: float64 [n, 3] [m]; objects are scaled to size one, so all use the same voxel sizes.
+        pose: T_scene_scan, if known.
     """
 
     name: str
@@ -52,21 +52,21 @@ def _backproject(depth: Array, focal: float, cx: float, cy: float) -> Array:
 
 
 def made() -> Iterator[Scan]:
-    yield from _made_rooms("made", range(MADE))
+    yield from _synthetic_rooms("made", range(MADE))
 
 
 def fresh() -> Iterator[Scan]:
-    yield from _made_rooms("fresh", range(MADE, 2 * MADE))
+    yield from _synthetic_rooms("fresh", range(MADE, 2 * MADE))
 
 
-def _made_rooms(name: str, seeds: range) -> Iterator[Scan]:
+def _synthetic_rooms(name: str, seeds: range) -> Iterator[Scan]:
     for seed in seeds:
         for k, (points, pose) in enumerate(made_rooms.fragments(seed, (0.0, 60.0, 190.0))):
             yield Scan(f"{name} room {seed} part {k}", f"{name} room {seed}", "room", points, pose)
 
 
 def demo_room() -> Iterator[Scan]:
-    """The room of the demo, in six parts."""
+    """The room of the demo in six parts."""
     import pointloom as loom
     from pointloom.datasets.scenes.room import room_sequence
 
@@ -81,7 +81,7 @@ def demo_room() -> Iterator[Scan]:
 
 
 def kitchen() -> Iterator[Scan]:
-    """Fragments of 30 frames of the kitchen, single frames of it, and the two fragments of 3DMatch."""
+    """Fragments of 30 frames of the kitchen, single frames, and the two fragments of 3DMatch."""
     import pointloom as loom
 
     at = real_data("rgbd-7scenes-redkitchen")
@@ -106,20 +106,20 @@ def kitchen() -> Iterator[Scan]:
 
 
 def teaser() -> Iterator[Scan]:
-    """Two fragments of the kitchen, in a frame of their own: a scene of two that is compared with no other kitchen."""
+    """Two fragments of the kitchen in a separate frame: a scene that is not compared with other kitchens."""
     pair = real_scans.kitchen()
     yield Scan("3DMatch kitchen 0", "kitchen teaser", "room", pair.target[::4], np.eye(4))
     yield Scan("3DMatch kitchen 4", "kitchen teaser", "room", pair.source[::4], pair.T)
 
 
 def _rigid(T: Array) -> Array:
-    """The nearest rigid motion."""
+    """Project a matrix onto the nearest rigid transformation."""
     u, _, v = np.linalg.svd(T[:3, :3])
     return np.vstack([np.column_stack([u @ v, T[:3, 3]]), [0, 0, 0, 1]])
 
 
 def frames() -> Iterator[Scan]:
-    """Single depth images of other rooms, and what was fused of them."""
+    """Single depth images of other rooms, and fused clouds of them."""
     import pointloom as loom
 
     def image(path: str, scale: float, focal: float, cx: float, cy: float) -> Array:
@@ -155,7 +155,7 @@ def frames() -> Iterator[Scan]:
 
 
 OTHERS = "rgbd-cupoch-redwood5/other_formats"
-MAY_SHARE = (  # scenes that may show the same place: no pair of different ones
+MAY_SHARE = (  # scenes that may show the same location: no pair of different scenes
     {"kitchen", "kitchen teaser"},
     {"redwood", "cupoch fragment"},
     {"TUM desk 1", "TUM desk 2", "TUM frame", "slambook desk"},
@@ -169,7 +169,7 @@ def _trajectory(path: Path) -> list[Array]:
 
 
 def clouds() -> Iterator[Scan]:
-    """Clouds of rooms that come as clouds."""
+    """Clouds of rooms from data sets of clouds."""
     yield Scan("cupoch fragment", "cupoch fragment", "room", _points("cloud-cupoch/fragment.pcd")[::2])
     for k in (1, 2):
         yield Scan(f"cilantro {k}", "cilantro", "room", _points(f"reg-cilantro/frame_{k}.ply")[::2])
@@ -184,7 +184,7 @@ def _points(name: str) -> Array:
 
 
 def streets() -> Iterator[Scan]:
-    for i, pair in enumerate(itertools.islice(real_scans.submaps(), 4)):  # 0 with 1 to 4: source is the later
+    for i, pair in enumerate(itertools.islice(real_scans.submaps(), 4)):  # 0 with 1 to 4: the source is the later one
         if i == 0:
             yield Scan("submap 0", "KITTI 07", "street", pair.target, np.eye(4))
         yield Scan(f"submap {i + 1}", "KITTI 07", "street", pair.source, pair.T)
@@ -196,7 +196,7 @@ def streets() -> Iterator[Scan]:
 
 
 def drives() -> Iterator[Scan]:
-    """Two scans of each of some made-up streets, 6 m apart."""
+    """Two scans of each of some synthetic streets, 6 m apart."""
     import street
 
     for seed in range(4):
@@ -231,7 +231,7 @@ def objects() -> Iterator[Scan]:
 
 
 def _sampled(path: Path, count: int) -> Array:
-    """Points on the triangles of an .obj file, as many a unit of area everywhere."""
+    """Sample points on the triangles of an .obj file with uniform density."""
     lines = [line.split() for line in path.read_text().splitlines()]
     vertices = np.array([words[1:4] for words in lines if words[:1] == ["v"]], float)
     faces = [[int(word.split("/")[0]) - 1 for word in words[1:]] for words in lines if words[:1] == ["f"]]
@@ -245,10 +245,10 @@ def _sampled(path: Path, count: int) -> Array:
 
 
 def _parts(name: str, points: Array) -> Iterator[Scan]:
-    """Two parts of a cloud that share some 40 % of what each holds, with different points."""
+    """Two parts of a cloud that overlap by about 40 %, with different points."""
     rng = np.random.default_rng(7)
-    way = rng.normal(size=3)
-    height = (points - points.mean(axis=0)) @ (way / np.linalg.norm(way))
+    axis = rng.normal(size=3)
+    height = (points - points.mean(axis=0)) @ (axis / np.linalg.norm(axis))
     low, high = np.quantile(height, (0.35, 0.65))
     half = rng.random(len(points)) < 0.5
     yield Scan(f"{name} below", name, "object", points[half & (height < high)], np.eye(4))
@@ -271,7 +271,7 @@ SOURCES: dict[str, Source] = {
 
 
 def load(names: list[str], cache: Path | None) -> tuple[list[Scan], list[str]]:
-    """The clouds of some sources, kept in a folder where one is given; and what was missing."""
+    """Load the clouds of the given sources, cached in a folder if given; also returns messages about missing data."""
     scans, missing = [], []
     for name in names:
         path = cache / f"{name}.npz" if cache else None
@@ -279,13 +279,13 @@ def load(names: list[str], cache: Path | None) -> tuple[list[Scan], list[str]]:
             scans += _read(path)
             continue
         try:
-            found = list(SOURCES[name]())
+            source_scans = list(SOURCES[name]())
         except DataMissingError as error:
             missing.append(f"{name}: {error}")
             continue
         if path is not None:
-            _write(path, found)
-        scans += found
+            _write(path, source_scans)
+        scans += source_scans
     return scans, missing
 
 

@@ -1,12 +1,11 @@
-"""Poses that global registration accepts: of pairs without overlap, and of pairs that overlap.
+"""Rates of accepted poses of global registration, for pairs without overlap and for overlapping pairs.
 
     POINTLOOM_DATA=... python benchmarks/beliefs.py [--only made --only kitchen] [--cache FOLDER] [--output FILE]
 
-Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two sizes of voxels each; accepting
-one is wrong. Right pairs share at least 15% of the smaller cloud; a pose is correct within 5 degrees and 3 voxels.
-Each cloud is turned and shifted at random first. MIN_REST of registration/globally/rating.py was chosen by one half
-of the scenes; the table says how pairs within the other half are judged. It prints the table of
-docs/registration.md and the pairs that are accepted wrongly.
+Pairs of different scenes are of one kind (rooms, objects, streets, terrain), at two voxel sizes each; accepting one is
+wrong. Overlapping pairs share at least 15% of the smaller cloud; a pose is correct within 5 degrees and 3 voxels. Each
+cloud gets a random pose first. MIN_REST of registration/globally/rating.py was fitted to one half of the scenes; the
+table reports the other half separately. Prints the table of docs/registration.md and the wrongly accepted pairs.
 """
 
 from __future__ import annotations
@@ -28,27 +27,27 @@ import real_scans
 from belief_scenes import MAY_SHARE, Array, Scan
 
 VOXELS = {"room": (0.05, 0.08), "object": (0.02, 0.03), "street": (0.3, 0.5), "terrain": (2.0, 3.0)}  # [m]
-OVERLAP = 0.15  # of the smaller cloud, within a match's distance
+OVERLAP = 0.15  # of the smaller cloud, within the matching distance
 MATCH = 1.5  # [voxels]
 NEAR = real_scans.NEAR
 
 
 @dataclass(frozen=True)
 class Belief:
-    """What was found of a pair.
+    """The result of one pair.
 
     Attributes:
         source, target: Names of the clouds.
-        scenes: Theirs.
-        kind: Of clouds.
-        voxel: Edge [m].
-        fitted: Whether the constants of the rating were fitted to both scenes, or to neither; None where to one.
-        overlap: Share of the smaller cloud that lies on the other; 0 for different scenes.
-        score: Of the pose found.
-        believed: Accepted: score above 0.5 and converged.
-        right: Whether the pose found is the true one; never of different scenes.
-        pose: T_target_source that was found.
-        warnings: Of the result.
+        scenes: Names of their scenes.
+        kind: Kind of the clouds.
+        voxel: Voxel size [m].
+        fitted: True if the constants of the rating were fitted to both scenes, False if to neither, None if to one.
+        overlap: Fraction of the smaller cloud that overlaps the other; 0 for different scenes.
+        score: Score of the estimated pose.
+        believed: True if the pose was accepted: score above 0.5 and converged.
+        right: True if the estimated pose is correct; always False for different scenes.
+        pose: The estimated T_target_source.
+        warnings: Warnings of the result.
     """
 
     source: str
@@ -66,30 +65,30 @@ class Belief:
 
 
 def is_for_fitting(scene: str) -> bool:
-    """Whether a scene belongs to the half that constants were fitted to: by its name alone."""
+    """True if a scene belongs to the half that constants were fitted to, decided by its name."""
     return not scene.startswith("fresh") and zlib.crc32(scene.encode()) % 2 == 0
 
 
-def different(scans: Sequence[Scan], most: int) -> Iterator[tuple[Scan, Scan]]:
-    """Pairs of clouds of one kind and of scenes that share nothing: of any two scenes so many, chosen at random."""
+def different(scans: Sequence[Scan], max_pairs: int) -> Iterator[tuple[Scan, Scan]]:
+    """Pairs of clouds of one kind from different scenes, chosen at random, up to `max_pairs` for any two scenes."""
     by_scene: dict[str, list[Scan]] = {}
     for scan in scans:
         by_scene.setdefault(scan.scene, []).append(scan)
     for a, b in itertools.combinations(by_scene, 2):
-        if by_scene[a][0].kind != by_scene[b][0].kind or any({a, b} <= places for places in MAY_SHARE):
+        if by_scene[a][0].kind != by_scene[b][0].kind or any({a, b} <= scenes for scenes in MAY_SHARE):
             continue
         makers = [scene.split()[0] for scene in (a, b)]
         if set(makers) == {"made", "fresh"}:
-            continue  # there are enough of their own
+            continue  # there are enough pairs within each set
         pairs = list(itertools.product(by_scene[a], by_scene[b]))
-        made = "made" in makers or "fresh" in makers
+        is_synthetic = "made" in makers or "fresh" in makers
         rng = np.random.default_rng(zlib.crc32(f"{a} {b}".encode()))
-        for k in rng.permutation(len(pairs))[: most if made else 3 * most].tolist():
+        for k in rng.permutation(len(pairs))[: max_pairs if is_synthetic else 3 * max_pairs].tolist():
             yield pairs[k]
 
 
 def overlapping(scans: Sequence[Scan], voxel_size: float) -> Iterator[tuple[Scan, Scan, Array, float]]:
-    """Pairs of clouds of one scene that share enough, T_target_source, and the share."""
+    """Overlapping pairs of clouds of one scene, with T_target_source and the overlap."""
     from scipy.spatial import cKDTree
 
     thin: dict[str, Array] = {}
@@ -101,10 +100,10 @@ def overlapping(scans: Sequence[Scan], voxel_size: float) -> Iterator[tuple[Scan
             if scan.name not in thin:
                 cells = np.floor(scan.points / voxel_size).astype(np.int64)
                 thin[scan.name] = scan.points[np.unique(cells, axis=0, return_index=True)[1]]
-        there = thin[a.name] @ T[:3, :3].T + T[:3, 3]
+        moved_source = thin[a.name] @ T[:3, :3].T + T[:3, 3]
         near = [
             cKDTree(one).query(other, distance_upper_bound=MATCH * voxel_size)[0]
-            for one, other in ((thin[b.name], there), (there, thin[b.name]))
+            for one, other in ((thin[b.name], moved_source), (moved_source, thin[b.name]))
         ]
         share = max(float(np.isfinite(distances).mean()) for distances in near)
         if share >= OVERLAP:
@@ -112,13 +111,13 @@ def overlapping(scans: Sequence[Scan], voxel_size: float) -> Iterator[tuple[Scan
 
 
 def start_of(scan: Scan) -> Array:
-    """A pose at which a cloud lies anyhow."""
+    """A random initial pose of a cloud."""
     spread = float(np.ptp(scan.points, axis=0).max())
     return real_scans.random_poses(1, spread, zlib.crc32(scan.name.encode()))[0]
 
 
 class Judge:
-    """Registers pairs with voxels of one size; a cloud is described once."""
+    """Registers pairs at one voxel size; each cloud is described once."""
 
     def __init__(self, voxel_size: float):
         self.voxel_size = voxel_size
@@ -138,25 +137,25 @@ class Judge:
         from pointloom.registration.globally.global_registration import register_described
 
         (left, from_source), (right, from_target) = self.describe(source), self.describe(target)
-        found = register_described(left, right)
-        T = np.linalg.inv(from_target) @ found.transformation @ from_source
-        assert found.score is not None
-        believed = bool(found.score > 0.5 and found.converged)
+        result = register_described(left, right)
+        T = np.linalg.inv(from_target) @ result.transformation @ from_source
+        assert result.score is not None
+        accepted = bool(result.score > 0.5 and result.converged)
         hit = truth is not None and _is_near(T, truth, source, self.voxel_size)
-        halves = {is_for_fitting(scan.scene) for scan in (source, target)}
+        for_fitting = {is_for_fitting(scan.scene) for scan in (source, target)}
         return Belief(
             source.name,
             target.name,
             (source.scene, target.scene),
             source.kind,
             self.voxel_size,
-            halves.pop() if len(halves) == 1 else None,
+            for_fitting.pop() if len(for_fitting) == 1 else None,
             overlap,
-            found.score,
-            believed,
+            result.score,
+            accepted,
             hit,
             T.tolist(),
-            found.warnings,
+            result.warnings,
         )
 
 
@@ -168,19 +167,19 @@ def _is_near(T: Array, truth: Array, source: Scan, voxel_size: float) -> bool:
     return bool(np.degrees(pose_error(T, truth)[0]) < NEAR[0] and shift < NEAR[1] * voxel_size)
 
 
-def judge_all(scans: Sequence[Scan], most: int) -> Iterator[Belief]:
+def judge_all(scans: Sequence[Scan], max_pairs: int) -> Iterator[Belief]:
     for kind, sizes in VOXELS.items():
         chosen = [scan for scan in scans if scan.kind == kind]
         for voxel_size in sizes:
             judge = Judge(voxel_size)
             for source, target, T, share in overlapping(chosen, voxel_size):
                 yield judge.judge(source, target, T, share)
-            for source, target in different(chosen, most):
+            for source, target in different(chosen, max_pairs):
                 yield judge.judge(source, target, None, 0.0)
 
 
 def table(beliefs: Sequence[Belief]) -> list[str]:
-    """Rows of Markdown: fractions that are accepted, by kind and by halves of the scenes."""
+    """Rows of Markdown: rates of accepted poses, by kind and by half of the scenes."""
     lines = [
         "| pairs | different scenes, accepted | overlapping, correct and accepted | wrong and accepted |",
         "|---|---|---|---|",
@@ -193,20 +192,24 @@ def table(beliefs: Sequence[Belief]) -> list[str]:
     ]
     rows.append(("all", beliefs))
     for name, chosen in rows:
-        apart = [b for b in chosen if not b.overlap]
+        separate = [b for b in chosen if not b.overlap]
         together = [b for b in chosen if b.overlap]
-        wrong = sum(b.believed for b in apart)
-        right, mistaken = (sum(b.believed and b.right == way for b in together) for way in (True, False))
-        lines.append(f"| {name} | {wrong} of {len(apart)} | {right} of {len(together)} | {mistaken} |")
+        wrong = sum(b.believed for b in separate)
+        right, mistaken = (sum(b.believed and b.right == is_right for b in together) for is_right in (True, False))
+        lines.append(f"| {name} | {wrong} of {len(separate)} | {right} of {len(together)} | {mistaken} |")
     return lines
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", action="append", choices=list(belief_scenes.SOURCES), help="a source of clouds")
-    parser.add_argument("--most", type=int, default=1, help="pairs of any two scenes; three times as many of real ones")
-    parser.add_argument("--cache", type=Path, help="folder where clouds are kept from run to run")
-    parser.add_argument("--output", type=Path, help="what was found of each pair, a line of JSON each")
+    parser.add_argument(
+        "--only", action="append", choices=list(belief_scenes.SOURCES), help="a source of clouds; may be repeated"
+    )
+    parser.add_argument(
+        "--most", type=int, default=1, help="pairs for any two scenes; three times as many for real scenes"
+    )
+    parser.add_argument("--cache", type=Path, help="folder for cached clouds")
+    parser.add_argument("--output", type=Path, help="write the result of each pair as a line of JSON")
     arguments = parser.parse_args()
     scans, missing = belief_scenes.load(arguments.only or list(belief_scenes.SOURCES), arguments.cache)
     beliefs = []

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import real_scans
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 
 BUNNY = "reconstruction/bun_zipper{}.ply"
 Array = np.ndarray
@@ -17,7 +17,7 @@ Array = np.ndarray
 
 @dataclass(frozen=True)
 class Shape:
-    """Points that differ from each other in float32, and an alpha [m]."""
+    """Points that are distinct in float32, and an alpha [m]."""
 
     points: Array
     alpha: float
@@ -49,17 +49,17 @@ def prepare_open3d(scene: Shape, device: str) -> Any:
 
 
 def corners(mesh: Any) -> Array:
-    """The triangles by the places of their corners, in one order."""
+    """The triangles by ranks of their corners, in sorted order."""
     vertices, triangles = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
     order = np.lexsort(vertices.T)
-    places = np.empty(len(order), np.int64)
-    places[order] = np.arange(len(order))
-    rows = np.sort(places[triangles], axis=1)
+    ranks = np.empty(len(order), np.int64)
+    ranks[order] = np.arange(len(order))
+    rows = np.sort(ranks[triangles], axis=1)
     return vertices[order][rows[np.lexsort(rows.T)]]
 
 
-def check(ours: Array, theirs: Array, peer: str) -> None:
-    np.testing.assert_array_equal(ours, theirs, err_msg=f"the triangles are not {peer}'s")
+def check(actual: Array, reference: Array, peer: str) -> None:
+    np.testing.assert_array_equal(actual, reference, err_msg=f"the triangles are not {peer}'s")
 
 
 ALPHA_SHAPE = Operation(
@@ -72,7 +72,7 @@ ALPHA_SHAPE = Operation(
     },
     quick={"5k": surface(5000, 0.3)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, corners, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, corners, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, corners),
     ),
     check=check,
@@ -82,5 +82,5 @@ OPERATIONS = (ALPHA_SHAPE,)
 
 
 @timed(ALPHA_SHAPE)
-def test_alpha_shape(turn) -> None:
-    turn()
+def test_alpha_shape(time_lap) -> None:
+    time_lap()

@@ -1,7 +1,7 @@
-"""Ball pivoting of a surface with noise, with normals there beforehand and the search structure included.
+"""Ball pivoting of a noisy surface with given normals, search structure included.
 
-One radius of twice the spacing, and three that begin at it and double. Open3D's triangles have to be among ours but for
-some that share an edge with another.
+Uses one radius of twice the spacing, and three radii that double from there. Open3D's triangles must be among
+pointloom's, except for some that share an edge with another one.
 """
 
 from __future__ import annotations
@@ -12,21 +12,21 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
 
-SHARE = 0.9  # of Open3D's triangles; with noise it takes others where several want an edge
+SHARE = 0.9  # of Open3D's triangles; with noise it selects others where several share an edge
 
 
 @dataclass(frozen=True)
 class Surface:
-    """Points, the normal that is near all of theirs, and the radii [m]."""
+    """Points, one approximate normal for all of them, and the radii [m]."""
 
     points: np.ndarray
     radii: list[float]
 
     @property
     def normals(self) -> np.ndarray:
-        """The same for all points."""
+        """The normal, repeated for all points."""
         return np.tile(np.array([0.0, 0.0, 1.0]), (len(self.points), 1))
 
 
@@ -60,11 +60,11 @@ def triangles_of(mesh: Any) -> np.ndarray:
     return np.sort(np.asarray(mesh.triangles), axis=1)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    mine = set(map(tuple, ours.tolist()))
-    common = sum(tuple(t) in mine for t in theirs.tolist())
-    assert len(ours) >= 0.99 * len(theirs), f"{len(ours)} triangles, {peer} has {len(theirs)}"
-    assert common >= SHARE * len(theirs), f"of {peer}'s {len(theirs)} triangles only {common} are there"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    triangles = set(map(tuple, actual.tolist()))
+    common = sum(tuple(t) in triangles for t in reference.tolist())
+    assert len(actual) >= 0.99 * len(reference), f"{len(actual)} triangles, {peer} has {len(reference)}"
+    assert common >= SHARE * len(reference), f"of {peer}'s {len(reference)} triangles only {common} are in the result"
 
 
 def operation(name: str, factors: tuple[float, ...]) -> Operation:
@@ -73,7 +73,7 @@ def operation(name: str, factors: tuple[float, ...]) -> Operation:
         scenes={"60k": surface(60_000, factors), "1M": surface(1_000_000, factors)},
         quick={"20k": surface(20_000, factors)},
         contestants=(
-            Contestant(OURS, prepare_pointloom, triangles_of, ("cpu", "cuda")),
+            Contestant(POINTLOOM, prepare_pointloom, triangles_of, ("cpu", "cuda")),
             Contestant("open3d-legacy", prepare_open3d, triangles_of),
         ),
         check=check,
@@ -87,10 +87,10 @@ OPERATIONS = (ONE, THREE)
 
 
 @timed(ONE)
-def test_ball_pivoting(turn) -> None:
-    turn()
+def test_ball_pivoting(time_lap) -> None:
+    time_lap()
 
 
 @timed(THREE)
-def test_ball_pivoting_3(turn) -> None:
-    turn()
+def test_ball_pivoting_3(time_lap) -> None:
+    time_lap()

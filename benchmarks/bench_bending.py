@@ -1,8 +1,8 @@
-"""coherent_point_drift beside pycpd: a body of 2,000 and 10,000 points, turned or swayed, the same steps of both.
+"""coherent_point_drift beside pycpd: a body of 2,000 and 10,000 points, rotated or bent, the same iterations in both.
 
-pycpd keeps a row of all targets for each source in several arrays of float64, and for a field solves a system of all
-sources, so few steps are timed at 10,000 points; they are the dearest ones of ours, whose later steps meet near points
-alone.
+pycpd stores a row of all targets for each source in several float64 arrays, and solves a system of all sources for a
+deformation. So few iterations are timed at 10,000 points. They are pointloom's slowest ones: later iterations only use
+near points.
 """
 
 from __future__ import annotations
@@ -14,14 +14,14 @@ from typing import Any
 
 import numpy as np
 from bending import OUTLIERS, STIFFNESS, WIDTH, body, moved
-from contest import OURS, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, timed
 
-APART = 2e-6  # of the body's size: ours brings sources and results to float32
+APART = 2e-6  # of the body's size: pointloom rounds sources and results to float32
 
 
 @dataclass(frozen=True)
 class Drifting:
-    """A body, where it is to come to, how it may move, and the steps that are taken."""
+    """A body, its target, the type of motion, and the number of iterations."""
 
     source: np.ndarray
     target: np.ndarray
@@ -56,19 +56,19 @@ def prepare_pycpd(scene: Drifting, device: str) -> Callable[[], Any]:
     given = {"X": (scene.target - center) / radius, "Y": (scene.source - center) / radius, "w": OUTLIERS}
 
     def call() -> np.ndarray:
-        found = method(**given, max_iterations=scene.steps, tolerance=0, **field)
-        found.register()
-        return found.TY * radius + center
+        registration = method(**given, max_iterations=scene.steps, tolerance=0, **field)
+        registration.register()
+        return registration.TY * radius + center
 
     return call
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    np.testing.assert_allclose(ours, theirs, rtol=0, atol=APART, err_msg=f"the points are not where {peer} leaves them")
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    np.testing.assert_allclose(actual, reference, rtol=0, atol=APART, err_msg=f"the points differ from {peer}'s")
 
 
 CONTESTANTS = (
-    Contestant(OURS, prepare_pointloom, np.asarray, ("cpu", "cuda")),
+    Contestant(POINTLOOM, prepare_pointloom, np.asarray, ("cpu", "cuda")),
     Contestant("pycpd", prepare_pycpd, np.asarray),
 )
 RIGID = Operation(
@@ -91,10 +91,10 @@ OPERATIONS = (RIGID, DEFORMABLE)
 
 
 @timed(RIGID)
-def test_drift_rigid(turn) -> None:
-    turn()
+def test_drift_rigid(time_lap) -> None:
+    time_lap()
 
 
 @timed(DEFORMABLE)
-def test_drift_deformable(turn) -> None:
-    turn()
+def test_drift_deformable(time_lap) -> None:
+    time_lap()

@@ -1,6 +1,6 @@
 """M3C2 between two epochs of a bumpy surface, search structures included: normals of one radius, then cylinders.
 
-py4dgeo's epochs are made anew for each call, so that its trees are built in the timed region, as ours are.
+py4dgeo's epochs are created for each call, so its trees are built in the timed region, as pointloom's are.
 """
 
 from __future__ import annotations
@@ -9,17 +9,17 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, thread_count, timed, waiting
 
-RAISED = 0.02  # [m] that half of the second epoch lies higher
-ERROR = 0.001  # of registration [m]
+RAISED = 0.02  # [m] offset of half of the second epoch
+ERROR = 0.001  # registration error [m]
 Epochs = tuple[np.ndarray, np.ndarray, np.ndarray, float]
 
 
 def epochs(count: int, cores: int) -> Any:
-    """Two samplings of the surface, half of the second raised; core points of a third; a radius with some 30 points.
+    """Two samplings of a surface, half of the second raised; core points of a third; a radius with about 30 points.
 
-    py4dgeo may leave out a point that is a core point itself, so that none is.
+    py4dgeo may omit a point that is also a core point, so the core points are separate points.
     """
 
     def make() -> Epochs:
@@ -63,22 +63,22 @@ def prepare_py4dgeo(scene: Epochs, device: str) -> Any:
     return Trial(measure, setup=lambda: (py4dgeo.Epoch(first), py4dgeo.Epoch(second)))
 
 
-def facts(found: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Distances and limits of ours."""
-    return found.distances, found.level_of_detection
+def facts(result: Any) -> tuple[np.ndarray, np.ndarray]:
+    """Distances and levels of detection of pointloom's result."""
+    return result.distances, result.level_of_detection
 
 
-def peer_facts(found: Any) -> tuple[np.ndarray, np.ndarray]:
-    distances, uncertainties = found
+def peer_facts(result: Any) -> tuple[np.ndarray, np.ndarray]:
+    distances, uncertainties = result
     return np.asarray(distances), np.asarray(uncertainties["lodetection"])
 
 
-def check(ours: Any, theirs: Any, peer: str) -> None:
-    """The same distances and limits at nearly all core points; a point on a cylinder's edge may fall either way."""
-    for mine, other, tolerance in zip(ours, theirs, (1e-6, 1e-6), strict=True):
-        assert (np.isfinite(mine) == np.isfinite(other)).mean() > 0.999, f"{peer} has numbers elsewhere"
-        near = np.abs(mine - other) < tolerance
-        assert near[np.isfinite(mine) & np.isfinite(other)].mean() > 0.999, f"other distances than {peer}'s"
+def check(actual: Any, reference: Any, peer: str) -> None:
+    """Check for equal distances and limits at nearly all core points; points on a cylinder's edge may differ."""
+    for own, other, tolerance in zip(actual, reference, (1e-6, 1e-6), strict=True):
+        assert (np.isfinite(own) == np.isfinite(other)).mean() > 0.999, f"{peer} has finite values at other points"
+        near = np.abs(own - other) < tolerance
+        assert near[np.isfinite(own) & np.isfinite(other)].mean() > 0.999, f"the distances differ from {peer}'s"
 
 
 M3C2 = Operation(
@@ -86,7 +86,7 @@ M3C2 = Operation(
     scenes={"200k": epochs(200_000, 200_000), "1M, 100k cores": epochs(1_000_000, 100_000)},
     quick={"50k": epochs(50_000, 10_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("py4dgeo", prepare_py4dgeo, peer_facts),
     ),
     check=check,
@@ -96,5 +96,5 @@ OPERATIONS = (M3C2,)
 
 
 @timed(M3C2)
-def test_m3c2(turn) -> None:
-    turn()
+def test_m3c2(time_lap) -> None:
+    time_lap()

@@ -1,4 +1,4 @@
-"""The distance of each point of one sampling of a surface to the nearest of another, the search structure included."""
+"""The distance of each point of one sampling of a surface to the nearest of another, search structure included."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
 
 Scans = tuple[np.ndarray, np.ndarray]
 
@@ -46,8 +46,8 @@ def prepare_pykdtree(scans: Scans, device: str) -> Any:
     return lambda: KDTree(target).query(source, k=1)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    np.testing.assert_allclose(ours, theirs, atol=2e-6, err_msg=peer)
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    np.testing.assert_allclose(actual, reference, atol=2e-6, err_msg=peer)
 
 
 DISTANCE = Operation(
@@ -55,7 +55,7 @@ DISTANCE = Operation(
     scenes={"200k": samplings(200_000), "1M": samplings(1_000_000)},
     quick={"50k": samplings(50_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, np.asarray, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, np.asarray, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, np.asarray),
         Contestant("small_gicp", prepare_small_gicp, lambda result: np.sqrt(np.ravel(result[1]))),
         Contestant("pykdtree", prepare_pykdtree, lambda result: result[0]),
@@ -66,5 +66,5 @@ OPERATIONS = (DISTANCE,)
 
 
 @timed(DISTANCE)
-def test_cloud_distance(turn) -> None:
-    turn()
+def test_cloud_distance(time_lap) -> None:
+    time_lap()

@@ -1,6 +1,7 @@
-"""Color maps of 20 turns, rigid: a plain of 40k and of 160k vertices in eight pictures, beside Open3D's.
+"""Color maps in 20 rigid iterations: a plane of 40k and of 160k vertices in eight images, beside Open3D.
 
-Open3D's turns are an eighth as long (see tests/meshing/test_color_map.py); here a turn stands against a turn.
+Open3D's steps are an eighth as long (see tests/meshing/test_color_map.py); one iteration is compared with one
+iteration.
 """
 
 from __future__ import annotations
@@ -9,19 +10,19 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, timed
 
-TURNS, VIEWS = 20, 8
+ITERATIONS, VIEWS = 20, 8
 Scene = dict[str, Any]
 
 
 def pictured_plain(side: int, width: int = 640) -> Scene:
-    """A wavy square of side^2 vertices, and pictures of it from eight places whose poses are a little off."""
+    """A wavy square of side^2 vertices, and images of it from eight positions with slightly wrong poses."""
     rng, height = np.random.default_rng(0), width * 3 // 4
     j, i = np.mgrid[:side, :side]
-    place, at = np.stack([i, j], -1).reshape(-1, 2) / (side - 1), (j * side + i)[:-1, :-1].ravel()
+    uvs, at = np.stack([i, j], -1).reshape(-1, 2) / (side - 1), (j * side + i)[:-1, :-1].ravel()
     triangles = np.concatenate([np.stack([at, at + side, at + 1], 1), np.stack([at + 1, at + side, at + side + 1], 1)])
-    vertices = np.column_stack([1.6 * place - 0.8, np.full(len(place), 1.5)])
+    vertices = np.column_stack([1.6 * uvs - 0.8, np.full(len(uvs), 1.5)])
     numbers = (width, height, 0.8 * width, 0.8 * width, width / 2 - 0.4, height / 2 - 0.6)
     v, u = np.mgrid[:height, :width]
     frames, poses = [], np.tile(np.eye(4), (VIEWS, 1, 1))
@@ -43,7 +44,7 @@ def prepare_pointloom(scene: Scene, device: str) -> Any:
     mesh = loom.TriangleMesh(scene["vertices"], scene["triangles"], device=device)
     frames = [loom.RGBDImage(*frame, device=device) for frame in scene["frames"]]
     camera, path = loom.PinholeCameraIntrinsic(*scene["camera"]), loom.Trajectory(scene["poses"])
-    option = maps.RigidOptimizerOption(maximum_iteration=TURNS)
+    option = maps.RigidOptimizerOption(maximum_iteration=ITERATIONS)
     return lambda: maps.run_rigid_optimizer(mesh, frames, path, option, intrinsic=camera)
 
 
@@ -64,7 +65,7 @@ def prepare_open3d(scene: Scene, device: str) -> Any:
         parameter.intrinsic = o3d.camera.PinholeCameraIntrinsic(*scene["camera"])
         parameter.extrinsic = np.linalg.inv(pose)
         parameters.append(parameter)
-    option = pipeline.RigidOptimizerOption(maximum_iteration=TURNS)
+    option = pipeline.RigidOptimizerOption(maximum_iteration=ITERATIONS)
 
     def run() -> Any:
         path = o3d.camera.PinholeCameraTrajectory()
@@ -78,9 +79,9 @@ def facts(result: Any) -> np.ndarray:
     return np.asarray(next(iter(result)).vertex_colors)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """Nearly the same colors: the poses differ by what a turn is worth."""
-    assert np.median(np.abs(ours - theirs)) < 0.1, peer
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for nearly equal colors: the poses may differ by about one iteration."""
+    assert np.median(np.abs(actual - reference)) < 0.1, peer
 
 
 COLOR_MAP = Operation(
@@ -88,7 +89,7 @@ COLOR_MAP = Operation(
     scenes={"40k": partial(pictured_plain, 200), "160k": partial(pictured_plain, 400)},
     quick={"2k": partial(pictured_plain, 45, 160)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -97,5 +98,5 @@ OPERATIONS = (COLOR_MAP,)
 
 
 @timed(COLOR_MAP)
-def test_color_map(turn) -> None:
-    turn()
+def test_color_map(time_lap) -> None:
+    time_lap()

@@ -1,8 +1,9 @@
-"""What a compiler alone gives: one kernel, points under an affine map in float64, beside Numba's and Quadrants' code.
+"""The effect of the compiler alone: one kernel, an affine map of points in float64, beside Numba and Quadrants.
 
-The kernel is the package's own and is launched as the package does; the peers' are written out here, as their guides
-write such loops: `prange` over float32 [n, 3] and a loop over an ndarray of vectors. All write into arrays that are
-there before, so a size of 1000 tells what a launch costs and one of a million what the code does.
+The kernel is the package's own and is launched as in the package. The baselines are written as in their guides:
+`prange`
+over float32 [n, 3] and a loop over an ndarray of vectors. All write into existing arrays, so 1000 points measure the
+launch and a million points measure the code.
 """
 
 from __future__ import annotations
@@ -13,7 +14,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, thread_count, timed, waiting
 
 LAUNCHES = 10
 MATRIX = np.array([[0.36, 0.48, -0.8], [-0.8, 0.6, 0.0], [0.48, 0.64, 0.6]])  # a rotation
@@ -25,7 +26,7 @@ def points_of(count: int) -> Callable[[], np.ndarray]:
 
 
 def repeat(launch: Callable[[], Any], result: Callable[[], np.ndarray]) -> Callable[[], np.ndarray]:
-    """What launches some times in a row and returns what the last one wrote."""
+    """A trial that launches several times in a row and returns the last result."""
 
     def run() -> np.ndarray:
         for _ in range(LAUNCHES):
@@ -51,7 +52,7 @@ def prepare_pointloom(points: np.ndarray, device: str) -> Any:
 def numba_kernel() -> Callable[..., None]:
     import numba
 
-    numba.config.THREADING_LAYER = "omp"  # else it warns where a TBB is too old for it
+    numba.config.THREADING_LAYER = "omp"  # avoids a warning if TBB is too old
     numba.set_num_threads(min(thread_count(), numba.config.NUMBA_NUM_THREADS))
 
     @numba.njit(parallel=True)
@@ -66,7 +67,7 @@ def numba_kernel() -> Callable[..., None]:
 
 def prepare_numba(points: np.ndarray, device: str) -> Any:
     transform, out = numba_kernel(), np.zeros_like(points)
-    transform(points, MATRIX, SHIFT, out)  # compiles, so that the first call tells how many rounds there is time for
+    transform(points, MATRIX, SHIFT, out)  # compiles, so the first call gives a useful estimate of the round count
     return repeat(lambda: transform(points, MATRIX, SHIFT, out), lambda: out)
 
 
@@ -82,7 +83,7 @@ def quadrants_kernel() -> Callable[..., None]:
         for i in range(points.shape[0]):
             out[i] = qd.cast(A @ qd.cast(points[i], qd.f64) + t, qd.f32)
 
-    # written in the signature they would be text, which Quadrants does not read
+    # Annotations in the signature would be strings, which Quadrants does not support.
     transform.__annotations__ = {"points": vectors, "A": matrix, "t": vector, "out": vectors}
     return qd.kernel(transform)
 
@@ -93,9 +94,9 @@ def prepare_quadrants(points: np.ndarray, device: str) -> Any:
     return repeat(lambda: transform(points, MATRIX, SHIFT, out), lambda: out)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same to the last bit but one: the sums are of float64, in whatever order."""
-    np.testing.assert_array_max_ulp(ours, theirs, maxulp=1)
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for equality except in the last bit: the float64 sums may have another order."""
+    np.testing.assert_array_max_ulp(actual, reference, maxulp=1)
 
 
 TRANSFORM = Operation(
@@ -103,7 +104,7 @@ TRANSFORM = Operation(
     scenes={"1k": points_of(1000), "1M": points_of(1_000_000)},
     quick={"10k": points_of(10_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, np.copy, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, np.copy, ("cpu", "cuda")),
         Contestant("numba", prepare_numba, np.copy),
         Contestant("quadrants", prepare_quadrants, np.copy),
     ),
@@ -114,5 +115,5 @@ OPERATIONS = (TRANSFORM,)
 
 
 @timed(TRANSFORM)
-def test_transform_kernel(turn) -> None:
-    turn()
+def test_transform_kernel(time_lap) -> None:
+    time_lap()

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 
 
 def surface(count: int) -> Callable[[], np.ndarray]:
@@ -33,8 +33,8 @@ def prepare_scipy(points: np.ndarray, device: str) -> Any:
     return lambda: ConvexHull(points).vertices
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    np.testing.assert_array_equal(ours, theirs, err_msg=f"the vertices are not {peer}'s")
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    np.testing.assert_array_equal(actual, reference, err_msg=f"the vertices are not {peer}'s")
 
 
 HULL = Operation(
@@ -42,7 +42,7 @@ HULL = Operation(
     scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
     quick={"50k": surface(50_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, np.sort, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, np.sort, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, np.sort),
         Contestant("scipy", prepare_scipy, np.sort),
     ),
@@ -53,5 +53,5 @@ OPERATIONS = (HULL,)
 
 
 @timed(HULL)
-def test_convex_hull(turn) -> None:
-    turn()
+def test_convex_hull(time_lap) -> None:
+    time_lap()

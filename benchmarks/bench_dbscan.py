@@ -1,7 +1,8 @@
-"""cluster_dbscan with about 16 neighbors a point, beside Open3D's two point clouds and scikit-learn.
+"""cluster_dbscan with about 16 neighbors per point, beside Open3D's two point clouds and scikit-learn.
 
-The search structure is built in the timed call. 5M points are there for the peak memory: the peers keep a list of
-neighbors for each point.
+The search structure is built in the timed call. The size of 5M points is for the peak memory: the baselines store a
+list
+of neighbors for each point.
 """
 
 from __future__ import annotations
@@ -11,14 +12,25 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import (
+    POINTLOOM,
+    Contestant,
+    Operation,
+    Trial,
+    anew,
+    load_open3d,
+    open3d_device,
+    thread_count,
+    timed,
+    waiting,
+)
 
 MIN_POINTS = 10
 
 
 @dataclass(frozen=True)
 class Surface:
-    """Points and the distance of neighbors [m]."""
+    """Points and the neighbor distance [m]."""
 
     points: np.ndarray
     eps: float
@@ -56,21 +68,22 @@ def prepare_scikit_learn(scene: Surface, device: str) -> Any:
     return lambda: model.fit_predict(scene.points)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same noise and the same groups, but for a few points.
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same noise and the same clusters, except for a few points.
 
-    float32 and float64 may round a distance to different sides of eps: a small cluster more or less, and the numbers
-    of all that follow are shifted. So groups are compared, not numbers.
+    float32 and float64 may round a distance to different sides of eps. One small cluster more or less shifts the
+    following
+    labels, so clusters are compared, not labels.
     """
-    assert len(ours) == len(theirs)
-    both = (ours >= 0) & (theirs >= 0)
-    differ = np.mean(both != ((ours >= 0) | (theirs >= 0)))
-    assert differ < 1e-4, f"{differ:.3%} of the points are noise here and not in {peer}'s labels, or the other way"
-    group_count = int(ours.max()) + 1
-    pair_count = np.unique(ours[both].astype(np.int64) * len(ours) + theirs[both]).size
+    assert len(actual) == len(reference)
+    both = (actual >= 0) & (reference >= 0)
+    differ = np.mean(both != ((actual >= 0) | (reference >= 0)))
+    assert differ < 1e-4, f"{differ:.3%} of the points are noise in only one of the results of pointloom and {peer}"
+    group_count = int(actual.max()) + 1
+    pair_count = np.unique(actual[both].astype(np.int64) * len(actual) + reference[both]).size
     few = 1 + group_count // 1000
-    assert abs(group_count - (int(theirs.max()) + 1)) <= few, f"{group_count} clusters, {peer} {theirs.max() + 1}"
-    assert abs(pair_count - group_count) <= few, f"{peer}'s clusters overlap ours in {pair_count} ways"
+    assert abs(group_count - (int(reference.max()) + 1)) <= few, f"{group_count} clusters, {peer} {reference.max() + 1}"
+    assert abs(pair_count - group_count) <= few, f"{peer}'s clusters and pointloom's overlap in {pair_count} pairs"
 
 
 DBSCAN = Operation(
@@ -78,7 +91,7 @@ DBSCAN = Operation(
     scenes={"200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.009), "5M": surface(5_000_000, 0.0045)},
     quick={"50k": surface(50_000, 0.04)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda labels: labels, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda labels: labels, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, np.asarray),
         Contestant("open3d-tensor", prepare_open3d_tensor, lambda labels: labels.cpu().numpy(), ("cpu", "cuda")),
         Contestant("scikit-learn", prepare_scikit_learn, lambda labels: labels),
@@ -90,5 +103,5 @@ OPERATIONS = (DBSCAN,)
 
 
 @timed(DBSCAN)
-def test_dbscan(turn) -> None:
-    turn()
+def test_dbscan(time_lap) -> None:
+    time_lap()

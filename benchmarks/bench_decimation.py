@@ -1,9 +1,10 @@
-"""simplify_quadric_decimation of a scanned surface and of one that is computed, beside the libraries that do it.
+"""simplify_quadric_decimation of a scanned surface and of a computed one, beside other libraries.
 
-These are Open3D, the two wrappers of Fast-Quadric-Mesh-Simplification (fast-simplification and pyfqmr, both with their
-default aggressiveness) and, where it is installed, meshoptimizer. Of them Open3D alone keeps its edges in a queue by
-cost; the others collapse what is below a threshold that grows, and end further from the whole surface. All but ours run
-on one core. Open3D's result depends on the unit of length; it is given millimeters, in which it is at its best.
+The baselines are Open3D, the two wrappers of Fast-Quadric-Mesh-Simplification (fast-simplification and pyfqmr, both
+with
+default aggressiveness) and, if installed, meshoptimizer. Only Open3D keeps its edges in a queue sorted by cost. The
+others collapse edges below a growing threshold, and their results are farther from the full surface. All baselines run
+on one core. Open3D's result depends on the unit of length; it gets millimeters, which give its best result.
 """
 
 from __future__ import annotations
@@ -15,17 +16,17 @@ from typing import Any
 
 import numpy as np
 import real_scans
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 from mesh_scenes import Arrays, in_open3d, in_pointloom, scene_in_open3d, wavy_mesh
 
 BUNNY = "reg-bunny-scans/reconstruction/bun_zipper.ply"
-SAMPLES = 100_000  # of a surface, of which the distance to the other is measured
-WORSE = 1.1  # times the peer's distance is allowed
+SAMPLES = 100_000  # samples of a surface, whose distance to the other surface is measured
+WORSE = 1.1  # maximum ratio to the baseline's distance
 
 
 @dataclass(frozen=True)
 class Thinning:
-    """A mesh, and how many triangles are to be left."""
+    """A mesh, and the target number of triangles."""
 
     arrays: Arrays
     target: int
@@ -81,7 +82,7 @@ def prepare_meshoptimizer(scene: Thinning, device: str) -> Any:
     indices = np.ascontiguousarray(scene.arrays[1], np.uint32).ravel()
 
     def simplify() -> Any:
-        left = np.empty_like(indices)  # no error is too large: the count alone ends it
+        left = np.empty_like(indices)  # no error limit: only the count stops it
         count = meshoptimizer.simplify(left, indices, vertices, target_index_count=3 * scene.target, target_error=1.0)
         return scene, (vertices, left[:count].reshape(-1, 3))
 
@@ -96,28 +97,30 @@ def facts(result: tuple[Thinning, Any]) -> tuple[Thinning, Arrays]:
 
 
 def samples(arrays: Arrays) -> np.ndarray:
-    """Points of a surface, evenly spread."""
+    """Sample points evenly on a surface."""
     return in_pointloom(arrays, "cpu").sample_points_uniformly(SAMPLES, seed=1).points
 
 
 def rms_between(arrays: Arrays, points: np.ndarray) -> float:
-    """The root of the mean squared distance of points from a surface."""
+    """Root mean squared distance of points from a surface."""
     queries = load_open3d().core.Tensor(points.astype(np.float32))
     distances = scene_in_open3d(arrays).compute_distance(queries).numpy().astype(np.float64)
     return float(np.sqrt((distances**2).mean()))
 
 
-def check(ours: tuple[Thinning, Arrays], theirs: tuple[Thinning, Arrays], peer: str) -> None:
-    """The target is reached, and our surface is hardly further from the whole one, either way."""
-    scene, mine = ours
-    other = theirs[1]
-    for triangles in (mine[1], other[1]):
+def check(actual: tuple[Thinning, Arrays], reference: tuple[Thinning, Arrays], peer: str) -> None:
+    """Check that the target count is reached and that the RMS distances to the full surface are not larger, in both
+    directions.
+    """
+    scene, mesh = actual
+    other = reference[1]
+    for triangles in (mesh[1], other[1]):
         assert scene.target - 1 <= len(triangles) <= scene.target, f"{len(triangles)} triangles for {scene.target}"
-    whole = samples(scene.arrays)
-    to_whole = [rms_between(arrays, whole) for arrays in (mine, other)]
-    assert to_whole[0] <= WORSE * to_whole[1], f"rms {to_whole[0]:.4g} from the whole surface, {peer} {to_whole[1]:.4g}"
-    back = [rms_between(scene.arrays, samples(arrays)) for arrays in (mine, other)]
-    assert back[0] <= WORSE * back[1], f"rms {back[0]:.4g} of the thin surface, {peer} {back[1]:.4g}"
+    surface = samples(scene.arrays)
+    errors = [rms_between(arrays, surface) for arrays in (mesh, other)]
+    assert errors[0] <= WORSE * errors[1], f"rms {errors[0]:.4g} from the full surface, {peer} {errors[1]:.4g}"
+    back = [rms_between(scene.arrays, samples(arrays)) for arrays in (mesh, other)]
+    assert back[0] <= WORSE * back[1], f"rms {back[0]:.4g} from the simplified surface, {peer} {back[1]:.4g}"
 
 
 def scenes() -> dict[str, Callable[[], Thinning]]:
@@ -133,7 +136,7 @@ DECIMATION = Operation(
     scenes=scenes(),
     quick={"wavy": partial(wavy, 40, 0.2)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
         Contestant("fast-simplification", prepare_fast_simplification, facts),
         Contestant("pyfqmr", prepare_pyfqmr, facts),
@@ -145,5 +148,5 @@ OPERATIONS = (DECIMATION,)
 
 
 @timed(DECIMATION)
-def test_decimation(turn) -> None:
-    turn()
+def test_decimation(time_lap) -> None:
+    time_lap()

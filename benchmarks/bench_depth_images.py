@@ -1,8 +1,8 @@
-"""Depth images to clouds with normals, and clouds to depth images, beside Open3D's tensor form; times are per frame.
+"""Depth images to clouds with normals, and clouds to depth images, beside Open3D's tensor API; times are per frame.
 
-Normals come from depth that is blurred over a disc of 5 pixels first, as Open3D does it, in the camera's frame: with
-an extrinsic and normals Open3D 0.20.0 raises an error. The frames are uint16; on the GPU Open3D's images are uploaded
-beforehand, ours go up inside the timed region.
+Normals are computed from depth that is filtered over a disc of 5 pixels, as in Open3D, in the camera's frame. With an
+extrinsic and normals, Open3D 0.20.0 raises an error. The frames are uint16. On the GPU Open3D's images are uploaded
+beforehand, pointloom's in the timed region.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, open3d_device, timed, waiting
 
 DEPTH_MAX = 5.0  # [m]
 BLUR = (5, 10.0, 10.0)  # Open3D's kernel size, deviation of values [m] and of distances [px]
@@ -97,20 +97,20 @@ def project_open3d(frames: scenes.Frames, device: str) -> Any:
     return waiting(project, device, "open3d")
 
 
-def check_normals(ours: tuple[int, np.ndarray], theirs: tuple[int, np.ndarray], peer: str) -> None:
-    """As many points, and normals that lie the same way on average."""
-    assert ours[0] == theirs[0], f"{ours[0]} points, {peer} {theirs[0]}"
-    np.testing.assert_allclose(ours[1], theirs[1], atol=1e-4)
+def check_normals(actual: tuple[int, np.ndarray], reference: tuple[int, np.ndarray], peer: str) -> None:
+    """Check for the same number of points, and the same mean normal."""
+    assert actual[0] == reference[0], f"{actual[0]} points, {peer} {reference[0]}"
+    np.testing.assert_allclose(actual[1], reference[1], atol=1e-4)
 
 
-def check_depth(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same depth; points that float32 projects onto the border of two pixels may lie in the other one."""
-    same = np.isclose(ours, theirs, rtol=1e-5)
+def check_depth(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same depth; points that project onto a pixel border may fall into the next pixel."""
+    same = np.isclose(actual, reference, rtol=1e-5)
     assert same.mean() > 0.995, f"{1 - same.mean():.2%} of the pixels are not {peer}'s"
 
 
 def mean_of(normals: list[np.ndarray]) -> tuple[int, np.ndarray]:
-    """How many normals, and their mean once they are of unit length, which Open3D's are not where pixels are small."""
+    """Number of normals and the mean of the normalized ones (Open3D's are not normalized where pixels are small)."""
     together = np.concatenate(normals).astype(np.float64)
     together /= np.linalg.norm(together, axis=1, keepdims=True)
     return len(together), together.mean(axis=0)
@@ -122,7 +122,7 @@ UNPROJECT = Operation(
     quick={"3 frames": partial(scenes.room_frames, 3)},
     contestants=(
         Contestant(
-            OURS, unproject_pointloom, lambda clouds: mean_of([cloud.normals for cloud in clouds]), ("cpu", "cuda")
+            POINTLOOM, unproject_pointloom, lambda clouds: mean_of([cloud.normals for cloud in clouds]), ("cpu", "cuda")
         ),
         Contestant(
             "open3d-tensor",
@@ -139,7 +139,7 @@ PROJECT = Operation(
     scenes=UNPROJECT.scenes,
     quick=UNPROJECT.quick,
     contestants=(
-        Contestant(OURS, project_pointloom, np.stack, ("cpu", "cuda")),
+        Contestant(POINTLOOM, project_pointloom, np.stack, ("cpu", "cuda")),
         Contestant(
             "open3d-tensor",
             project_open3d,
@@ -154,10 +154,10 @@ OPERATIONS = (UNPROJECT, PROJECT)
 
 
 @timed(UNPROJECT)
-def test_depth_to_cloud_with_normals(turn) -> None:
-    turn()
+def test_depth_to_cloud_with_normals(time_lap) -> None:
+    time_lap()
 
 
 @timed(PROJECT)
-def test_cloud_to_depth(turn) -> None:
-    turn()
+def test_cloud_to_depth(time_lap) -> None:
+    time_lap()

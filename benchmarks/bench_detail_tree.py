@@ -1,9 +1,8 @@
-"""The viewer's tree of detail: built, and asked for what a view shows.
+"""The viewer's level-of-detail tree: building it, and selecting the nodes of a view.
 
-No peer here builds such a tree. What stands beside are anchors, other work over the same points: the index of a search
-tree (pykdtree, scipy), which orders the points once and gives no levels; and one grid with the voxels of the coarsest
-level (Open3D), which finds the points of one level of many. Beside the view stands what it saves, all points made
-ready.
+No baseline builds such a tree. The table shows related work on the same points: the index of a search tree (pykdtree,
+scipy), which orders the points without levels; and one grid with the voxels of the coarsest level (Open3D). The view is
+compared with preparing all points.
 """
 
 from __future__ import annotations
@@ -13,10 +12,10 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 
 BUDGET = 300_000
-CELL = 4.0 / 128  # [m] voxels of the coarsest level of the surface, whose cube has a side of 4 m
+CELL = 4.0 / 128  # [m] voxel size of the coarsest level of the surface, whose cube has a side of 4 m
 
 
 def prepare_pointloom(points: np.ndarray, device: str) -> Any:
@@ -50,11 +49,13 @@ def tree_facts(tree: Any) -> dict[str, int]:
     return {"points": tree.count, "coarsest": int(tree.counts[tree.levels == 0].sum())}
 
 
-def check_build(ours: dict[str, int], theirs: dict[str, int], peer: str) -> None:
-    """As many points; and of the one grid, which begins elsewhere, as many voxels but for a tenth."""
-    for name, count in theirs.items():
+def check_build(actual: dict[str, int], reference: dict[str, int], peer: str) -> None:
+    """Check for the same number of points, and for the grid, which has another origin, about the same number of
+    voxels (10 %).
+    """
+    for name, count in reference.items():
         slack = 0.1 * count if name == "coarsest" else 0
-        assert abs(ours[name] - count) <= slack, f"{name}: {ours[name]}, {peer} {count}"
+        assert abs(actual[name] - count) <= slack, f"{name}: {actual[name]}, {peer} {count}"
 
 
 def prepare_view(points: np.ndarray, device: str) -> Any:
@@ -70,9 +71,9 @@ def prepare_all_points(points: np.ndarray, device: str) -> Any:
     return lambda: [tree.node(i) for i in range(len(tree))]
 
 
-def check_view(ours: list[Any], theirs: list[Any], peer: str) -> None:
-    """Within the budget, or near it, and each a node of the whole."""
-    count, total = (sum(len(node.indices) for node in nodes) for nodes in (ours, theirs))
+def check_view(actual: list[Any], reference: list[Any], peer: str) -> None:
+    """Check that the selection is within or near the budget, and that each node belongs to the tree."""
+    count, total = (sum(len(node.indices) for node in nodes) for nodes in (actual, reference))
     assert min(total, 0.5 * BUDGET) <= count <= min(total, BUDGET)
 
 
@@ -84,7 +85,7 @@ BUILD = Operation(
     scenes=SIZES,
     quick=QUICK,
     contestants=(
-        Contestant(OURS, prepare_pointloom, tree_facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, tree_facts, ("cpu", "cuda")),
         Contestant("pykdtree", prepare_pykdtree, lambda tree: {"points": tree.n}),
         Contestant("scipy", prepare_scipy, lambda tree: {"points": tree.n}),
         Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: {"coarsest": len(cloud.points)}),
@@ -96,7 +97,7 @@ VIEW = Operation(
     scenes={"300k of 1M": SIZES["1M"]},
     quick=QUICK,
     contestants=(
-        Contestant(OURS, prepare_view, lambda nodes: nodes, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_view, lambda nodes: nodes, ("cpu", "cuda")),
         Contestant("all points", prepare_all_points, lambda nodes: nodes),
     ),
     check=check_view,
@@ -105,10 +106,10 @@ OPERATIONS = (BUILD, VIEW)
 
 
 @timed(BUILD)
-def test_detail_tree_build(turn) -> None:
-    turn()
+def test_detail_tree_build(time_lap) -> None:
+    time_lap()
 
 
 @timed(VIEW)
-def test_detail_tree_view(turn) -> None:
-    turn()
+def test_detail_tree_view(time_lap) -> None:
+    time_lap()

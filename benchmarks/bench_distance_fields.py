@@ -6,18 +6,18 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, Trial, thread_count, timed
+from contest import POINTLOOM, Contestant, Operation, Trial, thread_count, timed
 from numpy.typing import NDArray
 
 Box = NDArray[np.bool_]
 Scan = tuple[NDArray[np.float32], NDArray[np.float32]]
 
-EDGE = 0.1  # of occupancy's voxels [m]
+EDGE = 0.1  # voxel size of the occupancy grid [m]
 
 
 @cache
 def crowd(size: int) -> Box:
-    """A box of which one voxel in a hundred is occupied."""
+    """A box with 1 % of occupied voxels."""
     return np.random.default_rng(0).random((size,) * 3) < 0.01
 
 
@@ -39,7 +39,9 @@ def prepare_scipy(occupied: Box, device: str) -> Any:
     from scipy import ndimage
 
     free = ~occupied
-    return lambda: ndimage.distance_transform_edt(free, return_indices=True)[0]  # the nearest too, which ours keeps
+    return lambda: ndimage.distance_transform_edt(free, return_indices=True)[
+        0
+    ]  # also the nearest voxel, which pointloom stores too
 
 
 def prepare_edt(occupied: Box, device: str) -> Any:
@@ -49,13 +51,13 @@ def prepare_edt(occupied: Box, device: str) -> Any:
     return lambda: edt.edt(free, parallel=threads)
 
 
-def check_fields(ours: NDArray[Any], theirs: NDArray[Any], peer: str) -> None:
-    """The same whole numbers, squared."""
-    assert np.array_equal(ours, theirs), peer
+def check_fields(actual: NDArray[Any], reference: NDArray[Any], peer: str) -> None:
+    """Check for equal squared distances."""
+    assert np.array_equal(actual, reference), peer
 
 
 def squared(distances: Any) -> NDArray[np.int32]:
-    """Squared distances as the whole numbers that they are."""
+    """Squared distances as integers."""
     return np.rint(np.asarray(distances, np.float64) ** 2).astype(np.int32)
 
 
@@ -64,7 +66,7 @@ DISTANCE_FIELD = Operation(
     scenes={"1 % of 256^3": partial(crowd, 256), "walls in 256^3": partial(walls, 256)},
     quick={"1 % of 32^3": partial(crowd, 32)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda field: field.to_array(values="squared"), ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda field: field.to_array(values="squared"), ("cpu", "cuda")),
         Contestant("scipy", prepare_scipy, squared),
         Contestant("edt", prepare_edt, squared),
     ),
@@ -74,11 +76,11 @@ DISTANCE_FIELD = Operation(
 
 @cache
 def room_scan(count: int) -> Scan:
-    """Points on the walls of a room of 20 x 16 x 6 m with a tenth of noise, and the sensor in its middle."""
+    """Points on the walls of a room of 20 x 16 x 6 m with 10 % noise, and the sensor position in its center."""
     rng = np.random.default_rng(0)
-    start, ways = np.array([0.3, 0.2, 0.1], np.float32), rng.normal(size=(count, 3))
-    reach = rng.uniform(0.9, 1.0, (count, 1)) / np.abs(ways / [10, 8, 3]).max(axis=1, keepdims=True)
-    return (ways * reach).astype(np.float32) + start, start
+    start, directions = np.array([0.3, 0.2, 0.1], np.float32), rng.normal(size=(count, 3))
+    ranges = rng.uniform(0.9, 1.0, (count, 1)) / np.abs(directions / [10, 8, 3]).max(axis=1, keepdims=True)
+    return (directions * ranges).astype(np.float32) + start, start
 
 
 def insert_into_pointloom(scan: Scan, device: str) -> Any:
@@ -117,13 +119,13 @@ def insert_into_octomap(scan: Scan, device: str) -> Any:
 
 
 def known_of_pointloom(grid: Any) -> NDArray[np.int64]:
-    """How many voxels are occupied, and how many are free."""
+    """Numbers of occupied and free voxels."""
     odds = grid.to_array()
     return np.array([(odds >= 0.5).sum(), (odds < 0.5).sum()])
 
 
 def known_of_octomap(tree: Any) -> NDArray[np.int64]:
-    """The same; a leaf that was pruned stands for all its voxels."""
+    """Numbers of occupied and free voxels; a pruned leaf counts for all its voxels."""
     known = np.zeros(2, np.int64)
     for leaf in tree.begin_leafs():
         known[int(leaf.current_node.getLogOdds() < 0)] += round(leaf.getSize() / EDGE) ** 3
@@ -135,7 +137,7 @@ OCCUPANCY = Operation(
     scenes={"100k points": partial(room_scan, 100_000)},
     quick={"2k points": partial(room_scan, 2000)},
     contestants=(
-        Contestant(OURS, insert_into_pointloom, known_of_pointloom, ("cpu", "cuda")),
+        Contestant(POINTLOOM, insert_into_pointloom, known_of_pointloom, ("cpu", "cuda")),
         Contestant("octomap", insert_into_octomap, known_of_octomap),
     ),
     check=check_fields,
@@ -144,10 +146,10 @@ OPERATIONS = (DISTANCE_FIELD, OCCUPANCY)
 
 
 @timed(DISTANCE_FIELD)
-def test_distance_field(turn) -> None:
-    turn()
+def test_distance_field(time_lap) -> None:
+    time_lap()
 
 
 @timed(OCCUPANCY)
-def test_occupancy_insert(turn) -> None:
-    turn()
+def test_occupancy_insert(time_lap) -> None:
+    time_lap()

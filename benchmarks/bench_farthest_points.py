@@ -1,7 +1,8 @@
-"""farthest_point_down_sample to 1000 points, the search structure included, beside Open3D's point clouds and fpsample.
+"""farthest_point_down_sample to 1000 points, search structure included, beside Open3D's point clouds and fpsample.
 
-fpsample runs on one core whatever the number of threads. It begins at a point of its own choice, so that its points are
-others: each has to be the farthest from those before it.
+fpsample always runs on one core. It starts at a point of its own choice, so its points differ; each must be the
+farthest
+from the previous ones.
 """
 
 from __future__ import annotations
@@ -11,11 +12,11 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 SAMPLES = 1000
 TREE_HEIGHT = 7  # of fpsample, the best of 3, 5, 7, 9 and 11 at 200k and at 1M
-STEPS = (1, 10, 100, 500, SAMPLES - 1)  # of a sequence whose next point is looked at
+STEPS = (1, 10, 100, 500, SAMPLES - 1)  # positions in the sequence whose next point is checked
 
 
 def prepare_pointloom(points: np.ndarray, device: str) -> Any:
@@ -45,7 +46,7 @@ def prepare_fpsample(points: np.ndarray, device: str) -> Any:
 
 
 def check_sequence(cloud: np.ndarray, points: np.ndarray, peer: str) -> None:
-    """Each point is the farthest of the cloud from those before it, to rounding."""
+    """Check that each point is the farthest of the cloud from the previous ones, to rounding."""
     from scipy.spatial import cKDTree
 
     for k in STEPS:
@@ -54,18 +55,18 @@ def check_sequence(cloud: np.ndarray, points: np.ndarray, peer: str) -> None:
         assert reached > 0.999 * farthest, f"{peer}'s point {k} is {reached:.5f} m away, another {farthest:.5f} m"
 
 
-def check(ours: np.ndarray, theirs: np.ndarray | tuple[np.ndarray, np.ndarray], peer: str) -> None:
-    """As many points, as far apart, and most of them the same: one near-tie that float32 decides moves a few others."""
+def check(actual: np.ndarray, reference: np.ndarray | tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    """Check for the same count and spacing, and mostly the same points: one near-tie changes a few others."""
     from scipy.spatial import cKDTree
 
-    if isinstance(theirs, tuple):
-        assert len(ours) == len(theirs[1])
-        return check_sequence(*theirs, peer)
-    assert len(ours) == len(theirs)
-    same = (cKDTree(theirs).query(ours)[0] < 1e-5).mean()
+    if isinstance(reference, tuple):
+        assert len(actual) == len(reference[1])
+        return check_sequence(*reference, peer)
+    assert len(actual) == len(reference)
+    same = (cKDTree(reference).query(actual)[0] < 1e-5).mean()
     assert same > 0.9, f"{1 - same:.1%} of the points are not {peer}'s"
-    apart = [cKDTree(points).query(points, k=2)[0][:, 1].min() for points in (ours, theirs)]
-    assert abs(apart[0] / apart[1] - 1) < 1e-2, f"{apart[0]:.5f} m apart, {peer}'s {apart[1]:.5f} m"
+    spacings = [cKDTree(points).query(points, k=2)[0][:, 1].min() for points in (actual, reference)]
+    assert abs(spacings[0] / spacings[1] - 1) < 1e-2, f"{spacings[0]:.5f} m apart, {peer}'s {spacings[1]:.5f} m"
 
 
 MAX_POINTS = Operation(
@@ -73,12 +74,12 @@ MAX_POINTS = Operation(
     scenes={"200k": partial(scenes.bumpy_surface, 200_000), "1M": partial(scenes.bumpy_surface, 1_000_000)},
     quick={"20k": partial(scenes.bumpy_surface, 20_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda cloud: cloud.points, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda cloud: cloud.points, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: np.asarray(cloud.points)),
         Contestant(
             "open3d-tensor", prepare_open3d_tensor, lambda cloud: cloud.point.positions.cpu().numpy(), ("cpu", "cuda")
         ),
-        Contestant("fpsample", prepare_fpsample, lambda found: found),
+        Contestant("fpsample", prepare_fpsample, lambda points: points),
     ),
     check=check,
 )
@@ -86,5 +87,5 @@ OPERATIONS = (MAX_POINTS,)
 
 
 @timed(MAX_POINTS)
-def test_farthest_points(turn) -> None:
-    turn()
+def test_farthest_points(time_lap) -> None:
+    time_lap()

@@ -1,7 +1,7 @@
-"""correspondences_from_features with the mutual filter: the FPFH of two samplings of a surface, and of two real scans.
+"""correspondences_from_features with the mutual filter: FPFH of two samplings of a surface, and of two real scans.
 
-Indices are built in the timed call. Points about five voxels apart have features alike on a smooth surface, so nearest
-rows lie much closer together than in real scans, which POINTLOOM_DATA names.
+Indices are built in the timed call. On a smooth surface, points about five voxels apart have similar features, so
+nearest features are much closer than in real scans (in `POINTLOOM_DATA`).
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, load_open3d, open3d_device, thread_count, timed, waiting
 from real_data import real_data
 
 
@@ -25,7 +25,7 @@ class FeaturePair:
 
 
 def features_of(cloud: Any, voxel_size: float) -> np.ndarray:
-    """FPFH as Open3D's tutorial computes it."""
+    """FPFH as in Open3D's tutorial."""
     import pointloom as loom
 
     cloud = cloud.voxel_down_sample(voxel_size).estimate_normals(radius=2 * voxel_size, max_nn=30)
@@ -72,10 +72,12 @@ def prepare_open3d_legacy(pair: FeaturePair, device: str) -> Any:
 
 def prepare_open3d_tensor(pair: FeaturePair, device: str) -> Any:
     o3d = load_open3d()
-    place = open3d_device(device)
+    tensor_device = open3d_device(device)
 
-    def make() -> Any:  # anew each time: a tensor that is still held when Open3D ends counts as a leak, and as an error
-        return [o3d.core.Tensor(rows, device=place) for rows in (pair.source, pair.target)]
+    def make() -> (
+        Any
+    ):  # created for each call: a tensor that exists when Open3D shuts down counts as a leak and as an error
+        return [o3d.core.Tensor(rows, device=tensor_device) for rows in (pair.source, pair.target)]
 
     def match(sides: Any) -> Any:
         return o3d.t.pipelines.registration.correspondences_from_features(*sides, True)
@@ -87,21 +89,23 @@ def prepare_scipy(pair: FeaturePair, device: str) -> Any:
     from scipy.spatial import cKDTree
 
     def match() -> np.ndarray:
-        there, back = (
+        forward, backward = (
             cKDTree(b).query(a, workers=thread_count())[1]
             for a, b in ((pair.source, pair.target), (pair.target, pair.source))
         )
-        rows = np.flatnonzero(back[there] == np.arange(len(there)))
-        return np.column_stack([rows, there[rows]])
+        rows = np.flatnonzero(backward[forward] == np.arange(len(forward)))
+        return np.column_stack([rows, forward[rows]])
 
     return match
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same pairs, but for rows as near as the rounding of float32, or equal."""
-    ours, theirs = ({(int(i), int(j)) for i, j in pairs} for pairs in (ours, theirs))
-    assert len(ours) > 100
-    assert len(ours ^ theirs) <= 0.002 * len(ours), f"{len(ours ^ theirs)} of {len(ours)} pairs are not {peer}'s"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same pairs, except for rows that are equally near in float32."""
+    actual, reference = ({(int(i), int(j)) for i, j in pairs} for pairs in (actual, reference))
+    assert len(actual) > 100
+    assert len(actual ^ reference) <= 0.002 * len(actual), (
+        f"{len(actual ^ reference)} of {len(actual)} pairs are not {peer}'s"
+    )
 
 
 OPERATION = Operation(
@@ -109,7 +113,7 @@ OPERATION = Operation(
     scenes={"8k": surfaces(200_000, 0.046), "30k": surfaces(400_000, 0.024), "kitchen 8k": kitchen(0.038)},
     quick={"2k": surfaces(50_000, 0.09)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda pairs: pairs, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda pairs: pairs, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, np.asarray),
         Contestant("open3d-tensor", prepare_open3d_tensor, lambda tensor: tensor.cpu().numpy(), ("cpu", "cuda")),
         Contestant("scipy", prepare_scipy, lambda pairs: pairs),
@@ -121,5 +125,5 @@ OPERATIONS = (OPERATION,)
 
 
 @timed(OPERATION)
-def test_feature_matching(turn) -> None:
-    turn()
+def test_feature_matching(time_lap) -> None:
+    time_lap()

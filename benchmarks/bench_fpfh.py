@@ -1,4 +1,4 @@
-"""compute_fpfh_feature, the search structure included: the 100 nearest within five voxels, normals given."""
+"""compute_fpfh_feature, search structure included: the 100 nearest within five voxels, normals given."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 MAX_NN = 100
 
 
 @dataclass(frozen=True)
 class OrientedSurface:
-    """Points and normals that float32 holds exactly, and the radius [m] that holds about 110 of them."""
+    """Points and normals that are exact in float32, and the radius [m] that contains about 110 neighbors."""
 
     points: np.ndarray
     normals: np.ndarray
@@ -51,11 +51,13 @@ def prepare_open3d_legacy(scene: OrientedSurface, device: str) -> Any:
 
 def prepare_open3d_tensor(scene: OrientedSurface, device: str) -> Any:
     o3d = load_open3d()
-    place = open3d_device(device)
+    tensor_device = open3d_device(device)
 
-    def make() -> Any:  # anew each time: a tensor that is still held when Open3D ends counts as a leak, and as an error
-        cloud = o3d.t.geometry.PointCloud(o3d.core.Tensor(scene.points.astype(np.float32), device=place))
-        cloud.point.normals = o3d.core.Tensor(scene.normals.astype(np.float32), device=place)
+    def make() -> (
+        Any
+    ):  # created for each call: a tensor that exists when Open3D shuts down counts as a leak and as an error
+        cloud = o3d.t.geometry.PointCloud(o3d.core.Tensor(scene.points.astype(np.float32), device=tensor_device))
+        cloud.point.normals = o3d.core.Tensor(scene.normals.astype(np.float32), device=tensor_device)
         return cloud
 
     def compute(cloud: Any) -> Any:
@@ -64,10 +66,10 @@ def prepare_open3d_tensor(scene: OrientedSurface, device: str) -> Any:
     return Trial(waiting(compute, device, "open3d"), setup=make)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same histograms; in float32 arithmetic, as the tensor form's, one neighbor in 1e5 takes another bin."""
-    assert ours.shape == theirs.shape
-    different = np.abs(ours - theirs).max(axis=1) > 0.02
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same histograms; in float32, as in the tensor API, one neighbor in 1e5 falls into another bin."""
+    assert actual.shape == reference.shape
+    different = np.abs(actual - reference).max(axis=1) > 0.02
     assert different.mean() < 0.01, f"{different.mean():.2%} of the features are not {peer}'s"
 
 
@@ -76,7 +78,7 @@ OPERATION = Operation(
     scenes={"200k": surface(200_000, 0.02), "1M": surface(1_000_000, 0.01)},
     quick={"50k": surface(50_000, 0.04)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda features: features, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda features: features, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, lambda feature: np.asarray(feature.data).T),
         Contestant("open3d-tensor", prepare_open3d_tensor, lambda tensor: tensor.cpu().numpy(), ("cpu", "cuda")),
     ),
@@ -87,5 +89,5 @@ OPERATIONS = (OPERATION,)
 
 
 @timed(OPERATION)
-def test_fpfh(turn) -> None:
-    turn()
+def test_fpfh(time_lap) -> None:
+    time_lap()

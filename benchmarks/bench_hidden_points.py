@@ -8,13 +8,13 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 from real_data import real_data
 
 
 @dataclass(frozen=True)
 class View:
-    """Points, and the tutorial's camera: as high above zero as the cloud is long, the radius a hundred times that."""
+    """Points, and the tutorial's camera: height equal to the cloud's size, radius 100 times that."""
 
     points: np.ndarray
 
@@ -50,10 +50,10 @@ def prepare_open3d(view: View, device: str) -> Any:
     return lambda: cloud.hidden_point_removal(camera, radius)[1]
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same points, but for those equal to another, of which either may be seen."""
-    assert len(ours) == len(theirs), f"{len(ours)} points are seen, {peer} sees {len(theirs)}"
-    assert len(np.intersect1d(ours, theirs)) > 0.999 * len(ours), f"the points seen are not {peer}'s"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same visible points, except for duplicates, of which either may be visible."""
+    assert len(actual) == len(reference), f"{len(actual)} points are visible, {len(reference)} for {peer}"
+    assert len(np.intersect1d(actual, reference)) > 0.999 * len(actual), f"the visible points are not {peer}'s"
 
 
 HIDDEN = Operation(
@@ -61,7 +61,7 @@ HIDDEN = Operation(
     scenes={"200k": surface(200_000), "1M": surface(1_000_000), "fragment": fragment},
     quick={"50k": surface(50_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, np.sort, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, np.sort, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, np.sort),
     ),
     check=check,
@@ -71,5 +71,5 @@ OPERATIONS = (HIDDEN,)
 
 
 @timed(HIDDEN)
-def test_hidden_points(turn) -> None:
-    turn()
+def test_hidden_points(time_lap) -> None:
+    time_lap()

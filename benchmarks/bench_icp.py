@@ -1,7 +1,7 @@
 """Registration of two clouds: 20 iterations point to plane and point to point, and generalized ICP from raw points.
 
-Iterations are timed on clouds with normals, search trees built inside; times are per iteration. Generalized ICP begins
-with raw points: thinning, planes and trees are inside, and each library stops by its own rule, at equal accuracy.
+Iterations are timed on clouds with normals, search trees included; times are per iteration. Generalized ICP starts from
+raw points: down-sampling, planes and trees are included, and each library stops by its own criteria, at equal accuracy.
 """
 
 from __future__ import annotations
@@ -11,13 +11,13 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, thread_count, timed, waiting
 from real_data import real_data
 
 ITERATIONS = 20
 DISTANCE = 0.1  # [m]
 NORMALS_NN = 20
-COVARIANCE_NN = 10  # small_gicp's
+COVARIANCE_NN = 10  # small_gicp's default
 
 
 def offset() -> np.ndarray:
@@ -32,7 +32,7 @@ def offset() -> np.ndarray:
 
 @dataclass(frozen=True)
 class Pair:
-    """Points that float32 holds exactly, the pose T from source to target; generalized ICP thins them by voxels [m]."""
+    """Points exact in float32, the pose T from source to target, and the voxel size [m] for generalized ICP."""
 
     source: np.ndarray
     target: np.ndarray
@@ -52,7 +52,7 @@ def surface(count: int) -> Any:
 
 
 def street() -> Pair:
-    """The KITTI pair of small_gicp, from identity."""
+    """The KITTI pair of small_gicp, from the identity."""
     import pointloom as loom
 
     folder = real_data("reg-small-gicp")
@@ -63,7 +63,7 @@ def street() -> Pair:
 # ------------------------------------------------------------------------------------------------ iterations
 
 
-def ours_iterating(name: str) -> Any:
+def pointloom_iterating(name: str) -> Any:
     def prepare(scene: Pair, device: str) -> Any:
         import pointloom as loom
 
@@ -113,20 +113,22 @@ def small_gicp_iterating(kind: str) -> Any:
     return prepare
 
 
-def check_iterations(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same pose: Open3D's to rounding and ties; small_gicp damps its steps and comes a little less far."""
-    off = np.abs(ours - theirs).max()
-    assert off < (1e-5 if peer.startswith("open3d") else 1e-2), f"{off:.2e} from {peer}'s pose"
+def check_iterations(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same pose: Open3D's to rounding and ties; small_gicp damps its steps and converges a little
+    slower.
+    """
+    difference = np.abs(actual - reference).max()
+    assert difference < (1e-5 if peer.startswith("open3d") else 1e-2), f"{difference:.2e} from {peer}'s pose"
 
 
-def iterating(name: str, ours: str, kind: str) -> Operation:
+def iterating(name: str, method: str, kind: str) -> Operation:
     return Operation(
         name=name,
         scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
         quick={"20k": surface(20_000)},
         contestants=(
-            Contestant(OURS, ours_iterating(ours), lambda r: r.transformation, ("cpu", "cuda")),
-            Contestant("open3d-legacy", open3d_iterating(ours), lambda r: np.asarray(r.transformation)),
+            Contestant(POINTLOOM, pointloom_iterating(method), lambda r: r.transformation, ("cpu", "cuda")),
+            Contestant("open3d-legacy", open3d_iterating(method), lambda r: np.asarray(r.transformation)),
             Contestant("small_gicp", small_gicp_iterating(kind), lambda r: r.T_target_source),
         ),
         check=check_iterations,
@@ -167,17 +169,17 @@ def prepare_small_gicp(scene: Pair, device: str) -> Any:
 
 
 def errors(facts: tuple[np.ndarray, np.ndarray]) -> tuple[float, float]:
-    """Angle [degrees] and shift [m] of a pose from the true one."""
+    """Rotation error [degrees] and translation error [m] of a pose."""
     from scipy.spatial.transform import Rotation
 
-    found, T = facts
-    angle = Rotation.from_matrix(found[:3, :3] @ T[:3, :3].T).magnitude()
-    return float(np.degrees(angle)), float(np.linalg.norm(found[:3, 3] - T[:3, 3]))
+    estimate, T = facts
+    angle = Rotation.from_matrix(estimate[:3, :3] @ T[:3, :3].T).magnitude()
+    return float(np.degrees(angle)), float(np.linalg.norm(estimate[:3, 3] - T[:3, 3]))
 
 
-def check_accuracy(ours: Any, theirs: Any, peer: str) -> None:
-    """Ours lies no farther from the truth, but for a hundredth of a degree and a millimetre."""
-    (angle, shift), (their_angle, their_shift) = errors(ours), errors(theirs)
+def check_accuracy(actual: Any, reference: Any, peer: str) -> None:
+    """Check that pointloom's error is not larger, with a tolerance of 0.01 degrees and 1 mm."""
+    (angle, shift), (their_angle, their_shift) = errors(actual), errors(reference)
     assert angle <= their_angle + 0.01, f"{angle:.4f} degrees off, {peer} {their_angle:.4f}"
     assert shift <= their_shift + 2e-3, f"{shift:.5f} m off, {peer} {their_shift:.5f}"
 
@@ -189,7 +191,7 @@ GENERALIZED = Operation(
     scenes={"200k": surface(200_000), "kitti pair": street},
     quick={"20k": surface(20_000), "kitti pair": street},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda facts: facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda facts: facts, ("cpu", "cuda")),
         Contestant("small_gicp", prepare_small_gicp, lambda facts: facts),
     ),
     check=check_accuracy,
@@ -199,15 +201,15 @@ OPERATIONS = (PLANE, POINT, GENERALIZED)
 
 
 @timed(PLANE)
-def test_icp_plane(turn) -> None:
-    turn()
+def test_icp_plane(time_lap) -> None:
+    time_lap()
 
 
 @timed(POINT)
-def test_icp_point(turn) -> None:
-    turn()
+def test_icp_point(time_lap) -> None:
+    time_lap()
 
 
 @timed(GENERALIZED)
-def test_gicp(turn) -> None:
-    turn()
+def test_gicp(time_lap) -> None:
+    time_lap()

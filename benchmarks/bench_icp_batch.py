@@ -1,4 +1,4 @@
-"""registration_icp_batch: a thousand small pairs point to plane, beside a loop of Open3D's calls on prepared clouds."""
+"""registration_icp_batch: a thousand small pairs point to plane, beside a loop of Open3D calls on prepared clouds."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 
 DISTANCE = 0.15  # [m]
 EDGE = 1.0  # [m] of a patch
@@ -14,7 +14,7 @@ EDGE = 1.0  # [m] of a patch
 
 @dataclass(frozen=True)
 class Patches:
-    """Sources [n, 3], targets [n, 3] and their normals, a list each; all that float32 holds exactly."""
+    """Lists of sources [n, 3], targets [n, 3] and target normals, all exact in float32."""
 
     sources: list[np.ndarray]
     targets: list[np.ndarray]
@@ -22,7 +22,7 @@ class Patches:
 
 
 def patches(count: int) -> Any:
-    """Pairs of 500 to 1,000 points of patches of a bumpy surface, sampled twice, some 2 degrees and 2 cm apart."""
+    """Pairs of 500 to 1,000 points of patches of a bumpy surface, sampled twice, about 2 degrees and 2 cm apart."""
 
     def make() -> Patches:
         from scipy.spatial.transform import Rotation
@@ -43,7 +43,7 @@ def patches(count: int) -> Any:
 
 
 def sample(rng: np.random.Generator, corner: np.ndarray, count: int) -> tuple[np.ndarray, np.ndarray]:
-    """Points of a patch about its middle, and their normals."""
+    """Points of a patch around its center, and their normals."""
     u, v = rng.uniform(-EDGE / 2, EDGE / 2, (2, count))
     x, y = u + corner[0], v + corner[1]
     z = 0.15 * np.sin(3 * x) * np.cos(2 * y) + 0.03 * np.sin(11 * x + 5 * y)
@@ -65,11 +65,11 @@ def prepare_pointloom(scene: Patches, device: str) -> Any:
     pairs = zip(scene.targets, scene.normals, strict=True)
     targets = [loom.PointCloud(p, normals=n, device=device) for p, n in pairs]
     method = reg.TransformationEstimationPointToPlane()
-    options = {
-        "degeneracy": 0
-    }  # some patches are so gently bent that we would leave a motion out, and Open3D would not
+    options = {"degeneracy": 0}  # some patches are nearly flat: pointloom would fix a motion, Open3D would not
     batch = reg.registration_icp_batch
-    rules = reg.ICPConvergenceCriteria(relative_rmse=1e-6)  # [m] as Open3D has it; ours would go by the patches' size
+    rules = reg.ICPConvergenceCriteria(
+        relative_rmse=1e-6
+    )  # [m] as in Open3D; pointloom's default depends on the patch size
     return waiting(lambda: batch(sources, targets, DISTANCE, None, method, rules, **options), device, "warp")
 
 
@@ -90,11 +90,13 @@ def poses_of(results: Any) -> np.ndarray:
     return np.array([np.asarray(r.transformation) for r in results])
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same poses; steps about the pairs and not the origin may stop a job one step earlier or later."""
-    off = np.abs(ours - theirs).max(axis=(1, 2))
-    assert (off < 1e-6).mean() > 0.9, f"{(off >= 1e-6).mean():.1%} of the poses are not {peer}'s"
-    assert off.max() < 5e-3, f"a pose lies {off.max():.2e} from {peer}'s"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same poses; steps about the pair's center instead of the origin may converge one step earlier or
+    later.
+    """
+    differences = np.abs(actual - reference).max(axis=(1, 2))
+    assert (differences < 1e-6).mean() > 0.9, f"{(differences >= 1e-6).mean():.1%} of the poses are not {peer}'s"
+    assert differences.max() < 5e-3, f"a pose differs by {differences.max():.2e} from {peer}'s"
 
 
 BATCH = Operation(
@@ -102,7 +104,7 @@ BATCH = Operation(
     scenes={"1000 pairs": patches(1000), "50 pairs": patches(50)},
     quick={"50 pairs": patches(50)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, poses_of, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, poses_of, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, poses_of),
     ),
     check=check,
@@ -112,5 +114,5 @@ OPERATIONS = (BATCH,)
 
 
 @timed(BATCH)
-def test_icp_batch(turn) -> None:
-    turn()
+def test_icp_batch(time_lap) -> None:
+    time_lap()

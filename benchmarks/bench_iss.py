@@ -1,4 +1,4 @@
-"""compute_iss_keypoints, the search structure and the choice of the radii included."""
+"""compute_iss_keypoints, including the search structure and the choice of the radii."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
 
 
 def surface(count: int) -> Any:
@@ -31,11 +31,13 @@ def in_order(cloud: Any) -> np.ndarray:
     return np.unique(np.asarray(cloud.points), axis=0)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same points; those whose neighbors lie on the radius to the last bit may differ."""
-    mine, others = ({tuple(p) for p in points} for points in (ours, theirs))
-    different = len(mine ^ others)
-    assert different <= 0.01 * len(others), f"{different} of {len(others)} keypoints are not {peer}'s"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same points; those with neighbors exactly on the radius may differ."""
+    keypoints, baseline_keypoints = ({tuple(p) for p in points} for points in (actual, reference))
+    different = len(keypoints ^ baseline_keypoints)
+    assert different <= 0.01 * len(baseline_keypoints), (
+        f"{different} of {len(baseline_keypoints)} keypoints are not {peer}'s"
+    )
 
 
 OPERATION = Operation(
@@ -43,7 +45,7 @@ OPERATION = Operation(
     scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
     quick={"50k": surface(50_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, in_order, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, in_order, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, in_order),
     ),
     check=check,
@@ -53,5 +55,5 @@ OPERATIONS = (OPERATION,)
 
 
 @timed(OPERATION)
-def test_iss_keypoints(turn) -> None:
-    turn()
+def test_iss_keypoints(time_lap) -> None:
+    time_lap()

@@ -1,9 +1,9 @@
-"""What a launch costs on the CPU before a thread runs: a kernel of nine arguments, beside Warp's own launch.
+"""The cost of a kernel launch on the CPU: a kernel of nine arguments, beside Warp's own launch.
 
-Times are per launch, of a thousand in a row over the same arrays, with one array exchanged each time. The kernel is the
-one that straightens a scan: three arrays, five numbers and vectors, an array that it writes. A launch of one thread is
-the caller's; one of 4096 is shared by all cores, and its work is in the time, on one core some 60 us. The peer is
-`wp.launch` of our machine code, on one core.
+Times are per launch, of a thousand in a row over the same arrays, with one array exchanged each time. The kernel
+deskews a scan: three arrays, five numbers and vectors, one output array. A launch of one thread runs in the caller's
+thread. A launch of 4096 is distributed over all cores, and its work is included, about 60 us on one core. The baseline
+is `wp.launch` of the same machine code, on one core.
 """
 
 from __future__ import annotations
@@ -12,13 +12,13 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, timed, waiting
 
 LAUNCHES = 1000
 
 
 class Scan:
-    """The arguments of the kernel on a device; `all(k)` are those of the k-th launch."""
+    """The arguments of the kernel on a device; `all(k)` returns those of the k-th launch."""
 
     def __init__(self, count: int, device: str):
         from pointloom.core.devices import resolve_device
@@ -35,17 +35,17 @@ class Scan:
         self.count, self.device = count, device
 
     def all(self, k: int) -> list[Any]:
-        """As our launches take them."""
+        """The arguments of pointloom's launch."""
         return [self.points[k % 2], self.times, self.origin, self.motion, self.out]
 
     def flat(self, k: int) -> list[Any]:
-        """As Warp takes them."""
+        """The arguments of Warp's launch."""
         m = self.motion
         motion = [m.span, m.axis, m.angle, m.velocity]
         return [self.points[k % 2], self.times, self.origin, *motion, self.out]
 
     def repeat(self, launch: Callable[[int], Any]) -> Callable[[], np.ndarray]:
-        """What calls it a thousand times and returns what the last one wrote."""
+        """A call that launches a thousand times and returns the last result."""
 
         def run() -> np.ndarray:
             for k in range(LAUNCHES):
@@ -55,7 +55,7 @@ class Scan:
         return waiting(run, self.device, "warp")
 
 
-def prepare_ours(count: int, device: str) -> Any:
+def prepare_pointloom(count: int, device: str) -> Any:
     from pointloom.kernels.lang import launch
     from pointloom.kernels.odometry.deskewing import deskew_points_kernel
 
@@ -72,9 +72,9 @@ def prepare_warp(count: int, device: str) -> Any:
     return scan.repeat(lambda k: wp.launch(kernel, scan.count, scan.flat(k), device=device))
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same machine code: the same bits."""
-    assert np.array_equal(ours, theirs), f"{peer} gave other numbers"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for bitwise identical results: the machine code is the same."""
+    assert np.array_equal(actual, reference), f"{peer} returned other values"
 
 
 def launching(name: str, scenes: dict[str, Callable[[], int]], *peers: Contestant) -> Operation:
@@ -82,7 +82,7 @@ def launching(name: str, scenes: dict[str, Callable[[], int]], *peers: Contestan
         name=name,
         scenes=scenes,
         quick=scenes,
-        contestants=(Contestant(OURS, prepare_ours, lambda out: out, ("cpu", "cuda")), *peers),
+        contestants=(Contestant(POINTLOOM, prepare_pointloom, lambda out: out, ("cpu", "cuda")), *peers),
         check=check,
         unit_count=lambda scene: LAUNCHES,
     )
@@ -95,10 +95,10 @@ OPERATIONS = (ONE, SHARED)
 
 
 @timed(ONE)
-def test_launch_of_one_thread(turn) -> None:
-    turn()
+def test_launch_of_one_thread(time_lap) -> None:
+    time_lap()
 
 
 @timed(SHARED)
-def test_launch_shared(turn) -> None:
-    turn()
+def test_launch_shared(time_lap) -> None:
+    time_lap()

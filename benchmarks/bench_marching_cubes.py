@@ -1,7 +1,7 @@
-"""Marching cubes of a dense field, beside scikit-image, VTK's Flying Edges and, where it is installed, PyMCubes.
+"""Marching cubes of a dense field, beside scikit-image, VTK's Flying Edges and, if installed, PyMCubes.
 
-Ours, scikit-image and PyMCubes give the mesh as arrays; VTK's stays in its own cells, without normals and gradients.
-On the GPU the field is there beforehand and the mesh stays there; no peer here runs there, so they run on the CPU.
+pointloom, scikit-image and PyMCubes return the mesh as arrays; VTK's stays in its own cells, without normals and
+gradients. On the GPU the field is uploaded beforehand and the mesh stays there; the baselines run on the CPU.
 """
 
 from __future__ import annotations
@@ -11,9 +11,9 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, thread_count, timed, waiting
 
-# Triangles that scikit-image, PyMCubes and Flying Edges agree on.
+# Triangle counts on which scikit-image, PyMCubes and Flying Edges agree.
 TRIANGLE_COUNTS = {128: 76_460, 256: 308_236, 384: 695_564}
 
 
@@ -41,7 +41,7 @@ def prepare_vtk(field: np.ndarray, device: str) -> Any:
     vtk.vtkSMPTools.SetBackend("STDThread")
     vtk.vtkSMPTools.Initialize(thread_count())
     values = numpy_to_vtk(field.ravel(), deep=False)
-    values._field = field  # VTK does not hold the memory that it points to
+    values._field = field  # VTK does not own the memory that it refers to
 
     def make() -> Any:
         image = vtk.vtkImageData()
@@ -79,15 +79,15 @@ def vtk_facts(mesh: Any) -> tuple[int, np.ndarray]:
 
 
 def _sample(vertices: np.ndarray) -> np.ndarray:
-    """Mean, spread and bounds of the vertices: the same whatever their order."""
+    """Mean, spread and bounds of the vertices, independent of their order."""
     vertices = np.asarray(vertices, np.float64)
     return np.stack([vertices.mean(axis=0), vertices.std(axis=0), vertices.min(axis=0), vertices.max(axis=0)])
 
 
-def check(ours: tuple[int, np.ndarray], theirs: tuple[int, np.ndarray], peer: str) -> None:
-    """Exactly as many triangles, and vertices spread alike (PyMCubes repeats some of them)."""
-    assert ours[0] == theirs[0], f"{ours[0]} triangles, {peer} {theirs[0]}"
-    np.testing.assert_allclose(ours[1], theirs[1], atol=0.1 if peer.startswith("PyMCubes") else 0.01)
+def check(actual: tuple[int, np.ndarray], reference: tuple[int, np.ndarray], peer: str) -> None:
+    """Check for the same number of triangles, and similar vertex statistics (PyMCubes repeats some vertices)."""
+    assert actual[0] == reference[0], f"{actual[0]} triangles, {peer} {reference[0]}"
+    np.testing.assert_allclose(actual[1], reference[1], atol=0.1 if peer.startswith("PyMCubes") else 0.01)
 
 
 MARCHING_CUBES = Operation(
@@ -96,7 +96,7 @@ MARCHING_CUBES = Operation(
     quick={"64^3": partial(scenes.wavy_ball, 64)},
     contestants=(
         Contestant(
-            OURS, prepare_pointloom, lambda mesh: (len(mesh.triangles), _sample(mesh.vertices)), ("cpu", "cuda")
+            POINTLOOM, prepare_pointloom, lambda mesh: (len(mesh.triangles), _sample(mesh.vertices)), ("cpu", "cuda")
         ),
         Contestant("scikit-image", prepare_scikit_image, array_facts),
         Contestant("vtk", prepare_vtk, vtk_facts),
@@ -109,5 +109,5 @@ OPERATIONS = (MARCHING_CUBES,)
 
 
 @timed(MARCHING_CUBES)
-def test_marching_cubes(turn) -> None:
-    turn()
+def test_marching_cubes(time_lap) -> None:
+    time_lap()

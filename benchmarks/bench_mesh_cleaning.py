@@ -1,4 +1,6 @@
-"""Clean-up, orientation and filling of meshes of 76k triangles beside Open3D's; no bar is set, results are compared."""
+"""Clean-up, orientation and hole filling of meshes of 76k triangles beside Open3D, without a target; results are
+compared.
+"""
 
 from __future__ import annotations
 
@@ -6,13 +8,13 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
 
 
 @cache
 def loose_mesh(cells: int) -> Arrays:
-    """Triangles that share no vertex, as of an STL file, each fifth one twice."""
+    """Triangles that share no vertex, as in an STL file, each fifth one duplicated."""
     vertices, triangles = wavy_mesh(cells)
     triangles = np.vstack([triangles, triangles[::5, [1, 2, 0]]])
     return vertices[triangles.reshape(-1)], np.arange(3 * len(triangles), dtype=np.int32).reshape(-1, 3)
@@ -30,7 +32,7 @@ def crowded_mesh(cells: int) -> Arrays:
 
 @cache
 def flipped_mesh(cells: int) -> Arrays:
-    """A closed surface of which each third triangle is flipped."""
+    """A closed surface with each third triangle flipped."""
     vertices, triangles = wavy_mesh(cells)
     triangles = triangles.copy()
     triangles[::3] = triangles[::3, ::-1]
@@ -60,7 +62,7 @@ def run_open3d(scene: Arrays, device: str, *, steps: tuple[tuple[str, tuple[Any,
     o3d, mesh = load_open3d(), in_open3d(scene)
 
     def call() -> Any:
-        result = o3d.geometry.TriangleMesh(mesh)  # it changes in place
+        result = o3d.geometry.TriangleMesh(mesh)  # changes in place
         for name, arguments in steps:
             getattr(result, name)(*arguments)
         return result
@@ -77,19 +79,19 @@ def facts(mesh: Any) -> tuple[int, int]:
     return len(np.asarray(mesh.vertices)), len(np.asarray(mesh.triangles))
 
 
-def check(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
-    """As many vertices and triangles."""
-    assert ours == theirs, (ours, theirs, peer)
+def check(actual: tuple[int, int], reference: tuple[int, int], peer: str) -> None:
+    """Check for the same numbers of vertices and triangles."""
+    assert actual == reference, (actual, reference, peer)
 
 
-def check_manifold(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
-    """As many vertices; Open3D takes edges in the order of a hash table, so a few triangles more or fewer."""
-    assert ours[0] == theirs[0] and abs(ours[1] - theirs[1]) <= 0.01 * theirs[1], (ours, theirs, peer)
+def check_manifold(actual: tuple[int, int], reference: tuple[int, int], peer: str) -> None:
+    """Check for the same number of vertices; Open3D's edge order is that of a hash table, so some triangles differ."""
+    assert actual[0] == reference[0] and abs(actual[1] - reference[1]) <= 0.01 * reference[1], (actual, reference, peer)
 
 
-def check_filled(ours: tuple[int, int], theirs: tuple[int, int], peer: str) -> None:
-    """As many vertices; VTK leaves some holes."""
-    assert ours[0] == theirs[0] and ours[1] >= theirs[1], (ours, theirs, peer)
+def check_filled(actual: tuple[int, int], reference: tuple[int, int], peer: str) -> None:
+    """Check for the same number of vertices; VTK does not fill some holes."""
+    assert actual[0] == reference[0] and actual[1] >= reference[1], (actual, reference, peer)
 
 
 def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], ...], same: Any = check) -> Operation:
@@ -98,7 +100,7 @@ def operation(name: str, scene: Any, steps: tuple[tuple[str, tuple[Any, ...]], .
         scenes={"76k": partial(scene, 128)},
         quick={"small": partial(scene, 24)},
         contestants=(
-            Contestant(OURS, partial(run_pointloom, steps=steps), facts, ("cpu", "cuda")),
+            Contestant(POINTLOOM, partial(run_pointloom, steps=steps), facts, ("cpu", "cuda")),
             Contestant("open3d-legacy", partial(run_open3d, steps=steps), facts),
         ),
         check=same,
@@ -115,7 +117,7 @@ FILL = Operation(
     scenes={"76k": partial(holed_mesh, 128)},
     quick={"small": partial(holed_mesh, 24)},
     contestants=(
-        Contestant(OURS, partial(run_pointloom, steps=(("fill_holes", ()),)), facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, partial(run_pointloom, steps=(("fill_holes", ()),)), facts, ("cpu", "cuda")),
         Contestant("open3d-tensor", fill_open3d, facts),
     ),
     check=check_filled,
@@ -124,25 +126,25 @@ OPERATIONS = (CLEAN, MERGE, CROWDED, ORIENT, FILL)
 
 
 @timed(CLEAN)
-def test_mesh_clean(turn) -> None:
-    turn()
+def test_mesh_clean(time_lap) -> None:
+    time_lap()
 
 
 @timed(MERGE)
-def test_mesh_merge_close(turn) -> None:
-    turn()
+def test_mesh_merge_close(time_lap) -> None:
+    time_lap()
 
 
 @timed(CROWDED)
-def test_mesh_non_manifold(turn) -> None:
-    turn()
+def test_mesh_non_manifold(time_lap) -> None:
+    time_lap()
 
 
 @timed(ORIENT)
-def test_mesh_orient(turn) -> None:
-    turn()
+def test_mesh_orient(time_lap) -> None:
+    time_lap()
 
 
 @timed(FILL)
-def test_mesh_fill_holes(turn) -> None:
-    turn()
+def test_mesh_fill_holes(time_lap) -> None:
+    time_lap()

@@ -1,4 +1,4 @@
-"""cluster_connected_triangles of a closed mesh of 76k triangles and of one in ten thousand parts, beside Open3D's."""
+"""cluster_connected_triangles of a closed mesh of 76k triangles and of one of 10,000 parts, beside Open3D."""
 
 from __future__ import annotations
 
@@ -6,13 +6,13 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, timed
 from mesh_scenes import Arrays, in_open3d, in_pointloom, torn_mesh, wavy_mesh
 
 
 def prepare_pointloom(scene: Arrays, device: str) -> Any:
     mesh = in_pointloom(scene, device)
-    return mesh.cluster_connected_triangles  # what it returns is on the host
+    return mesh.cluster_connected_triangles  # the result is on the host
 
 
 def prepare_open3d(scene: Arrays, device: str) -> Any:
@@ -23,11 +23,11 @@ def facts(parts: Any) -> tuple[np.ndarray, ...]:
     return tuple(np.asarray(values) for values in parts)
 
 
-def check(ours: tuple[np.ndarray, ...], theirs: tuple[np.ndarray, ...], peer: str) -> None:
-    """The same labels and counts, and the areas to rounding."""
-    for mine, other in zip(ours[:2], theirs[:2], strict=True):
-        np.testing.assert_array_equal(mine, other, err_msg=peer)
-    np.testing.assert_allclose(ours[2], theirs[2], rtol=1e-5, err_msg=peer)
+def check(actual: tuple[np.ndarray, ...], reference: tuple[np.ndarray, ...], peer: str) -> None:
+    """Check for the same labels and counts, and areas equal to rounding."""
+    for own, other in zip(actual[:2], reference[:2], strict=True):
+        np.testing.assert_array_equal(own, other, err_msg=peer)
+    np.testing.assert_allclose(actual[2], reference[2], rtol=1e-5, err_msg=peer)
 
 
 MESH_COMPONENTS = Operation(
@@ -35,7 +35,7 @@ MESH_COMPONENTS = Operation(
     scenes={"closed 76k": partial(wavy_mesh, 128), "torn 38k": partial(torn_mesh, 128)},
     quick={"torn": partial(torn_mesh, 24)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -44,5 +44,5 @@ OPERATIONS = (MESH_COMPONENTS,)
 
 
 @timed(MESH_COMPONENTS)
-def test_mesh_components(turn) -> None:
-    turn()
+def test_mesh_components(time_lap) -> None:
+    time_lap()

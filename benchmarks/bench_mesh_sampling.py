@@ -1,4 +1,4 @@
-"""sample_points_uniformly of a mesh of 76k triangles, beside Open3D's."""
+"""sample_points_uniformly of a mesh of 76k triangles, beside Open3D."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from bench_poisson_disk import Scene, surface
-from contest import OURS, Contestant, Operation, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, timed, waiting
 from mesh_scenes import in_open3d, in_pointloom
 
 
@@ -22,13 +22,15 @@ def prepare_open3d(scene: Scene, device: str) -> Any:
 
 
 def spread(points: np.ndarray) -> np.ndarray:
-    """Count, mean and spread of points: random ones agree in nothing else."""
+    """Count, mean and spread of points, which are comparable for random samples."""
     return np.array([len(points), *points.mean(axis=0), *points.std(axis=0)])
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    assert ours[0] == theirs[0]
-    np.testing.assert_allclose(ours[1:], theirs[1:], atol=8 * theirs[4:].max() / np.sqrt(theirs[0]), err_msg=peer)
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    assert actual[0] == reference[0]
+    np.testing.assert_allclose(
+        actual[1:], reference[1:], atol=8 * reference[4:].max() / np.sqrt(reference[0]), err_msg=peer
+    )
 
 
 MESH_SAMPLING = Operation(
@@ -36,7 +38,7 @@ MESH_SAMPLING = Operation(
     scenes={"100k": partial(surface, 100_000), "1M": partial(surface, 1_000_000)},
     quick={"5k": partial(surface, 5_000, 32)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda cloud: spread(cloud.points), ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda cloud: spread(cloud.points), ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, lambda cloud: spread(np.asarray(cloud.points))),
     ),
     check=check,
@@ -45,5 +47,5 @@ OPERATIONS = (MESH_SAMPLING,)
 
 
 @timed(MESH_SAMPLING)
-def test_mesh_sampling(turn) -> None:
-    turn()
+def test_mesh_sampling(time_lap) -> None:
+    time_lap()

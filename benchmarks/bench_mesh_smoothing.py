@@ -1,4 +1,4 @@
-"""Ten iterations of Taubin smoothing of a closed mesh of 76k triangles, beside Open3D's."""
+"""Ten iterations of Taubin smoothing of a closed mesh of 76k triangles, beside Open3D."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, timed, waiting
 from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
 
 ITERATIONS = 10
@@ -26,9 +26,9 @@ def facts(mesh: Any) -> np.ndarray:
     return np.asarray(mesh.vertices)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same vertices, to the rounding of what went in and what came out."""
-    np.testing.assert_allclose(ours, theirs, rtol=0, atol=1e-6 * np.abs(theirs).max(), err_msg=peer)
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same vertices, to rounding of inputs and results."""
+    np.testing.assert_allclose(actual, reference, rtol=0, atol=1e-6 * np.abs(reference).max(), err_msg=peer)
 
 
 MESH_TAUBIN = Operation(
@@ -36,7 +36,7 @@ MESH_TAUBIN = Operation(
     scenes={"closed 76k": partial(wavy_mesh, 128)},
     quick={"closed": partial(wavy_mesh, 24)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -45,5 +45,5 @@ OPERATIONS = (MESH_TAUBIN,)
 
 
 @timed(MESH_TAUBIN)
-def test_mesh_taubin(turn) -> None:
-    turn()
+def test_mesh_taubin(time_lap) -> None:
+    time_lap()

@@ -1,4 +1,4 @@
-"""One round of midpoint and of Loop subdivision of a closed mesh of 76k triangles, beside Open3D's."""
+"""One iteration of midpoint and of Loop subdivision of a closed mesh of 76k triangles, beside Open3D."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, timed, waiting
 from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
 
 
@@ -24,10 +24,10 @@ def facts(mesh: Any) -> tuple[np.ndarray, np.ndarray]:
     return np.asarray(mesh.vertices), np.asarray(mesh.triangles)
 
 
-def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
-    """The same triangles, and vertices to the rounding of what went in and what came out."""
-    np.testing.assert_array_equal(ours[1], theirs[1], err_msg=peer)
-    np.testing.assert_allclose(ours[0], theirs[0], rtol=0, atol=1e-6 * np.abs(theirs[0]).max(), err_msg=peer)
+def check(actual: tuple[np.ndarray, np.ndarray], reference: tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    """Check for the same triangles, and vertices equal to rounding of inputs and results."""
+    np.testing.assert_array_equal(actual[1], reference[1], err_msg=peer)
+    np.testing.assert_allclose(actual[0], reference[0], rtol=0, atol=1e-6 * np.abs(reference[0]).max(), err_msg=peer)
 
 
 def subdivision(name: str, method: str) -> Operation:
@@ -36,7 +36,7 @@ def subdivision(name: str, method: str) -> Operation:
         scenes={"closed 76k": partial(wavy_mesh, 128)},
         quick={"closed": partial(wavy_mesh, 24)},
         contestants=(
-            Contestant(OURS, partial(prepare_pointloom, method), facts, ("cpu", "cuda")),
+            Contestant(POINTLOOM, partial(prepare_pointloom, method), facts, ("cpu", "cuda")),
             Contestant("open3d-legacy", partial(prepare_open3d, method), facts),
         ),
         check=check,
@@ -49,10 +49,10 @@ OPERATIONS = (MESH_MIDPOINT, MESH_LOOP)
 
 
 @timed(MESH_MIDPOINT)
-def test_mesh_midpoint(turn) -> None:
-    turn()
+def test_mesh_midpoint(time_lap) -> None:
+    time_lap()
 
 
 @timed(MESH_LOOP)
-def test_mesh_loop(turn) -> None:
-    turn()
+def test_mesh_loop(time_lap) -> None:
+    time_lap()

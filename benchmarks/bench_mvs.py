@@ -1,9 +1,9 @@
-"""Depth of rectified pairs of pictures at three sizes, and of a real pair, beside OpenCV's semi-global matching.
+"""Depth of rectified image pairs at three sizes, and of a real pair, beside OpenCV's semi-global matching.
 
-Ours estimates the depth of both pictures and keeps what both say, as it would of many pictures in any places; OpenCV's
-StereoSGBM searches one row for whole disparities from 0 on, refines them, and compares left with right itself. Both are
-told how far to search: ours by sparse points, OpenCV by a number of disparities. How exact each is stands beside
-the times only in `python benchmarks/bench_mvs.py`, which prints kept share, bad-2 and median of both.
+pointloom estimates the depth of both images and keeps consistent pixels, as for any number of images. OpenCV's
+StereoSGBM searches integer disparities from 0 along a row, refines them, and does a left-right check. Both get the
+search range: pointloom from sparse points, OpenCV as a number of disparities. `python benchmarks/bench_mvs.py` prints
+completeness, bad-2 and the median error of both.
 """
 
 from __future__ import annotations
@@ -12,18 +12,18 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, thread_count, timed
+from contest import POINTLOOM, Contestant, Operation, thread_count, timed
 from mvs_scenes import Scene, motorcycle, motorcycle_disparities
 
 BASELINE = 0.2  # [m] of the room's pair: 36 to 78 px at 640 columns
-SHARE = 0.1  # of the room's walk
-DISPARITIES = 0.2  # of the width: what is nearest has 0.12
+SHARE = 0.1  # of the room's camera path
+DISPARITIES = 0.2  # of the width: the nearest point has 0.12
 BLOCK = 5  # [px] of SGBM
 
 
 @cache
 def room_pair(width: int) -> Scene:
-    """Two pictures of the textured room side by side."""
+    """Two images of the textured room, side by side."""
     import pointloom as loom
     from pointloom.datasets.scenes.room import room_pose, room_views
 
@@ -59,7 +59,7 @@ def prepare_opencv(scene: Scene, device: str) -> Any:
     cv2.setNumThreads(thread_count())
     width = scene.pictures[0].shape[1]
     count = motorcycle_disparities() if scene.disparity[1] else round(DISPARITIES * width)
-    costs = {"P1": 8 * 3 * BLOCK**2, "P2": 32 * 3 * BLOCK**2}  # as OpenCV's documentation and sample have them
+    costs = {"P1": 8 * 3 * BLOCK**2, "P2": 32 * 3 * BLOCK**2}  # as in OpenCV's documentation and sample
     checks = {"disp12MaxDiff": 1, "uniquenessRatio": 10, "speckleWindowSize": 100, "speckleRange": 2}
     matcher = cv2.StereoSGBM_create(0, -(-count // 16) * 16, BLOCK, **costs, **checks)
     left, right = (cv2.cvtColor(picture, cv2.COLOR_RGB2BGR) for picture in scene.pictures)
@@ -72,21 +72,21 @@ def prepare_opencv(scene: Scene, device: str) -> Any:
     return match
 
 
-def facts(found: Any) -> tuple[float, float, float]:
-    """Kept share, share off by more than two pixels, and median [px], over the pixels with truth."""
-    scene, depth = found
+def facts(result: Any) -> tuple[float, float, float]:
+    """Completeness, fraction with an error above two pixels, and median [px], over the pixels with ground truth."""
+    scene, depth = result
     truth, scale = scene.truth[0], scene.disparity[0]
     known, has = truth > 0, (truth > 0) & (depth > 0)
-    off = np.abs(scale / depth[has] - scale / truth[has])
-    return float(has.sum() / known.sum()), float((off > 2).mean()), float(np.median(off))
+    errors = np.abs(scale / depth[has] - scale / truth[has])
+    return float(has.sum() / known.sum()), float((errors > 2).mean()), float(np.median(errors))
 
 
-def check(ours: Any, theirs: Any, peer: str) -> None:
-    """Both cover more than half, and lie right where they do."""
-    for kept, bad, median in (ours, theirs):
-        assert kept > 0.5, (peer, ours, theirs)
-        assert bad < 0.12, (peer, ours, theirs)
-        assert median < 0.5, (peer, ours, theirs)
+def check(actual: Any, reference: Any, peer: str) -> None:
+    """Check that both cover more than half of the pixels, and are accurate there."""
+    for completeness, bad, median in (actual, reference):
+        assert completeness > 0.5, (peer, actual, reference)
+        assert bad < 0.12, (peer, actual, reference)
+        assert median < 0.5, (peer, actual, reference)
 
 
 STEREO_PAIR = Operation(
@@ -99,7 +99,7 @@ STEREO_PAIR = Operation(
     },
     quick={"room 320x240": partial(room_pair, 320)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("opencv-sgbm", prepare_opencv, facts),
     ),
     check=check,
@@ -108,17 +108,17 @@ OPERATIONS = (STEREO_PAIR,)
 
 
 @timed(STEREO_PAIR)
-def test_stereo_pair(turn) -> None:
-    turn()
+def test_stereo_pair(time_lap) -> None:
+    time_lap()
 
 
 def main() -> None:
-    """Print how complete and how exact both are."""
+    """Print completeness and accuracy of both."""
     for size, make in STEREO_PAIR.scenes.items():
         scene = make()
         for contestant in STEREO_PAIR.contestants:
-            kept, bad, median = contestant.facts(contestant.trial(scene, "cpu").once())
-            line = f"{size:20} {contestant.name:12} kept {100 * kept:.1f} %, bad-2 {100 * bad:.1f} %"
+            completeness, bad, median = contestant.facts(contestant.trial(scene, "cpu").once())
+            line = f"{size:20} {contestant.name:12} kept {100 * completeness:.1f} %, bad-2 {100 * bad:.1f} %"
             print(f"{line}, median {median:.3f} px", flush=True)
 
 

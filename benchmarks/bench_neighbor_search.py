@@ -1,6 +1,7 @@
-"""The 20 nearest neighbors of every point of a cloud, itself among them: index built before, and with its build.
+"""The 20 nearest neighbors of every point of a cloud, including itself, with the index given or built in the timed
+call.
 
-On the GPU the peer is Open3D's brute force, and both bring their results back to the host.
+On the GPU the baseline is Open3D's brute force, and both copy their results to the host.
 """
 
 from __future__ import annotations
@@ -11,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, anew, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, anew, load_open3d, open3d_device, thread_count, timed, waiting
 
 K = 20
 
@@ -77,11 +78,11 @@ def with_build(searcher: Searcher, points: np.ndarray, device: str) -> Any:
     return lambda: query(build())
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same distances. Coordinates agree to their last bit, so only the rounding of the arithmetic differs."""
-    assert ours.shape == theirs.shape, f"{ours.shape}, {peer} {theirs.shape}"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same distances. Coordinates are bitwise equal, so only arithmetic rounding differs."""
+    assert actual.shape == reference.shape, f"{actual.shape}, {peer} {reference.shape}"
     rounding = 1e-3 if peer.startswith("open3d-tensor") else 1e-5  # [m] brute force expands (a - b)^2
-    worst = np.abs(ours - theirs).max()
+    worst = np.abs(actual - reference).max()
     assert worst < rounding, f"distances differ from {peer}'s by up to {worst:.2g} m"
 
 
@@ -93,7 +94,7 @@ def contestants(kind: Callable) -> tuple[Contestant, ...]:
         return result[0]
 
     return (
-        Contestant(OURS, partial(kind, search_pointloom), root, ("cpu", "cuda")),
+        Contestant(POINTLOOM, partial(kind, search_pointloom), root, ("cpu", "cuda")),
         Contestant("small_gicp", partial(kind, search_small_gicp), root),
         Contestant("pykdtree", partial(kind, search_pykdtree), lambda result: np.sqrt(result[0].astype(np.float64))),
         Contestant("scipy", partial(kind, search_scipy), distances),
@@ -128,10 +129,10 @@ OPERATIONS = (QUERY, BUILD_AND_QUERY)
 
 
 @timed(QUERY)
-def test_knn_query(turn) -> None:
-    turn()
+def test_knn_query(time_lap) -> None:
+    time_lap()
 
 
 @timed(BUILD_AND_QUERY)
-def test_knn_with_build(turn) -> None:
-    turn()
+def test_knn_with_build(time_lap) -> None:
+    time_lap()

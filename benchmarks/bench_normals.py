@@ -1,4 +1,4 @@
-"""estimate_normals, the search structure included: hybrid (radius and 30 nearest) and 30 nearest alone."""
+"""estimate_normals, search structure included: hybrid (radius and 30 nearest) and 30 nearest."""
 
 from __future__ import annotations
 
@@ -7,14 +7,25 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import (
+    POINTLOOM,
+    Contestant,
+    Operation,
+    Trial,
+    anew,
+    load_open3d,
+    open3d_device,
+    thread_count,
+    timed,
+    waiting,
+)
 
 MAX_NN = 30
 
 
 @dataclass(frozen=True)
 class Surface:
-    """Points and the radius [m] that holds about 35 of them; None searches by count alone."""
+    """Points and the radius [m] that contains about 35 of them; None searches by count alone."""
 
     points: np.ndarray
     radius: float | None
@@ -68,14 +79,14 @@ def prepare_small_gicp(scene: Surface, device: str) -> Any:
     return Trial(estimate, setup=lambda: small_gicp.PointCloud(scene.points))
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same line for nearly all points; those whose neighbors are tied or lie on the radius may differ."""
-    aligned = np.abs(np.einsum("ij,ij->i", ours, theirs)) > 0.999
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same unsigned normals at nearly all points; ties and neighbors on the radius may differ."""
+    aligned = np.abs(np.einsum("ij,ij->i", actual, reference)) > 0.999
     assert aligned.mean() > 0.995, f"{1 - aligned.mean():.2%} of the normals are not {peer}'s"
 
 
 CONTESTANTS = (
-    Contestant(OURS, prepare_pointloom, lambda cloud: cloud.normals, ("cpu", "cuda")),
+    Contestant(POINTLOOM, prepare_pointloom, lambda cloud: cloud.normals, ("cpu", "cuda")),
     Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: np.asarray(cloud.normals)),
     Contestant(
         "open3d-tensor", prepare_open3d_tensor, lambda cloud: cloud.point.normals.cpu().numpy(), ("cpu", "cuda")
@@ -101,10 +112,10 @@ OPERATIONS = (HYBRID, KNN)
 
 
 @timed(HYBRID)
-def test_normals_hybrid(turn) -> None:
-    turn()
+def test_normals_hybrid(time_lap) -> None:
+    time_lap()
 
 
 @timed(KNN)
-def test_normals_knn(turn) -> None:
-    turn()
+def test_normals_knn(time_lap) -> None:
+    time_lap()

@@ -1,17 +1,16 @@
-"""LiDAR odometry over a made-up street, per scan: scans in memory, thinning, matching and the map included.
+"""LiDAR odometry in a synthetic street, per scan: scans in memory; down-sampling, matching and the map included.
 
 small_gicp's scan-to-model odometry (VGICP) has no deskewing, so the scans
-come from a drive without sway, where it needs none; GenZ-ICP is nearer the
-truth there without its own, which is off by default. Voxels of the map and
-ranges are the same for all that have them. RKO-LIO takes an inertial sensor
-beside the scans and gets a perfect one, 200 times a second by the formula of
-the drive: what it is told of the motion, the others have to find. It takes a
-drive to begin at rest, which this one does not, so the distance of its
-correspondences is 2 m in place of 0.5 m.
+come from a drive without sway, which needs none. GenZ-ICP is more accurate
+without its own deskewing, which is off by default. Map voxels and ranges are
+the same for all. RKO-LIO also needs an inertial sensor and gets a perfect one
+at 200 Hz, from the formula of the drive; the others estimate the motion.
+RKO-LIO assumes a start at rest, which this drive has not, so its
+correspondence distance is 2 m instead of 0.5 m.
 
     python benchmarks/bench_odometry.py
 
-prints how far each goes astray: the root of the mean squared error of the places (ATE), from the first pose on.
+prints the absolute trajectory error (ATE) of each: the RMS position error from the first pose on.
 """
 
 from __future__ import annotations
@@ -20,7 +19,7 @@ from collections.abc import Callable
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, thread_count, timed, waiting
 from street import SCAN_PERIOD, Drive, drive, pose_at
 
 VOXEL_SIZE = 1.0  # [m] of the maps, KISS-ICP's default for a range of 100 m
@@ -29,8 +28,8 @@ SPEED = 10.0  # [m/s]
 MAX_RANGE, MIN_RANGE = 100.0, 5.0  # [m]
 IMU_RATE = 200.0  # [Hz]
 GRAVITY = 9.81  # [m/s^2]
-RKO_CORRESPONDENCE = 2.0  # [m]; the distance driven before RKO-LIO knows of the speed is 1 m
-EPOCH = 1000.0  # [s] of the clock when the drive begins
+RKO_CORRESPONDENCE = 2.0  # [m]; RKO-LIO drives 1 m before it estimates the speed
+EPOCH = 1000.0  # [s] of the clock at the start of the drive
 
 
 def street_drive(count: int, beams: int, azimuths: int) -> Callable[[], Drive]:
@@ -108,12 +107,12 @@ def prepare_genz_icp(scene: Drive, device: str) -> Any:
 
 
 def nanoseconds(times: Any) -> np.ndarray:
-    """Times of the drive [s] by its clock, int64."""
+    """Clock times of the drive, int64 [ns]."""
     return np.round((np.asarray(times) + EPOCH) * 1e9).astype(np.int64)
 
 
 def inertia(scan_count: int) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Times [s], accelerations with gravity [m/s^2, m x 3] and turning rates [rad/s, m x 3] in the sensor's frame."""
+    """Times [s], accelerations with gravity [m/s^2, m x 3] and angular rates [rad/s, m x 3] in the sensor's frame."""
     times, h = np.arange(0, scan_count * SCAN_PERIOD + 1 / IMU_RATE, 1 / IMU_RATE), 1e-4
     (before, left), (here, heading), (after, right) = (pose_at(SPEED * (times + s), 0.0) for s in (-h, 0, h))
     forces = (after - 2 * here + before) / h**2 + [0, 0, GRAVITY]
@@ -132,31 +131,33 @@ def prepare_rko_lio(scene: Drive, device: str) -> Any:
     )  # fmt: skip
     count = len(scene.scans)
     scans = [points.astype(np.float64) for points in scene.scans]
-    stamps, ends = [nanoseconds(times) for times in scene.times], nanoseconds(SCAN_PERIOD * np.arange(count + 1))
+    stamps, scan_ends = [nanoseconds(times) for times in scene.times], nanoseconds(SCAN_PERIOD * np.arange(count + 1))
     times, forces, rates = inertia(count)
     measured = nanoseconds(times)
-    parts = np.split(np.arange(len(times)), np.searchsorted(measured, ends[1:], side="right"))
+    parts = np.split(np.arange(len(times)), np.searchsorted(measured, scan_ends[1:], side="right"))
 
     def run() -> Any:
         odometry, poses = LIO(config), []
         for k in range(count):
             for i in parts[k]:
                 odometry.add_imu_measurement(forces[i], rates[i], int(measured[i]))
-            odometry.register_scan(scans[k], stamps[k], start_time_ns=int(ends[k]), end_time_ns=int(ends[k + 1]))
+            odometry.register_scan(
+                scans[k], stamps[k], start_time_ns=int(scan_ends[k]), end_time_ns=int(scan_ends[k + 1])
+            )
             poses.append(odometry.pose())
         return np.array(poses)
 
     return run
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """Both have gone the whole way; where theirs is off, as of rings that move along, it is so by some per cent."""
-    ends, _ = pose_at(np.array([0.0, SPEED * SCAN_PERIOD * (len(ours) - 1)]), 0.0)
-    way = float(np.linalg.norm(ends[1] - ends[0]))
-    gap = np.linalg.norm(ours[-1, :3, 3] - ours[0, :3, 3]) / way - 1
-    assert abs(gap) < 0.01, f"ours has gone {1 + gap:.1%} of the way"
-    apart = np.linalg.norm(ours[-1, :3, 3] - theirs[-1, :3, 3]) / way
-    assert apart < 0.2, f"{peer} ends {apart:.1%} of the way from ours"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check that both travel the full distance; a baseline may be off by some percent (rings that move along)."""
+    path_ends, _ = pose_at(np.array([0.0, SPEED * SCAN_PERIOD * (len(actual) - 1)]), 0.0)
+    distance = float(np.linalg.norm(path_ends[1] - path_ends[0]))
+    gap = np.linalg.norm(actual[-1, :3, 3] - actual[0, :3, 3]) / distance - 1
+    assert abs(gap) < 0.01, f"pointloom has traveled {1 + gap:.1%} of the distance"
+    difference = np.linalg.norm(actual[-1, :3, 3] - reference[-1, :3, 3]) / distance
+    assert difference < 0.2, f"{peer} ends {difference:.1%} of the distance away from pointloom"
 
 
 ODOMETRY = Operation(
@@ -164,7 +165,7 @@ ODOMETRY = Operation(
     scenes={"64 beams, 115k": street_drive(30, 64, 1800), "16 beams, 14k": street_drive(30, 16, 900)},
     quick={"16 beams": street_drive(5, 16, 900)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda poses: poses, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda poses: poses, ("cpu", "cuda")),
         Contestant("kiss-icp", prepare_kiss_icp, lambda poses: poses),
         Contestant("small_gicp", prepare_small_gicp, lambda poses: poses),
         Contestant("genz-icp", prepare_genz_icp, lambda poses: poses),
@@ -177,18 +178,18 @@ OPERATIONS = (ODOMETRY,)
 
 
 @timed(ODOMETRY)
-def test_odometry(turn) -> None:
-    turn()
+def test_odometry(time_lap) -> None:
+    time_lap()
 
 
 def trajectory_error(poses: np.ndarray, truth: np.ndarray) -> float:
-    """ATE [m] of poses [n, 4, 4] whose first is brought onto the true one."""
-    places = (truth[0] @ np.linalg.inv(poses[0]) @ poses)[:, :3, 3]
-    return float(np.sqrt(((places - truth[:, :3, 3]) ** 2).sum(axis=1).mean()))
+    """ATE [m] of poses [n, 4, 4], aligned by the first pose."""
+    positions = (truth[0] @ np.linalg.inv(poses[0]) @ poses)[:, :3, 3]
+    return float(np.sqrt(((positions - truth[:, :3, 3]) ** 2).sum(axis=1).mean()))
 
 
 def main() -> None:
-    """Print how far each contestant that is here goes astray."""
+    """Print the ATE of each available contestant."""
     for size, make in ODOMETRY.scenes.items():
         scene = make()
         for contestant in ODOMETRY.contestants:

@@ -1,4 +1,4 @@
-"""orient_normals_consistent_tangent_plane, the graph's search included; the normals are given, half of them turned."""
+"""orient_normals_consistent_tangent_plane, graph construction included; the normals are given with random signs."""
 
 from __future__ import annotations
 
@@ -7,14 +7,14 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, timed, waiting
 
 K = 15
 
 
 @dataclass(frozen=True)
 class Surface:
-    """Points, and normals with signs at random."""
+    """Points, and normals with random signs."""
 
     points: np.ndarray
     normals: np.ndarray
@@ -58,11 +58,11 @@ def prepare_open3d(scene: Surface, device: str) -> Any:
     return Trial(orient, setup=make)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same side; the surface has one everywhere, and it is the lowest point's lower one."""
-    same = np.einsum("ij,ij->i", ours, theirs) > 0
-    assert same.mean() > 0.999, f"{1 - same.mean():.2%} of the normals look to another side than {peer}'s"
-    assert (ours[:, 2] < 0).mean() > 0.999
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same orientation everywhere; the lowest point's normal determines it."""
+    same = np.einsum("ij,ij->i", actual, reference) > 0
+    assert same.mean() > 0.999, f"{1 - same.mean():.2%} of the normals are oriented differently from {peer}'s"
+    assert (actual[:, 2] < 0).mean() > 0.999
 
 
 ORIENTATION = Operation(
@@ -70,7 +70,7 @@ ORIENTATION = Operation(
     scenes={"200k": surface(200_000), "1M": surface(1_000_000)},
     quick={"20k": surface(20_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda cloud: cloud.normals, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda cloud: cloud.normals, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, lambda cloud: np.asarray(cloud.normals)),
     ),
     check=check,
@@ -80,5 +80,5 @@ OPERATIONS = (ORIENTATION,)
 
 
 @timed(ORIENTATION)
-def test_orient_consistently(turn) -> None:
-    turn()
+def test_orient_consistently(time_lap) -> None:
+    time_lap()

@@ -1,4 +1,4 @@
-"""Statistical and radius outliers, the search structure included."""
+"""Statistical and radius outliers, search structure included."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 NEIGHBORS, RATIO = 20, 2.0
 POINTS = 10
@@ -15,7 +15,7 @@ POINTS = 10
 
 @dataclass(frozen=True)
 class Surface:
-    """Points and the radius [m] that holds about 16 of them."""
+    """Points and the radius [m] that contains about 16 of them."""
 
     points: np.ndarray
     radius: float
@@ -70,7 +70,7 @@ def radius_legacy(scene: Surface, device: str) -> Any:
 
 def radius_tensor(scene: Surface, device: str) -> Any:
     cloud = tensor_cloud(scene, device)
-    # counts the point itself, so one more is the same rule
+    # counts the point itself, so the threshold is one larger
     return waiting(lambda: cloud.remove_radius_outliers(POINTS + 1, scene.radius), device, "open3d")
 
 
@@ -82,10 +82,10 @@ def mask_positions(result: Any) -> np.ndarray:
     return np.flatnonzero(result[1].cpu().numpy())
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same points but for those on the threshold, which float32 decides either way."""
-    differing = len(np.setxor1d(ours, theirs))
-    assert differing <= 1e-4 * len(ours), f"{differing} of {len(ours)} points are not {peer}'s"
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same points, except for those at the threshold in float32."""
+    differing = len(np.setxor1d(actual, reference))
+    assert differing <= 1e-4 * len(actual), f"{differing} of {len(actual)} points are not {peer}'s"
 
 
 SCENES = {"200k": surface(200_000), "1M": surface(1_000_000)}
@@ -94,7 +94,7 @@ STATISTICAL = Operation(
     scenes=SCENES,
     quick={"50k": surface(50_000)},
     contestants=(
-        Contestant(OURS, statistical_pointloom, indices, ("cpu", "cuda")),
+        Contestant(POINTLOOM, statistical_pointloom, indices, ("cpu", "cuda")),
         Contestant("open3d-legacy", statistical_legacy, indices),
         Contestant("open3d-tensor", statistical_tensor, mask_positions, ("cpu", "cuda")),
     ),
@@ -105,7 +105,7 @@ RADIUS = Operation(
     scenes=SCENES,
     quick={"50k": surface(50_000)},
     contestants=(
-        Contestant(OURS, radius_pointloom, indices, ("cpu", "cuda")),
+        Contestant(POINTLOOM, radius_pointloom, indices, ("cpu", "cuda")),
         Contestant("open3d-legacy", radius_legacy, indices),
         Contestant("open3d-tensor", radius_tensor, mask_positions, ("cpu", "cuda")),
     ),
@@ -115,10 +115,10 @@ OPERATIONS = (STATISTICAL, RADIUS)
 
 
 @timed(STATISTICAL)
-def test_statistical_outliers(turn) -> None:
-    turn()
+def test_statistical_outliers(time_lap) -> None:
+    time_lap()
 
 
 @timed(RADIUS)
-def test_radius_outliers(turn) -> None:
-    turn()
+def test_radius_outliers(time_lap) -> None:
+    time_lap()

@@ -1,6 +1,6 @@
 """Binary PLY with positions (float) and colors (uchar), beside Open3D's tensor cloud.
 
-Reading finds the file in the page cache; writing ends when the file has its name, not when the disk has it.
+The file to read is in the page cache. Writing ends when the file is renamed, not when it is on disk.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, Trial, load_open3d, timed
 
 
 def reading_pointloom(scene: scenes.ColoredPoints, device: str) -> Any:
@@ -42,7 +42,7 @@ def writing_open3d(scene: scenes.ColoredPoints, device: str) -> Any:
 
 
 def _writing(scene: scenes.ColoredPoints, name: str, write: Any) -> Trial:
-    """A new file each time: replacing one would also time the removal of the old."""
+    """A new file for each call: replacing a file would also time the removal of the old one."""
     path = scene.path(name)
 
     def write_path(_: None) -> str:
@@ -61,16 +61,16 @@ def facts_open3d(cloud: Any) -> tuple[np.ndarray, np.ndarray]:
 
 
 def facts_of_file(path: str) -> tuple[np.ndarray, np.ndarray]:
-    """What Open3D reads from a file, whoever wrote it."""
+    """The file's content as Open3D reads it."""
     return facts_open3d(load_open3d().t.io.read_point_cloud(path))
 
 
-def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
-    """The same bits."""
-    for mine, other, name in zip(ours, theirs, ("points", "colors"), strict=True):
-        assert mine.dtype == other.dtype, f"{name}: {mine.dtype}, {peer} {other.dtype}"
-        assert mine.shape == other.shape, f"{name}: {mine.shape}, {peer} {other.shape}"
-        assert np.array_equal(mine, other), f"{name} differ from {peer}'s"
+def check(actual: tuple[np.ndarray, np.ndarray], reference: tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    """Check for bitwise identical content."""
+    for own, other, name in zip(actual, reference, ("points", "colors"), strict=True):
+        assert own.dtype == other.dtype, f"{name}: {own.dtype}, {peer} {other.dtype}"
+        assert own.shape == other.shape, f"{name}: {own.shape}, {peer} {other.shape}"
+        assert np.array_equal(own, other), f"{name} differ from {peer}'s"
 
 
 READ = Operation(
@@ -78,7 +78,7 @@ READ = Operation(
     scenes={"5M": partial(scenes.colored_points, 5_000_000)},
     quick={"200k": partial(scenes.colored_points, 200_000)},
     contestants=(
-        Contestant(OURS, reading_pointloom, facts_pointloom),
+        Contestant(POINTLOOM, reading_pointloom, facts_pointloom),
         Contestant("open3d-tensor", reading_open3d, facts_open3d),
     ),
     check=check,
@@ -88,7 +88,7 @@ WRITE = Operation(
     scenes=READ.scenes,
     quick=READ.quick,
     contestants=(
-        Contestant(OURS, writing_pointloom, facts_of_file),
+        Contestant(POINTLOOM, writing_pointloom, facts_of_file),
         Contestant("open3d-tensor", writing_open3d, facts_of_file),
     ),
     check=check,
@@ -97,10 +97,10 @@ OPERATIONS = (READ, WRITE)
 
 
 @timed(READ)
-def test_ply_read(turn) -> None:
-    turn()
+def test_ply_read(time_lap) -> None:
+    time_lap()
 
 
 @timed(WRITE)
-def test_ply_write(turn) -> None:
-    turn()
+def test_ply_write(time_lap) -> None:
+    time_lap()

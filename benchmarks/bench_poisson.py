@@ -1,4 +1,4 @@
-"""create_from_point_cloud_poisson of 200k points with normals at depths 8 and 9, beside Open3D's."""
+"""create_from_point_cloud_poisson of 200k points with normals at depths 8 and 9, beside Open3D."""
 
 from __future__ import annotations
 
@@ -6,7 +6,7 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 from mesh_scenes import in_pointloom, wavy_mesh
 from numpy.typing import NDArray
 
@@ -16,7 +16,7 @@ Surface = tuple[NDArray[np.float64], NDArray[np.float64]]
 
 @cache
 def samples(count: int, depth: int, cells: int = 128) -> Scene:
-    """Points and normals of a closed surface, and the depth of the tree over them."""
+    """Points and normals of a closed surface, and the octree depth."""
     mesh = in_pointloom(wavy_mesh(cells), "cpu").compute_vertex_normals()
     cloud = mesh.sample_points_uniformly(count)
     assert cloud.normals is not None
@@ -44,19 +44,19 @@ def facts(result: Any) -> Surface:
     return np.asarray(mesh.vertices), np.asarray(densities)
 
 
-def check(ours: Surface, theirs: Surface, peer: str) -> None:
-    """As many vertices, nearer to each other than to their neighbors, and the same densities there.
+def check(actual: Surface, reference: Surface, peer: str) -> None:
+    """Check for the same number of vertices, closer to each other than to their neighbors, with the same densities.
 
-    Where samples end between two levels (200k at depth 9) our band of finer cells is the wider one: up to a half more.
+    If the samples end between two levels (200k at depth 9), pointloom's band of finer cells is wider: up to 50 % more.
     """
     from scipy.spatial import cKDTree
 
-    tree = cKDTree(theirs[0])
-    apart, nearest = tree.query(ours[0])
-    step = np.median(tree.query(theirs[0][:1000], k=2)[0][:, 1])
-    assert 0.8 < len(ours[0]) / len(theirs[0]) < 1.5, f"{len(ours[0])} vertices, {peer} has {len(theirs[0])}"
-    assert np.median(apart) < step, f"{np.median(apart):.3g} from {peer}'s, whose are {step:.3g} apart"
-    gap = np.median(np.abs(ours[1] - theirs[1][nearest]))
+    tree = cKDTree(reference[0])
+    distances, nearest = tree.query(actual[0])
+    step = np.median(tree.query(reference[0][:1000], k=2)[0][:, 1])
+    assert 0.8 < len(actual[0]) / len(reference[0]) < 1.5, f"{len(actual[0])} vertices, {peer} has {len(reference[0])}"
+    assert np.median(distances) < step, f"{np.median(distances):.3g} from {peer}'s, whose are {step:.3g} apart"
+    gap = np.median(np.abs(actual[1] - reference[1][nearest]))
     assert gap < 0.05, f"densities {gap:.3f} from {peer}'s"
 
 
@@ -65,7 +65,7 @@ POISSON = Operation(
     scenes={f"200k, depth {depth}": partial(samples, 200_000, depth) for depth in (8, 9)},
     quick={"5k, depth 5": partial(samples, 5_000, 5, 32)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -74,5 +74,5 @@ OPERATIONS = (POISSON,)
 
 
 @timed(POISSON)
-def test_poisson(turn) -> None:
-    turn()
+def test_poisson(time_lap) -> None:
+    time_lap()

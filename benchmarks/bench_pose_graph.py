@@ -1,6 +1,6 @@
-"""global_optimization of pose graphs: a walk round a ring with loop closures, and one over a grid that joins its rows.
+"""global_optimization of pose graphs: a ring with loop closures, and a grid path whose rows are connected.
 
-First poses are odometry's, so that they have drifted; one loop closure in twenty is wrong.
+Initial poses are those of simulated odometry with drift. One loop closure in twenty is wrong.
 """
 
 from __future__ import annotations
@@ -10,18 +10,18 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, Trial, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, Trial, load_open3d, timed
 from scenes import inverse, product
 
-NOISE = 2e-4  # [rad] and [m] of each edge
-DISTANCE = 0.05  # [m] that correspondences were taken at
+NOISE = 2e-4  # [rad] and [m] per edge
+DISTANCE = 0.05  # [m] correspondence distance
 CORRESPONDENCES = 200
 WRONG_SHARE = 0.05  # of the loop closures
 
 
 @dataclass(frozen=True)
-class Walk:
-    """First poses [n, 4, 4]; edges as (source, target, transformation, uncertain); how many of them are right."""
+class Trajectory:
+    """Initial poses [n, 4, 4]; edges as (source, target, transformation, uncertain); number of correct edges."""
 
     poses: np.ndarray
     edges: list[tuple[int, int, np.ndarray, bool]]
@@ -37,8 +37,8 @@ def poses_of(twists: np.ndarray) -> np.ndarray:
     return poses
 
 
-def walk(true: np.ndarray, closures: list[tuple[int, int]]) -> Walk:
-    """Odometry along these places, and loop closures between these pairs."""
+def simulate(true: np.ndarray, closures: list[tuple[int, int]]) -> Trajectory:
+    """Simulate odometry along true poses, and loop closures between the given pairs."""
     rng = np.random.default_rng(1)
     steps = [(i, i + 1) for i in range(len(true) - 1)]
     noise = poses_of(rng.normal(0, NOISE, (len(steps) + len(closures), 6)))
@@ -52,11 +52,11 @@ def walk(true: np.ndarray, closures: list[tuple[int, int]]) -> Walk:
     poses = [true[0]]
     for edge in edges[: len(steps)]:
         poses.append(product(poses[-1], inverse(edge[2])))
-    return Walk(np.array(poses), edges)
+    return Trajectory(np.array(poses), edges)
 
 
-def ring(count: int) -> Callable[[], Walk]:
-    def make() -> Walk:
+def ring(count: int) -> Callable[[], Trajectory]:
+    def make() -> Trajectory:
         rng = np.random.default_rng(0)
         angles = 2 * np.pi * np.arange(count) / count
         radius = count / 20
@@ -64,21 +64,21 @@ def ring(count: int) -> Callable[[], Walk]:
         twists[:, 2], twists[:, 3], twists[:, 4] = angles, radius * np.cos(angles), radius * np.sin(angles)
         starts, spans = rng.integers(0, count, count // 2), rng.integers(2, 20, count // 2)
         pairs = [(int(i), int((i + span) % count)) for i, span in zip(starts, spans, strict=True)]
-        return walk(poses_of(twists), [*pairs, (0, count - 1)])
+        return simulate(poses_of(twists), [*pairs, (0, count - 1)])
 
     return make
 
 
-def grid(side: int) -> Callable[[], Walk]:
-    def make() -> Walk:
+def grid(side: int) -> Callable[[], Trajectory]:
+    def make() -> Trajectory:
         rows, columns = np.divmod(np.arange(side * side), side)
-        columns = np.where(rows % 2, side - 1 - columns, columns)  # to and fro
+        columns = np.where(rows % 2, side - 1 - columns, columns)  # back and forth
         twists = np.zeros((side * side, 6))
         twists[:, :3] = np.random.default_rng(0).normal(0, 0.5, (side * side, 3))
         twists[:, 3], twists[:, 4] = rows, columns
-        places = {place: i for i, place in enumerate(zip(rows.tolist(), columns.tolist(), strict=True))}
-        pairs = [(places[r, c], places[r + 1, c]) for r in range(side - 1) for c in range(side)]
-        return walk(poses_of(twists), [(i, j) for i, j in pairs if j - i > 1])
+        index_of = {cell: i for i, cell in enumerate(zip(rows.tolist(), columns.tolist(), strict=True))}
+        pairs = [(index_of[r, c], index_of[r + 1, c]) for r in range(side - 1) for c in range(side)]
+        return simulate(poses_of(twists), [(i, j) for i, j in pairs if j - i > 1])
 
     return make
 
@@ -86,7 +86,7 @@ def grid(side: int) -> Callable[[], Walk]:
 INFORMATION = np.diag([0.5, 0.5, 0.5, 1, 1, 1]) * CORRESPONDENCES
 
 
-def prepare_pointloom(scene: Walk, device: str) -> Any:
+def prepare_pointloom(scene: Trajectory, device: str) -> Any:
     from pointloom import registration as reg
 
     edges = [reg.PoseGraphEdge(i, j, X, INFORMATION, uncertain) for i, j, X, uncertain in scene.edges]
@@ -95,7 +95,7 @@ def prepare_pointloom(scene: Walk, device: str) -> Any:
     return lambda: reg.global_optimization(graph, option=option)
 
 
-def prepare_open3d(scene: Walk, device: str) -> Any:
+def prepare_open3d(scene: Trajectory, device: str) -> Any:
     o3d = load_open3d().pipelines.registration
     option = o3d.GlobalOptimizationOption(max_correspondence_distance=DISTANCE, reference_node=0)
 
@@ -116,19 +116,19 @@ def prepare_open3d(scene: Walk, device: str) -> Any:
 
 
 def facts(graph: Any) -> tuple[np.ndarray, np.ndarray]:
-    """Poses, and which edges are left."""
-    ends = [(edge.source_node_id, edge.target_node_id) for edge in graph.edges]
-    return np.array([node.pose for node in graph.nodes]), np.array(ends)
+    """Poses and remaining edges."""
+    node_pairs = [(edge.source_node_id, edge.target_node_id) for edge in graph.edges]
+    return np.array([node.pose for node in graph.nodes]), np.array(node_pairs)
 
 
-def check(ours: tuple[np.ndarray, np.ndarray], theirs: tuple[np.ndarray, np.ndarray], peer: str) -> None:
-    np.testing.assert_array_equal(ours[1], theirs[1], err_msg=f"the edges that are left are not {peer}'s")
-    # Both stop where a step changes the residual by 1e-6 of itself: along the softest bends that is some centimeters.
-    np.testing.assert_allclose(ours[0], theirs[0], rtol=0, atol=0.05, err_msg=f"the poses are not {peer}'s")
+def check(actual: tuple[np.ndarray, np.ndarray], reference: tuple[np.ndarray, np.ndarray], peer: str) -> None:
+    np.testing.assert_array_equal(actual[1], reference[1], err_msg=f"the remaining edges are not {peer}'s")
+    # Both stop at a relative residual change of 1e-6: along the weakest modes that is some centimeters.
+    np.testing.assert_allclose(actual[0], reference[0], rtol=0, atol=0.05, err_msg=f"the poses are not {peer}'s")
 
 
 CONTESTANTS = (
-    Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+    Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
     Contestant("open3d-legacy", prepare_open3d, facts),
 )
 GRAPH = Operation(
@@ -143,5 +143,5 @@ OPERATIONS = (GRAPH,)
 
 
 @timed(GRAPH)
-def test_pose_graph(turn) -> None:
-    turn()
+def test_pose_graph(time_lap) -> None:
+    time_lap()

@@ -1,7 +1,7 @@
-"""First hits of a camera's rays and of rays without order on a mesh of 76k triangles, beside Embree.
+"""First hits of a camera's rays and of unordered rays on a mesh of 76k triangles, beside Embree.
 
-Embree is there twice, as Open3D and as embreex call it. embreex casts one ray after the other on one core, whatever the
-number of threads; what it gives of a hit is what ours gives: distance, triangle, place within it, normal.
+Embree is included twice, as called by Open3D and by embreex. embreex casts rays one by one on one core; it returns the
+same data as pointloom: distance, triangle, barycentric coordinates, normal.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 from mesh_scenes import Arrays, scene_in_open3d, scene_in_pointloom, wavy_mesh
 from numpy.typing import NDArray
 
@@ -19,7 +19,7 @@ Scene = tuple[Arrays, NDArray[np.float32]]
 
 @cache
 def camera_scene(cells: int = 128, width: int = 1280, height: int = 960) -> Scene:
-    """A picture that the mesh fills for the most part."""
+    """An image that the mesh mostly fills."""
     import pointloom as loom
 
     vertices, triangles = wavy_mesh(cells)
@@ -31,7 +31,7 @@ def camera_scene(cells: int = 128, width: int = 1280, height: int = 960) -> Scen
 
 @cache
 def crossing_scene(cells: int = 128, count: int = 500_000) -> Scene:
-    """Rays between random places around the mesh."""
+    """Rays between random points around the mesh."""
     vertices, triangles = wavy_mesh(cells)
     rng = np.random.default_rng(0)
     low, high = vertices.min(axis=0), vertices.max(axis=0)
@@ -42,7 +42,7 @@ def crossing_scene(cells: int = 128, count: int = 500_000) -> Scene:
 
 def prepare_pointloom(scene: Scene, device: str) -> Any:
     arrays, rays = scene
-    return partial(scene_in_pointloom(arrays, device).cast_rays, rays)  # what it returns is on the host
+    return partial(scene_in_pointloom(arrays, device).cast_rays, rays)  # the result is on the host
 
 
 def prepare_open3d(scene: Scene, device: str) -> Any:
@@ -59,27 +59,27 @@ def prepare_embreex(scene: Scene, device: str) -> Any:
     origins, directions = (np.ascontiguousarray(part) for part in (flat[:, :3], flat[:, 3:]))
     tree = EmbreeScene()
     mesh = TriangleMesh(tree, vertices.astype(np.float32), np.array(triangles, np.int32))
-    tree.run(origins[:1], directions[:1])  # builds it
+    tree.run(origins[:1], directions[:1])  # builds the tree
 
-    def cast(kept: Any = mesh) -> Any:
+    def cast(scene_mesh: Any = mesh) -> Any:
         return tree.run(origins, directions, output=True)
 
     return cast
 
 
 def facts(hits: Any) -> NDArray[np.float32]:
-    """The depth along each ray; infinite where it hits nothing."""
+    """The depth along each ray; infinite without a hit."""
     if "tfar" in hits:
         return np.where(hits["primID"] >= 0, hits["tfar"], np.float32(np.inf))
-    found = hits["t_hit"]
-    return np.asarray(found if isinstance(found, np.ndarray) else found.numpy()).ravel()
+    distances = hits["t_hit"]
+    return np.asarray(distances if isinstance(distances, np.ndarray) else distances.numpy()).ravel()
 
 
-def check(ours: NDArray[np.float32], theirs: NDArray[np.float32], peer: str) -> None:
-    """The same depths to rounding, but for rays at an outline."""
-    both = np.isfinite(ours) & np.isfinite(theirs)
-    assert (np.isfinite(ours) == np.isfinite(theirs)).mean() > 0.9999, peer
-    close = np.isclose(ours[both], theirs[both], rtol=1e-4)
+def check(actual: NDArray[np.float32], reference: NDArray[np.float32], peer: str) -> None:
+    """Check for the same depths to rounding, except for rays at an outline."""
+    both = np.isfinite(actual) & np.isfinite(reference)
+    assert (np.isfinite(actual) == np.isfinite(reference)).mean() > 0.9999, peer
+    close = np.isclose(actual[both], reference[both], rtol=1e-4)
     assert close.mean() > 0.9999, peer
 
 
@@ -88,7 +88,7 @@ RAY_CASTING = Operation(
     scenes={"camera 1280x960": camera_scene, "crossing 500k": crossing_scene},
     quick={"camera": partial(camera_scene, 24, 64, 48)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-tensor", prepare_open3d, facts),
         Contestant("embreex", prepare_embreex, facts),
     ),
@@ -98,5 +98,5 @@ OPERATIONS = (RAY_CASTING,)
 
 
 @timed(RAY_CASTING)
-def test_ray_casting(turn) -> None:
-    turn()
+def test_ray_casting(time_lap) -> None:
+    time_lap()

@@ -1,10 +1,11 @@
-"""The reconstruction system from frames to mesh: the furnished room at VGA in two fragments, beside Open3D's.
+"""The reconstruction system from frames to mesh: the furnished room at VGA in two fragments, beside Open3D.
 
-Open3D's system is a set of example programs. Here its calls stand one after the other, with its defaults: hybrid
-odometry of consecutive frames, a pose graph and a cloud a fragment, colored ICP between neighbors, a pose graph of
-the fragments, colored ICP again, all frames into one volume. Its loops within a fragment need OpenCV and are left out,
-so is what it writes between its stages; its volume is the tensor one, as the older gives empty clouds in 0.20. Ours
-does all of it: loops, records and files. Both get frames that are decoded already.
+Open3D's system is a set of example programs. Here its calls are made in sequence, with its defaults: hybrid odometry of
+consecutive frames, a pose graph and a cloud per fragment, colored ICP between neighbors, a pose graph of the fragments,
+colored ICP again, integration of all frames. Its loop closures within a fragment need OpenCV and are omitted, as are
+its
+intermediate files. Its volume is the tensor one, since the legacy volume gives empty clouds in 0.20. pointloom runs all
+steps, including loop closures, records and files. Both get decoded frames.
 """
 
 from __future__ import annotations
@@ -14,17 +15,17 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, timed
 
-WALK = 1200  # frames of the whole walk: 1.2 degrees and 1.5 cm apart, which Open3D follows
+SEQUENCE_FRAMES = 1200  # of the full sequence: 1.2 degrees and 1.5 cm apart, which Open3D can track
 VOXEL, SCENE_VOXEL, TRUNCATION, DEPTH_MAX = 0.05, 0.01, 0.04, 4.0
 SCALES = ((1.0, 50), (2.0, 30), (4.0, 14))
-MISFIT = 0.05  # [m] that the two paths may differ by
+MAX_DIFFERENCE = 0.05  # [m] between the two trajectories
 Scene = dict[str, Any]
 
 
 class Decoded:
-    """Frames in memory."""
+    """Decoded frames in memory."""
 
     depth_scale = 1000.0
 
@@ -35,11 +36,11 @@ class Decoded:
         return self.count
 
 
-def walk(count: int, per_fragment: int, width: int = 640) -> Scene:
-    """The first frames of a walk through the room."""
+def first_frames(count: int, per_fragment: int, width: int = 640) -> Scene:
+    """The first frames of a camera path through the room."""
     from pointloom.datasets.scenes.room import room_sequence
 
-    room = room_sequence(WALK, width=width, height=width * 3 // 4)
+    room = room_sequence(SEQUENCE_FRAMES, width=width, height=width * 3 // 4)
     return {"frames": [room.read(i) for i in range(count)], "per_fragment": per_fragment}
 
 
@@ -123,15 +124,15 @@ class Open3DSystem:
         search = self.o3d.geometry.KDTreeSearchParamHybrid(5 * VOXEL, 100)
         thin = [clouds[i].voxel_down_sample(VOXEL) for i in (a, b)]
         features = [self.reg.compute_fpfh_feature(cloud, search) for cloud in thin]
-        point, reach = self.reg.TransformationEstimationPointToPoint(False), 1.4 * VOXEL
+        point, max_distance = self.reg.TransformationEstimationPointToPoint(False), 1.4 * VOXEL
         checks = [self.reg.CorrespondenceCheckerBasedOnEdgeLength(0.9)]
-        checks.append(self.reg.CorrespondenceCheckerBasedOnDistance(reach))
+        checks.append(self.reg.CorrespondenceCheckerBasedOnDistance(max_distance))
         rules = self.reg.RANSACConvergenceCriteria(1_000_000, 0.999)
-        found = self.reg.registration_ransac_based_on_feature_matching(
-            *thin, *features, False, reach, point, 4, checks, rules
+        result = self.reg.registration_ransac_based_on_feature_matching(
+            *thin, *features, False, max_distance, point, 4, checks, rules
         )
-        T = found.transformation
-        information = self.reg.get_information_matrix_from_point_clouds(*thin, reach, T)
+        T = result.transformation
+        information = self.reg.get_information_matrix_from_point_clouds(*thin, max_distance, T)
         if T.trace() != 4.0 and information[5, 5] / min(len(c.points) for c in thin) >= 0.3:
             graph.edges.append(self.reg.PoseGraphEdge(a, b, T, information, uncertain=True))
 
@@ -144,8 +145,8 @@ class Open3DSystem:
                 cloud.estimate_normals(self.o3d.geometry.KDTreeSearchParamHybrid(2 * size, 30))
             rules = self.reg.ICPConvergenceCriteria(1e-6, 1e-6, steps)
             T = self.reg.registration_colored_icp(*pair, size, T, estimation, rules).transformation
-        reach = 1.4 * VOXEL / SCALES[-1][0]
-        return T, self.reg.get_information_matrix_from_point_clouds(*pair, reach, T)
+        max_distance = 1.4 * VOXEL / SCALES[-1][0]
+        return T, self.reg.get_information_matrix_from_point_clouds(*pair, max_distance, T)
 
     def optimize(self, graph: Any, distance: float, preference: float) -> None:
         option = self.reg.GlobalOptimizationOption(distance, 0.25, preference, 0)
@@ -161,9 +162,9 @@ class Open3DSystem:
         for index, pose in zip(indices, poses, strict=True):
             frame, extrinsic = self.frames[index], core.Tensor(np.linalg.inv(pose))
             depth, color = Image(core.Tensor(frame.depth)), Image(core.Tensor(frame.color))
-            reach = (1000.0, DEPTH_MAX, TRUNCATION / voxel_size)
-            blocks = volume.compute_unique_block_coordinates(depth, self.K, extrinsic, *reach)
-            volume.integrate(blocks, depth, color, self.K, self.K, extrinsic, *reach)
+            depth_range = (1000.0, DEPTH_MAX, TRUNCATION / voxel_size)
+            blocks = volume.compute_unique_block_coordinates(depth, self.K, extrinsic, *depth_range)
+            volume.integrate(blocks, depth, color, self.K, self.K, extrinsic, *depth_range)
         return volume
 
 
@@ -175,18 +176,18 @@ def facts(poses: np.ndarray) -> np.ndarray:
     return poses[:, :3, 3]
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The two paths are the same but for what odometry errs by."""
-    assert ours.shape == theirs.shape, peer
-    assert np.abs(ours - theirs).max() < MISFIT, peer
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same trajectory within the odometry error."""
+    assert actual.shape == reference.shape, peer
+    assert np.abs(actual - reference).max() < MAX_DIFFERENCE, peer
 
 
 RECONSTRUCTION = Operation(
     name="reconstruction",
-    scenes={"24 frames": partial(walk, 24, 12)},
-    quick={"6 frames": partial(walk, 6, 3, 160)},
+    scenes={"24 frames": partial(first_frames, 24, 12)},
+    quick={"6 frames": partial(first_frames, 6, 3, 160)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -195,5 +196,5 @@ OPERATIONS = (RECONSTRUCTION,)
 
 
 @timed(RECONSTRUCTION)
-def test_reconstruction(turn) -> None:
-    turn()
+def test_reconstruction(time_lap) -> None:
+    time_lap()

@@ -1,7 +1,7 @@
-"""Pictures of 1280 x 960 pixels of clouds and of a mesh, beside Open3D's legacy Visualizer off screen.
+"""Images of 1280 x 960 pixels of clouds and of a mesh, beside Open3D's legacy Visualizer off screen.
 
-Open3D keeps the geometry on the device that draws, which without a GPU is Mesa's software, and draws it again;
-pointloom takes arrays that a cloud or mesh holds. Both times are those of one picture, read back.
+Open3D keeps the geometry on the drawing device (without a GPU: Mesa's software renderer) and redraws it. pointloom uses
+the arrays of a cloud or mesh. Both times are per image, including the read-back.
 """
 
 from __future__ import annotations
@@ -10,7 +10,7 @@ from functools import cache, partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 from mesh_scenes import wavy_mesh
 from numpy.typing import NDArray
 
@@ -22,7 +22,7 @@ WHITE = 250
 
 @cache
 def cloud_scene(count: int, size: tuple[int, int] = (1280, 960)) -> Scene:
-    """Points on a wavy square, in no order."""
+    """Points on a wavy square in random order."""
     rng = np.random.default_rng(0)
     x, z = rng.uniform(-4, 4, (2, count)).astype(np.float32)
     return np.column_stack([x, 0.5 * np.sin(2 * x) * np.cos(2 * z), z]), None, size
@@ -58,7 +58,7 @@ def prepare_open3d(scene: Scene, device: str) -> Any:
     window = o3d.visualization.Visualizer()
     with o3d.utility.VerbosityContextManager(o3d.utility.VerbosityLevel.Error):
         if not window.create_window(visible=False, width=width, height=height):
-            raise RuntimeError("Open3D makes no window off screen here: it wants EGL (libegl1, libgl1-mesa-dri)")
+            raise RuntimeError("Open3D cannot create an off-screen window: EGL is required (libegl1, libgl1-mesa-dri)")
     window.add_geometry(geometry)
     window.get_render_option().point_size = 2.0
     control = window.get_view_control()
@@ -75,15 +75,15 @@ def shades(points: NDArray[np.float32]) -> NDArray[np.float32]:
 
 
 def facts(picture: NDArray[Any]) -> float:
-    """The share of the picture that shows something."""
+    """Fraction of the image that is covered."""
     values = picture if picture.dtype == np.uint8 else np.round(255 * picture)
     return float((values < WHITE).any(axis=2).mean())
 
 
-def check(ours: float, theirs: float, peer: str) -> None:
-    """As much is covered; Open3D's square points are of another size."""
-    assert 0.1 < ours < 0.9, ours
-    assert abs(ours - theirs) < 0.1, f"{peer}: {theirs} of the picture, ours {ours}"
+def check(actual: float, reference: float, peer: str) -> None:
+    """Check for similar coverage; Open3D's square points have another size."""
+    assert 0.1 < actual < 0.9, actual
+    assert abs(actual - reference) < 0.1, f"{peer} covers {reference} of the image, pointloom {actual}"
 
 
 RENDER = Operation(
@@ -95,7 +95,7 @@ RENDER = Operation(
     },
     quick={"cloud": partial(cloud_scene, 20_000, (160, 120)), "mesh": partial(mesh_scene, 24, (160, 120))},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -104,5 +104,5 @@ OPERATIONS = (RENDER,)
 
 
 @timed(RENDER)
-def test_render(turn) -> None:
-    turn()
+def test_render(time_lap) -> None:
+    time_lap()

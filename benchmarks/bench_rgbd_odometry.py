@@ -1,6 +1,6 @@
-"""The motion between two frames of 640 x 480, depth and brightness: beside Open3D's legacy and tensor hybrid odometry.
+"""Motion between two frames of 640 x 480, depth and intensity: beside Open3D's legacy and tensor hybrid odometry.
 
-`pair` prepares both frames and aligns them, as Open3D's calls do each time; `prepared` aligns frames that exist.
+`pair` prepares and aligns both frames, as Open3D's calls do each time; `prepared` aligns prepared frames.
 """
 
 from __future__ import annotations
@@ -9,24 +9,24 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, timed
 
 Scene = dict[str, Any]
 TRUTH = np.array([0.02, -0.015, 0.03])  # [m]
 
 
 def wavy_frames(width: int = 640, *, is_prepared: bool = False) -> Scene:
-    """Two pictures of a textured relief from places a little apart, depth in millimeters with a sensor's noise."""
+    """Two images of a textured relief from slightly different positions, depth in millimeters with sensor noise."""
     rng, height, f = np.random.default_rng(0), width * 3 // 4, 0.9 * width
     v, u = np.mgrid[:height, :width]
     x, y = (u - width / 2 + 0.5) / f, (v - height / 2 + 0.5) / f
     frames = []
-    for place in (np.zeros(3), TRUTH):
+    for position in (np.zeros(3), TRUTH):
         z = np.full(x.shape, 2.0)
         px, py = x, y
-        for _ in range(30):  # where the ray meets the relief
-            px, py = place[0] + x * z, place[1] + y * z
-            z = 2.0 + 0.15 * np.sin(4 * px) * np.cos(3 * py) + 0.1 * np.sin(5 * py + px) - place[2]
+        for _ in range(30):  # intersection of the ray with the relief
+            px, py = position[0] + x * z, position[1] + y * z
+            z = 2.0 + 0.15 * np.sin(4 * px) * np.cos(3 * py) + 0.1 * np.sin(5 * py + px) - position[2]
         shade = 127 + 60 * np.sin(23 * px + 5 * py) + 50 * np.cos(19 * py - 7 * px)
         noisy = z + (0.0012 + 0.0019 * (z - 0.4) ** 2) * rng.standard_normal(z.shape)
         color = np.stack([shade, 255 - shade / 2, shade / 2], -1).clip(0, 255).astype(np.uint8)
@@ -83,10 +83,10 @@ def facts(result: Any) -> np.ndarray:
     return np.asarray(result)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """Ours is the motion; theirs is near it."""
-    assert np.linalg.norm(ours[:3, 3] + TRUTH) < 4e-3
-    assert np.linalg.norm(theirs[:3, 3] + TRUTH) < 3e-2, peer
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check that pointloom estimates the true motion, and that the baseline is near it."""
+    assert np.linalg.norm(actual[:3, 3] + TRUTH) < 4e-3
+    assert np.linalg.norm(reference[:3, 3] + TRUTH) < 3e-2, peer
 
 
 RGBD_ODOMETRY = Operation(
@@ -94,7 +94,7 @@ RGBD_ODOMETRY = Operation(
     scenes={"pair": wavy_frames, "prepared": partial(wavy_frames, is_prepared=True)},
     quick={"pair 160": partial(wavy_frames, 160)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_legacy, facts),
         Contestant("open3d-tensor", prepare_tensor, facts),
     ),
@@ -104,5 +104,5 @@ OPERATIONS = (RGBD_ODOMETRY,)
 
 
 @timed(RGBD_ODOMETRY)
-def test_rgbd_odometry(turn) -> None:
-    turn()
+def test_rgbd_odometry(time_lap) -> None:
+    time_lap()

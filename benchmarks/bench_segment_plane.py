@@ -1,4 +1,4 @@
-"""segment_plane with 1000 samples: a plane of 30 % of the points, clutter, and a surface that is nearly flat."""
+"""segment_plane with 1000 samples: a plane of 30 % of the points, clutter, and a nearly flat surface."""
 
 from __future__ import annotations
 
@@ -6,16 +6,16 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed, waiting
 
 THRESHOLD = 0.01  # [m]
 SAMPLES = 1000
-PROBABILITY = 0.99999999  # Open3D's default: 30 % of inliers need 673 samples, so the search does not end at once
-SHARES = (0.3, 0.3, 0.4)  # plane, clutter in a box about it, bumpy surface under it
+PROBABILITY = 0.99999999  # Open3D's default: 30 % of inliers need 673 samples, so the search does not stop at once
+SHARES = (0.3, 0.3, 0.4)  # plane, clutter in a box around it, bumpy surface below it
 
 
 def cluttered_plane(count: int, seed: int = 0) -> np.ndarray:
-    """A tilted plane with 2 mm of noise amid clutter and above a bumpy surface, float64 [n, 3] in random order."""
+    """A tilted plane with 2 mm of noise in clutter above a bumpy surface, float64 [n, 3] in random order."""
     rng = np.random.default_rng(seed)
     sizes = [int(share * count) for share in SHARES[:2]]
     x, y = rng.uniform(-2, 2, (2, sizes[0]))
@@ -48,16 +48,16 @@ def prepare_open3d(points: np.ndarray, device: str) -> Any:
 
 
 def facts(result: Any) -> tuple[np.ndarray, int]:
-    """The unit normal and how many inliers."""
+    """Unit normal and number of inliers."""
     model, inliers = result
     normal = np.asarray(model)[:3]
     return normal / np.linalg.norm(normal), len(inliers)
 
 
-def check(ours: Any, theirs: Any, peer: str) -> None:
-    """The same plane: normals within a degree, and nearly as many inliers; the samples are not the same."""
-    assert abs(ours[0] @ theirs[0]) > np.cos(np.radians(1)), f"another plane than {peer}'s"
-    assert ours[1] > 0.95 * theirs[1], f"{ours[1]} inliers, {peer} has {theirs[1]}"
+def check(actual: Any, reference: Any, peer: str) -> None:
+    """Check for the same plane: normals within a degree, and similar numbers of inliers; the samples differ."""
+    assert abs(actual[0] @ reference[0]) > np.cos(np.radians(1)), f"the plane differs from {peer}'s"
+    assert actual[1] > 0.95 * reference[1], f"{actual[1]} inliers, {peer} has {reference[1]}"
 
 
 SEGMENT = Operation(
@@ -65,7 +65,7 @@ SEGMENT = Operation(
     scenes={"200k": scene(200_000), "1M": scene(1_000_000)},
     quick={"50k": scene(50_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -75,5 +75,5 @@ OPERATIONS = (SEGMENT,)
 
 
 @timed(SEGMENT)
-def test_segment_plane(turn) -> None:
-    turn()
+def test_segment_plane(time_lap) -> None:
+    time_lap()

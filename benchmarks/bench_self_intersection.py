@@ -1,4 +1,4 @@
-"""Triangles of a mesh that meet, of a closed mesh of 76k triangles, beside Open3D, which tests all pairs."""
+"""Self-intersections of a closed mesh of 76k triangles, beside Open3D, which tests all pairs."""
 
 from __future__ import annotations
 
@@ -6,12 +6,12 @@ from functools import partial
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed
+from contest import POINTLOOM, Contestant, Operation, timed
 from mesh_scenes import Arrays, in_open3d, in_pointloom, wavy_mesh
 
 
 def prepare_pointloom(scene: Arrays, device: str) -> Any:
-    return in_pointloom(scene, device).get_self_intersecting_triangles  # what it returns is on the host
+    return in_pointloom(scene, device).get_self_intersecting_triangles  # the result is on the host
 
 
 def prepare_open3d(scene: Arrays, device: str) -> Any:
@@ -22,10 +22,10 @@ def facts(pairs: Any) -> np.ndarray:
     return np.sort(np.asarray(pairs).reshape(-1, 2), axis=1)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same pairs but for a few that lie closer together than Open3D's tolerance, which it reports."""
-    found, reported = ({tuple(pair) for pair in pairs.tolist()} for pairs in (ours, theirs))
-    assert found <= reported and len(reported - found) <= 10, peer
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same pairs, except for a few that are closer than Open3D's tolerance."""
+    own_pairs, reported = ({tuple(pair) for pair in pairs.tolist()} for pairs in (actual, reference))
+    assert own_pairs <= reported and len(reported - own_pairs) <= 10, peer
 
 
 SELF_INTERSECTION = Operation(
@@ -33,7 +33,7 @@ SELF_INTERSECTION = Operation(
     scenes={"closed 76k": partial(wavy_mesh, 128)},
     quick={"closed": partial(wavy_mesh, 24)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -42,5 +42,5 @@ OPERATIONS = (SELF_INTERSECTION,)
 
 
 @timed(SELF_INTERSECTION)
-def test_self_intersection(turn) -> None:
-    turn()
+def test_self_intersection(time_lap) -> None:
+    time_lap()

@@ -1,8 +1,8 @@
-"""The sphere and the cylinder with the most points among a third of outliers, 5 mm of noise, normals included.
+"""The sphere or cylinder with the most inliers, with a third outliers and 5 mm of noise, normals included.
 
-pyransac3d uses no normals, scores all of its samples, fits none of them and tells nothing of how sure a shape is; it
-runs on one core. Ours makes normals, stops when a better sample is unlikely, fits the best in least squares and asks
-what else may explain the points.
+pyransac3d uses no normals, scores all of its samples, does no refinement and gives no uncertainty; it runs on one core.
+pointloom estimates normals, stops when a better sample is unlikely, refines the best by least squares and tests
+alternative explanations of the points.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ import random
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, timed, waiting
 
 NOISE, THRESHOLD = 0.005, 0.0125  # [m]
 OUTLIERS = 1 / 3
@@ -20,7 +20,7 @@ NORMAL_ANGLE = 25.0  # [degrees]
 
 
 def scene(kind: str, count: int, seed: int = 0) -> Any:
-    """Points of a shape of one metre amid others in a box about it, float64 [n, 3] in random order."""
+    """Points of a shape of 1 m among others in a box around it, float64 [n, 3] in random order."""
 
     def make() -> tuple[str, np.ndarray]:
         rng = np.random.default_rng(seed)
@@ -29,19 +29,19 @@ def scene(kind: str, count: int, seed: int = 0) -> Any:
             points = rng.normal(size=(on, 3))
             points /= np.linalg.norm(points, axis=1)[:, None]
         else:
-            turn = rng.uniform(0, 2 * np.pi, on)
-            points = np.column_stack([np.cos(turn), np.sin(turn), rng.uniform(-1.5, 1.5, on)])
+            angles = rng.uniform(0, 2 * np.pi, on)
+            points = np.column_stack([np.cos(angles), np.sin(angles), rng.uniform(-1.5, 1.5, on)])
         points += NOISE * rng.normal(size=points.shape)
         return kind, rng.permutation(np.vstack([points, rng.uniform(-1.5, 1.5, (count - on, 3))]))
 
     return make
 
 
-def prepare_pointloom(made: tuple[str, np.ndarray], device: str) -> Any:
+def prepare_pointloom(scene: tuple[str, np.ndarray], device: str) -> Any:
     import pointloom as loom
 
-    kind, points = made
-    neighbors = 20 if len(points) < 100_000 else 80  # as many as span something against the noise
+    kind, points = scene
+    neighbors = 20 if len(points) < 100_000 else 80  # enough to cover an extent larger than the noise
 
     def find() -> Any:
         cloud = loom.PointCloud(points, device=device).estimate_normals(max_nn=neighbors)
@@ -50,41 +50,43 @@ def prepare_pointloom(made: tuple[str, np.ndarray], device: str) -> Any:
     return waiting(find, device, "warp")
 
 
-def prepare_pyransac3d(made: tuple[str, np.ndarray], device: str) -> Any:
+def prepare_pyransac3d(scene: tuple[str, np.ndarray], device: str) -> Any:
     import pyransac3d
 
-    kind, points = made
+    kind, points = scene
 
     def find() -> Any:
         random.seed(0)
-        np.random.seed(0)  # it draws from the global one
+        np.random.seed(0)  # it uses NumPy's global generator
         return getattr(pyransac3d, kind.capitalize())().fit(points, THRESHOLD, SAMPLES)
 
     return find
 
 
-def facts(found: Any) -> tuple[float, int]:
-    """The radius and how many inliers."""
-    shape, rows = found
+def facts(result: Any) -> tuple[float, int]:
+    """Radius and number of inliers."""
+    shape, rows = result
     return shape.radius, len(rows)
 
 
-def check(ours: tuple[float, int], theirs: tuple[float, int], peer: str) -> None:
-    """Ours is within a twentieth of the noise of the true metre and has no fewer points; theirs is of samples alone."""
-    assert abs(ours[0] - 1) < NOISE / 20, f"a radius of {ours[0]:.5f} m, {peer} has {theirs[0]:.5f}"
-    assert ours[1] > 0.95 * theirs[1], f"{ours[1]} inliers, {peer} has {theirs[1]}"
+def check(actual: tuple[float, int], reference: tuple[float, int], peer: str) -> None:
+    """Check that pointloom's radius is within a twentieth of the noise and that it has no fewer inliers; the baseline
+    is not refined.
+    """
+    assert abs(actual[0] - 1) < NOISE / 20, f"the radius is {actual[0]:.5f} m, {reference[0]:.5f} for {peer}"
+    assert actual[1] > 0.95 * reference[1], f"{actual[1]} inliers, {peer} has {reference[1]}"
 
 
 def operation(kind: str) -> Operation:
-    """Finding one kind."""
+    """The operation for one kind of shape."""
     sizes = {"15k": 15_000, "150k": 150_000}
     return Operation(
         name=f"segment_{kind}",
         scenes={name: scene(kind, count) for name, count in sizes.items()},
         quick={"15k": scene(kind, 15_000)},
         contestants=(
-            Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
-            Contestant("pyransac3d", prepare_pyransac3d, lambda found: (float(found[-2]), len(found[-1]))),
+            Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
+            Contestant("pyransac3d", prepare_pyransac3d, lambda result: (float(result[-2]), len(result[-1]))),
         ),
         check=check,
     )
@@ -95,10 +97,10 @@ OPERATIONS = (SPHERE, CYLINDER)
 
 
 @timed(SPHERE)
-def test_segment_sphere(turn) -> None:
-    turn()
+def test_segment_sphere(time_lap) -> None:
+    time_lap()
 
 
 @timed(CYLINDER)
-def test_segment_cylinder(turn) -> None:
-    turn()
+def test_segment_cylinder(time_lap) -> None:
+    time_lap()

@@ -1,6 +1,6 @@
-"""Smoothing, the search structure included: planes and bilateral weights over up to 30 neighbors, five passes over 20.
+"""Smoothing, search structure included: planes and bilateral weights over up to 30 neighbors, five iterations over 20.
 
-Normals for the bilateral filter are there beforehand.
+Normals for the bilateral filter are given.
 """
 
 from __future__ import annotations
@@ -12,7 +12,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, anew, load_open3d, open3d_device, timed, waiting
 
 MAX_NN = 30
 KNN = 20
@@ -22,14 +22,14 @@ SIGMA_R = 0.005  # [m] twice the noise
 
 @dataclass(frozen=True)
 class Surface:
-    """Points, the radius [m] that holds about 35 of them, and a normal that is near all of theirs."""
+    """Points, the radius [m] that contains about 35 of them, and one approximate normal for all of them."""
 
     points: np.ndarray
     radius: float
 
     @property
     def normals(self) -> np.ndarray:
-        """The same for all points."""
+        """The normal, repeated for all points."""
         return np.tile(np.array([0.0, 0.0, 1.0]), (len(self.points), 1))
 
 
@@ -85,15 +85,15 @@ def run_open3d_tensor(smooth: Callable, scene: Surface, device: str) -> Any:
     return Trial(waiting(run, device, "open3d"), setup=make)
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """The same places for nearly all points; those whose neighbors are tied, and in passes theirs, may differ."""
-    same = np.abs(ours - theirs).max(axis=1) < 1e-5
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for nearly the same positions; points with tied neighbors, and their neighbors, may differ."""
+    same = np.abs(actual - reference).max(axis=1) < 1e-5
     assert same.mean() > 0.98, f"{1 - same.mean():.2%} of the points are not {peer}'s"
 
 
 def operation(name: str, smooth: Callable) -> Operation:
     contestants = [
-        Contestant(OURS, partial(run_pointloom, smooth), lambda cloud: cloud.points, ("cpu", "cuda")),
+        Contestant(POINTLOOM, partial(run_pointloom, smooth), lambda cloud: cloud.points, ("cpu", "cuda")),
         Contestant("open3d-legacy", partial(run_open3d_legacy, smooth), lambda cloud: np.asarray(cloud.points)),
         Contestant(
             "open3d-tensor",
@@ -119,15 +119,15 @@ OPERATIONS = (MLS, BILATERAL, LAPLACIAN)
 
 
 @timed(MLS)
-def test_smooth_mls(turn) -> None:
-    turn()
+def test_smooth_mls(time_lap) -> None:
+    time_lap()
 
 
 @timed(BILATERAL)
-def test_smooth_bilateral(turn) -> None:
-    turn()
+def test_smooth_bilateral(time_lap) -> None:
+    time_lap()
 
 
 @timed(LAPLACIAN)
-def test_smooth_laplacian(turn) -> None:
-    turn()
+def test_smooth_laplacian(time_lap) -> None:
+    time_lap()

@@ -1,10 +1,10 @@
 """register_stations beside Open3D's multiway registration: eight stations over a ground with boxes, from rough poses.
 
-    python benchmarks/bench_stations.py          # how far either ends from the truth
+    python benchmarks/bench_stations.py          # errors of both
 
-Open3D's recipe: voxels, normals, each pair's ICP from points to planes in two distances, its information matrix, and
-global_optimization. It has six degrees of freedom, so ours gets them too (level=False); ours also finds which pairs
-overlap, weighs each by what its residuals show, and tests it.
+Open3D's recipe: voxels, normals, point-to-plane ICP of each pair at two distances, its information matrix, and
+global_optimization. It has six degrees of freedom, so pointloom uses them too (level=False). pointloom also selects
+overlapping pairs, weights each by its residuals, and tests it.
 """
 
 from __future__ import annotations
@@ -15,19 +15,19 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from contest import OURS, Contestant, Operation, load_open3d, timed
+from contest import POINTLOOM, Contestant, Operation, load_open3d, timed
 
-VOXEL, NOISE, REACH = 0.15, 0.002, 7.0  # [m]
-TURN, SHIFT = 0.02, 0.1  # of rough poses [rad], [m]
-APART = 0.01  # [m]: both are right to some millimeters
-PLACES = np.array(
+VOXEL, NOISE, RADIUS = 0.15, 0.002, 7.0  # [m]
+ROTATION_SIGMA, SHIFT_SIGMA = 0.02, 0.1  # standard deviations of rough poses [rad], [m]
+APART = 0.01  # [m]: both are accurate to some millimeters
+POSITIONS = np.array(
     [[0, 0, 1.5], [4, 1, 1.6], [8, 0, 1.4], [11, 3, 1.5], [8, 6, 1.7], [4, 7, 1.5], [0, 6, 1.6], [5, 4, 1.5]]
 )
 
 
 @dataclass(frozen=True)
 class Survey:
-    """Points of each station in its own coordinates, true poses, rough ones."""
+    """Points of each station in its own coordinates, true poses, rough poses."""
 
     scans: list[np.ndarray]
     truth: np.ndarray
@@ -38,24 +38,24 @@ def survey(count: int) -> Callable[[], Survey]:
     def make() -> Survey:
         from scipy.spatial.transform import Rotation
 
-        rng, scans, truth = np.random.default_rng(0), [], np.tile(np.eye(4), (len(PLACES), 1, 1))
+        rng, scans, truth = np.random.default_rng(0), [], np.tile(np.eye(4), (len(POSITIONS), 1, 1))
         rough = truth.copy()
-        for k, place in enumerate(PLACES):
-            ways, away = rng.uniform(0, 2 * np.pi, count), REACH * np.sqrt(rng.random(count))
-            x, y = place[0] + away * np.cos(ways), place[1] + away * np.sin(ways)
+        for k, position in enumerate(POSITIONS):
+            angles, distances = rng.uniform(0, 2 * np.pi, count), RADIUS * np.sqrt(rng.random(count))
+            x, y = position[0] + distances * np.cos(angles), position[1] + distances * np.sin(angles)
             z = 0.5 * np.sin(1.5 * x) * np.cos(y) + 0.3 * np.sin(2 * y + x)
-            wall = rng.random(count) < 0.3  # posts: what stands out of the ground
-            x = np.where(wall, np.round(x / 3) * 3 + 0.3 * np.cos(7 * ways), x)
-            y = np.where(wall, np.round(y / 3) * 3 + 0.3 * np.sin(7 * ways), y)
+            wall = rng.random(count) < 0.3  # posts that rise from the ground
+            x = np.where(wall, np.round(x / 3) * 3 + 0.3 * np.cos(7 * angles), x)
+            y = np.where(wall, np.round(y / 3) * 3 + 0.3 * np.sin(7 * angles), y)
             z = np.where(wall, rng.uniform(0, 2.5, count), z)
             truth[k, :3, :3] = Rotation.from_rotvec([0, 0, rng.uniform(-3, 3)]).as_matrix()
-            truth[k, :3, 3] = place
+            truth[k, :3, 3] = position
             points = np.column_stack([x, y, z]) + rng.normal(0, NOISE, (count, 3))
-            scans.append((points - place) @ truth[k, :3, :3])
+            scans.append((points - position) @ truth[k, :3, :3])
             rough[k] = truth[k]
             if k:
-                rough[k, :3, :3] = Rotation.from_rotvec(rng.normal(0, TURN, 3)).as_matrix() @ truth[k, :3, :3]
-                rough[k, :3, 3] += rng.normal(0, SHIFT, 3)
+                rough[k, :3, :3] = Rotation.from_rotvec(rng.normal(0, ROTATION_SIGMA, 3)).as_matrix() @ truth[k, :3, :3]
+                rough[k, :3, 3] += rng.normal(0, SHIFT_SIGMA, 3)
         return Survey(scans, truth, rough)
 
     return make
@@ -82,11 +82,11 @@ def prepare_open3d(scene: Survey, device: str) -> Callable[[], Any]:
             graph.nodes.append(reg.PoseGraphNode(T))
         for i, j in itertools.combinations(range(len(clouds)), 2):
             T = np.linalg.inv(scene.rough[j]) @ scene.rough[i]
-            for reach in (4 * VOXEL, 2 * VOXEL):
+            for max_distance in (4 * VOXEL, 2 * VOXEL):
                 method = reg.TransformationEstimationPointToPlane()
-                found = reg.registration_icp(clouds[i], clouds[j], reach, T, method)
-                T = found.transformation
-            if found.fitness >= 0.15:
+                result = reg.registration_icp(clouds[i], clouds[j], max_distance, T, method)
+                T = result.transformation
+            if result.fitness >= 0.15:
                 information = reg.get_information_matrix_from_point_clouds(clouds[i], clouds[j], 2 * VOXEL, T)
                 graph.edges.append(reg.PoseGraphEdge(i, j, T, information, uncertain=j != i + 1))
         option = reg.GlobalOptimizationOption(max_correspondence_distance=2 * VOXEL, reference_node=0)
@@ -98,12 +98,14 @@ def prepare_open3d(scene: Survey, device: str) -> Callable[[], Any]:
 
 
 def facts(poses: np.ndarray) -> np.ndarray:
-    """Where the stations stand beside the first."""
+    """Poses of the stations relative to the first."""
     return (np.linalg.inv(poses[0]) @ poses)[:, :3, 3]
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    np.testing.assert_allclose(ours, theirs, rtol=0, atol=APART, err_msg=f"stations do not stand where {peer} has them")
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    np.testing.assert_allclose(
+        actual, reference, rtol=0, atol=APART, err_msg=f"the poses of stations differ from {peer}'s"
+    )
 
 
 STATIONS = Operation(
@@ -111,7 +113,7 @@ STATIONS = Operation(
     scenes={"8 of 50k": survey(50_000)},
     quick={"8 of 8k": survey(8000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, facts, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d, facts),
     ),
     check=check,
@@ -120,8 +122,8 @@ OPERATIONS = (STATIONS,)
 
 
 @timed(STATIONS)
-def test_stations(turn) -> None:
-    turn()
+def test_stations(time_lap) -> None:
+    time_lap()
 
 
 if __name__ == "__main__":

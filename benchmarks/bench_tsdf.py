@@ -1,9 +1,10 @@
-"""Fusing depth frames at 1 cm, extracting the mesh and casting a picture, beside Open3D's VoxelBlockGrid.
+"""Fusing depth frames at 1 cm, extracting the mesh and ray casting, beside Open3D's VoxelBlockGrid.
 
-Open3D's legacy volume is not here: in 0.20.0 it stays empty. Both volumes hold distance and weight alone, cut at 4 cm,
-in blocks of 8^3. VoxelBlockGrid gets its block count beforehand; ours grows inside the timed region. Times of the
-integration are per frame and include choosing the frame's blocks. Both take the depth as uint16: on the GPU Open3D's
-images are uploaded beforehand, ours goes up inside the timed region.
+Open3D's legacy volume is not included: in 0.20.0 it stays empty. Both volumes store distance and weight alone,
+truncated
+at 4 cm, in blocks of 8^3. VoxelBlockGrid gets its block count beforehand; pointloom's volume grows in the timed region.
+Integration times are per frame and include the selection of the frame's blocks. Both take the depth as uint16. On the
+GPU Open3D's images are uploaded beforehand, pointloom's in the timed region.
 """
 
 from __future__ import annotations
@@ -13,12 +14,12 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, Trial, load_open3d, open3d_device, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, Trial, load_open3d, open3d_device, timed, waiting
 
 VOXEL_SIZE = 0.01  # [m]
 TRUNCATION_VOXELS = 4.0
 NEAREST, DEPTH_MAX = 0.1, 5.0  # [m]
-BLOCK_COUNT = 60_000  # VoxelBlockGrid's room; the frames touch a seventh of it
+BLOCK_COUNT = 60_000  # capacity of VoxelBlockGrid; the frames touch a seventh of it
 
 
 def loom_camera(width: int, height: int, frames: scenes.Frames) -> Any:
@@ -92,7 +93,7 @@ def ray_casting_pointloom(frames: scenes.Frames, device: str) -> Any:
 
 
 def ray_casting_open3d(frames: scenes.Frames, device: str) -> Any:
-    """Depth, points and normals, of the blocks that the frame's own depth touches, as Open3D's examples do it."""
+    """Depth, points and normals, of the blocks that the frame's depth touches, as in Open3D's examples."""
     o3d = load_open3d()
     grid = integration_open3d(frames, device).once()
     k, (height, width) = len(frames) // 4, frames.depths.shape[1:]
@@ -113,14 +114,16 @@ def depth_facts(result: Any) -> tuple[scenes.Frames, np.ndarray]:
     return frames, depth if isinstance(depth, np.ndarray) else depth.cpu().numpy()[..., 0] / 1000
 
 
-def check_depth(ours: tuple[scenes.Frames, np.ndarray], theirs: tuple[scenes.Frames, np.ndarray], peer: str) -> None:
-    """Nearly every pixel is hit, and the depth is no farther from the frame's own than the peer's."""
-    frames, depth = ours
+def check_depth(
+    actual: tuple[scenes.Frames, np.ndarray], reference: tuple[scenes.Frames, np.ndarray], peer: str
+) -> None:
+    """Check that nearly every pixel is hit, and that the depth error is not larger than the baseline's."""
+    frames, depth = actual
     true = frames.depths[len(frames) // 4] / 1000
-    errors = [np.abs(cast - true)[(cast > 0) & (true > 0)] for cast in (depth, theirs[1])]
-    assert len(errors[0]) > 0.99 * len(errors[1]), f"{len(errors[0])} pixels are hit, by {peer} {len(errors[1])}"
+    errors = [np.abs(cast - true)[(cast > 0) & (true > 0)] for cast in (depth, reference[1])]
+    assert len(errors[0]) > 0.99 * len(errors[1]), f"{len(errors[0])} pixels are hit, {len(errors[1])} for {peer}"
     medians = [float(np.median(error)) for error in errors]
-    assert medians[0] <= medians[1], f"the median error is {medians[0]:.4f} m, of {peer} {medians[1]:.4f} m"
+    assert medians[0] <= medians[1], f"the median error is {medians[0]:.4f} m, {medians[1]:.4f} m for {peer}"
 
 
 def mesh_facts(mesh: Any) -> tuple[np.ndarray, int]:
@@ -129,21 +132,23 @@ def mesh_facts(mesh: Any) -> tuple[np.ndarray, int]:
     return mesh.vertex.positions.cpu().numpy(), mesh.triangle.indices.shape[0]
 
 
-def check(ours: tuple[np.ndarray, int], theirs: tuple[np.ndarray, int], peer: str) -> None:
-    """As many triangles within 5 %, each surface within half a voxel of the other and 99 % of it within two voxels.
+def check(actual: tuple[np.ndarray, int], reference: tuple[np.ndarray, int], peer: str) -> None:
+    """Check for the same number of triangles within 5 %, and surfaces within half a voxel (median) and two voxels (99
+    %).
 
-    The blocks that a frame touches, and the pixel that a voxel falls on, are found differently: ours walks every ray
-    through its blocks, VoxelBlockGrid samples rays of every fourth pixel, and so has some blocks fewer.
+    The blocks of a frame and the pixel of a voxel are computed differently: pointloom traverses every ray,
+    VoxelBlockGrid
+    samples every fourth pixel, so it has slightly fewer blocks.
     """
     from scipy.spatial import cKDTree
 
-    (left, left_count), (right, right_count) = ours, theirs
+    (left, left_count), (right, right_count) = actual, reference
     assert abs(left_count - right_count) < 0.05 * right_count, f"{left_count} triangles, {peer} {right_count}"
     for a, b in ((left, right), (right, left)):
         distances, _ = cKDTree(b).query(a[:: max(1, len(a) // 2000)])
-        median, most = np.quantile(distances, (0.5, 0.99))
+        median, largest = np.quantile(distances, (0.5, 0.99))
         assert median < VOXEL_SIZE / 2, f"the median distance between the surfaces is {median:.4f} m"
-        assert most < 2 * VOXEL_SIZE, f"1 % of the surfaces are more than {most:.4f} m apart"
+        assert largest < 2 * VOXEL_SIZE, f"1 % of the surfaces are more than {largest:.4f} m apart"
 
 
 INTEGRATE = Operation(
@@ -152,7 +157,7 @@ INTEGRATE = Operation(
     quick={"3 frames": partial(scenes.room_frames, 3)},
     contestants=(
         Contestant(
-            OURS,
+            POINTLOOM,
             integration_pointloom,
             lambda volume: mesh_facts(volume.extract_triangle_mesh(weight_threshold=0)),
             ("cpu", "cuda"),
@@ -172,7 +177,7 @@ MESH = Operation(
     scenes={"30 frames": INTEGRATE.scenes["30 frames"]},
     quick=INTEGRATE.quick,
     contestants=(
-        Contestant(OURS, extraction_pointloom, mesh_facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, extraction_pointloom, mesh_facts, ("cpu", "cuda")),
         Contestant("open3d-tensor", extraction_open3d, mesh_facts, ("cpu", "cuda")),
     ),
     check=check,
@@ -182,7 +187,7 @@ RAY_CAST = Operation(
     scenes={"30 frames": INTEGRATE.scenes["30 frames"]},
     quick=INTEGRATE.quick,
     contestants=(
-        Contestant(OURS, ray_casting_pointloom, depth_facts, ("cpu", "cuda")),
+        Contestant(POINTLOOM, ray_casting_pointloom, depth_facts, ("cpu", "cuda")),
         Contestant("open3d-tensor", ray_casting_open3d, depth_facts, ("cpu", "cuda")),
     ),
     check=check_depth,
@@ -191,15 +196,15 @@ OPERATIONS = (INTEGRATE, MESH, RAY_CAST)
 
 
 @timed(INTEGRATE)
-def test_tsdf_integrate(turn) -> None:
-    turn()
+def test_tsdf_integrate(time_lap) -> None:
+    time_lap()
 
 
 @timed(MESH)
-def test_tsdf_mesh(turn) -> None:
-    turn()
+def test_tsdf_mesh(time_lap) -> None:
+    time_lap()
 
 
 @timed(RAY_CAST)
-def test_tsdf_ray_cast(turn) -> None:
-    turn()
+def test_tsdf_ray_cast(time_lap) -> None:
+    time_lap()

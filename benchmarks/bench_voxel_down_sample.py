@@ -1,7 +1,7 @@
 """voxel_down_sample at 2 cm, beside Open3D's two point clouds and small_gicp.
 
-The grids differ: Open3D's legacy cloud and ours start half a voxel below the lowest corner, the others at multiples of
-the voxel. small_gicp's result on several threads holds up to 10 % more points, as its documentation says.
+The grids differ: those of Open3D's legacy cloud and of pointloom start half a voxel below the lowest corner, the others
+at multiples of the voxel size. small_gicp's result on several threads has up to 10 % more points, as documented.
 """
 
 from __future__ import annotations
@@ -11,7 +11,7 @@ from typing import Any
 
 import numpy as np
 import scenes
-from contest import OURS, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
+from contest import POINTLOOM, Contestant, Operation, load_open3d, open3d_device, thread_count, timed, waiting
 
 VOXEL_SIZE = 0.02  # [m]
 
@@ -42,15 +42,19 @@ def prepare_small_gicp(points: np.ndarray, device: str) -> Any:
     return lambda: small_gicp.voxelgrid_sampling(cloud, VOXEL_SIZE, num_threads=thread_count())
 
 
-def check(ours: np.ndarray, theirs: np.ndarray, peer: str) -> None:
-    """As many points; against the same grid also the same points, save those that rounding moves to another voxel."""
+def check(actual: np.ndarray, reference: np.ndarray, peer: str) -> None:
+    """Check for the same number of points; for the same grid also the same points, except for those that rounding
+    moves to another voxel.
+    """
     margin = {"open3d-legacy": 1e-3, "small_gicp": 0.12}.get(peer, 0.02)
-    assert abs(len(ours) - len(theirs)) <= margin * len(theirs), f"{len(ours)} points, {peer} {len(theirs)}"
-    np.testing.assert_allclose(ours.mean(axis=0), theirs.mean(axis=0), atol=VOXEL_SIZE / 4)
+    assert abs(len(actual) - len(reference)) <= margin * len(reference), (
+        f"{len(actual)} points, {peer} {len(reference)}"
+    )
+    np.testing.assert_allclose(actual.mean(axis=0), reference.mean(axis=0), atol=VOXEL_SIZE / 4)
     if peer == "open3d-legacy":
         from scipy.spatial import cKDTree
 
-        distances, _ = cKDTree(theirs).query(ours)
+        distances, _ = cKDTree(reference).query(actual)
         assert np.mean(distances > 1e-5) < 1e-2, f"{np.mean(distances > 1e-5):.1%} of the means are not {peer}'s"
 
 
@@ -59,7 +63,7 @@ VOXEL_DOWN_SAMPLE = Operation(
     scenes={"200k": partial(scenes.bumpy_surface, 200_000), "1M": partial(scenes.bumpy_surface, 1_000_000)},
     quick={"50k": partial(scenes.bumpy_surface, 50_000)},
     contestants=(
-        Contestant(OURS, prepare_pointloom, lambda cloud: cloud.points, ("cpu", "cuda")),
+        Contestant(POINTLOOM, prepare_pointloom, lambda cloud: cloud.points, ("cpu", "cuda")),
         Contestant("open3d-legacy", prepare_open3d_legacy, lambda cloud: np.asarray(cloud.points)),
         Contestant(
             "open3d-tensor", prepare_open3d_tensor, lambda cloud: cloud.point.positions.cpu().numpy(), ("cpu", "cuda")
@@ -72,5 +76,5 @@ OPERATIONS = (VOXEL_DOWN_SAMPLE,)
 
 
 @timed(VOXEL_DOWN_SAMPLE)
-def test_voxel_down_sample(turn) -> None:
-    turn()
+def test_voxel_down_sample(time_lap) -> None:
+    time_lap()

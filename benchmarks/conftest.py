@@ -1,7 +1,8 @@
-"""How an operation is timed: contestants take turns on the same data, in laps, in one process.
+"""Timing of an operation: contestants alternate on the same data, in laps, in one process.
 
-At its first turn a contestant prepares its data and calls once outside the timed rounds: that call compiles kernels and
-starts threads, and its result is compared with ours. A contestant that disagrees is an error and gets no time.
+In its first lap a contestant prepares its data and makes one call outside the timed rounds. That call compiles kernels
+and starts threads, and its result is compared with pointloom's. A contestant that disagrees is an error and is not
+timed.
 """
 
 from __future__ import annotations
@@ -14,17 +15,17 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 import pytest
-from contest import OURS, Operation, Trial, limit_threads
+from contest import POINTLOOM, Operation, Trial, limit_threads
 from real_data import DataMissingError
 
 LAPS = 4
-TURN_SECONDS = 0.4  # timed in one turn, at least one round
-CONTESTANT_SECONDS = 8.0  # timed in all laps; a slow peer stops when it is spent
-MAX_ROUNDS = 12  # of a turn
-SETTLE_SECONDS = 0.03  # waiting threads of the last contestant spin for some ms before they sleep
+LAP_SECONDS = 0.4  # timed per lap, at least one round
+CONTESTANT_SECONDS = 8.0  # timed in all laps; a slow baseline stops after that
+MAX_ROUNDS = 12  # per lap
+PAUSE_SECONDS = 0.03  # waiting threads of the previous contestant spin for some ms before they sleep
 
 
-class Turn(NamedTuple):
+class Lap(NamedTuple):
     """One contestant's rounds in one lap."""
 
     operation: Operation
@@ -35,7 +36,7 @@ class Turn(NamedTuple):
 
 @dataclass
 class Entry:
-    """A contestant that has begun: how long its first call took, and one more."""
+    """A contestant that has started: durations of its first call and of a later one."""
 
     trial: Trial
     first_call: float
@@ -44,7 +45,7 @@ class Entry:
 
 
 class Contest:
-    """One operation at one size: its data, or which are missing, and who has begun."""
+    """One operation at one size: its data, or a message about missing data, and the contestants that have started."""
 
     def __init__(self, operation: Operation, size: str, device: str, quick: bool):
         self.operation, self.size, self.device = operation, size, device
@@ -59,29 +60,29 @@ class Contest:
             self.unit_count = operation.unit_count(self.scene)
 
     def entry(self, label: str) -> Entry:
-        """The contestant, ready to be timed; raises what stopped it."""
+        """Return the contestant, ready to be timed; raises its first error."""
         if label not in self.entries:
             try:
                 self.entries[label] = self._begin(label)
             except Exception as error:
                 self.entries[label] = error
                 raise
-        found = self.entries[label]
-        if isinstance(found, Exception):
+        entry = self.entries[label]
+        if isinstance(entry, Exception):
             pytest.skip(f"{label} is out")
-        return found
+        return entry
 
     def _begin(self, label: str) -> Entry:
-        contestant, place = self.operation.contestant(label, self.device)
+        contestant, run_device = self.operation.contestant(label, self.device)
         try:
-            trial = contestant.trial(self.scene, place)
+            trial = contestant.trial(self.scene, run_device)
         except ModuleNotFoundError as error:
             pytest.skip(f"{label}: {error}")
         first_call, result = _timed(trial)
         facts = contestant.facts(result)
         del result
-        estimate = _timed(trial)[0] if label == OURS else first_call  # our first call compiles
-        if label == OURS:
+        estimate = _timed(trial)[0] if label == POINTLOOM else first_call  # the first call of pointloom compiles
+        if label == POINTLOOM:
             self.our_facts = facts
         elif self.our_facts is not None:
             self.operation.check(self.our_facts, facts, label)
@@ -103,7 +104,7 @@ _problems = pytest.StashKey[dict[str, list[str]]]()
 
 def pytest_addoption(parser: pytest.Parser) -> None:
     group = parser.getgroup("pointloom benchmarks")
-    group.addoption("--bench-device", default="cpu", help="where pointloom runs: cpu or cuda:0")
+    group.addoption("--bench-device", default="cpu", help="device of pointloom: cpu or cuda:0")
     group.addoption("--bench-quick", action="store_true", help="small sizes, one lap")
     group.addoption("--bench-operation", action="append", help="only this operation; may be repeated")
 
@@ -118,40 +119,40 @@ def pytest_generate_tests(metafunc: pytest.Metafunc) -> None:
     if operation is None:
         return
     quick = config.getoption("--bench-quick")
-    names = [label for _, _, label in operation.places(config.getoption("--bench-device"))]
+    names = [label for _, _, label in operation.contestants_on(config.getoption("--bench-device"))]
     sizes = operation.quick if quick else operation.scenes
     laps = 1 if quick else LAPS
-    turns = [Turn(operation, s, label, lap) for s in sizes for lap in range(laps) for label in names]
-    ids = [f"{t.size}-{t.label}-{t.lap}".replace(" ", "_") for t in turns]
-    metafunc.parametrize("turn", turns, ids=ids, indirect=True)
+    parameters = [Lap(operation, s, label, lap) for s in sizes for lap in range(laps) for label in names]
+    ids = [f"{t.size}-{t.label}-{t.lap}".replace(" ", "_") for t in parameters]
+    metafunc.parametrize("time_lap", parameters, ids=ids, indirect=True)
 
 
 def pytest_collection_modifyitems(config: pytest.Config, items: list[pytest.Item]) -> None:
-    wanted = config.getoption("--bench-operation")
-    if not wanted:
+    requested = config.getoption("--bench-operation")
+    if not requested:
         return
-    kept = [item for item in items if item.function.operation.name in wanted]
-    config.hook.pytest_deselected(items=[i for i in items if i not in kept])
-    items[:] = kept
+    selected = [item for item in items if item.function.operation.name in requested]
+    config.hook.pytest_deselected(items=[i for i in items if i not in selected])
+    items[:] = selected
 
 
 def announce(item: pytest.Item) -> None:
-    """Say which operation and size come next, and how many there are: the first call of each may compile for long."""
-    coming = (other.callspec.params["turn"] for other in item.session.items if hasattr(other, "callspec"))
-    places = list(dict.fromkeys((turn.operation.name, turn.size) for turn in coming))
-    turn = item.callspec.params["turn"]
-    place = places.index((turn.operation.name, turn.size))
-    print(f"  {turn.operation.name} {turn.size} ({place + 1} of {len(places)})", file=sys.stderr, flush=True)
+    """Print the next operation and size and its number: the first call of each may compile for a long time."""
+    pending = (other.callspec.params["time_lap"] for other in item.session.items if hasattr(other, "callspec"))
+    cases = list(dict.fromkeys((lap.operation.name, lap.size) for lap in pending))
+    lap = item.callspec.params["time_lap"]
+    index = cases.index((lap.operation.name, lap.size))
+    print(f"  {lap.operation.name} {lap.size} ({index + 1} of {len(cases)})", file=sys.stderr, flush=True)
 
 
 @pytest.fixture
-def turn(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[], None]]:
-    """Call it to take the turn."""
+def time_lap(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[], None]]:
+    """Time the rounds of one lap when called."""
     operation, size, label, lap = request.param
     stash = request.config.stash
     contest = stash.get(_contest, None)
     if contest is None or (contest.operation, contest.size) != (operation, size):
-        stash[_contest] = contest = None  # before the next data are made
+        stash[_contest] = contest = None  # frees the old data first
         announce(request.node)
         device, quick = (request.config.getoption(f"--bench-{name}") for name in ("device", "quick"))
         stash[_contest] = contest = Contest(operation, size, device, quick)
@@ -160,21 +161,21 @@ def turn(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[]
     if contest.missing:
         pytest.skip(contest.missing)
 
-    def take() -> None:
+    def run_rounds() -> None:
         benchmark.group = f"{operation.name} {size}"
         entry = contest.entry(label)
         if entry.spent > CONTESTANT_SECONDS:
             pytest.skip("has been timed long enough")
-        held: list[Any] = []  # results go outside the timed region
+        results: list[Any] = []  # results are freed outside the timed region
 
         def make() -> tuple[tuple[Any, ...], dict[str, Any]]:
-            held.clear()
+            results.clear()
             return entry.trial.arguments(), {}
 
-        rounds = min(MAX_ROUNDS, max(1, int(TURN_SECONDS / max(entry.estimate, 1e-6))))
+        rounds = min(MAX_ROUNDS, max(1, int(LAP_SECONDS / max(entry.estimate, 1e-6))))
         gc.collect()
-        time.sleep(SETTLE_SECONDS)
-        benchmark.pedantic(lambda *arguments: held.append(entry.trial.call(*arguments)), setup=make, rounds=rounds)
+        time.sleep(PAUSE_SECONDS)
+        benchmark.pedantic(lambda *arguments: results.append(entry.trial.call(*arguments)), setup=make, rounds=rounds)
         if benchmark.stats is None:  # --benchmark-disable
             return
         entry.spent += benchmark.stats.stats.total
@@ -185,7 +186,7 @@ def turn(request: pytest.FixtureRequest, benchmark: Any) -> Iterator[Callable[[]
         best = benchmark.stats.stats.min / contest.unit_count
         print(f"  {operation.name:18} {size:16} {label:20} {1000 * best:10.2f} ms", file=sys.stderr, flush=True)
 
-    yield take
+    yield run_rounds
 
 
 def pytest_runtest_logreport(report: pytest.TestReport) -> None:
@@ -198,22 +199,22 @@ def pytest_runtest_logreport(report: pytest.TestReport) -> None:
 def pytest_runtest_makereport(item: pytest.Item) -> Any:
     report = yield
     if hasattr(item, "callspec") and (report.failed or report.skipped):
-        turn = item.callspec.params["turn"]
+        lap = item.callspec.params["time_lap"]
         reason = report.longrepr[2] if report.skipped else str(report.longrepr.reprcrash.message).split("\n")[0]
         problems = item.config.stash[_problems]
         if report.failed:
-            problems["failed"].append(f"{turn.operation.name} {turn.size} {turn.label}: {reason}")
+            problems["failed"].append(f"{lap.operation.name} {lap.size} {lap.label}: {reason}")
         elif "No module" in reason:
-            problems["skipped"].append(f"{turn.operation.name}: {reason.removeprefix('Skipped: ')}")
+            problems["skipped"].append(f"{lap.operation.name}: {reason.removeprefix('Skipped: ')}")
     return report
 
 
 def pytest_unconfigure(config: pytest.Config) -> None:
-    config.stash[_contest] = None  # Open3D counts tensors that are still held when it ends as leaks
+    config.stash[_contest] = None  # tensors that exist when Open3D shuts down are reported as leaks
 
 
 def pytest_benchmark_generate_machine_info() -> dict[str, str]:
-    return {}  # names the host, and takes a second; run.py writes its own
+    return {}  # contains the host name, and takes a second; run.py writes its own
 
 
 def pytest_benchmark_generate_commit_info() -> dict[str, str]:

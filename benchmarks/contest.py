@@ -1,6 +1,6 @@
-"""What a benchmark is: an operation, the sizes that it runs at, and contestants that do the same work on the same data.
+"""Benchmark definitions: operations, sizes, and contestants that do the same work on the same data.
 
-The timing of pytest (conftest.py), the peak memory (memory.py) and the profile (launches.py) all run these.
+Used by the timing with pytest (conftest.py), the peak memory (memory.py) and the profile (launches.py).
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-OURS = "pointloom"
+POINTLOOM = "pointloom"
 PACKAGES = (
     "pointloom", "numpy", "warp-lang", "open3d", "small_gicp", "pykdtree", "scipy", "scikit-image", "vtk",
     "PyMCubes", "scikit-learn", "kiss-matcher", "kiss-icp", "opencv-python-headless",
@@ -24,34 +24,34 @@ PACKAGES = (
 
 @dataclass(frozen=True)
 class Trial:
-    """One contestant's work on one scene, with the data where it needs it.
+    """One contestant's work on one scene, with the data on its device.
 
     Attributes:
-        call: The timed call; gets what `setup` returned, where there is one.
-        setup: Made anew before each call, outside the timed region.
+        call: The timed call; gets the result of `setup`, if any.
+        setup: Called before each call, outside the timed region.
     """
 
     call: Callable[..., Any]
     setup: Callable[[], Any] | None = None
 
     def once(self) -> Any:
-        """Run it once, set-up included."""
+        """Run the call once, including the set-up."""
         return self.call(*self.arguments())
 
     def arguments(self) -> tuple[Any, ...]:
-        """What the next call gets."""
+        """The arguments of the next call."""
         return () if self.setup is None else (self.setup(),)
 
 
 @dataclass(frozen=True)
 class Contestant:
-    """A library that does the work of an operation.
+    """A library that performs an operation.
 
     Attributes:
-        name: As in the table.
-        prepare: (scene, device) -> the Trial, or a plain call; loads the library and moves the data.
-        facts: What of its result is compared, as NumPy arrays or numbers; never timed.
-        devices: Kinds of device that it runs on, of "cpu" and "cuda".
+        name: Name in the table.
+        prepare: (scene, device) -> the Trial, or a plain call; loads the library and transfers the data.
+        facts: Converts a result to the compared values (NumPy arrays or numbers); not timed.
+        devices: Supported device kinds, of "cpu" and "cuda".
     """
 
     name: str
@@ -60,23 +60,23 @@ class Contestant:
     devices: tuple[str, ...] = ("cpu",)
 
     def trial(self, scene: Any, device: str) -> Trial:
-        """The work on this scene."""
-        made = self.prepare(scene, device)
-        return made if isinstance(made, Trial) else Trial(made)
+        """The work on a scene."""
+        prepared = self.prepare(scene, device)
+        return prepared if isinstance(prepared, Trial) else Trial(prepared)
 
 
 @dataclass(frozen=True)
 class Operation:
-    """What is compared.
+    """A compared operation.
 
     Attributes:
-        name: As in the table and in targets.py.
-        scenes: Makers of the data by size.
-        quick: The same for a quick run; small.
-        contestants: Ours first.
-        check: (ours, theirs, name of the peer): raises AssertionError where the two results disagree.
-        unit_count: Scene -> how many units a call does; times are given per unit.
-        memory_size: The size whose peak memory is measured; None for the last.
+        name: Name in the table and in targets.py.
+        scenes: Functions that create the data, by size.
+        quick: The same for a quick run, with small data.
+        contestants: pointloom is the first.
+        check: (actual, reference, name of the baseline): raises AssertionError if the results disagree.
+        unit_count: Scene -> number of units per call; times are given per unit.
+        memory_size: The size for the peak memory; None for the last one.
     """
 
     name: str
@@ -87,28 +87,28 @@ class Operation:
     unit_count: Callable[[Any], int] = field(default=lambda scene: 1)
     memory_size: str | None = None
 
-    def places(self, device: str) -> Iterator[tuple[Contestant, str, str]]:
-        """The contestants on a device: (contestant, device that it runs on, label).
+    def contestants_on(self, device: str) -> Iterator[tuple[Contestant, str, str]]:
+        """Yield the contestants on a device as (contestant, device of the contestant, label).
 
-        Where no peer runs on the GPU, its peers on the CPU stand beside it, and the label says so.
+        If no baseline runs on the GPU, the CPU baselines are used and labeled "(cpu)".
         """
         kind = "cuda" if device.startswith("cuda") else "cpu"
-        ours, *peers = self.contestants
-        yield ours, device, OURS
-        here = [peer for peer in peers if kind in peer.devices]
-        for peer in here or peers:
-            yield peer, device if here else "cpu", peer.name if here else f"{peer.name} (cpu)"
+        own, *peers = self.contestants
+        yield own, device, POINTLOOM
+        available = [peer for peer in peers if kind in peer.devices]
+        for peer in available or peers:
+            yield peer, device if available else "cpu", peer.name if available else f"{peer.name} (cpu)"
 
     def contestant(self, label: str, device: str) -> tuple[Contestant, str]:
-        """The contestant with this label, and the device that it runs on."""
-        for contestant, place, name in self.places(device):
+        """The contestant with this label, and its device."""
+        for contestant, run_device, name in self.contestants_on(device):
             if name == label:
-                return contestant, place
+                return contestant, run_device
         raise KeyError(f"{self.name} has no contestant {label!r} on {device}")
 
 
 def timed(operation: Operation) -> Callable[[Callable], Callable]:
-    """Mark a test function as the one that times an operation; conftest.py gives it its turns."""
+    """Mark a test function as the timing of an operation; conftest.py parametrizes it."""
 
     def mark(function: Callable) -> Callable:
         function.operation = operation
@@ -118,17 +118,17 @@ def timed(operation: Operation) -> Callable[[Callable], Callable]:
 
 
 def bench_modules() -> dict[str, Path]:
-    """The files of benchmarks by module name."""
+    """The benchmark files by module name."""
     return {path.stem: path for path in sorted(Path(__file__).parent.glob("bench_*.py"))}
 
 
 def operations() -> dict[str, tuple[str, Operation]]:
-    """All operations by name, with the modules that hold them."""
-    found: dict[str, tuple[str, Operation]] = {}
+    """All operations by name, with their modules."""
+    by_name: dict[str, tuple[str, Operation]] = {}
     for module in bench_modules():
         for operation in importlib.import_module(module).OPERATIONS:
-            found[operation.name] = (module, operation)
-    return found
+            by_name[operation.name] = (module, operation)
+    return by_name
 
 
 # ------------------------------------------------------------------------------------------------ fairness
@@ -140,10 +140,10 @@ def thread_count() -> int:
 
 
 def limit_threads(device: str) -> None:
-    """Give this process, and so every contestant in it, the same few cores. Call it before any library is loaded.
+    """Bind this process to the same few cores for every contestant. Call it before any library is loaded.
 
-    Thread counts of each library are set too: those that start a thread a core of the machine would otherwise crowd
-    the cores that they were given.
+    Also sets the thread count of each library: libraries that start a thread per core of the machine would otherwise
+    overload the available cores.
     """
     count = str(thread_count())
     for name in ("OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "POINTLOOM_CPU_THREADS"):
@@ -153,7 +153,7 @@ def limit_threads(device: str) -> None:
 
 
 def load_open3d() -> Any:
-    """Open3D, limited to our threads."""
+    """Import Open3D with a limited thread count."""
     import open3d as o3d
 
     o3d.utility.set_max_threads(thread_count())
@@ -161,17 +161,17 @@ def load_open3d() -> Any:
 
 
 def open3d_device(device: str) -> Any:
-    """Open3D's device for one of our names."""
+    """Convert a device name to Open3D's device."""
     return load_open3d().core.Device(device.upper() if ":" in device else f"{device.upper()}:0")
 
 
 def anew(cloud: Any) -> Any:
-    """Our cloud over the same arrays without the search tree that it keeps: for calls that have to build it."""
+    """A cloud over the same arrays without the cached search tree, for calls that must build it."""
     return type(cloud)._from_device_arrays(dict(cloud._arrays), cloud.origin)
 
 
 def waiting(call: Callable[..., Any], device: str, library: str) -> Callable[..., Any]:
-    """The call with the wait for the GPU inside it; on the CPU the call itself."""
+    """Wrap a call to synchronize the GPU; on the CPU return the call itself."""
     if not device.startswith("cuda"):
         return call
     wait = _waits(device)[library]
@@ -194,11 +194,11 @@ def _waits(device: str) -> dict[str, Callable[[], None]]:
 
 
 def versions() -> dict[str, str]:
-    """Versions of the libraries that are here."""
-    found = {}
+    """Versions of the installed libraries."""
+    result = {}
     for package in PACKAGES:
         try:
-            found[package] = importlib.metadata.version(package)
+            result[package] = importlib.metadata.version(package)
         except importlib.metadata.PackageNotFoundError:
             continue
-    return found
+    return result

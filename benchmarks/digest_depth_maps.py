@@ -1,4 +1,4 @@
-"""The operation of digests.py that finds depth in pictures."""
+"""The operation of digests.py that estimates depth maps."""
 
 from __future__ import annotations
 
@@ -9,12 +9,12 @@ from digest_scenes import loom
 
 
 def estimated_depth_maps(d: Any) -> list[Any]:
-    """Of three pictures of a textured wall."""
+    """Depth maps of three images of a textured wall."""
     return _depth_maps_of(d, np.random.default_rng(9).integers(0, 256, (60, 80), dtype=np.uint8))
 
 
 def plain_depth_maps(d: Any) -> list[Any]:
-    """Of three pictures of a wall that is gray in its middle, but for some noise: it takes the plane of its frame."""
+    """Depth maps of three images of a wall with an untextured center: it gets the plane of its frame."""
     rng = np.random.default_rng(9)
     wall = rng.integers(0, 256, (60, 80), dtype=np.uint8)
     wall[18:42, 22:56] = rng.integers(126, 131, (24, 34), dtype=np.uint8)
@@ -22,7 +22,9 @@ def plain_depth_maps(d: Any) -> list[Any]:
 
 
 def _depth_maps_of(d: Any, texture: Any) -> list[Any]:
-    """Of three pictures of a wall 2 m off, seen four pixels aside by one and three below by another."""
+    """Depth maps of three images of a wall at 2 m; one image is shifted by four pixels horizontally, one by three
+    vertically.
+    """
     from pointloom.photogrammetry.mvs.posed_pictures import SparsePoints
 
     mvs = loom().mvs

@@ -1,4 +1,4 @@
-"""The operations of digests.py that draw."""
+"""The operations of digests.py that render."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ SIZE = (96, 72)
 
 
 def drawn(geometries: Any, **options: Any) -> list[Any]:
-    """A picture and its depths."""
+    """An image and its depth."""
     picture, depth = loom().render(geometries, size=SIZE, depth=True, **options)
     return [np.asarray(picture), depth]
 
@@ -33,18 +33,18 @@ def splats_of(d: Any) -> Any:
     return loom().GaussianSplats(cloud.points, *shape, rng.normal(0, 0.5, (count, 9, 3)), device=cloud.device)
 
 
-def seen_of_splats(d: Any) -> list[Any]:
-    """What a camera beside a cloud sees of its splats, alone and among others."""
+def rendered_splats(d: Any) -> list[Any]:
+    """Rendered splats of a cloud, alone and together with others."""
     splats, camera = splats_of(d), loom().PinholeCameraIntrinsic(*SIZE, 80.0, 80.0, 47.5, 35.5)
     T = np.eye(4)
     T[:3, 3] = -splats.get_center() + [0, 0, 2]
-    seen = splats.rasterize(camera, T)
+    image = splats.rasterize(camera, T)
     picture = loom().render([splats, d.ball], size=SIZE, background="transparent")
-    return [seen.color, seen.opacity, seen.depth, seen.median_depth, seen.normals, np.asarray(picture)]
+    return [image.color, image.opacity, image.depth, image.median_depth, image.normals, np.asarray(picture)]
 
 
 def map_of(d: Any) -> list[Any]:
-    """Maps of the ball by its vertices' colors, in UTM, and of a sheet by two textures."""
+    """Orthographic maps of the ball by vertex colors, in UTM, and of a sheet with two textures."""
     ball, rng = d.ball.compute_vertex_normals(), np.random.default_rng(0)
     ball.vertex_colors = np.abs(ball.vertex_normals)
     side = float(np.ptp(ball.vertices[:, 0])) / 40
@@ -52,8 +52,8 @@ def map_of(d: Any) -> list[Any]:
         [[0, 0, 0], [9, 0, 1], [9, 9, 2], [0, 9, 1]], [[0, 1, 2], [0, 2, 3]], triangle_uvs=rng.random((6, 2)),
         triangle_material_ids=[1, 0], textures=list(rng.integers(0, 256, (2, 16, 16, 3), np.uint8)), device=d.device,
     )  # fmt: skip
-    made = [loom().orthophoto(ball, side, frame=loom().video.WorldFrame(47.5, 8.25)), loom().orthophoto(sheet, 0.3)]
-    return [[each.colors, each.heights.values] for each in made]
+    maps = [loom().orthophoto(ball, side, frame=loom().video.WorldFrame(47.5, 8.25)), loom().orthophoto(sheet, 0.3)]
+    return [[each.colors, each.heights.values] for each in maps]
 
 
 DRAWN: dict[str, Callable[[Any], Any]] = {
@@ -65,7 +65,7 @@ DRAWN: dict[str, Callable[[Any], Any]] = {
     "render, see-through": lambda d: drawn(
         [{"geometry": d.ball, "opacity": 0.4}, d.surface.cloud], background="transparent"
     ),
-    "splats, drawn": lambda d: seen_of_splats(d),
+    "splats, drawn": lambda d: rendered_splats(d),
     "orthophoto": lambda d: map_of(d),
     "render, scene": lambda d: drawn(
         scene_of(d), labels=[("here", [0, 0, 0])], mesh_show_wireframe=True, scale_bar=True

@@ -1,6 +1,6 @@
 """The files of digests.py: the bytes of each format that the library writes.
 
-An E57 file has random identifiers below its checksums, so the values that are read from it count.
+An E57 file contains random identifiers and their checksums, so the digest is of the values read from it.
 """
 
 from __future__ import annotations
@@ -39,7 +39,7 @@ def contents(write: Callable[[Path], Any]) -> dict[str, NDArray[np.uint8]]:
 
 
 def plain(data: bytes) -> bytes:
-    """A file without the path of its folder and times."""
+    """The contents of a file without folder paths and times."""
     return CHANGING.sub(b"", data.replace(tempfile.gettempdir().encode(), b""))
 
 
@@ -100,30 +100,30 @@ def stations(d: Scenes) -> Any:
 
 
 def model(d: Scenes) -> Any:
-    """Two images of five points."""
+    """A model of two images and five points."""
     poses, points = np.stack([np.eye(4), pose_of(5.0, [0.1, 0.0, 0.0])]), np.add(np.eye(5, 3), [0, 0, 4])
     lens = loom().CameraModel("SIMPLE_RADIAL", 640, 480, [500.0, 320.0, 240.0, -0.05])
     rows = [(image, point) for image in range(2) for point in range(5)]
     pixels = np.arange(20.0).reshape(10, 2) + 100
     given = (["a.jpg", "b/c.png"], [lens, lens], poses, points, np.full((5, 3), 7, np.uint8), np.ones(5), rows, pixels)
-    made = loom().SfmModel(*given)
+    result = loom().SfmModel(*given)
 
     def write(folder: Path) -> None:
-        loom().write_colmap_model(folder / "bin", made)
-        loom().write_colmap_model(folder / "txt", made, format="txt")
-        loom().write_transforms(folder / "transforms.json", made)
+        loom().write_colmap_model(folder / "bin", result)
+        loom().write_colmap_model(folder / "txt", result, format="txt")
+        loom().write_transforms(folder / "transforms.json", result)
 
     return contents(write)
 
 
 def splats(ending: str) -> Callable[[Scenes], Any]:
     rng = np.random.default_rng(3)
-    centers, turns, colors = rng.normal(size=(20, 3)), rng.normal(size=(20, 4)), rng.normal(size=(20, 3))
-    given = (centers, rng.uniform(0.1, 1.0, (20, 3)), turns, rng.uniform(0.1, 0.9, 20), colors)
+    centers, quaternions, colors = rng.normal(size=(20, 3)), rng.normal(size=(20, 4)), rng.normal(size=(20, 3))
+    given = (centers, rng.uniform(0.1, 1.0, (20, 3)), quaternions, rng.uniform(0.1, 0.9, 20), colors)
 
     def write(d: Scenes) -> Any:
-        made = loom().GaussianSplats(*given, device=d.device)
-        return contents(lambda folder: loom().write_splats(folder / f"splats.{ending}", made))
+        result = loom().GaussianSplats(*given, device=d.device)
+        return contents(lambda folder: loom().write_splats(folder / f"splats.{ending}", result))
 
     return write
 

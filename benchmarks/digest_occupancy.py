@@ -14,7 +14,7 @@ BOUNDS = [[-0.5, -0.5, -0.5], [0.5, 0.5, 0.5]]
 
 
 def filled(d: Scenes, away: float = 0.0) -> Any:
-    """Three scans of a ball from within, one of them with an origin a point and rays that are cut."""
+    """Three scans of a ball from inside, one of them with its origin at a point and clipped rays."""
     grid, ends = loom().OccupancyGrid(0.05, device=d.device), d.ball.vertices[::7] + away
     middle = ends.mean(axis=0)
     grid.insert_scan(ends, middle)
@@ -23,11 +23,11 @@ def filled(d: Scenes, away: float = 0.0) -> Any:
     return grid
 
 
-def asked(d: Scenes) -> list[Any]:
-    grid, places = filled(d), d.ball.vertices[::11]
-    answers = [getattr(grid, name)(places) for name in ("states", "occupied", "probabilities", "log_odds")]
+def queried(d: Scenes) -> list[Any]:
+    grid, points = filled(d), d.ball.vertices[::11]
+    results = [getattr(grid, name)(points) for name in ("states", "occupied", "probabilities", "log_odds")]
     return [
-        answers,
+        results,
         grid.to_array(BOUNDS),
         grid.voxel_indices(),
         grid.to_point_cloud(),
@@ -36,12 +36,12 @@ def asked(d: Scenes) -> list[Any]:
 
 
 def met(d: Scenes) -> list[Any]:
-    places = d.ball.vertices[::11]
-    hits = filled(d).cast_rays(places.mean(axis=0), places - places.mean(axis=0), 3.0)
+    points = d.ball.vertices[::11]
+    hits = filled(d).cast_rays(points.mean(axis=0), points - points.mean(axis=0), 3.0)
     return [hits.states, hits.distances, hits.voxels]
 
 
-def kept(d: Scenes) -> list[Any]:
+def saved(d: Scenes) -> list[Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "grid.npz"
         filled(d).save(path)
@@ -52,7 +52,7 @@ def kept(d: Scenes) -> list[Any]:
 OCCUPANCY: dict[str, Callable[[Scenes], Any]] = {
     "occupancy, insert_scan": lambda d: filled(d).voxel_indices(),
     "occupancy, insert_scan, far": lambda d: filled(d, 500_000.0).to_point_cloud(),
-    "occupancy, asked": asked,
+    "occupancy, asked": queried,
     "occupancy, cast_rays": met,
-    "occupancy, save and load": kept,
+    "occupancy, save and load": saved,
 }

@@ -10,11 +10,11 @@ from typing import Any
 
 import numpy as np
 import scenes
-from digest_scenes import HEIGHT, WIDTH, Place, about, loom, pose_of, reg
+from digest_scenes import HEIGHT, WIDTH, SampledSurface, about, loom, pose_of, reg
 
 
 def there_and_back(value: Any, ending: str, write: str, read: str, **options: Any) -> Any:
-    """What a file gives back of what was written to it."""
+    """A value after writing and reading a file."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"file{ending}"
         getattr(loom(), write)(path, value, **options)
@@ -25,18 +25,18 @@ def cloud_file(cloud: Any, ending: str, **options: Any) -> Any:
     return there_and_back(cloud, ending, "write_point_cloud", "read_point_cloud", **options)
 
 
-def alpha_shape(p: Place, alpha: Any, **options: Any) -> Any:
+def alpha_shape(p: SampledSurface, alpha: Any, **options: Any) -> Any:
     return loom().TriangleMesh.create_from_point_cloud_alpha_shape(p.cloud, alpha, **options)
 
 
-def detail_tree(p: Place) -> Any:
+def detail_tree(p: SampledSurface) -> Any:
     from pointloom.visualization.viewer.detail_tree import DetailTree
 
     tree = DetailTree.from_cloud(p.cloud)
     return [tree.counts, tree.levels, tree.middles, *(tree.indices_of(i) for i in range(len(tree)))]
 
 
-def moved_splats(p: Place) -> Any:
+def moved_splats(p: SampledSurface) -> Any:
     cloud = p.cloud.remove_non_finite_points()
     rng, count = np.random.default_rng(0), len(cloud)
     shape = [np.exp(rng.normal(-3, 1, (count, 3))), rng.normal(size=(count, 4)), rng.uniform(0.01, 0.99, count)]
@@ -44,36 +44,36 @@ def moved_splats(p: Place) -> Any:
     return splats.clean(min_opacity=0.1, max_scale=0.2).transform(p.pose).cloud
 
 
-def search(p: Place) -> Any:
+def search(p: SampledSurface) -> Any:
     return loom().NearestNeighborSearch(p.cloud)
 
 
-def icp(p: Place, method: str = "PointToPoint", **options: Any) -> Any:
-    """ICP by an estimator, whose own options are given by keyword."""
+def icp(p: SampledSurface, method: str = "PointToPoint", **options: Any) -> Any:
+    """ICP with an estimator whose options are given by keyword."""
     estimation = getattr(reg(), f"TransformationEstimation{method}")(**options)
-    return reg().registration_icp(p.source, p.facing, p.reach, None, estimation)
+    return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation)
 
 
-def from_poses(p: Place) -> list[Any]:
+def from_poses(p: SampledSurface) -> list[Any]:
     """ICP from three poses at once."""
     starts = [about(p.middle, pose_of(degrees, np.zeros(3))) for degrees in (-1.0, 0.0, 3.0)]
     plane = reg().TransformationEstimationPointToPlane()
-    return reg().registration_icp_batch(p.source, p.facing, p.reach, np.array(starts), plane)
+    return reg().registration_icp_batch(p.source, p.facing, p.max_distance, np.array(starts), plane)
 
 
-def halved(p: Place) -> Any:
-    """The cloud with every second point called ground."""
+def halved(p: SampledSurface) -> Any:
+    """The cloud with every second point classified as ground."""
     cloud = p.cloud.copy()
     cloud["classification"] = np.arange(len(cloud)) % 2 + 1
     return cloud
 
 
-def depth_lens(p: Place) -> Any:
+def depth_lens(p: SampledSurface) -> Any:
     return loom().PinholeCameraIntrinsic(WIDTH, HEIGHT, 150, 150, WIDTH / 2, HEIGHT / 2)
 
 
 SIZE = (WIDTH, HEIGHT)
-ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
+ON_CLOUDS: dict[str, Callable[[SampledSurface], Any]] = {
     "voxel_down_sample": lambda p: p.facing.voxel_down_sample(4 * p.spacing),
     "voxel_down_sample, nearest": lambda p: p.cloud.voxel_down_sample(4 * p.spacing, reduction="nearest"),
     "thin": lambda p: p.cloud.thin(4 * p.spacing),
@@ -89,13 +89,13 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "select_by_mask": lambda p: p.facing.select_by_mask(np.arange(len(p.cloud)) % 3 == 0),
     "crop, box": lambda p: p.cloud.crop(p.box),
     "crop, box inverted": lambda p: p.cloud.crop(p.box, invert=True),
-    "crop, turned box": lambda p: p.cloud.crop(p.turned_box),
+    "crop, turned box": lambda p: p.cloud.crop(p.rotated_box),
     "crop, polygon": lambda p: p.cloud.crop(p.polygon),
     "crop_point_cloud inverted": lambda p: p.polygon.crop_point_cloud(p.cloud, invert=True),
     "crop_in_polygon": lambda p: p.polygon.crop_in_polygon(p.cloud),
     "get_point_indices_within_bounding_box": lambda p: [
         box.get_point_indices_within_bounding_box(points)
-        for box in (p.box, p.turned_box)
+        for box in (p.box, p.rotated_box)
         for points in (p.cloud, p.cloud.points)
     ],
     "remove_non_finite_points": lambda p: [
@@ -213,14 +213,14 @@ ON_CLOUDS: dict[str, Callable[[Place], Any]] = {
     "icp, symmetric": lambda p: icp(p, "Symmetric"),
     "icp, generalized": lambda p: icp(p, "ForGeneralizedICP"),
     "icp, generalized, own covariances": lambda p: reg().registration_generalized_icp(
-        p.other.transform(scenes.inverse(p.pose)), p.cloud, p.reach
+        p.other.transform(scenes.inverse(p.pose)), p.cloud, p.max_distance
     ),
     "icp, generalized, voxels": lambda p: icp(p, "ForGeneralizedICP", voxel_size=4 * p.spacing),
     "registration_icp_batch, three poses": from_poses,
-    "evaluate_registration": lambda p: reg().evaluate_registration(p.source, p.cloud, p.reach),
+    "evaluate_registration": lambda p: reg().evaluate_registration(p.source, p.cloud, p.max_distance),
     "get_information_matrix_from_point_clouds": lambda p: reg().get_information_matrix_from_point_clouds(
-        p.source, p.cloud, p.reach, p.pose
+        p.source, p.cloud, p.max_distance, p.pose
     ),
-    "localizability": lambda p: reg().localizability(p.source, p.cloud, p.pose, p.reach),
-    "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.reach),
+    "localizability": lambda p: reg().localizability(p.source, p.cloud, p.pose, p.max_distance),
+    "rate_registration": lambda p: reg().rate_registration(p.source, p.cloud, p.pose, p.max_distance),
 }

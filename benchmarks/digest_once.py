@@ -1,4 +1,4 @@
-"""The operations of digests.py that run once, on scenes of their own."""
+"""The operations of digests.py that run once, on their own scenes."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from digest_files import WRITTEN
 from digest_mvs import filtered_depth_maps, fused_depth_maps
 from digest_occupancy import OCCUPANCY
 from digest_on_clouds import SIZE, cloud_file, depth_lens, icp, there_and_back
-from digest_scenes import TURNED, UTM, Place, Scenes, about, loom, pose_of, reg
+from digest_scenes import ROTATED, UTM, SampledSurface, Scenes, about, loom, pose_of, reg
 from digest_shapes import SHAPES
 from digest_stations import surveyed
 from digest_volumes import VOLUMES
@@ -30,23 +30,27 @@ def dlpack_cloud(d: Scenes) -> Any:
 
 
 def projected(d: Scenes) -> Any:
-    """Degrees as meters, and their zone."""
+    """Geographic coordinates projected to meters, and their zone."""
     cloud = loom().PointCloud(scenes.bumpy_surface(500, 80) * [0.01, 0.01, 1.0] + [9.18, 48.77, 240.0])
     return [loom().project_to_utm(cloud), loom().utm_epsg(cloud)]
 
 
-def moved_boxes(p: Place) -> list[Any]:
-    """Boxes of points, moved, turned, grown and joined."""
-    aligned, turned, points = loom().AxisAlignedBoundingBox, loom().OrientedBoundingBox, p.cloud.points[:200]
-    boxes = [aligned.create_from_points(points), turned.create_from_points(points)]
-    boxes += [turned.create_from_points(points, robust=True), turned.create_from_points_minimal(points), p.turned_box]
+def moved_boxes(p: SampledSurface) -> list[Any]:
+    """Boxes of points: moved, rotated, scaled and joined."""
+    aligned, oriented, points = loom().AxisAlignedBoundingBox, loom().OrientedBoundingBox, p.cloud.points[:200]
+    boxes = [aligned.create_from_points(points), oriented.create_from_points(points)]
+    boxes += [
+        oriented.create_from_points(points, robust=True),
+        oriented.create_from_points_minimal(points),
+        p.rotated_box,
+    ]
     moved = [box.translate([1, 2, 3]).scale(1.5, p.middle).rotate(p.pose[:3, :3]) for box in boxes]
     measures = [(box.volume(), box.get_box_points(), box.get_center(), box.get_extent()) for box in boxes + moved]
     return [boxes, moved, measures, boxes[0] + p.box, [box.get_axis_aligned_bounding_box() for box in moved]]
 
 
 def estimated(d: Scenes) -> Any:
-    """A depth estimate that gives what the camera measured."""
+    """A depth estimate that returns the camera's measurement."""
     depth = loom().RGBDImage(d.paint, d.frames.depths[0]).depth
     size = depth.shape
     from pointloom.photogrammetry.depth.estimation import DepthEstimate
@@ -54,7 +58,7 @@ def estimated(d: Scenes) -> Any:
     return DepthEstimate(depth, True, 1.0, 0.0, None, "none", "m", d.paint, d.lens, "given", size, 1.5)
 
 
-def polygon_file(p: Place) -> Any:
+def polygon_file(p: SampledSurface) -> Any:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "polygon.json"
         p.polygon.to_json(path)
@@ -67,7 +71,7 @@ def panorama_faces(d: Scenes) -> list[Any]:
 
 
 def undistorted_paint(d: Scenes) -> list[Any]:
-    """A picture through a lens of each kind, at its size and smaller."""
+    """An image undistorted with each lens model, at its size and smaller."""
     height, width = d.paint.shape[:2]
     middle = [width / 2 + 3.0, height / 2 - 2.0]
     lenses = [
@@ -84,8 +88,8 @@ def undistorted_paint(d: Scenes) -> list[Any]:
     ]
 
 
-def picked(p: Place) -> list[Any]:
-    """What clicks on a picture mean, and what is seen inside a polygon."""
+def picked(p: SampledSurface) -> list[Any]:
+    """Picked points for clicks on an image, and the points inside a polygon."""
     from pointloom.visualization.render.view import fit_view
     from pointloom.visualization.viewer.tools.clip_planes import Clip, hidden_points
     from pointloom.visualization.viewer.tools.picking import pick_point
@@ -94,19 +98,19 @@ def picked(p: Place) -> list[Any]:
     view = fit_view(p.cloud.points, width=320, height=240)
     hidden = hidden_points(p.cloud, Clip(low=p.cloud.get_center() - [np.inf, 0.0, np.inf]))
     clicks = [(float(x), float(y)) for x in range(10, 320, 25) for y in range(10, 240, 25)]
-    found = [pick_point(p.cloud, view, x, y, hidden=marks) for x, y in clicks for marks in (None, hidden)]
+    indices = [pick_point(p.cloud, view, x, y, hidden=marks) for x, y in clicks for marks in (None, hidden)]
     inside = seen_inside(p.cloud, view, [[40, 30], [300, 60], [170, 110], [250, 220], [60, 200]])
-    return [np.array([-1 if index is None else index for index in found]), inside]
+    return [np.array([-1 if index is None else index for index in indices]), inside]
 
 
-def las_chunks(p: Place) -> list[Any]:
+def las_chunks(p: SampledSurface) -> list[Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "cloud.las"
         loom().write_point_cloud(path, p.cloud)
         return list(loom().read_las_chunks(path, 3000))
 
 
-def copc_window(p: Place) -> list[Any]:
+def copc_window(p: SampledSurface) -> list[Any]:
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "cloud.copc.laz"
         loom().write_point_cloud(path, p.cloud, scale=1e-4)
@@ -119,8 +123,8 @@ def mesh_file(mesh: Any, ending: str, **options: Any) -> Any:
     return there_and_back(mesh, ending, "write_triangle_mesh", "read_triangle_mesh", **options)
 
 
-def tracked_walk(d: Any) -> Any:
-    """The path and the surface of a camera that is carried, covered, and found again."""
+def tracked_frames(d: Any) -> Any:
+    """Trajectory and surface of a moving camera that is covered and then relocalized."""
     from types import SimpleNamespace
 
     from pointloom.datasets.scenes.room import room_loop_sequence
@@ -136,7 +140,7 @@ def tracked_walk(d: Any) -> Any:
 
 
 def filmed_room(d: Any) -> Any:
-    """A picture of the textured room with the noise of a sensor, and its depth."""
+    """An image of the textured room with sensor noise, and its depth."""
     from pointloom.datasets.scenes.room import film_pose, room_views
 
     camera = loom().PinholeCameraIntrinsic(80, 60, 65.625, 65.625, 39.5, 29.5)
@@ -152,7 +156,7 @@ def painted_plane(d: Any) -> Any:
 
 
 def written_mesh(mesh: Any, ending: str) -> NDArray[np.uint8]:
-    """The bytes of a file that is written only."""
+    """The bytes of a file in a write-only format."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / f"mesh{ending}"
         loom().write_triangle_mesh(path, mesh)
@@ -168,7 +172,7 @@ def volume_file(d: Scenes) -> list[Any]:
 
 
 def scanned_volume(d: Scenes) -> list[Any]:
-    """A wall behind a post, far out, and the wall alone from elsewhere: the post is carved."""
+    """A far wall behind a post, then the wall alone from another position: the post is carved."""
     rng = np.random.default_rng(5)
     wall = np.column_stack([np.full(900, 4.0), rng.uniform(-1, 1, (900, 2))])
     volume = loom().TSDFVolume(voxel_size=0.08, device=d.device)
@@ -180,7 +184,7 @@ def scanned_volume(d: Scenes) -> list[Any]:
 
 
 def crowded_ball(d: Scenes) -> Any:
-    """A ball with pages at its edges, copies and folded triangles."""
+    """A ball with extra faces at its edges, duplicates and folded triangles."""
     triangles = d.ball.triangles
     pages = np.column_stack([triangles[::7, :2], np.roll(triangles[:, 2], -3)[::7]])
     rows = np.vstack([triangles, pages, triangles[::5, [1, 2, 0]], triangles[::9, [0, 0, 1]]])
@@ -196,7 +200,7 @@ def mesh_cleaned(d: Scenes) -> list[Any]:
 
 
 def two_sided_ball(d: Scenes) -> Any:
-    """A ball with two sides, a fin on it, and another ball that touches it at a vertex."""
+    """A two-sided ball with a fin, and another ball that touches it at a vertex."""
     vertices, triangles = d.ball.vertices, d.ball.triangles
     count, fin = len(vertices), [[*triangles[9][:2], 2 * len(vertices)]]
     shift = vertices[0] - vertices[-1]
@@ -218,13 +222,13 @@ def loose_ball(d: Scenes) -> Any:
 
 
 def torn_ball(d: Scenes) -> Any:
-    """A ball without two caps, some of its triangles flipped."""
+    """A ball without two caps, with some triangles flipped."""
     middles = d.ball.vertices[d.ball.triangles].mean(axis=1)
     low, high = np.quantile(middles[:, 2], [0.02, 0.97])
     triangles = d.ball.triangles.copy()
     triangles[::4] = triangles[::4, ::-1]
-    kept = triangles[(middles[:, 2] > low) & (middles[:, 2] < high)]
-    return loom().TriangleMesh(d.ball.vertices, kept, device=d.device)
+    remaining = triangles[(middles[:, 2] > low) & (middles[:, 2] < high)]
+    return loom().TriangleMesh(d.ball.vertices, remaining, device=d.device)
 
 
 def mesh_topology(d: Scenes) -> list[Any]:
@@ -251,7 +255,7 @@ def textured_ball(d: Scenes) -> Any:
 
 
 def posed_pictures(d: Scenes) -> tuple[Any, Any, NDArray[np.float64]]:
-    """A grid before a camera, pictures of it from three places, and their poses."""
+    """A grid in front of a camera, images of it from three positions, and their poses."""
     camera = loom().PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.2, 23.7)
     v, u = np.mgrid[:48, :64]
     poses, pictures = np.tile(np.eye(4), (3, 1, 1)), []
@@ -263,16 +267,16 @@ def posed_pictures(d: Scenes) -> tuple[Any, Any, NDArray[np.float64]]:
 
 
 def pictured_grid(d: Scenes) -> Any:
-    """Squares 1 m before the first of them, with texture coordinates."""
+    """A square grid 1 m in front of the first camera, with texture coordinates."""
     j, i = np.mgrid[:21, :21]
-    place, at = np.stack([i, j], -1).reshape(-1, 2) / 20, (j * 21 + i)[:-1, :-1].ravel()
+    uvs, at = np.stack([i, j], -1).reshape(-1, 2) / 20, (j * 21 + i)[:-1, :-1].ravel()
     triangles = np.concatenate([np.stack([at, at + 21, at + 1], 1), np.stack([at + 1, at + 21, at + 22], 1)])
-    vertices = np.column_stack([0.8 * place - 0.4, np.ones(len(place)) + 0.01 * np.sin(9 * place[:, 0])])
-    return loom().TriangleMesh(vertices, triangles, triangle_uvs=place[triangles].reshape(-1, 2), device=d.device)
+    vertices = np.column_stack([0.8 * uvs - 0.4, np.ones(len(uvs)) + 0.01 * np.sin(9 * uvs[:, 0])])
+    return loom().TriangleMesh(vertices, triangles, triangle_uvs=uvs[triangles].reshape(-1, 2), device=d.device)
 
 
 def color_maps(d: Scenes) -> list[Any]:
-    """Both forms, by rays and by depth."""
+    """Color maps in both forms, by rays and by depth."""
     camera, pictures, poses = posed_pictures(d)
     maps, mesh, path = loom().color_map, pictured_grid(d), loom().Trajectory(poses)
     rigid = maps.RigidOptimizerOption(maximum_iteration=5, image_boundary_margin=2)
@@ -285,7 +289,7 @@ def color_maps(d: Scenes) -> list[Any]:
 
 
 def rgbd_odometry(d: Scenes) -> list[Any]:
-    """Frames of a relief a little apart: by all methods, and with Open3D's weights."""
+    """Frames of a relief with small motion: by all methods, and with Open3D's weights."""
     odometry, (v, u) = loom().odometry, np.mgrid[:72, :96]
     camera = loom().PinholeCameraIntrinsic(96, 72, 90.0, 90.0, 47.5, 35.5)
     pictures = []
@@ -314,16 +318,16 @@ def albedo(d: Scenes) -> Any:
 
 
 def picture_texture(d: Scenes) -> list[Any]:
-    """The grid's texture out of its pictures, at exposures of their own."""
+    """The grid's texture from its images, with individual exposures."""
     camera, pictures, poses = posed_pictures(d)
     exposed = [(picture * gain).astype(np.uint8) for picture, gain in zip(pictures, (0.9, 1.0, 0.8), strict=True)]
     given = (pictured_grid(d), exposed, camera, [scenes.inverse(pose) for pose in poses])
-    found = loom().color_map.texture_from_pictures(*given, smoothness=0.2)
-    return [found.mesh.textures[0], found.mesh.triangle_uvs, found.views, found.energy, found.step_before]
+    result = loom().color_map.texture_from_pictures(*given, smoothness=0.2)
+    return [result.mesh.textures[0], result.mesh.triangle_uvs, result.views, result.energy, result.step_before]
 
 
 def cast_rays(d: Scenes) -> list[Any]:
-    """What rays meet of the ball in two places."""
+    """Hits of rays on the ball in two poses."""
     scene, rng = loom().RaycastingScene(d.device), np.random.default_rng(0)
     scene.add_instance(scene.add_triangles(d.ball), pose_of(30.0, [0.1, 0.0, 0.2]))
     low, high = d.ball.get_axis_aligned_bounding_box()
@@ -346,7 +350,7 @@ def scene_distances(d: Scenes) -> list[Any]:
 
 
 def meeting_triangles(d: Scenes) -> list[Any]:
-    """The ball and a copy of it in one mesh."""
+    """Self-intersections of the ball and a copy in one mesh."""
     shifted = d.ball.vertices + 0.3 * np.ptp(d.ball.vertices, axis=0)
     both = np.vstack([d.ball.vertices, shifted]), np.vstack([d.ball.triangles, d.ball.triangles + len(shifted)])
     mesh = loom().TriangleMesh(*both, device=d.device)
@@ -354,7 +358,7 @@ def meeting_triangles(d: Scenes) -> list[Any]:
 
 
 def surface_metrics(d: Scenes) -> list[Any]:
-    """The ball and a part of it."""
+    """Metrics of the ball against a part of it."""
     part = some_triangles(d)
     return [*d.ball.compute_metrics(part, [0.05], 2000), *d.ball.compute_error_map(part)]
 
@@ -365,40 +369,44 @@ def robust_kernels(scale: float = 0.02) -> dict[str, Any]:
     return kernels | general | {"L1": reg().L1Loss(), "L2": reg().L2Loss()}
 
 
-def icp_with(p: Place, method: str = "PointToPlane", **options: Any) -> Any:
-    """ICP with options that are the call's own."""
+def icp_with(p: SampledSurface, method: str = "PointToPlane", **options: Any) -> Any:
+    """ICP with the given options."""
     estimation = getattr(reg(), f"TransformationEstimation{method}")()
-    return reg().registration_icp(p.source, p.facing, p.reach, None, estimation, **options)
+    return reg().registration_icp(p.source, p.facing, p.max_distance, None, estimation, **options)
 
 
-def icp_held(p: Place) -> list[Any]:
-    """With some motions free, with a prior that holds what a plane leaves loose, with a scale, and in a batch."""
-    turn = np.array([[0.8, -0.6, 0.0, 0.02], [0.6, 0.8, 0.0, 0.01], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
-    known = reg().Prior(turn, sigma_translation=0.1, sigma_rotation=0.5)
+def icp_fixed(p: SampledSurface) -> list[Any]:
+    """ICP with some free motions, with a prior on the motions that a plane does not constrain, with scaling, and in
+    a batch.
+    """
+    rotation = np.array([[0.8, -0.6, 0.0, 0.02], [0.6, 0.8, 0.0, 0.01], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]])
+    known = reg().Prior(rotation, sigma_translation=0.1, sigma_rotation=0.5)
     level, scaled = ("x", "y", "z", "yaw"), reg().TransformationEstimationPointToPoint(True)
     weights = np.linspace(0, 1, len(p.source))
     return [
-        icp_with(p, free=level, frame=turn[:3, :3], pivot=(0.0, 0.1, 0.2), weights=weights),
+        icp_with(p, free=level, frame=rotation[:3, :3], pivot=(0.0, 0.1, 0.2), weights=weights),
         icp_with(p, prior=known),
         reg().registration_icp(
-            p.source, p.facing, p.reach, None, scaled, free=("roll", "pitch", "yaw", "x"), prior=known
+            p.source, p.facing, p.max_distance, None, scaled, free=("roll", "pitch", "yaw", "x"), prior=known
         ),
-        reg().registration_icp_batch(p.source, p.facing, p.reach, np.stack([np.eye(4)] * 2), free=level, prior=known),
+        reg().registration_icp_batch(
+            p.source, p.facing, p.max_distance, np.stack([np.eye(4)] * 2), free=level, prior=known
+        ),
     ]
 
 
-def icp_watched(p: Place) -> list[Any]:
-    """The states that a callback is told, and the result."""
+def icp_watched(p: SampledSurface) -> list[Any]:
+    """The states passed to a callback, and the result."""
     states: list[Any] = []
     return [icp_with(p, callback_after_iteration=lambda state: states.append(dict(state))), states]
 
 
-def multi_scale(p: Place) -> list[Any]:
-    """From coarse to fine, with what a callback is told."""
+def multi_scale(p: SampledSurface) -> list[Any]:
+    """Multi-scale ICP, with the states passed to a callback."""
     states: list[Any] = []
     rules = [reg().ICPConvergenceCriteria(1e-4, 1e-4, 10), reg().ICPConvergenceCriteria(max_iteration=20)]
     plane, sizes = reg().TransformationEstimationPointToPlane(), [4 * p.spacing, -1]
-    clouds, distances = (p.source, p.facing), [2 * p.reach, p.reach]
+    clouds, distances = (p.source, p.facing), [2 * p.max_distance, p.max_distance]
     watch: dict[str, Any] = {"callback_after_iteration": lambda state: states.append(dict(state))}
     return [reg().multi_scale_icp(*clouds, sizes, rules, distances, None, plane, **watch), states]
 
@@ -423,9 +431,9 @@ def checkers() -> list[Any]:
 
 
 def checked(d: Scenes) -> list[bool]:
-    """What each checker says of some samples."""
+    """The result of each checker on some samples."""
     samples = [d.matches[3 * k : 3 * k + 3] for k in range(20)]
-    return [one.Check(*d.thinned, sample, TURNED) for one in checkers() for sample in samples]
+    return [one.Check(*d.thinned, sample, ROTATED) for one in checkers() for sample in samples]
 
 
 def ransac(d: Scenes, **options: Any) -> Any:
@@ -440,7 +448,7 @@ def ransac_features(d: Scenes, mutual: bool) -> Any:
 
 
 def fast_global(d: Scenes, **options: Any) -> list[Any]:
-    """From features and from given pairs."""
+    """Fast global registration from features and from given pairs."""
     option = reg().FastGlobalRegistrationOption(maximum_correspondence_distance=0.1, **options)
     of_features = reg().registration_fgr_based_on_feature_matching
     of_pairs = reg().registration_fgr_based_on_correspondence
@@ -450,8 +458,8 @@ def fast_global(d: Scenes, **options: Any) -> list[Any]:
 def robust_global(d: Scenes) -> list[Any]:
     of_features = reg().registration_robust_based_on_feature_matching
     of_pairs = reg().registration_robust_based_on_correspondence
-    found = [of_features(*d.thinned, *d.features, 0.06), of_features(*d.thinned, *d.features, 0.06, False)]
-    return [*found, of_pairs(*d.thinned, d.matches, 0.08, seed=6)]
+    results = [of_features(*d.thinned, *d.features, 0.06), of_features(*d.thinned, *d.features, 0.06, False)]
+    return [*results, of_pairs(*d.thinned, d.matches, 0.08, seed=6)]
 
 
 def optimized(d: Scenes, method: str, **options: Any) -> Any:
@@ -467,41 +475,43 @@ def graph_file(d: Scenes) -> Any:
 
 
 def bent(d: Scenes) -> list[Any]:
-    """A thinned room bent onto the other one, and what the bend makes of points and volumes."""
-    found = reg().register_nonrigid(
+    """A down-sampled room registered non-rigidly to the other one, and the deformation applied to points and
+    volumes.
+    """
+    result = reg().register_nonrigid(
         *d.thinned, node_spacing=0.6, init=np.eye(4), stiffness=[10.0, 1.0], max_iterations=3
     )
-    T, points = found.deformation, d.thinned[0].points[:50]
-    return [found.warped, found.correspondences, found.residuals, T.transform(points), T.volumes(points)]
+    T, points = result.deformation, d.thinned[0].points[:50]
+    return [result.warped, result.correspondences, result.residuals, T.transform(points), T.volumes(points)]
 
 
 def drifted(d: Scenes) -> list[Any]:
-    """A part of a room brought onto the other one without pairs, in each way."""
+    """A part of a room registered to the other one by coherent point drift, of each kind."""
     source, target = (cloud.select_by_index(np.arange(0, len(cloud), len(cloud) // 80)) for cloud in d.thinned)
-    found = [
+    results = [
         reg().coherent_point_drift(source, target, kind=kind, max_iterations=8)
         for kind in ("rigid", "affine", "deformable")
     ]
-    return [[one.warped, one.transformation, one.deviation, one.matched] for one in found]
+    return [[one.warped, one.transformation, one.deviation, one.matched] for one in results]
 
 
 def reconstructed(d: Scenes) -> list[Any]:
-    """The path and the model of five small frames, in two fragments; as they are, and bent straight by SLAC."""
-    from bench_reconstruction import Decoded, walk
+    """Trajectory and model of five small frames in two fragments; rigid, and deformed by SLAC."""
+    from bench_reconstruction import Decoded, first_frames
 
     names = {"n_frames_per_fragment": 3, "tsdf_voxel_size": 0.03, "fragment_voxel_size": 0.02, "depth_max": 4.0}
-    config, source = loom().reconstruction.ReconstructionConfig(**names), Decoded(walk(5, 3, 80)["frames"])
-    found: list[Any] = []
+    config, source = loom().reconstruction.ReconstructionConfig(**names), Decoded(first_frames(5, 3, 80)["frames"])
+    results: list[Any] = []
     with tempfile.TemporaryDirectory() as folder:
         for slac in (False, True):
             loom().reconstruction.run_system(source, config, folder, slac=slac, resume=slac, device=d.device)
             path = loom().read_trajectory(Path(folder) / "scene" / "trajectory.log")
-            found += [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
-        return found
+            results += [path.poses, loom().read_triangle_mesh(Path(folder) / "scene" / "integrated.ply")]
+        return results
 
 
 def aligned_fragments(d: Scenes) -> list[Any]:
-    """Fragments aligned together, bent and as they are."""
+    """Fragments aligned together, rigid and deformed."""
     rec, count = loom().reconstruction, len(d.fragments)
     poses = [scenes.inverse(pose_of(50.0 * k + 0.2, [k + 0.01, 0.2, 0])) for k in range(count)]
     edges = [
@@ -584,7 +594,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "tsdf, ray_cast, far": lambda d: d.far_volume.ray_cast(
         d.lens, d.extrinsics(UTM)[2], depth_max=6.0, weight_threshold=1
     ),
-    "slam, DenseSLAM": tracked_walk,
+    "slam, DenseSLAM": tracked_frames,
     "mvs, estimate_depth_maps": estimated_depth_maps,
     "mvs, estimate_depth_maps, plain wall": plain_depth_maps,
     "room, film": filmed_room,
@@ -691,7 +701,7 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "icp, overlap": lambda d: [icp_with(d.surface, method, overlap=0.7) for method in ("PointToPoint", "PointToPlane")],
     "icp, max_normal_angle": lambda d: icp_with(d.surface, max_normal_angle=0.5),
     "icp, degeneracy": lambda d: [icp_with(d.plane), icp_with(d.plane, degeneracy=0), icp_with(d.plane, "Symmetric")],
-    "icp, held": lambda d: [icp_held(d.surface), icp_held(d.plane)],
+    "icp, held": lambda d: [icp_fixed(d.surface), icp_fixed(d.plane)],
     "icp, callback": lambda d: icp_watched(d.surface),
     "icp, criteria": lambda d: [
         icp_with(d.surface, criteria=reg().ICPConvergenceCriteria(1e-3, 1e-3, steps)) for steps in (0, 1, 50)
@@ -700,8 +710,12 @@ ONCE: dict[str, Callable[[Scenes], Any]] = {
     "icp, doppler, robust": lambda d: doppler(
         d, reject_dynamic_outliers=True, doppler_kernel=reg().TukeyLoss(0.5), geometric_kernel=reg().HuberLoss(0.2)
     ),
-    "registration_colored_icp": lambda d: reg().registration_colored_icp(d.far.source, d.far.facing, d.far.reach),
-    "registration_symmetric_icp": lambda d: reg().registration_symmetric_icp(d.far.source, d.far.facing, d.far.reach),
+    "registration_colored_icp": lambda d: reg().registration_colored_icp(
+        d.far.source, d.far.facing, d.far.max_distance
+    ),
+    "registration_symmetric_icp": lambda d: reg().registration_symmetric_icp(
+        d.far.source, d.far.facing, d.far.max_distance
+    ),
     "registration_icp_batch, point to point": lambda d: icp_batch(d, "PointToPoint"),
     "registration_icp_batch, point to plane": lambda d: icp_batch(d, "PointToPlane"),
     "registration_icp_batch, generalized": lambda d: icp_batch(d, "ForGeneralizedICP"),

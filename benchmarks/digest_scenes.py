@@ -1,4 +1,4 @@
-"""What digests.py gives to the operations: clouds sampled twice, frames, volumes, scans, all seeded."""
+"""The input data of digests.py, all seeded: clouds sampled twice, frames, volumes, scans."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ from bench_icp_batch import patches
 from bench_pose_graph import INFORMATION, ring
 from numpy.typing import NDArray
 
-UTM = np.array([691_000.25, 5_335_000.5, 519.75])  # [m] where float32 resolves half a metre
+UTM = np.array([691_000.25, 5_335_000.5, 519.75])  # [m] coordinates where float32 resolves half a meter
 WIDTH, HEIGHT = 160, 120  # [px]
 REAL_COUNT = 16_001  # points of each sampling of the real scan
 
@@ -31,14 +31,14 @@ def reg() -> Any:
 
 
 @dataclass(eq=False)
-class Place:
-    """A surface that was sampled twice.
+class SampledSurface:
+    """A surface sampled twice.
 
     Attributes:
         cloud, other: The samplings.
-        spacing: Of the points, roughly [m].
-        size: How far they reach, roughly [m].
-        middle: Of the points [m].
+        spacing: Approximate point spacing [m].
+        size: Approximate extent [m].
+        middle: Center of the points [m].
     """
 
     cloud: Any
@@ -54,28 +54,28 @@ class Place:
 
     @cached_property
     def pose(self) -> NDArray[np.float64]:
-        """T_target_source of the source below: 2 degrees about the middle, and a point's spacing."""
+        """T_target_source of `source`: 2 degrees about the center, and a shift of about one point spacing."""
         return about(self.middle, pose_of(2.0, self.spacing * np.array([0.7, -0.5, 0.3])))
 
     @cached_property
     def source(self) -> Any:
-        """The other sampling with normals, moved away."""
+        """The other sampling with normals, moved by the inverse of `pose`."""
         return self.other.estimate_normals(max_nn=12).transform(scenes.inverse(self.pose))
 
     @property
-    def reach(self) -> float:
-        """Distance of correspondences [m]."""
+    def max_distance(self) -> float:
+        """Maximum correspondence distance [m]."""
         return 6 * self.spacing
 
     @property
     def camera(self) -> NDArray[np.float64]:
-        """T_camera_world of a camera above the middle that looks down."""
+        """T_camera_world of a camera above the center that looks down."""
         T = np.diag([1.0, -1.0, -1.0, 1.0])
         T[:3, 3] = -scenes.product(T[:3, :3], self.above(0.75))
         return T
 
     def above(self, share: float) -> NDArray[np.float64]:
-        """A point above the middle, by a share of the size."""
+        """A point above the center, at a fraction of the size."""
         return self.middle + np.array([0, 0, share * self.size])
 
     @property
@@ -83,7 +83,7 @@ class Place:
         return loom().AxisAlignedBoundingBox(self.middle - self.size / 4, self.middle + self.size / 4)
 
     @property
-    def turned_box(self) -> Any:
+    def rotated_box(self) -> Any:
         return loom().OrientedBoundingBox(self.middle, pose_of(40.0, np.zeros(3))[:3, :3], [self.size / 2] * 3)
 
     @property
@@ -94,7 +94,7 @@ class Place:
 
 
 def pose_of(degrees: float, shift: Any) -> NDArray[np.float64]:
-    """A turn about a slanting axis, then a shift [m]."""
+    """A rotation about a slanted axis, then a translation [m]."""
     x, y, z = axis = np.array([0.36, 0.48, 0.8])
     K, angle = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]]), np.radians(degrees)
     T = np.eye(4)
@@ -103,7 +103,7 @@ def pose_of(degrees: float, shift: Any) -> NDArray[np.float64]:
     return T
 
 
-TURNED = pose_of(75.0, [0.5, -0.2, 0.1])  # of a pair that is registered from no guess
+ROTATED = pose_of(75.0, [0.5, -0.2, 0.1])  # pose of a pair that is registered globally
 
 
 def about(middle: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.float64]:
@@ -114,16 +114,16 @@ def about(middle: NDArray[np.float64], T: NDArray[np.float64]) -> NDArray[np.flo
 
 
 def textured(points: NDArray[np.float64], shift: NDArray[np.float64], device: str) -> Any:
-    """Points moved somewhere, with the colors of a pattern and two attributes."""
+    """Translated points with a color pattern and two attributes."""
     x, y = np.nan_to_num(points[:, :2], posinf=0.0).T
     colors = 0.5 + 0.4 * np.stack([np.sin(4 * x), np.cos(5 * y), np.sin(3 * x + 2 * y)], axis=1)
-    intensity = np.round(1000 * colors[:, 0]).astype(np.float32)  # whole numbers, as files of LAS hold
+    intensity = np.round(1000 * colors[:, 0]).astype(np.float32)  # integers, as stored in LAS files
     label = np.arange(len(points), dtype=np.int32) % 7
     return loom().PointCloud(points + shift, colors=colors, device=device, intensity=intensity, label=label)
 
 
 def soil(points: NDArray[np.float64]) -> NDArray[np.float64]:
-    """NaN and infinite points, duplicates, and a sixth of all points at one place."""
+    """Add NaN and infinite points, duplicates, and a sixth of all points at one position."""
     points, count = points.copy(), len(points)
     points[::97] = np.nan
     points[5::311, 2] = np.inf
@@ -133,7 +133,7 @@ def soil(points: NDArray[np.float64]) -> NDArray[np.float64]:
 
 
 class Scenes:
-    """The data of all operations, each made from its seed when first asked for."""
+    """The data of all operations, each created from its seed on first use."""
 
     def __init__(self, device: str):
         self.device = device
@@ -141,53 +141,55 @@ class Scenes:
     def cloud(self, points: Any, **attributes: Any) -> Any:
         return loom().PointCloud(points, device=self.device, **attributes)
 
-    def place(self, count: int, seed: int, shift: Any = (0, 0, 0), change: Callable[[Any], Any] = np.asarray) -> Place:
+    def sample(
+        self, count: int, seed: int, shift: Any = (0, 0, 0), change: Callable[[Any], Any] = np.asarray
+    ) -> SampledSurface:
         """A bumpy surface."""
         spots = np.asarray(shift, np.float64)
         both = [textured(change(scenes.bumpy_surface(count, seed + k)), spots, self.device) for k in (0, 1)]
-        return Place(*both, scenes.SURFACE_EDGE / count**0.5, scenes.SURFACE_EDGE, spots)
+        return SampledSurface(*both, scenes.SURFACE_EDGE / count**0.5, scenes.SURFACE_EDGE, spots)
 
     @cached_property
-    def surface(self) -> Place:
-        return self.place(40_009, 10)
+    def surface(self) -> SampledSurface:
+        return self.sample(40_009, 10)
 
     @cached_property
-    def far(self) -> Place:
-        return self.place(8_009, 20, UTM)
+    def far(self) -> SampledSurface:
+        return self.sample(8_009, 20, UTM)
 
     @cached_property
-    def dirty(self) -> Place:
-        return self.place(9_001, 30, change=soil)
+    def dirty(self) -> SampledSurface:
+        return self.sample(9_001, 30, change=soil)
 
     @cached_property
-    def tiny(self) -> list[Place]:
-        """No point, one, two at one place, three, five of a plane."""
+    def tiny(self) -> list[SampledSurface]:
+        """Clouds of no point, one, two equal ones, three, and five in a plane."""
         points = np.array([[0.3, 0.1, 0.2], [0.3, 0.1, 0.2], [0.5, 0.1, 0.2], [0.3, 0.4, 0.2], [0.6, 0.5, 0.2]])
         rows = [points[:count].reshape(-1, 3) for count in (0, 1, 2, 3, 5)]
         clouds = [textured(few, np.zeros(3), self.device) for few in rows]
-        return [Place(cloud, cloud, 0.2, 0.5, points[0]) for cloud in clouds]
+        return [SampledSurface(cloud, cloud, 0.2, 0.5, points[0]) for cloud in clouds]
 
     @cached_property
-    def real(self) -> Place:
+    def real(self) -> SampledSurface:
         points = scenes.real_scan()
         drawn = np.random.default_rng(35).permutation(len(points))[: 2 * REAL_COUNT]
         both = [self.cloud(points[np.sort(rows)]) for rows in np.split(drawn, 2)]
-        return Place(*both, 0.1, 20.0, np.zeros(3))
+        return SampledSurface(*both, 0.1, 20.0, np.zeros(3))
 
     @cached_property
-    def plane(self) -> Place:
-        """A plane, along which nothing holds a cloud."""
+    def plane(self) -> SampledSurface:
+        """A plane, which does not constrain all motions."""
         points = np.random.default_rng(40).uniform(-1, 1, (2, 2000, 3)) * [1, 1, 0.001]
-        return Place(*map(self.cloud, points), 0.045, 2.0, np.zeros(3))
+        return SampledSurface(*map(self.cloud, points), 0.045, 2.0, np.zeros(3))
 
     @cached_property
     def thinned(self) -> list[Any]:
-        """Two overlapping parts of the surface, 75 degrees apart, thinned, with normals."""
+        """Two overlapping parts of the surface, 75 degrees apart, down-sampled, with normals."""
         points = [scenes.bumpy_surface(20_000, 50), scenes.bumpy_surface(20_000, 51)]
         parts = [points[0][points[0][:, 0] < 0.7], points[1][points[1][:, 0] > -1.3]]
         source, target = (self.cloud(part).voxel_down_sample(0.06).estimate_normals(max_nn=20) for part in parts)
         up = [c.orient_normals_to_align_with_direction() for c in (source, target)]
-        return [up[0].transform(scenes.inverse(TURNED)), up[1]]
+        return [up[0].transform(scenes.inverse(ROTATED)), up[1]]
 
     @cached_property
     def features(self) -> list[NDArray[np.float32]]:
@@ -199,7 +201,7 @@ class Scenes:
 
     @cached_property
     def fragments(self) -> list[Any]:
-        """Four parts of the surface that overlap along it, each turned its own way."""
+        """Four overlapping parts of the surface, each with its own pose."""
         clouds = []
         for k, low in enumerate((-2.0, -1.5, -1.0, -0.5)):
             points = scenes.bumpy_surface(12_000, 60 + k)
@@ -233,7 +235,7 @@ class Scenes:
         return loom().RGBDImage(self.paint, self.frames.depths[0], depth_trunc=6.0, device=self.device)
 
     def fuse(self, shift: Any = (0, 0, 0), *, color: bool = True) -> tuple[Any, list[int]]:
-        """The frames in a volume, and the blocks that each touched."""
+        """The frames integrated into a volume, and the blocks that each touched."""
         volume = loom().TSDFVolume(voxel_size=0.04, color=color, device=self.device)
         paint, touched = self.paint if color else None, []
         for depth, T in zip(self.frames.depths, self.extrinsics(shift), strict=True):
@@ -241,7 +243,7 @@ class Scenes:
         return volume, touched
 
     def extrinsics(self, shift: Any = (0, 0, 0)) -> NDArray[np.float64]:
-        """T_camera_world of the frames, the world moved by a shift [m]."""
+        """T_camera_world of the frames, with the world shifted [m]."""
         Ts = self.frames.extrinsics.copy()
         Ts[:, :3, 3] -= np.einsum("nij,j->ni", Ts[:, :3, :3], np.asarray(shift, np.float64))
         return Ts
@@ -264,12 +266,12 @@ class Scenes:
 
     @cached_property
     def scans(self) -> list[Any]:
-        """Scans of the drive, each point with its time."""
+        """Scans of the drive with point times."""
         return [self.cloud(p, time=t) for p, t in zip(self.drive.scans, self.drive.times, strict=True)]
 
     @cached_property
     def doppler(self) -> tuple[Any, Any]:
-        """A scan with the speeds at which its points move away, one in ten wrong, and the scan before with normals."""
+        """A scan with Doppler velocities, 10 % of them wrong, and the previous scan with normals."""
         rng, points = np.random.default_rng(70), self.drive.scans[1]
         speeds = -10 * points[:, 0] / np.linalg.norm(points, axis=1) + rng.normal(0, 0.1, len(points))
         speeds[::10] += rng.normal(0, 10, len(speeds[::10]))
@@ -277,7 +279,7 @@ class Scenes:
 
     @cached_property
     def path(self) -> Any:
-        """The drive's trajectory as odometry has it, with times."""
+        """The drive's odometry trajectory with times."""
         return reg().run_odometry(self.scans, voxel_size=1.0, timestamps=street.SCAN_PERIOD * np.arange(6))
 
     @cached_property
@@ -286,6 +288,6 @@ class Scenes:
 
     @cached_property
     def graph(self) -> Any:
-        walk = ring(60)()
-        edges = [reg().PoseGraphEdge(i, j, T, INFORMATION, uncertain) for i, j, T, uncertain in walk.edges]
-        return reg().PoseGraph([reg().PoseGraphNode(T) for T in walk.poses], edges)
+        trajectory = ring(60)()
+        edges = [reg().PoseGraphEdge(i, j, T, INFORMATION, uncertain) for i, j, T, uncertain in trajectory.edges]
+        return reg().PoseGraph([reg().PoseGraphNode(T) for T in trajectory.poses], edges)

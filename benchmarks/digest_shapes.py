@@ -15,10 +15,10 @@ PART = 700  # points of each shape
 
 
 def hall(d: Any) -> Any:
-    """A floor, a ball, a pipe, a funnel and a ring with normals and clutter, at UTM coordinates."""
+    """A floor, a sphere, a pipe, a cone and a ring with normals and clutter, at UTM coordinates."""
     rng = np.random.default_rng(6)
-    turn, share, tube = rng.random((3, PART)) * [[2 * np.pi], [1], [2 * np.pi]]
-    around, up = np.column_stack([np.cos(turn), np.sin(turn), 0 * turn]), np.array([0.0, 0.0, 1.0])
+    angles, share, tube = rng.random((3, PART)) * [[2 * np.pi], [1], [2 * np.pi]]
+    around, up = np.column_stack([np.cos(angles), np.sin(angles), 0 * angles]), np.array([0.0, 0.0, 1.0])
     height, z = share[:, None], 2 * share[:, None] - 1
     shapes = [
         np.column_stack([3 * rng.random(PART), 2 * rng.random(PART), np.zeros(PART)]),
@@ -33,30 +33,30 @@ def hall(d: Any) -> Any:
 
 
 def numbers(shape: Any) -> list[Any]:
-    """All that is known of a shape, as numbers; NaN stands for what it has not."""
+    """All values of a shape as numbers; NaN for missing ones."""
     values = (getattr(shape, field.name) for field in fields(shape) if field.name not in ("kind", "reasons"))
-    told = [np.nan_to_num(np.asarray(value, np.float64), nan=-9.0) for value in values]
-    return [*told, np.frombuffer("".join((shape.kind, *shape.warnings)).encode(), np.uint8)]
+    arrays = [np.nan_to_num(np.asarray(value, np.float64), nan=-9.0) for value in values]
+    return [*arrays, np.frombuffer("".join((shape.kind, *shape.warnings)).encode(), np.uint8)]
 
 
 def segmented(d: Any, kind: str) -> list[Any]:
-    """The shape of a kind with the most points, and these; a pipe is a torus of a large radius."""
+    """The shape of a kind with the most inliers, and these; a pipe is a torus with a large radius."""
     shape, rows = getattr(hall(d), f"segment_{kind}")(THRESHOLD, 25, **({} if kind == "cone" else {"max_radius": 1.0}))
     return [*numbers(shape), rows]
 
 
 def detected(d: Any) -> list[Any]:
     """All shapes, labels and distances."""
-    found = loom().detect_shapes(hall(d), THRESHOLD, 25, min_support=250)
-    return [found.labels, found.distances, *(n for s in found.shapes for n in numbers(s))]
+    result = loom().detect_shapes(hall(d), THRESHOLD, 25, min_support=250)
+    return [result.labels, result.distances, *(n for s in result.shapes for n in numbers(s))]
 
 
 def fitted(d: Any) -> list[Any]:
-    """A torus through some points, with weights."""
+    """A torus fitted to weighted points."""
     rng = np.random.default_rng(7)
-    turn, tube = rng.random((2, 900)) * 2 * np.pi
+    angles, tube = rng.random((2, 900)) * 2 * np.pi
     ring = 1 + 0.3 * np.cos(tube)
-    points = np.column_stack([ring * np.cos(turn), ring * np.sin(turn), 0.3 * np.sin(tube)])
+    points = np.column_stack([ring * np.cos(angles), ring * np.sin(angles), 0.3 * np.sin(tube)])
     cloud = d.cloud(points + 0.004 * rng.normal(size=points.shape))
     return numbers(loom().fit_shape(cloud, "torus", weights=rng.uniform(0.5, 2, 900)))
 

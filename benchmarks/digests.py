@@ -1,19 +1,20 @@
-"""Whether a change changes a result: a digest of what every operation returns, most of them on several small clouds.
+"""Detect changed results: print a digest of the result of every operation, most of them on several small clouds.
 
     python benchmarks/digests.py [--compiler taichi|warp] [--device cpu] [--only PREFIX] > before.txt
     python benchmarks/digests.py [the same options] --against before.txt
 
-A change that should change no result changes no bit: run this before it and after it. A line is an operation, the
-cloud in brackets, and the first 16 hex digits of the SHA-256 of the result: arrays with element type, shape and all
-bytes, objects by their public parts; texts do not count. On clouds of at most five points ([tiny]) an error is a result
-too, of which its type counts. With `--against` only lines that differ are shown: before, now. The exit code is 1 where
-one differs or an operation fails.
+Run this before and after a change that must not change results. A line contains an operation, the cloud in
+brackets, and
+the first 16 hex digits of the SHA-256 of the result: arrays with element type, shape and all bytes, and the public
+parts
+of objects; texts are ignored. On clouds of at most five points ([tiny]) an error is a result too, by its type. With
+`--against` only differing lines are printed: before, now. The exit code is 1 if a line differs or an operation fails.
 
-What operations are given is partly made by others: normals, features and matches. Where many lines differ, the first
-that does says most.
+The inputs of some operations are results of others: normals, features and matches. If many lines differ, the first one
+is the most informative.
 
-Only names that users have are called, so the script runs on either side of a change of what lies beneath. Compare runs
-of one compiler, device and machine; `POINTLOOM_DATA` adds a real LiDAR scan to both or to neither.
+The script calls public names only, so it runs before and after a refactoring. Compare runs of one compiler, device and
+machine; `POINTLOOM_DATA` adds a real LiDAR scan to both or to neither.
 """
 
 from __future__ import annotations
@@ -36,7 +37,7 @@ import numpy as np  # noqa: E402
 import scenes  # noqa: E402
 from digest_on_clouds import ON_CLOUDS  # noqa: E402
 from digest_once import ONCE  # noqa: E402
-from digest_scenes import Place, Scenes, loom  # noqa: E402
+from digest_scenes import SampledSurface, Scenes, loom  # noqa: E402
 from numpy.typing import NDArray  # noqa: E402
 from real_data import DataMissingError  # noqa: E402
 
@@ -66,7 +67,7 @@ def digest(result: Any) -> str:
 
 
 def pieces(value: Any) -> Iterator[bytes]:
-    """The bytes that make up a value, with what tells apart values of the same bytes."""
+    """The bytes of a value, with separators between values of different structure."""
     if isinstance(value, str):
         return
     if value is None:
@@ -104,45 +105,45 @@ def parts_of(value: Any) -> dict[str, Any]:
     if names is None and dataclasses.is_dataclass(value):
         names = sorted(field.name for field in dataclasses.fields(value) if not field.name.startswith("_"))
     if names is None:
-        raise TypeError(f"digests.py does not know the parts of a {type(value).__name__}")
+        raise TypeError(f"digests.py defines no parts for the type {type(value).__name__}")
     return {name: getattr(value, name) for name in names}
 
 
 def cloud_parts(cloud: Any) -> dict[str, Any]:
-    """All that a cloud holds, its positions as the device has them."""
+    """The complete contents of a cloud, with positions as stored on the device."""
     parts = {"origin": cloud.origin, "points": cloud.array("points").numpy(), "grid": cloud.grid}
     parts |= {name: cloud[name] for name in ("normals", "colors") if name in cloud}
     return parts | {"attributes": cloud.attributes}
 
 
-def on_each(work: Callable[[Place], Any], places: list[Place]) -> list[Any]:
-    """A digest for each place, or the kind of error: some operations need more points than there are."""
-    found = []
-    for place in places:
+def on_each(work: Callable[[SampledSurface], Any], clouds: list[SampledSurface]) -> list[Any]:
+    """A digest for each cloud, or the error type: some operations need more points."""
+    digests = []
+    for cloud in clouds:
         try:
-            found.append(np.frombuffer(digest(work(place)).encode(), np.uint8))
+            digests.append(np.frombuffer(digest(work(cloud)).encode(), np.uint8))
         except Exception as error:
-            found.append(np.frombuffer(type(error).__name__.encode(), np.uint8))
-    return found
+            digests.append(np.frombuffer(type(error).__name__.encode(), np.uint8))
+    return digests
 
 
 def operations(device: str) -> dict[str, Callable[[], Any]]:
-    """All operations by name; the clouds of a name stand side by side."""
+    """All operations by name; the clouds of an operation are consecutive."""
     data = Scenes(device)
-    places = ["surface", "far", "dirty"]
+    clouds = ["surface", "far", "dirty"]
     with contextlib.suppress(DataMissingError):
         scenes.real_scan_path()
-        places.append("real")
-    found: dict[str, Callable[[], Any]] = {}
+        clouds.append("real")
+    works: dict[str, Callable[[], Any]] = {}
     for name, on_cloud in ON_CLOUDS.items():
-        for place in places:
-            found[f"{name} [{place}]"] = lambda on_cloud=on_cloud, place=place: on_cloud(getattr(data, place))
-        found[f"{name} [tiny]"] = lambda on_cloud=on_cloud: on_each(on_cloud, data.tiny)
-    return found | {name: lambda once=once: once(data) for name, once in ONCE.items()}
+        for cloud in clouds:
+            works[f"{name} [{cloud}]"] = lambda on_cloud=on_cloud, cloud=cloud: on_cloud(getattr(data, cloud))
+        works[f"{name} [tiny]"] = lambda on_cloud=on_cloud: on_each(on_cloud, data.tiny)
+    return works | {name: lambda once=once: once(data) for name, once in ONCE.items()}
 
 
 def outcome(work: Callable[[], Any]) -> str:
-    """The digest of what an operation returns, or what went wrong."""
+    """The digest of an operation's result, or a description of the error."""
     try:
         return digest(work())
     except Exception as error:
@@ -151,7 +152,7 @@ def outcome(work: Callable[[], Any]) -> str:
 
 
 def read_lines(path: Path) -> dict[str, str]:
-    """An earlier output: outcomes by name."""
+    """Read an earlier output: outcomes by name."""
     rows = [re.split(r"\s{2,}", line, maxsplit=1) for line in path.read_text().splitlines() if line.strip()]
     return {name: what for name, what in rows}
 
@@ -161,15 +162,15 @@ def line(name: str, *columns: str) -> str:
 
 
 def main() -> int:
-    """The exit code: 1 where an operation failed or a result is not as before."""
+    """Run the operations. Returns the exit code: 1 if an operation failed or a result differs."""
     options = parse_options()
     if options.compiler:
         os.environ["POINTLOOM_CPU"] = options.compiler  # before the library is loaded
-    wanted = tuple(options.only or [""])
+    prefixes = tuple(options.only or [""])
     before = read_lines(options.against) if options.against else None
     outcomes, differing = {}, 0
     for name, work in operations(options.device).items():
-        if not name.startswith(wanted):
+        if not name.startswith(prefixes):
             continue
         outcomes[name] = outcome(work)
         if before is None:
@@ -178,23 +179,23 @@ def main() -> int:
             differing += 1
             print(line(name, before.get(name, "(not there)"), outcomes[name]), flush=True)
     if not outcomes:
-        print(f"No operation begins with {' or '.join(wanted)}.", file=sys.stderr)
+        print(f"No operation starts with {' or '.join(prefixes)}.", file=sys.stderr)
         return 2
     failed = sum(what.startswith("ERROR") for what in outcomes.values())
-    for name in [name for name in before or {} if name.startswith(wanted) and name not in outcomes]:
+    for name in [name for name in before or {} if name.startswith(prefixes) and name not in outcomes]:
         differing += 1
         print(line(name, before[name], "(not there)"))
-    told = "" if before is None else f", {differing} not as before"
-    print(f"{len(outcomes)} operations, {failed} failed{told}", file=sys.stderr)
+    summary = "" if before is None else f", {differing} differ"
+    print(f"{len(outcomes)} operations, {failed} failed{summary}", file=sys.stderr)
     return int(failed > 0 or differing > 0)
 
 
 def parse_options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--compiler", choices=("taichi", "warp"), help="of the CPU; as the environment has it if none")
+    parser.add_argument("--compiler", choices=("taichi", "warp"), help="of the CPU; default: from the environment")
     parser.add_argument("--device", default="cpu")
-    parser.add_argument("--only", action="append", metavar="PREFIX", help="operations whose names begin so")
-    parser.add_argument("--against", type=Path, metavar="FILE", help="an earlier output: show what differs from it")
+    parser.add_argument("--only", action="append", metavar="PREFIX", help="operations whose names start with this")
+    parser.add_argument("--against", type=Path, metavar="FILE", help="an earlier output: print only differing lines")
     return parser.parse_args()
 
 

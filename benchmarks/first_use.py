@@ -1,22 +1,22 @@
-"""What a fresh process pays for its first use of an operation: seconds until the first result, and of the next one.
+"""Time of the first use of an operation in a new process: seconds until the first result, and of the second call.
 
     python benchmarks/first_use.py [--cold] [--together 4] [--laps 3] [--only PREFIX] [--device cpu] [--output FILE]
 
-Each lap is a process of its own, with this one's environment, that imports pointloom, makes small data (some 400
-points, or one small depth frame) and runs the operation twice. The columns are the wall seconds of
+Each lap is a separate process with this one's environment that imports pointloom, creates small data (about 400 points,
+or one small depth frame) and runs the operation twice. The columns are the wall seconds of
 
-- import: `import pointloom`, which loads little: names are loaded when they are first used;
-- data: the data, by which NumPy and the modules of clouds are loaded and the runtime of the CPU's compiler is started;
-- first: the first call, which loads the rest, and compiles kernels or fetches them from the caches;
+- import: `import pointloom`, which is lazy: names are loaded on first use;
+- data: creating the data, which loads NumPy and the modules of clouds and starts the runtime of the CPU's compiler;
+- first: the first call, which loads the rest, and compiles kernels or loads them from the caches;
 - second: the same call again;
-- process: the whole, with the start and the end of the interpreter;
+- process: the full process, including start and exit of the interpreter;
 
-and cpu, the seconds that all cores worked for the process up to the second result, which other work on the machine
-lengthens less. They are medians over the laps. A run before the laps fills the kernel caches; with `--cold` there is
-none, and each process gets empty ones instead (`.pyc` files stay). `POINTLOOM_CPU` chooses the compiler.
+and cpu, the CPU seconds of all cores up to the second result, which depend less on other load. All values are medians
+over the laps. A run before the laps fills the kernel caches; with `--cold` there is no such run, and each process gets
+empty caches (`.pyc` files stay). `POINTLOOM_CPU` selects the compiler.
 
-With `--together N` a lap is N such processes, started at once over the same caches. Each column is that of the process
-that is slowest in it; an operation has failed where one of the processes has.
+With `--together N` a lap consists of N such processes, started at once with shared caches. Each column is the maximum
+over the processes; an operation fails if one of the processes fails.
 """
 
 from __future__ import annotations
@@ -36,7 +36,7 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
 
-TIME_LIMIT = 900  # [s] a process
+TIME_LIMIT = 900  # [s] per process
 COUNT = 400  # points
 COLUMNS = ("import", "data", "first", "second", "process", "cpu")
 CACHES = ("TI_OFFLINE_CACHE_FILE_PATH", "WARP_CACHE_PATH")
@@ -44,11 +44,11 @@ CACHES = ("TI_OFFLINE_CACHE_FILE_PATH", "WARP_CACHE_PATH")
 
 @dataclass(frozen=True)
 class FirstUse:
-    """An operation, and what it is run on.
+    """An operation and its data.
 
     Attributes:
         make: Device -> the data.
-        work: What is called twice with them.
+        work: Called twice with the data.
     """
 
     make: Callable[[str], Any]
@@ -136,7 +136,7 @@ OPERATIONS: dict[str, FirstUse] = {
 
 
 def run_one(name: str, device: str) -> dict[str, float]:
-    """The seconds of this process, which has loaded nothing of the library yet."""
+    """The times of this process, which has not loaded the library yet."""
     use, moments = OPERATIONS[name], [time.perf_counter()]
     loom()
     moments.append(time.perf_counter())
@@ -150,10 +150,10 @@ def run_one(name: str, device: str) -> dict[str, float]:
 
 
 def run_process(name: str, device: str, caches: dict[str, str]) -> dict[str, float]:
-    """The seconds of a fresh process.
+    """The times of a new process.
 
     Raises:
-        RuntimeError: It failed or took too long.
+        RuntimeError: The process failed or exceeded the time limit.
     """
     command = [sys.executable, __file__, "--one", name, "--device", device]
     begin = time.perf_counter()
@@ -163,18 +163,18 @@ def run_process(name: str, device: str, caches: dict[str, str]) -> dict[str, flo
         )
     except subprocess.TimeoutExpired as error:
         raise RuntimeError(f"took more than {TIME_LIMIT} s") from error
-    whole = time.perf_counter() - begin
+    duration = time.perf_counter() - begin
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
         raise RuntimeError(lines[-1][:200])
-    return json.loads(done.stdout.strip().splitlines()[-1]) | {"process": whole}
+    return json.loads(done.stdout.strip().splitlines()[-1]) | {"process": duration}
 
 
 def run_together(name: str, options: argparse.Namespace, caches: dict[str, str]) -> dict[str, float]:
-    """The seconds of the slowest of processes that are started at once, column by column.
+    """The maximum times of processes that are started at once, for each column.
 
     Raises:
-        RuntimeError: One failed or took too long.
+        RuntimeError: A process failed or exceeded the time limit.
     """
     with ThreadPoolExecutor(options.together) as threads:
         jobs = [threads.submit(run_process, name, options.device, caches) for _ in range(options.together)]
@@ -185,7 +185,7 @@ def run_together(name: str, options: argparse.Namespace, caches: dict[str, str])
 
 
 def measure(name: str, options: argparse.Namespace) -> list[dict[str, float]]:
-    """The seconds of each lap."""
+    """The times of each lap."""
     if not options.cold:
         run_process(name, options.device, {})
         return [run_together(name, options, {}) for _ in range(options.laps)]
@@ -197,13 +197,13 @@ def measure(name: str, options: argparse.Namespace) -> list[dict[str, float]]:
 
 
 def main() -> int:
-    """The exit code: 1 where an operation failed."""
+    """Run the measurements. Returns the exit code: 1 if an operation failed."""
     options = parse_options()
     if options.one:
         print(json.dumps(run_one(options.one, options.device)))
         return 0
     names = [name for name in OPERATIONS if name.startswith(tuple(options.only or [""]))]
-    about, found, failed = describe(options), {}, {}
+    about, operations, failed = describe(options), {}, {}
     print(f"{'':42s}" + "".join(f"{column:>9s}" for column in COLUMNS) + "  [s]", flush=True)
     for name in names:
         try:
@@ -213,16 +213,16 @@ def main() -> int:
             print(f"{name:42s} FAILED: {error}", flush=True)
             continue
         medians = {column: statistics.median(lap[column] for lap in laps) for column in COLUMNS}
-        found[name] = {"seconds": medians, "laps": laps}
+        operations[name] = {"seconds": medians, "laps": laps}
         print(f"{name:42s}" + "".join(f"{medians[column]:9.3f}" for column in COLUMNS), flush=True)
     if options.output:
-        content = about | {"operations": found, "failed": failed}
+        content = about | {"operations": operations, "failed": failed}
         options.output.write_text(json.dumps(content, indent=1) + "\n")
-    return int(bool(failed) or not found)
+    return int(bool(failed) or not operations)
 
 
 def describe(options: argparse.Namespace) -> dict[str, Any]:
-    """What the times depend on."""
+    """The conditions that the times depend on."""
     return {
         "kernel_caches": "empty" if options.cold else "filled",
         "laps": options.laps,
@@ -237,19 +237,19 @@ def describe(options: argparse.Namespace) -> dict[str, Any]:
 
 def parse_options() -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--cold", action="store_true", help="each process begins with empty kernel caches")
-    parser.add_argument("--together", type=int, default=1, metavar="N", help="processes at once (default 1)")
-    parser.add_argument("--laps", type=int, default=3, help="laps whose median is taken (default 3)")
-    parser.add_argument("--only", action="append", metavar="PREFIX", help="operations whose names begin so")
+    parser.add_argument("--cold", action="store_true", help="start each process with empty kernel caches")
+    parser.add_argument("--together", type=int, default=1, metavar="N", help="simultaneous processes (default 1)")
+    parser.add_argument("--laps", type=int, default=3, help="number of laps; the table shows medians (default 3)")
+    parser.add_argument("--only", action="append", metavar="PREFIX", help="operations whose names start with this")
     parser.add_argument("--device", default="cpu")
-    parser.add_argument("--output", type=Path, metavar="FILE", help="JSON with the seconds of each lap")
+    parser.add_argument("--output", type=Path, metavar="FILE", help="write the times of each lap as JSON")
     parser.add_argument("--one", help=argparse.SUPPRESS)
     options = parser.parse_args()
     for name in ("laps", "together"):
         if getattr(options, name) < 1:
             parser.error(f"--{name}: expected at least 1, got {getattr(options, name)}")
     if not any(name.startswith(tuple(options.only or [""])) for name in OPERATIONS):
-        parser.error(f"--only: expected the beginning of one of {', '.join(OPERATIONS)}")
+        parser.error(f"--only: expected a prefix of one of {', '.join(OPERATIONS)}")
     return options
 
 

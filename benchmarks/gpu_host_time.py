@@ -1,16 +1,17 @@
-"""What a call on CUDA costs its host: CPU time of Python and Warp, the emulated device's own work taken out.
+"""Host time of calls on CUDA: CPU time of Python and Warp, without the emulated device's work.
 
     python benchmarks/gpu_host_time.py [PART OF A NAME ...] [--rounds 9] [--save FILE] [--against FILE] [--profile]
 
-All that the emulated device does, it does inside the functions of Warp's native library that it stands for; their time
-is taken away, and what the clock around them costs. What is left a host with a real GPU pays too, and on top of it the
-driver's part of each native call, some 1 to 5 us, which these counts of calls, launches and allocations tell of.
+The emulated device works inside the functions of Warp's native library that it replaces. Their time is subtracted, and
+the overhead of the clock around them. A host with a real GPU needs the remaining time too, plus the driver's part of
+each native call, about 1 to 5 us; the table shows the numbers of calls, launches and allocations.
 
-Clouds have 3,000 points, pictures 160 x 120 pixels: the host's time hardly depends on it, and the emulator's does.
-Ten calls follow each other without a wait of ours, as warm as between launches of a real GPU; what waits by itself
-runs the emulator in between, finds its caches cold, and takes up to twice as long as it would. Times are those of the
-thread, the lower quartile of the rounds. --save writes JSON, --against adds the ratio to such a file, and --profile
-says which functions the time goes to: cProfile makes all of them slower, small ones most.
+Clouds have 3,000 points, images 160 x 120 pixels: the host time hardly depends on the size, the emulator's time does.
+Ten calls are made without synchronization, with warm CPU caches as between launches of a real GPU. Operations that
+synchronize internally run the emulator in between, find cold caches, and take up to twice as long. Times are thread CPU
+times, the lower quartile of the rounds. --save writes JSON, --against adds the ratio to such a file, and --profile
+prints
+the functions that need the time: cProfile slows all of them, small ones most.
 """
 
 from __future__ import annotations
@@ -32,18 +33,18 @@ from typing import Any
 ROOT, DEVICE = Path(__file__).parents[1], "cuda:0"
 CALIBRATION, WARM_UP, IN_A_ROW, PROFILED, PROFILE_LINES = 20_000, 2, 10, 20, 45
 COUNTS = ("launches", "graphs", "graphs made", "copies to host", "copies to device", "allocations", "waits")
-WAITING = ("register_globally", "odometry, a scan")  # dozens of times a call: nothing of them is warm
+WAITING = ("register_globally", "odometry, a scan")  # synchronize dozens of times per call: caches are cold
 clock = time.thread_time
 
 
 class Inside:
-    """The time that the emulated device takes, between two looks."""
+    """Measures the time of the emulated device."""
 
     def __init__(self) -> None:
         self.seconds, self.calls, self.is_in, self.hook, self.start = 0.0, 0, False, 0.0, 0.0
 
     def timed(self, function: Callable[..., Any]) -> Callable[..., Any]:
-        """The device's function with a clock around it; what it calls itself is not counted again."""
+        """Wrap a device function with a clock; nested calls are not counted twice."""
 
         def call(*arguments: Any) -> Any:
             if self.is_in:
@@ -60,7 +61,7 @@ class Inside:
         return call
 
     def calibrate(self) -> None:
-        """Find what a clock around a call adds to the time outside."""
+        """Measure the overhead of the clock around a call."""
         call, nothing = self.timed(lambda *_: None), range(CALIBRATION)
         start = clock()
         for _ in nothing:
@@ -73,24 +74,24 @@ class Inside:
         self.seconds, self.calls = 0.0, 0
 
     def outside(self) -> float:
-        """A clock that stands still while the device works."""
+        """A clock that stops while the device works."""
         return (self.start if self.is_in else clock()) - self.seconds
 
     def taken(self) -> float:
-        """What is to be taken from the time of a call."""
+        """The time to subtract from a call."""
         return self.seconds + self.calls * self.hook
 
 
 def install() -> tuple[Any, Inside]:
-    """The emulated device as Warp's only GPU, and the clock around it."""
+    """Install the emulated device as Warp's only GPU, with the clock."""
     os.environ.setdefault("EMULATED_CUDA_UNINITIALISED", "0")
     sys.path.append(str(ROOT / "tests"))
     from emulated_cuda import install as emulated  # pyright: ignore[reportMissingImports]
 
-    inside, found = Inside(), emulated.Device.function
+    inside, original = Inside(), emulated.Device.function
 
     def function(self: Any, name: str) -> Any:
-        native = found(self, name)
+        native = original(self, name)
         return None if native is None else inside.timed(native)
 
     emulated.Device.function = function
@@ -109,7 +110,7 @@ def install() -> tuple[Any, Inside]:
 
 
 def cloud_operations() -> dict[str, Callable[[], Any]]:
-    """Operations on a cloud whose tree is there."""
+    """Operations on a cloud with an existing tree."""
     import scenes
 
     import pointloom as loom
@@ -128,7 +129,7 @@ def cloud_operations() -> dict[str, Callable[[], Any]]:
 
 
 def registration_operations() -> dict[str, Callable[[], Any]]:
-    """Two clouds brought together, and a scanner that drives."""
+    """Registration of two clouds, and odometry."""
     import scenes
     import street
 
@@ -153,7 +154,7 @@ def registration_operations() -> dict[str, Callable[[], Any]]:
 
 
 def frame_operations() -> dict[str, Callable[[], Any]]:
-    """Depth pictures, volumes and rays."""
+    """Depth images, volumes and rays."""
     import numpy as np
     import scenes
     from mesh_scenes import scene_in_pointloom, wavy_mesh
@@ -183,20 +184,20 @@ def frame_operations() -> dict[str, Callable[[], Any]]:
 
 
 def measure(name: str, call: Callable[[], Any], rounds: int, device: Any, inside: Inside) -> dict[str, Any]:
-    """The lower quartile of some calls, and the counts of the last."""
+    """The lower quartile of some calls, and the counts of the last one."""
     import warp as wp
 
     for _ in range(WARM_UP):
         _ = call()
     seconds, counts, calls, in_a_row = [], {}, 0, 1 if name in WAITING else IN_A_ROW
-    gc.disable()  # whose time depends on what else the process keeps
+    gc.disable()  # its time depends on other objects of the process
     for _ in range(rounds):
         wp.synchronize()
         before = dict(device.findings.counts)
         inside.seconds, inside.calls, start = 0.0, 0, clock()
         for _ in range(in_a_row):
             result = call()
-            del result  # its release is a part of it
+            del result  # releasing the result is included
         seconds.append((clock() - start - inside.taken()) / in_a_row)
         calls = inside.calls // in_a_row
         wp.synchronize()
@@ -213,7 +214,7 @@ def printed(row: dict[str, Any], known: dict[str, Any] | None) -> str:
 
 
 def print_profile(name: str, call: Callable[[], Any], inside: Inside) -> None:
-    """The functions that a call's time goes to, by their own and with what they call."""
+    """Print the functions of a call by own and cumulative time."""
     for _ in range(WARM_UP):
         _ = call()
     gc.disable()
@@ -227,13 +228,13 @@ def print_profile(name: str, call: Callable[[], Any], inside: Inside) -> None:
     gc.enable()
     rows = []
     for (file, line, function), (_, count, own, all_of_it, _) in pstats.Stats(profile).stats.items():  # type: ignore[attr-defined]
-        place = f"{Path(file).parent.name}/{Path(file).name}:{line} {function}"
-        rows.append((1e3 * own / calls, 1e3 * all_of_it / calls, count / calls, place))
-    print(f"{name}: {sum(row[0] for row in rows):.3f} ms, as cProfile has it")
+        location = f"{Path(file).parent.name}/{Path(file).name}:{line} {function}"
+        rows.append((1e3 * own / calls, 1e3 * all_of_it / calls, count / calls, location))
+    print(f"{name}: {sum(row[0] for row in rows):.3f} ms according to cProfile")
     print(f"  {'own ms':>8}{'with calls':>12}{'times':>8}")
     for key in (0, 1):
-        for own, all_of_it, count, place in sorted(rows, key=lambda row: -row[key])[:PROFILE_LINES]:
-            print(f"  {own:8.3f}{all_of_it:12.3f}{count:8.1f}  {place}")
+        for own, all_of_it, count, location in sorted(rows, key=lambda row: -row[key])[:PROFILE_LINES]:
+            print(f"  {own:8.3f}{all_of_it:12.3f}{count:8.1f}  {location}")
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""More operations that are timed on a GPU: registration, frames, surfaces and meshes, whose hosts launch many times."""
+"""More operations timed on a GPU, with many launches: registration, frames, surfaces and meshes."""
 
 from __future__ import annotations
 
@@ -14,10 +14,10 @@ from mesh_scenes import in_pointloom, torn_mesh, wavy_mesh
 Call = Callable[[], Any]
 WIDTH, HEIGHT = 640, 480
 PICTURE = WIDTH * HEIGHT
-VIEWS, VIEW_WIDTH = 3, 160  # of multi-view stereo, pictures of 160 x 120
+VIEWS, VIEW_WIDTH = 3, 160  # of multi-view stereo, images of 160 x 120
 VIEW_PIXELS = VIEWS * VIEW_WIDTH * VIEW_WIDTH * 3 // 4
-TURNS, BEAMS = 900, 64  # of a LiDAR
-CALLS = 10  # that frames are there for
+AZIMUTHS, BEAMS = 900, 64  # of a LiDAR
+CALLS = 10  # number of prepared frames
 
 
 # ------------------------------------------------------------------------------------------------ registration
@@ -36,7 +36,7 @@ def _globally(size: int) -> Call:
 
     T, (c, s), clouds = np.eye(4), (np.cos(1.3), np.sin(1.3)), []
     T[:2, :2], T[:3, 3] = [[c, -s], [s, c]], [0.5, -0.2, 0.1]
-    for seed, low in ((50, -2.0), (51, -1.0)):  # two thirds of each are on the other
+    for seed, low in ((50, -2.0), (51, -1.0)):  # with two thirds overlap
         points = scenes.bumpy_surface(size, seed)
         clouds.append(loom.PointCloud(points[(points[:, 0] > low) & (points[:, 0] < low + 3)], device=DEVICE))
     source = clouds[0].transform(T)
@@ -48,10 +48,10 @@ def _lidar(_: int) -> Call:
 
     import pointloom as loom
 
-    road = drive(3 + CALLS, beams=BEAMS, azimuths=TURNS)
+    road = drive(3 + CALLS, beams=BEAMS, azimuths=AZIMUTHS)
     clouds = [loom.PointCloud(p, time=t, device=DEVICE) for p, t in zip(road.scans, road.times, strict=True)]
     odometry, rest = loom.registration.LidarOdometry(voxel_size=1.0), iter(clouds)
-    for _ in range(3):  # the map and the speed are there
+    for _ in range(3):  # so that the map and the velocity exist
         odometry.register(next(rest))
     return lambda: odometry.register(next(rest))
 
@@ -60,7 +60,7 @@ def _lidar(_: int) -> Call:
 
 
 def _pictures() -> tuple[Any, Any, np.ndarray]:
-    """Frames of a room, their camera, and a picture that both show."""
+    """Frames of a room, their camera, and an image that both show."""
     import pointloom as loom
 
     frames = scenes.room_frames(2)
@@ -70,7 +70,7 @@ def _pictures() -> tuple[Any, Any, np.ndarray]:
 
 
 def _rgbd_frame(_: int) -> Call:
-    """A frame of a camera that is tracked: prepared, and aligned with the one before."""
+    """A tracked frame: prepared, and aligned with the previous one."""
     from pointloom import odometry
 
     frames, camera, shade = _pictures()
@@ -139,7 +139,7 @@ def of_surface(name: str, *given: Any, **options: Any) -> Callable[[int], Call]:
 
 
 def of_mesh(arrays: Callable[[int], Any], call: Callable[[Any], Any]) -> Callable[[int], Call]:
-    """An operation on a mesh; its size is that of the grid that it was cut from."""
+    """An operation on a mesh; its size is that of the source grid."""
 
     def prepare(cells: int) -> Call:
         mesh = in_pointloom(arrays(cells), DEVICE)
@@ -149,12 +149,12 @@ def of_mesh(arrays: Callable[[int], Any], call: Callable[[Any], Any]) -> Callabl
 
 
 def _deformed(mesh: Any) -> Any:
-    """The lowest vertices stay, the highest move."""
+    """Deform with the lowest vertices fixed and the highest ones moved."""
     heights = np.asarray(mesh.vertices)[:, 2]
     rows = np.argsort(heights)[[*range(40), *range(-40, 0)]]
-    places = np.asarray(mesh.vertices)[rows].copy()
-    places[40:, 2] += 0.1 * np.ptp(heights)
-    return mesh.deform_as_rigid_as_possible(rows, places, 5)
+    positions = np.asarray(mesh.vertices)[rows].copy()
+    positions[40:, 2] += 0.1 * np.ptp(heights)
+    return mesh.deform_as_rigid_as_possible(rows, positions, 5)
 
 
 def _patches(size: int) -> Call:
@@ -172,10 +172,10 @@ def _kitti(_: int) -> Call:
 
 
 MORE_ROWS = (
-    Operation("normals_scan", _kitti, (69_088,)),  # a real LiDAR scan, of POINTLOOM_DATA
+    Operation("normals_scan", _kitti, (69_088,)),  # a real LiDAR scan from POINTLOOM_DATA
     Operation("gicp", _gicp, (200_000,)),
     Operation("register_globally", _globally, (200_000,)),
-    Operation("lidar_odometry_scan", _lidar, (BEAMS * TURNS,)),
+    Operation("lidar_odometry_scan", _lidar, (BEAMS * AZIMUTHS,)),
     Operation("rgbd_frame", _rgbd_frame, (PICTURE,)),
     Operation("slam_frame", _slam_frame, (PICTURE,)),
     Operation("mvs_pictures", _mvs, (VIEW_PIXELS,)),

@@ -1,4 +1,4 @@
-"""An operation that is timed on a GPU, and the clouds of several of them."""
+"""The definition of an operation timed on a GPU, and clouds shared by several of them."""
 
 from __future__ import annotations
 
@@ -13,11 +13,11 @@ DEVICE = "cuda:0"
 
 @dataclass(frozen=True)
 class Operation:
-    """An operation of some sizes.
+    """An operation at some sizes.
 
     Attributes:
-        prepare: (size) -> the call that is timed, without arguments.
-        sizes: Of what it runs on.
+        prepare: (size) -> the timed call, without arguments.
+        sizes: Sizes of the data.
     """
 
     name: str
@@ -26,12 +26,12 @@ class Operation:
 
 
 def cloud_of(size: int, seed: int = 0) -> Any:
-    """The bumpy surface, on the device."""
+    """The bumpy surface on the device."""
     import pointloom as loom
 
     return loom.PointCloud(scenes.bumpy_surface(size, seed), device=DEVICE)
 
 
 def spacing_of(size: int) -> float:
-    """A length [m] that holds the same number of points at each size: 1 at 200,000."""
+    """A length [m] that contains the same number of points at each size: 1 at 200,000."""
     return (200_000 / size) ** 0.5

@@ -1,6 +1,6 @@
-"""The operations that are timed on a GPU: what is prepared, and the call.
+"""The operations timed on a GPU: preparation and call.
 
-What a cloud keeps, such as its tree, is prepared before the call; `tree` is what it costs once.
+Cached data of a cloud, such as its tree, are prepared before the call; `tree` measures the tree.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from mesh_scenes import scene_in_pointloom, wavy_mesh
 
 
 def on_cloud(call: Callable[[Any, int], Any], *, tree: bool) -> Callable[[int], Callable[[], Any]]:
-    """An operation on the surface, with its tree made beforehand or in the call."""
+    """An operation on the surface, with the tree built beforehand or in the call."""
 
     def prepare(size: int) -> Callable[[], Any]:
         cloud = cloud_of(size)
@@ -37,7 +37,7 @@ def _knn(cloud: Any, size: int) -> Any:
 
 
 def _voxel_of(size: int) -> float:
-    """The voxel [m] of which about `size` are left of a million points."""
+    """The voxel size [m] that leaves about `size` of a million points."""
     return 0.02 * (62_000 / size) ** 0.5
 
 
@@ -72,7 +72,7 @@ def _icp(size: int) -> Callable[[], Any]:
         rules = reg.ICPConvergenceCriteria(0, 0, steps)
         return reg.registration_icp(source, target, DISTANCE, None, method, rules)
 
-    align(1)  # trees, and whatever else is kept
+    align(1)  # builds trees and other cached data
     return lambda: align(ITERATIONS)
 
 
@@ -149,10 +149,10 @@ def _cast_rays(count: int) -> Callable[[], Any]:
 def _closest_points(count: int) -> Callable[[], Any]:
     vertices, triangles = wavy_mesh(128)
     rng = np.random.default_rng(0)
-    places = rng.uniform(vertices.min(axis=0), vertices.max(axis=0), (count, 3)).astype(np.float32)
+    queries = rng.uniform(vertices.min(axis=0), vertices.max(axis=0), (count, 3)).astype(np.float32)
     scene = scene_in_pointloom((vertices, triangles), DEVICE)
-    scene.compute_closest_points(places[:1])
-    return lambda: scene.compute_closest_points(places)
+    scene.compute_closest_points(queries[:1])
+    return lambda: scene.compute_closest_points(queries)
 
 
 ROWS = (

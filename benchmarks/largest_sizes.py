@@ -1,10 +1,10 @@
-"""The largest cloud that an operation takes on a GPU, from what it allocates and launches on the emulated one.
+"""The largest cloud for each operation on a GPU, from its allocations and launches on the emulated device.
 
     python benchmarks/largest_sizes.py [OPERATION ...]
 
-An operation runs on two clouds of a surface. What grows with the points is counted: the elements of its largest array
-and of its largest launch, both below 2^31, and the bytes that are in use at once, cloud and search tree included. The
-rows are Markdown: bytes a point, points on 80 GB, points by 2^31, which of the two binds.
+Each operation runs on two clouds of a surface. The growth per point is measured: elements of its largest array and of
+its largest launch, both limited to 2^31, and the peak bytes, including cloud and search tree. The rows are Markdown:
+bytes per point, points on 80 GB, points by 2^31, and the binding limit.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 sys.path[:0] = [str(ROOT / "src"), str(ROOT), str(ROOT / "benchmarks")]
-os.environ |= {"EMULATED_CUDA_UNINITIALISED": "0", "EMULATED_CUDA_LAZY": "0"}  # so that releases are not put off
+os.environ |= {"EMULATED_CUDA_UNINITIALISED": "0", "EMULATED_CUDA_LAZY": "0"}  # so that memory is released at once
 from tests.emulated_cuda.install import install, installed  # noqa: E402
 
 install()
@@ -33,15 +33,15 @@ from pointloom.kernels.features import fpfh  # noqa: E402
 from pointloom.kernels.search import group_scratch  # noqa: E402
 from pointloom.kernels.surface import covariances  # noqa: E402
 
-# What grows to a size and no further, whatever the points, has it from the beginning here
+# Arrays of bounded size are given their maximum from the start
 group_scratch.SM_THREADS, covariances.LIST_ENTRIES = 32, 2**12
-OWN_LIMITS = {  # that an operation checks before it begins
+OWN_LIMITS = {  # limits that an operation checks itself
     "compute_fpfh_feature": fpfh.MAX_POINTS,
     "detect_planar_patches": (2**31 - 1) // 30,
 }
 
 COUNTS = 12_007, 36_011
-# Kernels that are launched over parts of the points where there are many; what grows at these sizes ends to grow
+# Kernels that are launched in batches for large inputs: arrays that grow at these sizes are bounded
 IN_PARTS = {
     *("search_nearest_kernel", "list_neighbors_kernel", "fit_covariances_nearest_kernel", "drop_neighbors_kernel"),
     *("search_nearest_of_lanes_kernel", "average_listed_kernel", "offer_edges_kernel", "hook_components_kernel"),
@@ -52,7 +52,7 @@ DEVICE = "cuda:0"
 
 
 class Cloud:
-    """A surface on the device, with what operations ask for besides."""
+    """A surface on the device, with other inputs of operations."""
 
     def __init__(self, count: int) -> None:
         points = scenes.bumpy_surface(count, 1).astype(np.float32)
@@ -92,7 +92,7 @@ OPERATIONS: dict[str, Callable[[Cloud], Any]] = {
 
 
 class Seen:
-    """The largest array of each parameter of an operation's kernels, and their launches, and the most bytes at once."""
+    """The largest array of each parameter of an operation's kernels, its launches, and the peak bytes."""
 
     def __init__(self) -> None:
         self.elements: dict[tuple[str, int], int] = {}  # by kernel and parameter, -1 for threads
@@ -101,52 +101,56 @@ class Seen:
 
 @contextmanager
 def watched() -> Iterator[Seen]:
-    """What is launched and allocated in here."""
-    device, seen, real = installed(), Seen(), launches.checked_arguments
+    """Record launches and allocations in the block."""
+    device, record, real = installed(), Seen(), launches.checked_arguments
     assert device is not None
 
     def checked(what: Any, thread_count: int, arguments: Any) -> Any:
-        found = real(what, thread_count, arguments)
-        sizes = {k: max(value.shape) for k, value in enumerate(found[0]) if isinstance(value, wp.array)}
+        allocated = real(what, thread_count, arguments)
+        sizes = {k: max(value.shape) for k, value in enumerate(allocated[0]) if isinstance(value, wp.array)}
         for k, size in ({-1: thread_count} | sizes).items():
-            seen.elements[what.name, k] = max(size, seen.elements.get((what.name, k), 0))
-        return found
+            record.elements[what.name, k] = max(size, record.elements.get((what.name, k), 0))
+        return allocated
 
     gc.collect()
     device.synchronize()
     device.memory.peak = device.memory.used
     launches.checked_arguments = checked
     try:
-        yield seen
+        yield record
     finally:
         launches.checked_arguments = real
         device.synchronize()
-        seen.bytes = device.memory.peak
+        record.bytes = device.memory.peak
 
 
 def grown(work: Callable[[Cloud], Any]) -> tuple[float, float]:
-    """How many elements, or threads, and bytes an operation takes for one more point."""
-    found = []
+    """Elements (or threads) and bytes per additional point."""
+    sizes_and_bytes = []
     for count in COUNTS:
         gc.collect()
         installed().synchronize()  # type: ignore[union-attr]
         before = installed().memory.used  # type: ignore[union-attr]
         cloud = Cloud(count)
-        with watched() as seen:
+        with watched() as record:
             work(cloud)
-        found.append((seen.elements, seen.bytes - before))
+        sizes_and_bytes.append((record.elements, record.bytes - before))
         del cloud
     step = COUNTS[1] - COUNTS[0]
-    elements = {p: (size - found[0][0].get(p, size)) / step for p, size in found[1][0].items() if p[0] not in IN_PARTS}
-    return max(elements.values()), (found[1][1] - found[0][1]) / step
+    elements = {
+        p: (size - sizes_and_bytes[0][0].get(p, size)) / step
+        for p, size in sizes_and_bytes[1][0].items()
+        if p[0] not in IN_PARTS
+    }
+    return max(elements.values()), (sizes_and_bytes[1][1] - sizes_and_bytes[0][1]) / step
 
 
-def main(wanted: list[str]) -> None:
+def main(names: list[str]) -> None:
     """Print the table."""
-    print("| operation | bytes a point | points on 80 GB | points by 2^31 | bound by |")
+    print("| operation | bytes per point | points on 80 GB | points by 2^31 | bound by |")
     print("|---|---|---|---|---|")
     for name, work in OPERATIONS.items():
-        if wanted and not name.startswith(tuple(wanted)):
+        if names and not name.startswith(tuple(names)):
             continue
         elements, size = grown(work)
         own = min([own for start, own in OWN_LIMITS.items() if name.startswith(start)], default=LIMIT)

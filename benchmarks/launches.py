@@ -1,10 +1,10 @@
-"""Where our time goes: seconds a kernel, by name.
+"""Profile of pointloom's kernels: time by kernel name.
 
     python benchmarks/launches.py OPERATION SIZE [DEVICE]
 
-`launch` and `reduce` of the kernel language are wrapped wherever they were imported, and wait for the GPU after each
-kernel, so times on a GPU are longer in sum than without. What remains of the call is host work: NumPy, sorts and scans
-of Warp, transfers, Python.
+Wraps `launch` and `reduce` of the kernel language in all modules that import them, and synchronizes the GPU after each
+kernel, so GPU times are longer in total. The rest of the call is host work: NumPy, Warp's sorts and scans, transfers,
+Python.
 """
 
 from __future__ import annotations
@@ -25,7 +25,7 @@ class LaunchTimes:
 
     seconds: dict[str, float] = field(default_factory=dict)
     counts: dict[str, int] = field(default_factory=dict)
-    total: float = 0.0  # [s] of the calls, kernels included
+    total: float = 0.0  # [s] of the calls, including kernels
 
     def add(self, name: str, seconds: float) -> None:
         """Count one launch."""
@@ -65,7 +65,7 @@ def timed_launches(device: str) -> Iterator[LaunchTimes]:
 
     originals = (lang.launch, lang.reduce)
     wrapped = [timed(call) for call in originals]
-    places = [
+    targets = [
         (module, name, original, replacement)
         for key, module in list(sys.modules.items())
         if key.startswith("pointloom.")
@@ -73,21 +73,21 @@ def timed_launches(device: str) -> Iterator[LaunchTimes]:
         for name, value in list(vars(module).items())
         if value is original
     ]
-    for module, name, _, replacement in places:
+    for module, name, _, replacement in targets:
         setattr(module, name, replacement)
     try:
         yield times
     finally:
-        for module, name, original, _ in places:
+        for module, name, original, _ in targets:
             setattr(module, name, original)
 
 
 def profile(operation_name: str, size: str, device: str, seconds: float = 1.0) -> str:
-    """The table of one operation at one size: the mean of as many calls as fit, one at least."""
+    """The table of one operation at one size: the mean of as many calls as fit, at least one."""
     _, operation = operations()[operation_name]
     scene = {**operation.quick, **operation.scenes}[size]()
     trial = operation.contestants[0].trial(scene, device)
-    trial.once()  # compiles, and imports every module whose launches are to be wrapped
+    trial.once()  # compiles, and imports all modules whose launches are wrapped
     calls = 0
     with timed_launches(device) as times:
         while calls == 0 or (times.total < seconds and calls < 10):

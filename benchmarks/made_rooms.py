@@ -1,4 +1,4 @@
-"""Made-up rooms, no two alike, and fragments of them as a depth camera and a fusion give them."""
+"""Random synthetic rooms, and fragments of them as fused from a depth camera."""
 
 from __future__ import annotations
 
@@ -10,14 +10,14 @@ from numpy.typing import NDArray
 Array = NDArray[np.float64]
 
 GRAY = (0.7, 0.7, 0.7)
-WALL = 0.2  # [m] of the walls
+WALL = 0.2  # [m] wall thickness
 VOXEL = 0.02  # [m] of the fusion
 WIDTH, HEIGHT, FOCAL = 320, 240, 262.5  # [px] of the camera
-FAR = 4.0  # [m] of depth that is fused
+FAR = 4.0  # [m] maximum fused depth
 
 
 def furnish(seed: int) -> tuple[object, Array]:
-    """A room with one to eleven pieces of furniture, and its size [m]: everything drawn from the seed."""
+    """A room with one to eleven pieces of furniture, and its size [m], generated from a seed."""
     from pointloom.datasets.scenes.furniture import SolidBuilder
 
     rng = np.random.default_rng(seed)
@@ -38,10 +38,10 @@ def furnish(seed: int) -> tuple[object, Array]:
         along = rng.uniform(0.15, 0.85)
         deep = rng.uniform(0.25, 0.4)
         wall = rng.integers(5)  # at a wall, or anywhere
-        turn = (0, 180, -90, 90, rng.uniform(0, 360))[wall]
+        angle = (0, 180, -90, 90, rng.uniform(0, 360))[wall]
         at = ((along * x, deep), (along * x, y - deep), (deep, along * y), (x - deep, along * y))
-        place = at[wall] if wall < 4 else rng.uniform(0.25, 0.75, 2) * size[:2]
-        room.set_frame(float(place[0]), float(place[1]), angle=float(turn))
+        position = at[wall] if wall < 4 else rng.uniform(0.25, 0.75, 2) * size[:2]
+        room.set_frame(float(position[0]), float(position[1]), angle=float(angle))
         piece(room, rng)
     return room, size
 
@@ -106,7 +106,7 @@ PIECES = (_cupboard, _shelf, _table, _sofa, _plant, _chair)
 def fragments(
     seed: int, starts: tuple[float, ...], frames: int = 12, sweep: float = 100.0
 ) -> list[tuple[Array, Array]]:
-    """Parts of a room as a camera sees them that turns by a sweep [degrees], beginning at angles [degrees].
+    """Partial views of a room by a camera that rotates by `sweep` [degrees], starting at the given angles [degrees].
 
     Returns:
         Points in the frame of each part's first camera [m], and T_room_camera.
@@ -131,7 +131,7 @@ def fragments(
         low=(-0.3,) * 3,
         high=high,
     )
-    found = []
+    result = []
     for start in starts:
         volume = loom.TSDFVolume(voxel_size=VOXEL, color=False)
         middle = np.array([x, y, 0]) * (0.5 + rng.uniform(-0.15, 0.15, 3)) + [0, 0, rng.uniform(1.2, 1.7)]
@@ -140,14 +140,14 @@ def fragments(
             yaw = math.radians(start + sweep * k / frames)
             pitch = math.radians(-22 + 14 * math.sin(2.1 * k))
             eye = middle + 0.25 * np.array([-math.cos(yaw), -math.sin(yaw), 0.2 * math.sin(k)])
-            way = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
-            T = look_along(eye, way)
+            direction = (math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch))
+            T = look_along(eye, direction)
             depth, incidence, _ = room.render(camera, T)
-            measured = measure_depth(depth, incidence, WIDTH, HEIGHT, seed=seed, frame=1000 * len(found) + k)
+            measured = measure_depth(depth, incidence, WIDTH, HEIGHT, seed=seed, frame=1000 * len(result) + k)
             values = np.array(download(measured), np.float32).reshape(HEIGHT, WIDTH)
             volume.integrate(values, camera, np.linalg.inv(T), depth_scale=1.0, depth_max=FAR)
             poses.append(T)
         T = poses[0]
         points = volume.extract_point_cloud(weight_threshold=0.0).points
-        found.append(((points - T[:3, 3]) @ T[:3, :3], T))
-    return found
+        result.append(((points - T[:3, 3]) @ T[:3, :3], T))
+    return result

@@ -1,11 +1,12 @@
-"""A survey of any size: LAZ files of one square kilometre each, made piece by piece, the same bytes each time.
+"""A synthetic survey of any size: LAZ files of one square kilometer each, created in pieces, reproducible bit by bit.
 
     python benchmarks/made_survey.py FOLDER --points 1e8        # 10 files of 10 million points
     python benchmarks/made_survey.py FOLDER --points 1e9 --workers 2
 
-Hills, streets of houses and rows of trees, scanned line by line at 10 points a square metre: format 6 in steps of 1 mm,
-with intensity, GPS time, returns and the source's number; some 5 B a point. The class, ground (2), house (6) or tree
-(5), stands in `user_data`; `classification` is 0 as of a raw survey.
+Hills, streets of houses and rows of trees, scanned line by line at 10 points per square meter: format 6 in steps of
+1 mm,
+with intensity, GPS time, returns and source number; about 5 bytes per point. The true class, ground (2), house (6) or
+tree (5), is in `user_data`; `classification` is 0 as in a raw survey.
 """
 
 from __future__ import annotations
@@ -21,28 +22,28 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-SIDE = 1000.0  # [m] of a file
-DENSITY = 10.0  # points a square metre
+SIDE = 1000.0  # [m] per file
+DENSITY = 10.0  # points per square meter
 CORNER = np.array([447_000.0, 5_411_000.0])  # [m] UTM zone 32 north
-LINES = 64  # of a block of rows that is made at once
+LINES = 64  # rows generated at once
 
 
 def ground_height(x: NDArray[Any], y: NDArray[Any]) -> NDArray[np.float64]:
-    """Hills of four lengths [m]."""
+    """Hills of four wavelengths [m]."""
     height = 300 + 40 * np.sin(x / 911) * np.cos(y / 1207) + 12 * np.sin(x / 173 + y / 311)
     return height + 2.5 * np.sin(x / 41) * np.sin(y / 53) + 0.2 * np.sin(x / 7) * np.cos(y / 5)
 
 
 def cover(x: NDArray[Any], y: NDArray[Any]) -> tuple[NDArray[np.float64], NDArray[np.uint8]]:
-    """Height over the ground of what stands there, and its class: houses and trees on a grid of streets of 40 m."""
+    """Height of objects above the ground and their class: houses and trees along a street grid of 40 m."""
     block_x, block_y = np.floor(x / 40), np.floor(y / 40)
     u, v = x - 40 * block_x - 20, y - 40 * block_y - 20
     chance = np.abs(np.sin(block_x * 12.9898 + block_y * 78.233) * 43758.5453) % 1
     height, kind = np.zeros(len(x)), np.full(len(x), 2, np.uint8)
     wide = 5 + 6 * (chance * 7 % 1)
-    house = (chance < 0.45) & (np.abs(u) < wide) & (np.abs(v) < 7)
-    height[house] = (4 + 6 * (chance * 13 % 1) + 2.5 * (1 - np.abs(v) / 7))[house]
-    kind[house] = 6
+    is_building = (chance < 0.45) & (np.abs(u) < wide) & (np.abs(v) < 7)
+    height[is_building] = (4 + 6 * (chance * 13 % 1) + 2.5 * (1 - np.abs(v) / 7))[is_building]
+    kind[is_building] = 6
     crown = 3 + 3 * (chance * 5 % 1)
     far = np.hypot(u, v) / crown
     tree = (chance >= 0.45) & (chance < 0.8) & (far < 1)
@@ -77,7 +78,7 @@ def made_rows(ix: int, iy: int, lines: range, per_line: int, rng: np.random.Gene
 
 
 def make_file(folder: str, ix: int, iy: int, side_points: int) -> int:
-    """One file of side_points squared points, unless it is there; how many points."""
+    """Write a file of side_points squared points unless it exists; returns the number of points."""
     import laspy
     import pyproj
 
@@ -103,10 +104,10 @@ def make_file(folder: str, ix: int, iy: int, side_points: int) -> int:
 
 
 def main() -> None:
-    """Make the survey, with a line of progress."""
+    """Create the survey, with a progress line."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("folder", type=Path)
-    parser.add_argument("--points", type=float, default=1e8, help="about so many (1e8)")
+    parser.add_argument("--points", type=float, default=1e8, help="approximate number of points (1e8)")
     parser.add_argument("--workers", type=int, default=os.cpu_count() or 1)
     options = parser.parse_args()
     options.folder.mkdir(parents=True, exist_ok=True)
@@ -115,15 +116,15 @@ def main() -> None:
     if options.points < side**2:
         side = round(math.sqrt(options.points))
     across = math.ceil(math.sqrt(files))
-    places = [(k % across, k // across) for k in range(files)]
+    tiles = [(k % across, k // across) for k in range(files)]
     done = 0
     with ProcessPoolExecutor(options.workers) as pool:
-        waiting = [pool.submit(make_file, str(options.folder), ix, iy, side) for ix, iy in places]
+        waiting = [pool.submit(make_file, str(options.folder), ix, iy, side) for ix, iy in tiles]
         for one in as_completed(waiting):
             done += one.result()
             print(f"\r{done:,} points", end="", file=sys.stderr, flush=True)
     size = sum(path.stat().st_size for path in options.folder.glob("*.laz"))
-    print(f"\r{done:,} points in {files} files, {size / 1e9:.2f} GB, {size / done:.2f} B a point", file=sys.stderr)
+    print(f"\r{done:,} points in {files} files, {size / 1e9:.2f} GB, {size / done:.2f} B per point", file=sys.stderr)
 
 
 if __name__ == "__main__":

@@ -1,10 +1,10 @@
-"""Peak memory of one contestant at one operation, in a process of its own.
+"""Peak memory of one contestant at one operation, in a separate process.
 
     python benchmarks/memory.py OPERATION SIZE CONTESTANT [DEVICE]
 
-prints {"bytes": ...}: the most that was held while the operation ran beyond what was held before, when the data were
-loaded and kernels compiled on small data. On the CPU it is resident memory (ru_maxrss) with freed memory given back
-before; on a GPU the memory that the library took from the device.
+prints {"bytes": ...}: the peak memory during the operation minus the memory before it, after loading the data and
+compiling kernels on small data. On the CPU this is resident memory (ru_maxrss), with freed memory released first; on a
+GPU it is device memory.
 """
 
 from __future__ import annotations
@@ -16,25 +16,25 @@ import resource
 import sys
 from pathlib import Path
 
-from contest import OURS, Contestant, Operation, Trial, limit_threads, operations
+from contest import POINTLOOM, Contestant, Operation, Trial, limit_threads, operations
 
 
 def peak_bytes(trial: Trial) -> int:
-    """Bytes of resident memory that one call needs beyond what there is, the set-up of the call included."""
-    _settle()
+    """Additional resident memory [bytes] of one call, including its set-up."""
+    _release_memory()
     before = _resident()
-    held = trial.once()
+    result = trial.once()
     peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss * 1024
-    del held
+    del result
     return max(0, peak - before)
 
 
-def _settle() -> None:
-    """Give freed memory back and forget the highest mark so far, so that both do not hide what comes."""
+def _release_memory() -> None:
+    """Release freed memory and reset the high-water mark, which would hide the call's memory."""
     gc.collect()
     try:
         ctypes.CDLL(None).malloc_trim(0)
-        Path("/proc/self/clear_refs").write_text("5")  # Linux: ru_maxrss begins again at what is resident now
+        Path("/proc/self/clear_refs").write_text("5")  # Linux: resets ru_maxrss to the current resident memory
     except (OSError, AttributeError):
         return
 
@@ -48,23 +48,24 @@ def _resident() -> int:
 
 
 def device_peak_bytes(trial: Trial, device: str, label: str) -> int:
-    """Bytes of GPU memory that one call needs.
+    """GPU memory [bytes] of one call.
 
-    Ours by the high mark of Warp's pool; peers by what is gone from the device afterward, since Open3D's cache keeps
-    what it took.
+    For pointloom, the high-water mark of Warp's pool; for baselines, the device memory in use afterward, since
+    Open3D's cache
+    keeps its memory.
     """
     import warp as wp
 
     wp.synchronize_device(device)
-    if label == OURS:
+    if label == POINTLOOM:
         before = wp.get_mempool_used_mem_current(device)
         trial.once()
         return wp.get_mempool_used_mem_high(device) - before
     before = wp.get_device(device).free_memory
-    held = trial.once()
+    result = trial.once()
     wp.synchronize_device(device)
     taken = before - wp.get_device(device).free_memory
-    del held
+    del result
     return max(0, taken)
 
 
@@ -77,11 +78,11 @@ def warm_up(operation: Operation, contestant: Contestant, device: str) -> None:
 def measure(operation_name: str, size: str, label: str, device: str) -> int:
     """The peak of one contestant, warmed up on the smallest data."""
     _, operation = operations()[operation_name]
-    contestant, place = operation.contestant(label, device)
-    warm_up(operation, contestant, place)
-    scene = {**operation.quick, **operation.scenes}[size]()  # held until the end: its files go with it
-    trial = contestant.trial(scene, place)
-    return device_peak_bytes(trial, place, label) if place.startswith("cuda") else peak_bytes(trial)
+    contestant, run_device = operation.contestant(label, device)
+    warm_up(operation, contestant, run_device)
+    scene = {**operation.quick, **operation.scenes}[size]()  # kept alive until the end, with its files
+    trial = contestant.trial(scene, run_device)
+    return device_peak_bytes(trial, run_device, label) if run_device.startswith("cuda") else peak_bytes(trial)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""Meshes for benchmarks, as arrays, and in the form of each contestant."""
+"""Meshes for benchmarks, as arrays and in the form of each contestant."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ Arrays = tuple[NDArray[np.float64], NDArray[np.int32]]
 
 @cache
 def wavy_mesh(cells: int = 128) -> Arrays:
-    """A closed surface; 76,460 triangles of very different sizes at 128 cells."""
+    """A closed surface; at 128 cells 76,460 triangles of very different sizes."""
     import pointloom as loom
 
     mesh = loom.marching_cubes(scenes.wavy_ball(cells))
@@ -24,7 +24,7 @@ def wavy_mesh(cells: int = 128) -> Arrays:
 
 @cache
 def torn_mesh(cells: int = 128) -> Arrays:
-    """The same surface without half of its triangles: some ten thousand parts."""
+    """The same surface without half of its triangles: about 10,000 parts."""
     vertices, triangles = wavy_mesh(cells)
     return vertices, triangles[np.random.default_rng(0).permutation(len(triangles))[: len(triangles) // 2]]
 

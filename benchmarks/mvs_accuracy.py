@@ -1,11 +1,12 @@
-"""How complete and how exact depth from pictures is: the made-up room, Motorcycle, the fountain, the temple.
+"""Completeness and accuracy of multi-view stereo: the synthetic room, Motorcycle, the fountain, the temple.
 
     POINTLOOM_DATA=<folder> python benchmarks/mvs_accuracy.py [--only room] [--pictures FOLDER] [--output FILE]
 
-One line a set, before and after `filter_depth_maps`: the share of the pixels with known depth that are kept, the median
-of the relative error, the share of those kept that are within 1 %, the share of all that are kept and within 1 %; for
-Motorcycle the share that is off by more than two pixels (bad-2); seconds and seconds of the CPU a picture. Sets without
-truth say what share is kept, and are to be looked at: --pictures writes the fused cloud of each as a PNG and a PLY.
+One line per set, before and after `filter_depth_maps`: the fraction of pixels with ground truth that have an estimate,
+the median relative error, the fraction of estimates within 1 %, the fraction of all pixels within 1 %; for
+Motorcycle the
+fraction with an error above two pixels (bad-2); wall and CPU seconds per image. For sets without ground truth, only the
+fraction of estimated pixels is printed; --pictures writes the fused cloud of each as a PNG and a PLY for inspection.
 """
 
 from __future__ import annotations
@@ -35,7 +36,7 @@ SETS: dict[str, Callable[[Any], mvs_scenes.Scene]] = {
 
 
 def errors_of(scene: mvs_scenes.Scene, maps: Any) -> dict[str, float]:
-    """What is known of some depth maps, over the pixels with truth of all pictures together."""
+    """Errors of depth maps over the pixels with ground truth of all images."""
     if all(truth is None for truth in scene.truth):
         return {"kept": float(np.mean([each.share for each in maps]))}
     known = [(each.depth, truth) for each, truth in zip(maps, scene.truth, strict=True) if truth is not None]
@@ -45,7 +46,7 @@ def errors_of(scene: mvs_scenes.Scene, maps: Any) -> dict[str, float]:
     if not has.any():
         return {"kept": 0.0}
     relative = np.abs(depth[has] / truth[has] - 1)
-    found = {
+    errors = {
         "kept": float(has.mean()),
         "median": float(np.median(relative)),
         "within_1_percent": float((relative < 0.01).mean()),
@@ -53,49 +54,50 @@ def errors_of(scene: mvs_scenes.Scene, maps: Any) -> dict[str, float]:
     }
     if scene.disparity:
         scale = scene.disparity[0]
-        off = np.abs(scale / depth[has] - scale / truth[has])
-        found |= {"bad_2": float((off > 2).mean()), "median_px": float(np.median(off))}
-    return found
+        disparity_errors = np.abs(scale / depth[has] - scale / truth[has])
+        errors |= {"bad_2": float((disparity_errors > 2).mean()), "median_px": float(np.median(disparity_errors))}
+    return errors
 
 
-def told(name: str, found: dict[str, float]) -> str:
-    """One line of a set."""
+def line_of(name: str, errors: dict[str, float]) -> str:
+    """One line for a set."""
     names = {"within_1_percent": "within 1 %", "bad_2": "bad-2", "median_px": "median [px]", "complete": "complete"}
     parts = []
-    for key, value in found.items():
+    for key, value in errors.items():
         shown = f"{value:.3f}" if key == "median_px" else f"{100 * value:.{3 if key == 'median' else 1}f} %"
         parts.append(f"{names.get(key, key)} {shown}")
     return f"{name:28} " + ", ".join(parts)
 
 
 def run(name: str, scene: mvs_scenes.Scene, given: Any) -> dict[str, Any]:
-    """Estimate, filter and fuse one set; prints what came of it."""
+    """Estimate, filter and fuse one set; prints the results."""
     import pointloom as loom
 
-    seen = np.bincount(scene.sparse.observations[:, 0], minlength=len(scene.pictures))
+    counts = np.bincount(scene.sparse.observations[:, 0], minlength=len(scene.pictures))
     print(
-        f"{name}: {len(scene.pictures)} pictures, {len(scene.sparse.points)} sparse points, at least {seen.min()} each"
+        f"{name}: {len(scene.pictures)} images, {len(scene.sparse.points)} sparse points, "
+        f"at least {counts.min()} per image"
     )
     sources = choose_sources(scene.cameras, scene.sparse)
-    begun, cpu = time.perf_counter(), time.process_time()
+    start, cpu = time.perf_counter(), time.process_time()
     maps = loom.mvs.estimate_depth_maps(
         scene.pictures, scene.cameras, scene.sparse, sources=sources, device=given.device
     )
-    seconds = (time.perf_counter() - begun) / len(maps)
+    seconds = (time.perf_counter() - start) / len(maps)
     cpu_seconds = (time.process_time() - cpu) / len(maps)
     raw = errors_of(scene, maps)
-    print(told("  as estimated", raw), flush=True)
-    begun = time.perf_counter()
-    kept = loom.mvs.filter_depth_maps(maps, device=given.device)
-    filtering = (time.perf_counter() - begun) / len(maps)
-    found = errors_of(scene, kept)
-    print(told("  filtered", found), flush=True)
-    begun = time.perf_counter()
-    cloud = loom.mvs.fuse(kept, scene.pictures, device=given.device)
-    fusing = (time.perf_counter() - begun) / len(maps)
-    line = f"  {seconds:.2f} s a picture ({cpu_seconds:.2f} s of the CPU), filter {filtering:.3f}, fuse {fusing:.3f} s;"
+    print(line_of("  as estimated", raw), flush=True)
+    start = time.perf_counter()
+    filtered = loom.mvs.filter_depth_maps(maps, device=given.device)
+    filtering = (time.perf_counter() - start) / len(maps)
+    errors = errors_of(scene, filtered)
+    print(line_of("  filtered", errors), flush=True)
+    start = time.perf_counter()
+    cloud = loom.mvs.fuse(filtered, scene.pictures, device=given.device)
+    fusing = (time.perf_counter() - start) / len(maps)
+    line = f"  {seconds:.2f} s per image ({cpu_seconds:.2f} s CPU), filter {filtering:.3f}, fuse {fusing:.3f} s;"
     print(line, f"{len(cloud):,} points", flush=True)
-    record = {"raw": raw, "filtered": found, "points": len(cloud), "pictures": len(maps)}
+    record = {"raw": raw, "filtered": errors, "points": len(cloud), "pictures": len(maps)}
     record |= {"seconds": seconds, "cpu_seconds": cpu_seconds, "filter_seconds": filtering, "fuse_seconds": fusing}
     if scene.box is not None and len(cloud):
         inside = ((cloud.points >= scene.box[0]) & (cloud.points <= scene.box[1])).all(axis=1)
@@ -108,7 +110,7 @@ def run(name: str, scene: mvs_scenes.Scene, given: Any) -> dict[str, Any]:
 
 
 def look(path: Path, scene: mvs_scenes.Scene, cloud: Any) -> None:
-    """Write a cloud, and beside the middle picture what its camera would see of it."""
+    """Write a cloud, and the middle image beside a rendering of the cloud from the same camera."""
     import pointloom as loom
     from pointloom.io.pictures.image_files import write_png
 
@@ -124,11 +126,11 @@ def look(path: Path, scene: mvs_scenes.Scene, cloud: Any) -> None:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default="", help="sets whose names begin so")
-    parser.add_argument("--width", type=int, default=320, help="of the room's pictures; the fountain's have twice that")
+    parser.add_argument("--only", default="", help="sets whose names start with this")
+    parser.add_argument("--width", type=int, default=320, help="image width of the room; the fountain's is twice that")
     parser.add_argument("--device", default="cpu")
-    parser.add_argument("--pictures", help="folder for clouds and pictures of them")
-    parser.add_argument("--output", help="JSON of all figures")
+    parser.add_argument("--pictures", help="folder for clouds and images of them")
+    parser.add_argument("--output", help="write all results as JSON")
     given = parser.parse_args()
     records = {}
     for name, make in SETS.items():

@@ -1,11 +1,12 @@
-"""Our surface of the castle of Sceaux beside OpenMVS's of the same eleven photographs.
+"""pointloom's surface of the castle of Sceaux beside OpenMVS's from the same eleven photographs.
 
     pointloom video $POINTLOOM_DATA/mvs-sceaux/images -o castle.ply --work castle --max-size 800
     POINTLOOM_DATA=<folder> python benchmarks/mvs_beside_openmvs.py castle.ply castle
 
-There is no truth: both found the cameras by themselves. Printed are how far apart the cameras are after the similarity
-that fits best, and how far the vertices of each mesh lie from the other, all in per cent of the median depth of the
-sparse points; the scene and the mesh of OpenMVS come with that program's sample.
+There is no ground truth: both estimate the cameras. Prints the differences of the cameras after the best
+similarity, and
+the distances of the vertices of each mesh from the other, all in percent of the median depth of the sparse points. The
+scene and the mesh of OpenMVS are from that program's sample.
 """
 
 from __future__ import annotations
@@ -24,14 +25,14 @@ SHARES = (0.5, 0.9)
 
 
 def median_depth(scene: Scene) -> float:
-    """Of the sparse points before the cameras."""
+    """Median depth of the sparse points in the cameras."""
     T = scene.T_camera_world
     z = np.einsum("ni,ki->nk", T[:, 2, :3], scene.points) + T[:, 2, 3:]
     return float(np.median(z[z > 0]))
 
 
 def distances(mesh: loom.TriangleMesh, other: loom.TriangleMesh) -> np.ndarray:
-    """From each vertex of a mesh to another."""
+    """Distances from the vertices of a mesh to another mesh."""
     scene = loom.RaycastingScene()
     scene.add_triangles(other)
     return scene.compute_distance(mesh.vertices.astype(np.float32))
@@ -40,21 +41,24 @@ def distances(mesh: loom.TriangleMesh, other: loom.TriangleMesh) -> np.ndarray:
 def main() -> None:
     """Print the comparison."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("mesh", type=Path, help="what pointloom video made")
+    parser.add_argument("mesh", type=Path, help="mesh of pointloom video")
     parser.add_argument("work", type=Path, help="its --work folder")
     given = parser.parse_args()
     scene = read_openmvs_scene(real_data("mvs-openmvs-sample/scene.mvs"))
-    theirs = loom.read_triangle_mesh(real_data("mvs-openmvs-sample/scene_mesh.ply"))
+    openmvs_mesh = loom.read_triangle_mesh(real_data("mvs-openmvs-sample/scene_mesh.ply"))
     model = loom.read_colmap_model(given.work / "mesh" / "sparse")
     # OpenMVS's sample numbers the photographs in their order.
     taken = sorted(path.stem for path in real_data("mvs-sceaux/images").glob("*.JPG"))
-    places = {name: scene.centers[taken.index(Path(name).stem)] for name in model.names}
-    fit = fit_to_positions(model, places)
-    ours = loom.read_triangle_mesh(given.mesh).transform(fit.transformation)
+    positions = {name: scene.centers[taken.index(Path(name).stem)] for name in model.names}
+    fit = fit_to_positions(model, positions)
+    mesh = loom.read_triangle_mesh(given.mesh).transform(fit.transformation)
     unit = 100 / median_depth(scene)
-    print(f"{len(model)} of {len(scene.names)} pictures; cameras {fit.rmse * unit:.3f} % apart (rms)")
-    print(f"{len(ours.triangles):,} triangles of ours, {len(theirs.triangles):,} of OpenMVS")
-    for name, d in (("ours to OpenMVS", distances(ours, theirs)), ("OpenMVS to ours", distances(theirs, ours))):
+    print(f"{len(model)} of {len(scene.names)} images; cameras differ by {fit.rmse * unit:.3f} % (RMS)")
+    print(f"{len(mesh.triangles):,} triangles of pointloom, {len(openmvs_mesh.triangles):,} of OpenMVS")
+    for name, d in (
+        ("pointloom to OpenMVS", distances(mesh, openmvs_mesh)),
+        ("OpenMVS to pointloom", distances(openmvs_mesh, mesh)),
+    ):
         shares = ", ".join(f"{100 * q:.0f} %: {np.quantile(d, q) * unit:.3f} %" for q in SHARES)
         print(f"{name}: {shares}; within 0.5 %: {100 * np.mean(d * unit < 0.5):.1f} %")
 

@@ -1,7 +1,7 @@
-"""Cameras and sparse points of an OpenMVS scene file (.mvs), to hold our surfaces against that tool's.
+"""Read cameras and sparse points of an OpenMVS scene file (.mvs), to compare surfaces with that tool's.
 
-The file's layout ("MVSI", version 3) as its public interface header describes it; numbers are little-endian, lists and
-texts begin with their length in 64 bits.
+The file's layout ("MVSI", version 3) is that of its public interface header; numbers are little-endian, lists and texts
+start with their length in 64 bits.
 """
 
 from __future__ import annotations
@@ -19,7 +19,7 @@ Matrix = NDArray[np.float64]
 
 @dataclasses.dataclass(frozen=True)
 class Scene:
-    """What another tool found: names of pictures, their poses T_camera_world [n, 4, 4] and K [n, 3, 3], and points."""
+    """Results of another tool: names of images, their poses T_camera_world [n, 4, 4] and K [n, 3, 3], and points."""
 
     names: list[str]
     T_camera_world: Matrix
@@ -28,7 +28,7 @@ class Scene:
 
     @property
     def centers(self) -> Matrix:
-        """Where the cameras stood, shape [n, 3]."""
+        """Camera centers, shape [n, 3]."""
         R, t = self.T_camera_world[:, :3, :3], self.T_camera_world[:, :3, 3]
         return -np.einsum("nji,nj->ni", R, t)
 
@@ -56,7 +56,7 @@ def read_openmvs_scene(path: str | os.PathLike[str]) -> Scene:
     """Read a scene.
 
     Raises:
-        ValueError: Another layout or version.
+        ValueError: Unsupported layout or version.
     """
     reader = _Reader(Path(path).read_bytes())
     mark, version, _ = reader.take("4sII")
@@ -67,8 +67,8 @@ def read_openmvs_scene(path: str | os.PathLike[str]) -> Scene:
     for _ in range(reader.count()):
         name = reader.text()
         platform, camera, pose, _ = reader.take("IIII")
-        cameras, stands = platforms[platform]
-        R, center = stands[pose]
+        cameras, camera_poses = platforms[platform]
+        R, center = camera_poses[pose]
         T = np.eye(4)
         T[:3, :3], T[:3, 3] = R, -R @ center
         names.append(Path(name).name)

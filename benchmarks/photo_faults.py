@@ -1,12 +1,13 @@
-"""The chain from photographs to a mesh, killed at random moments: is the result that of a run that nothing disturbed?
+"""Kill the pipeline from photographs to a mesh at random times, and compare the result with an undisturbed run.
 
     python benchmarks/photo_faults.py WORK --kills 20 [--seed 0]
 
-Eight pictures of the country of photo_sets.py from the air, which tell where they were taken, with masks, as
-`pointloom video --work --resume`. The command gets SIGKILL after a random time, or soon after a random stage has begun;
-what is left is gone on with, until it is done, and begun anew until there were as many kills as asked for. Each result
-is held against that of a run without kills, byte for byte: mesh, cloud, poses and every file of the stages but COLMAP's
-database (rows in another order) and records (times).
+Data: eight aerial images of the country of photo_sets.py, with GPS and masks, as `pointloom video --work --resume`. The
+command gets SIGKILL after a random time, or soon after the start of a random stage. It is resumed until it
+completes, and
+repeated until the requested number of kills. Each result is compared with an undisturbed run byte for byte: mesh,
+cloud,
+poses and every file of the stages, except for COLMAP's database (other row order) and records (times).
 """
 
 from __future__ import annotations
@@ -32,21 +33,21 @@ from PIL import Image
 
 from pointloom.datasets.made.views import look_at
 
-COUNT, STEP = 8, 12.0  # pictures, and [degrees] from one to the next
+COUNT, STEP = 8, 12.0  # number of images, and [degrees] between them
 MAX_RUNS = 60
 MARK = "POINTLOOM_PHOTO_FAULTS"
 OPTIONS = ["--max-size", "96", "--max-features", "1500", "--force", "--resume", "--json"]
 STAGES = ("frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh")
 LOOSE = re.compile(r"(features|matches)/.*database\.db|records/|report\.json|video\.json")  # rows, times
-LATE = 1.5  # [s] after a stage has begun, in the mean, half of the kills come; the others come at any time
-GONE = 20.0  # [s] in which children of a killed run have to end
+LATE = 1.5  # [s] mean delay of half of the kills after the start of a stage; the others have a random time
+GONE = 20.0  # [s] in which children of a killed run must exit
 
 
 def write(folder: Path) -> None:
-    """Pictures of an oblique round, and masks that leave out a strip below and a block."""
+    """Images of an oblique orbit, and masks that exclude a bottom strip and a block."""
     photos = drone()
-    turns = np.radians(STEP * np.arange(COUNT))
-    eyes = np.column_stack([48 * np.cos(turns), 48 * np.sin(turns), 42 + 3 * np.sin(9 * turns)])
+    angles = np.radians(STEP * np.arange(COUNT))
+    eyes = np.column_stack([48 * np.cos(angles), 48 * np.sin(angles), 42 + 3 * np.sin(9 * angles)])
     photos.views = [View(look_at(eye), 560, 30) for eye in eyes]
     write_set(photos, folder)
     (folder / "masks").mkdir()
@@ -77,7 +78,7 @@ def digests(work: Path, out: Path) -> dict[str, str]:
 
 
 def children_left(out: Path) -> int:
-    """Processes of a run that live on after it was killed."""
+    """Processes of a run that survive its kill."""
     end = time.monotonic() + GONE
     while True:
         left = 0
@@ -91,30 +92,30 @@ def children_left(out: Path) -> int:
         time.sleep(0.2)
 
 
-def attack(folder: Path, base: Path, mean: float, chance: random.Random, most: int, tell: Counter[str]) -> str:
-    """One job, killed until it is done or there were enough kills; which stage each kill met is counted."""
+def attack(folder: Path, base: Path, mean: float, chance: random.Random, max_kills: int, counts: Counter[str]) -> str:
+    """Kill one job until it completes or there were enough kills; counts the stage of each kill."""
     work, out = base / "work", base / "out"
     shutil.rmtree(base, ignore_errors=True)
     out.mkdir(parents=True)
     for _ in range(MAX_RUNS):
         ahead = [stage for stage in STAGES if not (work / "records" / f"{stage}.json").is_file()]
-        begun = work / f"{chance.choice(ahead or STAGES)}.part" if chance.random() < 0.5 else None
-        wait = chance.expovariate(1 / mean) if begun is None else chance.expovariate(1 / LATE)
+        stage_folder = work / f"{chance.choice(ahead or STAGES)}.part" if chance.random() < 0.5 else None
+        wait = chance.expovariate(1 / mean) if stage_folder is None else chance.expovariate(1 / LATE)
         process = begin(folder, work, out)
-        while begun is not None and process.poll() is None and not begun.is_dir():
+        while stage_folder is not None and process.poll() is None and not stage_folder.is_dir():
             time.sleep(0.003)
-        end = time.monotonic() + (wait if tell["kills"] < most else 1e9)
+        end = time.monotonic() + (wait if counts["kills"] < max_kills else 1e9)
         while process.poll() is None and time.monotonic() < end:
             time.sleep(0.003)
         if process.poll() is not None:
-            tell["exit codes not 0"] += process.returncode != 0
+            counts["exit codes not 0"] += process.returncode != 0
             return (out / "log").read_text()
         process.kill()
         process.wait()
-        tell["kills"] += 1
+        counts["kills"] += 1
         done = [stage for stage in STAGES if (work / "records" / f"{stage}.json").is_file()]
-        tell[f"after {done[-1] if done else 'nothing'}"] += 1
-        tell["processes left over"] += children_left(out)
+        counts[f"after {done[-1] if done else 'nothing'}"] += 1
+        counts["processes left over"] += children_left(out)
     raise SystemExit(f"not finished after {MAX_RUNS} runs")
 
 
@@ -125,31 +126,33 @@ def main() -> None:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--output", type=Path)
     given = parser.parse_args()
-    folder, chance, tell = given.work / "set", random.Random(given.seed), Counter[str]()
+    folder, chance, counts = given.work / "set", random.Random(given.seed), Counter[str]()
     if not (folder / "masks").is_dir():
         write(folder)
     start = time.monotonic()
     quiet = Counter[str]({"kills": 0})
     log = attack(folder, given.work / "quiet", 1e9, chance, 0, quiet)
-    whole = time.monotonic() - start
+    seconds = time.monotonic() - start
     true = digests(given.work / "quiet" / "work", given.work / "quiet" / "out")
-    told = json.loads(log)
+    first_report = json.loads(log)
     print(
-        f"undisturbed: {whole:.0f} s, {len(true)} files, units {told['units']}, warnings {told['warnings']}", flush=True
+        f"undisturbed: {seconds:.0f} s, {len(true)} files, units {first_report['units']}, "
+        f"warnings {first_report['warnings']}",
+        flush=True,
     )
-    while tell["kills"] < given.kills:
-        attack(folder, given.work / "killed", whole / 4, chance, given.kills, tell)
-        found = digests(given.work / "killed" / "work", given.work / "killed" / "out")
-        differ = [name for name in sorted(true.keys() | found.keys()) if true.get(name) != found.get(name)]
-        tell["jobs"] += 1
-        tell["files compared"] += len(true)
-        tell["files that differ"] += len(differ)
-        print(dict(tell), differ[:5], flush=True)
+    while counts["kills"] < given.kills:
+        attack(folder, given.work / "killed", seconds / 4, chance, given.kills, counts)
+        actual = digests(given.work / "killed" / "work", given.work / "killed" / "out")
+        differ = [name for name in sorted(true.keys() | actual.keys()) if true.get(name) != actual.get(name)]
+        counts["jobs"] += 1
+        counts["files compared"] += len(true)
+        counts["files that differ"] += len(differ)
+        print(dict(counts), differ[:5], flush=True)
     report = {
         "seed": given.seed,
-        "units": told["units"],
-        "warnings": told["warnings"],
-        "counts": dict(sorted(tell.items())),
+        "units": first_report["units"],
+        "warnings": first_report["warnings"],
+        "counts": dict(sorted(counts.items())),
     }
     if given.output:
         given.output.write_text(json.dumps(report, indent=1) + "\n")

@@ -1,4 +1,4 @@
-"""Real sets of photographs for photo_chain.py, with as much truth as they have."""
+"""Real sets of photographs for photo_chain.py, with the available ground truth."""
 
 from __future__ import annotations
 
@@ -13,15 +13,15 @@ from numpy.typing import NDArray
 from PIL import Image
 from real_data import real_data
 
-LONGEST = 1024  # [px] that large pictures are made smaller to
+LONGEST = 1024  # [px] maximum size; larger images are reduced
 
 
 @dataclass
 class RealSet:
-    """Pictures, and the poses of some.
+    """Images, and the poses of some.
 
     Attributes:
-        poses: T_world_camera by the name of the picture without its ending.
+        poses: T_world_camera by file name without suffix.
     """
 
     pictures: list[Path]
@@ -34,13 +34,13 @@ class RealSet:
                 if max(picture.size) <= LONGEST:
                     shutil.copy(path, folder / "pictures")
                     continue
-                told: Any = picture.getexif()
+                exif: Any = picture.getexif()
                 picture.thumbnail((LONGEST, LONGEST), Image.Resampling.LANCZOS)
-                picture.save(folder / "pictures" / f"{path.stem}.jpg", quality=95, exif=told)
+                picture.save(folder / "pictures" / f"{path.stem}.jpg", quality=95, exif=exif)
 
 
 def temple() -> RealSet:
-    """templeSparseRing (Seitz et al. 2006): 16 pictures before black, some 20 degrees apart."""
+    """templeSparseRing (Seitz et al. 2006): 16 images on black background, about 20 degrees apart."""
     folder, poses = real_data("mvs-temple"), {}
     for line in (folder / "templeSR_par.txt").read_text().splitlines()[1:]:
         name, *numbers = line.split()
@@ -52,7 +52,7 @@ def temple() -> RealSet:
 
 
 def fountain() -> RealSet:
-    """fountain-P11 (Strecha et al. 2008): eleven pictures with poses by a laser scanner."""
+    """fountain-P11 (Strecha et al. 2008): eleven images with poses from a laser scanner."""
     folder, poses = real_data("mvs-fountain-p11"), {}
     for path in sorted((folder / "gt_dense_cameras").glob("*.camera")):
         values = np.array(path.read_text().split()[:24], float)
@@ -63,7 +63,7 @@ def fountain() -> RealSet:
 
 
 def sceaux() -> RealSet:
-    """Sceaux Castle (openMVG): eleven pictures of a facade, without poses."""
+    """Sceaux Castle (openMVG): eleven images of a facade, without poses."""
     return RealSet(sorted((real_data("mvs-sceaux") / "images").glob("*.JPG")), {})
 
 

@@ -1,8 +1,9 @@
-"""Made photographs by kind, with their truth, of scenes that chose no constant of the chain from photographs to a mesh.
+"""Synthetic photographs of several kinds with ground truth, of scenes that were not used to choose constants.
 
-Scenes are meshes with paint in space; a picture is cast at twice its size, made smaller, blurred by 0.6 px, its
-exposure changed by up to 15 %, with noise as of a sensor, and written as JPEG with EXIF. Lenses bend lines (`BEND`).
-The frames of drone pictures are east, north, up about `PLACE`, so `pictures.world` needs no similarity.
+Scenes are meshes with procedural colors. An image is ray cast at twice its size, reduced, blurred by 0.6 px, its
+exposure
+changed by up to 15 %, with sensor noise, and written as JPEG with EXIF. Lenses have distortion (`BEND`). The frames of
+drone images are east, north, up about `WORLD_ORIGIN`, so `pictures.world` needs no similarity.
 """
 
 from __future__ import annotations
@@ -28,17 +29,21 @@ WIDTH, HEIGHT = 640, 480
 BEND = -0.03  # k1 of COLMAP's SIMPLE_RADIAL
 LATTICE = np.random.default_rng(11).random((32, 32, 32))
 LIGHT = np.array([0.4, -0.5, 0.77]) / np.linalg.norm([0.4, -0.5, 0.77])
-PLACE = (46.95, 7.45, 540.0)  # latitude, longitude [degrees], altitude [m] of zero of the drone's world; UTM zone 32
+WORLD_ORIGIN = (
+    46.95,
+    7.45,
+    540.0,
+)  # latitude, longitude [degrees], altitude [m] of the origin of the drone's world; UTM zone 32
 GPS_NOISE = (1.5, 1.5, 3.0)  # [m]
 SKY = (0.70, 0.80, 0.92)
 
 
 @dataclass
 class Stage:
-    """Meshes with paint, and rays into them.
+    """Meshes with colors, and ray casting.
 
     Attributes:
-        light: The way to the light, in the world; with `still_light` in the camera (turntables).
+        light: Direction to the light in the world, or with `still_light` in the camera (turntables).
     """
 
     parts: list[tuple[Any, Paint]] = field(default_factory=list)
@@ -57,28 +62,28 @@ class Stage:
 
 @dataclass
 class View:
-    """A picture to be taken: where, with which focal length [px], and how it is told."""
+    """A camera view: pose, focal length [px], and its metadata."""
 
     T_world_camera: Array
     focal: float
-    film: int  # that of a lens which sees as much across the diagonal of 35 mm film, in EXIF, in whole mm
-    portrait: bool = False  # the sensor is turned, and EXIF tells it
+    film: int  # 35 mm equivalent focal length by the diagonal, for EXIF, integer [mm]
+    portrait: bool = False  # the sensor is rotated, as stored in EXIF
 
     @property
     def sensor(self) -> Array:
-        """T_world_camera of the picture as it is stored: a turn of 90 degrees clockwise shows it upright."""
-        turn = np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
-        return self.T_world_camera @ turn if self.portrait else self.T_world_camera
+        """T_world_camera of the stored image; it is upright after a rotation by 90 degrees clockwise."""
+        rotation = np.array([[0.0, -1, 0, 0], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])
+        return self.T_world_camera @ rotation if self.portrait else self.T_world_camera
 
 
 @dataclass
 class PhotoSet:
-    """A set to be written.
+    """A set of images.
 
     Attributes:
-        thresholds: [m] at which completeness and accuracy are told.
-        masked: Masks are given, since the background does not turn with the object.
-        places: Pictures tell where they were taken.
+        thresholds: [m] for completeness and accuracy.
+        masked: True if masks are given, since the background does not turn with the object.
+        has_gps: True if the images have GPS positions.
     """
 
     name: str
@@ -86,7 +91,7 @@ class PhotoSet:
     views: list[View]
     thresholds: tuple[float, float]
     masked: bool = False
-    places: bool = False
+    has_gps: bool = False
 
     @property
     def names(self) -> list[str]:
@@ -94,12 +99,12 @@ class PhotoSet:
 
     @property
     def poses(self) -> dict[str, Array]:
-        """T_world_camera by the name of the picture without its ending."""
+        """T_world_camera by file name without suffix."""
         return {Path(name).stem: view.T_world_camera for name, view in zip(self.names, self.views, strict=True)}
 
 
 def noise(points: Array, size: float, octaves: int = 4) -> Array:
-    """Noise in 0..1 whose coarsest features have this size [m]."""
+    """Noise in 0..1 with coarsest features of this size [m]."""
     total, weight = np.zeros(len(points)), 0.0
     for k in range(octaves):
         at = (points * (2.03**k / size) + 7.7 * k).T
@@ -109,7 +114,7 @@ def noise(points: Array, size: float, octaves: int = 4) -> Array:
 
 
 def grain(color: Any, strength: float = 0.6, size: float = 0.1, octaves: int = 5) -> Paint:
-    """A color with grain; its second half of the strength turns the hue."""
+    """A color with noise; half of the strength changes the hue."""
 
     def paint(points: Array) -> Array:
         light = 1 + 2 * strength * (noise(points, size, octaves) - 0.5)
@@ -120,7 +125,7 @@ def grain(color: Any, strength: float = 0.6, size: float = 0.1, octaves: int = 5
 
 
 def bricks(color: Any, size: tuple[float, float], stain: float) -> Paint:
-    """Courses of bricks that repeat exactly along x and z, and stains that do not."""
+    """Bricks that repeat exactly along x and z, with stains that do not."""
 
     def paint(points: Array) -> Array:
         row = np.floor(points[:, 2] / size[1])
@@ -142,11 +147,13 @@ def box(low: Any, high: Any) -> Any:
 
 
 def turntable(seed: int = 0) -> PhotoSet:
-    """A vase with handles and a lumpy lid turns before a still camera and a still, busy wall; 24 steps."""
+    """A vase with handles and a lumpy lid that turns in front of a static camera and a static textured wall; 24
+    steps.
+    """
     stage = Stage(still_light=True)
-    turn, height = np.meshgrid(np.linspace(0, 2 * np.pi, 181)[:-1], np.linspace(0, 1, 121), indexing="ij")
-    radius = 0.055 + 0.035 * np.sin(2.6 * height + 0.4) + 0.004 * np.cos(9 * turn + 6 * height) * (height < 0.85)
-    ring = np.stack([radius * np.cos(turn), radius * np.sin(turn), 0.24 * height - 0.12], -1)
+    angles, height = np.meshgrid(np.linspace(0, 2 * np.pi, 181)[:-1], np.linspace(0, 1, 121), indexing="ij")
+    radius = 0.055 + 0.035 * np.sin(2.6 * height + 0.4) + 0.004 * np.cos(9 * angles + 6 * height) * (height < 0.85)
+    ring = np.stack([radius * np.cos(angles), radius * np.sin(angles), 0.24 * height - 0.12], -1)
     k = (np.arange(180)[:, None] * 121 + np.arange(120)).reshape(-1)
     right = ((np.arange(180)[:, None] + 1) % 180 * 121 + np.arange(120)).reshape(-1)
     body = loom.TriangleMesh(
@@ -163,13 +170,13 @@ def turntable(seed: int = 0) -> PhotoSet:
         grain((0.5, 0.35, 0.3), 0.7, 0.03),
     )
     away, rise = 0.62 * math.cos(math.radians(24)), 0.62 * math.sin(math.radians(24))
-    turns = np.linspace(0, 2 * np.pi, 25)[:-1]
-    views = [View(look_at([away * math.cos(a), away * math.sin(a), rise]), 820, 44) for a in turns]
+    camera_angles = np.linspace(0, 2 * np.pi, 25)[:-1]
+    views = [View(look_at([away * math.cos(a), away * math.sin(a), rise]), 820, 44) for a in camera_angles]
     return PhotoSet("turntable", stage, views, (0.001, 0.003), masked=True)
 
 
 def facade(seed: int = 0) -> PhotoSet:
-    """A row of 18 pictures along a facade of 3 x 9 equal windows, looking ahead and back by turns."""
+    """A row of 18 images along a facade of 3 x 9 equal windows, alternately looking ahead and back."""
     rng, stage = np.random.default_rng(seed), Stage()
     wall = bricks((0.62, 0.36, 0.28), (0.25, 0.08), 0.35)
     columns, rows = np.arange(9) * 3.0 + 1.5, (0.9, 4.1, 7.3)
@@ -193,7 +200,7 @@ def facade(seed: int = 0) -> PhotoSet:
 
 
 def drone(seed: int = 0) -> PhotoSet:
-    """Houses and trees on hills from 45 m above: four rows of four straight down, and eight oblique from around."""
+    """Houses and trees on hills from 45 m above: four rows of four nadir images, and eight oblique ones around."""
     rng, stage = np.random.default_rng(seed), Stage()
     sides = np.linspace(-70, 70, 141)
     x, y = np.meshgrid(sides, sides, indexing="ij")
@@ -203,13 +210,13 @@ def drone(seed: int = 0) -> PhotoSet:
     meadow, path = grain((0.36, 0.46, 0.22), 0.7, 4.0, 6), grain((0.62, 0.58, 0.5), 0.4, 2.0, 6)
     ground = loom.TriangleMesh(np.stack([x, y, z], -1).reshape(-1, 3), faces)
     stage.add(ground, lambda p: np.where(np.abs(p[:, 1:2] - 9 * np.sin(p[:, :1] / 20)) < 2.5, path(p), meadow(p)))
-    for px, py, turn in ((-22, 18, 20), (4, 24, -10), (24, 16, 40), (-16, -18, 5), (12, -16, 70), (30, -22, 15)):
+    for px, py, angle in ((-22, 18, 20), (4, 24, -10), (24, 16, 40), (-16, -18, 5), (12, -16, 70), (30, -22, 15)):
         parts = PaintedParts()
-        parts.set_frame(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px, angle=math.radians(turn))
+        parts.set_frame(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px, angle=math.radians(angle))
         parts.box((0, 0, 2), (11, 8, 6), (1, 1, 1))
         stage.add(loom.TriangleMesh(parts.vertices, parts.triangles), grain((0.78, 0.72, 0.62), 0.35, 1.0, 5))
         roof = PaintedParts()
-        roof.set_frame(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px + 5, angle=math.radians(turn))
+        roof.set_frame(px, py, 3 * math.sin(px / 23) * math.cos(py / 31) + 0.04 * px + 5, angle=math.radians(angle))
         roof.gable((0, 0, 0), (12, 9.4, 3.4), (1, 1, 1), (1, 1, 1))
         stage.add(loom.TriangleMesh(roof.vertices, roof.triangles), grain((0.6, 0.3, 0.22), 0.5, 1.2, 6))
     for _ in range(14):
@@ -225,11 +232,11 @@ def drone(seed: int = 0) -> PhotoSet:
     for a in np.linspace(0, 2 * np.pi, 9)[:-1]:
         eye = np.array([48 * math.cos(a), 48 * math.sin(a), 42]) + rng.normal(0, 0.6, 3)
         views.append(View(look_at(eye, rng.normal(0, 2, 3)), 560, 30))
-    return PhotoSet("drone", stage, views, (0.15, 0.5), places=True)
+    return PhotoSet("drone", stage, views, (0.15, 0.5), has_gps=True)
 
 
 def telephone(seed: int = 0) -> PhotoSet:
-    """A still life on a table by two lenses of a telephone, 25 and 50 mm, every third picture held upright."""
+    """A still life on a table with two lenses of a telephone, 25 and 50 mm, every third image in portrait format."""
     rng, stage = np.random.default_rng(seed), Stage()
     stage.add(box((-0.6, -0.45, -0.05), (0.6, 0.45, 0)), grain((0.66, 0.48, 0.32), 0.6, 0.08, 5))
     stage.add(box((-2, 1.2, -0.8), (2, 1.25, 1.2)), grain((0.75, 0.74, 0.66), 0.4, 0.25, 5))
@@ -252,7 +259,7 @@ def telephone(seed: int = 0) -> PhotoSet:
 
 
 def room(seed: int = 0) -> PhotoSet:
-    """A room of 4.6 x 3.8 m from inside, 24 pictures on a small round looking outwards and across; plain ceiling."""
+    """A room of 4.6 x 3.8 m from inside, 24 images on a small circle looking outward and across; untextured ceiling."""
     rng, stage = np.random.default_rng(seed), Stage(shaded=0.8)
     wood, paper = grain((0.55, 0.40, 0.27), 0.55, 0.15, 5), grain((0.78, 0.76, 0.68), 0.30, 0.2, 5)
     stage.add(box((-2.4, -2.0, -0.1), (2.4, 2.0, 0)), wood)
@@ -260,7 +267,7 @@ def room(seed: int = 0) -> PhotoSet:
     stage.add(box((-2.4, 1.9, 0), (2.4, 2.0, 2.5)), paper)
     stage.add(box((-2.4, -2.0, 0), (2.4, -1.9, 2.5)), paper)
     stage.add(box((-2.4, -2, 0), (-2.3, 2, 2.5)), grain((0.6, 0.66, 0.72), 0.3, 0.2, 5))
-    stage.add(box((2.3, -2, 0), (2.4, 2, 2.5)), grain((0.9, 0.88, 0.84), 0.04, 0.3))  # nearly plain
+    stage.add(box((2.3, -2, 0), (2.4, 2, 2.5)), grain((0.9, 0.88, 0.84), 0.04, 0.3))  # nearly untextured
     stage.add(box((-2.3, 0.3, 0), (-1.8, 1.7, 1.9)), grain((0.45, 0.3, 0.2), 0.5, 0.1, 5))
     stage.add(box((0.2, 1.2, 0), (1.9, 1.9, 0.45)), grain((0.35, 0.42, 0.5), 0.6, 0.06, 5))
     stage.add(box((0.2, 1.65, 0.45), (1.9, 1.9, 0.9)), grain((0.35, 0.42, 0.5), 0.6, 0.06, 5))
@@ -290,7 +297,7 @@ def _about(axis: str, degrees: float) -> Array:
 
 
 def _down(eye: Array, tilt: Array, heading: float) -> Array:
-    """The pose of a camera that looks down but for a tilt, the picture's top toward a heading."""
+    """The pose of a camera that looks down with a tilt, the image's top toward a heading."""
     z = np.array([*tilt, -1.0]) / np.linalg.norm([*tilt, -1.0])
     x = np.cross(z, [math.sin(heading), math.cos(heading), 0.0])
     T = np.eye(4)

@@ -1,4 +1,4 @@
-"""Pictures of a set of photo_sets.py as files, as a camera would write them, and what is seen in them."""
+"""Write the images of a set of photo_sets.py as camera files, and compute the visible points."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
-from photo_sets import BEND, GPS_NOISE, HEIGHT, LIGHT, PLACE, SKY, WIDTH, PhotoSet, Stage, View, noise
+from photo_sets import BEND, GPS_NOISE, HEIGHT, LIGHT, SKY, WIDTH, WORLD_ORIGIN, PhotoSet, Stage, View, noise
 from PIL import Image
 from PIL.TiffImagePlugin import IFDRational
 from scipy.ndimage import gaussian_filter
@@ -18,14 +18,17 @@ Array = NDArray[np.float64]
 
 BLUR = 0.6  # [px]
 EXPOSURE = 0.15
-READ_NOISE, SHOT_NOISE = 1.5 / 255, 0.010  # of a black pixel; times the root of brightness is added
+READ_NOISE, SHOT_NOISE = (
+    1.5 / 255,
+    0.010,
+)  # standard deviation of a black pixel; factor of the square root of the brightness
 QUALITY = 94
-STRIDE = 6  # [px] between the points of the truth
-SEEN = 3  # pictures that see a point which is asked of the mesh
+STRIDE = 6  # [px] between ground truth points
+SEEN = 3  # minimum number of images that see an evaluated point
 
 
 def write_set(photos: PhotoSet, folder: Path, seed: int = 0) -> None:
-    """Write pictures and, of a masked set, masks/; the seed chooses noise, exposure and errors of places."""
+    """Write images and, for a masked set, masks/; the seed selects noise, exposure and position errors."""
     rng, scene = np.random.default_rng([seed, 77]), photos.stage.scene()
     (folder / "pictures").mkdir(parents=True)
     gains = 1 + EXPOSURE * rng.uniform(-1, 1, len(photos.views))
@@ -37,43 +40,43 @@ def write_set(photos: PhotoSet, folder: Path, seed: int = 0) -> None:
             mask = seen.reshape(HEIGHT, 2, WIDTH, 2).mean((1, 3)) > 0.5
             Image.fromarray((255 * mask).astype(np.uint8)).save(folder / "masks" / f"{name}.png")
         picture = _sensor(colors, gain, rng)
-        exif, xmp = _told(view, photos.places, rng)
+        exif, xmp = _metadata(view, photos.has_gps, rng)
         more = {"xmp": xmp} if xmp else {}
         Image.fromarray(picture).save(folder / "pictures" / name, exif=exif, quality=QUALITY, **more)
 
 
 def rays_of(view: View, step: float, offset: float) -> tuple[Array, Array]:
-    """Rays [h, w, 6] through places that are `step` pixels apart, and those places bent back, as x/z and y/z."""
+    """Rays [h, w, 6] through pixels that are `step` apart, and their undistorted positions as x/z and y/z."""
     v, u = np.meshgrid(np.arange(offset, HEIGHT, step), np.arange(offset, WIDTH, step), indexing="ij")
     bent = np.stack([(u - WIDTH / 2) / view.focal, (v - HEIGHT / 2) / view.focal], -1)
     flat = bent.copy()
     for _ in range(20):
         flat = bent / (1 + BEND * (flat**2).sum(-1, keepdims=True))
     T = view.sensor
-    ways = np.concatenate([flat, np.ones((*flat.shape[:2], 1))], -1) @ T[:3, :3].T
-    return np.concatenate([np.broadcast_to(T[:3, 3], ways.shape), ways], -1), flat
+    directions = np.concatenate([flat, np.ones((*flat.shape[:2], 1))], -1) @ T[:3, :3].T
+    return np.concatenate([np.broadcast_to(T[:3, 3], directions.shape), directions], -1), flat
 
 
 def render(stage: Stage, scene: Any, view: View, finer: int) -> tuple[Array, NDArray[np.bool_]]:
-    """Colors [h, w, 3] in 0..1 without noise, `finer` times larger, and where something is."""
+    """Colors [h, w, 3] in 0..1 without noise at `finer` times the size, and a mask of hits."""
     rays, _ = rays_of(view, 1 / finer, 0.5 / finer)
-    met = scene.cast_rays(rays)
-    seen = np.isfinite(met["t_hit"])
-    points = rays[..., :3] + rays[..., 3:] * np.where(seen, met["t_hit"], 0)[..., None]
+    hits = scene.cast_rays(rays)
+    mask = np.isfinite(hits["t_hit"])
+    points = rays[..., :3] + rays[..., 3:] * np.where(mask, hits["t_hit"], 0)[..., None]
     colors = np.broadcast_to(SKY, points.shape).copy()
     light = view.sensor[:3, :3] @ [-0.45, -0.6, -0.66] if stage.still_light else LIGHT
-    normals = met["primitive_normals"].astype(float)
+    normals = hits["primitive_normals"].astype(float)
     normals *= -np.sign((normals * rays[..., 3:]).sum(-1, keepdims=True))
     shade = stage.shaded + (1 - stage.shaded) * np.clip(normals @ light, 0, 1)
     for number, (_, paint) in enumerate(stage.parts):
-        here = seen & (met["geometry_ids"] == number)
-        if here.any():
-            colors[here] = paint(points[here]) * shade[here, None]
-    return np.clip(colors, 0, 1), seen
+        on_mesh = mask & (hits["geometry_ids"] == number)
+        if on_mesh.any():
+            colors[on_mesh] = paint(points[on_mesh]) * shade[on_mesh, None]
+    return np.clip(colors, 0, 1), mask
 
 
 def _wall() -> Array:
-    """The still background of a turntable: blotches and checks, at twice the size."""
+    """The static background of a turntable: blotches and checks, at twice the size."""
     v, u = np.mgrid[: 2 * HEIGHT, : 2 * WIDTH]
     flat = np.stack([u, v, np.zeros_like(u)], -1).reshape(-1, 3).astype(float)
     blotch = noise(flat, 120.0, 5).reshape(2 * HEIGHT, 2 * WIDTH, 1)
@@ -88,16 +91,16 @@ def _sensor(colors: Array, gain: float, rng: np.random.Generator) -> NDArray[np.
     return np.rint(255 * np.clip(light, 0, 1)).astype(np.uint8)
 
 
-def _told(view: View, places: bool, rng: np.random.Generator) -> tuple[Image.Exif, bytes]:
+def _metadata(view: View, has_gps: bool, rng: np.random.Generator) -> tuple[Image.Exif, bytes]:
     exif = Image.Exif()
     exif[0x010F], exif[0x0110] = "Maker", "Camera"
     if view.portrait:
-        exif[0x0112] = 6  # stored as the sensor lies: to be turned by 90 degrees clockwise
+        exif[0x0112] = 6  # stored in sensor orientation: to be rotated by 90 degrees clockwise
     exif.get_ifd(0x8769).update({0x920A: IFDRational(view.film * 100, 700), 0xA405: view.film})
-    if not places:
+    if not has_gps:
         return exif, b""
-    told = view.T_world_camera[:3, 3] + rng.normal(0, 1, 3) * GPS_NOISE
-    latitude, longitude, altitude = loom.video.WorldFrame(*PLACE).to_geodetic(told[None])[0]
+    position = view.T_world_camera[:3, 3] + rng.normal(0, 1, 3) * GPS_NOISE
+    latitude, longitude, altitude = loom.video.WorldFrame(*WORLD_ORIGIN).to_geodetic(position[None])[0]
     exif.get_ifd(0x8825).update(
         {1: "N", 2: _degrees(latitude), 3: "E", 4: _degrees(longitude)}
         | {5: b"\0", 6: IFDRational(round(altitude * 1000), 1000)}
@@ -106,13 +109,13 @@ def _told(view: View, places: bool, rng: np.random.Generator) -> tuple[Image.Exi
 
 
 def _degrees(value: float) -> tuple[IFDRational, IFDRational, IFDRational]:
-    whole, minutes = int(value), int(value % 1 * 60)
-    seconds = (value - whole - minutes / 60) * 3600
-    return IFDRational(whole, 1), IFDRational(minutes, 1), IFDRational(round(seconds * 1_000_000), 1_000_000)
+    degrees, minutes = int(value), int(value % 1 * 60)
+    seconds = (value - degrees - minutes / 60) * 3600
+    return IFDRational(degrees, 1), IFDRational(minutes, 1), IFDRational(round(seconds * 1_000_000), 1_000_000)
 
 
 def _xmp(R: Array, rng: np.random.Generator) -> bytes:
-    """The gimbal's attitude as DJI writes it, to half a degree."""
+    """The gimbal's attitude in DJI's format, rounded to half a degree."""
     yaw = np.degrees(np.arctan2(R[0, 2], R[1, 2]) if abs(R[2, 2]) < 0.9 else np.arctan2(-R[0, 1], -R[1, 1]))
     pitch, roll = np.degrees(np.arcsin(R[2, 2])), np.degrees(np.arctan2(-R[2, 0], -R[2, 1]))
     yaw, pitch, roll = np.array([yaw, pitch, roll if abs(pitch) < 85 else 0.0]) + rng.normal(0, 0.5, 3)
@@ -124,14 +127,14 @@ def _xmp(R: Array, rng: np.random.Generator) -> bytes:
 
 
 def seen_points(photos: PhotoSet, cell: float) -> Array:
-    """Points of the truth, one a cell of this size [m], that at least `SEEN` pictures show."""
-    scene, found = photos.stage.scene(), []
+    """Ground truth points that at least `SEEN` images show, one per cell of this size [m]."""
+    scene, points_of_views = photos.stage.scene(), []
     for view in photos.views:
         rays, _ = rays_of(view, STRIDE, STRIDE / 2)
-        reach = scene.cast_rays(rays)["t_hit"]
-        hit = np.isfinite(reach)
-        found.append(rays[hit][:, :3] + rays[hit][:, 3:] * reach[hit][:, None])
-    points = np.concatenate(found)
+        distances = scene.cast_rays(rays)["t_hit"]
+        hit = np.isfinite(distances)
+        points_of_views.append(rays[hit][:, :3] + rays[hit][:, 3:] * distances[hit][:, None])
+    points = np.concatenate(points_of_views)
     points = points[np.unique(np.floor(points / cell).astype(np.int64), axis=0, return_index=True)[1]]
     counts = np.zeros(len(points), int)
     for view in photos.views:
@@ -141,7 +144,7 @@ def seen_points(photos: PhotoSet, cell: float) -> Array:
         pixel = view.focal * flat * (1 + BEND * (flat**2).sum(1, keepdims=True)) + (WIDTH / 2, HEIGHT / 2)
         inside = (local[:, 2] > 0) & (pixel >= 0).all(1) & (pixel < (WIDTH, HEIGHT)).all(1)
         rows = np.flatnonzero(inside)
-        ways = points[rows] - view.T_world_camera[:3, 3]
-        rays = np.concatenate([np.broadcast_to(view.T_world_camera[:3, 3], ways.shape), ways], 1)
+        directions = points[rows] - view.T_world_camera[:3, 3]
+        rays = np.concatenate([np.broadcast_to(view.T_world_camera[:3, 3], directions.shape), directions], 1)
         counts[rows[scene.cast_rays(rays)["t_hit"] > 1 - 2e-3]] += 1
     return points[counts >= SEEN]

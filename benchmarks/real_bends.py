@@ -1,11 +1,12 @@
-"""register_nonrigid on scanned bodies that are bent by known fields: its errors, and its warnings.
+"""register_nonrigid on scanned bodies deformed by known fields: errors and warnings.
 
     POINTLOOM_DATA=<folder> python benchmarks/real_bends.py          # some minutes; the table of docs/bending.md
 
-Scans are brought to a root mean squared radius of 1. The source and the target are other points of the same body, the
-target bent, with noise of 0.005, and where "hole" stands without a ball of radius 0.5 about one of its points. Errors
-of points are against where the field takes each, of the surface against the bent body's points without noise or hole.
-The sources' own points are in that surface, so an unbent copy would have none.
+Scans are scaled to an RMS radius of 1. Source and target are different points of the same body. The target is deformed,
+with noise of 0.005, and for "hole" without a ball of radius 0.5 around one of its points. Point errors are relative to
+the field at each point, surface errors to the deformed body's points without noise or hole. The sources' points are
+part
+of that surface, so an undeformed copy would have no error.
 """
 
 from __future__ import annotations
@@ -33,19 +34,19 @@ SURFACE = 40_000
 
 
 def swayed(points: Array) -> Array:
-    """A smooth field that moves points by up to 0.2."""
+    """A smooth displacement field of up to 0.2."""
     x, y, z = points.T
     return points + 0.12 * np.column_stack([np.sin(1.5 * y), np.sin(1.3 * z + 0.4), np.cos(1.2 * x) - 1])
 
 
 def bowed(points: Array) -> Array:
-    """Bent along y as an arc of a radius of 4."""
-    angle, reach = points[:, 1] / 4, 4 + points[:, 0]
-    return np.column_stack([reach * np.cos(angle) - 4, reach * np.sin(angle), points[:, 2]])
+    """Bent along y as an arc of radius 4."""
+    angle, radius = points[:, 1] / 4, 4 + points[:, 0]
+    return np.column_stack([radius * np.cos(angle) - 4, radius * np.sin(angle), points[:, 2]])
 
 
 def twisted(points: Array) -> Array:
-    """Turned about y by 14 degrees a unit."""
+    """Rotated about y by 14 degrees per unit."""
     c, s = np.cos(0.25 * points[:, 1]), np.sin(0.25 * points[:, 1])
     return np.column_stack([c * points[:, 0] + s * points[:, 2], points[:, 1], c * points[:, 2] - s * points[:, 0]])
 
@@ -54,7 +55,7 @@ FIELDS = {"swayed": swayed, "bowed": bowed, "twisted": twisted}
 
 
 def points_of(path: Path, seed: int) -> Array:
-    """Points of a body: all of a scan's in a random order, samples of a mesh."""
+    """Points of a body: all points of a scan in random order, or samples of a mesh."""
     rng = np.random.default_rng(seed)
     if path.suffix == ".obj":
         mesh = loom.read_triangle_mesh(path)
@@ -63,7 +64,7 @@ def points_of(path: Path, seed: int) -> Array:
 
 
 def measure(points: Array, bend, hole: bool) -> str:
-    """One row."""
+    """One row of the table."""
     center = points.mean(axis=0)
     points = (points - center) / np.sqrt(((points - center) ** 2).sum(axis=1).mean())
     source, scan, surface = points[:COUNT], bend(points[COUNT : 2 * COUNT]), bend(points)
@@ -71,14 +72,16 @@ def measure(points: Array, bend, hole: bool) -> str:
     if hole:
         scan = scan[np.linalg.norm(scan - scan[0], axis=1) > HOLE]
     start = time.process_time()
-    found = loom.registration.register_nonrigid(loom.PointCloud(source), loom.PointCloud(scan))
-    spent = time.process_time() - start
-    warped, truth = found.warped.points, bend(source)
+    result = loom.registration.register_nonrigid(loom.PointCloud(source), loom.PointCloud(scan))
+    seconds = time.process_time() - start
+    warped, truth = result.warped.points, bend(source)
     near, tree = np.linalg.norm(warped - truth, axis=1), cKDTree(surface)
-    rigid = source @ found.rigid_pose[:3, :3].T + found.rigid_pose[:3, 3]
-    away, stiff = tree.query(warped)[0], tree.query(rigid)[0]
-    figures = f"{np.median(stiff):.4f} | {np.median(away):.4f} | {np.quantile(away, 0.95):.4f} | {np.median(near):.3f}"
-    return f"{figures} | {spent:.1f} | {'; '.join(found.warnings) or 'none'} |"
+    rigid = source @ result.rigid_pose[:3, :3].T + result.rigid_pose[:3, 3]
+    surface, stiff = tree.query(warped)[0], tree.query(rigid)[0]
+    figures = (
+        f"{np.median(stiff):.4f} | {np.median(surface):.4f} | {np.quantile(surface, 0.95):.4f} | {np.median(near):.3f}"
+    )
+    return f"{figures} | {seconds:.1f} | {'; '.join(result.warnings) or 'none'} |"
 
 
 def main() -> None:

@@ -1,4 +1,4 @@
-"""Real data that some benchmarks take, from the folder that POINTLOOM_DATA names."""
+"""Real data for benchmarks, from the folder `POINTLOOM_DATA`."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from pathlib import Path
 
 
 class DataMissingError(FileNotFoundError):
-    """This machine has not the data that a benchmark takes; the message says which."""
+    """Data of a benchmark are missing; the message names them."""
 
 
 def real_data(name: str = "") -> Path:
-    """A file or folder of the real data by its path in their folder.
+    """A file or folder of the real data, by its relative path.
 
     Raises:
-        DataMissingError: POINTLOOM_DATA is not set, or what it names has no such file or folder.
+        DataMissingError: POINTLOOM_DATA is not set, or its folder has no such file or folder.
     """
     folder = os.environ.get("POINTLOOM_DATA")
     if not folder:
-        raise DataMissingError(f"POINTLOOM_DATA is not set; it names the folder with {name or 'real data'}")
+        raise DataMissingError(f"POINTLOOM_DATA is not set. Set it to the folder with {name or 'real data'}")
     path = Path(folder) / name
     if not path.exists():
-        raise DataMissingError(f"the folder that POINTLOOM_DATA names has no {name}" if name else f"{path}: no folder")
+        raise DataMissingError(f"{name} is missing in the folder of POINTLOOM_DATA" if name else f"{path}: no folder")
     return path

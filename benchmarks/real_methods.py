@@ -1,8 +1,8 @@
-"""Registrations that are compared on real scans, ours and the peers': each takes a pair and gives a pose.
+"""Registration methods compared on real scans, of pointloom and of baselines: each maps a pair to a pose.
 
-All get the same points, voxels, distances and numbers of neighbors. Ours and Open3D's end when fitness and error
-change by less than 1e-6; small_gicp by its own rule, steps below 1e-4 degrees and 1e-6 m, on one thread: with more, its
-voxels differ from run to run.
+All get the same points, voxels, distances and numbers of neighbors. Those of pointloom and Open3D stop when fitness and
+error change by less than 1e-6; small_gicp stops at steps below 1e-4 degrees and 1e-6 m. It uses one thread: with more,
+its voxels differ between runs.
 """
 
 from __future__ import annotations
@@ -12,21 +12,21 @@ from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from contest import OURS, load_open3d
+from contest import POINTLOOM, load_open3d
 from real_scans import Array, ScanPair
 
-STEPS, CHANGE = 100, 1e-6  # of ICP at most, and of fitness and error where it ends
-NEIGHBORS = 10  # of a plane
+STEPS, CHANGE = 100, 1e-6  # maximum ICP iterations; change of fitness and error for convergence
+NEIGHBORS = 10  # for plane estimates
 
 
 @dataclass(frozen=True)
 class Method:
-    """A registration.
+    """A registration method.
 
     Attributes:
-        name: What is done.
-        library: Who does it.
-        run: (pair, pose to begin from, seed) -> T_target_source.
+        name: Name of the method.
+        library: The library.
+        run: (pair, initial pose, seed) -> T_target_source.
     """
 
     name: str
@@ -38,7 +38,7 @@ class Method:
 
 
 def estimators() -> dict[str, Any]:
-    """Our ICP methods by name."""
+    """pointloom's ICP estimators by name."""
     import pointloom as loom
 
     reg = loom.registration
@@ -51,7 +51,7 @@ def estimators() -> dict[str, Any]:
 
 
 def our_clouds(pair: ScanPair) -> list[Any]:
-    """Source and target, thinned, with normals."""
+    """Source and target, down-sampled, with normals."""
     import pointloom as loom
 
     clouds = [loom.PointCloud(points) for points in (pair.source, pair.target)]
@@ -71,7 +71,7 @@ def our_icp(name: str, voxels: float | None = None) -> Method:
         rules = reg.ICPConvergenceCriteria(CHANGE, CHANGE, STEPS)
         return reg.registration_icp(*our_clouds(pair), pair.distance, start, estimator, rules).transformation
 
-    return Method(f"{name}, voxels" if voxels else name, OURS, run)
+    return Method(f"{name}, voxels" if voxels else name, POINTLOOM, run)
 
 
 def open3d_clouds(pair: ScanPair) -> list[Any]:
@@ -151,21 +151,21 @@ def globally(refine: bool) -> Method:
         import pointloom as loom
 
         clouds = [loom.PointCloud(points) for points in (pair.source, pair.target)]
-        found = loom.registration.register_globally(*clouds, voxel_size=pair.voxel_size, seed=seed).transformation
-        return our_icp("generalized ICP").run(pair, found, seed) if refine else found
+        T = loom.registration.register_globally(*clouds, voxel_size=pair.voxel_size, seed=seed).transformation
+        return our_icp("generalized ICP").run(pair, T, seed) if refine else T
 
-    return Method(f"register_globally{' + generalized ICP' if refine else ''}", OURS, run)
+    return Method(f"register_globally{' + generalized ICP' if refine else ''}", POINTLOOM, run)
 
 
 def kiss_matcher() -> Method:
     def run(pair: ScanPair, start: Array, seed: int) -> Array:
         import kiss_matcher
 
-        scale = 1 / pair.voxel_size  # it refuses voxels of a few millimeters
+        scale = 1 / pair.voxel_size  # it rejects voxels of a few millimeters
         clouds = [list((scale * points).astype(np.float32)) for points in (pair.source, pair.target)]
         matcher = kiss_matcher.KISSMatcher(kiss_matcher.KISSMatcherConfig(1.0))
-        found, T = matcher.estimate(*clouds), np.eye(4)
-        T[:3, :3], T[:3, 3] = found.rotation, np.ravel(found.translation) / scale
+        result, T = matcher.estimate(*clouds), np.eye(4)
+        T[:3, :3], T[:3, 3] = result.rotation, np.ravel(result.translation) / scale
         return T
 
     return Method("KISS-Matcher", "KISS-Matcher", run)
@@ -188,19 +188,19 @@ def our_features(name: str) -> Method:
                 reg.CorrespondenceCheckerBasedOnEdgeLength(0.9),
                 reg.CorrespondenceCheckerBasedOnDistance(1.5 * size),
             ]
-            found = reg.registration_ransac_based_on_feature_matching(
+            result = reg.registration_ransac_based_on_feature_matching(
                 *clouds, *features, True, 1.5 * size, checkers=checkers, seed=seed
             )
         else:
             option = reg.FastGlobalRegistrationOption(maximum_correspondence_distance=0.5 * size)
-            found = reg.registration_fgr_based_on_feature_matching(*clouds, *features, option, seed=seed)
-        return found.transformation
+            result = reg.registration_fgr_based_on_feature_matching(*clouds, *features, option, seed=seed)
+        return result.transformation
 
-    return Method(name, OURS, run)
+    return Method(name, POINTLOOM, run)
 
 
 def open3d_features(name: str) -> Method:
-    """The same of Open3D."""
+    """The same with Open3D."""
 
     def run(pair: ScanPair, start: Array, seed: int) -> Array:
         o3d, size = load_open3d(), pair.voxel_size
@@ -231,7 +231,7 @@ def open3d_features(name: str) -> Method:
 
 
 ICP = ("generalized ICP", "point-to-plane ICP", "point-to-point ICP")
-VOXELS = 1.0  # edge of the target's Gaussians, in distances of a correspondence
+VOXELS = 1.0  # voxel size of the target's Gaussians, in correspondence distances
 
 FROM_POSE = (
     our_icp(ICP[0]), small_gicp_icp(ICP[0]), open3d_icp(ICP[0]),

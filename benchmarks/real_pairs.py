@@ -1,11 +1,10 @@
-"""How exact registration is on real scans whose true poses are known, beside its peers: tables in docs/registration.md.
+"""Accuracy of registration on real scans with known poses, beside baselines: the tables of docs/registration.md.
 
     POINTLOOM_DATA=... python benchmarks/real_pairs.py [--only lidar] [--runs 20] [--write]
 
-From a pose: one run each. From no guess: random starting poses of the source and as many seeds; KISS-Matcher, which
-takes the origin for the sensor, gets the rotations alone, and RANSAC and FGR, whose normals are turned toward the
-sensor, only the seeds. An error is how far a pose is from the true one: the angle by the logarithm, and the distance of
-the translations.
+Local methods: one run each. Global methods: random starting poses of the source and as many seeds. KISS-Matcher, which
+assumes the sensor at the origin, gets rotations only; RANSAC and FGR, whose normals are oriented toward the sensor, get
+only the seeds. Errors are the rotation angle between the poses and the distance of the translations.
 """
 
 from __future__ import annotations
@@ -27,22 +26,22 @@ from run import describe
 
 FOLDER = Path(__file__).parent
 PAGE = FOLDER.parent / "docs" / "registration.md"
-FROM_TRUTH = ("kitchen", "sparse", "bunny")  # too far apart for ICP to begin at the identity
-NO_ICP = ("milk",)  # the truth is the identity
+FROM_TRUTH = ("kitchen", "sparse", "bunny")  # too far apart for ICP from the identity
+NO_ICP = ("milk",)  # the ground truth is the identity
 STILL = np.eye(4)
 
 
 @dataclass(frozen=True)
 class Errors:
-    """What a method's runs on a pair came to.
+    """Errors of a method's runs on a pair.
 
     Attributes:
         table: "pose" or "no guess".
-        pair, method, library: Which.
-        begin: What the runs began from.
+        pair, method, library: Names.
+        begin: Kind of starting poses.
         degrees, distances: Errors of the runs; distances in the pair's unit.
-        unit: What that is.
-        right: How many were near the truth.
+        unit: That unit.
+        right: Number of runs near the ground truth.
     """
 
     table: str
@@ -56,13 +55,13 @@ class Errors:
     right: int
 
     def cell(self) -> str:
-        """What stands in the table: how many are right where not all are, and errors."""
+        """The text of a table cell: the number of correct runs, if not all, and errors."""
         errors, count = f"{_ends(self.degrees)}°, {_ends(self.distances)} {self.unit}".rstrip(), len(self.degrees)
         return errors if count in (1, self.right) else f"**{self.right} of {count}:** {errors}"
 
 
 def _ends(values: Sequence[float]) -> str:
-    """The median, and the worst where there are several."""
+    """The median, and the maximum if there are several."""
     shown = (np.median(values), max(values)) if len(values) > 1 else values
     return " / ".join(f"{x:.0f}" if x >= 100 else f"{x:.2g}" for x in shown)
 
@@ -70,7 +69,7 @@ def _ends(values: Sequence[float]) -> str:
 def measure(
     method: Method, table: str, begin: str, runs: Iterable[tuple[ScanPair, Array, Array, int]], name: str = ""
 ) -> Errors:
-    """Run a method: each run is a pair, a pose that its source is moved by, a pose to begin from, and a seed."""
+    """Run a method: each run is a pair, a pose that moves its source, an initial pose, and a seed."""
     degrees, distances, right, pair = [], [], 0, None
     for pair, start, guess, seed in runs:
         angle, distance, near = pair.error(method.run(pair.moved(start), guess, seed) @ start)
@@ -90,16 +89,16 @@ def score_pair(key: str, runs: int) -> Iterator[Errors]:
         for method in methods.FROM_POSE:
             yield measure(method, "pose", begin, [(pair, STILL, guess, 0)])
     starts = scans.random_poses(runs, pair.spread)
-    turns = [scans.turn_of(T) for T in starts]
+    rotations = [scans.rotation_of(T) for T in starts]
     for method in (methods.GLOBALLY_REFINED, methods.GLOBALLY):
         yield measure(method, "no guess", "poses", [(pair, T, STILL, k) for k, T in enumerate(starts)])
-    yield measure(methods.KISS_MATCHER, "no guess", "turns", [(pair, T, STILL, k) for k, T in enumerate(turns)])
+    yield measure(methods.KISS_MATCHER, "no guess", "turns", [(pair, T, STILL, k) for k, T in enumerate(rotations)])
     for method in methods.BY_LOT:
         yield measure(method, "no guess", "seeds", [(pair, STILL, STILL, k) for k in range(runs)])
 
 
 def score_submaps(runs: int) -> Iterator[Errors]:
-    """No-guess methods on all ten pairs of the submaps; the slower peers with a quarter of the runs."""
+    """Global methods on all ten pairs of the submaps; slower baselines with a quarter of the runs."""
     pairs = list(scans.submaps())
     starts = scans.random_poses(runs, pairs[0].spread)
     few = max(1, runs // 4)
@@ -108,7 +107,7 @@ def score_submaps(runs: int) -> Iterator[Errors]:
         for method in (methods.GLOBALLY_REFINED, methods.GLOBALLY):
             jobs = [(pair, T, STILL, k) for pair in chosen for k, T in enumerate(starts)]
             yield measure(method, "no guess", "poses", jobs, label)
-        jobs = [(pair, scans.turn_of(T), STILL, k) for pair in chosen for k, T in enumerate(starts[:few])]
+        jobs = [(pair, scans.rotation_of(T), STILL, k) for pair in chosen for k, T in enumerate(starts[:few])]
         yield measure(methods.KISS_MATCHER, "no guess", "turns", jobs, label)
         for method in methods.BY_LOT:
             jobs = [(pair, STILL, STILL, k) for pair in chosen for k in range(few)]
@@ -119,50 +118,50 @@ def score_submaps(runs: int) -> Iterator[Errors]:
 
 
 def score_views() -> str:
-    """How well ways round three of the five Kinect views close, registered from no guess."""
+    """Loop errors of triples of the five Kinect views, registered globally."""
     views, peer = scans.kinect_views(), methods.open3d_icp(methods.ICP[0])
-    ours, theirs = {}, {}
+    poses, baseline_poses = {}, {}
     for i, j in itertools.combinations(range(len(views)), 2):
         pair = ScanPair(f"views {i} and {j}", views[j], views[i], STILL, 0.05, 0.02, 0.05, 3.0)
         start = scans.random_poses(1, pair.spread, seed=10 * i + j)[0]
-        ours[i, j] = methods.GLOBALLY_REFINED.run(pair.moved(start), STILL, 0) @ start
-        theirs[i, j] = peer.run(pair, ours[i, j], 0)
+        poses[i, j] = methods.GLOBALLY_REFINED.run(pair.moved(start), STILL, 0) @ start
+        baseline_poses[i, j] = peer.run(pair, poses[i, j], 0)
     return (
-        f"Five Kinect views, no truth: all {len(ours)} pairs from no guess and random poses, then generalized ICP. "
-        f"Ways round three views close to {_close(ours)}; with Open3D's generalized ICP from these poses to "
-        f"{_close(theirs)} (median / worst)."
+        f"Five Kinect views, no truth: all {len(poses)} pairs from no guess and random poses, then generalized ICP. "
+        f"Ways round three views close to {_close(poses)}; with Open3D's generalized ICP from these poses to "
+        f"{_close(baseline_poses)} (median / worst)."
     )
 
 
 def _close(poses: dict[tuple[int, int], Array]) -> str:
-    """By how much ways round three views miss."""
+    """Loop error of three views."""
     from pointloom.registration.rigid import pose_error
 
-    ways = [(i, k, j) for (i, k) in poses for j in range(9) if (k, j) in poses]
-    missed = [pose_error(poses[i, k] @ poses[k, j], poses[i, j]) for i, k, j in ways]
+    triples = [(i, k, j) for (i, k) in poses for j in range(9) if (k, j) in poses]
+    missed = [pose_error(poses[i, k] @ poses[k, j], poses[i, j]) for i, k, j in triples]
     return f"{_ends([np.degrees(a) for a, _ in missed])}° and {_ends([100 * d for _, d in missed])} cm"
 
 
 def score_bunny() -> str:
-    """Which pairs of ten range scans are accepted by global registration from random poses."""
+    """Acceptance of global registration for pairs of ten range scans with random poses."""
     import pointloom as loom
 
     pairs = [scans.bunny_pair(a, b) for a, b in itertools.combinations(scans.BUNNY_SCANS, 2)]
     starts = scans.random_poses(len(pairs), pairs[0].spread)
-    believed, wrong, right, missed = [], 0, 0, []
+    accepted, wrong, right, missed = [], 0, 0, []
     for pair, start in zip(pairs, starts, strict=True):
         source, target = (loom.PointCloud(points) for points in (pair.moved(start).source, pair.target))
         result = loom.registration.register_globally(source, target, voxel_size=pair.voxel_size)
         angle, _, near = pair.error(result.transformation @ start)
         right += near
         if result.converged:
-            believed.append(angle)
+            accepted.append(angle)
             wrong += not near
         elif near:
             missed.append(pair.name)
     return (
         f"Ten range scans of the bunny, all {len(pairs)} pairs from no guess and random poses, `register_globally` "
-        f"alone: {len(believed)} are accepted, {wrong} of them wrong, {_ends(believed)}° off (median / worst). Of "
+        f"alone: {len(accepted)} are accepted, {wrong} of them wrong, {_ends(accepted)}° off (median / worst). Of "
         f"{right} correct poses, {len(missed)} are rejected ({', '.join(missed) or 'none'})."
     )
 
@@ -171,7 +170,7 @@ def score_bunny() -> str:
 
 
 def table(rows: Sequence[Errors]) -> str:
-    """Markdown: a row a method and library, a column a pair; a method's name stands in its first row alone."""
+    """Markdown: a row for each method and library, a column for each pair; a method's name is in its first row only."""
     pairs = list(dict.fromkeys((row.pair, row.begin if row.table == "pose" else "") for row in rows))
     cells = {(row.method, row.library, row.pair): row.cell() for row in rows}
     head = ["method", "library", *(f"{pair}, from the {begin}" if begin else pair for pair, begin in pairs)]
@@ -184,20 +183,20 @@ def table(rows: Sequence[Errors]) -> str:
 
 
 def keep(name: str, content: dict[str, object]) -> None:
-    """Write a JSON file among the results, in place of that of the run before."""
+    """Write a JSON file of results, replacing that of the previous run."""
     about = describe(argparse.Namespace(device="cpu", quick=False, cold=False))
     path = FOLDER / "results" / f"{name}-cpu.json"
     path.write_text(json.dumps({"about": about, **content}, indent=1) + "\n")
 
 
 def main() -> None:
-    """Print the tables, and keep them."""
+    """Print the tables and save them."""
     others = {"views": score_views, "scans": score_bunny}
     names = [*scans.PAIRS, "submaps", *others]
-    parser = argparse.ArgumentParser(description="Accuracy of registration on real scans, beside its peers.")
+    parser = argparse.ArgumentParser(description="Accuracy of registration on real scans, beside baselines.")
     parser.add_argument("--only", action="append", choices=names)
-    parser.add_argument("--runs", type=int, default=20, help="starting poses and seeds from no guess")
-    parser.add_argument("--write", action="store_true", help="write docs/registration.md and the JSON")
+    parser.add_argument("--runs", type=int, default=20, help="number of starting poses and seeds for global methods")
+    parser.add_argument("--write", action="store_true", help="write docs/registration.md and the JSON file")
     options = parser.parse_args()
     rows, lines = [], []
     for key in options.only or names:

@@ -1,4 +1,4 @@
-"""Pairs of real scans with their true poses, from the folder that POINTLOOM_DATA names, and random starting poses."""
+"""Pairs of real scans with their true poses, from the folder `POINTLOOM_DATA`, and random starting poses."""
 
 from __future__ import annotations
 
@@ -13,23 +13,23 @@ from real_data import real_data
 from scipy.spatial.transform import Rotation
 
 Array = NDArray[np.float64]
-NEAR = (5.0, 3.0)  # [degrees] and, at the middle of the source, [voxels]: a pose as near counts as right
+NEAR = (5.0, 3.0)  # [degrees] and, at the center of the source, [voxels]: maximum errors of a correct pose
 BUNNY_SCANS = ("bun000", "bun045", "bun090", "bun180", "bun270", "bun315", "chin", "ear_back", "top2", "top3")
 
 
 @dataclass(frozen=True)
 class ScanPair:
-    """Two clouds and the pose between them, and what they ask for.
+    """Two clouds, the pose between them, and parameters for registration.
 
     Attributes:
-        name: As in the tables.
+        name: Name in the tables.
         source, target: Points, float64 [n, 3].
-        T: T_target_source, the truth.
-        voxel_size: Edge of the voxels that are compared without a guess [m].
-        fine: Edge of the voxels that ICP works on [m]; 0 for the points as they are.
-        distance: Of correspondences of ICP [m].
-        spread: Translations of random starting poses [m].
-        unit: What a distance is called in tables, and how many of them 1 is; empty where no unit is known.
+        T: The true T_target_source.
+        voxel_size: Voxel size for global registration [m].
+        fine: Voxel size for ICP [m]; 0 for all points.
+        distance: Maximum correspondence distance of ICP [m].
+        spread: Range of the translations of random starting poses [m].
+        unit: Name and scale of the distance unit in tables; empty if unknown.
     """
 
     name: str
@@ -43,22 +43,22 @@ class ScanPair:
     unit: tuple[str, float] = ("cm", 100.0)
 
     def moved(self, start: Array) -> ScanPair:
-        """The pair with its source somewhere else."""
+        """The pair with its source moved."""
         source = self.source @ start[:3, :3].T + start[:3, 3]
         return replace(self, source=source, T=self.T @ np.linalg.inv(start))
 
-    def error(self, found: Array) -> tuple[float, float, bool]:
-        """Angle [degrees] and distance of the translations [m] from the truth, and whether ICP would get the rest."""
+    def error(self, estimate: Array) -> tuple[float, float, bool]:
+        """Rotation error [degrees], translation error [m], and whether ICP would converge from there."""
         from pointloom.registration.rigid import pose_error
 
-        angle, distance = pose_error(found, self.T)
+        angle, distance = pose_error(estimate, self.T)
         middle = np.append(self.source.mean(axis=0), 1)
-        shift = np.linalg.norm((found - self.T)[:3] @ middle)
+        shift = np.linalg.norm((estimate - self.T)[:3] @ middle)
         return np.degrees(angle), distance, bool(np.degrees(angle) < NEAR[0] and shift < NEAR[1] * self.voxel_size)
 
 
 def folder() -> Path:
-    """Where the data lie."""
+    """The data folder."""
     return real_data()
 
 
@@ -69,13 +69,13 @@ def pose_of(rotation: Rotation, translation: Array) -> Array:
 
 
 def random_poses(count: int, spread: float, seed: int = 0) -> list[Array]:
-    """Any rotation with equal chance, and translations of up to the spread along each axis."""
+    """Uniformly random rotations, and translations up to the spread along each axis."""
     rng = np.random.default_rng(seed)
-    turns = [Rotation.from_quat(rng.normal(size=4)) for _ in range(count)]
-    return [pose_of(turn, rng.uniform(-spread, spread, 3)) for turn in turns]
+    rotations = [Rotation.from_quat(rng.normal(size=4)) for _ in range(count)]
+    return [pose_of(rotation, rng.uniform(-spread, spread, 3)) for rotation in rotations]
 
 
-def turn_of(T: Array) -> Array:
+def rotation_of(T: Array) -> Array:
     """A pose without its translation."""
     return pose_of(Rotation.from_matrix(T[:3, :3]), np.zeros(3))
 
@@ -89,7 +89,7 @@ def points_of(path: Path) -> Array:
 
 
 def lidar() -> ScanPair:
-    """Two LiDAR scans of a street; the truth is another estimate, good to about 0.2 degrees and 2 cm."""
+    """Two LiDAR scans of a street; the ground truth is another estimate, accurate to about 0.2 degrees and 2 cm."""
     at = folder() / "reg-small-gicp"
     source, target = (points_of(at / f"{name}.ply") for name in ("source", "target"))
     T = np.loadtxt(at / "T_target_source.txt")
@@ -97,14 +97,14 @@ def lidar() -> ScanPair:
 
 
 def kitchen() -> ScanPair:
-    """Two fragments of a room that share 55 %."""
+    """Two fragments of a room with 55 % overlap."""
     at = folder() / "reg-teaser-3dmatch" / "data"
     source, target = (points_of(at / f"cloud_bin_{k}.ply") for k in (4, 0))
     return ScanPair("kitchen", source, target, np.loadtxt(at / "T_0_from_4.txt"), 0.05, 0.025, 0.1, 3.0)
 
 
 def submaps() -> Iterator[ScanPair]:
-    """All pairs of five submaps along a turn of a street, up to 88 degrees and 28 m apart."""
+    """All pairs of five submaps in a curve of a street, up to 88 degrees and 28 m apart."""
     at = folder() / "reg-gtsam-points" / "kitti_07_dump"
     poses = []
     for line in (at / "graph.txt").read_text().splitlines():
@@ -120,13 +120,13 @@ def submaps() -> Iterator[ScanPair]:
 
 
 def gap_of(pair: ScanPair) -> int:
-    """How many submaps lie from one of a pair to the other."""
+    """Difference between the indices of a pair's submaps."""
     first, second = (int(word) for word in pair.name.split()[1::2])
     return second - first
 
 
 def dragon() -> ScanPair:
-    """A cloud and its rigid copy, in a unit of their own; the truth is the best fit of their rows."""
+    """A cloud and its rigid copy, in an unknown unit; the ground truth is the best fit of their rows."""
     from pointloom.registration.rigid import fit_pose
 
     at = folder() / "reg-simpleicp"
@@ -135,7 +135,9 @@ def dragon() -> ScanPair:
 
 
 def bunny_parts() -> ScanPair:
-    """Two halves that share a third; no truth comes with them, but the poses found say ten degrees about z."""
+    """Two parts with a third in common; no ground truth is given, but the estimated poses are about ten degrees
+    around z.
+    """
     at = folder() / "reg-simpleicp"
     source, target = (np.loadtxt(at / f"bunny_part{k}.xyz") for k in (2, 1))
     T = pose_of(Rotation.from_rotvec([0, 0, np.radians(10)]), np.zeros(3))
@@ -149,8 +151,8 @@ def bunny_poses() -> dict[str, Array]:
         words = line.split()
         if words and words[0] == "bmesh":
             numbers = np.array(words[2:], float)
-            turn = Rotation.from_quat(numbers[3:] * [-1, -1, -1, 1])  # the file has the inverse rotation
-            poses[words[1].removesuffix(".ply")] = pose_of(turn, numbers[:3])
+            rotation = Rotation.from_quat(numbers[3:] * [-1, -1, -1, 1])  # the file contains the inverse rotation
+            poses[words[1].removesuffix(".ply")] = pose_of(rotation, numbers[:3])
     return poses
 
 
@@ -168,7 +170,7 @@ def bunny_pair(source: str = "bun000", target: str = "bun045") -> ScanPair:
 
 
 def sparse_bunnies() -> ScanPair:
-    """Some 400 points of each of two scans, 34 degrees apart."""
+    """About 400 points of each of two scans, 34 degrees apart."""
     poses, at = bunny_poses(), folder() / "pcl-tests" / "test"
     T = np.linalg.inv(poses["bun045"]) @ poses["bun000"]
     source, target = points_of(at / "bun0.pcd"), points_of(at / "bun4.pcd")
@@ -176,7 +178,7 @@ def sparse_bunnies() -> ScanPair:
 
 
 def milk() -> ScanPair:
-    """A carton that was cut out of a scene of 241,407 points, which it is looked for in."""
+    """A carton cut out of a scene of 241,407 points, to be located in the scene."""
     at = folder() / "pcl-tests" / "test"
     source, target = points_of(at / "milk_color.pcd"), points_of(at / "milk_cartoon_all_small_clorox.pcd")
     return ScanPair("carton in scene", source, target, np.eye(4), 0.006, 0.0, 0.01, 1.0, ("mm", 1000.0))

@@ -1,11 +1,13 @@
-"""register_stations on real scans whose poses others have found: the differences, and its warnings.
+"""register_stations on real scans with published poses: differences and warnings.
 
     POINTLOOM_DATA=<folder> python benchmarks/real_stations.py       # some minutes; the table of docs/stations.md
 
-No terrestrial set with a surveyor's truth is here. In its place stand the Stanford bunny's range scans (poses by ICP of
-its authors), views of a kitchen by a depth camera (poses of KinectFusion, which are known to some centimeters), and
-five LiDAR maps of a street (poses of a graph of others). Rough poses are theirs, put off at random. Errors are of
-stations' positions against theirs, relative to the reference station.
+No terrestrial data set with a surveyor's ground truth is available. The data are the Stanford bunny's range scans
+(poses
+by ICP of its authors), views of a kitchen by a depth camera (poses of KinectFusion, accurate to some centimeters), and
+five LiDAR maps of a street (poses of another pose graph). Rough poses are these with random offsets. Errors are
+position
+differences of stations relative to the reference station.
 """
 
 from __future__ import annotations
@@ -26,54 +28,54 @@ Array = np.ndarray
 VIEWS = range(0, 300, 33)
 
 
-def pose_of(place: Array, quaternion: Array, *, turned_back: bool = False) -> Array:
-    """A pose of a place and a quaternion (x, y, z, w)."""
+def pose_of(position: Array, quaternion: Array, *, inverse: bool = False) -> Array:
+    """A pose from a position and a quaternion (x, y, z, w)."""
     R = Rotation.from_quat(quaternion).as_matrix()
     T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R.T if turned_back else R, place
+    T[:3, :3], T[:3, 3] = R.T if inverse else R, position
     return T
 
 
 def bunny(folder: Path) -> tuple[list[Any], Array]:
-    """Range scans; their quaternions turn the other way."""
+    """Range scans; their quaternions are inverse rotations."""
     clouds, poses = [], []
     for line in (folder / "reg-bunny-scans/data/bun.conf").read_text().splitlines():
         words = line.split()
         if words and words[0] == "bmesh":
             numbers = np.array(words[2:], float)
             clouds.append(loom.read_point_cloud(folder / "reg-bunny-scans/data" / words[1]))
-            poses.append(pose_of(numbers[:3], numbers[3:], turned_back=True))
+            poses.append(pose_of(numbers[:3], numbers[3:], inverse=True))
     return clouds, np.array(poses)
 
 
 def kitchen(folder: Path) -> tuple[list[Any], Array]:
-    """Views of a depth camera, each as a station."""
-    there, clouds, poses = folder / "rgbd-7scenes-redkitchen", [], []
+    """Views of a depth camera as stations."""
+    data, clouds, poses = folder / "rgbd-7scenes-redkitchen", [], []
     import cv2
 
     for k in VIEWS:
-        depth = cv2.imread(str(there / f"frame-{k:06d}.depth.png"), cv2.IMREAD_UNCHANGED)
+        depth = cv2.imread(str(data / f"frame-{k:06d}.depth.png"), cv2.IMREAD_UNCHANGED)
         v, u = np.nonzero((depth > 0) & (depth < 4000))
         z = depth[v, u] / 1000.0
         clouds.append(loom.PointCloud(np.column_stack([(u - 320) * z / 585, (v - 240) * z / 585, z])))
-        poses.append(np.loadtxt(there / f"frame-{k:06d}.pose.txt"))
+        poses.append(np.loadtxt(data / f"frame-{k:06d}.pose.txt"))
     return clouds, np.array(poses)
 
 
 def street(folder: Path) -> tuple[list[Any], Array]:
-    """Maps of a LiDAR on a street."""
-    there, clouds, poses = folder / "reg-gtsam-points/kitti_07_dump", [], []
-    for line in (there / "graph.txt").read_text().splitlines():
+    """LiDAR maps of a street."""
+    data, clouds, poses = folder / "reg-gtsam-points/kitti_07_dump", [], []
+    for line in (data / "graph.txt").read_text().splitlines():
         words = line.split()
         if words and words[0].startswith("v"):
             numbers = np.array(words[1:], float)
-            points = np.fromfile(there / f"{int(words[0][1:]):06d}" / "points.bin", np.float32).reshape(-1, 3)
+            points = np.fromfile(data / f"{int(words[0][1:]):06d}" / "points.bin", np.float32).reshape(-1, 3)
             clouds.append(loom.PointCloud(points.astype(np.float64)))
             poses.append(pose_of(numbers[:3], numbers[3:]))
     return clouds, np.array(poses)
 
 
-# name: reader, voxel [m], how far rough poses are off [m], [rad]
+# name: reader, voxel size [m], offsets of rough poses [m], [rad]
 SETS: dict[str, tuple[Callable[[Path], tuple[list[Any], Array]], float, float, float]] = {
     "bunny's scans": (bunny, 0.0015, 0.002, 0.02),
     "kitchen": (kitchen, 0.05, 0.05, 0.03),
@@ -81,23 +83,23 @@ SETS: dict[str, tuple[Callable[[Path], tuple[list[Any], Array]], float, float, f
 }
 
 
-def measure(clouds: list[Any], truth: Array, voxel: float, shift: float, turn: float, seed: int) -> str:
-    """One row."""
+def measure(clouds: list[Any], truth: Array, voxel: float, shift: float, angle: float, seed: int) -> str:
+    """One row of the table."""
     rng, rough = np.random.default_rng(seed), truth.copy()
     for T in rough[1:]:
-        T[:3, :3] = Rotation.from_rotvec(rng.normal(0, turn, 3)).as_matrix() @ T[:3, :3]
+        T[:3, :3] = Rotation.from_rotvec(rng.normal(0, angle, 3)).as_matrix() @ T[:3, :3]
         T[:3, 3] += rng.normal(0, shift, 3)
     start = time.process_time()
     options: dict[str, Any] = {"poses": rough, "voxel_size": voxel, "level": False, "rough": 6 * shift}
-    found = loom.registration.register_stations(clouds, **options)
-    spent = time.process_time() - start
-    there = truth[0] @ np.linalg.inv(found.poses[0]) @ found.poses
-    errors = np.linalg.norm((there - truth)[found.placed, :3, 3], axis=1)[1:] * 1000
+    result = loom.registration.register_stations(clouds, **options)
+    seconds = time.process_time() - start
+    aligned = truth[0] @ np.linalg.inv(result.poses[0]) @ result.poses
+    errors = np.linalg.norm((aligned - truth)[result.placed, :3, 3], axis=1)[1:] * 1000
     begin = np.linalg.norm((rough - truth)[1:, :3, 3], axis=1) * 1000
-    said = np.sqrt((found.sigmas[found.placed, :3] ** 2).sum(axis=1))[1:] * 1000
-    figures = f"{found.placed.sum()} of {len(clouds)} | {len(found.pairs)} | {np.median(begin):.1f}"
-    figures += f" | {np.median(errors):.2f} | {errors.max():.2f} | {np.median(said):.2f} | {found.sigma0:.2f}"
-    return f"{figures} | {len(found.outliers)} | {spent:.0f} | {'; '.join(found.warnings) or 'none'} |"
+    expected = np.sqrt((result.sigmas[result.placed, :3] ** 2).sum(axis=1))[1:] * 1000
+    figures = f"{result.placed.sum()} of {len(clouds)} | {len(result.pairs)} | {np.median(begin):.1f}"
+    figures += f" | {np.median(errors):.2f} | {errors.max():.2f} | {np.median(expected):.2f} | {result.sigma0:.2f}"
+    return f"{figures} | {len(result.outliers)} | {seconds:.0f} | {'; '.join(result.warnings) or 'none'} |"
 
 
 def main() -> None:
@@ -106,9 +108,7 @@ def main() -> None:
     parser.add_argument("--sets", nargs="+", default=list(SETS))
     parser.add_argument("--seed", type=int, default=0)
     options = parser.parse_args()
-    print(
-        "| set | placed | pairs | rough [mm] | off, median | largest | said | sigma0 | taken out | CPU [s] | warnings |"
-    )
+    print("| set | placed | pairs | rough [mm] | error | largest | sigma | sigma0 | outliers | CPU [s] | warnings |")
     print("|---|---|---|---|---|---|---|---|---|---|---|")
     for name in options.sets:
         read, *numbers = SETS[name]

@@ -1,10 +1,10 @@
-"""Hundreds of small scans placed by a job: seconds a pair, of them the manifest's, memory, and how far poses are off.
+"""Registration of hundreds of small scans as a job: time per pair, time of the manifest, memory, and pose errors.
 
     python benchmarks/registration_job.py [--scans 500] [--workers 0] [--folder DIR]
 
-Scans of 2.4 m lie 1.5 m apart on a random relief, turned anyhow about the vertical and shifted; their places are known
-within 0.3 m, one scan is of something else. What the manifest costs is the time of the clock that no task took,
-a task; with several workers it is not told.
+Scans of 2.4 m are 1.5 m apart on a random relief, with random headings and offsets; their positions are known within
+0.3 m, and one scan is of another scene. The time of the manifest is the wall time outside tasks, per task; it is not
+reported with several workers.
 """
 
 from __future__ import annotations
@@ -25,11 +25,11 @@ from pointloom.tiling.jobs.job import open_manifest
 
 SIZE, WIDTH, APART, ERROR = 0.12, 2.4, 1.5, 0.3  # [m]
 POINTS = 3000
-CELL = 0.6  # [m] of the relief's random heights
+CELL = 0.6  # [m] grid spacing of the relief's random heights
 
 
 def make_scans(folder: Path, count: int) -> tuple[list[Path], np.ndarray]:
-    """Files of scans, and their poses."""
+    """Write scans as files; returns them and their poses."""
     rng, columns = np.random.default_rng(1), int(np.ceil(np.sqrt(count)))
     heights = rng.normal(0, 0.35, (int(columns * APART / CELL) + 20,) * 2)
     paths, poses = [], []
@@ -49,37 +49,37 @@ def make_scans(folder: Path, count: int) -> tuple[list[Path], np.ndarray]:
 
 
 def measure(folder: Path, count: int, workers: int) -> dict[str, Any]:
-    """The job's figures."""
+    """Run the job and return its measurements."""
     paths, truth = make_scans(folder, count)
-    places = truth.copy()
-    places[:, :3, 3] += np.random.default_rng(2).uniform(-ERROR, ERROR, (count, 3)) / np.sqrt(3)
+    rough_poses = truth.copy()
+    rough_poses[:, :3, 3] += np.random.default_rng(2).uniform(-ERROR, ERROR, (count, 3)) / np.sqrt(3)
     begin, clock = time.thread_time(), time.perf_counter()
-    loom.tiling.plan_registration(paths, folder / "job", voxel_size=SIZE, places=list(places), place_error=ERROR)
+    loom.tiling.plan_registration(paths, folder / "job", voxel_size=SIZE, places=list(rough_poses), place_error=ERROR)
     planned = time.perf_counter() - clock
     status = loom.tiling.run_job(folder / "job", workers=workers)
     ran, cpu = time.perf_counter() - clock - planned, time.thread_time() - begin
-    found = loom.tiling.finish_registration(folder / "job")
+    result = loom.tiling.finish_registration(folder / "job")
     finished = time.perf_counter() - clock - planned - ran
     with open_manifest(folder / "job") as manifest:
         rows = manifest.rows("SELECT stage, count(*) AS n, sum(seconds) AS s FROM tasks GROUP BY stage ORDER BY stage")
     stages = {str(row["stage"]): [row["n"], round(row["s"], 2)] for row in rows}
     tasks, seconds = sum(row["n"] for row in rows), sum(row["s"] for row in rows)
-    relative = np.linalg.inv(truth[found.reference]) @ truth
-    off = np.linalg.norm((found.poses - relative)[found.placed, :3, 3], axis=1)
-    report = {"scans": count, "workers": workers, "placed": int(found.placed.sum()), "pairs": len(found.tried)}
-    report |= {"believed": len(found.pairs), "stages": stages, "is_finished": status.is_finished}
+    relative = np.linalg.inv(truth[result.reference]) @ truth
+    errors = np.linalg.norm((result.poses - relative)[result.placed, :3, 3], axis=1)
+    report = {"scans": count, "workers": workers, "placed": int(result.placed.sum()), "pairs": len(result.tried)}
+    report |= {"believed": len(result.pairs), "stages": stages, "is_finished": status.is_finished}
     report |= {"plan_s": planned, "run_s": ran, "finish_s": finished, "cpu_s": cpu}
     report |= {
         "task_ms": 1e3 * seconds / tasks,
         "manifest_ms_a_task": None if workers else 1e3 * (ran - seconds) / tasks,
     }
     peak = resource.getrusage(resource.RUSAGE_CHILDREN if workers else resource.RUSAGE_SELF).ru_maxrss / 1024
-    report |= {"peak_mb": round(peak), "worst_off_m": float(off.max()), "median_off_m": float(np.median(off))}
-    return report | {"not_placed": [Path(path).name for path in found.not_placed]}
+    report |= {"peak_mb": round(peak), "worst_off_m": float(errors.max()), "median_off_m": float(np.median(errors))}
+    return report | {"not_placed": [Path(path).name for path in result.not_placed]}
 
 
 def main() -> None:
-    """Print the figures as JSON."""
+    """Print the measurements as JSON."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--scans", type=int, default=500)
     parser.add_argument("--workers", type=int, default=0)

@@ -1,4 +1,4 @@
-"""What came out: the rounds of all laps joined, ratios to peers, targets, one table and one JSON document."""
+"""Results of a run: rounds of all laps joined, ratios to baselines, targets, one table and one JSON document."""
 
 from __future__ import annotations
 
@@ -7,19 +7,19 @@ from collections.abc import Iterable
 from dataclasses import asdict, dataclass, field
 from typing import Any
 
-from contest import OURS
+from contest import POINTLOOM
 from targets import targets_of
 
 
 @dataclass
 class Timing:
-    """One contestant at one operation and size.
+    """Times of one contestant at one operation and size.
 
     Attributes:
-        seconds: Of each round, for one unit.
-        units: In one call.
-        first_call: [s] of the first call, all its units; ours compiles or loads its kernels in it.
-        memory: Peak [B]; None where it was not measured.
+        seconds: Of each round, per unit.
+        units: Units per call.
+        first_call: [s] of the first call with all its units; pointloom compiles or loads its kernels in it.
+        memory: Peak [B]; None if not measured.
     """
 
     seconds: list[float] = field(default_factory=list)
@@ -29,7 +29,7 @@ class Timing:
 
     @property
     def best(self) -> float:
-        """The fastest round: other work on the machine only adds."""
+        """The fastest round, since other load only adds time."""
         return min(self.seconds)
 
     @property
@@ -39,13 +39,13 @@ class Timing:
 
     @property
     def compile(self) -> float:
-        """What the first call took beyond a usual one [s]: compiling or loading kernels, starting threads."""
+        """Excess of the first call over a usual one [s]: compiling or loading kernels, starting threads."""
         return max(0.0, self.first_call - self.units * self.median)
 
 
 @dataclass(frozen=True)
-class Verdict:
-    """A target and what came of it; `ratio` is None where its peers did not run."""
+class TargetResult:
+    """A target and its result; `ratio` is None if its baselines did not run."""
 
     factor: float
     peers: tuple[str, ...]
@@ -53,7 +53,7 @@ class Verdict:
 
     @property
     def met(self) -> bool | None:
-        """Whether it was reached."""
+        """True if the target was reached."""
         return None if self.ratio is None else self.ratio >= self.factor
 
     def __str__(self) -> str:
@@ -73,23 +73,23 @@ class Row:
 
     @property
     def best_peer(self) -> str | None:
-        """The fastest of the peers."""
-        peers = [label for label in self.timings if label != OURS]
+        """The fastest baseline."""
+        peers = [label for label in self.timings if label != POINTLOOM]
         return min(peers, key=lambda label: self.timings[label].best, default=None)
 
     def ratio(self, peers: Iterable[str]) -> float | None:
-        """How many times as fast as the best of these peers we are."""
+        """The best time of these baselines divided by pointloom's."""
         times = [self.timings[peer].best for peer in peers if peer in self.timings]
-        return min(times) / self.timings[OURS].best if times and OURS in self.timings else None
+        return min(times) / self.timings[POINTLOOM].best if times and POINTLOOM in self.timings else None
 
-    def verdicts(self) -> list[Verdict]:
+    def target_results(self) -> list[TargetResult]:
         """The targets of this row."""
         targets = targets_of(self.operation, self.size)
-        return [Verdict(t.factor, t.peers, self.ratio(t.peers)) for t in targets]
+        return [TargetResult(t.factor, t.peers, self.ratio(t.peers)) for t in targets]
 
 
 def collect(documents: Iterable[dict[str, Any]]) -> dict[tuple[str, str], Row]:
-    """Rows from the JSON of pytest-benchmark, the rounds of all laps of a contestant joined."""
+    """Rows from the JSON of pytest-benchmark, with the rounds of all laps of a contestant joined."""
     rows: dict[tuple[str, str], Row] = {}
     for document in documents:
         for entry in document["benchmarks"]:
@@ -106,28 +106,30 @@ HEADINGS = ("operation", "size", "contestant", "min ms", "median ms", "compile m
 
 
 def table(rows: Iterable[Row], *, with_targets: bool) -> str:
-    """The table as text: ours first in each block, then its peers; the ratio is a peer's minimum over ours."""
+    """The table as text: pointloom first in each block, then the baselines; the ratio is a baseline's minimum over
+    pointloom's.
+    """
     lines: list[tuple[str, ...]] = [HEADINGS]
     for row in rows:
-        texts = [str(verdict) for verdict in row.verdicts()] if with_targets else []
+        texts = [str(target) for target in row.target_results()] if with_targets else []
         for k, (label, timing) in enumerate(row.timings.items()):
             name, size = (row.operation, row.size) if k == 0 else ("", "")
             memory = "-" if timing.memory is None else f"{timing.memory / 1e6:.0f}"
-            ratio = "" if label == OURS else row.ratio([label])
+            ratio = "" if label == POINTLOOM else row.ratio([label])
             cells = [f"{1000 * timing.best:.2f}", f"{1000 * timing.median:.2f}"]
-            cells.append(f"{1000 * timing.compile:.0f}" if label == OURS else "")
+            cells.append(f"{1000 * timing.compile:.0f}" if label == POINTLOOM else "")
             mark = " best" if label == row.best_peer and len(row.timings) > 2 else ""
             shown = f"{ratio:.2f}{mark}" if isinstance(ratio, float) else "-"
             lines.append((name, size, label, *cells, memory, shown, texts.pop(0) if texts else ""))
         lines += [("",) * 8 + (text,) for text in texts]
     widths = [max(len(line[k]) for line in lines) for k in range(len(HEADINGS))]
     numbers = range(3, 7)
-    made = []
+    texts_of_lines = []
     for line in lines:
         cells = [c.rjust(w) if k in numbers else c.ljust(w) for k, (c, w) in enumerate(zip(line, widths, strict=True))]
-        made.append("  ".join(cells).rstrip())
-    made.insert(1, "  ".join("-" * width for width in widths))
-    return "\n".join(made)
+        texts_of_lines.append("  ".join(cells).rstrip())
+    texts_of_lines.insert(1, "  ".join("-" * width for width in widths))
+    return "\n".join(texts_of_lines)
 
 
 def document(rows: Iterable[Row], about: dict[str, Any], problems: dict[str, list[str]], *, with_targets: bool) -> dict:
@@ -145,10 +147,10 @@ def _result(row: Row, with_targets: bool) -> dict[str, Any]:
             "peak_memory_bytes": timing.memory,
         }
     result: dict[str, Any] = {"operation": row.operation, "size": row.size, "contestants": contestants}
-    if OURS in row.timings:
-        result["compile_s"] = row.timings[OURS].compile
+    if POINTLOOM in row.timings:
+        result["compile_s"] = row.timings[POINTLOOM].compile
     if row.best_peer is not None:
         result |= {"best_peer": row.best_peer, "ratio": row.ratio([row.best_peer])}
     if with_targets:
-        result["targets"] = [{**asdict(verdict), "met": verdict.met} for verdict in row.verdicts()]
+        result["targets"] = [{**asdict(target), "met": target.met} for target in row.target_results()]
     return result

@@ -1,11 +1,11 @@
-"""How far RGB-D odometry is off on real frames, and how often it says success where there is none.
+"""Errors of RGB-D odometry on real frames, and the rate of false successes.
 
     python benchmarks/rgbd_odometry_accuracy.py $POINTLOOM_DATA
 
-Prints, for each method and distance between frames of the kitchen: median and 90th percentile of the errors over 40
-pairs spread over the sequence, and how many are no success. Then counts successes among pairs that show different
-places: frames of different data sets, frames of the kitchen far apart (one that is right by the truth is none), blank
-and half-blank frames. The poses are KinectFusion's, so gains below a centimetre over long ways are not to be read.
+Prints, for each method and frame distance in the kitchen sequence: median and 90th percentile of the errors over 40
+pairs, and the number of failures. Then counts successes among pairs without overlap: frames of different data sets,
+distant frames of the kitchen (correct poses are excluded), blank and half-blank frames. The ground truth is
+KinectFusion's, so differences below a centimeter over long distances are not significant.
 """
 
 from __future__ import annotations
@@ -23,12 +23,15 @@ from PIL import Image
 import pointloom as loom
 
 STEPS, PAIRS, FRAMES = (1, 5, 10, 20), 40, 300
-DEPTH_MAX = 6.0  # [m] of the figures in docs/odometry.md
-RIGHT = (5.0, 200.0)  # [deg, mm] a success farther off is false; the truth itself drifts by some centimeters
+DEPTH_MAX = 6.0  # [m] as in docs/odometry.md
+RIGHT = (
+    5.0,
+    200.0,
+)  # [deg, mm] larger errors of a success are false; the ground truth itself drifts by some centimeters
 
 
 class Kitchen:
-    """The 300 frames, prepared when they are asked for."""
+    """The 300 frames, prepared on demand."""
 
     def __init__(self, folder: Path):
         self.frames = loom.open_dataset(folder)
@@ -39,7 +42,7 @@ class Kitchen:
         return loom.odometry.OdometryFrame(frame.depth, self.frames.intrinsic, frame.color, depth_max=DEPTH_MAX)
 
     def errors(self, pose: np.ndarray, i: int, j: int) -> tuple[float, float]:
-        """Angle [deg] and distance [mm] from the truth."""
+        """Rotation error [deg] and translation error [mm]."""
         first, second = (self.frames.frames[k].T_world_camera for k in (i, j))
         error = np.linalg.inv(np.linalg.inv(second) @ first) @ pose
         u, _, vt = np.linalg.svd(error[:3, :3])
@@ -57,13 +60,13 @@ def print_accuracy(kitchen: Kitchen) -> None:
                 result = loom.odometry.align_frames(*frames, method=method)
                 errors.append(kitchen.errors(result.transformation, i, i + step))
                 successes += result.reliable
-            (angle, way), (most_angle, most_way) = np.median(errors, 0), np.percentile(errors, 90, 0)
-            line = f"{method.name:14} {step:4d} {angle:12.3f} {way:6.2f} {most_angle:10.2f} {most_way:6.1f}"
+            (angle, distance), (angle_90, distance_90) = np.median(errors, 0), np.percentile(errors, 90, 0)
+            line = f"{method.name:14} {step:4d} {angle:12.3f} {distance:6.2f} {angle_90:10.2f} {distance_90:6.1f}"
             print(f"{line}   {successes} of {PAIRS}")
 
 
 def other_frames(data: Path) -> dict[str, Any]:
-    """Frames of other data sets, by a name that begins with the set's."""
+    """Frames of other data sets; names start with the data set."""
 
     def read(path: Path) -> np.ndarray:
         return np.asarray(Image.open(path))
@@ -99,9 +102,10 @@ def print_like_pairs(frames: dict[str, Any]) -> None:
         if first.split()[0] == second.split()[0]:
             result = loom.odometry.align_frames(frames[first], frames[second])
             angle = np.degrees(np.arccos(np.clip((np.trace(result.transformation[:3, :3]) - 1) / 2, -1, 1)))
-            way = 1000 * np.linalg.norm(result.transformation[:3, 3])
-            found = f"{angle:.2f} deg {way:.1f} mm, rmse {1000 * result.inlier_rmse:.1f} mm {' '.join(result.warnings)}"
-            print(f"{first} -> {second}: {'success' if result.reliable else 'no success'}, {found}")
+            distance = 1000 * np.linalg.norm(result.transformation[:3, 3])
+            figures = f"{angle:.2f} deg {distance:.1f} mm, rmse {1000 * result.inlier_rmse:.1f} mm"
+            status, warnings = "success" if result.reliable else "no success", " ".join(result.warnings)
+            print(f"{first} -> {second}: {status}, {figures} {warnings}")
 
 
 def unlike_pairs(kitchen: Kitchen, frames: dict[str, Any]) -> Iterator[tuple[Any, Any]]:
@@ -116,8 +120,8 @@ def blank_pairs(kitchen: Kitchen) -> Iterator[tuple[Any, Any]]:
     make, camera = loom.odometry.OdometryFrame, kitchen.frames.intrinsic
     blank = make(np.zeros((480, 640), np.uint16), camera, np.zeros((480, 640, 3), np.uint8))
     for i in range(0, FRAMES, 6):
-        whole, frame = kitchen.prepare(i), kitchen.frames.read(i)
-        yield from ((blank, whole), (whole, blank))
+        complete, frame = kitchen.prepare(i), kitchen.frames.read(i)
+        yield from ((blank, complete), (complete, blank))
         sides = []
         for side in (slice(0, 320), slice(320, 640)):
             depth, color = np.zeros_like(frame.depth), np.zeros_like(frame.color)
@@ -147,8 +151,10 @@ def print_far_pairs(kitchen: Kitchen, count: int = 400) -> None:
         missed += not result.reliable and is_right
         farthest = max(farthest, errors) if result.reliable else farthest
     refused = count - right - false - missed
-    print(f"{count} random pairs of the kitchen: {right} right successes, {false} false ones, {missed} right refused,")
-    print(f"  {refused} wrong refused; the success farthest off: {farthest[0]:.1f} deg {farthest[1]:.0f} mm")
+    print(
+        f"{count} random pairs of the kitchen: {right} correct successes, {false} false ones, {missed} correct rejected"
+    )
+    print(f"  {refused} wrong rejected; largest error of a success: {farthest[0]:.1f} deg {farthest[1]:.0f} mm")
 
 
 def main() -> None:

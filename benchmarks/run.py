@@ -26,16 +26,16 @@ from report import Row, collect, document, table  # noqa: E402
 
 
 def main(arguments: list[str] | None = None) -> int:
-    """The exit code: 0, or 1 where a benchmark failed or results disagreed. A missed target is no failure."""
+    """Run the benchmarks. Returns 0, or 1 if a benchmark failed or results disagreed. A missed target is no failure."""
     try:
         return measure(_options(arguments))
     except KeyboardInterrupt:
-        print("Interrupted: no table, and nothing is kept.", file=sys.stderr)
+        print("Interrupted: no table is printed, and nothing is saved.", file=sys.stderr)
         return 130
 
 
 def measure(options: argparse.Namespace) -> int:
-    """What the options ask for; the exit code."""
+    """Run the selected measurements; returns the exit code."""
     try:
         chosen = choose(options.only)
         if options.device != "cpu":
@@ -54,7 +54,7 @@ def measure(options: argparse.Namespace) -> int:
     about = describe(options)
     if about["machine"]["load_before"] > 0.5:
         load = about["machine"]["load_before"]
-        print(f"This machine is busy (load {load}): times and ratios will be off.", file=sys.stderr)
+        print(f"This machine is busy (load {load}): times and ratios will be inaccurate.", file=sys.stderr)
     begin = time.monotonic()
     rows, problems = run_timings(chosen, options)
     if not options.quick:
@@ -71,14 +71,14 @@ def measure(options: argparse.Namespace) -> int:
 
 
 def _options(arguments: list[str] | None) -> argparse.Namespace:
-    parser = argparse.ArgumentParser(description="Benchmarks of pointloom beside the best peers.")
-    parser.add_argument("--only", action="append", metavar="OPERATION", help="an operation or file, or how one begins")
-    parser.add_argument("--device", default="cpu", help="where pointloom runs: cpu (default) or cuda:0")
-    parser.add_argument("--quick", action="store_true", help="small sizes, one lap, no memory: does it run?")
-    parser.add_argument("--profile", action="store_true", help="print our seconds by kernel instead")
-    parser.add_argument("--cold", action="store_true", help="begin with empty kernel caches, so that compiling shows")
+    parser = argparse.ArgumentParser(description="Benchmarks of pointloom beside the best baselines.")
+    parser.add_argument("--only", action="append", metavar="OPERATION", help="an operation or file, or a prefix")
+    parser.add_argument("--device", default="cpu", help="device of pointloom: cpu (default) or cuda:0")
+    parser.add_argument("--quick", action="store_true", help="test run: small sizes, one lap, no memory")
+    parser.add_argument("--profile", action="store_true", help="print pointloom's times by kernel instead")
+    parser.add_argument("--cold", action="store_true", help="start with empty kernel caches, to include compilation")
     parser.add_argument("--threads", type=int, default=2, help="threads and cores of every contestant (default 2)")
-    parser.add_argument("--output", type=Path, metavar="FILE", help="where the JSON goes; quick runs write none else")
+    parser.add_argument("--output", type=Path, metavar="FILE", help="JSON file; without it quick runs write none")
     options = parser.parse_args(arguments)
     if options.threads < 1:
         parser.error(f"--threads: expected at least 1, got {options.threads}")
@@ -88,11 +88,11 @@ def _options(arguments: list[str] | None) -> argparse.Namespace:
 
 
 def choose(only: list[str] | None) -> dict[str, tuple[str, Operation]]:
-    """The operations whose name, or file, begins with one of these."""
+    """The operations whose name, or file, starts with one of these prefixes."""
     known = operations()
     if not only:
         return known
-    found = {}
+    chosen = {}
     for prefix in only:
         matching = {
             name: (module, operation)
@@ -100,15 +100,15 @@ def choose(only: list[str] | None) -> dict[str, tuple[str, Operation]]:
             if name.startswith(prefix) or module.removeprefix("bench_").startswith(prefix.removeprefix("bench_"))
         }
         if not matching:
-            raise ValueError(f"--only {prefix}: expected the beginning of one of {', '.join(known)}")
-        found |= matching
-    return {name: known[name] for name in known if name in found}
+            raise ValueError(f"--only {prefix}: expected a prefix of one of {', '.join(known)}")
+        chosen |= matching
+    return {name: known[name] for name in known if name in chosen}
 
 
 def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> tuple[dict, dict]:
-    """Each file of benchmarks in a process of its own, ours and its peers together in it.
+    """Run each file of benchmarks in a separate process, with all contestants in it.
 
-    A quick run's figures mean little, so one process does for all: libraries load and kernels are made ready once.
+    In a quick run the times are not meaningful, so one process runs all: libraries and kernels are loaded once.
     """
     documents, problems, begin = [], {"failed": [], "skipped": []}, time.monotonic()
     modules = list(dict.fromkeys(module for module, _ in chosen.values()))
@@ -125,14 +125,14 @@ def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Name
             command += [f"--benchmark-json={output}", "--benchmark-quiet", f"--bench-device={options.device}"]
             command += [f"--bench-operation={name}" for name in names] + ["--bench-quick"] * options.quick
             done = subprocess.run(command, stdout=subprocess.PIPE, text=True, cwd=FOLDER.parent, check=False)
-            made = output.exists() and output.stat().st_size > 0
-            if made:
+            is_written = output.exists() and output.stat().st_size > 0
+            if is_written:
                 documents.append(json.loads(output.read_text()))
                 for kind, lines in documents[-1]["problems"].items():
                     problems[kind] += dict.fromkeys(without_folders(line) for line in lines)
             if done.returncode != 0:
                 print(done.stdout[-4000:], file=sys.stderr)
-                if not made or not documents[-1]["problems"]["failed"]:
+                if not is_written or not documents[-1]["problems"]["failed"]:
                     problems["failed"].append(f"{title}: pytest ended with code {done.returncode}")
     return collect(documents), problems
 
@@ -140,7 +140,7 @@ def run_timings(chosen: dict[str, tuple[str, Operation]], options: argparse.Name
 def measure_memory(
     chosen: dict[str, tuple[str, Operation]], rows: dict[tuple[str, str], Row], device: str, problems: dict
 ) -> None:
-    """Peak memory into the rows: each contestant in a process of its own."""
+    """Measure the peak memory of each contestant in a separate process, and add it to the rows."""
     for name, (_, operation) in chosen.items():
         size = operation.memory_size or list(operation.scenes)[-1]
         row = rows.get((name, size))
@@ -157,7 +157,7 @@ def measure_memory(
 
 
 def document_in(text: str) -> dict[str, Any]:
-    """The JSON document among the lines of a process, where a library may say something at its end.
+    """The JSON document among the output lines of a process; libraries may print more at exit.
 
     Raises:
         IndexError: There is none.
@@ -166,12 +166,12 @@ def document_in(text: str) -> dict[str, Any]:
 
 
 def without_folders(line: str) -> str:
-    """The line with file names in place of absolute paths, which the document holds none of."""
+    """The line with absolute paths replaced by file names."""
     return re.sub(r"/(?:[^\s/:'\"()]+/)+", "", line)
 
 
 def print_profiles(chosen: dict[str, tuple[str, Operation]], options: argparse.Namespace) -> int:
-    """Our seconds by kernel, each operation and size in a process of its own."""
+    """Print pointloom's times by kernel, each operation and size in a separate process."""
     code = 0
     for name, (_, operation) in chosen.items():
         for size in operation.quick if options.quick else operation.scenes:
@@ -184,7 +184,7 @@ def print_profiles(chosen: dict[str, tuple[str, Operation]], options: argparse.N
 
 
 def describe(options: argparse.Namespace) -> dict[str, Any]:
-    """The machine, versions and commit; no names of hosts or folders."""
+    """The machine, versions and commit, without names of hosts or folders."""
     commit = _git("rev-parse", "--short=12", "HEAD")
     return {
         "device": options.device,
@@ -199,7 +199,7 @@ def describe(options: argparse.Namespace) -> dict[str, Any]:
 
 
 def machine(device: str) -> dict[str, Any]:
-    """What the times depend on."""
+    """Machine properties that the times depend on."""
     cpu = platform.processor() or platform.machine()
     memory = None
     try:
@@ -208,7 +208,7 @@ def machine(device: str) -> dict[str, Any]:
         memory = round(os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES") / 2**30, 1)
     except OSError:
         pass
-    found = {
+    facts = {
         "cpu": cpu,
         "cores": os.cpu_count(),
         "threads": thread_count(),
@@ -220,8 +220,8 @@ def machine(device: str) -> dict[str, Any]:
     if device.startswith("cuda"):
         from pointloom.core.devices import resolve_device
 
-        found["gpu"] = resolve_device(device).name
-    return found
+        facts["gpu"] = resolve_device(device).name
+    return facts
 
 
 def _git(*arguments: str) -> str:
@@ -233,7 +233,7 @@ def _git(*arguments: str) -> str:
 
 
 def save(options: argparse.Namespace, about: dict[str, Any], content: dict[str, Any]) -> None:
-    """Write the document atomically: to `--output`, else in place of the device's runs, if the run is a whole one."""
+    """Write the document atomically to `--output`; without it, replace the device's results after a complete run."""
     path = options.output
     if path is None:
         if options.quick or options.only:

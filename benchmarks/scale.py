@@ -1,10 +1,12 @@
-"""Every operation once at a size that fills a workstation: its time and its peak memory, each in a process of its own.
+"""Run every operation once at a large size: time and peak memory, each in a separate process.
 
     python benchmarks/scale.py [--points 20000000] [--only NAME] [--output docs/scale.md] [--device cpu]
 
-Operations of meshes get as many triangles as the others get points. Each operation runs first on 20,000 of them, which
-compiles its kernels; then the cloud or mesh is made, and the time and the resident memory beyond it are measured for
-one call. An operation that fails puts its message into the table.
+Mesh operations get as many triangles as the others get points. Each operation first runs on 20,000 of them to
+compile its
+kernels. Then the cloud or mesh is created, and the time and the additional resident memory are measured for one
+call. For
+a failing operation, the table contains the error message.
 """
 
 from __future__ import annotations
@@ -30,7 +32,7 @@ from contest import Trial, limit_threads, thread_count  # noqa: E402
 from memory import peak_bytes  # noqa: E402
 
 SMALL = 20_000
-TIME_LIMIT = 900  # [s] an operation
+TIME_LIMIT = 900  # [s] per operation
 Make = Callable[[Any, float], Any]  # (cloud, mean spacing [m]) -> result
 
 
@@ -44,7 +46,7 @@ def box() -> Any:
     return loom().AxisAlignedBoundingBox([-1, -1, -9], [1, 1, 9])
 
 
-def turned_box() -> Any:
+def oriented_box() -> Any:
     R = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1]])
     return loom().OrientedBoundingBox([0, 0, 0], R, [2, 2, 9])
 
@@ -70,7 +72,7 @@ def before_camera() -> np.ndarray:
     return T
 
 
-# name: (what is done, whether the cloud has normals before)
+# name: (operation, whether the cloud has normals)
 OPERATIONS: dict[str, tuple[Make, bool]] = {
     "voxel_down_sample": (lambda c, s: c.voxel_down_sample(4 * s), False),
     "voxel_down_sample, nearest": (lambda c, s: c.voxel_down_sample(4 * s, reduction="nearest"), False),
@@ -80,7 +82,7 @@ OPERATIONS: dict[str, tuple[Make, bool]] = {
     "farthest_point_down_sample, 1000": (lambda c, s: c.farthest_point_down_sample(1000), False),
     "select_by_index": (lambda c, s: c.select_by_index(np.arange(0, len(c), 3), invert=True), False),
     "crop": (lambda c, s: c.crop(box()), False),
-    "crop, oriented box": (lambda c, s: c.crop(turned_box()), False),
+    "crop, oriented box": (lambda c, s: c.crop(oriented_box()), False),
     "crop, polygon": (lambda c, s: square().crop_point_cloud(c), False),
     "remove_non_finite_points": (lambda c, s: c.remove_non_finite_points(), False),
     "remove_duplicated_points": (lambda c, s: c.remove_duplicated_points(), False),
@@ -146,11 +148,11 @@ def cast_a_picture(mesh: Any) -> Any:
     return scene_of(mesh).cast_rays(rays)
 
 
-def some_places(count: int = 1_000_000) -> Any:
+def random_positions(count: int = 1_000_000) -> Any:
     return np.random.default_rng(1).uniform([-2, -2, -0.5], [2, 2, 0.5], (count, 3)).astype(np.float32)
 
 
-# name: what is done with a mesh whose edges have a length
+# name: operation on a mesh with the given edge length
 MESH_OPERATIONS: dict[str, Callable[[Any, float], Any]] = {
     "mesh.repair": lambda m, s: m.repair(),
     "mesh.merge_close_vertices": lambda m, s: m.merge_close_vertices(0.5 * s),
@@ -169,7 +171,7 @@ MESH_OPERATIONS: dict[str, Callable[[Any, float], Any]] = {
     "mesh.compute_metrics, with itself moved": lambda m, s: m.compute_metrics(m.transform(moved(s))),
     "mesh.voxelize": lambda m, s: m.voxelize(4 * s),
     "mesh, a picture of 1280 x 960 by rays": lambda m, s: cast_a_picture(m),
-    "mesh, distances of 1M points": lambda m, s: scene_of(m).compute_distance(some_places()),
+    "mesh, distances of 1M points": lambda m, s: scene_of(m).compute_distance(random_positions()),
     "mesh.sample_points_uniformly, 1M": lambda m, s: m.sample_points_uniformly(1_000_000),
 }
 
@@ -181,7 +183,7 @@ def moved(distance: float) -> np.ndarray:
 
 
 def bumpy_mesh(count: int, device: str) -> tuple[Any, float]:
-    """About so many triangles over the bumpy surface, a little rough, and the length of their edges [m]."""
+    """About `count` triangles on the bumpy surface with some roughness, and their edge length [m]."""
     side = int((count / 2) ** 0.5) + 1
     line = np.linspace(-scenes.SURFACE_EDGE / 2, scenes.SURFACE_EDGE / 2, side, dtype=np.float32)
     x, y = (values.ravel() for values in np.meshgrid(line, line, indexing="ij"))
@@ -202,8 +204,8 @@ def run_one(name: str, count: int, device: str) -> dict[str, Any]:
     def scene(n: int) -> tuple[Any, float]:
         if name in MESH_OPERATIONS:
             return bumpy_mesh(n, device)
-        made = loom().PointCloud(scenes.bumpy_surface(n), device=device)
-        return (made.estimate_normals(max_nn=12) if normals else made), scenes.SURFACE_EDGE / n**0.5
+        data = loom().PointCloud(scenes.bumpy_surface(n), device=device)
+        return (data.estimate_normals(max_nn=12) if normals else data), scenes.SURFACE_EDGE / n**0.5
 
     work(*scene(min(SMALL, count)))
     arguments = scene(count)
@@ -221,7 +223,7 @@ def run_one(name: str, count: int, device: str) -> dict[str, Any]:
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--points", type=int, default=20_000_000)
-    parser.add_argument("--only", action="append", help="operations whose names begin so")
+    parser.add_argument("--only", action="append", help="operations whose names start with this")
     parser.add_argument("--device", default="cpu")
     parser.add_argument("--output", type=Path, help="a Markdown file")
     parser.add_argument("--one", help=argparse.SUPPRESS)
@@ -241,7 +243,7 @@ def main() -> int:
 
 
 def attempt(name: str, options: argparse.Namespace) -> tuple[str, str]:
-    """Time and memory as the table has them, or what went wrong."""
+    """Time and memory as table texts, or the error."""
     command = [sys.executable, __file__, "--one", name, "--points", str(options.points), "--device", options.device]
     try:
         done = subprocess.run(command, capture_output=True, text=True, timeout=TIME_LIMIT, check=False)
@@ -250,8 +252,8 @@ def attempt(name: str, options: argparse.Namespace) -> tuple[str, str]:
     if done.returncode:
         lines = done.stderr.strip().splitlines() or [f"ended by signal {-done.returncode}"]
         return lines[-1][:200], "-"
-    found = json.loads(done.stdout.strip().splitlines()[-1])
-    return f"{found['seconds']:.1f}", f"{found['bytes'] / 2**30:.2f}"
+    record = json.loads(done.stdout.strip().splitlines()[-1])
+    return f"{record['seconds']:.1f}", f"{record['bytes'] / 2**30:.2f}"
 
 
 def document(rows: list[tuple[str, str, str]], options: argparse.Namespace) -> str:

@@ -1,4 +1,4 @@
-"""The data of the benchmarks: made by formula and seed, the same in every run, and real scans where there are some."""
+"""The data of the benchmarks: synthetic data by formula and seed, and real scans if available."""
 
 from __future__ import annotations
 
@@ -18,21 +18,21 @@ SURFACE_NOISE = 0.002  # [m]
 
 
 def product(A: NDArray[np.float64], B: NDArray[np.float64]) -> NDArray[np.float64]:
-    """`A @ B` of poses or of a pose and a place, with the same bits on every processor, which BLAS does not give."""
+    """`A @ B` for poses or points, bitwise identical on every processor, unlike BLAS."""
     return np.einsum("ij,jk->ik", A, B) if B.ndim == 2 else np.einsum("ij,j->i", A, B)
 
 
 def inverse(T: NDArray[np.float64]) -> NDArray[np.float64]:
-    """The inverse of a rigid motion, with the same bits on every processor."""
+    """The inverse of a rigid transformation, bitwise identical on every processor."""
     back = np.eye(4)
     back[:3, :3], back[:3, 3] = T[:3, :3].T, -product(T[:3, :3].T, T[:3, 3])
     return back
 
 
 def bumpy_surface(count: int, seed: int = 0) -> NDArray[np.float64]:
-    """Points of a bumpy 4 x 4 m surface with 2 mm of noise, float64 [n, 3] that float32 holds exactly.
+    """Points of a bumpy 4 x 4 m surface with 2 mm of noise, float64 [n, 3] with values exact in float32.
 
-    All contestants get the same coordinates, whichever precision they compute in.
+    All contestants get the same coordinates, independent of their precision.
     """
     rng = np.random.default_rng(seed)
     x, y = rng.uniform(-SURFACE_EDGE / 2, SURFACE_EDGE / 2, (2, count))
@@ -42,10 +42,11 @@ def bumpy_surface(count: int, seed: int = 0) -> NDArray[np.float64]:
 
 
 def spinning_scan(count: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
-    """A scan of a spinning LiDAR in a street, float64 [n, 3]: points a square metre vary more than a thousandfold.
+    """A spinning LiDAR scan of a street, float64 [n, 3]: the point density varies more than a thousandfold.
 
-    64 beams from +2 to -24.8 degrees, 1.73 m above the road; road, two rows of houses with gaps, trunks of trees and
-    cars; range noise 2 cm; nothing beyond 120 m comes back.
+    64 beams from +2 to -24.8 degrees, 1.73 m above the road; road, two rows of houses with gaps, tree trunks and
+    cars; range
+    noise 2 cm; maximum range 120 m.
     """
     rng = np.random.default_rng(seed)
     beams, rays = 64, -(-count * 5 // (64 * 3))
@@ -59,8 +60,8 @@ def spinning_scan(count: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
         for side in (-9.0, 11.0):
             along = side / directions[:, 1]
             at = along[:, None] * directions
-            house = (along > 0) & (at[:, 2] < 7) & (np.abs(np.sin(at[:, 0] / 13)) > 0.25)
-            distances = np.where(house & (along < distances), along, distances)
+            is_building = (along > 0) & (at[:, 2] < 7) & (np.abs(np.sin(at[:, 0] / 13)) > 0.25)
+            distances = np.where(is_building & (along < distances), along, distances)
         cylinders = [(x, y, 0.25) for x in range(-60, 61, 12) for y in (-6.5, 8.0)]
         cylinders += [(4.0, 2.5, 0.9), (-7.0, -3.0, 0.9), (18.0, 2.6, 0.9), (-25.0, -3.2, 0.9), (2.2, -2.0, 0.15)]
         a = directions[:, 0] ** 2 + directions[:, 1] ** 2
@@ -70,18 +71,18 @@ def spinning_scan(count: int = 100_000, seed: int = 0) -> NDArray[np.float64]:
             along = (b - np.sqrt(discriminant)) / a
             hit = (discriminant > 0) & (along > 0) & (along < distances) & (along * directions[:, 2] < 1.0)
             distances = np.where(hit, along, distances)
-    seen = np.flatnonzero((distances > 1.0) & (distances < 120))
-    if len(seen) < count:
-        raise RuntimeError(f"{len(seen)} of {count} rays came back")
-    seen = np.sort(rng.choice(seen, count, replace=False))
-    ranges = distances[seen] + rng.normal(0, 0.02, count)
-    return _float32_exact(ranges[:, None] * directions[seen])
+    returned = np.flatnonzero((distances > 1.0) & (distances < 120))
+    if len(returned) < count:
+        raise RuntimeError(f"{len(returned)} of {count} rays have a return")
+    returned = np.sort(rng.choice(returned, count, replace=False))
+    ranges = distances[returned] + rng.normal(0, 0.02, count)
+    return _float32_exact(ranges[:, None] * directions[returned])
 
 
 def real_scan(*, zeros: bool = True) -> NDArray[np.float64]:
-    """A real LiDAR scan from the folder that POINTLOOM_DATA names, float64 [n, 3].
+    """A real LiDAR scan from the folder `POINTLOOM_DATA`, float64 [n, 3].
 
-    Rays without a return lie at (0, 0, 0) in some files: thousands of points at one place. `zeros` keeps them.
+    In some files rays without a return are at (0, 0, 0): thousands of equal points. `zeros` keeps them.
     """
     path = real_scan_path()
     if path.suffix == ".ply":
@@ -94,7 +95,7 @@ def real_scan(*, zeros: bool = True) -> NDArray[np.float64]:
 
 
 def real_scan_path() -> Path:
-    """The file of a real LiDAR scan; DataMissingError where there is none."""
+    """The file of a real LiDAR scan; raises DataMissingError if there is none."""
     try:
         return real_data("reg-small-gicp/target.ply")
     except DataMissingError:
@@ -130,14 +131,14 @@ class Frames:
         return np.array([[fx, 0, cx], [0, fy, cy], [0, 0, 1.0]])
 
 
-# Walls half a voxel of 1 cm off its grid: on a sample plane noise alone would decide where triangles are.
+# Walls are offset by half a voxel of 1 cm from the grid: on a sample plane noise alone would determine the triangles.
 ROOM = np.array([[-3.005, -2.405, -1.405], [3.005, 2.405, 1.405]])  # [m]
 SPHERES = ((1.8, 0.5, -0.7, 0.6), (1.0, 1.4, -0.4, 0.4), (2.2, 1.6, 0.5, 0.4), (0.2, 1.9, 0.3, 0.3))  # x y z r [m]
 DEPTH_NOISE = 0.002  # of the depth
 
 
 def room_frames(count: int = 30, width: int = 640, height: int = 480, seed: int = 0) -> Frames:
-    """Depth frames of a room with spheres, cast by formula; the camera turns by 3 degrees a frame."""
+    """Ray cast depth frames of a room with spheres; the camera rotates by 3 degrees per frame."""
     rng = np.random.default_rng(seed)
     focal = 525.0 * width / 640
     intrinsic = (focal, focal, (width - 1) / 2, (height - 1) / 2)
@@ -159,7 +160,7 @@ def room_frames(count: int = 30, width: int = 640, height: int = 480, seed: int 
 
 
 def _look(position: NDArray[np.float64], angle: float, tilt: float) -> NDArray[np.float64]:
-    """T_world_camera of a camera (x right, y down, z ahead) that looks along an angle in the xy plane."""
+    """T_world_camera of a camera (x right, y down, z forward) that looks in a direction of the xy plane."""
     ahead = np.array([np.cos(angle) * np.cos(tilt), np.sin(angle) * np.cos(tilt), np.sin(tilt)])
     right = np.cross(ahead, [0, 0, 1.0])
     right /= np.sqrt((right * right).sum())
@@ -191,7 +192,7 @@ def _cast_room(origin: NDArray[np.float64], rays: NDArray[np.float32]) -> NDArra
 
 
 def wavy_ball(count: int) -> NDArray[np.float32]:
-    """A ball with waves as a sampled distance, float32 [count, count, count] over [-1, 1]^3."""
+    """The sampled distance function of a wavy sphere, float32 [count, count, count] over [-1, 1]^3."""
     x = np.linspace(-1, 1, count, dtype=np.float32)
     x, y, z = np.meshgrid(x, x, x, indexing="ij", sparse=True)
     sines = [np.sin(k * side.astype(np.float64)).astype(np.float32) for k, side in ((9, x), (8, y), (7, z))]
@@ -216,12 +217,12 @@ class ColoredPoints:
         weakref.finalize(self, shutil.rmtree, self.folder, ignore_errors=True)
 
     def path(self, name: str) -> str:
-        """A file in the scene's own folder, which goes with the scene."""
+        """A file in the scene's own folder, removed with the scene."""
         return str(Path(self.folder) / f"{name}.ply")
 
     @property
     def source(self) -> str:
-        """The file of these points, written by NumPy alone when it is first asked for."""
+        """The file of these points, written with NumPy on first use."""
         path = Path(self.path("source"))
         if not path.exists():
             row = np.dtype([("points", "<f4", 3), ("colors", "u1", 3)])

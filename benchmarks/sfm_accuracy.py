@@ -1,13 +1,14 @@
-"""How far cameras are off that structure from motion finds, with time and memory by stage.
+"""Camera errors of structure from motion, with time and memory by stage.
 
-    python benchmarks/sfm_accuracy.py room WORK           30 pictures of the made-up room
-    python benchmarks/sfm_accuracy.py room-video WORK     the same round as a video of 240 frames
+    python benchmarks/sfm_accuracy.py room WORK           30 images of the synthetic room
+    python benchmarks/sfm_accuracy.py room-video WORK     the same path as a video of 240 frames
     python benchmarks/sfm_accuracy.py fountain WORK $POINTLOOM_DATA/mvs-fountain-p11             with K given
     python benchmarks/sfm_accuracy.py redkitchen WORK $POINTLOOM_DATA/rgbd-7scenes-redkitchen    each 5th frame
 
-WORK is a new folder, which keeps what was made. Errors are those of camera centers after the similarity that fits
-them best (Umeyama 1991), and of directions after the rotation that fits those best. The truth of the kitchen is
-KinectFusion's, and drifts by some centimeters; that of the others is exact, or measured by a laser scanner.
+WORK is a new folder for the output. Errors are those of camera centers after the best similarity (Umeyama 1991), and of
+directions after the best rotation. The ground truth of the kitchen is KinectFusion's and drifts by some
+centimeters; that
+of the others is exact, or from a laser scanner.
 """
 
 from __future__ import annotations
@@ -28,7 +29,7 @@ ROOM_FRAMES, VIDEO_FRAMES = 30, 240
 
 
 def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
-    """Scale, rotation and translation of `source` that come nearest to `target`."""
+    """Scale, rotation and translation that align `source` with `target` in the least-squares sense."""
     means = source.mean(0), target.mean(0)
     a, b = source - means[0], target - means[1]
     u, d, vt = np.linalg.svd(b.T @ a)
@@ -39,28 +40,30 @@ def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.nd
 
 
 def camera_errors(model: loom.SfmModel, truth: dict[str, np.ndarray]) -> dict[str, float]:
-    """How far the cameras are off, which way they look, and how large the whole is [unit of the truth]."""
+    """Position and direction errors of the cameras, and the extent [unit of the ground truth]."""
     poses = np.array([truth[name] for name in model.names])
     scale, R, t = fit_similarity(model.centers, poses[:, :3, 3])
-    off = np.linalg.norm(scale * model.centers @ R.T + t - poses[:, :3, 3], axis=1)
-    ours = model.T_world_camera[:, :3, :3]
-    u, _, vt = np.linalg.svd(np.einsum("nij,nkj->ik", poses[:, :3, :3], ours))  # centers in a row leave it open
-    turns = np.einsum("nji,jk,nkl->nil", poses[:, :3, :3], u @ vt, ours)
-    cosines = (np.trace(turns, axis1=1, axis2=2) - 1) / 2
+    distances = np.linalg.norm(scale * model.centers @ R.T + t - poses[:, :3, 3], axis=1)
+    rotations = model.T_world_camera[:, :3, :3]
+    u, _, vt = np.linalg.svd(
+        np.einsum("nij,nkj->ik", poses[:, :3, :3], rotations)
+    )  # centers on a line leave the rotation ambiguous
+    differences = np.einsum("nji,jk,nkl->nil", poses[:, :3, :3], u @ vt, rotations)
+    cosines = (np.trace(differences, axis1=1, axis2=2) - 1) / 2
     extent = np.linalg.norm(np.ptp(poses[:, :3, 3], axis=0))
-    rms = float(np.sqrt((off**2).mean()))
+    rms = float(np.sqrt((distances**2).mean()))
     return {
         "extent": float(extent),
         "rms": rms,
         "share_of_extent": rms / float(extent),
-        "mean": float(off.mean()),
-        "worst": float(off.max()),
+        "mean": float(distances.mean()),
+        "worst": float(distances.max()),
         "mean_degrees": float(np.degrees(np.arccos(np.clip(cosines, -1, 1))).mean()),
     }
 
 
 def round_frames(count: int) -> Any:
-    """Frames of one round through the made-up room, 640 x 480 pixels."""
+    """Frames of a circular path through the synthetic room, 640 x 480 pixels."""
     from pointloom.datasets.scenes.room import film_pose, room_views
 
     camera = loom.PinholeCameraIntrinsic(640, 480, 525.0, 525.0, 319.5, 239.5)
@@ -68,7 +71,7 @@ def round_frames(count: int) -> Any:
 
 
 def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
-    """30 pictures of one round, 12 degrees and 10 cm from one to the next."""
+    """30 images of a circular path, 12 degrees and 10 cm apart."""
     frames, folder = round_frames(ROOM_FRAMES), work / "pictures"
     folder.mkdir()
     names = [f"{frame.name}.jpg" for frame in frames]
@@ -78,7 +81,7 @@ def room(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], di
 
 
 def room_video(work: Path, data: Path | None) -> tuple[Path, dict[str, np.ndarray], dict, dict]:
-    """The same round as a video of 240 frames, from which frames are chosen."""
+    """The same path as a video of 240 frames, from which frames are selected."""
     from pointloom.visualization.recording.writers import write_mp4
 
     frames, path = round_frames(VIDEO_FRAMES), work / "room.mp4"

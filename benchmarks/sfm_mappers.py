@@ -1,10 +1,11 @@
-"""The incremental and the global mapper of COLMAP on the same matches: pictures placed, errors, CPU seconds.
+"""COLMAP's incremental and global mapper on the same matches: registered images, errors, CPU time.
 
     POINTLOOM_DATA=<folder> python benchmarks/sfm_mappers.py WORK [SET ...]
 
-SET is room, fountain, redkitchen or sceaux, all where none is named. WORK is a new folder. Features are found in
-pictures of up to 1000 pixels, 2048 at most of each. Errors are those of `sfm_accuracy.py`, of camera centers after the
-best similarity; of Sceaux there is no truth, and the cameras of both mappers are held against each other.
+SET is room, fountain, redkitchen or sceaux; default: all. WORK is a new folder. Features are computed in images of
+up to
+1000 pixels, at most 2048 per image. Errors are those of `sfm_accuracy.py`, of camera centers after the best similarity.
+Sceaux has no ground truth, so the cameras of both mappers are compared.
 """
 
 from __future__ import annotations
@@ -52,7 +53,7 @@ def main() -> None:
     arguments.add_argument("sets", nargs="*")
     given = arguments.parse_args()
     given.work.mkdir(parents=True)
-    print("| pictures | mapper | placed | centers, rms of the extent | directions | reprojection | CPU s |")
+    print("| images | mapper | registered | centers, RMS in % of extent | directions | reprojection | CPU s |")
     for name in given.sets or SETS:
         compare(name, given.work / name.replace(",", "").replace(" ", "-"))
 
@@ -69,18 +70,19 @@ def compare(name: str, work: Path) -> None:
         before = cpu_seconds()
         fixed = {"fix_intrinsic": intrinsic is not None, "mapper": mapper}
         result = map_pictures(pictures, work / "m.db", work / mapper, **fixed)
-        spent, model = cpu_seconds() - before, result.model
+        seconds, model = cpu_seconds() - before, result.model
         if model is None:
-            print(f"| {name} | {mapper} | none | | | | {spent:.0f} |", flush=True)
+            print(f"| {name} | {mapper} | none | | | | {seconds:.0f} |", flush=True)
             continue
         if not truth:
             truth = dict(zip(model.names, model.T_world_camera, strict=True))
-        kept = [k for k, each in enumerate(model.names) if each in truth]
-        errors = sfm_accuracy.camera_errors(model, truth) if len(kept) == len(model) else {}
-        share, turn = (100 * errors.get("share_of_extent", np.nan)), errors.get("mean_degrees", np.nan)
-        placed, error = f"{len(model)} of {result.quality.picture_count}", result.quality.error
+        known = [k for k, each in enumerate(model.names) if each in truth]
+        errors = sfm_accuracy.camera_errors(model, truth) if len(known) == len(model) else {}
+        share, angle = (100 * errors.get("share_of_extent", np.nan)), errors.get("mean_degrees", np.nan)
+        registered, error = f"{len(model)} of {result.quality.picture_count}", result.quality.error
         print(
-            f"| {name} | {mapper} | {placed} | {share:.3f} % | {turn:.3f} | {error:.2f} px | {spent:.0f} |", flush=True
+            f"| {name} | {mapper} | {registered} | {share:.3f} % | {angle:.3f} | {error:.2f} px | {seconds:.0f} |",
+            flush=True,
         )
 
 

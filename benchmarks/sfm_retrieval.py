@@ -1,9 +1,9 @@
-"""How many of the pairs that see the same are found by looks, of 60 pictures of a kitchen in a shuffled order.
+"""Recall of image retrieval: overlapping pairs found among 60 images of a kitchen in shuffled order.
 
     POINTLOOM_DATA=<folder> python benchmarks/sfm_retrieval.py WORK
 
-WORK is a new folder. All 1770 pairs are matched first; those of which one motion explains 30 matches or more see the
-same. Retrieval proposes each picture's most alike; beside it stands what the order of names would propose.
+WORK is a new folder. All 1770 pairs are matched first; pairs with at least 30 geometrically consistent matches overlap.
+Retrieval proposes the most similar images of each; the baseline is the order of names.
 """
 
 from __future__ import annotations
@@ -18,10 +18,10 @@ import numpy as np
 from real_data import real_data
 
 import pointloom as loom
-from pointloom.photogrammetry.sfm.matches import OVERLAP, _in_a_row, pairs_that_look_alike
+from pointloom.photogrammetry.sfm.matches import OVERLAP, pairs_of, pairs_that_look_alike
 
-STRIDE, FEATURES, FEWEST = 5, 1000, 30
-PAIR = 2147483647  # COLMAP numbers the pair (a, b) as PAIR a + b
+STRIDE, FEATURES, MIN_MATCHES = 5, 1000, 30
+PAIR = 2147483647  # COLMAP's id of the pair (a, b) is PAIR a + b
 
 
 def main() -> None:
@@ -29,29 +29,30 @@ def main() -> None:
     arguments.add_argument("work", type=Path)
     work = arguments.parse_args().work
     (work / "pictures").mkdir(parents=True)
-    found = sorted(real_data("rgbd-7scenes-redkitchen").glob("*.color.jpg"))[:300:STRIDE]
-    order = np.random.default_rng(0).permutation(len(found))
-    for place, k in enumerate(order):
-        shutil.copy(found[k], work / "pictures" / f"{place:03d}.jpg")
+    files = sorted(real_data("rgbd-7scenes-redkitchen").glob("*.color.jpg"))[:300:STRIDE]
+    order = np.random.default_rng(0).permutation(len(files))
+    for number, k in enumerate(order):
+        shutil.copy(files[k], work / "pictures" / f"{number:03d}.jpg")
     loom.sfm.find_features(work / "pictures", work / "f.db", max_features=FEATURES)
     loom.sfm.match(work / "f.db", work / "m.db", pairs="exhaustive")
     with sqlite3.connect(work / "m.db") as connection:
         rows = connection.execute("SELECT pair_id, rows FROM two_view_geometries").fetchall()
-    same = {divmod(pair, PAIR): count for pair, count in rows if count >= FEWEST}
-    print(f"{len(same)} of {len(rows)} pairs see the same")
-    print("| pairs | proposed | of them see the same | share of all that do | of their matches | pictures in one |")
-    tell("in a row", {(i + 1, j + 1) for i, j in _in_a_row(len(found), OVERLAP)}, same, len(found))
+    same = {divmod(pair, PAIR): count for pair, count in rows if count >= MIN_MATCHES}
+    print(f"{len(same)} of {len(rows)} pairs overlap")
+    print("| pairs | proposed | overlapping | recall | recall of matches | images in one component |")
+    in_order = {(int(a), int(b)) for a, b in pairs_of(work / "f.db", "sequential", OVERLAP)}
+    print_pairs("order of names", in_order, same, len(files))
     for neighbors in (5, 10, 20):
         before = time.process_time()
         pairs = set(pairs_that_look_alike(work / "f.db", neighbors, seed=0))
-        spent = time.process_time() - before
-        tell(f"{neighbors} most alike ({spent:.1f} CPU s)", pairs, same, len(found))
+        seconds = time.process_time() - before
+        print_pairs(f"{neighbors} most similar ({seconds:.1f} CPU s)", pairs, same, len(files))
     rng = np.random.default_rng(1)
-    chance = {tuple(sorted(rng.choice(len(found), 2, replace=False) + 1)) for _ in range(len(pairs))}
-    tell("as many by chance", chance, same, len(found))
+    chance = {tuple(sorted(rng.choice(len(files), 2, replace=False) + 1)) for _ in range(len(pairs))}
+    print_pairs("the same number at random", chance, same, len(files))
 
 
-def tell(name: str, pairs: set, same: dict, count: int) -> None:
+def print_pairs(name: str, pairs: set, same: dict, count: int) -> None:
     hit = [pair for pair in same if pair in pairs]
     parts = {k: k for k in range(1, count + 1)}
 

@@ -1,11 +1,11 @@
-"""How far DenseSLAM is off: on the real kitchen and on loops through the made-up room, with what cameras do to frames.
+"""Accuracy of DenseSLAM on the real kitchen and on loops through the synthetic room, with camera effects.
 
     POINTLOOM_DATA=<folder> python benchmarks/slam_accuracy.py [--only kitchen] [--frames 600] [--size 320x240]
 
-One line a run: frames, their status, ATE after rigid alignment (root mean square, maximum), how many frames that are
-tracked are off by more than 5 cm where the first pose is the true one, distance of the surface from the true one
-(median, 95 %), time of the CPU a frame. The plain loops are told once more after `close_loops`. The whole table takes a
-quarter of an hour on two cores; the kitchen needs POINTLOOM_DATA.
+One line per run: frames, their status, ATE after rigid alignment (RMS, maximum), number of tracked frames with an error
+above 5 cm relative to the first pose, distance of the surface from the true one (median, 95 %), CPU time per frame. The
+plain loops are evaluated again after `close_loops`. The full table takes a quarter of an hour on two cores; the kitchen
+needs POINTLOOM_DATA.
 """
 
 from __future__ import annotations
@@ -22,20 +22,20 @@ from real_data import DataMissingError, real_data
 
 VOXEL_SIZE = 0.01  # [m]
 COVERED = 60  # frames: two seconds
-WRONG = 0.05  # [m] a tracked frame off by more is confidently wrong
+WRONG = 0.05  # [m] tracked frames with larger errors are confidently wrong
 
 
 @dataclass
 class Scene:
-    """Frames to track, and what is known of them.
+    """Frames to track, and their ground truth.
 
     Attributes:
-        frames: With their true poses.
-        count: How many.
-        options: Of DenseSLAM, beside the voxel.
-        laps: After how many frames the error is told too.
-        is_room: Whether the true surface and the first pose are known.
-        is_closed: Whether loops are closed at the end.
+        frames: Frames with their true poses.
+        count: Number of frames.
+        options: Options of DenseSLAM, except for the voxel size.
+        laps: Frame counts at which the error is also evaluated.
+        is_room: True if the true surface and the first pose are known.
+        is_closed: True if loops are closed at the end.
     """
 
     frames: Iterable[Any]
@@ -57,10 +57,10 @@ def kitchen(every: int) -> Scene:
 def room(frames: int, size: tuple[int, int], path: str, **effects: Any) -> Scene:
     from pointloom.datasets.scenes.room import room_loop_sequence
 
-    made = room_loop_sequence(frames, path, width=size[0], height=size[1], **effects)
+    sequence = room_loop_sequence(frames, path, width=size[0], height=size[1], **effects)
     plain = not effects
-    options = {"T_init": made.poses[0], "submap_frames": 100 if plain else None}
-    return Scene(made, len(made), made.intrinsic, options, is_room=True, is_closed=plain)
+    options = {"T_init": sequence.poses[0], "submap_frames": 100 if plain else None}
+    return Scene(sequence, len(sequence), sequence.intrinsic, options, is_room=True, is_closed=plain)
 
 
 def scenes(frames: int, size: tuple[int, int]) -> Iterator[tuple[str, Any]]:
@@ -84,9 +84,9 @@ def run(name: str, scene: Scene) -> None:
     slam = loom.slam.DenseSLAM(scene.intrinsic, voxel_size=VOXEL_SIZE, **scene.options)
     truth, seconds = [], 0.0
     for number, frame in enumerate(scene.frames):
-        begun = time.process_time()
+        start = time.process_time()
         slam.step(frame)
-        seconds += time.process_time() - begun
+        seconds += time.process_time() - start
         truth.append(frame.T_world_camera)
         if sys.stderr.isatty():
             print(f"\r{name}: {number + 1} of {scene.count}", end="\r", file=sys.stderr)
@@ -100,7 +100,7 @@ def run(name: str, scene: Scene) -> None:
 
 
 def line(name: str, slam: Any, truth: list[Any], seconds: float, is_room: bool = False) -> str:
-    """What is to be said of a run so far."""
+    """One line of results so far."""
     import pointloom as loom
 
     path = slam.trajectory
@@ -111,21 +111,21 @@ def line(name: str, slam: Any, truth: list[Any], seconds: float, is_room: bool =
     text = f"{name:32} {len(truth):4} frames: {counts['tracked']:4} tracked {counts['uncertain']:3} uncertain "
     text += f"{counts['lost']:3} lost | ATE {1000 * error.rmse:5.1f} mm, at most {1000 * error.max:5.1f}"
     if is_room:
-        off = np.linalg.norm(path.poses[:, :3, 3] - np.array(truth)[path.ids[:, 0], :3, 3], axis=1)
-        text += f" | {int((off[path.ids[:, 2] == 1] > WRONG).sum())} tracked but wrong"
+        errors = np.linalg.norm(path.poses[:, :3, 3] - np.array(truth)[path.ids[:, 0], :3, 3], axis=1)
+        text += f" | {int((errors[path.ids[:, 2] == 1] > WRONG).sum())} tracked but wrong"
     if is_room and slam.volume.frame_count > 10:
         from pointloom.datasets.scenes.room import surface_errors
 
-        off = surface_errors(slam.extract_triangle_mesh().vertices)
-        text += f" | surface {1000 * np.median(off):.1f} mm, 95 % {1000 * np.quantile(off, 0.95):.1f}"
-    return text + f" | {1000 * seconds / len(truth):.0f} ms of the CPU a frame"
+        errors = surface_errors(slam.extract_triangle_mesh().vertices)
+        text += f" | surface {1000 * np.median(errors):.1f} mm, 95 % {1000 * np.quantile(errors, 0.95):.1f}"
+    return text + f" | {1000 * seconds / len(truth):.0f} ms CPU per frame"
 
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", default="", help="runs whose names begin so")
+    parser.add_argument("--only", default="", help="runs whose names start with this")
     parser.add_argument("--frames", type=int, default=600, help="of a loop")
-    parser.add_argument("--size", default="320x240", help="of the room's pictures")
+    parser.add_argument("--size", default="320x240", help="image size for the room")
     given = parser.parse_args()
     width, _, height = given.size.partition("x")
     for name, make in scenes(given.frames, (int(width), int(height))):

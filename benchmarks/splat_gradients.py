@@ -1,8 +1,9 @@
-"""What a picture's loss asks of the splats in it: the derivatives of their light, and steps along them.
+"""Gradients of an image loss with respect to Gaussian splats, and optimizer steps.
 
-A spike: colors of degree 0, no splat is born or dies. Source: Kerbl et al. 2023, appendix A; steps by Adam (Kingma and
-Ba 2015). One thread a tile walks its list from the back to the front, all 256 pixels at each splat, and so needs no sum
-over threads; one thread a splat then adds what its tiles say, in the order of tiles. The same bits from run to run.
+An experiment: colors of degree 0, without densification or pruning. Reference: Kerbl et al. 2023, appendix A; Adam
+(Kingma and Ba 2015). One thread per tile traverses its list from back to front, all 256 pixels at each splat, so no sum
+over threads is needed. One thread per splat then adds the gradients of its tiles in the order of tiles. Results are
+bitwise reproducible.
 """
 
 # Kernels' arguments have the types of the kernel language, which pyright does not know.
@@ -44,19 +45,19 @@ from pointloom.kernels.splats.projection import (
 )
 from pointloom.kernels.splats.tile_lists import TileLists, pixel_of_thread
 
-PARAMETERS = 14  # of a splat: place, logit, logarithms of three scales, quaternion, color
-DECAY, SQUARE_DECAY, LEAST = 0.9, 0.999, 1.0e-15  # of Adam, as in training elsewhere
+PARAMETERS = 14  # of a splat: position, logit, logarithms of three scales, quaternion, color
+DECAY, SQUARE_DECAY, EPSILON = 0.9, 0.999, 1.0e-15  # Adam's usual constants
 
 
 @struct
 class Light:
-    """A picture of splats, and what its backward walk needs.
+    """A rendered image of splats, and the data for the backward pass.
 
     Attributes:
         colors: vec3 [pixels].
-        left: float32 [pixels], the share of the light of what lies behind.
-        ends: int32 [pixels], where the walk along the tile's list ended.
-        errors: vec3 [pixels], the loss by the colors.
+        left: float32 [pixels], the remaining transmittance.
+        ends: int32 [pixels], the end of the traversal of the tile's list.
+        errors: vec3 [pixels], gradients of the loss by the colors.
     """
 
     colors: array(dtype=vec3)
@@ -72,16 +73,16 @@ class Light:
 
 @struct
 class Pulls:
-    """The loss by what was projected: of each splat in each tile, and scratch of a tile's pixels.
+    """Gradients by projected quantities, for each splat in each tile, and scratch memory of a tile's pixels.
 
     Attributes:
-        places: vec3 [entries], by column, row and opacity.
+        positions: vec3 [entries], by column, row and opacity.
         conics, colors: vec3 [entries].
-        left: float32 [tiles, 256], the light behind the splat that is looked at.
-        behind: vec3 [tiles * 256], the color that is seen behind it.
+        left: float32 [tiles, 256], the transmittance behind the current splat.
+        behind: vec3 [tiles * 256], the color behind it.
     """
 
-    places: array(dtype=vec3)
+    positions: array(dtype=vec3)
     conics: array(dtype=vec3)
     colors: array(dtype=vec3)
     left: array(dtype=float32)
@@ -89,13 +90,13 @@ class Pulls:
 
     def __init__(self, lists: TileLists) -> None:
         entries, device = lists.members.size, lists.members.device
-        self.places, self.conics, self.colors = (zeros(entries, vec3, device) for _ in range(3))
+        self.positions, self.conics, self.colors = (zeros(entries, vec3, device) for _ in range(3))
         self.left, self.behind = empty(lists.threads, float32, device), empty(lists.threads, vec3, device)
 
 
 @kernel
 def light_pixels_kernel(lists: TileLists, projected: ProjectedSplats, background: vec3, light: Light):
-    """The color of each pixel, before a background."""
+    """Render the color of each pixel over a background."""
     i = tid()
     pixel = pixel_of_thread(i, lists)
     if pixel >= 0:
@@ -103,33 +104,33 @@ def light_pixels_kernel(lists: TileLists, projected: ProjectedSplats, background
         row = float(pixel // lists.width)
         color = vec3(0.0)
         left = 1.0
-        place = lists.starts[i // TILE_PIXELS]
+        entry = lists.starts[i // TILE_PIXELS]
         last = lists.starts[i // TILE_PIXELS + 1]
-        while place < last and left > MIN_LEFT:
-            splat = lists.members[place]
+        while entry < last and left > MIN_LEFT:
+            splat = lists.members[entry]
             opacity = opacity_at(splat, column, row, projected)
             color = color + projected.colors[splat] * (left * opacity)
             left = left * (1.0 - opacity)
-            place += 1
+            entry += 1
         light.colors[pixel] = color + background * left
         light.left[pixel] = left
-        light.ends[pixel] = place
+        light.ends[pixel] = entry
 
 
 @kernel
-def compare_pixels_kernel(light: Light, wanted: array(dtype=vec3), weight: float):
-    """The derivative of the mean absolute difference."""
+def compare_pixels_kernel(light: Light, target: array(dtype=vec3), weight: float):
+    """Compute the gradient of the mean absolute difference."""
     i = tid()
     error = vec3(0.0)
     for channel in range(3):
-        difference = light.colors[i][channel] - wanted[i][channel]
+        difference = light.colors[i][channel] - target[i][channel]
         error[channel] = weight if difference > 0.0 else -weight
     light.errors[i] = error
 
 
 @kernel
 def pull_entries_kernel(lists: TileLists, projected: ProjectedSplats, light: Light, background: vec3, pulls: Pulls):
-    """The loss by each splat of each tile."""
+    """Compute the gradients for each splat of each tile."""
     tile = tid()
     base = tile * TILE_PIXELS
     for k in range(TILE_PIXELS):
@@ -137,12 +138,12 @@ def pull_entries_kernel(lists: TileLists, projected: ProjectedSplats, light: Lig
         if pixel >= 0:
             pulls.left[base + k] = light.left[pixel]
             pulls.behind[base + k] = background
-    place = lists.starts[tile + 1] - 1
-    while place >= lists.starts[tile]:
-        splat = lists.members[place]
+    entry = lists.starts[tile + 1] - 1
+    while entry >= lists.starts[tile]:
+        splat = lists.members[entry]
         middle = projected.middles[splat]
         conic = projected.conics[splat]
-        by_place = vec3(0.0)
+        by_position = vec3(0.0)
         by_conic = vec3(0.0)
         by_color = vec3(0.0)
         for k in range(TILE_PIXELS):
@@ -150,7 +151,7 @@ def pull_entries_kernel(lists: TileLists, projected: ProjectedSplats, light: Lig
             end = 0
             if pixel >= 0:
                 end = light.ends[pixel]
-            if place < end:
+            if entry < end:
                 column = float(pixel % lists.width)
                 row = float(pixel // lists.width)
                 opacity = opacity_at(splat, column, row, projected)
@@ -167,28 +168,28 @@ def pull_entries_kernel(lists: TileLists, projected: ProjectedSplats, light: Lig
                         by_power = by_opacity * opacity
                         x = column - middle[0]
                         y = row - middle[1]
-                        by_place = by_place + vec3(
+                        by_position = by_position + vec3(
                             by_power * (conic[0] * x + conic[1] * y),
                             by_power * (conic[1] * x + conic[2] * y),
                             by_opacity * opacity / projected.opacities[splat],
                         )
                         by_conic = by_conic + vec3(-0.5 * x * x, -x * y, -0.5 * y * y) * by_power
-        pulls.places[place] = by_place
-        pulls.conics[place] = by_conic
-        pulls.colors[place] = by_color
-        place -= 1
+        pulls.positions[entry] = by_position
+        pulls.conics[entry] = by_conic
+        pulls.colors[entry] = by_color
+        entry -= 1
 
 
 @kernel
 def key_members_kernel(members: array(dtype=int32), keys: SortKeys):
-    """The number of the splat that an entry belongs to."""
+    """The splat index of each entry."""
     i = tid()
     put_key(i, int64(members[i]), keys)
 
 
 @func
 def pull_of_conic(conic: vec3, by_conic: vec3) -> vec3:
-    """The loss by a variance, covariance and variance in the picture, from that by their inverse: -Q G Q."""
+    """The gradient by the image covariance, from that by its inverse: -Q G Q."""
     g01 = 0.5 * by_conic[1]
     left0 = conic[0] * by_conic[0] + conic[1] * g01
     left1 = conic[0] * g01 + conic[1] * by_conic[2]
@@ -203,7 +204,7 @@ def pull_of_conic(conic: vec3, by_conic: vec3) -> vec3:
 
 @func
 def pull_of_rotation(i: int, by_axes: mat33, splats: SplatColumns) -> vec4:
-    """The loss by a quaternion of any length, from that by its matrix."""
+    """The gradient by an unnormalized quaternion, from that by its matrix."""
     w = splats.quaternions[i, 0]
     x = splats.quaternions[i, 1]
     y = splats.quaternions[i, 2]
@@ -236,20 +237,20 @@ def pull_splats_kernel(
     pulls: Pulls,
     gradients: array(dtype=float32, ndim=2),
 ):
-    """The loss by each parameter of each splat."""
+    """Compute the gradient by each parameter of each splat."""
     i = tid()
-    by_place = vec3(0.0)
+    by_position = vec3(0.0)
     by_conic = vec3(0.0)
     by_color = vec3(0.0)
     for row in range(starts[i], starts[i + 1]):
-        by_place = by_place + pulls.places[order[row]]
+        by_position = by_position + pulls.positions[order[row]]
         by_conic = by_conic + pulls.conics[order[row]]
         by_color = by_color + pulls.colors[order[row]]
     for column in range(PARAMETERS):
         gradients[i, column] = 0.0
     if starts[i + 1] > starts[i]:
         q = to_camera(splats.points[i], view)
-        turn = axes_before_camera(axes_of(i, splats), view.rotation, 1.0)
+        axes = axes_before_camera(axes_of(i, splats), view.rotation, 1.0)
         scales = vec3(exp_in_float(splats.scales[i, 0]), exp_in_float(splats.scales[i, 1]),
                       exp_in_float(splats.scales[i, 2]))  # fmt: skip
         fx = float(view.camera.fx)
@@ -259,37 +260,37 @@ def pull_splats_kernel(
         x = min(max(q[0] / q[2], left[0]), right[0])
         y = min(max(q[1] / q[2], left[1]), right[1])
         spread = pull_of_conic(projected.conics[i], by_conic)
-        by_turn = mat33(0.0)
+        by_camera_axes = mat33(0.0)
         by_x = 0.0
         by_y = 0.0
         by_depth = 0.0
         for k in range(3):
-            across = (turn[0, k] - x * turn[2, k]) * scales[k] * (fx / q[2])
-            down = (turn[1, k] - y * turn[2, k]) * scales[k] * (fy / q[2])
+            across = (axes[0, k] - x * axes[2, k]) * scales[k] * (fx / q[2])
+            down = (axes[1, k] - y * axes[2, k]) * scales[k] * (fy / q[2])
             by_across = 2.0 * spread[0] * across + spread[1] * down
             by_down = 2.0 * spread[2] * down + spread[1] * across
             size_across = by_across * scales[k] * (fx / q[2])
             size_down = by_down * scales[k] * (fy / q[2])
-            by_turn[0, k] = size_across
-            by_turn[1, k] = size_down
-            by_turn[2, k] = -(x * size_across + y * size_down)
-            by_x = by_x - turn[2, k] * size_across
-            by_y = by_y - turn[2, k] * size_down
+            by_camera_axes[0, k] = size_across
+            by_camera_axes[1, k] = size_down
+            by_camera_axes[2, k] = -(x * size_across + y * size_down)
+            by_x = by_x - axes[2, k] * size_across
+            by_y = by_y - axes[2, k] * size_down
             by_depth = by_depth - (by_across * across + by_down * down) / q[2]
             gradients[i, 4 + k] = by_across * across + by_down * down
         if x != q[0] / q[2]:
             by_x = 0.0
         if y != q[1] / q[2]:
             by_y = 0.0
-        by_x = by_x + by_place[0] * fx
-        by_y = by_y + by_place[1] * fy
+        by_x = by_x + by_position[0] * fx
+        by_y = by_y + by_position[1] * fy
         by_q = vec3(by_x / q[2], by_y / q[2], by_depth - (by_x * q[0] + by_y * q[1]) / (q[2] * q[2]))
         by_axes = mat33(0.0)
         for k in range(3):
             for row in range(3):
                 total = 0.0
                 for m in range(3):
-                    total = total + view.rotation[m, row] * by_turn[m, k]
+                    total = total + view.rotation[m, row] * by_camera_axes[m, k]
                 by_axes[row, k] = total
             gradients[i, k] = (
                 view.rotation[0, k] * by_q[0] + view.rotation[1, k] * by_q[1] + view.rotation[2, k] * by_q[2]
@@ -300,7 +301,7 @@ def pull_splats_kernel(
         for k in range(4):
             gradients[i, 7 + k] = by_rotation[k]
         opacity = projected.opacities[i]
-        gradients[i, 3] = by_place[2] * opacity * (1.0 - opacity)
+        gradients[i, 3] = by_position[2] * opacity * (1.0 - opacity)
 
 
 @kernel
@@ -315,14 +316,14 @@ def step_splats_kernel(
 ):
     """One step of Adam for each splat."""
     i = tid()
-    place = splats.points[i]
+    position = splats.points[i]
     for k in range(PARAMETERS):
         gradient = gradients[i, k]
         means[i, k] = DECAY * means[i, k] + (1.0 - DECAY) * gradient
         squares[i, k] = SQUARE_DECAY * squares[i, k] + (1.0 - SQUARE_DECAY) * gradient * gradient
-        step = rates[k] * (means[i, k] / mean_share) / (sqrt(squares[i, k] / square_share) + LEAST)
+        step = rates[k] * (means[i, k] / mean_share) / (sqrt(squares[i, k] / square_share) + EPSILON)
         if k < 3:
-            place[k] = place[k] - step
+            position[k] = position[k] - step
         elif k == 3:
             splats.opacities[i] = splats.opacities[i] - step
         elif k < 7:
@@ -331,11 +332,11 @@ def step_splats_kernel(
             splats.quaternions[i, k - 7] = splats.quaternions[i, k - 7] - step
         else:
             splats.first[i, k - 11] = splats.first[i, k - 11] - step
-    splats.points[i] = place
+    splats.points[i] = position
 
 
 def light_pixels(lists: TileLists, projected: ProjectedSplats, background: vec3) -> Light:
-    """The picture of splats before a background."""
+    """Render splats over a background."""
     light = Light(lists)
     launch(light_pixels_kernel, lists.threads, [lists, projected, background, light])
     return light
@@ -344,7 +345,7 @@ def light_pixels(lists: TileLists, projected: ProjectedSplats, background: vec3)
 def find_gradients(
     splats: SplatColumns, view: View, lists: TileLists, projected: ProjectedSplats, light: Light, background: vec3
 ) -> Array2[float32]:
-    """The loss by the parameters of splats, float32 [n, 14], from `light.errors`."""
+    """Gradients by the parameters of splats, float32 [n, 14], from `light.errors`."""
     count, device = splats.points.size, splats.points.device
     pulls = Pulls(lists)
     launch(pull_entries_kernel, lists.tile_count, [lists, projected, light, background, pulls])
@@ -359,27 +360,27 @@ def find_gradients(
 
 
 class Adam:
-    """Steps of one optimization.
+    """The Adam optimizer.
 
     Args:
-        splats: Are changed in place.
-        rates: float32 [14], a step of each parameter.
+        splats: Modified in place.
+        rates: float32 [14], the step size of each parameter.
     """
 
     def __init__(self, splats: SplatColumns, rates: Scalars) -> None:
         count, device = splats.points.size, splats.points.device
-        self.splats, self.rates, self.turn = splats, rates, 0
+        self.splats, self.rates, self.iteration = splats, rates, 0
         self.means, self.squares = (zeros((count, PARAMETERS), float32, device) for _ in range(2))
 
     def step(self, gradients: Array2[float32]) -> None:
-        """Follow the gradients."""
-        self.turn += 1
-        shares = 1 - DECAY**self.turn, 1 - SQUARE_DECAY**self.turn
+        """Make one step."""
+        self.iteration += 1
+        shares = 1 - DECAY**self.iteration, 1 - SQUARE_DECAY**self.iteration
         arrays = [gradients, self.rates, self.means, self.squares, *shares, self.splats]
         launch(step_splats_kernel, self.splats.points.size, arrays)
 
 
-def compare_pixels(light: Light, wanted: Vectors) -> None:
-    """Fill `light.errors` with the derivative of the mean absolute difference of colors."""
-    pixels = wanted.size
-    launch(compare_pixels_kernel, pixels, [light, wanted, float(np.float32(1 / (3 * pixels)))])
+def compare_pixels(light: Light, target: Vectors) -> None:
+    """Fill `light.errors` with the gradient of the mean absolute color difference."""
+    pixels = target.size
+    launch(compare_pixels_kernel, pixels, [light, target, float(np.float32(1 / (3 * pixels)))])

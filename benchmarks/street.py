@@ -1,7 +1,7 @@
-"""A made-up street and a scanner that drives through it: boxes, poles and ground, seen by turning beams.
+"""A synthetic street and a scanner that drives through it: boxes, poles and ground.
 
-Each point is measured from where the scanner is at that moment, so a scan of a moving scanner is skewed as a real one.
-Everything is a formula, and the true poses come with the scans.
+Each point is measured from the scanner's position at that moment, so scans have motion distortion like real ones. All
+data are formulas, and the true poses are given.
 """
 
 from __future__ import annotations
@@ -27,7 +27,7 @@ class Street:
 
 @dataclass(frozen=True)
 class Drive:
-    """Scans in the sensor's frame, each point at its own time, and the true poses at the ends of the scans."""
+    """Scans in the sensor's frame with point times, and the true poses at the ends of the scans."""
 
     scans: list[np.ndarray]
     times: list[np.ndarray]
@@ -35,7 +35,7 @@ class Drive:
 
 
 def make_street(length: float, seed: int = 0) -> Street:
-    """Houses and their porches on both sides of a winding road, parked cars, poles."""
+    """Houses with porches on both sides of a curved road, parked cars, poles."""
     rng = np.random.default_rng(seed)
     low, high, poles = [], [], []
     for side in (-1, 1):
@@ -58,7 +58,7 @@ def make_street(length: float, seed: int = 0) -> Street:
 
 
 def cast_rays(street: Street, origins: np.ndarray, directions: np.ndarray) -> np.ndarray:
-    """Distances [n] to the first surface; infinite where there is none in range. The origins are near each other."""
+    """Distances [n] to the first surface; infinite if there is none in range. The origins are close to each other."""
     middle = origins.mean(axis=0)
     bearings = np.arctan2(directions[:, 1], directions[:, 0])
     with np.errstate(divide="ignore"):
@@ -70,8 +70,8 @@ def cast_rays(street: Street, origins: np.ndarray, directions: np.ndarray) -> np
         enter, leave = np.minimum(a, b).max(axis=1), np.maximum(a, b).min(axis=1)
         t[rays] = np.where((enter < leave) & (enter > 0) & (enter < t[rays]), enter, t[rays])
     for x, y, radius in street.poles:
-        place = np.array([x, y]) - middle[:2]
-        rays = rays_towards(bearings, place - radius, place + radius)
+        offset = np.array([x, y]) - middle[:2]
+        rays = rays_towards(bearings, offset - radius, offset + radius)
         d = directions[rays]
         gap = np.array([x, y]) - origins[rays, :2]
         size = (d[:, :2] ** 2).sum(axis=1)
@@ -85,7 +85,7 @@ def cast_rays(street: Street, origins: np.ndarray, directions: np.ndarray) -> np
 
 
 def rays_towards(bearings: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.ndarray:
-    """The rays that can meet a box given relative to their middle origin: a superset, as the origins differ by 1 m."""
+    """Rays that can hit a box given relative to their mean origin: a superset, as the origins differ by up to 1 m."""
     low, high = low - 1, high + 1
     if (low < 0).all() and (high > 0).all():
         return np.arange(len(bearings))
@@ -94,8 +94,8 @@ def rays_towards(bearings: np.ndarray, low: np.ndarray, high: np.ndarray) -> np.
     corners = np.array([[x, y] for x in (low[0], high[0]) for y in (low[1], high[1])])
     middle = np.arctan2(*(low + high)[::-1])
     sides = (np.arctan2(corners[:, 1], corners[:, 0]) - middle + np.pi) % (2 * np.pi) - np.pi
-    turned = (bearings - middle + np.pi) % (2 * np.pi) - np.pi
-    return np.flatnonzero((turned >= sides.min()) & (turned <= sides.max()))
+    angles = (bearings - middle + np.pi) % (2 * np.pi) - np.pi
+    return np.flatnonzero((angles >= sides.min()) & (angles <= sides.max()))
 
 
 def drive(
@@ -108,17 +108,17 @@ def drive(
     noise: float = 0.01,
     seed: int = 0,
 ) -> Drive:
-    """Scans of a drive along the road at a speed [m/s]; the scanner turns once in 0.1 s, from straight behind."""
+    """Scans of a drive along the road at a speed [m/s]; one revolution takes 0.1 s and starts at the rear."""
     rng, rise = np.random.default_rng(seed), np.radians(np.linspace(-22, 4, beams))
     street = make_street(speed * SCAN_PERIOD * scan_count, seed)
     scans, times, poses = [], [], []
     for k in range(scan_count):
         rays, share = rotating_rays(rise, azimuths, rng)
-        places, headings = pose_at((k + share - 1) * speed * SCAN_PERIOD, sway)
-        t = cast_rays(street, places, in_world(rays, headings))
-        seen = np.isfinite(t)
-        reach = t[seen] + rng.normal(0, noise, seen.sum())
-        scans.append((rays[seen] * reach[:, None]).astype(np.float32))
-        times.append((k + share[seen]) * SCAN_PERIOD)
+        positions, headings = pose_at((k + share - 1) * speed * SCAN_PERIOD, sway)
+        t = cast_rays(street, positions, in_world(rays, headings))
+        is_hit = np.isfinite(t)
+        ranges = t[is_hit] + rng.normal(0, noise, is_hit.sum())
+        scans.append((rays[is_hit] * ranges[:, None]).astype(np.float32))
+        times.append((k + share[is_hit]) * SCAN_PERIOD)
         poses.append(sensor_pose(k * speed * SCAN_PERIOD, sway))
     return Drive(scans, times, np.array(poses))

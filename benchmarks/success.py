@@ -1,11 +1,13 @@
-"""From how far ICP finds home: success over random starting poses, ours beside Open3D's, as curves and a table.
+"""Convergence basin of ICP: success rates over random starting poses, beside Open3D, as curves and a table.
 
     POINTLOOM_DATA=... python benchmarks/success.py [--trials 40] [--write]
 
-The source stands where it belongs, turned about its middle by a given angle about random axes; ICP begins at the
-identity of that. It succeeds where it ends within 1 degree and one voxel of where the same method ends that begins at
-the true pose. All of a method's trials run at once in `registration_icp_batch`. Methods that need no starting pose get
-random poses or seeds as in real_pairs.py, and succeed within 5 degrees and 3 voxels of the truth.
+The source is at its true pose, rotated about its center by a given angle about random axes; ICP starts from there. It
+succeeds if it ends within 1 degree and one voxel of the result of the same method started at the true pose. All
+trials of
+a method run at once in `registration_icp_batch`. Global methods get random poses or seeds as in real_pairs.py, and
+succeed
+within 5 degrees and 3 voxels of the ground truth.
 """
 
 from __future__ import annotations
@@ -18,7 +20,7 @@ from pathlib import Path
 import numpy as np
 import real_methods as methods
 import real_scans as scans
-from contest import OURS, load_open3d
+from contest import POINTLOOM, load_open3d
 from numpy.typing import NDArray
 from pages import write_between
 from real_pairs import PAGE, STILL, keep, measure
@@ -26,10 +28,10 @@ from real_scans import Array, ScanPair
 
 PICTURE = PAGE.with_name("success.png")
 ANGLES = tuple(range(0, 181, 15))  # [degrees]
-REACH = 4.0  # [voxels] of a correspondence of ICP
-HOME = 1.0, 1.0  # [degrees] and, at the middle of the source, [voxels]
-SURE = 0.9  # share of successes that is asked for where one number is wanted
-LEVEL_GAP = 2.0  # [%] between lines of methods that all succeed
+MAX_VOXELS = 4.0  # [voxels] maximum correspondence distance of ICP
+HOME = 1.0, 1.0  # [degrees] and, at the center of the source, [voxels]
+SURE = 0.9  # success rate for the angle in the table
+LEVEL_GAP = 2.0  # [%] between lines of methods with 100 % success
 LINES = {"register_globally": "black", "RANSAC": "tab:brown", "FGR": "tab:pink"}
 CURVES = {
     "symmetric ICP": "tab:green",
@@ -41,12 +43,12 @@ CURVES = {
 
 @dataclass(frozen=True)
 class Curve:
-    """A method's success on a pair.
+    """Success rates of a method on a pair.
 
     Attributes:
-        pair, method, library: Which.
-        shares: Of successes, by angle; of a method from no guess one.
-        trials: Of each.
+        pair, method, library: Names.
+        shares: Success rates by angle; one value for a global method.
+        trials: Number of trials of each.
     """
 
     pair: str
@@ -56,16 +58,16 @@ class Curve:
     trials: int
 
     def cell(self) -> str:
-        """The widest angle up to which nine in ten succeed and the share of all; or how many succeed."""
+        """The largest angle with a success rate of 90 %, and the mean rate; or the number of successes."""
         if len(self.shares) == 1:
             return f"{round(self.shares[0] * self.trials)} of {self.trials}"
         sure = int(np.argmin([*(share >= SURE for share in self.shares), False]))
-        reach = f"{ANGLES[sure - 1]}°" if sure else "none"
-        return f"{reach}, {np.mean(self.shares):.0%}"
+        limit = f"{ANGLES[sure - 1]}°" if sure else "none"
+        return f"{limit}, {np.mean(self.shares):.0%}"
 
 
-def turned(pair: ScanPair, trials: int, seed: int = 0) -> Array:
-    """Poses to begin from, [angles, trials, 4, 4]: the truth after a turn about the source's middle."""
+def rotated(pair: ScanPair, trials: int, seed: int = 0) -> Array:
+    """Starting poses [angles, trials, 4, 4]: the ground truth after a rotation about the source's center."""
     rng = np.random.default_rng(seed)
     axes = rng.normal(size=(trials, 3))
     axes /= np.linalg.norm(axes, axis=1, keepdims=True)
@@ -73,34 +75,34 @@ def turned(pair: ScanPair, trials: int, seed: int = 0) -> Array:
     poses = np.empty((len(ANGLES), trials, 4, 4))
     for i, angle in enumerate(ANGLES):
         for k, axis in enumerate(axes):
-            turn = scans.Rotation.from_rotvec(np.radians(angle) * axis)
-            poses[i, k] = pair.T @ scans.pose_of(turn, middle - turn.as_matrix() @ middle)
+            rotation = scans.Rotation.from_rotvec(np.radians(angle) * axis)
+            poses[i, k] = pair.T @ scans.pose_of(rotation, middle - rotation.as_matrix() @ middle)
     return poses
 
 
 def thinned(pair: ScanPair) -> ScanPair:
-    """The pair's voxels, and the distance of correspondences that goes with them."""
+    """The pair down-sampled, with the matching correspondence distance."""
     import pointloom as loom
 
     clouds = [
         loom.PointCloud(points).voxel_down_sample(pair.voxel_size).points for points in (pair.source, pair.target)
     ]
-    return replace(pair, source=clouds[0], target=clouds[1], fine=0.0, distance=REACH * pair.voxel_size)
+    return replace(pair, source=clouds[0], target=clouds[1], fine=0.0, distance=MAX_VOXELS * pair.voxel_size)
 
 
 def our_poses(pair: ScanPair, name: str, starts: Array) -> Array:
-    """Where ICP ends from each start, all in the same launches."""
+    """Final poses of ICP from each start, all in the same launches."""
     import pointloom as loom
 
     reg = loom.registration
     rules = reg.ICPConvergenceCriteria(methods.CHANGE, methods.CHANGE, methods.STEPS)
     source, target = methods.our_clouds(pair)
-    found = reg.registration_icp_batch(source, target, pair.distance, starts, methods.estimators()[name], rules)
-    return np.array([result.transformation for result in found])
+    results = reg.registration_icp_batch(source, target, pair.distance, starts, methods.estimators()[name], rules)
+    return np.array([result.transformation for result in results])
 
 
 def open3d_poses(pair: ScanPair, name: str, starts: Array) -> Array:
-    """The same of Open3D, one after the other, with our normals."""
+    """The same with Open3D, sequentially, with pointloom's normals."""
     o3d = load_open3d()
     registration = o3d.pipelines.registration
     clouds = [cloud.to_open3d() for cloud in methods.our_clouds(pair)]
@@ -117,36 +119,36 @@ def open3d_poses(pair: ScanPair, name: str, starts: Array) -> Array:
     return np.array([run(*clouds, pair.distance, start, method, rules).transformation for start in starts])
 
 
-def is_home(pair: ScanPair, found: Array, rest: Array) -> NDArray[np.bool_]:
-    """Which poses [n, 4, 4] are near another."""
-    relative = found[:, :3, :3] @ rest[:3, :3].T
+def is_home(pair: ScanPair, poses: Array, rest: Array) -> NDArray[np.bool_]:
+    """True for poses [n, 4, 4] near another pose."""
+    relative = poses[:, :3, :3] @ rest[:3, :3].T
     angles = scans.Rotation.from_matrix(relative).magnitude()
-    shifts = np.linalg.norm((found - rest)[:, :3] @ np.append(pair.source.mean(axis=0), 1), axis=1)
+    shifts = np.linalg.norm((poses - rest)[:, :3] @ np.append(pair.source.mean(axis=0), 1), axis=1)
     return (np.degrees(angles) < HOME[0]) & (shifts < HOME[1] * pair.voxel_size)
 
 
 def score(key: str, trials: int) -> list[Curve]:
     """All methods on one pair."""
     pair = scans.PAIRS[key]()
-    few, starts = thinned(pair), turned(pair, trials)
+    few, starts = thinned(pair), rotated(pair, trials)
     jobs = np.concatenate([pair.T[None], starts.reshape(-1, 4, 4)])
     curves = []
     for name in CURVES:
-        for library, run in ((OURS, our_poses), ("Open3D", open3d_poses)):
-            if name == "symmetric ICP" and library != OURS:
+        for library, run in ((POINTLOOM, our_poses), ("Open3D", open3d_poses)):
+            if name == "symmetric ICP" and library != POINTLOOM:
                 continue
-            ends = run(few, name, jobs)
-            home = is_home(pair, ends[1:], ends[0]).reshape(len(ANGLES), trials)
+            poses_found = run(few, name, jobs)
+            home = is_home(pair, poses_found[1:], poses_found[0]).reshape(len(ANGLES), trials)
             curves.append(Curve(pair.name, name, library, home.mean(axis=1).tolist(), trials))
     for method in (methods.GLOBALLY, *methods.BY_LOT):
         poses = scans.random_poses(trials, pair.spread) if method is methods.GLOBALLY else [STILL] * trials
-        found = measure(method, "no guess", "", [(pair, T, STILL, k) for k, T in enumerate(poses)])
-        curves.append(Curve(pair.name, method.name, method.library, [found.right / trials], trials))
+        counts = measure(method, "no guess", "", [(pair, T, STILL, k) for k, T in enumerate(poses)])
+        curves.append(Curve(pair.name, method.name, method.library, [counts.right / trials], trials))
     return curves
 
 
 def table(curves: Sequence[Curve]) -> str:
-    """Markdown: a row a method and library, a column a pair."""
+    """Markdown: a row for each method and library, a column for each pair."""
     pairs = list(dict.fromkeys(curve.pair for curve in curves))
     cells = {(curve.method, curve.library, curve.pair): curve.cell() for curve in curves}
     lines = [f"| method | library | {' | '.join(pairs)} |", "|---" * (2 + len(pairs)) + "|"]
@@ -159,7 +161,7 @@ def table(curves: Sequence[Curve]) -> str:
 
 
 def draw(curves: Sequence[Curve], path: Path) -> None:
-    """The curves: ours solid, Open3D's dashed; methods without a starting pose level, side by side where alike."""
+    """Plot the curves: pointloom solid, Open3D dashed; global methods as horizontal lines, offset if equal."""
     import matplotlib
 
     matplotlib.use("Agg")
@@ -171,7 +173,7 @@ def draw(curves: Sequence[Curve], path: Path) -> None:
     for panel, name in zip(panels[0], pairs, strict=True):
         levels = 0
         for curve in (c for c in curves if c.pair == name):
-            style = "-" if curve.library == OURS else "--"
+            style = "-" if curve.library == POINTLOOM else "--"
             label = f"{curve.method}, {curve.library}"
             if len(curve.shares) > 1:
                 percent = [100 * share for share in curve.shares]
@@ -181,7 +183,7 @@ def draw(curves: Sequence[Curve], path: Path) -> None:
                 panel.plot([0, 180], percent, style, color=LINES[curve.method], label=label, linewidth=1.4)
                 levels += 1
         top = 102 + LEVEL_GAP * levels
-        panel.set(title=name, xlabel="turned by [degrees]", xlim=(0, 180), ylim=(-3, top), xticks=range(0, 181, 30))
+        panel.set(title=name, xlabel="rotated by [degrees]", xlim=(0, 180), ylim=(-3, top), xticks=range(0, 181, 30))
         panel.grid(alpha=0.3)
     panels[0, 0].set_ylabel("found home [%]")
     handles, labels = panels[0, 0].get_legend_handles_labels()
@@ -190,12 +192,14 @@ def draw(curves: Sequence[Curve], path: Path) -> None:
 
 
 def main() -> None:
-    """Print the table; draw and keep it."""
+    """Print the table; plot and save it."""
     parser = argparse.ArgumentParser(description="Success of registration over starting poses.")
-    parser.add_argument("--trials", type=int, default=40, help="starting poses an angle")
+    parser.add_argument("--trials", type=int, default=40, help="starting poses per angle")
     parser.add_argument("--only", action="append", choices=list(scans.PAIRS))
-    parser.add_argument("--picture", type=Path, help="a .png file to draw")
-    parser.add_argument("--write", action="store_true", help="write docs/registration.md, docs/success.png, the JSON")
+    parser.add_argument("--picture", type=Path, help=".png file of the plot")
+    parser.add_argument(
+        "--write", action="store_true", help="write docs/registration.md, docs/success.png and the JSON file"
+    )
     options = parser.parse_args()
     curves = [curve for key in options.only or ("bunny", "lidar", "kitchen") for curve in score(key, options.trials)]
     print(table(curves))

@@ -1,10 +1,10 @@
-"""How far surfaces made from points lie from the true ones, beside Open3D's from the same points.
+"""Errors of surfaces reconstructed from points, beside Open3D from the same points.
 
     POINTLOOM_DATA=... python benchmarks/surface_errors.py [--method ball] [--only sofa] [--depth 8] [--pictures DIR]
 
-Of each scene (surface_scenes.py) and method: the distance of the mesh, sampled by area, from the true surface, and of
+For each scene (surface_scenes.py) and method: distances of the mesh, sampled by area, from the true surface, and of
 the true surface's points from the mesh, median and 95 %. Poisson: vertices below the 1 % quantile of
-the densities are cut, as Open3D's tutorial does.
+the densities are removed, as in Open3D's tutorial.
 """
 
 from __future__ import annotations
@@ -25,8 +25,8 @@ from pointloom.visualization.render.surface_picture import draw_surface
 QUANTILE = 0.01
 
 
-def ours(scene: Scene, method: str, depth: int) -> Any:
-    """Our mesh of a scene."""
+def pointloom_surface(scene: Scene, method: str, depth: int) -> Any:
+    """pointloom's mesh of a scene."""
     cloud = loom.PointCloud(scene.points, normals=scene.normals)
     if method == "poisson":
         mesh, densities = loom.TriangleMesh.create_from_point_cloud_poisson(cloud, depth)
@@ -36,8 +36,8 @@ def ours(scene: Scene, method: str, depth: int) -> Any:
     return loom.TriangleMesh.create_from_point_cloud_alpha_shape(cloud, scene.alpha)
 
 
-def theirs(scene: Scene, method: str, depth: int) -> Any:
-    """Open3D's mesh of a scene, as one of ours."""
+def open3d_surface(scene: Scene, method: str, depth: int) -> Any:
+    """Open3D's mesh of a scene, converted to pointloom's class."""
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(scene.points))
     cloud.normals = o3d.utility.Vector3dVector(scene.normals)
     kind = o3d.geometry.TriangleMesh
@@ -52,28 +52,28 @@ def theirs(scene: Scene, method: str, depth: int) -> Any:
 
 
 def measure(scene: Scene, mesh: Any) -> list[float]:
-    """(off the truth, median and 95 %; truth off the mesh, likewise) [mm]; NaN where there is no mesh or truth."""
+    """(mesh to truth, median and 95 %; truth to mesh, median and 95 %) [mm]; NaN without a mesh or ground truth."""
     if not len(mesh):
         return [np.nan] * 4
     errors = [scene.error_of(mesh.sample_points_uniformly(SAMPLES).points)]
     if scene.truth is not None:
         errors.append(distances_to(mesh.vertices, mesh.triangles)(scene.truth))
-    found = [1e3 * float(np.quantile(e, q)) for e in errors for q in (0.5, 0.95)]
-    return found + [np.nan] * (4 - len(found))
+    quantiles = [1e3 * float(np.quantile(e, q)) for e in errors for q in (0.5, 0.95)]
+    return quantiles + [np.nan] * (4 - len(quantiles))
 
 
 def main() -> None:
     """Print the table of docs/surfaces.md."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--method", action="append", choices=("poisson", "ball", "alpha"), help="all where not given")
-    parser.add_argument("--only", action="append", help="scenes whose names begin like this")
-    parser.add_argument("--depth", type=int, default=8, help="of Poisson's octree")
-    parser.add_argument("--pictures", type=Path, help="write a picture of each of our meshes into this folder")
+    parser.add_argument("--method", action="append", choices=("poisson", "ball", "alpha"), help="default: all")
+    parser.add_argument("--only", action="append", help="scenes whose names start with this")
+    parser.add_argument("--depth", type=int, default=8, help="depth of Poisson's octree")
+    parser.add_argument("--pictures", type=Path, help="write an image of each of pointloom's meshes into this folder")
     arguments = parser.parse_args()
     o3d.utility.set_verbosity_level(o3d.utility.VerbosityLevel.Error)
-    print("| scene | method | | triangles | off the truth, median / 95 % [mm] | truth off the mesh [mm] |")
+    print("| scene | method | | triangles | mesh to truth, median / 95 % [mm] | truth to mesh [mm] |")
     print("|-|-|-|-|-|-|")
-    makers: dict[str, Callable[..., Any]] = {"pointloom": ours, "Open3D": theirs}
+    makers: dict[str, Callable[..., Any]] = {"pointloom": pointloom_surface, "Open3D": open3d_surface}
     for scene in scenes(arguments.only):
         for method in arguments.method or ("poisson", "ball", "alpha"):
             for name, make in makers.items():

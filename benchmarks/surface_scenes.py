@@ -1,4 +1,4 @@
-"""Clouds with a true surface: where the accuracy of surfaces made from points can be measured."""
+"""Clouds with a known true surface, to measure the accuracy of surface reconstruction."""
 
 from __future__ import annotations
 
@@ -26,15 +26,15 @@ SAMPLES = 50_000  # of a true surface
 
 @dataclass(frozen=True)
 class Scene:
-    """A cloud and the surface that it was taken from.
+    """A cloud and its true surface.
 
     Attributes:
-        name: Of the scene.
-        points, normals: float64 [n, 3], what both libraries are given.
+        name: Name of the scene.
+        points, normals: float64 [n, 3], the input of both libraries.
         radii: For ball pivoting [m].
         alpha: For alpha shapes [m].
-        error_of: The distances [m] of points from the true surface.
-        truth: Points of the true surface that the cloud saw, [k, 3]; None where they are not known.
+        error_of: Returns the distances [m] of points from the true surface.
+        truth: Points of the true surface covered by the cloud, [k, 3]; None if unknown.
     """
 
     name: str
@@ -56,13 +56,13 @@ def ray_scene(vertices: Any, triangles: Any) -> Any:
 
 
 def distances_to(vertices: Any, triangles: Any) -> Callable[[Any], Array]:
-    """What measures the distance of points from a mesh."""
+    """A function that returns the distance of points from a mesh."""
     scene = ray_scene(vertices, triangles)
     return lambda points: scene.compute_distance(o3d.core.Tensor(np.asarray(points, np.float32))).numpy()
 
 
 def spacing_of(points: Array) -> float:
-    """The mean distance of a point from its nearest."""
+    """Mean distance of a point from its nearest neighbor."""
     cloud = loom.PointCloud(points)
     return float(np.mean(cloud.compute_nearest_neighbor_distance()))
 
@@ -74,7 +74,7 @@ def _scene(name: str, points: Array, normals: Array, error_of: Any, truth: Array
 
 
 def sampled(name: str, mesh: Any, count: int, noise: float, normals: str) -> Scene:
-    """Samples of a mesh with noise [m] along all axes; normals of the surface ("true") or fitted ("fitted")."""
+    """Samples of a mesh with isotropic noise [m]; normals of the surface ("true") or fitted ("fitted")."""
     mesh.compute_vertex_normals()
     o3d.utility.random.seed(0)
     drawn = mesh.sample_points_uniformly(count)
@@ -87,13 +87,13 @@ def sampled(name: str, mesh: Any, count: int, noise: float, normals: str) -> Sce
 
 
 def fitted_normals(points: Array, sides: Array) -> Array:
-    """Normals fitted to 30 neighbors, on the sides given."""
-    found = loom.PointCloud(points).estimate_normals(max_nn=30).normals.astype(np.float64)
-    return found * np.where((found * sides).sum(axis=1) < 0, -1.0, 1.0)[:, None]
+    """Normals fitted to 30 neighbors, oriented like the given vectors."""
+    normals = loom.PointCloud(points).estimate_normals(max_nn=30).normals.astype(np.float64)
+    return normals * np.where((normals * sides).sum(axis=1) < 0, -1.0, 1.0)[:, None]
 
 
 def cad_part() -> Scene:
-    """The simulated scan of a CAD part of points2surf, its normals fitted and turned to one side."""
+    """The simulated scan of a CAD part of points2surf, with fitted and oriented normals."""
     name = "00011084_fddd53ce45f640f3ab922328_trimesh_019"
     mesh = o3d.io.read_triangle_mesh(str(real_data(f"mesh-points2surf-abc/03_meshes/{name}.ply")))
     points = np.loadtxt(real_data(f"mesh-points2surf-abc/04_pts_vis/{name}.xyz"))[:, :3]
@@ -107,7 +107,7 @@ def cad_part() -> Scene:
 
 
 def bunny_scans() -> Scene:
-    """The ten range scans of the bunny in one frame, normals fitted; measured against the merged model."""
+    """The ten range scans of the bunny in one frame, with fitted normals; compared with the merged model."""
     folder = real_data("reg-bunny-scans")
     model = o3d.io.read_triangle_mesh(str(folder / "reconstruction/bun_zipper.ply"))
     parts, sides = [], []
@@ -123,7 +123,7 @@ def bunny_scans() -> Scene:
     points = np.concatenate(parts)
     normals = fitted_normals(points, np.concatenate(sides))
     truth = np.asarray(model.sample_points_uniformly(SAMPLES).points)
-    truth = truth[distances_to_points(points, truth) < 1e-3]  # what a scan saw
+    truth = truth[distances_to_points(points, truth) < 1e-3]  # the part covered by the scans
     return _scene("bunny, 10 scans", points, normals, distances_to(model.vertices, model.triangles), truth)
 
 
@@ -133,7 +133,7 @@ def distances_to_points(points: Array, queries: Array) -> Array:
 
 
 def made_room() -> Scene:
-    """The made-up room as a depth camera with its noise sees it in 40 frames: points and normals of the frames."""
+    """The synthetic room scanned by a noisy depth camera in 40 frames: points and normals of the frames."""
     parts = []
     for frame in room_sequence(40, width=320, height=240):
         cloud = loom.PointCloud.create_from_depth_image(
@@ -149,7 +149,7 @@ def made_room() -> Scene:
 
 
 def made_sofa() -> Scene:
-    """The sofa of the made-up room: 60,000 points with 3 mm of noise, and the normals fitted to 30 neighbors."""
+    """The sofa of the synthetic room: 60,000 points with 3 mm of noise, and normals fitted to 30 neighbors."""
     solids = sofa().solids(resolve_device("cpu"))
     cloud = scan_of(solids)
 
@@ -160,11 +160,11 @@ def made_sofa() -> Scene:
 
 
 def scan_of(solids: Solids, cell: float = 0.03, noise: float = 0.003) -> loom.PointCloud:
-    """Points of the surface of solids with noise [m]; a grid of `cell` [m] locates the surface."""
+    """Points on the surface of solids with noise [m]; a grid of `cell` [m] locates the surface."""
     extents, centers = download(solids.extents), download(solids.centers)
-    reach = np.linalg.norm(extents[:, :3], axis=1) + extents[:, 3]
-    low = (centers - reach[:, None]).min(axis=0) - 3 * cell
-    high = (centers + reach[:, None]).max(axis=0) + 3 * cell
+    radii = np.linalg.norm(extents[:, :3], axis=1) + extents[:, 3]
+    low = (centers - radii[:, None]).min(axis=0) - 3 * cell
+    high = (centers + radii[:, None]).max(axis=0) + 3 * cell
     axes = [np.arange(a, b, cell) for a, b in zip(low, high, strict=True)]
     nodes = np.stack(np.meshgrid(*axes, indexing="ij"), axis=-1)
     field = distances_from(nodes.reshape(-1, 3), solids).reshape(nodes.shape[:3]).astype(np.float32)
@@ -176,17 +176,17 @@ def scan_of(solids: Solids, cell: float = 0.03, noise: float = 0.003) -> loom.Po
 
 
 def distances_from(points: Array, solids: Solids) -> Array:
-    """Distances of points [m] from solids, negative inside."""
+    """Signed distances of points [m] from solids, negative inside."""
     return download(distance_to_solids(upload(points, vec3d, solids.device), solids)).copy()
 
 
 def scenes(only: list[str] | None = None) -> Iterator[Scene]:
-    """All scenes whose data this machine has, those that are made last; of these those whose names begin like that."""
+    """All scenes with available data, the synthetic ones last, filtered by name prefix."""
     makers: dict[str, Callable[[], Scene]] = {"CAD part": cad_part, "bunny, 10 scans": bunny_scans}
     makers |= {row[0]: _mesh_scene(*row) for row in MESHES}
     makers |= {"room": made_room, "sofa": made_sofa}
     for name, make in makers.items():
-        if only and not any(name.startswith(wanted) for wanted in only):
+        if only and not any(name.startswith(prefix) for prefix in only):
             continue
         try:
             yield make()
@@ -203,7 +203,7 @@ MESHES = (
 
 
 def _mesh_scene(name: str, file: str, count: int, noise: float, normals: str) -> Callable[[], Scene]:
-    """A scene of a mesh of the real data; noise as a share of its longest edge."""
+    """A scene of a mesh of the real data; noise as a fraction of its longest edge."""
 
     def make() -> Scene:
         mesh = o3d.io.read_triangle_mesh(str(real_data(f"mesh-common3d/{file}.obj")))

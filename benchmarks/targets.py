@@ -1,4 +1,4 @@
-"""The speeds to reach: our time times the factor is at most the best of the peers' times, in one run on the CPU."""
+"""Speed targets on the CPU: pointloom's time times the factor is at most the best baseline's time in one run."""
 
 from __future__ import annotations
 
@@ -7,13 +7,13 @@ from dataclasses import dataclass
 
 @dataclass(frozen=True)
 class Target:
-    """A speed to reach.
+    """A speed target.
 
     Attributes:
         operation: Name of the operation.
         size: Name of the size.
-        factor: How many times as fast as the best of the peers.
-        peers: The peers that count.
+        factor: Required ratio to the best of the baselines.
+        peers: The baselines that count.
     """
 
     operation: str

@@ -1,9 +1,11 @@
-"""Score terrain on real surveys: heights between ground points, and ground within a finite reach.
+"""Accuracy of terrain operations on real surveys: heights between ground points, and ground classification with
+finite reach.
 
     POINTLOOM_DATA=... python benchmarks/terrain.py [hillshade.png]
 
-Ground points of PDAL's autzen data are left out one in ten, and their heights foretold from the others; rasters stand
-beside SciPy's LinearNDInterpolator. The tiles with known ground are those of benchmarks/ground.py.
+One in ten ground points of PDAL's autzen data is left out, and its height predicted from the others; rasters are
+compared
+with SciPy's LinearNDInterpolator. The tiles with known ground are those of benchmarks/ground.py.
 """
 
 from __future__ import annotations
@@ -22,7 +24,7 @@ FOOT = 0.3048
 
 
 def main() -> None:
-    """Print the tables of docs/terrain.md; write the picture where a name is given."""
+    """Print the tables of docs/terrain.md; write the hillshade if a file name is given."""
     import pointloom as loom
 
     data = real_data()
@@ -49,21 +51,21 @@ def left_out(cloud: Any, name: str, cell: float) -> str:
     ground = np.flatnonzero(classes == 2)
     out = ground[np.random.default_rng(0).random(len(ground)) < 0.1]
     classes[out] = 0
-    kept = loom.PointCloud(cloud.points, origin=cloud.origin, classification=classes)
-    heights = loom.height_above_ground(kept, reach=100 * cell, cell=cell)[out]
-    places = cloud.points - cloud.origin
-    linear = LinearNDInterpolator(places[classes == 2][:, :2], places[classes == 2][:, 2])
-    errors = places[out][:, 2] - linear(places[out][:, :2])
+    ground_only = loom.PointCloud(cloud.points, origin=cloud.origin, classification=classes)
+    heights = loom.height_above_ground(ground_only, reach=100 * cell, cell=cell)[out]
+    positions = cloud.points - cloud.origin
+    linear = LinearNDInterpolator(positions[classes == 2][:, :2], positions[classes == 2][:, 2])
+    errors = positions[out][:, 2] - linear(positions[out][:, :2])
     inside = np.isfinite(errors)
-    told = [
-        f"{FOOT * np.sqrt(np.mean(found[inside] ** 2)):.3f}, {FOOT * np.median(abs(found[inside])):.3f}"
-        for found in (heights, errors)
+    figures = [
+        f"{FOOT * np.sqrt(np.mean(differences[inside] ** 2)):.3f}, {FOOT * np.median(abs(differences[inside])):.3f}"
+        for differences in (heights, errors)
     ]
-    return f"| {name}, {int(inside.sum()):,} of {len(ground):,} | {told[0]} | {told[1]} |"
+    return f"| {name}, {int(inside.sum()):,} of {len(ground):,} | {figures[0]} | {figures[1]} |"
 
 
 def beside_scipy(cloud: Any, cell: float) -> str:
-    """Rasters beside SciPy's of the same cells."""
+    """Differences from SciPy's rasters of the same cells."""
     from scipy.interpolate import LinearNDInterpolator
 
     import pointloom as loom
@@ -81,12 +83,12 @@ def beside_scipy(cloud: Any, cell: float) -> str:
     ground = (cloud.points - cloud.origin)[np.asarray(cloud["classification"]) == 2]
     linear = LinearNDInterpolator(ground[:, :2], ground[:, 2])(x - cloud.origin[0], y - cloud.origin[1])
     seconds["scipy"] = time.process_time() - begin
-    said = [f"{columns} x {rows} cells, CPU s {seconds}"]
+    lines = [f"{columns} x {rows} cells, CPU s {seconds}"]
     for method, raster in rasters.items():
-        apart = FOOT * abs(raster.values - (linear + cloud.origin[2]))
-        told = [f"{np.nanpercentile(apart, share):.2g}" for share in (50, 95, 100)]
-        said.append(f"{method}: median, 95 %, most {told} m; {int((~np.isfinite(raster.values)).sum())} empty")
-    return "\n".join(said)
+        differences = FOOT * abs(raster.values - (linear + cloud.origin[2]))
+        quantiles = [f"{np.nanpercentile(differences, share):.2g}" for share in (50, 95, 100)]
+        lines.append(f"{method}: median, 95 %, most {quantiles} m; {int((~np.isfinite(raster.values)).sum())} empty")
+    return "\n".join(lines)
 
 
 def ground(folder: Path) -> str:
@@ -95,18 +97,20 @@ def ground(folder: Path) -> str:
 
     import pointloom as loom
 
-    said = ["| tile | total | kappa | total, finite reach | kappa |", "|---|---:|---:|---:|---:|"]
-    found = []
+    lines = ["| tile | total | kappa | total, finite reach | kappa |", "|---|---:|---:|---:|---:|"]
+    scores_of_tiles = []
     for name, (points, truth) in scoring.tiles(folder).items():
         cloud = loom.PointCloud(points)
         pair = [scoring.compare(loom.classify_ground(cloud, corner=corner), truth) for corner in (None, (0, 0))]
-        found.append([value for score in pair for value in (score.total, score.kappa)])
-        said.append(f"| {name} | " + " | ".join(f"{value:.2f}" for value in found[-1]) + " |")
-    return "\n".join([*said, "| mean | " + " | ".join(f"{value:.2f}" for value in np.mean(found, axis=0)) + " |"])
+        scores_of_tiles.append([value for score in pair for value in (score.total, score.kappa)])
+        lines.append(f"| {name} | " + " | ".join(f"{value:.2f}" for value in scores_of_tiles[-1]) + " |")
+    return "\n".join(
+        [*lines, "| mean | " + " | ".join(f"{value:.2f}" for value in np.mean(scores_of_tiles, axis=0)) + " |"]
+    )
 
 
 def hillshade(heights: NDArray[np.float32], cell: float) -> NDArray[np.uint8]:
-    """Light from the north-west, 45 degrees up."""
+    """Hillshade with light from the north-west at 45 degrees."""
     north, east = np.gradient(heights.astype(np.float64), -cell, cell)
     light = (1 + (east - north) / np.sqrt(2)) / np.sqrt(1 + east**2 + north**2) / np.sqrt(2)
     return (255 * np.clip(np.nan_to_num(light), 0, 1)).astype(np.uint8)

@@ -1,18 +1,22 @@
-"""Textures of made scenes whose colors are known: steps at seams, and errors, with and without leveling.
+"""Textures of synthetic scenes with known colors: steps at seams, and errors, with and without leveling.
 
     python benchmarks/texture_seams.py [--scene owl] [--device cpu]
 
-The pictures are what a camera sees of a mesh with known colors, each with an exposure of its own (0.8 to 1.2), darker
-toward its corners (by a quarter), with noise of 1 of 255; the poses that are handed over are off by 0.05 degrees and a
-thousandth of the distance. Contestants are the mean over pictures (`project_images_to_albedo` on xatlas's charts), and
-`texture_from_pictures` with less and with all of its leveling.
+The images are renderings of a mesh with known colors, each with its own exposure (0.8 to 1.2), vignetting (a quarter at
+the corners) and noise of 1 of 255; the given poses have errors of 0.05 degrees and a thousandth of the distance.
+Contestants are the mean over images (`project_images_to_albedo` on xatlas's charts), and `texture_from_pictures` with
+parts and all of its leveling.
 
-A step is the difference of colors at both sides of an edge of the mesh whose sides lie at different places of the
-texture, at eight places of each such edge, bilinear, in the mean of three channels. An error is that of the texture at
-20,000 places of the surface, after one gain for all of it. Sharpness is the contrast of the texture over a texel and a
-half along an edge of the triangle at each of these places, as a share of that of the known colors: the sum of both
-contrasts' products by that of the known ones' squares, 1 where nothing is blurred; in all, and of triangles with a
-corner on a seam. Seconds are of the processor, compiling included in the first.
+A step is the color difference across an edge of the mesh whose sides are at different positions of the texture, at
+eight
+points of each such edge, bilinear, as the mean of three channels. An error is that of the texture at 20,000 points
+of the
+surface, after one global gain. Sharpness is the contrast of the texture over 1.5 texels along a triangle edge at
+each of
+these points, relative to that of the known colors: the sum of products of both contrasts divided by the sum of
+squares of
+the known ones, 1 without blur; in total, and for triangles with a corner on a seam. Times are CPU seconds; the first
+includes compilation.
 """
 
 from __future__ import annotations
@@ -28,7 +32,7 @@ from numpy.typing import NDArray
 
 import pointloom as loom
 
-PLACES = 8  # of an edge
+SAMPLES = 8  # per edge
 POINTS = 20_000
 ACROSS = 1.5  # texels over which contrast is measured
 SIZE = 2048
@@ -37,7 +41,7 @@ Colors = Callable[[NDArray[np.float64]], NDArray[np.float64]]
 
 @dataclass
 class Scene:
-    """A mesh, what color it has where, pictures of it, and poses that are nearly right."""
+    """A mesh, its color function, images of it, and approximate poses."""
 
     name: str
     mesh: Any
@@ -48,7 +52,7 @@ class Scene:
 
 
 def painted(length: float) -> Colors:
-    """Colors that change over a length [m], over a quarter of it, and at sharp lines."""
+    """Colors that vary over a length [m], over a quarter of it, and at sharp lines."""
 
     def colors(p: NDArray[np.float64]) -> NDArray[np.float64]:
         x, y, z = np.moveaxis(np.asarray(p, np.float64) * (2 * np.pi / length), -1, 0)
@@ -62,7 +66,7 @@ def painted(length: float) -> Colors:
 
 
 def owl() -> Scene:
-    """The owl from 16 places all round."""
+    """The owl from 16 positions around it."""
     mesh = loom.datasets.object_mesh().simplify_quadric_decimation(20_000)
     poses = ring(16, 0.6, (0.15, 0.7))
     return photographed(
@@ -71,7 +75,7 @@ def owl() -> Scene:
 
 
 def room() -> Scene:
-    """The furnished room from 24 places in it."""
+    """The furnished room from 24 positions inside."""
     from pointloom.datasets.scenes.room import round_pose
 
     poses = np.array([round_pose(k / 24) for k in range(24)])
@@ -97,7 +101,7 @@ def ring(count: int, distance: float, heights: tuple[float, ...]) -> NDArray[np.
 def photographed(
     name: str, mesh: Any, colors: Colors, poses: NDArray[np.float64], distance: float, camera: Any
 ) -> Scene:
-    """Pictures of a mesh with exposures of their own, dark corners and noise, and poses a little off."""
+    """Images of a mesh with individual exposures, vignetting and noise, and slightly wrong poses."""
     rng, scene = np.random.default_rng(0), loom.RaycastingScene()
     scene.add_triangles(mesh.vertices.astype(np.float32), mesh.triangles)
     v, u = np.mgrid[: camera.height, : camera.width]
@@ -105,10 +109,12 @@ def photographed(
     far = ((rays[..., :2] ** 2).sum(-1) / (rays[0, 0, :2] ** 2).sum())[..., None]
     pictures, extrinsics = [], []
     for T in poses:
-        ways = rays @ T[:3, :3].T
-        met = scene.cast_rays(np.concatenate([np.broadcast_to(T[:3, 3], ways.shape), ways], -1))["t_hit"]
-        seen = np.isfinite(met)[..., None]
-        shade = colors(T[:3, 3] + ways * np.where(seen, met[..., None], 0.0)) * seen
+        directions = rays @ T[:3, :3].T
+        distances = scene.cast_rays(np.concatenate([np.broadcast_to(T[:3, 3], directions.shape), directions], -1))[
+            "t_hit"
+        ]
+        mask = np.isfinite(distances)[..., None]
+        shade = colors(T[:3, 3] + directions * np.where(mask, distances[..., None], 0.0)) * mask
         exposed = shade * rng.uniform(0.8, 1.2) * (1 - 0.25 * far) * 255 + rng.normal(0, 1, shade.shape)
         pictures.append(np.clip(np.rint(exposed), 0, 255).astype(np.uint8))
         extrinsics.append(shaken(rng, distance) @ np.linalg.inv(T))
@@ -116,7 +122,7 @@ def photographed(
 
 
 def shaken(rng: np.random.Generator, distance: float) -> NDArray[np.float64]:
-    """A small motion: 0.05 degrees, and a thousandth of the distance, along each axis in the deviation."""
+    """A small random motion: 0.05 degrees and a thousandth of the distance (standard deviations per axis)."""
     T, (a, b, c) = np.eye(4), rng.normal(0, np.radians(0.05), 3)
     cross = np.array([[0, -c, b], [c, 0, -a], [-b, a, 0]])
     left, _, right = np.linalg.svd(np.eye(3) + cross)
@@ -125,7 +131,7 @@ def shaken(rng: np.random.Generator, distance: float) -> NDArray[np.float64]:
 
 
 def texture_at(picture: NDArray[np.uint8], uvs: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Colors at texture coordinates [n, 2], bilinear, 0..255."""
+    """Bilinear colors at texture coordinates [n, 2], 0..255."""
     height, width = picture.shape[:2]
     x = np.clip(uvs[:, 0] * width - 0.5, 0, width - 1)
     y = np.clip((1 - uvs[:, 1]) * height - 0.5, 0, height - 1)
@@ -136,11 +142,11 @@ def texture_at(picture: NDArray[np.uint8], uvs: NDArray[np.float64]) -> NDArray[
 
 
 def seam_steps(mesh: Any, shown: NDArray[np.bool_] | None = None) -> NDArray[np.float64]:
-    """The steps at all places of edges whose sides lie at different places of the texture, 0..255.
+    """Color steps across edges whose sides are at different positions of the texture, 0..255.
 
     Args:
-        mesh: With one texture, its vertices one where they are at one place.
-        shown: Triangles that count, bool [t]; None for all.
+        mesh: With one texture and merged vertices.
+        shown: Selected triangles, bool [t]; None for all.
     """
     triangles, uvs = np.asarray(mesh.triangles), np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)
     keep = np.ones(len(triangles), bool) if shown is None else shown
@@ -152,18 +158,18 @@ def seam_steps(mesh: Any, shown: NDArray[np.bool_] | None = None) -> NDArray[np.
     order = np.argsort(keys, kind="stable")
     order = order[np.repeat(keep, 3)[order]]
     pairs = np.flatnonzero(keys[order][1:] == keys[order][:-1])
-    here, there = order[pairs], order[pairs + 1]
-    apart = (np.abs(first[here] - first[there]) + np.abs(last[here] - last[there])).max(1) > 1e-6
-    here, there, steps = here[apart], there[apart], []
-    for k in range(PLACES):
-        share = (k + 0.5) / PLACES
-        colors = [texture_at(mesh.textures[0], first[h] * (1 - share) + last[h] * share) for h in (here, there)]
+    rows, other_rows = order[pairs], order[pairs + 1]
+    is_seam = (np.abs(first[rows] - first[other_rows]) + np.abs(last[rows] - last[other_rows])).max(1) > 1e-6
+    rows, other_rows, steps = rows[is_seam], other_rows[is_seam], []
+    for k in range(SAMPLES):
+        share = (k + 0.5) / SAMPLES
+        colors = [texture_at(mesh.textures[0], first[h] * (1 - share) + last[h] * share) for h in (rows, other_rows)]
         steps.append(np.abs(colors[0] - colors[1]).mean(1))
-    return np.concatenate(steps) if len(here) else np.zeros(0)
+    return np.concatenate(steps) if len(rows) else np.zeros(0)
 
 
-def places_on(mesh: Any, shown: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
-    """Places of the triangles that count, as rows and shares of corners, evenly over their area."""
+def samples_on(mesh: Any, shown: NDArray[np.bool_]) -> tuple[NDArray[np.int64], NDArray[np.float64]]:
+    """Evenly distributed points on the selected triangles, as rows and barycentric coordinates."""
     rng, triangles = np.random.default_rng(1), np.asarray(mesh.triangles)
     corners = np.asarray(mesh.vertices)[triangles]
     areas = np.linalg.norm(np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]), axis=1) * shown
@@ -174,69 +180,69 @@ def places_on(mesh: Any, shown: NDArray[np.bool_]) -> tuple[NDArray[np.int64], N
 def colors_on(
     mesh: Any, colors: Colors, rows: NDArray[np.int64], shares: NDArray[np.float64]
 ) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """The colors of the texture, and the known ones, at places, 0..255."""
+    """Colors of the texture and known colors at points, 0..255."""
     corners = np.asarray(mesh.vertices)[np.asarray(mesh.triangles)[rows]]
     uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows]
-    points, places = (corners * shares[..., None]).sum(1), (uvs * shares[..., None]).sum(1)
-    return texture_at(mesh.textures[0], places), 255 * colors(points)
+    points, texture_uvs = (corners * shares[..., None]).sum(1), (uvs * shares[..., None]).sum(1)
+    return texture_at(mesh.textures[0], texture_uvs), 255 * colors(points)
 
 
 def color_errors(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> NDArray[np.float64]:
-    """Errors of the texture at places of the triangles that count, 0..255, after one gain."""
-    found, truth = colors_on(mesh, colors, *places_on(mesh, shown))
-    return np.abs(found * ((found * truth).sum() / (found**2).sum()) - truth).mean(1)
+    """Errors of the texture at points of the selected triangles, 0..255, after one gain."""
+    texture_colors, truth = colors_on(mesh, colors, *samples_on(mesh, shown))
+    return np.abs(texture_colors * ((texture_colors * truth).sum() / (texture_colors**2).sum()) - truth).mean(1)
 
 
 def sharpness(mesh: Any, colors: Colors, shown: NDArray[np.bool_]) -> float:
-    """The contrast of the texture over `ACROSS` texels, as a share of that of the known colors; nan without places."""
+    """Contrast of the texture over `ACROSS` texels, relative to that of the known colors; nan without points."""
     if not shown.any():
         return float("nan")
-    rows, shares = places_on(mesh, shown)
+    rows, shares = samples_on(mesh, shown)
     uvs = np.asarray(mesh.triangle_uvs, np.float64).reshape(-1, 3, 2)[rows] * mesh.textures[0].shape[0]
     length = np.linalg.norm(uvs[:, 1] - uvs[:, 0], axis=1)
     moved = shares + (ACROSS / np.maximum(length, ACROSS))[:, None] * np.array([-1.0, 1.0, 0.0])
     inside = (moved >= 0).all(1)
-    here, there = (colors_on(mesh, colors, rows[inside], part[inside]) for part in (shares, moved))
-    drawn, known = there[0] - here[0], there[1] - here[1]
+    colors_here, colors_moved = (colors_on(mesh, colors, rows[inside], part[inside]) for part in (shares, moved))
+    drawn, known = colors_moved[0] - colors_here[0], colors_moved[1] - colors_here[1]
     return float((drawn * known).sum() / (known**2).sum())
 
 
 def beside_seams(mesh: Any, views: NDArray[np.int32]) -> NDArray[np.bool_]:
-    """Triangles with a picture and a corner where another picture is taken too."""
+    """Triangles with a source image and a corner shared with another image."""
     triangles, count = np.asarray(mesh.triangles), len(np.asarray(mesh.vertices))
-    least, most = np.full(count, 1 << 30), np.full(count, -1)
+    lowest, highest = np.full(count, 1 << 30), np.full(count, -1)
     for k in range(3):
-        np.minimum.at(least, triangles[views >= 0, k], views[views >= 0])
-        np.maximum.at(most, triangles[views >= 0, k], views[views >= 0])
-    return (views >= 0) & (least < most)[triangles].any(1)
+        np.minimum.at(lowest, triangles[views >= 0, k], views[views >= 0])
+        np.maximum.at(highest, triangles[views >= 0, k], views[views >= 0])
+    return (views >= 0) & (lowest < highest)[triangles].any(1)
 
 
 def measure(scene: Scene, device: str) -> dict[str, Any]:
-    """The meshes of all contestants, printed as a table."""
+    """The meshes of all contestants, with a printed table."""
     mesh, maps = scene.mesh.to(device), loom.color_map
     given = (scene.pictures, scene.camera, scene.extrinsics)
-    ways: dict[str, dict[str, Any]] = {
+    variants: dict[str, dict[str, Any]] = {
         "one picture each": {"exposures": False, "seam_leveling": False, "local_leveling": False},
         "at one exposure": {"seam_leveling": False, "local_leveling": False},
         "and vertices shifted": {"local_leveling": False},
         "and strips blended": {},
         "without exposures": {"exposures": False},
     }
-    found, views = {}, np.zeros(0, np.int32)
+    meshes, views = {}, np.zeros(0, np.int32)
     print(f"{scene.name}: {len(mesh):,} triangles, {len(scene.pictures)} pictures, {mesh.device}")
     figures = f"{'step mean':>11}{'95 %':>7}{'error mean':>12}{'95 %':>7}{'sharp':>7}{'beside':>8}{'seconds':>9}"
     print(f"{'':28}{'charts':>8}{figures}")
-    for name, how in ways.items():
+    for name, how in variants.items():
         begin = time.process_time()
         result = maps.texture_from_pictures(mesh, *given, size=SIZE, **how)
         seconds = time.process_time() - begin
-        views, found[name] = result.views, result.mesh
+        views, meshes[name] = result.views, result.mesh
         _print(name, result.chart_count, result.mesh, scene, views, seconds)
     print(result)
     begin = time.process_time()
     mean = mesh.compute_uvatlas(SIZE, gutter=4).project_images_to_albedo(*given, tex_size=SIZE)
     _print("mean over pictures", None, mean, scene, views, time.process_time() - begin)
-    return found | {"mean over pictures": mean}
+    return meshes | {"mean over pictures": mean}
 
 
 def _print(name: str, charts: int | None, mesh: Any, scene: Scene, views: Any, seconds: float) -> None:

@@ -1,10 +1,10 @@
-"""Each step by tiles beside the operation in memory, on real surveys and a made city: how many rows differ?
+"""Compare each tiled step with the in-memory operation on real surveys and a synthetic city: number of different rows.
 
     python benchmarks/tile_equality.py DATA        # the folder of docs/data.md; minutes
 
-Surveys go in as two LAZ files that share some points, with points on borders and corners of tiles; each step runs with
-tiles of three sizes, of which the last holds everything. Rows are compared whole, positions, attributes and normals, by
-their bits. Every step that tiles know has a line here.
+Surveys are given as two LAZ files with some common points, and points on borders and corners of tiles. Each step runs
+with three tile sizes, the last of which contains everything. Complete rows are compared bitwise: positions, attributes
+and normals. Every step of the tiling has a line here.
 """
 
 from __future__ import annotations
@@ -36,8 +36,8 @@ SURVEYS = {
     "town": ("lidar-pcl-terrain/samp11-utm.pcd", 1.0),
     "autzen [ft]": ("lidar-pdal/laz/autzen_trim.laz", 3.28),
 }
-CITY, PER_LINE = 500, 3162  # lines of so many points along a kilometre, of which as many stay
-SIZES = (41.0, 60.0, 5000.0)  # times a survey's scale; the second has borders where points are put
+CITY, PER_LINE = 500, 3162  # number of lines and points per kilometer of line
+SIZES = (41.0, 60.0, 5000.0)  # times a survey's scale; the second has borders at added points
 BORDER = 20.0
 Steps = list[dict[str, Any]]
 
@@ -60,37 +60,37 @@ def classified(cloud: Any, s: float) -> Any:
 
 def with_distance(cloud: Any, other: Any, s: float) -> Any:
     """Distances to the other epoch as the step writes them."""
-    found = np.asarray(cloud.compute_point_cloud_distance(other))
-    return changed(cloud, distance=np.where(found <= 3 * s, found, np.nan).astype(np.float32))
+    distances = np.asarray(cloud.compute_point_cloud_distance(other))
+    return changed(cloud, distance=np.where(distances <= 3 * s, distances, np.nan).astype(np.float32))
 
 
 def with_change(cloud: Any, other: Any, s: float) -> Any:
     """M3C2 as the step writes it."""
-    found = loom.change.m3c2(cloud, other, normal_radii=[3 * s, 6 * s], cylinder_radius=3 * s, max_distance=4 * s)
-    before, after = found.counts.T.copy()
+    result = loom.change.m3c2(cloud, other, normal_radii=[3 * s, 6 * s], cylinder_radius=3 * s, max_distance=4 * s)
+    before, after = result.counts.T.copy()
     return changed(
         cloud,
-        m3c2_distance=found.distances.astype(np.float32),
-        level_of_detection=found.level_of_detection.astype(np.float32),
-        significant=found.is_significant.astype(np.uint8),
+        m3c2_distance=result.distances.astype(np.float32),
+        level_of_detection=result.level_of_detection.astype(np.float32),
+        significant=result.is_significant.astype(np.uint8),
         points_before=before,
         points_after=after,
     )
 
 
 def with_features(cloud: Any, s: float) -> Any:
-    """Shapes as the step writes them."""
-    found = loom.compute_eigen_features(cloud, radius=4 * s, max_nn=None)
-    return changed(cloud, **{name: found[name] for name in ("linearity", "verticality", "density")})
+    """Eigenvalue features as the step writes them."""
+    features = loom.compute_eigen_features(cloud, radius=4 * s, max_nn=None)
+    return changed(cloud, **{name: features[name] for name in ("linearity", "verticality", "density")})
 
 
 def dimmer(cloud: Any) -> Any:
-    """A function of a user."""
+    """A user-defined function."""
     return changed(cloud, intensity=(np.asarray(cloud["intensity"]) // 2).astype(np.uint16))
 
 
 def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps, Callable[[Any, Any, Any], Any]]]:
-    """By name the steps, and the same in memory of (cloud, other epoch, corner of voxels)."""
+    """The steps by name, with the in-memory equivalents of (cloud, other epoch, corner of voxels)."""
     low, high = box.tolist()
     ground = {"step": "classify_ground", "cell_size": s, "max_window": 6 * s, "elevation_threshold": 0.5 * s,
               "scaling": 1.25 * s}  # fmt: skip
@@ -159,7 +159,7 @@ def steps_of(s: float, other: Path, box: NDArray[Any]) -> dict[str, tuple[Steps,
 
 
 def tables_of(name: str, data: Path, folder: Path) -> tuple[PointTable, float]:
-    """A survey with intensities, times and classes, some points of it on borders, and what is a metre in it."""
+    """A survey with intensities, times and classes, some points on borders, and its length unit."""
     if name == "city":
         rows, scale = made_rows(0, 0, range(CITY), PER_LINE, np.random.default_rng(0)), 1.0
         points = np.column_stack([rows[axis] for axis in "xyz"])
@@ -181,7 +181,7 @@ def tables_of(name: str, data: Path, folder: Path) -> tuple[PointTable, float]:
 
 
 def write_parts(table: PointTable, folder: Path, shift: float) -> list[Path]:
-    """Two files with half of the points each, 200 of them in both; lifted where x is large."""
+    """Write two files with half of the points each, 200 of them in both; raised for large x."""
     rng, points = np.random.default_rng(1), table.points.copy()
     points[points[:, 0] > np.median(points[:, 0]), 2] += shift
     one, two = np.array_split(rng.permutation(len(points)), 2)
@@ -193,7 +193,7 @@ def write_parts(table: PointTable, folder: Path, shift: float) -> list[Path]:
     return paths
 
 
-def whole(paths: list[Path], origin: Any) -> Any:
+def read_all(paths: list[Path], origin: Any) -> Any:
     """All points in memory, in the order of the files."""
     tables = [read_las(path) for path in paths]
     columns = {
@@ -203,7 +203,7 @@ def whole(paths: list[Path], origin: Any) -> Any:
 
 
 def rows_of(cloud: Any, names: list[str]) -> NDArray[np.int64]:
-    """All of a cloud as sorted rows; positions in steps of the files."""
+    """The complete cloud as sorted rows, with positions in steps of the files."""
     columns = [np.rint((cloud.points - cloud.origin) / 1e-4).astype(np.int64)]
     for name in names:
         values = np.asarray(cloud[name])
@@ -216,7 +216,7 @@ def rows_of(cloud: Any, names: list[str]) -> NDArray[np.int64]:
 
 
 def differing(result: Path, job: Path, expected: Any) -> tuple[int, int]:
-    """Rows, or cells, that are not those that are expected, and how many there are."""
+    """Number of rows, or cells, that differ from the expected ones, and their total."""
     if isinstance(expected, Raster):
         import rasterio
 
@@ -226,28 +226,28 @@ def differing(result: Path, job: Path, expected: Any) -> tuple[int, int]:
             return expected.values.size, expected.values.size
         same = (values == expected.values) | (np.isnan(values) & np.isnan(expected.values))
         return int((~same).sum()), values.size
-    found = loom.read_point_cloud(result)
-    found = loom.PointCloud(found.points, normals=found.normals if found.has_normals else None,
-                            origin=expected.origin, **dict(found.attributes))  # fmt: skip
+    actual = loom.read_point_cloud(result)
+    actual = loom.PointCloud(actual.points, normals=actual.normals if actual.has_normals else None,
+                            origin=expected.origin, **dict(actual.attributes))  # fmt: skip
     names = sorted(expected.attributes)
-    a, b = rows_of(found, names), rows_of(expected, names)
+    a, b = rows_of(actual, names), rows_of(expected, names)
     if a.shape != b.shape:
         return max(len(a), len(b)), len(b)
     return int((a != b).any(axis=1).sum()), len(b)
 
 
 def check(name: str, data: Path, folder: Path, only: str | None) -> int:
-    """All steps on a survey; rows that differ."""
+    """Run all steps on a survey; returns the number of differing rows."""
     (folder / "after").mkdir(parents=True)
     table, s = tables_of(name, data, folder)
-    paths, later = write_parts(table, folder, 0.0), write_parts(table, folder / "after", 0.4 * s)
+    paths, second_paths = write_parts(table, folder, 0.0), write_parts(table, folder / "after", 0.4 * s)
     low, high = (np.quantile(table.points, share, axis=0) for share in (0.2, 0.8))
     low[2], high[2] = table.points[:, 2].min(), table.points[:, 2].max()
     bad = 0
     for step, (steps, in_memory) in steps_of(s, folder / "after", np.array([low, high])).items():
         if only not in (None, step):
             continue
-        told, expected = [], None
+        reports, expected = [], None
         for size in SIZES:
             job = folder / "job"
             loom.tiling.plan_tiles(paths, steps, job, size=size * s)
@@ -257,13 +257,13 @@ def check(name: str, data: Path, folder: Path, only: str | None) -> int:
             with Manifest(job) as manifest:
                 plan = manifest.plan
             if expected is None:
-                cloud, other = (whole(some, plan["origin"]) for some in (paths, later))
+                cloud, other = (read_all(some, plan["origin"]) for some in (paths, second_paths))
                 expected = in_memory(cloud, other, plan["voxel_corner"])
             rows, total = differing(loom.tiling.finish_tiles(job), job, expected)
-            told.append(f"{rows} of {total:,} in {status.done + status.empty} tiles")
+            reports.append(f"{rows} of {total:,} in {status.done + status.empty} tiles")
             bad += rows
             shutil.rmtree(job)
-        print(f"{name:12} {step:27} {'; '.join(told)}", flush=True)
+        print(f"{name:12} {step:27} {'; '.join(reports)}", flush=True)
     return bad
 
 
@@ -272,13 +272,13 @@ def main() -> None:
     parser.add_argument("data", type=Path)
     parser.add_argument("--step", choices=sorted(KNOWN), help="this one alone")
     parser.add_argument("--survey", choices=[*SURVEYS, "city"], help="this one alone")
-    told = parser.parse_args()
-    with tempfile.TemporaryDirectory() as place:
-        missing = set(KNOWN) - set(steps_of(1.0, Path(place), np.zeros((2, 3))))
+    options = parser.parse_args()
+    with tempfile.TemporaryDirectory() as folder:
+        missing = set(KNOWN) - set(steps_of(1.0, Path(folder), np.zeros((2, 3))))
         if missing:
-            raise SystemExit(f"no line here compares {', '.join(sorted(missing))}")
-        names = [told.survey] if told.survey else [*SURVEYS, "city"]
-        bad = sum(check(name, told.data, Path(place) / name.split()[0], told.step) for name in names)
+            raise SystemExit(f"no comparison is defined for {', '.join(sorted(missing))}")
+        names = [options.survey] if options.survey else [*SURVEYS, "city"]
+        bad = sum(check(name, options.data, Path(folder) / name.split()[0], options.step) for name in names)
     print(f"{bad} rows differ")
     sys.exit(bool(bad))
 

@@ -1,11 +1,11 @@
-"""Runs of tiles whose processes are killed at random moments: is the result that of a run that nothing disturbed?
+"""Kill processes of tile jobs at random times, and compare the result with an undisturbed run.
 
     python benchmarks/tile_faults.py --seed 0 --kills 100
 
-Jobs over a made survey are worked off by processes of this machine (`--workers`) and by a dask scheduler with workers
-of its own (`--scheduler`), in turn. A worker, the runner, the scheduler or the
-process that makes the file of all tiles gets SIGKILL; what ended is started again, until the job is finished. The rows
-of each finished file, sorted, are held against those of a run in one process, byte for byte.
+Jobs over a synthetic survey are run by processes of this machine (`--workers`) and by a dask scheduler with its own
+workers (`--scheduler`), alternately. A worker, the runner, the scheduler or the
+process that writes the merged file gets SIGKILL; killed processes are restarted until the job is finished. The sorted
+rows of each finished file are compared bitwise with those of a run in one process.
 """
 
 from __future__ import annotations
@@ -43,21 +43,23 @@ CLUSTERS = [{"step": "voxel_down_sample", "voxel_size": 0.5}, {"step": "cluster_
 CHAINS = {"filters": STEPS, "clusters": CLUSTERS}
 RUNNERS = ("workers", "scheduler")
 COMMAND = [sys.executable, "-m", "pointloom", "tile"]
-MAX_RUNS = 60  # of one job
-MAX_KILLS = 10  # while the tiles of one job are worked off, that there are several jobs of each runner
-LONGEST = 300.0  # [s] of one run
-LINGER = 60.0  # [s] that workers may look for a scheduler that has gone
-MARK = "POINTLOOM_FAULT_RUN"  # in the environment of all processes of a run
+MAX_RUNS = 60  # per job
+MAX_KILLS = 10  # during the tiles of one job, so that there are several jobs of each runner
+LONGEST = 300.0  # [s] per run
+SEARCH_SECONDS = 60.0  # [s] that workers may search for a lost scheduler
+MARK = "POINTLOOM_FAULT_RUN"  # environment variable of all processes of a run
 
 
 def made_survey(folder: Path, points: int, seed: int) -> list[Path]:
-    """Three LAZ files of a hilly square at 4 points a square metre, in steps of 1 mm, some points in two of them."""
+    """Three LAZ files of a hilly square at 4 points per square meter, in steps of 1 mm, with some points in two of
+    them.
+    """
     rng = np.random.default_rng(seed)
     side = (points / 4) ** 0.5
-    places = rng.random((points, 2)) * side
-    height = 10 * np.sin(places[:, 0] / 30) * np.cos(places[:, 1] / 40) + rng.normal(0, 0.03, points)
+    positions = rng.random((points, 2)) * side
+    height = 10 * np.sin(positions[:, 0] / 30) * np.cos(positions[:, 1] / 40) + rng.normal(0, 0.03, points)
     height[::500] += rng.random(len(height[::500])) * 30
-    cloud = np.column_stack([places, height]) + np.array([500_000, 4_000_000, 100])
+    cloud = np.column_stack([positions, height]) + np.array([500_000, 4_000_000, 100])
     paths = []
     for number, rows in enumerate(np.array_split(rng.permutation(points), 3)):
         shared = rows if number else np.concatenate([rows, [0, 1, 2]])
@@ -68,26 +70,26 @@ def made_survey(folder: Path, points: int, seed: int) -> list[Path]:
 
 
 def sorted_rows(path: Path) -> bytes:
-    """The rows of a file as the bytes that they have there, sorted."""
+    """The sorted rows of a file, as bytes."""
     with laspy.open(path) as reader:
         rows = reader.read().points.array
     return np.sort(rows.view(np.dtype((np.void, rows.dtype.itemsize))).ravel()).tobytes()
 
 
 class Attack:
-    """One job, killed at until it is finished.
+    """One job that is killed until it is finished.
 
     Attributes:
-        kills: How often each kind of process was killed.
-        counts: Of runs, and of what was found.
+        kills: Number of kills of each kind of process.
+        counts: Numbers of runs and of faults.
     """
 
-    def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], most: int):
-        self.job, self.chance, self.kills, self.counts, self.most = job, chance, kills, counts, most
-        self._here = min(most, kills.total() + MAX_KILLS)
+    def __init__(self, job: Path, chance: random.Random, kills: Counter[str], counts: Counter[str], max_kills: int):
+        self.job, self.chance, self.kills, self.counts, self.max_kills = job, chance, kills, counts, max_kills
+        self._here = min(max_kills, kills.total() + MAX_KILLS)
 
     def work(self, runner: str) -> None:
-        """Run until all tiles are done, killing meanwhile."""
+        """Run until all tiles are done, with kills."""
         for _ in range(MAX_RUNS):
             with _cluster(runner) as (options, others):
                 self.counts["runs"] += 1
@@ -103,7 +105,7 @@ class Attack:
                 retry_tiles(self.job)
             elif states := _bad_files(self.job):
                 print(str(status)[:600], file=sys.stderr)
-                self.counts["files set aside"] += states.count("aside")  # three workers were killed at it
+                self.counts["files set aside"] += states.count("aside")  # three workers were killed during it
                 self.counts["files failed"] += states.count("failed")
                 retry_tiles(self.job)
             elif status.is_finished:
@@ -124,7 +126,7 @@ class Attack:
                 self._kill(process, others)
 
     def _kill(self, process: subprocess.Popen[bytes], others: dict[str, list[subprocess.Popen[bytes]]]) -> None:
-        """One process of the run; the runner more seldom than its workers."""
+        """Kill one process of the run; the runner less often than its workers."""
         workers = _workers_of(process) + others.get("worker", [])
         kind = self.chance.choice(["worker"] * 3 + ["runner"] + ["scheduler"] * ("scheduler" in others))
         victims = {"worker": workers, "runner": [process]}.get(kind, others.get(kind, []))
@@ -139,11 +141,11 @@ class Attack:
                     others["worker"].append(_dask("worker", others["address"], *_WORKER))  # as a cluster's manager does
 
     def finish(self, expected: bytes) -> None:
-        """Make the file of all tiles, killing meanwhile, and hold it against what is expected."""
+        """Write the merged file, with kills, and compare it with the expected one."""
         path = self.job / "result.laz"
         while True:
             process = _begin("finish", str(self.job), "--force")
-            if self.chance.random() < 0.7 and self.kills.total() < self.most:
+            if self.chance.random() < 0.7 and self.kills.total() < self.max_kills:
                 time.sleep(self.chance.uniform(0.5, 1.6))
                 if process.poll() is None:
                     process.kill()
@@ -160,7 +162,7 @@ class Attack:
 
 
 def _bad_files(job: Path) -> list[str]:
-    """The states of files that could not be laid by tile."""
+    """States of input files that could not be sorted into tiles."""
     with Manifest(job) as manifest:
         return [row["state"] for row in manifest.rows("SELECT state FROM sources WHERE state IN ('failed', 'aside')")]
 
@@ -175,16 +177,16 @@ def _dask(what: str, address: str, *options: str) -> subprocess.Popen[bytes]:
 
 @contextlib.contextmanager
 def _cluster(runner: str) -> Iterator[tuple[list[str], dict[str, Any]]]:
-    """The options of a runner, and the processes beside it."""
+    """The options of a runner, and its additional processes."""
     if runner != "scheduler":
         yield [f"--{runner}", "2"], {}
         return
-    told = Path(tempfile.mkdtemp()) / "scheduler.json"
-    options = ("--port", "0", "--no-dashboard", "--scheduler-file", str(told))
+    scheduler_file = Path(tempfile.mkdtemp()) / "scheduler.json"
+    options = ("--port", "0", "--no-dashboard", "--scheduler-file", str(scheduler_file))
     others: dict[str, Any] = {"scheduler": [_dask("scheduler", "", *options)], "worker": []}
-    while not told.exists() or not told.read_text().endswith("}"):
+    while not scheduler_file.exists() or not scheduler_file.read_text().endswith("}"):
         time.sleep(0.05)
-    others["address"] = json.loads(told.read_text())["address"]
+    others["address"] = json.loads(scheduler_file.read_text())["address"]
     others["worker"] = [_dask("worker", others["address"], *_WORKER) for _ in range(2)]
     try:
         yield ["--scheduler", others["address"]], others
@@ -192,7 +194,7 @@ def _cluster(runner: str) -> Iterator[tuple[list[str], dict[str, Any]]]:
         for process in others["worker"] + others["scheduler"]:
             process.kill()
             process.wait()
-        shutil.rmtree(told.parent)
+        shutil.rmtree(scheduler_file.parent)
 
 
 def _begin(what: str, *options: str) -> subprocess.Popen[bytes]:
@@ -205,20 +207,20 @@ def _end(process: subprocess.Popen[bytes]) -> None:
 
 
 def _workers_of(process: subprocess.Popen[bytes]) -> list[psutil.Process]:
-    """The worker processes that a runner has started."""
-    found = []
+    """The worker processes of a runner."""
+    children = []
     with contextlib.suppress(psutil.NoSuchProcess):
         for child in psutil.Process(process.pid).children(recursive=True):
             with contextlib.suppress(psutil.NoSuchProcess):
                 words = " ".join(child.cmdline())
                 if "resource_tracker" not in words and words:
-                    found.append(child)
-    return found
+                    children.append(child)
+    return children
 
 
 def left_over(mark: str) -> int:
-    """How many processes of the runs are still there after a while; they are ended."""
-    end = time.monotonic() + LINGER
+    """Number of processes of the runs that still exist after a while; they are terminated."""
+    end = time.monotonic() + SEARCH_SECONDS
     while True:
         left = []
         for process in psutil.process_iter():
@@ -238,37 +240,37 @@ _log: Any = subprocess.DEVNULL
 
 
 def main() -> None:
-    """Parse, attack, tell."""
+    """Run the attacks and print the results."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--kills", type=int, default=100)
     parser.add_argument("--points", type=int, default=300_000)
     parser.add_argument("--runners", default=",".join(RUNNERS))
     parser.add_argument("--chain", choices=CHAINS, default="filters")
-    parser.add_argument("--log", help="a file for what the killed commands say")
-    parser.add_argument("--json", type=Path, help="a file for the counts")
-    told = parser.parse_args()
+    parser.add_argument("--log", help="file for the output of the killed commands")
+    parser.add_argument("--json", type=Path, help="file for the counts")
+    arguments = parser.parse_args()
     global _log
-    _log = Path(told.log).open("wb") if told.log else subprocess.DEVNULL  # noqa: SIM115
+    _log = Path(arguments.log).open("wb") if arguments.log else subprocess.DEVNULL  # noqa: SIM115
     os.environ.setdefault("POINTLOOM_CPU_THREADS", "1")
     mark = os.environ[MARK] = f"{os.getpid()}-{time.time()}"
-    steps = CHAINS[told.chain]
-    chance, kills, counts = random.Random(told.seed), Counter[str](), Counter[str]()
+    steps = CHAINS[arguments.chain]
+    chance, kills, counts = random.Random(arguments.seed), Counter[str](), Counter[str]()
     begin = time.monotonic()
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
-        files = made_survey(folder, told.points, told.seed)
-        side = (told.points / 4) ** 0.5
+        files = made_survey(folder, arguments.points, arguments.seed)
+        side = (arguments.points / 4) ** 0.5
         loom.tiling.plan_tiles(files, steps, folder / "alone", size=side / 2.5)
         loom.tiling.run_tiles(folder / "alone")
         expected = sorted_rows(loom.tiling.finish_tiles(folder / "alone"))
         size = len(expected)
-        print(f"{told.points:,} points in {len(files)} files; {size:,} bytes of rows expected", flush=True)
-        while kills.total() < told.kills:
-            runner = told.runners.split(",")[counts["jobs"] % len(told.runners.split(","))]
+        print(f"{arguments.points:,} points in {len(files)} files; {size:,} bytes of rows expected", flush=True)
+        while kills.total() < arguments.kills:
+            runner = arguments.runners.split(",")[counts["jobs"] % len(arguments.runners.split(","))]
             job = folder / f"job{counts['jobs']}"
             loom.tiling.plan_tiles(files, steps, job, size=side / 7)
-            attack = Attack(job, chance, kills, counts, told.kills)
+            attack = Attack(job, chance, kills, counts, arguments.kills)
             attack.work(runner)
             attack.finish(expected)
             counts["jobs"] += 1
@@ -278,10 +280,10 @@ def main() -> None:
             print(f"{seconds:5.0f} s  {runner:9}  kills {dict(kills)}  {dict(counts)}", flush=True)
     counts["processes left over"] = left_over(mark)
     print(f"kills {dict(kills)}  {dict(counts)}")
-    if told.json:
-        options = {name: getattr(told, name) for name in ("seed", "points", "runners", "chain")}
+    if arguments.json:
+        options = {name: getattr(arguments, name) for name in ("seed", "points", "runners", "chain")}
         row = options | {"seconds": round(time.monotonic() - begin), "kills": kills, "counts": counts}
-        told.json.write_text(json.dumps(row, indent=1) + "\n")
+        arguments.json.write_text(json.dumps(row, indent=1) + "\n")
     if (
         counts["processes left over"]
         or counts["files that differ"]

@@ -1,10 +1,10 @@
-"""A job of tiles, measured: time and CPU time of each part, memory of a worker, disk.
+"""Measure a tile job: wall and CPU time of each phase, memory of a worker, disk space.
 
     python benchmarks/made_survey.py SURVEY --points 1e8
     python benchmarks/tile_runs.py SURVEY JOB --workers 2
 
-Ground, a DTM of 1 m, voxels of 1 m and normals of these, in one chain, and one COPC file of the result. The record goes
-to `benchmarks/results/tiles-cpu.json`, in place of one of as many points.
+Ground, a DTM of 1 m, voxels of 1 m and their normals, in one chain, and one COPC file of the result. The record is
+written to `benchmarks/results/tiles-cpu.json`; it replaces one with the same number of points.
 """
 
 from __future__ import annotations
@@ -41,7 +41,7 @@ def size_of(folder: Path) -> int:
 
 
 class Watch:
-    """When the first tile begins, what workers have used until then, and the disk that files take laid by tile."""
+    """Start of the first tile, resources of workers until then, and disk space of the sorted input files."""
 
     def __init__(self, job: Path):
         self.job, self.begin = job, time.monotonic()
@@ -49,7 +49,7 @@ class Watch:
         self.laid_bytes = 0
 
     def __call__(self, phase: str, done: int, total: int) -> None:
-        """What `run_tiles` reports."""
+        """Progress callback of `run_tiles`."""
         print(f"\r{phase}: {done} of {total}   ", end="", file=sys.stderr, flush=True)
         if phase != "files" and not self.laid_bytes:
             self.laid_s = time.monotonic() - self.begin
@@ -58,7 +58,7 @@ class Watch:
 
 
 def cpu_seconds() -> float:
-    """Of this process and of those that it waited for."""
+    """CPU seconds of this process and of its finished children."""
     own, children = resource.getrusage(resource.RUSAGE_SELF), resource.getrusage(resource.RUSAGE_CHILDREN)
     return own.ru_utime + own.ru_stime + children.ru_utime + children.ru_stime
 
@@ -99,24 +99,24 @@ def measured(survey: Path, job: Path, workers: int) -> dict[str, Any]:
 
 
 def keep(record: dict[str, Any]) -> None:
-    """Put a record into the file of results, in place of one of as many points."""
+    """Save a record in the results file; replaces one with the same number of points."""
     runs = json.loads(RESULTS.read_text())["runs"] if RESULTS.exists() else []
     runs = [run for run in runs if run["points"] != record["points"]] + [record]
-    told = {"steps": STEPS, "runs": sorted(runs, key=lambda run: run["points"])}
+    content = {"steps": STEPS, "runs": sorted(runs, key=lambda run: run["points"])}
     with atomic_write(RESULTS) as file:
-        file.write(json.dumps(told, indent=1).encode() + b"\n")
+        file.write(json.dumps(content, indent=1).encode() + b"\n")
 
 
 def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("survey", type=Path)
-    parser.add_argument("job", type=Path, help="a folder that is made, and removed in the end")
+    parser.add_argument("job", type=Path, help="a new folder, removed at the end")
     parser.add_argument("--workers", type=int, default=2)
-    told = parser.parse_args()
-    record = measured(told.survey, told.job, told.workers)
+    options = parser.parse_args()
+    record = measured(options.survey, options.job, options.workers)
     keep(record)
     print(json.dumps(record, indent=1))
-    shutil.rmtree(told.job)
+    shutil.rmtree(options.job)
 
 
 if __name__ == "__main__":

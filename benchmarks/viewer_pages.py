@@ -1,13 +1,14 @@
-"""What a scene in the browser costs: bytes to the page, the server's CPU and memory, until the page is still.
+"""Cost of a scene in the browser: bytes transferred, CPU and memory of the server, until the page is idle.
 
     python benchmarks/viewer_pages.py [--only points-1M --only objects] [--with viser --with rerun]
                                       [--python viser=/venv/bin/python] [--pictures FOLDER] [--output FILE]
 
-Each scene is served by a process of its own and opened once in Chromium (software WebGL) through a proxy that counts
-bytes. CPU and memory are those of the serving process alone: from before the scene is handed over until no byte has
-come for four seconds. Wall times and frame rates of a browser that draws in software say nothing and are not measured.
-Peers are shown the same arrays by the calls that their own pages name: viser 1.1's scene, rerun's web viewer. A peer
-that is installed beside other versions runs under another Python (`--python`).
+Each scene is served by a separate process and opened once in Chromium (software WebGL) through a proxy that counts
+bytes. CPU and memory are those of the serving process alone, from before the scene is added until no byte was sent for
+four seconds. Wall times and frame rates of software rendering are not meaningful and not measured. Baselines show the
+same arrays with the calls of their documentation: viser 1.1's scene, rerun's web viewer. A baseline that is
+installed in
+another environment runs under another Python (`--python`).
 """
 
 from __future__ import annotations
@@ -81,39 +82,43 @@ MESHES = {
 
 
 def scenes() -> dict[str, dict[str, str]]:
-    """The program that makes each scene, by contestant; the part after `# timed` is what is measured."""
-    made: dict[str, dict[str, str]] = {}
+    """The program that creates each scene, by contestant; the part after `# timed` is measured."""
+    programs: dict[str, dict[str, str]] = {}
     for name, count in (("points-1M", 1_000_000), ("points-10M", 10_000_000)):
         head = f"points = wave({count})\ncolors = paint(points)\n# timed\n"
-        made[name] = {who: head + call for who, call in POINTS.items()}
+        programs[name] = {contestant: head + call for contestant, call in POINTS.items()}
     head = "corners, triangles = sheet(1582)\n# timed\n"
-    made["triangles-5M"] = {who: head + call for who, call in MESHES.items()}
+    programs["triangles-5M"] = {contestant: head + call for contestant, call in MESHES.items()}
     at = "def at(k):\n    T = np.eye(4)\n    T[:3, 3] = k % 100, k // 100 % 100, 0\n    return T\n"
     at += "def name(k): return f'boxes/{k // 100}/{k}'\n"
-    told = (
+    report_code = (
         "import time\n# timed\ncosts = []\nfor k in range(COUNT):\n    t = time.process_time()\n    add(k)\n"
         "    costs.append(time.process_time() - t)\nt = time.process_time()\nfor k in range(100): move(k)\n"
         "told = {'add_first_100_ms': 10 * sum(costs[:100]), 'add_last_100_ms': 10 * sum(costs[-100:]),\n"
         "        'move_ms': 10 * (time.process_time() - t)}\n"
     )
     for name, count in (("objects-1k", 1000), ("objects-10k", 10_000)):
-        made[name] = {who: at + calls + "\n" + told.replace("COUNT", str(count)) for who, calls in OBJECTS.items()}
+        programs[name] = {
+            contestant: at + calls + "\n" + report_code.replace("COUNT", str(count))
+            for contestant, calls in OBJECTS.items()
+        }
     update = {
         "pointloom": "viewer.update('cloud', loom.PointCloud(points + k * 0.001, colors=colors))",
         "viser": "handle.points = points + np.float32(k * 0.001)",
         "rerun": "rr.log('cloud', rr.Points3D(points + np.float32(k * 0.001), colors=colors), static=True)",
     }
     first = POINTS | {"viser": f"handle = {POINTS['viser']}"}
-    made["updates-30Hz"] = {
-        who: f"import time\npoints = wave(200_000)\ncolors = paint(points)\n{first[who]}\ntime.sleep(8)\n# timed\n"
+    programs["updates-30Hz"] = {
+        contestant: f"import time\npoints = wave(200_000)\ncolors = paint(points)\n{first[contestant]}\n"
+        f"time.sleep(8)\n# timed\n"
         f"for k in range(300):\n    {call}\n    time.sleep(1 / 30)\n"
-        for who, call in update.items()
+        for contestant, call in update.items()
     }
-    return made
+    return programs
 
 
-def program(who: str, body: str, port: int) -> str:
-    """A process that serves the scene: it says its address, makes the scene, and tells its costs when asked."""
+def program(contestant: str, body: str, port: int) -> str:
+    """A process that serves the scene: it prints its URL, creates the scene, and reports its costs on request."""
     head, timed = body.split("# timed\n")
     return f"""
 import json, os, sys, time
@@ -121,7 +126,7 @@ answers = os.fdopen(os.dup(1), "w")
 os.dup2(2, 1)  # what a peer prints is no answer
 PORT = {port}
 {MADE}
-{START[who]}
+{START[contestant]}
 told = {{}}
 {head}
 print(json.dumps(url), flush=True, file=answers)
@@ -139,7 +144,7 @@ sys.stdin.readline()
 
 
 class Proxy:
-    """Hands on connections to a port of this machine, and counts the bytes that come from there."""
+    """Forwards connections to a local port, and counts the bytes from there."""
 
     def __init__(self, port: int):
         self.port, self.bytes, self.last = port, 0, time.monotonic()
@@ -151,9 +156,9 @@ class Proxy:
         with suppress(OSError):
             while True:
                 page, _ = self._server.accept()
-                there = socket.create_connection(("127.0.0.1", self.port))
-                threading.Thread(target=self._hand_on, args=(page, there, False), daemon=True).start()
-                threading.Thread(target=self._hand_on, args=(there, page, True), daemon=True).start()
+                upstream = socket.create_connection(("127.0.0.1", self.port))
+                threading.Thread(target=self._hand_on, args=(page, upstream, False), daemon=True).start()
+                threading.Thread(target=self._hand_on, args=(upstream, page, True), daemon=True).start()
 
     def _hand_on(self, source: socket.socket, target: socket.socket, counted: bool) -> None:
         with suppress(OSError):
@@ -167,19 +172,19 @@ class Proxy:
                 one.shutdown(socket.SHUT_RDWR)
 
     def wait_until_quiet(self) -> None:
-        """Until nothing has come for a while."""
+        """Wait until no data have arrived for a while."""
         end = time.monotonic() + LONGEST
         while time.monotonic() < end and time.monotonic() - self.last < QUIET:
             time.sleep(0.1)
 
     def close(self) -> None:
-        """Take no more."""
+        """Stop accepting connections."""
         self._server.close()
 
 
 @contextmanager
 def opened(url: str, picture: Path | None) -> Iterator[Any]:
-    """The page in Chromium."""
+    """Open the page in Chromium."""
     from playwright.sync_api import sync_playwright
 
     path = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -189,57 +194,58 @@ def opened(url: str, picture: Path | None) -> Iterator[Any]:
         page.goto(url, timeout=120_000, wait_until="commit")
         yield page
         if picture is not None:
-            with suppress(Exception):  # a page that draws for minutes: its figures count all the same
+            with suppress(Exception):  # rendering may take minutes: the measurements are valid nevertheless
                 page.screenshot(path=picture, timeout=120_000)
         browser.close()
 
 
-def measure(who: str, scene: str, body: str, python: str, pictures: Path | None) -> dict[str, Any]:
-    """One scene of one contestant."""
+def measure(contestant: str, scene: str, body: str, python: str, pictures: Path | None) -> dict[str, Any]:
+    """Measure one scene of one contestant."""
     with socket.create_server(("127.0.0.1", 0)) as free:
         port = free.getsockname()[1]
-    command = [python, "-W", "ignore", "-c", program(who, body, port)]
+    command = [python, "-W", "ignore", "-c", program(contestant, body, port)]
     with subprocess.Popen(
         command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, stderr=subprocess.DEVNULL, text=True
     ) as process:
         assert process.stdin is not None and process.stdout is not None
 
-        def ask() -> Any:
+        def query() -> Any:
             process.stdin.write("\n")
             process.stdin.flush()
             return json.loads(process.stdout.readline())
 
         try:
             url = json.loads(process.stdout.readline())
-            there = int(url.split("//")[1].split("/")[0].split(":")[1])
-            proxy = Proxy(there)
+            server_port = int(url.split("//")[1].split("/")[0].split(":")[1])
+            proxy = Proxy(server_port)
             seen = (
-                url.replace(f":{there}/", f":{proxy.own}/", 1)
-                if f":{there}/" in url
-                else url.replace(str(there), str(proxy.own))
+                url.replace(f":{server_port}/", f":{proxy.own}/", 1)
+                if f":{server_port}/" in url
+                else url.replace(str(server_port), str(proxy.own))
             )
-            picture = None if pictures is None else pictures / f"{scene}-{who}.png"
+            picture = None if pictures is None else pictures / f"{scene}-{contestant}.png"
             with opened(seen, picture):
                 proxy.wait_until_quiet()
                 page_bytes = proxy.bytes
                 proxy.last = time.monotonic()
-                told = ask()
+                figures = query()
                 proxy.last = max(proxy.last, time.monotonic())
                 proxy.wait_until_quiet()
-                costs = ask()
+                costs = query()
             proxy.close()
             return {
-                "scene": scene, "who": who, "page_MB": page_bytes / 1e6, "scene_MB": (proxy.bytes - page_bytes) / 1e6,
-                **costs, **told,
+                "scene": scene, "who": contestant,
+                "page_MB": page_bytes / 1e6, "scene_MB": (proxy.bytes - page_bytes) / 1e6,
+                **costs, **figures,
             }  # fmt: skip
         finally:
             process.kill()
 
 
 def main() -> None:
-    """Measure and print one line of JSON each, and a table."""
+    """Measure, print one line of JSON for each, and a table."""
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--only", action="append", help="a scene; all without")
+    parser.add_argument("--only", action="append", help="a scene; default: all")
     parser.add_argument("--with", dest="peers", action="append", default=[], choices=("viser", "rerun"))
     parser.add_argument("--python", action="append", default=[], help="PEER=PATH")
     parser.add_argument("--pictures", type=Path)
@@ -250,11 +256,13 @@ def main() -> None:
     for scene, bodies in scenes().items():
         if options.only and scene not in options.only:
             continue
-        for who in ("pointloom", *options.peers):
+        for contestant in ("pointloom", *options.peers):
             try:
-                row = measure(who, scene, bodies[who], pythons.get(who, sys.executable), options.pictures)
-            except Exception as error:  # one contestant that fails does not end the others
-                row = {"scene": scene, "who": who, "failed": f"{type(error).__name__}: {error}"[:200]}
+                row = measure(
+                    contestant, scene, bodies[contestant], pythons.get(contestant, sys.executable), options.pictures
+                )
+            except Exception as error:  # a failing contestant does not stop the others
+                row = {"scene": scene, "who": contestant, "failed": f"{type(error).__name__}: {error}"[:200]}
             rows.append(row)
             print(json.dumps({key: round(v, 2) if isinstance(v, float) else v for key, v in row.items()}), flush=True)
     if options.output is not None:

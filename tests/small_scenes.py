@@ -33,8 +33,8 @@ class SmallScenes(digest_scenes.Scenes):
     """Scenes of which each operation takes some tenths of a second."""
 
     @cached_property
-    def surface(self) -> digest_scenes.Place:
-        return self.place(COUNT, 10, change=digest_scenes.soil)
+    def surface(self) -> digest_scenes.SampledSurface:
+        return self.sample(COUNT, 10, change=digest_scenes.soil)
 
     @cached_property
     def ball(self) -> Any:
@@ -46,4 +46,4 @@ class SmallScenes(digest_scenes.Scenes):
         parts = [points[0][points[0][:, 0] < 0.7], points[1][points[1][:, 0] > -1.3]]
         source, target = (self.cloud(part).voxel_down_sample(0.12).estimate_normals(max_nn=20) for part in parts)
         up = [c.orient_normals_to_align_with_direction() for c in (source, target)]
-        return [up[0].transform(scenes.inverse(digest_scenes.TURNED)), up[1]]
+        return [up[0].transform(scenes.inverse(digest_scenes.ROTATED)), up[1]]

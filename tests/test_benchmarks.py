@@ -39,9 +39,9 @@ def test_every_target_names_an_operation_a_size_and_peers_that_run():
     known = contest.operations()
     for target in targets.TARGETS:
         _, operation = known[target.operation]
-        labels = {label for _, _, label in operation.places("cpu")}
+        labels = {label for _, _, label in operation.contestants_on("cpu")}
         assert target.size in operation.scenes
-        assert set(target.peers) <= labels - {contest.OURS}
+        assert set(target.peers) <= labels - {contest.POINTLOOM}
 
 
 def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device():
@@ -50,11 +50,11 @@ def test_every_operation_has_pointloom_first_and_a_baseline_on_every_device():
     for _, operation in contest.operations().values():
         assert operation.memory_size is None or operation.memory_size in operation.scenes
         for device in ("cpu", "cuda:0"):
-            labels = [label for _, _, label in operation.places(device)]
-            assert labels[0] == contest.OURS and len(labels) > 1
+            labels = [label for _, _, label in operation.contestants_on(device)]
+            assert labels[0] == contest.POINTLOOM and len(labels) > 1
             for label in labels:
                 contestant, device_name = operation.contestant(label, device)
-                assert device_name.split(":")[0] in contestant.devices or label == contest.OURS
+                assert device_name.split(":")[0] in contestant.devices or label == contest.POINTLOOM
 
 
 @pytest.mark.parametrize("name", ["voxel_down_sample", "marching_cubes", "knn20_with_build"])
@@ -109,7 +109,7 @@ def test_available_baselines_agree_with_pointloom_at_the_quick_size(peer, monkey
     (make,) = operation.quick.values()
     scene = make()
     facts = []
-    for label in (contest.OURS, peer):
+    for label in (contest.POINTLOOM, peer):
         contestant, device_name = operation.contestant(label, "cpu")
         facts.append(contestant.facts(contestant.trial(scene, device_name).once()))
     operation.check(*facts, peer)

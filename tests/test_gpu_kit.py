@@ -101,7 +101,7 @@ def test_pieces_are_cut_into_calls_and_put_together_again(tmp_path):
     second.write_bytes(random[3 << 20 :])
     pieces = [layout.Piece("warp", first), layout.Piece("wheels", None), layout.Piece("open3d", second)]
     report = layout.lay_out(tmp_path / "out", pieces, 3, (2 << 20) + layout.SPARE)
-    assert "wheels: not made, left out" in report and "warp: 3.0 MiB, whole with call 2" in report
+    assert "wheels: not built, skipped" in report and "warp: 3.0 MiB, complete with call 2" in report
     for name, expected in (("warp", random[: 3 << 20]), ("open3d", random[3 << 20 :])):
         parts = sorted((tmp_path / "out").glob(f"*/{name}.*.part*"), key=lambda path: path.name)
         assert b"".join(path.read_bytes() for path in parts) == expected

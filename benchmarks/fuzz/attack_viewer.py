@@ -116,9 +116,9 @@ def hosts_and_origins(target: Target) -> bool:
 
 def broken_requests(target: Target) -> bool:
     rng = random.Random(1)
-    whole = target.upgrade("wrong")
+    complete = target.upgrade("wrong")
     for _ in range(500):
-        data = bytearray(whole)
+        data = bytearray(complete)
         for _ in range(rng.randint(1, 8)):
             data[rng.randrange(len(data))] = rng.randrange(256)
         with target.connect() as line:
@@ -145,12 +145,12 @@ def giant_messages(target: Target) -> bool:
                     for _ in range(64):
                         line.sendall(header + bytes(4) + b"a" * 2**19)
                 except OSError:
-                    pass  # closed, as it should be
+                    pass  # closed, as required
     return False
 
 
 def silent_connections(target: Target) -> bool:
-    """Half of a request on each of 200 connections: other requests are answered, and the connections end."""
+    """Incomplete requests on 200 connections: other requests are answered, and the connections end."""
     lines = [target.connect() for _ in range(200)]
     for line in lines:
         line.sendall(b"GET / HTTP/1.1\r\nHost: ")

@@ -1,7 +1,7 @@
-"""The table of what is fuzzed: for each reader whole files to begin with, how they are damaged, and what is true.
+"""The table of fuzz cases: for each reader complete seed files, how they are damaged, and an oracle.
 
-One line a reader. `seeds` makes the bytes of whole files from nothing, `mutate` damages one (mutations.py), `read` is
-the reader, `oracle` says in words where what was read differs from the file (oracles.py), or None.
+`seeds` creates the bytes of complete files, `mutate` damages one (mutations.py), `read` is the reader, and `oracle`
+describes a difference between the result and the file (oracles.py), or returns None.
 """
 
 from __future__ import annotations
@@ -35,12 +35,12 @@ class Case:
     """How one reader is fuzzed.
 
     Attributes:
-        name: What the table calls it.
-        suffix: Of its files.
-        seeds: Makes whole files.
+        name: Name in the table.
+        suffix: Suffix of its files.
+        seeds: Creates complete files.
         mutate: Damages one.
-        read: Reads it, as a user does.
-        oracle: Says where what was read is not what the file says; raises for a file that is to be refused.
+        read: Reads it through the public API.
+        oracle: Describes a difference between the result and the file; raises for a file that must be rejected.
     """
 
     name: str
@@ -71,14 +71,14 @@ def _mesh(*, normals: bool = False, colors: bool = False, uvs: bool = False, fac
     return mesh
 
 
-def _written(write: Callable[..., None], *things: Any, **options: Any) -> list[bytes]:
-    found = []
+def _written(write: Callable[..., None], *objects: Any, **options: Any) -> list[bytes]:
+    contents = []
     with tempfile.TemporaryDirectory() as folder, warnings.catch_warnings():
         warnings.simplefilter("ignore")
-        for thing in things:
-            write(Path(folder) / "x", thing, **options)
-            found.append((Path(folder) / "x").read_bytes())
-    return found
+        for value in objects:
+            write(Path(folder) / "x", value, **options)
+            contents.append((Path(folder) / "x").read_bytes())
+    return contents
 
 
 _OBJ = b"""# a square and what stands on it
@@ -179,7 +179,7 @@ def _ply_text() -> list[bytes]:
 
 
 def _ply_binary() -> list[bytes]:
-    made = _written(write_ply_mesh, _mesh(colors=True), _mesh(normals=True, uvs=True, faces=True))
+    files = _written(write_ply_mesh, _mesh(colors=True), _mesh(normals=True, uvs=True, faces=True))
     for order, word in (("<", b"binary_little_endian"), (">", b"binary_big_endian")):
         head = _PLY[: _PLY.index(b"end_header\n")].replace(b"ascii", word) + b"end_header\n"
         body = b""
@@ -189,8 +189,8 @@ def _ply_binary() -> list[bytes]:
             body += struct.pack(f"{order}B{len(face)}i3Bf", len(face), *face, 1, 2, 3, 0.5)
         for strip in ([0, 1, 3, 2, -1, 4, 2], [4, 0, 0, 1]):
             body += struct.pack(f"{order}i{len(strip)}i", len(strip), *strip)
-        made.append(head + body)
-    return made
+        files.append(head + body)
+    return files
 
 
 def _pcd() -> list[bytes]:

@@ -1,7 +1,7 @@
 """Readers of jobs and of values: areas, steps, indexes, cameras of frames, configurations, saved volumes, manifests.
 
-Mutations change values, not bytes alone: a file with a right checksum and a wrong value gets past the format's own
-checks. A manifest is placed in the folder of a job, whose tiles are then worked off.
+Mutations change values, not only bytes: a file with a valid checksum and a wrong value passes the format's own checks.
+A manifest is placed in the folder of a job, whose tiles are then processed.
 """
 
 from __future__ import annotations
@@ -54,7 +54,7 @@ ARRAYS: list[Callable[[Any], Any]] = [
 
 
 def _with(array: Any, value: float) -> Any:
-    """An array with one other value, or with that value alone."""
+    """An array with one different value, or that value alone."""
     if array.dtype.kind not in "biuf":
         return array
     with np.errstate(all="ignore"), contextlib.suppress(OverflowError, ValueError):
@@ -65,27 +65,27 @@ def _with(array: Any, value: float) -> Any:
 
 
 def values(rng: random.Random, data: bytes) -> bytes:
-    """JSON with one to three other values; bytes of it are changed now and then."""
+    """JSON with one to three changed values; sometimes with changed bytes."""
     if rng.random() < 0.2:
         return mutations.text(rng, data)
     try:
-        told = json.loads(data)
+        content = json.loads(data)
     except ValueError:
         return mutations.text(rng, data)
     for _ in range(rng.choice([1, 1, 2, 3])):
-        places = list(_places(told))
-        if not places:
+        locations = list(_locations(content))
+        if not locations:
             break
-        holder, key = rng.choice(places)
+        holder, key = rng.choice(locations)
         if rng.random() < 0.2:
             del holder[key]
         else:
             holder[key] = copy.deepcopy(rng.choice(VALUES))
-    return json.dumps(told).encode()
+    return json.dumps(content).encode()
 
 
-def _places(told: Any) -> Any:
-    waiting = [told]
+def _locations(content: Any) -> Any:
+    waiting = [content]
     while waiting:
         holder = waiting.pop()
         keys = list(holder) if isinstance(holder, dict) else range(len(holder)) if isinstance(holder, list) else ()
@@ -95,21 +95,21 @@ def _places(told: Any) -> Any:
 
 
 def arrays(rng: random.Random, data: bytes) -> bytes:
-    """An archive of arrays with one or two others, and right checksums."""
+    """An archive of arrays with one or two changed arrays and valid checksums."""
     if rng.random() < 0.1:
         return mutations.binary(rng, data)
     with np.load(io.BytesIO(data)) as file:
-        found = dict(file)
-    for name in rng.sample(sorted(found), rng.choice([1, 1, 2])):
+        content = dict(file)
+    for name in rng.sample(sorted(content), rng.choice([1, 1, 2])):
         if rng.random() < 0.1:
-            del found[name]
+            del content[name]
         else:
-            found[name] = rng.choice(ARRAYS)(found[name])
+            content[name] = rng.choice(ARRAYS)(content[name])
     if rng.random() < 0.05:
-        found["more"] = np.zeros(3)
-    made = io.BytesIO()
-    np.savez(made, **found)
-    return made.getvalue()
+        content["more"] = np.zeros(3)
+    buffer = io.BytesIO()
+    np.savez(buffer, **content)
+    return buffer.getvalue()
 
 
 def areas() -> list[bytes]:
@@ -119,9 +119,9 @@ def areas() -> list[bytes]:
     several = {"type": "MultiPolygon", "coordinates": [[ring], [ring]]}
     nested = {"type": "GeometryCollection", "geometries": [polygon, several]}
     features = [{"type": "Feature", "properties": {}, "geometry": geometry} for geometry in (polygon, nested)]
-    told = [polygon, several, {"type": "FeatureCollection", "features": features}]
+    geometries = [polygon, several, {"type": "FeatureCollection", "features": features}]
     text = [b"POLYGON((0 0, 4.5 0, 4 4, 0 4),(1 1, 2 1, 2 2))", b"SRID=25832;MULTIPOLYGON Z (((0 0 1, 4 0 1, 4 4 1)))"]
-    return [*(json.dumps(each, separators=(",", ":")).encode() for each in told), *text]
+    return [*(json.dumps(each, separators=(",", ":")).encode() for each in geometries), *text]
 
 
 def steps() -> list[bytes]:
@@ -136,19 +136,19 @@ def steps() -> list[bytes]:
 
 
 def indexes() -> list[bytes]:
-    """A virtual point cloud of two files that are not there: what is said of them is read before."""
+    """A virtual point cloud of two missing files: its metadata is read first."""
     item = {"assets": {"data": {"href": "./a.las", "roles": ["data"]}}, "properties": {"pc:count": 3}}
     other = {"assets": {"x": {"href": "b%20c.laz"}}, "properties": {"proj:bbox": [0, 0, 0, 1, 1, 1]}}
     return [json.dumps({"type": "FeatureCollection", "features": [item, other]}).encode()]
 
 
 def transforms() -> list[bytes]:
-    """Two frames of one lens, and of lenses of their own."""
+    """Two frames with a shared lens, and with individual lenses."""
     pose = np.eye(4).tolist()
     lens = {"fl_x": 500.0, "fl_y": 500.0, "cx": 32.0, "cy": 24.0, "w": 64, "h": 48, "k1": 0.1, "k2": 0.0}
     frames = [{"file_path": f"{name}.png", "transform_matrix": pose} for name in ("a", "b")]
     shared = lens | {"camera_model": "OPENCV", "frames": frames}
-    return [json.dumps(told).encode() for told in (shared, {"frames": [frame | lens for frame in frames]})]
+    return [json.dumps(documents).encode() for documents in (shared, {"frames": [frame | lens for frame in frames]})]
 
 
 def configs() -> list[bytes]:
@@ -157,20 +157,20 @@ def configs() -> list[bytes]:
 
 
 def bundles() -> list[bytes]:
-    """Depth and cameras as Depth Anything 3 writes them."""
+    """Depth and cameras as written by Depth Anything 3."""
     K, T = np.array([[60.0, 0, 8], [0, 60, 6], [0, 0, 1]]), np.eye(4)[:3]
-    told = {"depth": np.full((2, 12, 16), 2.0, np.float32), "conf": np.full((2, 12, 16), 5.0, np.float32)}
-    return [_archive(**told, extrinsics=np.stack([T, T]), intrinsics=np.stack([K, K]))]
+    bundle = {"depth": np.full((2, 12, 16), 2.0, np.float32), "conf": np.full((2, 12, 16), 5.0, np.float32)}
+    return [_archive(**bundle, extrinsics=np.stack([T, T]), intrinsics=np.stack([K, K]))]
 
 
-def _archive(**found: Any) -> bytes:
-    made = io.BytesIO()
-    np.savez(made, **found)
-    return made.getvalue()
+def _archive(**arrays: Any) -> bytes:
+    buffer = io.BytesIO()
+    np.savez(buffer, **arrays)
+    return buffer.getvalue()
 
 
 def saved(make: Callable[[Path], Any]) -> Callable[[], list[bytes]]:
-    """A file that an object of the library saves."""
+    """A file saved by an object of the library."""
 
     def seeds() -> list[bytes]:
         with tempfile.TemporaryDirectory() as folder:
@@ -206,7 +206,7 @@ def _control(path: Path) -> None:
 
 @functools.cache
 def job() -> Path:
-    """The folder of a job of one tile, planned; it stays until the process ends."""
+    """The folder of a planned job of one tile; it is removed when the process ends."""
     folder = Path(tempfile.mkdtemp())
     atexit.register(shutil.rmtree, folder, ignore_errors=True)
     points = np.random.default_rng(0).random((60, 3)) * 20
@@ -231,7 +231,7 @@ def manifests() -> list[bytes]:
 
 
 def run_plan(path: Path) -> Path:
-    """Give a manifest another plan with its own hash, and work it off."""
+    """Replace the plan of a manifest, with a valid hash, and run the job."""
     with _copy(path) as folder, contextlib.closing(sqlite3.connect(folder / NAME)) as base:
         text = path.read_bytes().decode("utf-8", "replace")
         with contextlib.suppress(ValueError, RecursionError):
@@ -244,7 +244,7 @@ def run_plan(path: Path) -> Path:
 
 
 def run_manifest(path: Path) -> Path:
-    """Put a damaged manifest into a job, and work it off."""
+    """Put a damaged manifest into a job and run it."""
     with _copy(path) as folder:
         shutil.copyfile(path, folder / NAME)
         return _work_off(folder)
@@ -252,14 +252,16 @@ def run_manifest(path: Path) -> Path:
 
 @contextlib.contextmanager
 def _copy(path: Path) -> Any:
-    folder, kept = path.parent / "job", path.parent / "kept"
+    folder, other_file = path.parent / "job", path.parent / "kept"
     shutil.rmtree(folder, ignore_errors=True)
     shutil.copytree(job(), folder)
-    kept.write_text("mine")
+    other_file.write_text("mine")
     try:
         yield folder
     except FileError as error:
-        raise FileError(path, str(error)) from error  # which names the manifest, a source of it, or a file of the job
+        raise FileError(
+            path, str(error)
+        ) from error  # the error names the manifest, a source of it, or a file of the job
 
 
 def _work_off(folder: Path) -> Path:
@@ -270,14 +272,14 @@ def _work_off(folder: Path) -> Path:
     return folder
 
 
-def kept_elsewhere(path: Path, folder: Path) -> str | None:
-    """Whether files beside the job are as they were."""
-    found = sorted(each.name for each in path.parent.iterdir() if each.name != "log")
-    return None if found == sorted(["job", "kept", path.name]) else f"files beside the job: {found}"
+def check_other_files(path: Path, folder: Path) -> str | None:
+    """Describe changes of files beside the job, or return None."""
+    names = sorted(each.name for each in path.parent.iterdir() if each.name != "log")
+    return None if names == sorted(["job", "kept", path.name]) else f"files beside the job: {names}"
 
 
-def anything(path: Path, found: Any) -> str | None:
-    """Nothing to compare with."""
+def anything(path: Path, result: Any) -> str | None:
+    """Accept any result: there is no reference."""
     return None
 
 
@@ -285,7 +287,7 @@ def _area(path: Path) -> Any:
     return parse_area("only", path)
 
 
-# name, suffix, seeds, mutate, read, oracle: as of cases.Case
+# name, suffix, seeds, mutate, read, oracle: as in cases.Case
 JOBS = [
     ("area", ".geojson", areas, values, _area, anything),
     ("steps", ".toml", steps, mutations.text, parse_steps, anything),
@@ -297,6 +299,6 @@ JOBS = [
     ("occupancy grid", ".npz", saved(_grid), arrays, loom.OccupancyGrid.load, anything),
     ("distance field", ".npz", saved(_field), arrays, loom.DistanceField.load, anything),
     ("control grid", ".npz", saved(_control), arrays, read_control_grid, anything),
-    ("plan of a manifest", ".json", plans, values, run_plan, kept_elsewhere),
-    ("manifest", ".sqlite", manifests, mutations.binary, run_manifest, kept_elsewhere),
+    ("plan of a manifest", ".json", plans, values, run_plan, check_other_files),
+    ("manifest", ".sqlite", manifests, mutations.binary, run_manifest, check_other_files),
 ]

@@ -1,7 +1,7 @@
 """Kill runs of a tile job at random times: `python benchmarks/fuzz/kill_jobs.py --count 30 --seed 1`.
 
-Each job is killed (SIGKILL to the run; its workers end by themselves) until a run ends by itself. Then the result must
-have the bytes of a job that nobody killed, and the files beside the job must be as they were. The exit code is 1 where
+Each job is killed (SIGKILL to the run; its workers exit on their own) until a run completes. Then the result must be
+bitwise identical to that of an undisturbed job, and the files beside the job must be unchanged. The exit code is 1 if
 one differs.
 """
 
@@ -27,7 +27,7 @@ STEPS = [
 
 
 def planned(folder: Path) -> Path:
-    """A job of 16 tiles in a folder."""
+    """Plan a job of 16 tiles in a folder."""
     points = np.random.default_rng(0).random((20_000, 3)) * (40, 40, 2)
     loom.write_point_cloud(folder / "in.laz", loom.PointCloud(points))
     loom.tiling.plan_tiles([folder / "in.laz"], STEPS, folder / "job", size=10.0)
@@ -35,13 +35,13 @@ def planned(folder: Path) -> Path:
 
 
 def run(job: Path) -> subprocess.Popen[bytes]:
-    """A process that works the job off with two workers."""
+    """Start a process that runs the job with two workers."""
     command = [sys.executable, "-m", "pointloom", "tile", "run", str(job), "--workers", "2"]
     return subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
 
 
 def kills_until_done(job: Path, rng: random.Random, usual: float) -> int:
-    """Kill runs at random times until one ends by itself; how many were killed."""
+    """Kill runs at random times until one completes. Returns the number of kills."""
     kills = 0
     while True:
         worker = run(job)
@@ -57,17 +57,17 @@ def kills_until_done(job: Path, rng: random.Random, usual: float) -> int:
 
 def main() -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("--count", type=int, default=30, help="kills, at least")
+    parser.add_argument("--count", type=int, default=30, help="minimum number of kills")
     parser.add_argument("--seed", type=int, default=0)
     given = parser.parse_args()
     rng, kills, jobs, wrong = random.Random(given.seed), 0, 0, 0
-    with tempfile.TemporaryDirectory() as place:
-        folder = Path(place)
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary)
         job = planned(folder)
         shutil.copytree(job, folder / "kept")
         begin = time.monotonic()
         if run(job).wait():
-            raise RuntimeError("the run that is not killed failed")
+            raise RuntimeError("the undisturbed run failed")
         usual, expected = time.monotonic() - begin, loom.tiling.finish_tiles(job).read_bytes()
         while kills < given.count:
             shutil.rmtree(job)

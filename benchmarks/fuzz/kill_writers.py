@@ -113,12 +113,12 @@ def outcome(name: str, folder: Path, versions: list[dict[str, bytes]], rng: rand
     files = contents(folder)
     for file, content in files.items():
         if content not in [version.get(file) for version in versions]:
-            return f"{file} is not that of a version"
+            return f"{file} does not match any version"
     if name in files:
         read(folder / name)
     write(folder / name, CASES[name][0](1))
     if contents(folder) != versions[0]:
-        return "the next write made other files"
+        return "the next write created other files"
     return "complete" if not files or files in versions else "mixed"
 
 

@@ -1,4 +1,4 @@
-"""Ways to damage a file, each a function of a generator and bytes: numbers, words, lines, bytes, borders."""
+"""Functions that damage a file, given a random generator and bytes: numbers, words, lines, bytes, boundaries."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from collections.abc import Callable
 
 Mutation = Callable[[random.Random, bytes], bytes]
 
-# What stands where a number should: borders of types, other scripts, spellings, nothing.
+# Replacements for numbers: limits of types, other scripts, spellings, empty.
 WORDS = [
     *(b"-1 0 1 2 -0 +5 5.5 1e3 1.0 .5 . 1e --1 1-2 00 007 0x10 0x1p3 1_0 nan -nan NaN inf -inf None x").split(),
     *(b"2147483647 2147483648 4294967295 4294967296 9223372036854775808 18446744073709551616 1e39 3.4e38").split(),
@@ -18,7 +18,7 @@ WORDS = [
     b"", b"9" * 30, b"0" * 400 + b"1", b"9" * 5000, b"\xef\xbc\x91", b"\xd9\xa1", b"1\x00", b"\\", b"\xff",
     b"\xc2\xa0", b"\xe2\x80\xa8", b"\x0b", b"\x1c", b"\t", b"\r", b"\x00", b'"', b"}",
 ]  # fmt: skip
-_WHOLE = (
+_INTEGERS = (
     0,
     1,
     2,
@@ -44,11 +44,11 @@ _NUMBER = re.compile(rb"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?")
 
 
 def change_number(rng: random.Random, data: bytes) -> bytes:
-    """Another number, most often one that is near."""
-    found = list(_NUMBER.finditer(data[:4000]))
-    if not found:
+    """Replace a number, usually by a similar one."""
+    matches = list(_NUMBER.finditer(data[:4000]))
+    if not matches:
         return data
-    at = rng.choice(found)
+    at = rng.choice(matches)
     word = rng.choice(WORDS)
     if rng.random() < 0.5:
         try:
@@ -59,10 +59,10 @@ def change_number(rng: random.Random, data: bytes) -> bytes:
 
 
 def change_word(rng: random.Random, data: bytes) -> bytes:
-    found = list(re.finditer(rb"\S+", data[:4000]))
-    if not found:
+    matches = list(re.finditer(rb"\S+", data[:4000]))
+    if not matches:
         return data
-    at = rng.choice(found)
+    at = rng.choice(matches)
     return data[: at.start()] + rng.choice(WORDS) + data[at.end() :]
 
 
@@ -100,16 +100,16 @@ def change_bytes(rng: random.Random, data: bytes) -> bytes:
     at = rng.randrange(min(size, 600)) if rng.random() < 0.4 else rng.randrange(size)
     end = min(size, at + rng.randrange(1, 64))
     some = bytes(rng.randrange(256) for _ in range(rng.randrange(1, 9)))
-    value = rng.choice(_WHOLE)
+    value = rng.choice(_INTEGERS)
     width = rng.choice([1, 2, 4, 8])
     order = rng.choice(["<", ">"])
     real = rng.choice(_REAL)
     number = struct.pack(order + "d", real) if abs(real) > 1e39 else struct.pack(order + rng.choice("fd"), real)
-    whole = (value % (1 << 8 * width)).to_bytes(width, "little" if order == "<" else "big")
+    encoded = (value % (1 << 8 * width)).to_bytes(width, "little" if order == "<" else "big")
     return rng.choice(
         [
             data[:at] + bytes([data[at] ^ (1 << rng.randrange(8))]) + data[at + 1 :],
-            data[:at] + whole + data[at + width :],
+            data[:at] + encoded + data[at + width :],
             data[:at] + number + data[at + len(number) :],
             data[:at] + some + data[at:],
             data[:at] + data[end:],
@@ -121,14 +121,14 @@ def change_bytes(rng: random.Random, data: bytes) -> bytes:
 
 
 def cut(rng: random.Random, data: bytes) -> bytes:
-    """End behind, before or in the middle of a line, a word or a block of a few bytes."""
+    """Truncate after, before or in the middle of a line, a word or a block of a few bytes."""
     borders = [match.end() for match in re.finditer(rb"[ \n]", data)] or [len(data)]
     at = rng.choice(borders) if rng.random() < 0.7 else rng.randrange(len(data) + 1)
     return data[: max(0, at - rng.choice([0, 0, 1, 2, 4, 12, 50]))]
 
 
 def mix(*mutations: Mutation) -> Mutation:
-    """One to three of these, one after another."""
+    """Apply one to three mutations in sequence."""
 
     def mutate(rng: random.Random, data: bytes) -> bytes:
         for _ in range(rng.choice([1, 1, 1, 2, 3])):
@@ -143,7 +143,7 @@ binary = mix(change_bytes, change_bytes, change_number, change_word, cut)
 
 
 def corners(rng: random.Random, data: bytes) -> bytes:
-    """OBJ whose face words are of every form, right and wrong ones side by side."""
+    """OBJ with face words of every form, valid and invalid ones mixed."""
     lines = data.split(b"\n")
     rows = [k for k, line in enumerate(lines) if line.startswith(b"f ")]
     for k in rng.sample(rows, rng.randint(1, len(rows))):

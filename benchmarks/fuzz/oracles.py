@@ -1,7 +1,8 @@
-"""Slow parsers of the formats, written apart from the readers: what a file says, or RefusedError.
+"""Slow parsers of the formats, independent of the readers. They return the file's contents or raise RefusedError.
 
-An oracle takes the file and what the reader made of it, and says in words where the two differ; RefusedError says that
-there was nothing to read. Both are an answer that was made up. What a reader leaves behind with a warning is None.
+An oracle takes the file and the reader's result, and describes the difference. RefusedError means that there was
+nothing
+valid to read. In both cases the reader invented data. Data that a reader skips with a warning is no difference.
 """
 
 from __future__ import annotations
@@ -19,11 +20,11 @@ from pointloom.io.table import MeshTable, PointTable
 
 
 class RefusedError(Exception):
-    """The file is damaged: no reader may take it."""
+    """The file is damaged: readers must reject it."""
 
 
-def require(holds: bool, reason: str) -> None:
-    if not holds:
+def require(condition: bool, reason: str) -> None:
+    if not condition:
         raise RefusedError(reason)
 
 
@@ -37,10 +38,10 @@ def real(word: bytes) -> float:
     return value
 
 
-def whole(word: bytes, least: int, most: int) -> int:
+def integer(word: bytes, low: int, high: int) -> int:
     value = real(word)
-    require(value == value and not math.isinf(value) and value == int(value), f"no whole number: {word[:40]!r}")
-    require(least <= value <= most, f"{value} is not in {least}..{most}")
+    require(value == value and not math.isinf(value) and value == int(value), f"not an integer: {word[:40]!r}")
+    require(low <= value <= high, f"{value} is not in {low}..{high}")
     return int(value)
 
 
@@ -48,13 +49,15 @@ def unix(data: bytes) -> bytes:
     return data.replace(b"\r\n", b"\n").replace(b"\r", b"\n")
 
 
-def same(found: Any, expected: Any) -> bool:
-    found, expected = np.asarray(found), np.asarray(expected)
-    return found.shape == expected.shape and np.array_equal(found, expected, equal_nan=found.dtype.kind == "f")
+def same(actual: Any, expected: Any) -> bool:
+    actual, expected = np.asarray(actual), np.asarray(expected)
+    return actual.shape == expected.shape and np.array_equal(actual, expected, equal_nan=actual.dtype.kind == "f")
 
 
 def differing_faces(mesh: MeshTable, faces: list[list[int]]) -> str | None:
-    """Where the triangles are not those faces: n - 2 each, of their corners, with the face's edges as their border."""
+    """Describe how the triangles differ from the faces: n - 2 triangles each, with the face's corners and border
+    edges.
+    """
     at = 0
     for number, face in enumerate(faces):
         rows = mesh.triangles[at : at + len(face) - 2].tolist()
@@ -111,12 +114,12 @@ def _corner(word: bytes, before: list[int]) -> list[int | None]:
         len(parts) <= 3 and all(re.fullmatch(rb"-?\d+", part) for part in parts if part), f"no corner: {word[:40]!r}"
     )
     require(bool(parts[0]), "a corner without a vertex")
-    found: list[int | None] = [None, None, None]
+    indices: list[int | None] = [None, None, None]
     for k, part in enumerate(parts):
         if part:
             number = int(re.sub(rb"^(-?)0+(?=\d)", rb"\1", part)[:40])
-            found[k] = before[k] + number if number < 0 else number - 1
-    return found
+            indices[k] = before[k] + number if number < 0 else number - 1
+    return indices
 
 
 def _differing_corners(mesh: MeshTable, faces: Any, rows: dict[bytes, list[list[float]]]) -> str | None:
@@ -152,7 +155,7 @@ def off(path: Path, mesh: MeshTable) -> str | None:
     assert head is not None
     lines = [line.split() for line in text[head.end() :].split(b"\n")]
     lines = [line for line in lines if line]
-    counts = [whole(word, 0, 2**32) for word in lines[0][:2]]
+    counts = [integer(word, 0, 2**32) for word in lines[0][:2]]
     vertices, faces = lines[1 : 1 + counts[0]], lines[1 + counts[0] :]
     require(len(vertices) == counts[0] and len(faces) == counts[1] > 0, "another number of lines")
     table = np.array([[real(word) for word in line] for line in vertices]).reshape(counts[0], -1)
@@ -167,27 +170,27 @@ def off(path: Path, mesh: MeshTable) -> str | None:
         return "the colors differ"
     corners, colors = [], []
     for line in faces:
-        size = whole(line[0], 3, len(line) - 1)
-        corners.append([whole(word, 0, counts[0] - 1) for word in line[1 : 1 + size]])
+        size = integer(line[0], 3, len(line) - 1)
+        corners.append([integer(word, 0, counts[0] - 1) for word in line[1 : 1 + size]])
         colors.append([real(word) for word in line[1 + size :]])
         require(len(colors[-1]) in (0, 1, 3, 4), "more values than colors have")
-    found = mesh.triangle_attributes.get("colors")
-    if found is not None:
+    actual = mesh.triangle_attributes.get("colors")
+    if actual is not None:
         expected = np.repeat(np.array(colors), [len(face) - 2 for face in corners], axis=0)
-        if not _are_colors(found, expected):
+        if not _are_colors(actual, expected):
             return "the colors of faces differ"
     return differing_faces(mesh, corners)
 
 
 def color_scale(values: Any) -> int:
-    """What a full channel of floating-point colors is."""
-    is_whole = bool((np.floor(values) == values).all())
-    return 255 if (values > 2).any() or (is_whole and (values > 1).any()) else 1
+    """The value of a full channel of floating-point colors."""
+    are_integers = bool((np.floor(values) == values).all())
+    return 255 if (values > 2).any() or (are_integers and (values > 1).any()) else 1
 
 
-def _are_colors(found: Any, values: Any) -> bool:
+def _are_colors(colors: Any, values: Any) -> bool:
     full = color_scale(values[:, :3])
-    return bool((np.abs(found - np.clip(values / full, 0, 1)) < 2e-7).all())
+    return bool((np.abs(colors - np.clip(values / full, 0, 1)) < 2e-7).all())
 
 
 # ------------------------------------------------------------------------------------------------ STL
@@ -201,7 +204,7 @@ def stl(path: Path, mesh: MeshTable) -> str | None:
     else:
         words = [line.split() for line in unix(data).split(b"\n")]
         rows = [[real(word) for word in line[1:]] for line in words if line and line[0].lower() == b"vertex"]
-        require(all(len(row) == 3 for row in rows) and len(rows) % 3 == 0, "corners that are not whole")
+        require(all(len(row) == 3 for row in rows) and len(rows) % 3 == 0, "corners that are not integers")
         facets = [tuple(rows[k] + rows[k + 1] + rows[k + 2]) for k in range(0, len(rows), 3)]
     require(bool(facets), "no facet")
     corners = np.array(facets).reshape(-1, 3)
@@ -213,7 +216,7 @@ def stl(path: Path, mesh: MeshTable) -> str | None:
 
 
 def pcd(path: Path, table: PointTable) -> str | None:
-    """Positions of the text and the plain binary form; those of the compressed one as the reader has them, counted."""
+    """Check positions of text and uncompressed binary files; for compressed files only the count."""
     data, at, head = path.read_bytes(), 0, {}
     while "DATA" not in head:
         end = data.find(b"\n", at)
@@ -228,7 +231,7 @@ def pcd(path: Path, table: PointTable) -> str | None:
     counts = [int(count) for count in head.get("COUNT", ["1"] * len(names))]
     grid = int(head["WIDTH"][0]) * int(head.get("HEIGHT", ["1"])[0]) if "WIDTH" in head else None
     points = int(head["POINTS"][0]) if "POINTS" in head else grid
-    require(points is not None and grid in (None, 0, points), "counts at odds")
+    require(points is not None and grid in (None, 0, points), "the counts are inconsistent")
     assert points is not None
     if len(table.points) != points:
         return f"{len(table.points)} points, the file has {points}"
@@ -240,7 +243,7 @@ def pcd(path: Path, table: PointTable) -> str | None:
         rows = [line.split() for line in unix(data[at:]).split(b"\n")]
         rows = [row for row in rows if row]
         require(len(rows) == points and all(len(row) == sum(counts) for row in rows), "another number of values")
-        found = np.array([[real(row[k]) for k in first] for row in rows]).reshape(-1, 3)
+        expected = np.array([[real(row[k]) for k in first] for row in rows]).reshape(-1, 3)
     elif head["DATA"] == ["binary"]:
         row = np.dtype(
             [
@@ -250,8 +253,8 @@ def pcd(path: Path, table: PointTable) -> str | None:
         )
         require(len(data) - at == points * row.itemsize, "another size")
         values = np.frombuffer(data, row, points, at)
-        found = np.stack([values[f"{names.index(axis)}{axis}"].reshape(points) for axis in "xyz"], axis=1)
+        expected = np.stack([values[f"{names.index(axis)}{axis}"].reshape(points) for axis in "xyz"], axis=1)
     else:
         return None
     with np.errstate(all="ignore"):
-        return None if same(table.points, found.astype(table.points.dtype)) else "the points differ"
+        return None if same(table.points, expected.astype(table.points.dtype)) else "the points differ"

@@ -1,7 +1,7 @@
-"""Readers whose files have no short grammar: GLB, glTF, NPZ, tables of text, trajectories, cameras, polygons, models.
+"""Readers of formats without a short grammar: GLB, glTF, NPZ, text tables, trajectories, cameras, polygons, models.
 
-What an oracle can say of these is less: that what was read is sound, and for GLB that trimesh reads as many triangles
-of the same size where it reads the file at all.
+The oracles of these formats check less: that the result is valid, and for GLB that trimesh reads the same number of
+triangles with the same coordinates, if it reads the file at all.
 """
 
 from __future__ import annotations
@@ -61,7 +61,7 @@ def _made(suffix: str, write: Callable[[Path], Any]) -> list[bytes]:
 
 
 def glbs() -> list[bytes]:
-    """Plain and textured ones."""
+    """Plain and textured GLB files."""
     return [
         data
         for t in (False, True)
@@ -70,30 +70,30 @@ def glbs() -> list[bytes]:
 
 
 def gltfs() -> list[bytes]:
-    """The same as text, the buffer within."""
-    found = []
+    """The same as glTF text with an embedded buffer."""
+    documents = []
     for data in glbs():
         size = int.from_bytes(data[12:16], "little")
         content = json.loads(data[20 : 20 + size])
         buffer = data[20 + size + 8 :]
         uri = "data:application/octet-stream;base64," + base64.b64encode(buffer).decode()
         content["buffers"] = [{"byteLength": len(buffer), "uri": uri}]
-        found.append(json.dumps(content, indent=1).encode())
-    return found
+        documents.append(json.dumps(content, indent=1).encode())
+    return documents
 
 
 def npzs() -> list[bytes]:
-    """A cloud."""
+    """A point cloud."""
     return _made(".npz", lambda path: write_npz(path, _cloud(), overwrite=True))
 
 
 def texts() -> list[bytes]:
-    """Points as rows of text."""
+    """Points as text rows."""
     return _made(".xyz", lambda path: write_text(path, PointTable(_cloud().points), overwrite=True))
 
 
 def tables() -> list[bytes]:
-    """Points under a line of names."""
+    """Points below a header line."""
     return [b"x,y,z,r,g,b,label\n1,2,3,255,0,0,4\n-1.5,2e3,3,0,128,9,5\n0,0,0,1,1,1,6\n"]
 
 
@@ -129,29 +129,29 @@ def metashapes() -> list[bytes]:
 
 
 def sound_mesh(path: Path, mesh: MeshTable) -> str | None:
-    """Whether a mesh holds together, and has the triangles that trimesh finds."""
+    """Check that a mesh is valid and has the triangles that trimesh reads."""
     vertices, triangles = np.asarray(mesh.vertices), np.asarray(mesh.triangles)
     if not np.isfinite(vertices).all():
-        return "vertices that are not finite"
+        return "some vertices are not finite"
     if not len(triangles) or triangles.min() < 0 or triangles.max() >= len(vertices):
-        return "triangles that name no vertex"
+        return "triangle indices are out of range"
     if mesh.triangle_uvs is not None and np.shape(mesh.triangle_uvs) != (3 * len(triangles), 2):
-        return "texture coordinates of another number"
-    if re.search(rb'"mode"\s*:\s*[56]\b', path.read_bytes()):  # strips and fans, which trimesh has its own way with
+        return "the number of texture coordinates is wrong"
+    if re.search(rb'"mode"\s*:\s*[56]\b', path.read_bytes()):  # strips and fans, which trimesh interprets differently
         return None
-    theirs = _by_trimesh(path)
-    if theirs is None or len(theirs) == 0:
+    expected = _by_trimesh(path)
+    if expected is None or len(expected) == 0:
         return None
-    ours = np.sort(vertices[triangles].reshape(len(triangles), -1).sum(axis=1))
-    if len(theirs) != len(triangles):
-        return f"{len(triangles)} triangles, and trimesh finds {len(theirs)}"
+    actual = np.sort(vertices[triangles].reshape(len(triangles), -1).sum(axis=1))
+    if len(expected) != len(triangles):
+        return f"{len(triangles)} triangles, trimesh reads {len(expected)}"
     size = np.abs(vertices).max()
-    both = np.abs(ours - np.sort(theirs.reshape(len(theirs), -1).sum(axis=1))).max()
-    return None if both <= 1e-4 * max(size, 1e-30) else "other corners than trimesh finds"
+    both = np.abs(actual - np.sort(expected.reshape(len(expected), -1).sum(axis=1))).max()
+    return None if both <= 1e-4 * max(size, 1e-30) else "the corners differ from trimesh's"
 
 
 def _by_trimesh(path: Path) -> Any:
-    """Corners of all triangles as trimesh reads them, [t, 3, 3]; None where it does not or has none."""
+    """Corners of all triangles as read by trimesh, [t, 3, 3]; None if it reads none."""
     import trimesh
 
     with contextlib.suppress(Exception), warnings.catch_warnings():
@@ -163,34 +163,34 @@ def _by_trimesh(path: Path) -> Any:
 
 
 def sound_cloud(path: Path, table: PointTable) -> str | None:
-    """Whether all arrays of a cloud have as many rows."""
+    """Check that all arrays of a cloud have the same number of rows."""
     count = len(table.points)
     arrays = [table.normals, table.colors, *table.attributes.values()]
-    return None if all(a is None or len(a) == count for a in arrays) else "arrays of other lengths"
+    return None if all(a is None or len(a) == count for a in arrays) else "the arrays differ in length"
 
 
-def sound_path(path: Path, found: Any) -> str | None:
-    """Whether poses are rigid and finite."""
-    R = found.poses[:, :3, :3]
-    if not np.isfinite(found.poses).all():
-        return "poses that are not finite"
-    off = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(initial=0)
-    return None if off < 1e-3 and (np.linalg.det(R) > 0).all() else "poses that are not rigid"
+def sound_path(path: Path, trajectory: Any) -> str | None:
+    """Check that poses are rigid and finite."""
+    R = trajectory.poses[:, :3, :3]
+    if not np.isfinite(trajectory.poses).all():
+        return "some poses are not finite"
+    error = np.abs(R @ R.transpose(0, 2, 1) - np.eye(3)).max(initial=0)
+    return None if error < 1e-3 and (np.linalg.det(R) > 0).all() else "some poses are not rigid"
 
 
 def sound_camera(path: Path, camera: PinholeCameraIntrinsic) -> str | None:
-    """Whether a camera has a size and focal lengths."""
+    """Check that a camera has a size and focal lengths."""
     numbers = [camera.width, camera.height, camera.fx, camera.fy]
     return None if min(numbers) > 0 and np.isfinite([*numbers, camera.cx, camera.cy]).all() else "no camera"
 
 
 def sound_model(path: Path, model: Any) -> str | None:
-    """Whether cameras of a project have finite, rigid poses."""
+    """Check that cameras of a project have finite, rigid poses."""
     poses = np.asarray(model.T_world_camera if hasattr(model, "T_world_camera") else model.centers)
-    return None if np.isfinite(poses).all() else "cameras that are nowhere"
+    return None if np.isfinite(poses).all() else "some cameras have no finite pose"
 
 
-# name, suffix, seeds, mutate, read, oracle: as of cases.Case
+# name, suffix, seeds, mutate, read, oracle: as in cases.Case
 OTHERS = [
     ("GLB", ".glb", glbs, mutations.binary, read_glb, sound_mesh),
     ("glTF", ".gltf", gltfs, mutations.text, read_glb, sound_mesh),

@@ -1,4 +1,4 @@
-"""A slow parser of PLY meshes: faces, strips, values at both; oracles.py says what an oracle is."""
+"""A slow parser of PLY meshes: faces, strips, vertex and face values; see oracles.py."""
 
 from __future__ import annotations
 
@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import Any
 
 import numpy as np
-from oracles import color_scale, differing_faces, real, require, same, unix, whole
+from oracles import color_scale, differing_faces, integer, real, require, same, unix
 
 from pointloom.io.table import MeshTable
 
@@ -19,7 +19,7 @@ _DTYPES = {"b": "i1", "B": "u1", "h": "i2", "H": "u2", "i": "i4", "I": "u4", "f"
 
 
 class _Text:
-    """Values of lines, one line a row."""
+    """Values of text data, one line per row."""
 
     def __init__(self, body: bytes):
         self.lines = [line.split() for line in unix(body).split(b"\n")]
@@ -38,7 +38,7 @@ class _Text:
             value = real(word)
             return value if code == "d" else float(np.float64(value).astype(np.float32))
         limits = np.iinfo(_DTYPES[code])
-        return whole(word, int(limits.min), int(limits.max))
+        return integer(word, int(limits.min), int(limits.max))
 
     def end(self) -> None:
         require(self.word == len(self.lines[self.row]), "more values")
@@ -100,7 +100,7 @@ def ply(path: Path, mesh: MeshTable) -> str | None:
                 size = int(source.take(length)) if length else 1
                 require(size >= 0 and size <= len(data), "a length")
                 if length and name == "vertex" and form == "ascii":
-                    code = "d"  # it is left behind
+                    code = "d"  # skipped
                 values = [source.take(code) for _ in range(size)]
                 rows[prop].append(values if length else values[0])
             source.end()
@@ -141,7 +141,7 @@ def _differences(
 
 def _strip(strip: list[int], count: int) -> list[list[int]]:
     require(all(-1 <= corner < count for corner in strip), "a strip")
-    found, part = [], []
+    triangles, part = [], []
     for corner in strip:
         if corner == -1:
             part = []
@@ -149,5 +149,5 @@ def _strip(strip: list[int], count: int) -> list[list[int]]:
         part.append(corner)
         if len(part) > 2 and len(set(part[-3:])) == 3:
             a, b, c = part[-3:]
-            found.append([a, b, c] if len(part) % 2 else [b, a, c])
-    return found
+            triangles.append([a, b, c] if len(part) % 2 else [b, a, c])
+    return triangles

@@ -1,9 +1,11 @@
-"""Damaged files against the readers: `python benchmarks/fuzz/run.py --count 3000 --seed 1`.
+"""Fuzz the readers with damaged files: `python benchmarks/fuzz/run.py --count 3000 --seed 1`.
 
-A reader refuses a damaged file with a FileError that names it, or reads what the file says. Each reader of cases.py
-gets `count` files: whole ones cut at every border, by turns with such that are damaged by chance. They are read in
-children, so that a crash of the process is counted and the rest goes on. What an oracle contradicts was invented; what
-is no FileError is a raw error; what takes more than ten seconds counts as a crash. Those files are kept (--keep), and
+A reader rejects a damaged file with a FileError that names it, or reads the file's contents. Each reader of
+cases.py gets
+`count` files: complete files truncated at every boundary, alternating with randomly damaged ones. They are read in
+child
+processes, so a crash is counted and the rest continues. A result that contradicts the oracle counts as invented, an
+exception other than FileError as a raw error, and more than ten seconds as a crash. Such files are saved (--keep), and
 the exit code is 1.
 """
 
@@ -31,15 +33,15 @@ from pointloom.core.errors import FileError
 OUTCOMES = ("refused", "read", "invented", "raw error", "crash")
 SECONDS = 10
 MEMORY = 4 << 30
-AT_A_TIME = 200  # files a child reads
+AT_A_TIME = 200  # files per child process
 
 
 class Hang(BaseException):
-    """A reader took longer than SECONDS."""
+    """A reader exceeded the limit of SECONDS."""
 
 
 def inputs(case: Case, seeds: list[bytes], number: int, seed: int) -> bytes:
-    """The file of this number: by turns one that ends at a border, as long as there are such, and a damaged one."""
+    """The file of this number: truncated ones, while there are any, alternate with damaged ones."""
     borders = [(k, at) for k, data in enumerate(seeds) for at in _borders(data)]
     if number % 2 == 0 and number // 2 < len(borders):
         k, at = borders[number // 2]
@@ -49,7 +51,7 @@ def inputs(case: Case, seeds: list[bytes], number: int, seed: int) -> bytes:
 
 
 def _borders(data: bytes) -> list[int]:
-    """Where words, lines and the numbers of binary rows end."""
+    """Positions after words, lines and the numbers of binary rows."""
     head = data.find(b"end_header\n") + 11 if b"end_header\n" in data else data.find(b"DATA binary")
     is_text = head < 0 or b"ascii" in data[:200] or not any(byte > 126 or byte < 9 for byte in data)
     text = [match.end() for match in re.finditer(rb"\s", data if is_text else data[:head])]
@@ -57,50 +59,54 @@ def _borders(data: bytes) -> list[int]:
 
 
 def outcome(case: Case, path: Path) -> tuple[str, str]:
-    """What becomes of a file, and what is wrong with that."""
+    """The outcome for a file, and a description of the fault."""
     try:
         with warnings.catch_warnings():
             warnings.simplefilter("error")
             warnings.simplefilter("ignore", UserWarning)
             read = case.read(path)
     except FileError as error:
-        return ("refused", "") if str(path) in str(error) and error.reason else ("raw error", f"names no file: {error}")
+        return (
+            ("refused", "")
+            if str(path) in str(error) and error.reason
+            else ("raw error", f"does not name the file: {error}")
+        )
     except Exception as error:
         return "raw error", repr(error)[:300]
     try:
         with np.errstate(all="ignore"):
             wrong = case.oracle(path, read)
     except RefusedError as error:
-        wrong = f"to be refused: {error}"
+        wrong = f"must be rejected: {error}"
     except Exception as error:
         wrong = f"no file for the oracle: {error!r}"
     return ("invented", wrong) if wrong else ("read", "")
 
 
 def fuzz(case: Case, numbers: range, seed: int, folder: Path) -> list[tuple[int, str, str]]:
-    """The outcome of each of these files, here in this process."""
-    seeds, found = case.seeds(), []
+    """The outcomes of these files, read in this process."""
+    seeds, outcomes = case.seeds(), []
     for number in numbers:
         path = folder / f"x{case.suffix}"
         path.write_bytes(inputs(case, seeds, number, seed) or b" ")
-        found.append((number, *outcome(case, path)))
-    return found
+        outcomes.append((number, *outcome(case, path)))
+    return outcomes
 
 
 def fuzz_in_children(case: Case, count: int, seed: int, folder: Path) -> list[tuple[int, str, str]]:
-    found: list[tuple[int, str, str]] = []
-    while len(found) < count:
+    outcomes: list[tuple[int, str, str]] = []
+    while len(outcomes) < count:
         log = folder / "log"
         log.write_text("")
         child = os.fork()
         if child == 0:
-            _be_a_child(case, range(len(found), min(count, len(found) + AT_A_TIME)), seed, folder, log)
+            _be_a_child(case, range(len(outcomes), min(count, len(outcomes) + AT_A_TIME)), seed, folder, log)
         _, status = os.waitpid(child, 0)
         done = [tuple(json.loads(line)) for line in log.read_text().splitlines()]
-        found += done
+        outcomes += done
         if status:
-            found.append((len(found), "crash", f"status {status}"))
-    return found
+            outcomes.append((len(outcomes), "crash", f"status {status}"))
+    return outcomes
 
 
 def _be_a_child(case: Case, numbers: range, seed: int, folder: Path, log: Path) -> None:
@@ -130,8 +136,8 @@ def main(arguments: list[str] | None = None) -> int:
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--count", type=int, default=3000, help="files a reader")
     parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--only", default="", help="readers with this in their name")
-    parser.add_argument("--keep", type=Path, help="a folder for the files that went wrong")
+    parser.add_argument("--only", default="", help="only readers whose name contains this")
+    parser.add_argument("--keep", type=Path, help="folder for files with faults")
     given = parser.parse_args(arguments)
     slips = 0
     print(f"| {'reader':20} | inputs | " + " | ".join(OUTCOMES) + " |\n|---|" + "---|" * (1 + len(OUTCOMES)))
@@ -139,12 +145,13 @@ def main(arguments: list[str] | None = None) -> int:
         if given.only.lower() not in case.name.lower():
             continue
         with tempfile.TemporaryDirectory() as folder:
-            found = fuzz_in_children(case, given.count, given.seed, Path(folder))
-        tally = Counter(what for _, what, _ in found)
+            outcomes = fuzz_in_children(case, given.count, given.seed, Path(folder))
+        tally = Counter(what for _, what, _ in outcomes)
         print(
-            f"| {case.name:20} | {len(found)} | " + " | ".join(str(tally[what]) for what in OUTCOMES) + " |", flush=True
+            f"| {case.name:20} | {len(outcomes)} | " + " | ".join(str(tally[what]) for what in OUTCOMES) + " |",
+            flush=True,
         )
-        wrong = [(number, what, why) for number, what, why in found if what not in ("refused", "read")]
+        wrong = [(number, what, why) for number, what, why in outcomes if what not in ("refused", "read")]
         slips += len(wrong)
         for number, what, why in wrong[:10]:
             print(f"    {what}, file {number}: {why}", file=sys.stderr)

@@ -1,12 +1,12 @@
-"""Ask a GPU all that could not be known without one: python benchmarks/gpu_kit [--seconds N] [--dry].
+"""Run all measurements that need a GPU: python benchmarks/gpu_kit [--seconds N] [--dry].
 
     make gpu-run                                  facts, questions, tests, benchmarks, profile, register trials, tools
-    make gpu-run ARGS="--seconds 600"             what fits in ten minutes; again, and it goes on where it ended
+    make gpu-run ARGS="--seconds 600"             ten minutes; the next run continues
     make gpu-run ARGS="--steps profile --again profile"
-    make gpu-run ARGS=--dry                       the same on the emulated device, small: no figure is written
-    make gpu-run ARGS="--take call4.tar.gz"       take in what came back from a machine that call.sh ran on
+    make gpu-run ARGS=--dry                       the same on the emulated device, small, without results
+    make gpu-run ARGS="--take call4.tar.gz"       import the results of a machine that ran call.sh
 
-The figures go to benchmarks/results/gpu-run-CHIP-DATE-COMMIT.json.
+Results are written to benchmarks/results/gpu-run-CHIP-DATE-COMMIT.json.
 """
 
 from __future__ import annotations
@@ -32,21 +32,21 @@ def _options() -> argparse.Namespace:
         prog="make gpu-run", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     names = [step.name for step in STEPS]
-    parser.add_argument("--seconds", type=float, default=HOUR, metavar="N", help="that all may take (an hour)")
+    parser.add_argument("--seconds", type=float, default=HOUR, metavar="N", help="total time limit (default: one hour)")
     parser.add_argument(
         "--steps", nargs="+", choices=names, default=names, metavar="STEP", help=f"of {', '.join(names)}"
     )
-    parser.add_argument("--again", nargs="+", choices=names, default=[], metavar="STEP", help="that are done once more")
-    parser.add_argument("--state", type=Path, help="where marks, logs and parts are kept (build/gpu-run)")
-    parser.add_argument("--dry", action="store_true", help="on the emulated device: does the kit itself work?")
-    parser.add_argument("--pieces", nargs="*", metavar="PIECE", help="that have come; for call.sh")
-    parser.add_argument("--no-keep", action="store_true", help="write no results: they are taken in elsewhere")
-    parser.add_argument("--take", nargs="+", type=Path, metavar="FILE", help="run nothing: take in what came back")
+    parser.add_argument("--again", nargs="+", choices=names, default=[], metavar="STEP", help="steps to run again")
+    parser.add_argument("--state", type=Path, help="folder for marks, logs and parts (build/gpu-run)")
+    parser.add_argument("--dry", action="store_true", help="test the kit on the emulated device")
+    parser.add_argument("--pieces", nargs="*", metavar="PIECE", help="archives that are available; for call.sh")
+    parser.add_argument("--no-keep", action="store_true", help="write no results: they are imported on another machine")
+    parser.add_argument("--take", nargs="+", type=Path, metavar="FILE", help="run nothing: import returned archives")
     return parser.parse_args()
 
 
 def main() -> int:
-    """Run; the exit code is 1 where a step failed."""
+    """Run the steps. Returns the exit code: 1 if a step failed."""
     options = _options()
     state = options.state or ROOT / "build" / ("gpu-run-dry" if options.dry else "gpu-run")
     if options.take:
@@ -67,7 +67,7 @@ def main() -> int:
 
 
 def _unpack(archives: list[Path], state: Path) -> None:
-    """Parts, logs and marks of the calls, those of later calls over those of earlier ones."""
+    """Unpack parts, logs and marks of the calls; later calls replace earlier ones."""
     state.mkdir(parents=True, exist_ok=True)
     for archive in archives:
         with tarfile.open(archive) as file:
@@ -75,27 +75,27 @@ def _unpack(archives: list[Path], state: Path) -> None:
 
 
 def _conclude(state: Path) -> int:
-    """Write the document."""
+    """Write the results document."""
     try:
         path = keep(state)
     except ValueError as error:
-        print(f"nothing is kept: {error}")
+        print(f"nothing was saved: {error}")
         return 1
     print(f"wrote {path.relative_to(ROOT)}")
     return 0
 
 
 def _conclude_dry(state: Path) -> int:
-    """A dry run ends well where its figures are refused."""
+    """Check that a dry run's measurements are rejected."""
     try:
         path = keep(state)
     except EmulatedDeviceError as error:
-        print(f"dry run: nothing was kept ({error})")
+        print(f"dry run: nothing was saved ({error})")
         return 0
-    except ValueError as error:  # none has found anything yet
+    except ValueError as error:  # no step has results yet
         print(f"dry run: {error}")
         return 0
-    print(f"dry run: figures of the emulated device were written to {path}")
+    print(f"dry run: measurements of the emulated device were written to {path}")
     return 1
 
 

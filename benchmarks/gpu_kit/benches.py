@@ -1,9 +1,10 @@
-"""The benchmarks on the GPU beside their peers, an operation a process, the most telling first, within some seconds.
+"""The benchmarks on the GPU beside the baselines, one process per operation, most informative first, within a time
+limit.
 
     python -m gpu_kit.benches STATE SECONDS
 
-benchmarks/run.py makes one document of all at its end, and measures memory; here each operation's rows are kept as soon
-as they are there, and the next run goes on with the others.
+benchmarks/run.py writes one document at its end, and measures memory. This module saves the rows of each operation at
+once, and the next run continues with the remaining operations.
 """
 
 from __future__ import annotations
@@ -32,22 +33,22 @@ ORDER = [
     "cloud_distance", "radius_outliers", "reconstruction", "ball_pivoting", "alpha_shape", "render", "iss_keypoints",
 ]  # fmt: skip
 DRY_ORDER = ["voxel_down_sample"]
-AT_LEAST, AT_MOST = 15.0, 80.0  # seconds of an operation
+AT_LEAST, AT_MOST = 15.0, 80.0  # seconds per operation
 
 
 def chosen() -> dict[str, str]:
-    """Operations and the modules that hold them, in order; those that are not named come last."""
+    """Operations and their modules, in order; unlisted ones are last."""
     known = operations()
-    found: dict[str, str] = {}
+    modules: dict[str, str] = {}
     for prefix in DRY_ORDER if devices.is_dry() else [*ORDER, ""]:
         for name, (module, _) in known.items():
             if name.startswith(prefix) or module == f"bench_{prefix}":
-                found.setdefault(name, module)
-    return found
+                modules.setdefault(name, module)
+    return modules
 
 
 def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | None, str]:
-    """pytest-benchmark's document of an operation, or why there is none."""
+    """pytest-benchmark's document of an operation, or an error message."""
     with tempfile.TemporaryDirectory() as folder:
         result = Path(folder) / "benchmark.json"
         command = [sys.executable, "-m", "pytest", f"benchmarks/{module}.py", "-q", "-s", "--tb=line"]
@@ -64,15 +65,15 @@ def time_one(name: str, module: str, seconds: float) -> tuple[dict[str, Any] | N
 
 
 def main() -> int:
-    """Time the operations that are left; MORE where some still are."""
+    """Time the remaining operations; returns MORE if some remain."""
     state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
-    device, kept = devices.start(), state / "parts" / "benchmarks.json"
+    device, saved = devices.start(), state / "parts" / "benchmarks.json"
     os.environ.setdefault("BENCH_THREADS", str(max(2, (os.cpu_count() or 2) - 2)))
-    found: dict[str, Any] = json.loads(kept.read_text())["content"] if kept.exists() else {"operations": {}}
-    found["versions"] = versions()
+    results: dict[str, Any] = json.loads(saved.read_text())["content"] if saved.exists() else {"operations": {}}
+    results["versions"] = versions()
     complete = True
     for name, module in chosen().items():
-        if name in found["operations"]:
+        if name in results["operations"]:
             continue
         left = end - time.monotonic()
         if left < AT_LEAST:
@@ -81,12 +82,12 @@ def main() -> int:
             break
         document, why = time_one(name, module, min(left - 3, AT_MOST))
         rows = list(collect([document]).values()) if document else []
-        found["operations"][name] = [
+        results["operations"][name] = [
             {"size": row.size, "peer": label, "best_ms": 1e3 * timing.best, "median_ms": 1e3 * timing.median}
             for row in rows
             for label, timing in row.timings.items()
         ] or {"error": why}
-        keep_part(state, device, "benchmarks", found)
+        keep_part(state, device, "benchmarks", results)
         print(table(rows, with_targets=False) if rows else f"{name}: no table: {why}", flush=True)
     return 0 if complete else MORE
 

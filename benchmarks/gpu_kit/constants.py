@@ -1,4 +1,5 @@
-"""Measure constants of the GPU: seconds of launches, waits, graphs and copies, and bytes a second of links and memory.
+"""Measure constants of the GPU: times of launches, synchronization, graphs and copies, and bandwidths of links and
+memory.
 
 python -m gpu_kit.constants STATE SECONDS
 """
@@ -17,22 +18,22 @@ from gpu_kit.documents import keep_part
 
 DEVICE = devices.NAME
 SMALL = devices.is_dry()
-LAUNCHES, NODES, TURNS = 200, 400, 1000
+LAUNCHES, NODES, ITERATIONS = 200, 400, 1000
 
 
 def median_of(call: Callable[[], Any], rounds: int = 15) -> float:
-    """Seconds of a call in the middle, the first aside."""
+    """Median time of a call, without the first one."""
     call()
-    found = []
+    seconds = []
     for _ in range(2 if SMALL else rounds):
         start = time.perf_counter()
         call()
-        found.append(time.perf_counter() - start)
-    return statistics.median(found)
+        seconds.append(time.perf_counter() - start)
+    return statistics.median(seconds)
 
 
 class Probe:
-    """A kernel of the package over one number, launched as operations launch theirs."""
+    """A kernel of the package over one number, launched like an operation's kernel."""
 
     def __init__(self) -> None:
         import warp as wp
@@ -45,28 +46,28 @@ class Probe:
         self.wp, self.launch, self.kernel = wp, launch, deskew_points_kernel
 
     def one(self, k: int = 0) -> None:
-        """Launch it."""
+        """Launch it once."""
         self.launch(self.kernel, 1, self.scan.all(k))
 
     def many(self, count: int = LAUNCHES) -> None:
-        """Launch it many times, with an array exchanged each time."""
+        """Launch it several times, with an array exchanged each time."""
         for k in range(count):
             self.one(k)
 
     def graph(self, count: int) -> Any:
-        """A graph of it, node after node."""
+        """A graph of consecutive launches."""
         with self.wp.ScopedDevice(DEVICE), self.wp.ScopedCapture(force_module_load=False) as capture:
             self.many(count)
         return capture.graph
 
     def run(self, graph: Any) -> None:
-        """Run a graph to its end."""
+        """Run a graph and synchronize."""
         self.wp.capture_launch(graph)
         self.wait()
 
 
 def launches(probe: Probe) -> dict[str, float]:
-    """What a launch costs the host, and how far apart launches come."""
+    """Host time of a launch, and the interval between launches."""
 
     def queued() -> None:
         probe.many()
@@ -93,24 +94,24 @@ def launches(probe: Probe) -> dict[str, float]:
 
 
 def graphs(probe: Probe) -> dict[str, float]:
-    """Nodes of a graph, its launch, its making."""
+    """Times of a graph's nodes, its launch and its creation."""
     import warp as wp
 
     long, short = probe.graph(NODES), probe.graph(1)
     all_nodes, one = median_of(lambda: probe.run(long)), median_of(lambda: probe.run(short))
-    made = {count: median_of(lambda count=count: probe.run(probe.graph(count)), 8) for count in (1, 9)}
-    node = (made[9] - made[1]) / 8
+    creation = {count: median_of(lambda count=count: probe.run(probe.graph(count)), 8) for count in (1, 9)}
+    node = (creation[9] - creation[1]) / 8
     wp.synchronize_device(DEVICE)
     return {
         "GRAPH_NODE": (all_nodes - one) / (NODES - 1),
         "HOST_GRAPH": median_of(lambda: wp.capture_launch(short)),
         "GRAPH_MADE_NODE": node,
-        "GRAPH_MADE": max(made[1] - node - one, 0.0),
+        "GRAPH_MADE": max(creation[1] - node - one, 0.0),
     }
 
 
-def turns(probe: Probe) -> dict[str, float]:
-    """A turn of a loop that the device ends, the kernel in it aside."""
+def loop_iterations(probe: Probe) -> dict[str, float]:
+    """Time of an iteration of a device-side loop, without its kernel."""
     import warp as wp
 
     from gpu_kit.probe_kernels import count_down_kernel
@@ -126,28 +127,28 @@ def turns(probe: Probe) -> dict[str, float]:
         probe.wait()
         return time.perf_counter() - start
 
-    most = 20 if SMALL else TURNS
+    iterations = 20 if SMALL else ITERATIONS
     seconds(2)
-    few, many = (min(seconds(count) for _ in range(3)) for count in (2, 2 + most))
+    few, many = (min(seconds(count) for _ in range(3)) for count in (2, 2 + iterations))
     if int(left.numpy()[0]):
-        raise RuntimeError("the loop did not end where its condition is 0")
-    return {"LOOP_TURN": (many - few) / most}
+        raise RuntimeError("the loop did not stop when its condition became 0")
+    return {"LOOP_TURN": (many - few) / iterations}
 
 
 def copies(probe: Probe) -> dict[str, float]:
-    """Bytes a second between host and device, and within the device."""
+    """Bandwidths between host and device, and within the device."""
     import warp as wp
 
     count = 40_000 if SMALL else 40_000_000
-    there = wp.zeros(count, dtype=wp.float32, device=DEVICE)
-    kept = wp.zeros(count, dtype=wp.float32, device="cpu")
+    on_device = wp.zeros(count, dtype=wp.float32, device=DEVICE)
+    host = wp.zeros(count, dtype=wp.float32, device="cpu")
     pinned = wp.zeros(count, dtype=wp.float32, device="cpu", pinned=True)
-    ways: dict[str, Callable[[], Any]] = {
-        "LINK_FRESH": lambda: there.numpy(),
-        "to host, reused": lambda: wp.copy(kept, there),
-        "LINK_PINNED": lambda: wp.copy(pinned, there),
-        "LINK_PAGEABLE": lambda: wp.copy(there, kept),
-        "to device, pinned": lambda: wp.copy(there, pinned),
+    calls: dict[str, Callable[[], Any]] = {
+        "LINK_FRESH": lambda: on_device.numpy(),
+        "to host, reused": lambda: wp.copy(host, on_device),
+        "LINK_PINNED": lambda: wp.copy(pinned, on_device),
+        "LINK_PAGEABLE": lambda: wp.copy(on_device, host),
+        "to device, pinned": lambda: wp.copy(on_device, pinned),
     }
 
     def waiting(call: Callable[[], Any]) -> Callable[[], None]:
@@ -157,43 +158,43 @@ def copies(probe: Probe) -> dict[str, float]:
 
         return run
 
-    found = {name: 4 * count / median_of(waiting(call), 5) for name, call in ways.items()}
-    found["HOST_COPY"] = median_of(lambda: wp.copy(there, pinned, count=64))
-    return found | within(probe)
+    seconds_per_byte = {name: 4 * count / median_of(waiting(call), 5) for name, call in calls.items()}
+    seconds_per_byte["HOST_COPY"] = median_of(lambda: wp.copy(on_device, pinned, count=64))
+    return seconds_per_byte | within(probe)
 
 
 def within(probe: Probe) -> dict[str, float]:
-    """Sweeps of memory, and of what lies in the L2."""
+    """Bandwidths of device memory and of the L2 cache."""
     import warp as wp
 
-    found = {}
+    constants = {}
     for name, numbers, times in (("MEMORY_BANDWIDTH", 1 << 28, 4), ("L2_BANDWIDTH", 1 << 21, 64)):
         count = min(numbers, 1 << 14) if SMALL else numbers
         a, b = (wp.zeros(count, dtype=wp.float32, device=DEVICE) for _ in range(2))
         with wp.ScopedDevice(DEVICE), wp.ScopedCapture(force_module_load=False) as capture:
             for _ in range(times):
                 wp.copy(b, a)
-        found[name] = 8 * count * times / median_of(lambda graph=capture.graph: probe.run(graph), 7)
-    return found
+        constants[name] = 8 * count * times / median_of(lambda graph=capture.graph: probe.run(graph), 7)
+    return constants
 
 
 def main() -> int:
-    """Measure them all; one that fails is left out."""
+    """Measure all constants; failing ones are skipped."""
     state, failed = Path(sys.argv[1]), 0
-    device, found, probe = devices.start(), {}, Probe()
+    device, constants, probe = devices.start(), {}, Probe()
     if device.is_emulated:
-        print("what follows means nothing: the emulated device takes no time that does")
-    for measure in (launches, graphs, turns, copies):
+        print("the following values are meaningless: they are of the emulated device")
+    for measure in (launches, graphs, loop_iterations, copies):
         try:
             measured = measure(probe)
         except Exception as error:
             print(f"{measure.__name__}: FAILED {type(error).__name__}: {str(error)[:300]}", flush=True)
             failed += 1
             continue
-        found |= measured
+        constants |= measured
         for name, value in measured.items():
             print(f"{name}: {f'{value / 1e9:.1f} GB/s' if value > 1 else f'{1e6 * value:.2f} us'}", flush=True)
-        keep_part(state, device, "constants", found)
+        keep_part(state, device, "constants", constants)
     return 1 if failed else 0
 
 

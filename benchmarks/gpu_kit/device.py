@@ -1,4 +1,4 @@
-"""The device that is measured: a GPU, or in a dry run the emulated one, of which no figure is kept."""
+"""The measured device: a GPU, or in a dry run the emulated one, of which no measurements are saved."""
 
 from __future__ import annotations
 
@@ -12,16 +12,16 @@ from typing import Any
 ROOT = Path(__file__).resolve().parents[2]
 NAME = "cuda:0"
 DRY = "POINTLOOM_GPU_DRY"  # set for the steps of a dry run: the emulated device, small sizes
-EMULATED = "emulated"  # stands in the emulated device's name
+EMULATED = "emulated"  # contained in the emulated device's name
 
 
 class EmulatedDeviceError(RuntimeError):
-    """Figures of the emulated device were to be kept: what it does is counted, it takes no time that means anything."""
+    """Raised on an attempt to save measurements of the emulated device, whose times are meaningless."""
 
 
 @dataclass(frozen=True)
 class Device:
-    """What a figure depends on, of the device."""
+    """The properties of the device that measurements depend on."""
 
     name: str
     architecture: int
@@ -32,7 +32,7 @@ class Device:
 
     @property
     def chip(self) -> str:
-        """Its short name, as in files: "h100" of "NVIDIA H100 80GB HBM3", "rtx-4090" of "NVIDIA GeForce RTX 4090"."""
+        """Short name for files: "h100" for "NVIDIA H100 80GB HBM3", "rtx-4090" for "NVIDIA GeForce RTX 4090"."""
         return chip_of(self.name)
 
     @property
@@ -44,19 +44,19 @@ class Device:
 
 
 def chip_of(name: str) -> str:
-    """The short name of a chip, from its whole one."""
+    """The short name of a chip, from its full name."""
     words = re.sub(r"\b(nvidia|tesla|geforce|graphics|device|cuda)\b", " ", name.lower())
-    found = re.search(r"\brtx\s+(?:pro\s+)?\w+(?:\s+(?:ti|super|ada))*|\b[a-z]+\d+[a-z]*\b", words)
-    return "-".join((found.group() if found else words).split()) or "unknown"
+    match = re.search(r"\brtx\s+(?:pro\s+)?\w+(?:\s+(?:ti|super|ada))*|\b[a-z]+\d+[a-z]*\b", words)
+    return "-".join((match.group() if match else words).split()) or "unknown"
 
 
 def is_dry() -> bool:
-    """Whether this process belongs to a dry run."""
+    """True if this process belongs to a dry run."""
     return bool(os.environ.get(DRY))
 
 
 def start() -> Device:
-    """Start Warp; in a dry run on the emulated device. Before pointloom is imported.
+    """Start Warp, in a dry run with the emulated device. Call it before importing pointloom.
 
     Raises:
         SystemExit: There is no GPU, and this is no dry run.
@@ -74,12 +74,19 @@ def start() -> Device:
 
     wp.init()
     if not wp.get_cuda_device_count():
-        raise SystemExit("no CUDA device here; --dry runs the kit on the emulated one")
-    found = wp.get_device(NAME)
+        raise SystemExit("no CUDA device found; use --dry to run the kit on the emulated device")
+    warp_device = wp.get_device(NAME)
     driver, toolkit = (".".join(map(str, version or ())) for version in (wp.get_cuda_driver_version(), _toolkit()))
-    device = Device(found.name, found.arch, found.sm_count, round(found.total_memory / 2**30, 1), driver, toolkit)
+    device = Device(
+        warp_device.name,
+        warp_device.arch,
+        warp_device.sm_count,
+        round(warp_device.total_memory / 2**30, 1),
+        driver,
+        toolkit,
+    )
     if is_dry() != device.is_emulated:
-        raise SystemExit(f"{device.name}: a dry run is on the emulated device, and no other run is")
+        raise SystemExit(f"{device.name}: dry runs, and only these, use the emulated device")
     return device
 
 

@@ -1,6 +1,6 @@
-"""What a run found: a part a step while it goes on, one document of a GPU at its end, whole or not at all.
+"""Results of a run: one part per step during the run, one document per GPU at its end, written atomically.
 
-A part says which device it is of. Nothing of the emulated device becomes a document.
+A part names its device. Parts of the emulated device are never written to a document.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ FORMAT = 1
 
 
 def write_json(path: Path, content: Any) -> None:
-    """Write a document so that it is there whole or not at all."""
+    """Write a document atomically."""
     from pointloom.core.atomic import atomic_write
 
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -27,7 +27,7 @@ def write_json(path: Path, content: Any) -> None:
 
 
 def keep_part(state: Path, device: Device, name: str, content: Any) -> None:
-    """Keep what a step has found so far, in the place of what it had found before."""
+    """Save the results of a step so far, replacing its previous ones."""
     from pointloom.kernels.language.compiled_ahead import digest_of_sources
 
     about = {"device": device.as_json(), "sources of kernels": digest_of_sources()}
@@ -35,14 +35,14 @@ def keep_part(state: Path, device: Device, name: str, content: Any) -> None:
 
 
 def refuse_emulated(device: dict[str, Any]) -> None:
-    """Raise where a device is none.
+    """Raise an error for the emulated device.
 
     Raises:
-        EmulatedDeviceError: It is the emulated one, or has no name.
+        EmulatedDeviceError: The device is the emulated one, or has no name.
     """
     name = str(device.get("name", ""))
     if not name or EMULATED in name.lower():
-        raise EmulatedDeviceError(f"{name or 'a device without a name'}: no figure of it is kept, none was measured")
+        raise EmulatedDeviceError(f"{name or 'a device without a name'}: measurements of it are not saved")
 
 
 def collected(state: Path) -> dict[str, Any]:
@@ -50,17 +50,17 @@ def collected(state: Path) -> dict[str, Any]:
 
     Raises:
         EmulatedDeviceError: A part is of the emulated device.
-        ValueError: There is none, or they are of different devices or sources of kernels.
+        ValueError: There are no parts, or they are of different devices or kernel sources.
     """
     parts = {path.stem: json.loads(path.read_text()) for path in sorted((state / "parts").glob("*.json"))}
     if not parts:
-        raise ValueError(f"{state}: no step has left anything")
+        raise ValueError(f"{state}: no step has saved results")
     for part in parts.values():
         refuse_emulated(part["device"])
     first, *others = parts.values()
     for about in ("device", "sources of kernels"):
         if any(part[about] != first[about] for part in others):
-            raise ValueError(f"{state}: parts of different {about}; do all again, with another --state")
+            raise ValueError(f"{state}: the parts have different {about}. Repeat the run with another --state")
     commit, dirty = _commit()
     return {
         "format": FORMAT,
@@ -74,10 +74,10 @@ def collected(state: Path) -> dict[str, Any]:
 
 
 def keep(state: Path, folder: Path = RESULTS) -> Path:
-    """Write the document of a run; its path.
+    """Write the document of a run; returns its path.
 
     Raises:
-        EmulatedDeviceError, ValueError: As `collected`.
+        EmulatedDeviceError, ValueError: As in `collected`.
     """
     document = collected(state)
     chip = chip_of(document["device"]["name"])

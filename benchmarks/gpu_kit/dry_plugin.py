@@ -1,4 +1,4 @@
-"""A pytest plugin of dry runs, `-p gpu_kit.dry_plugin`: the emulated device is there before Warp starts."""
+"""A pytest plugin for dry runs, `-p gpu_kit.dry_plugin`: installs the emulated device before Warp starts."""
 
 from gpu_kit.device import start
 

@@ -1,4 +1,4 @@
-"""What the machine is: GPU, driver, processor, packages; read these before trusting any figure."""
+"""Print the machine's properties: GPU, driver, processor, packages. Read these before trusting any measurement."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ PROGRAMS = ("ncu", "nsys", "compute-sanitizer", "nvcc")
 
 
 def main() -> int:
-    """Print it."""
+    """Print the facts."""
     if shutil.which("nvidia-smi"):
         print(subprocess.run(["nvidia-smi"], capture_output=True, text=True).stdout)
     print(f"Python {platform.python_version()}, {os.cpu_count()} cores, {platform.platform()}")

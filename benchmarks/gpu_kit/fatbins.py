@@ -1,7 +1,7 @@
-"""GPU code in shared libraries: all but one architecture's is zeroed, so that the library packs to a part of its size.
+"""GPU code in shared libraries: zero all but one architecture's code, so that the library compresses well.
 
 A fatbin is a header (magic, version, size) and entries, each with a kind (1: PTX, 2: machine code), an architecture and
-a payload. The headers stay as they are, so the driver still finds the code of its own architecture.
+a payload. The headers are unchanged, so the driver still finds the code of its own architecture.
 """
 
 from __future__ import annotations
@@ -18,7 +18,7 @@ HEADER, MIN_ENTRY, MAX_ENTRY = 16, 32, 4096  # bytes
 
 
 class Entry(NamedTuple):
-    """One architecture's code."""
+    """The code of one architecture."""
 
     offset: int
     size: int
@@ -45,7 +45,7 @@ def entries(data: bytes | bytearray | mmap.mmap) -> Iterator[Entry]:
 
 
 def keep_architecture(library: Path, architecture: int) -> int:
-    """Zero all code in a library but an architecture's; the bytes that were zeroed."""
+    """Zero all code in a library except one architecture's; returns the number of zeroed bytes."""
     zeroed = 0
     with library.open("r+b") as file, mmap.mmap(file.fileno(), 0) as data:
         for entry in list(entries(data)):

@@ -1,7 +1,8 @@
-"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: no runs of CPU compilers, no worker that has lost its device.
+"""A pytest plugin for a GPU, `-p gpu_kit.gpu_only`: skips CPU compilers and restarts workers that have lost their
+device.
 
-An illegal address poisons the CUDA context, and with it every later test of the process. So a worker of pytest-xdist
-whose context is lost ends itself; another is started, and goes on with the next test.
+An illegal address invalidates the CUDA context for all later tests of the process. So a worker of pytest-xdist whose
+context is lost exits; another one is started and continues with the next test.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Archives cut into the folders of calls: in the order in which they are needed, as much in each as a call carries."""
+"""Split archives into the folders of calls: in the order of need, each filled up to the size limit of a call."""
 
 from __future__ import annotations
 
@@ -7,31 +7,31 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-SPARE = 1 << 20  # bytes of a call that are left free: what a file costs beside its content
-LEAST = 1 << 20  # that a part has, but for the last
+SPARE = 1 << 20  # bytes per call left free for per-file overhead
+MIN_BYTES = 1 << 20  # minimum size of a part, except for the last
 LIST = "pieces.txt"
 
 
 class Piece(NamedTuple):
-    """An archive by its short name; None where it was not made."""
+    """An archive with its short name; None if it was not built."""
 
     name: str
     path: Path | None
 
 
 def lay_out(out: Path, pieces: Sequence[Piece], calls: int, room: int) -> list[str]:
-    """Write the folders 1 to `calls`; what was done, in words.
+    """Write the folders 1 to `calls`; returns a report.
 
     Args:
-        out: Where the folders are made anew.
-        pieces: In the order in which they are needed.
-        calls: How many folders there are.
-        room: Bytes that a call carries beside the working tree.
+        out: Output folder, which is replaced.
+        pieces: Archives in the order of need.
+        calls: Number of folders.
+        room: Bytes that a call can carry in addition to the working tree.
     """
     room -= SPARE
-    said = [f"beside the working tree {room / 2**20:.1f} MiB a call can be carried"]
-    if room < LEAST:
-        return [*said, "too little: a call has to carry more, or the tree less"]
+    report = [f"each call can carry {room / 2**20:.1f} MiB in addition to the working tree"]
+    if room < MIN_BYTES:
+        return [*report, "not enough: increase the limit of a call, or reduce the working tree"]
     folders = [out / str(k + 1) for k in range(calls)]
     for folder in folders:
         shutil.rmtree(folder, ignore_errors=True)
@@ -39,21 +39,21 @@ def lay_out(out: Path, pieces: Sequence[Piece], calls: int, room: int) -> list[s
     call, free, listed = 0, room, []
     for piece in pieces:
         if piece.path is None:
-            said.append(f"{piece.name}: not made, left out")
+            report.append(f"{piece.name}: not built, skipped")
             continue
         data, at, part = piece.path.read_bytes(), 0, 0
         missing = len(data) - free - room * (calls - call - 1)
         if missing > 0:
-            said.append(f"{piece.name}: {missing / 2**20:.1f} MiB more than {calls} calls carry; left out")
+            report.append(f"{piece.name}: {missing / 2**20:.1f} MiB more than {calls} calls can carry; skipped")
             continue
         while at < len(data):
-            if free < min(LEAST, len(data) - at):
+            if free < min(MIN_BYTES, len(data) - at):
                 call, free = call + 1, room
             size = min(free, len(data) - at)
             (folders[call] / f"{piece.path.name}.part{part:03d}").write_bytes(data[at : at + size])
             at, part, free = at + size, part + 1, free - size
         listed.append(f"{piece.path.name} {part}\n")
-        said.append(f"{piece.name}: {len(data) / 2**20:.1f} MiB, whole with call {call + 1}")
+        report.append(f"{piece.name}: {len(data) / 2**20:.1f} MiB, complete with call {call + 1}")
     for folder in folders:
         (folder / LIST).write_text("".join(listed))
-    return said
+    return report

@@ -1,17 +1,17 @@
-"""Pack what a GPU machine without network needs that is reached one command at a time, N MiB a call: make gpu-kit.
+"""Pack files for a GPU machine without network that runs one command at a time, with N MiB per call: make gpu-kit.
 
-    make gpu-kit                                            everything that is not made yet, then the folders of calls
+    make gpu-kit                                            all missing archives, then the folders of calls
     make gpu-kit CALL_MIB=64 CALLS=4 GPU_PYTHON=3.12 GPU_ARCHITECTURE=90
-    make gpu-kit ARGS="kernels layout"                      after a change in kernels/: these alone
+    make gpu-kit ARGS="kernels layout"                      only these, after a change in kernels/
 
     warp      Warp with the GPU code of one architecture
-    kernels   pointloom's kernels, compiled ahead, so that nothing is compiled there
-    wheels    small packages that tests import and that such a machine lacks
-    open3d    Open3D likewise, with the libraries of the system that it links; for the Python of the GPU machine
-    layout    cut into build/gpu-kit/1 to N; each travels with the working tree, which counts toward a call's size
+    kernels   pointloom's precompiled kernels
+    wheels    small packages that tests import and that are missing on such a machine
+    open3d    Open3D likewise, with the system libraries that it links; for the Python of the GPU machine
+    layout    split into build/gpu-kit/1 to N; the working tree is sent with each and counts toward the size of a call
 
-Hours before: xz takes minutes and the kernels an hour of two cores, once. Then, there, a call after the other:
-`bash benchmarks/gpu_kit/call.sh build/gpu-kit/1 SECONDS` (README.md beside this file).
+Run it hours before: xz takes minutes and the kernels take an hour of two cores, once. Then run on the GPU machine, one
+call after the other: `bash benchmarks/gpu_kit/call.sh build/gpu-kit/1 SECONDS` (see README.md).
 """
 
 from __future__ import annotations
@@ -33,19 +33,19 @@ from gpu_kit.layout import Piece, lay_out
 
 ROOT = Path(__file__).resolve().parents[2]
 OPEN3D = "open3d==0.20.0"
-WHEELS = ("laspy", "lazrs", "msgspec", "trimesh", "small-gicp")  # without laspy no test of point files is collected
+WHEELS = ("laspy", "lazrs", "msgspec", "trimesh", "small-gicp")  # tests of point files need laspy
 LARGEST_WHEEL = 6 << 20
 PLATFORMS = [f"manylinux_2_{n}_x86_64" for n in (17, 24, 27, 28, 31, 34, 35)]
 PLATFORMS += ["manylinux2014_x86_64", "manylinux1_x86_64"]
-ON_DEMAND = ("fem", "render", "optim")  # of Warp: imported when asked for
+ON_DEMAND = ("fem", "render", "optim")  # optional modules of Warp, imported on demand
 NOT_OF_WARP = ("__pycache__", "tests", "examples", *ON_DEMAND, "jax_experimental")
 NOT_OF_OPEN3D = ("resources", "examples", "labextension", "nbextension", "_ml3d", "agent_skills")
 PARTS = ("warp", "kernels", "wheels", "open3d", "layout")
 EVERYWHERE = ("libc.so", "libm.so", "libpthread", "libdl.so", "librt.so", "ld-linux", "libstdc++", "libgcc_s")
 EVERYWHERE += ("libresolv", "libOpen3D", "libtbb")
 
-# What only Open3D's viewers import, answered for where it is not installed
-STUB = '''"""Import this before open3d where what its viewers import is not installed."""
+# Imports of Open3D's viewers, replaced by stubs if not installed
+STUB = '''"""Import this before open3d if the packages of its viewers are not installed."""
 import importlib.abc, importlib.machinery, sys, types
 NAMES = set("plotly dash flask werkzeug ipywidgets nbformat configargparse IPython addict pyquaternion".split())
 class _Module(types.ModuleType):
@@ -67,13 +67,13 @@ sys.meta_path.append(_Finder())
 
 
 class Packer:
-    """Makes the archives in a folder, for one architecture of GPUs and one Python."""
+    """Builds the archives in a folder, for one GPU architecture and one Python."""
 
     def __init__(self, out: Path, architecture: int, python: str) -> None:
         self.out, self.architecture, self.python = out, architecture, python
 
     def archive(self, stage: Path, name: str) -> None:
-        """A tar.xz of a folder's content, small rather than quick."""
+        """A tar.xz of a folder's contents, optimized for size."""
         to = self.out / name
         partial = to.with_suffix(".partial")
         squeeze = "xz -T1 --x86 --lzma2=preset=9,dict=128MiB"
@@ -82,7 +82,7 @@ class Packer:
         print(f"{name}: {to.stat().st_size / 2**20:.1f} MiB", flush=True)
 
     def warp(self) -> None:
-        """Warp as it is installed here, without its tests and other GPUs' code."""
+        """The installed Warp, without its tests and other GPUs' code."""
         spec = importlib.util.find_spec("warp")
         if spec is None or not spec.submodule_search_locations:
             raise SystemExit(f"warp is not installed for {sys.executable}")
@@ -103,28 +103,28 @@ class Packer:
         command = [sys.executable, "-m", "pointloom.kernels.cuda_cache", "--architectures", str(self.architecture)]
         command += ["--work", str(ROOT / "build" / "cuda-kernels"), "--output", str(self.out / "dist")]
         subprocess.run(command, check=True)
-        found = max((self.out / "dist").glob("pointloom-cuda-kernels-*.zip"), key=lambda path: path.stat().st_mtime)
-        shutil.copy(found, self.out / "kernels.zip")
-        print(f"kernels.zip: {found.stat().st_size / 2**20:.1f} MiB", flush=True)
+        archive = max((self.out / "dist").glob("pointloom-cuda-kernels-*.zip"), key=lambda path: path.stat().st_mtime)
+        shutil.copy(archive, self.out / "kernels.zip")
+        print(f"kernels.zip: {archive.stat().st_size / 2**20:.1f} MiB", flush=True)
 
     def download(self, names: tuple[str, ...], to: Path) -> None:
-        """Wheels for the Python of the GPU machine; what has none is named."""
+        """Download wheels for the Python of the GPU machine; prints packages without a wheel."""
         base = [sys.executable, "-m", "pip", "download", "-q", "--no-deps", "--only-binary=:all:"]
         base += ["--python-version", self.python, "--implementation", "cp", "-d", str(to)]
         base += [word for platform in PLATFORMS for word in ("--platform", platform)]
         for name in names:
             if subprocess.run([*base, name], check=False).returncode:
-                print(f"{name}: no wheel for Python {self.python}; left out")
+                print(f"{name}: no wheel for Python {self.python}; skipped")
 
     def wheels(self) -> None:
-        """Small packages, unpacked side by side."""
+        """Small packages, unpacked into one folder."""
         with tempfile.TemporaryDirectory(dir=self.out) as folder:
             got, stage = Path(folder, "wheels"), Path(folder, "stage")
             self.download(WHEELS, got)
             stage.mkdir()
             for wheel in sorted(got.glob("*.whl")):
                 if wheel.stat().st_size > LARGEST_WHEEL:
-                    print(f"{wheel.name}: too large, left out")
+                    print(f"{wheel.name}: too large, skipped")
                 else:
                     shutil.unpack_archive(wheel, stage, "zip")
             self.archive(stage, "wheels.tar.xz")
@@ -144,20 +144,22 @@ class Packer:
                 shutil.rmtree(path) if path.is_dir() else path.unlink()
             for library in stage.rglob("libOpen3D.so*"):
                 keep_architecture(library, self.architecture)
-                copy_system_libraries(library, package)  # beside its binding, which looks there first
+                copy_system_libraries(library, package)  # beside its binding, which is searched first
             (stage / "open3d_stub.py").write_text(STUB)
             self.archive(stage, "open3d.tar.xz")
 
 
 def copy_system_libraries(library: Path, to: Path) -> None:
-    """Copy what a library links of the system (X11, GL, EGL, usb, ...): a bare machine has none of it."""
-    said = subprocess.run(["ldd", library], capture_output=True, text=True, check=True).stdout
-    for line in said.splitlines():
-        name, _, found = line.strip().partition(" => ")
-        if found.startswith("not found") and not name.startswith(EVERYWHERE):
-            print(f"{name}: not on this machine; install it, or Open3D will not load there")
-        elif found.startswith("/") and not name.startswith(EVERYWHERE):
-            shutil.copy(Path(found.split(" ")[0]).resolve(), to / name)
+    """Copy the system libraries that a library links (X11, GL, EGL, usb, ...), since a minimal machine has none."""
+    listing = subprocess.run(["ldd", library], capture_output=True, text=True, check=True).stdout
+    for line in listing.splitlines():
+        name, _, target = line.strip().partition(" => ")
+        if target.startswith("not found") and not name.startswith(EVERYWHERE):
+            print(
+                f"{name}: not found on this machine. Install it, otherwise Open3D cannot be loaded on the GPU machine"
+            )
+        elif target.startswith("/") and not name.startswith(EVERYWHERE):
+            shutil.copy(Path(target.split(" ")[0]).resolve(), to / name)
 
 
 def tree_size() -> int:
@@ -169,16 +171,18 @@ def tree_size() -> int:
 
 
 def main() -> int:
-    """Make what is asked for."""
+    """Build the requested archives."""
     parser = argparse.ArgumentParser(
         prog="make gpu-kit", description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
-    parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; all that are missing")
-    parser.add_argument("--out", type=Path, default=ROOT / "build" / "gpu-kit", help="a folder that git ignores")
-    parser.add_argument("--call-mib", type=float, default=64, help="that a call carries, the working tree included")
+    parser.add_argument("parts", nargs="*", metavar="PART", help=f"of {', '.join(PARTS)}; default: all missing ones")
+    parser.add_argument("--out", type=Path, default=ROOT / "build" / "gpu-kit", help="output folder, ignored by git")
+    parser.add_argument("--call-mib", type=float, default=64, help="size limit of a call, including the working tree")
     parser.add_argument("--calls", type=int, default=4)
-    parser.add_argument("--python", default="3.12", help="of the GPU machine")
-    parser.add_argument("--architecture", type=int, default=90, help="of its GPU: 90 of Hopper, 89 of Ada")
+    parser.add_argument("--python", default="3.12", help="Python version of the GPU machine")
+    parser.add_argument(
+        "--architecture", type=int, default=90, help="architecture of its GPU: 90 for Hopper, 89 for Ada"
+    )
     options = parser.parse_args()
     if unknown := set(options.parts) - set(PARTS):
         parser.error(f"no such part: {', '.join(sorted(unknown))}")

@@ -1,4 +1,4 @@
-"""The kernel of the loop whose turns are timed. A module of its own: to import it starts Warp."""
+"""The kernel of the timed loop, in a separate module, since importing it starts Warp."""
 
 from pointloom.kernels.lang import array, int32, kernel, tid
 

@@ -1,12 +1,11 @@
-"""Operations on the GPU (gpu_operations.py): seconds for the caller, and the device's own kernels by name.
+"""Operations on the GPU (gpu_operations.py): times of the caller, and times of the kernels by name.
 
     python -m gpu_kit.profile STATE SECONDS
     python -m gpu_kit.profile --once NAME=SIZE ...          run each twice: for ncu and compute-sanitizer
     python -m gpu_kit.profile --json NAME=SIZE              one call's times as a line of JSON
 
-Caller: the median of some calls until the device is done, over data that is there. Device: the sum of the durations of
-kernels, copies and fills, which CUPTI tells through torch's profiler, those inside graphs too; without torch there is
-only the caller's time.
+Caller: the median of some synchronized calls on existing data. Device: the total duration of kernels, copies and fills,
+including those in graphs, measured by CUPTI through torch's profiler. Without torch there is only the caller's time.
 """
 
 from __future__ import annotations
@@ -25,9 +24,9 @@ from gpu_kit import device as devices
 from gpu_kit.documents import keep_part
 from gpu_kit.runner import MORE
 
-ROUNDS, WARM_UP, ENOUGH = 7, 2, 6.0  # calls that are timed, before them, and seconds after which it is enough
-FRESH = ("tree",)  # what keeps its result is prepared anew for each call
-KERNELS_KEPT = 25
+ROUNDS, WARM_UP, ENOUGH = 7, 2, 6.0  # timed calls, calls before them, and maximum total seconds
+FRESH = ("tree",)  # operations whose result is cached are prepared again for each call
+MAX_KERNELS = 25
 DRY_OPERATIONS = {"voxel_down_sample": 3000, "normals_k30": 3000}
 
 
@@ -41,12 +40,12 @@ def runs() -> list[tuple[str, int]]:
 
 
 def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
-    """Seconds of calls, and the call, ready once more."""
+    """Times of calls, and a prepared call."""
     import warp as wp
     from gpu_operations import OPERATIONS
 
     prepare = OPERATIONS[name].prepare
-    call, found = prepare(size), []
+    call, seconds = prepare(size), []
     for k in range(WARM_UP + ROUNDS):
         if name in FRESH:
             call = prepare(size)
@@ -54,19 +53,19 @@ def timed(name: str, size: int) -> tuple[list[float], Callable[[], Any]]:
         start = time.perf_counter()
         try:
             result = call()
-        except StopIteration:  # of a sequence of frames
+        except StopIteration:  # end of a sequence of frames
             break
         wp.synchronize_device(devices.NAME)
         if k >= WARM_UP:
-            found.append(time.perf_counter() - start)
+            seconds.append(time.perf_counter() - start)
         del result
-        if sum(found) > ENOUGH:
+        if sum(seconds) > ENOUGH:
             break
-    return found, prepare(size) if name in FRESH else call
+    return seconds, prepare(size) if name in FRESH else call
 
 
 def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
-    """What ran on the device in one call, the longest first; None without torch or its profiler."""
+    """Kernels of one call, the longest first; None without torch or its profiler."""
     try:
         import torch
         from torch.profiler import ProfilerActivity, profile
@@ -79,15 +78,15 @@ def kernels_of(call: Callable[[], Any]) -> list[dict[str, Any]] | None:
     torch.cuda.init()
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "trace.json"
-        with profile(activities=[ProfilerActivity.CPU, ProfilerActivity.CUDA]) as found:
+        with profile(activities=[ProfilerActivity.CPU, ProfilerActivity.CUDA]) as profiler:
             call()
             wp.synchronize_device(devices.NAME)
-        found.export_chrome_trace(str(path))
+        profiler.export_chrome_trace(str(path))
         return rows_of(json.loads(path.read_text())["traceEvents"])
 
 
 def rows_of(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
-    """A row a kernel: launches, microseconds, registers a thread, the profiler's estimate of occupancy."""
+    """A row for each kernel: launches, microseconds, registers per thread, and the profiler's occupancy estimate."""
     rows: dict[str, dict[str, Any]] = {}
     for event in events:
         if event.get("cat") not in ("kernel", "gpu_memcpy", "gpu_memset"):
@@ -102,43 +101,43 @@ def rows_of(events: list[dict[str, Any]]) -> list[dict[str, Any]]:
 
 
 def plain(name: str) -> str:
-    """A kernel's name in the sources: Warp adds a hash, and an ending."""
-    own, found, _ = name.partition("_cuda_kernel_forward")
-    return own.rpartition("_")[0] if found else name
+    """A kernel's name in the sources: without Warp's hash and suffix."""
+    own, separator, _ = name.partition("_cuda_kernel_forward")
+    return own.rpartition("_")[0] if separator else name
 
 
 def measured(name: str, size: int) -> dict[str, Any]:
     """The times of an operation."""
     seconds, call = timed(name, size)
-    found: dict[str, Any] = {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds)}
+    result: dict[str, Any] = {"caller_ms": 1e3 * statistics.median(seconds), "best_ms": 1e3 * min(seconds)}
     try:
         rows = kernels_of(call)
-    except Exception as error:  # of the profiler: the caller's time is there
+    except Exception as error:  # of the profiler: the caller's time remains valid
         traceback.print_exc(limit=4)
-        rows, found["profiler"] = None, f"{type(error).__name__}: {str(error)[:200]}"
+        rows, result["profiler"] = None, f"{type(error).__name__}: {str(error)[:200]}"
     if rows:
-        found["device_ms"] = sum(row["us"] for row in rows) / 1e3
-        found["launches"] = sum(row["launches"] for row in rows)
-        found["kernels"] = rows[:KERNELS_KEPT]
-    return found
+        result["device_ms"] = sum(row["us"] for row in rows) / 1e3
+        result["launches"] = sum(row["launches"] for row in rows)
+        result["kernels"] = rows[:MAX_KERNELS]
+    return result
 
 
-def described(name: str, size: int, found: dict[str, Any]) -> str:
-    """Times in words, the longest kernels below."""
-    if "error" in found:
-        return f"{name}, {size:,}: FAILED {found['error']}"
-    line = f"{name}, {size:,}: caller {found['caller_ms']:.3f} ms (best {found['best_ms']:.3f})"
-    if "device_ms" in found:
-        line += f"; device {found['device_ms']:.3f} ms in {found['launches']} launches"
+def described(name: str, size: int, result: dict[str, Any]) -> str:
+    """Describe the times, with the longest kernels below."""
+    if "error" in result:
+        return f"{name}, {size:,}: FAILED {result['error']}"
+    line = f"{name}, {size:,}: caller {result['caller_ms']:.3f} ms (best {result['best_ms']:.3f})"
+    if "device_ms" in result:
+        line += f"; device {result['device_ms']:.3f} ms in {result['launches']} launches"
     rows = [
         f"    {row['kernel'][:44]:44} x{row['launches']:<5} {row['us']:10.1f} us, registers {row['registers']}"
-        for row in found.get("kernels", [])[:5]
+        for row in result.get("kernels", [])[:5]
     ]
     return "\n".join([line, *rows])
 
 
 def bounds_in_use() -> dict[str, int]:
-    """Bounds of registers of the kernels that were made in this process, by name; 0 for none."""
+    """Register limits of the kernels created in this process, by name; 0 for none."""
     import warp as wp
 
     modules = [m for m in wp._src.context.user_modules.values() if m.name.startswith("pointloom.")]
@@ -147,7 +146,7 @@ def bounds_in_use() -> dict[str, int]:
 
 
 def once(words: list[str]) -> None:
-    """Run calls twice, and keep nothing."""
+    """Run calls twice, without saving results."""
     import warp as wp
     from gpu_operations import OPERATIONS
 
@@ -160,7 +159,7 @@ def once(words: list[str]) -> None:
 
 
 def main() -> int:
-    """Measure what is left; MORE where something still is."""
+    """Measure the remaining operations; returns MORE if some remain."""
     first, *words = sys.argv[1:]
     device = devices.start()
     if first in ("--once", "--json"):
@@ -171,23 +170,23 @@ def main() -> int:
             print(json.dumps(measured(name, int(size)) | {"bounds": bounds_in_use()}))
         return 0
     state, end = Path(first), time.monotonic() + float(words[0])
-    kept = state / "parts" / "operations.json"
-    found: dict[str, Any] = json.loads(kept.read_text())["content"] if kept.exists() else {}
+    saved = state / "parts" / "operations.json"
+    results: dict[str, Any] = json.loads(saved.read_text())["content"] if saved.exists() else {}
     for name, size in runs():
         key = f"{name} {size}"
-        if key in found:
+        if key in results:
             continue
         if time.monotonic() > end:
             print("no time left before", key)
             return MORE
         try:
-            found[key] = measured(name, size)
+            results[key] = measured(name, size)
         except Exception as error:
             traceback.print_exc(limit=4)
-            found[key] = {"error": f"{type(error).__name__}: {str(error)[:400]}"}
-        print(described(name, size, found[key]), flush=True)
-        keep_part(state, device, "operations", found)
-    return 1 if any("error" in each for each in found.values()) else 0
+            results[key] = {"error": f"{type(error).__name__}: {str(error)[:400]}"}
+        print(described(name, size, results[key]), flush=True)
+        keep_part(state, device, "operations", results)
+    return 1 if any("error" in each for each in results.values()) else 0
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""What reading, compiling and emulation cannot answer, a line an answer; no question's failure ends the others.
+"""Checks that need a real GPU, one line per result; a failing check does not stop the others.
 
 python -m gpu_kit.questions STATE SECONDS
 """
@@ -26,24 +26,24 @@ QUESTIONS: dict[str, Callable[[], Any]] = {}
 
 
 def question(text: str) -> Callable[[Callable[[], Any]], Callable[[], Any]]:
-    """Register what answers it."""
+    """Register a check."""
 
-    def register(answer: Callable[[], Any]) -> Callable[[], Any]:
-        QUESTIONS[text] = answer
-        return answer
+    def register(check: Callable[[], Any]) -> Callable[[], Any]:
+        QUESTIONS[text] = check
+        return check
 
     return register
 
 
 def surface(count: int, seed: int, waves: float = 5.0) -> np.ndarray:
-    """Points of a wavy sheet."""
+    """Points of a wavy surface."""
     rng = np.random.default_rng(seed)
     xy = rng.uniform(-1, 1, (500 if SMALL else count, 2))
     return np.column_stack([xy, 0.1 * np.sin(waves * xy[:, 0]) * np.cos(4 * xy[:, 1])]).astype(np.float32)
 
 
 def pair(count: int = 20_000) -> tuple[Any, Any]:
-    """Two clouds for ICP, a shift apart."""
+    """Two clouds for ICP, with a translation between them."""
     import pointloom as loom
 
     points = surface(count, 0)
@@ -118,16 +118,16 @@ def _() -> str:
     if SMALL:
         return "not in a dry run: torch has no emulated device"
     source, target = pair(5_000)
-    stop, errors, turns = threading.Event(), [], 0
+    stop, errors, iterations = threading.Event(), [], 0
 
     def work() -> None:
-        nonlocal turns
+        nonlocal iterations
         x = torch.zeros(1 << 20, device="cuda")
         try:
             while not stop.is_set():
                 x += 1
                 float(x[0])
-                turns += 1
+                iterations += 1
         except Exception as error:
             errors.append(f"torch: {error}"[:300])
 
@@ -140,18 +140,18 @@ def _() -> str:
         errors.append(f"pointloom: {type(error).__name__}: {error}"[:300])
     stop.set()
     thread.join()
-    return f"{turns} turns of torch; errors: {errors}"
+    return f"{iterations} turns of torch; errors: {errors}"
 
 
 def _calls(cloud: Any) -> dict[str, np.ndarray]:
     spacing = 0.2 if SMALL else 0.02
     normals = cloud.estimate_normals(max_nn=30)
-    kept, _ = cloud.remove_statistical_outlier(20, 2.0)
+    inliers, _ = cloud.remove_statistical_outlier(20, 2.0)
     return {
         "normals": np.asarray(normals.normals),
         "voxels": np.asarray(cloud.voxel_down_sample(0.03).points),
         "dbscan": np.asarray(cloud.cluster_dbscan(spacing, 8)),
-        "outliers": np.asarray(kept.points),
+        "outliers": np.asarray(inliers.points),
         "orientation": np.asarray(normals.orient_normals_consistent_tangent_plane(10).normals),
     }
 
@@ -161,12 +161,12 @@ def _() -> str:
     import pointloom as loom
 
     points, rounds = surface(300_000, 1, 3.0), 2 if SMALL else 8
-    found: dict[str, set[bytes]] = {}
+    results: dict[str, set[bytes]] = {}
     for _ in range(rounds):
         for name, value in _calls(loom.PointCloud(points, device=DEVICE)).items():
-            found.setdefault(name, set()).add(value.tobytes())
-    different = {name: len(values) for name, values in found.items() if len(values) > 1}
-    return f"DIFFERENT: {different} of {rounds} runs" if different else f"yes, in {rounds} runs of {', '.join(found)}"
+            results.setdefault(name, set()).add(value.tobytes())
+    different = {name: len(values) for name, values in results.items() if len(values) > 1}
+    return f"DIFFERENT: {different} of {rounds} runs" if different else f"yes, in {rounds} runs of {', '.join(results)}"
 
 
 @question("the CPU's bits, at 50k points")
@@ -174,17 +174,17 @@ def _() -> dict[str, str]:
     import pointloom as loom
 
     points = surface(50_000, 2, 3.0)
-    ours, theirs = (_calls(loom.PointCloud(points, device=d)) for d in (DEVICE, "cpu"))
-    said = {}
-    for name, x in ours.items():
-        y = theirs[name]
+    on_gpu, on_cpu = (_calls(loom.PointCloud(points, device=d)) for d in (DEVICE, "cpu"))
+    comparison = {}
+    for name, x in on_gpu.items():
+        y = on_cpu[name]
         if x.shape != y.shape:
-            said[name] = f"DIFFERENT SHAPES {x.shape} and {y.shape}"
+            comparison[name] = f"DIFFERENT SHAPES {x.shape} and {y.shape}"
         elif (x == y).all():
-            said[name] = "the same"
+            comparison[name] = "the same"
         else:
-            said[name] = f"up to {np.abs(x.astype(float) - y.astype(float)).max():.1e} apart"
-    return said
+            comparison[name] = f"up to {np.abs(x.astype(float) - y.astype(float)).max():.1e} apart"
+    return comparison
 
 
 @question("kernels that were compiled here")
@@ -196,8 +196,8 @@ def _() -> str:
     return f"{len(made)}, of them {', '.join(made[:6])}" if made else "none"
 
 
-def ask(name: str) -> Any:
-    """The answer to a question, or how it failed."""
+def answer_to(name: str) -> Any:
+    """The result of a check, or its error."""
     try:
         return QUESTIONS[name]()
     except Exception as error:
@@ -206,21 +206,21 @@ def ask(name: str) -> Any:
 
 
 def main() -> int:
-    """Ask all of them."""
+    """Run all checks."""
     state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
     device = devices.start()
     print(f"{device.name}, sm_{device.architecture}, {device.processors} SMs, {device.memory_gib} GiB, driver")
     print(f"  {device.driver}, toolkit {device.toolkit}")
-    answers: dict[str, Any] = {}
+    results: dict[str, Any] = {}
     for name in QUESTIONS:
         if time.monotonic() > end:
             print(f"no time left before: {name}")
             break
         start = time.monotonic()
-        answers[name] = ask(name)
-        print(f"{name}: {answers[name]}   [{time.monotonic() - start:.1f} s]", flush=True)
-        keep_part(state, device, "questions", answers)
-    return 1 if any(str(answer).startswith("FAILED") for answer in answers.values()) else 0
+        results[name] = answer_to(name)
+        print(f"{name}: {results[name]}   [{time.monotonic() - start:.1f} s]", flush=True)
+        keep_part(state, device, "questions", results)
+    return 1 if any(str(check).startswith("FAILED") for check in results.values()) else 0
 
 
 if __name__ == "__main__":

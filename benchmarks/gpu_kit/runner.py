@@ -1,7 +1,8 @@
-"""Runs the steps within a time limit: each in a process of its own, its words on stdout and in a log, its end noted.
+"""Run the steps within a time limit: each in a separate process, with its output on stdout and in a log, and its
+status saved.
 
-What is noted as done is not done again; a step that ran out of time is begun again by the next run, and goes on where
-it ended, since it keeps what it found one by one. A step that failed is left alone until it is asked for by name.
+Finished steps are not repeated. A step that ran out of time is started again by the next run and continues, since it
+saves its results one by one. A failed step is skipped until it is requested by name.
 """
 
 from __future__ import annotations
@@ -18,12 +19,12 @@ from pathlib import Path
 from gpu_kit.device import DRY, ROOT
 from gpu_kit.steps import Step
 
-MORE = 75  # the exit code of a step that has more to do (EX_TEMPFAIL)
-MARGIN = 8.0  # seconds that a step has from its own limit to the one at which it is ended
+MORE = 75  # exit code of a step with remaining work (EX_TEMPFAIL)
+MARGIN = 8.0  # seconds between a step's own limit and its termination
 
 
 class Run:
-    """A run in a folder: marks of steps under done/, their words under logs/, what they found under parts/."""
+    """A run in a folder: marks of steps in done/, output in logs/, results in parts/."""
 
     def __init__(self, state: Path, seconds: float, *, dry: bool) -> None:
         self.state, self.dry, self.end = state, dry, time.monotonic() + seconds
@@ -35,20 +36,20 @@ class Run:
         return self.end - time.monotonic()
 
     def status(self, step: Step) -> str:
-        """ "done", "failed", or "" where it has to be done still."""
+        """ "done", "failed", or "" if it is not finished."""
         mark = self.state / "done" / step.name
         return mark.read_text() if mark.exists() else ""
 
     def forget(self, step: Step) -> None:
-        """Have a step done again, from its beginning."""
+        """Mark a step as not done, so that it starts from the beginning."""
         (self.state / "done" / step.name).unlink(missing_ok=True)
         if step.part:
             (self.state / "parts" / f"{step.part}.json").unlink(missing_ok=True)
 
     def why_not(self, step: Step, pieces: Iterable[str] | None) -> str:
-        """Why a step is not done now; empty where it is."""
-        if found := self.status(step):
-            return f"{found} before"
+        """Why a step cannot run now; empty if it can."""
+        if status := self.status(step):
+            return f"{status} before"
         if self.dry and not step.in_dry_run:
             return "not in a dry run"
         if not step.is_possible:
@@ -56,10 +57,10 @@ class Run:
         missing = [] if pieces is None else [piece for piece in step.needs if piece not in pieces]
         if missing:
             return f"waits for {', '.join(missing)}"
-        return f"no time left, it wants {step.at_least:.0f} s" if self.left < step.at_least else ""
+        return f"not enough time left, it needs {step.at_least:.0f} s" if self.left < step.at_least else ""
 
     def all(self, steps: Iterable[Step], pieces: Iterable[str] | None = None) -> list[str]:
-        """Do what can be done; the names of steps that failed."""
+        """Run all possible steps; returns the names of failed steps."""
         failed = []
         for step in steps:
             if reason := self.why_not(step, pieces):
@@ -69,7 +70,7 @@ class Run:
             code = self.one(step)
             if code != MORE:
                 (self.state / "done" / step.name).write_text("failed" if code else "done")
-            ended = {0: "done", MORE: "more to do"}.get(code, f"FAILED, exit {code}")
+            ended = {0: "done", MORE: "incomplete"}.get(code, f"FAILED, exit {code}")
             print(f"== {step.name}: {ended}, {time.monotonic() - begin:.0f} s", flush=True)
             if code not in (0, MORE):
                 failed.append(step.name)
@@ -77,12 +78,12 @@ class Run:
         return failed
 
     def one(self, step: Step) -> int:
-        """Do a step; its exit code, MORE where its time was over."""
+        """Run a step. Returns its exit code, MORE if it ran out of time."""
         seconds = min(step.at_most, self.left - MARGIN)
         environment = {**os.environ, "PYTHONUNBUFFERED": "1", "PYTHONPATH": self.path()}
         environment |= {DRY: "1"} if self.dry else {}
         log, errors = (self.state / "logs" / f"{step.name}.{ending}" for ending in ("txt", "err"))
-        with log.open("a") as said, errors.open("a") as complaints:
+        with log.open("a") as output, errors.open("a") as complaints:
             process = subprocess.Popen(
                 step.command(self.state, seconds), stdout=subprocess.PIPE, stderr=complaints, text=True,
                 env=environment, cwd=ROOT, start_new_session=True,
@@ -93,7 +94,7 @@ class Run:
             try:
                 assert process.stdout is not None
                 for line in process.stdout:
-                    said.write(line)
+                    output.write(line)
                     print(line, end="", flush=True)
                 code = process.wait()
             finally:
@@ -104,19 +105,19 @@ class Run:
         return MORE if over.is_set() else code
 
     def print_errors(self, step: Step, lines: int = 12) -> None:
-        """The end of what a step complained of."""
-        said = (self.state / "logs" / f"{step.name}.err").read_text(errors="replace").splitlines()
-        print(*said[-lines:], sep="\n", flush=True)
+        """Print the last error lines of a step."""
+        lines_of_log = (self.state / "logs" / f"{step.name}.err").read_text(errors="replace").splitlines()
+        print(*lines_of_log[-lines:], sep="\n", flush=True)
 
     @staticmethod
     def path() -> str:
-        """Where steps find this package, the benchmarks and pointloom."""
+        """Search paths of this package, the benchmarks and pointloom."""
         own = [str(ROOT / "benchmarks"), str(ROOT / "src")]
         return os.pathsep.join([*own, *filter(None, [os.environ.get("PYTHONPATH")])])
 
 
 def _end(process: subprocess.Popen[str], over: threading.Event) -> None:
-    """End a step and what it started."""
+    """Terminate a step and its child processes."""
     over.set()
     for kind in (signal.SIGTERM, signal.SIGKILL):
         with contextlib.suppress(ProcessLookupError):

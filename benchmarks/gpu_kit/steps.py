@@ -1,4 +1,4 @@
-"""What is done on a GPU, in order: facts, what could not be known without one, all tests, times, and their reasons."""
+"""The steps on a GPU, in order: facts, checks, all tests, times, profiles."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import sys
 from dataclasses import dataclass
 from pathlib import Path
 
-# Kernels of these calls are looked at one by one by ncu, and run small under compute-sanitizer
+# Kernels of these calls are analyzed one by one with ncu, and run on small data under compute-sanitizer
 NCU_CALLS = ("normals_k30=1000000", "dbscan=1000000", "knn20=1000000", "fpfh=300000", "tsdf_integrate=307200")
 NCU_CALLS += ("closest_points=200000", "cast_rays=1000000", "icp_plane=200000")
 SANITIZED = ("normals_k30=3000", "dbscan=3000", "icp_plane=3000", "fpfh=3000", "voxel_down_sample=3000")
@@ -17,17 +17,17 @@ NCU_SECTIONS = ("SpeedOfLight", "Occupancy", "LaunchStats", "MemoryWorkloadAnaly
 
 @dataclass(frozen=True)
 class Step:
-    """One thing to do, in a process of its own.
+    """A step in a separate process.
 
     Attributes:
-        name: In logs and marks.
-        module: Of this package; it takes the folder of the run and its seconds, and what stands in `arguments`.
-        at_least: Seconds without which it is not begun.
-        at_most: Seconds after which it is ended, so that what follows has its turn.
-        needs: Pieces that must have come (only where they come piece by piece: call.sh).
-        program: That must be on the machine; the step is left out where it is not.
-        in_dry_run: Whether a dry run does it too.
-        part: Of the run's document, that it writes; done again, it begins anew.
+        name: Name in logs and marks.
+        module: Module of this package; it gets the folder of the run, its seconds and `arguments`.
+        at_least: Minimum seconds to start.
+        at_most: Seconds after which it is terminated, so that later steps can run.
+        needs: Required archives (only if they arrive one by one: call.sh).
+        program: Required program; the step is skipped without it.
+        in_dry_run: True if a dry run includes the step.
+        part: Part of the run's document that it writes; it is replaced if the step is repeated.
     """
 
     name: str

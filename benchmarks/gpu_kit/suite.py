@@ -1,10 +1,10 @@
-"""All tests of cuda:0 within some seconds, the most telling folders first; what fails is run again alone.
+"""All tests of cuda:0 within a time limit, the most informative folders first; failing tests are repeated individually.
 
     python -m gpu_kit.suite STATE SECONDS
 
-A stage is a run of pytest, which pytest-xdist shares out a file a worker. A test that passes alone had a neighbor or a
-lost context; one that fails alone is ours. What lacks a package is counted apart. The next run does the stages that
-this one had no time for.
+A stage is a run of pytest, which pytest-xdist distributes by file. A test that passes individually was affected by
+another test or by a lost context; one that still fails is a fault of pointloom. Tests that lack a package are counted
+separately. The next run continues with the remaining stages.
 """
 
 from __future__ import annotations
@@ -25,26 +25,28 @@ from gpu_kit.documents import keep_part
 from gpu_kit.runner import MORE
 
 SMOKE = ["arrays", "language/test_launch.py", "language/test_lanes.py", "test_memory.py"]
-HOUSES = ("kernels", "pcd", "registration", "meshing", "rgbd", "visualization", "photogrammetry", "cli")
-STAGES = {"smoke": [f"tests/kernels/{name}" for name in SMOKE]} | {house: [f"tests/{house}"] for house in HOUSES}
+PACKAGES = ("kernels", "pcd", "registration", "meshing", "rgbd", "visualization", "photogrammetry", "cli")
+STAGES = {"smoke": [f"tests/kernels/{name}" for name in SMOKE]} | {
+    package: [f"tests/{package}"] for package in PACKAGES
+}
 DRY_STAGES = {"smoke": ["tests/kernels/arrays/test_select.py"]}
-# What compiles whether there is a GPU or not, and what has no use for one
+# Independent of a GPU, or without use on one
 SKIP = ("tests/kernels/test_check_cuda.py", "tests/kernels/test_cuda_cache.py")
 SKIP += ("tests/visualization/viewer", "tests/photogrammetry/depth")
 LACKING = ("No module named", "ImportError while importing")
 STAGE_AT_LEAST, ALONE_AT_LEAST, ALONE_AT_MOST, MAX_ALONE = 15.0, 20.0, 60.0, 60
-LONGEST_TEST = 100  # seconds, where pytest-timeout is installed
+LONGEST_TEST = 100  # seconds, if pytest-timeout is installed
 
 
 class Ran(NamedTuple):
-    """A run of pytest; code 124 where its time was over."""
+    """A run of pytest; code 124 if it exceeded its time."""
 
     code: int
     text: str
 
 
 def run(arguments: list[str], seconds: float, log: Path) -> Ran:
-    """Run pytest, and end it and its workers after some seconds."""
+    """Run pytest, and terminate it and its workers after some seconds."""
     command = [sys.executable, "-m", "pytest", "-q", "-p", "gpu_kit.gpu_only", "-o", "filterwarnings=default"]
     command += ["--tb=short", *(["--emulated-cuda"] if devices.is_dry() else []), *arguments]
     with log.open("w") as file:
@@ -64,10 +66,10 @@ def run(arguments: list[str], seconds: float, log: Path) -> Ran:
 
 
 def failures(text: str) -> tuple[list[str], int]:
-    """The tests that failed, and how many more could not run for want of a package."""
-    found = re.findall(r"^(?:FAILED|ERROR) (\S+)(.*)", text, re.MULTILINE)
-    ours = [test for test, why in found if not any(word in why for word in LACKING)]
-    return list(dict.fromkeys(ours)), len(found) - len(ours)
+    """The failed tests, and the number of tests that lack a package."""
+    matches = re.findall(r"^(?:FAILED|ERROR) (\S+)(.*)", text, re.MULTILINE)
+    own = [test for test, why in matches if not any(word in why for word in LACKING)]
+    return list(dict.fromkeys(own)), len(matches) - len(own)
 
 
 def summary(ran: Ran) -> str:
@@ -77,25 +79,25 @@ def summary(ran: Ran) -> str:
 
 
 class Suite:
-    """The stages of a run and what came of them."""
+    """The stages of a run and their results."""
 
     def __init__(self, state: Path, seconds: float) -> None:
         self.state, self.end, self.device = state, time.monotonic() + seconds, devices.start()
-        kept = state / "parts" / "tests.json"
+        saved = state / "parts" / "tests.json"
         empty: dict[str, Any] = {"stages": {}, "failed": [], "alone": {}, "lacking": 0}
-        self.found = json.loads(kept.read_text())["content"] if kept.exists() else empty
+        self.results = json.loads(saved.read_text())["content"] if saved.exists() else empty
 
     @property
     def left(self) -> float:
         return self.end - time.monotonic()
 
     def stage(self, name: str, paths: list[str]) -> bool:
-        """Run a stage; False where there is no time for all of it, and its tests are not counted."""
-        there = [path for path in paths if Path(path).exists()]
+        """Run a stage; returns False if the time is not enough for all of it, and its tests are not counted."""
+        existing = [path for path in paths if Path(path).exists()]
         if self.left < STAGE_AT_LEAST:
             return False
         workers = os.environ.get("POINTLOOM_GPU_WORKERS", str(max(1, (os.cpu_count() or 2) - 2)))
-        options = [*there, *(f"--ignore={path}" for path in SKIP)]
+        options = [*existing, *(f"--ignore={path}" for path in SKIP)]
         if importlib.util.find_spec("xdist") and not devices.is_dry():
             options += ["-n", workers, "--dist", "loadfile", "--max-worker-restart=200"]
         if importlib.util.find_spec("pytest_timeout"):
@@ -103,39 +105,39 @@ class Suite:
         start = time.monotonic()
         ran = run(options, self.left - 5, self.state / "logs" / f"tests-{name}.txt")
         if ran.code == 124:
-            print(f"{name:14} the time was over; it is run again by the next run")
+            print(f"{name:14} out of time; the next run repeats it")
             return False
         failed, lacking = failures(ran.text)
-        self.found["stages"][name] = summary(ran)
-        self.found["failed"] = list(dict.fromkeys([*self.found["failed"], *failed]))
-        self.found["lacking"] += lacking
+        self.results["stages"][name] = summary(ran)
+        self.results["failed"] = list(dict.fromkeys([*self.results["failed"], *failed]))
+        self.results["lacking"] += lacking
         print(f"{name:14} {time.monotonic() - start:6.0f} s  {summary(ran)}", flush=True)
-        keep_part(self.state, self.device, "tests", self.found)
+        keep_part(self.state, self.device, "tests", self.results)
         return True
 
     def again_alone(self) -> None:
-        """Run what failed once more, each test in a process of its own."""
-        for test in self.found["failed"]:
-            if test in self.found["alone"]:
+        """Repeat each failed test in a separate process."""
+        for test in self.results["failed"]:
+            if test in self.results["alone"]:
                 continue
-            if self.left < ALONE_AT_LEAST or len(self.found["alone"]) >= MAX_ALONE:
+            if self.left < ALONE_AT_LEAST or len(self.results["alone"]) >= MAX_ALONE:
                 return
             ran = run([test], min(self.left - 5, ALONE_AT_MOST), self.state / "logs" / "tests-one.txt")
-            self.found["alone"][test] = ran.code == 0
+            self.results["alone"][test] = ran.code == 0
             with (self.state / "logs" / "tests-failures.txt").open("a") as file:
                 file.write(f"===== {test}: exit {ran.code}\n{ran.text[-4000:]}\n")
             print(f"again alone: {'PASSES' if ran.code == 0 else f'FAILS {ran.code}'}  {test}", flush=True)
-            keep_part(self.state, self.device, "tests", self.found)
+            keep_part(self.state, self.device, "tests", self.results)
 
 
 def main() -> int:
-    """Run the stages that are left; MORE where some still are."""
+    """Run the remaining stages; returns MORE if some remain."""
     suite = Suite(Path(sys.argv[1]), float(sys.argv[2]))
     stages = DRY_STAGES if devices.is_dry() else STAGES
-    complete = all(name in suite.found["stages"] or suite.stage(name, paths) for name, paths in stages.items())
+    complete = all(name in suite.results["stages"] or suite.stage(name, paths) for name, paths in stages.items())
     suite.again_alone()
-    failed, alone = suite.found["failed"], suite.found["alone"]
-    print(f"{len(failed)} failed, {sum(alone.values())} of them pass alone; {suite.found['lacking']} lack a package")
+    failed, alone = suite.results["failed"], suite.results["alone"]
+    print(f"{len(failed)} failed, {sum(alone.values())} pass individually; {suite.results['lacking']} lack a package")
     if not complete:
         return MORE
     return 1 if failed else 0

@@ -1,4 +1,6 @@
-"""A GPU's constants by torch alone, which some machines have while Warp is still on its way; without it, nothing."""
+"""Constants of the GPU measured with torch alone, which some machines have before Warp is available; without torch,
+none.
+"""
 
 from __future__ import annotations
 
@@ -11,27 +13,27 @@ MANY, NODES = 1000, 400
 
 
 def best(call: Callable[[], Any], wait: Callable[[], None], rounds: int = 5) -> float:
-    """Seconds of the fastest of some calls, until the device is done."""
+    """Time of the fastest of some synchronized calls."""
     call()
     wait()
-    found = []
+    seconds = []
     for _ in range(rounds):
         start = time.perf_counter()
         call()
         wait()
-        found.append(time.perf_counter() - start)
-    return min(found)
+        seconds.append(time.perf_counter() - start)
+    return min(seconds)
 
 
 def main() -> int:
-    """Print them."""
+    """Print the constants."""
     try:
         import torch
     except ImportError:
-        print("no torch here")
+        print("torch is not installed")
         return 0
     if not torch.cuda.is_available():
-        print("torch sees no GPU")
+        print("torch finds no GPU")
         return 0
     wait, x = torch.cuda.synchronize, torch.zeros(1, device="cuda")
     print(torch.cuda.get_device_name(), torch.cuda.get_device_properties(0))
@@ -45,16 +47,16 @@ def main() -> int:
     b = torch.zeros_like(a)
     print(f"device copy, read and written: {2 * a.nbytes / best(lambda: b.copy_(a), wait) / 1e9:.0f} GB/s")
     pageable, pinned = torch.zeros(40_000_000), torch.zeros(40_000_000).pin_memory()
-    there = a[: len(pageable)]
+    on_device = a[: len(pageable)]
     calls = {
-        "to host, fresh": lambda: there.cpu(),
-        "to host, reused": lambda: pageable.copy_(there),
-        "to host, pinned": lambda: pinned.copy_(there),
-        "to device, pageable": lambda: there.copy_(pageable),
-        "to device, pinned": lambda: there.copy_(pinned),
+        "to host, fresh": lambda: on_device.cpu(),
+        "to host, reused": lambda: pageable.copy_(on_device),
+        "to host, pinned": lambda: pinned.copy_(on_device),
+        "to device, pageable": lambda: on_device.copy_(pageable),
+        "to device, pinned": lambda: on_device.copy_(pinned),
     }
     for name, call in calls.items():
-        print(f"{name}: {there.nbytes / best(call, wait) / 1e9:.1f} GB/s")
+        print(f"{name}: {on_device.nbytes / best(call, wait) / 1e9:.1f} GB/s")
     return 0
 
 

@@ -1,4 +1,4 @@
-"""NVIDIA's own tools over a few calls: ncu tells what a kernel waits for, compute-sanitizer what is wrong in it.
+"""NVIDIA's tools on a few calls: ncu for stall reasons of kernels, compute-sanitizer for errors.
 
 python -m gpu_kit.under_tools STATE SECONDS ncu|sanitizer
 """
@@ -24,19 +24,19 @@ ONCE = (sys.executable, "-m", "gpu_kit.profile", "--once")
 
 
 def hottest(state: Path) -> tuple[str, ...]:
-    """The kernels that took longest in the profile, if there is one."""
+    """The slowest kernels of the profile, if there is one."""
     part = state / "parts" / "operations.json"
     operations = json.loads(part.read_text())["content"] if part.exists() else {}
     seconds: dict[str, float] = {}
-    for found in operations.values():
-        for row in found.get("kernels", []):
+    for result in operations.values():
+        for row in result.get("kernels", []):
             if row["kernel"].endswith(("_kernel", "_tiles")):
                 seconds[row["kernel"]] = max(seconds.get(row["kernel"], 0.0), row["us"])
     return tuple(sorted(seconds, key=lambda name: -seconds[name])[:HOTTEST]) or KNOWN
 
 
 def run_ncu(state: Path, end: float) -> int:
-    """Counters of the hottest kernels as a table; clocks are left as they are."""
+    """Counters of the slowest kernels as a table; clock settings are unchanged."""
     command = ["ncu", "--clock-control", "none", "--target-processes", "all", "--csv", "--page", "raw"]
     command += ["-k", f"regex:{'|'.join(hottest(state))}", "-c", str(LAUNCHES)]
     command += [word for name in (*NCU_SECTIONS, "InstructionStats") for word in ("--section", name)]
@@ -47,14 +47,14 @@ def run_ncu(state: Path, end: float) -> int:
                 [*command, *ONCE, *NCU_CALLS], stdout=file, timeout=end - time.monotonic(), check=False
             )
         except subprocess.TimeoutExpired:
-            print(f"the time was over; {table.name} has what there was")
+            print(f"out of time; {table.name} contains the results so far")
             return MORE
     print(f"{table.name}: {len(table.read_text().splitlines())} lines")
     return done.returncode
 
 
 def run_sanitizers(state: Path, end: float) -> int:
-    """Each of the sanitizers over small calls; what it says is counted."""
+    """Run each sanitizer on small calls and count its messages."""
     code = 0
     for tool in SANITIZERS:
         log, left = state / "logs" / f"sanitizer-{tool}.txt", end - time.monotonic()
@@ -70,7 +70,7 @@ def run_sanitizers(state: Path, end: float) -> int:
                     [*command, *ONCE, *SANITIZED], stdout=file, stderr=subprocess.STDOUT, timeout=left, check=False
                 )
             except subprocess.TimeoutExpired:
-                print(f"{tool}: the time was over")
+                print(f"{tool}: out of time")
                 return MORE
         lines = [line for line in log.read_text(errors="replace").splitlines() if FAULT.search(line)]
         print(f"{tool}: exit {done.returncode}", *lines[:6], sep="\n  ", flush=True)
@@ -79,7 +79,7 @@ def run_sanitizers(state: Path, end: float) -> int:
 
 
 def main() -> int:
-    """Run the tool that is asked for."""
+    """Run the requested tool."""
     state, end = Path(sys.argv[1]), time.monotonic() + float(sys.argv[2])
     return {"ncu": run_ncu, "sanitizer": run_sanitizers}[sys.argv[3]](state, end)
 

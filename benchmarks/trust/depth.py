@@ -1,15 +1,17 @@
-"""Depth networks: is a file that is not the preset's refused, and is one that is taken?
+"""Depth networks: rejection of files that do not match the preset, and acceptance of those that do.
 
-Files in the shape of published exports (tests/photogrammetry/depth/published_networks.py), unchanged and as other
-programs rewrite them: onnxruntime's optimizer (basic and extended, which fuses operations), half precision, 8 bits.
-Each is opened under every preset, as a user might who has the file and not the preset's name. Right or wrong is
-measured on a picture whose depth is known, with the checks of names and heads switched off: meters that are off by more
-than 5 % (median) are wrong, and maps without a unit whose order is not that of the depth (rank correlation below 0.9):
-how well a network bears another normalization is its weights' affair, which are not here. A preset whose sizes, inputs
-or outputs do not fit gives no answer to judge, and is left out. Under a preset that is not its own a file may be right
-by luck, as a metric network is under one of depth up to a scale; such cases stand in rows of their own.
+Files have the structure of published exports (tests/photogrammetry/depth/published_networks.py), unchanged and as
+rewritten by other programs: onnxruntime's optimizer (basic and extended, which fuses operations), half precision, 8
+bits.
+Each is opened under every preset, as by a user who does not know the preset's name. Correctness is measured on an image
+with known depth, with the checks of names and heads disabled: metric depth with a median error above 5 % is wrong, and
+so are maps without a unit whose rank correlation with the depth is below 0.9. The effect of another normalization
+depends
+on the weights, which are not included. A preset with incompatible sizes, inputs or outputs returns no result and is
+skipped. Under another preset a file may be correct by chance, as a metric network under a preset for depth up to scale;
+such cases have separate rows.
 
-Not shown: real weights. Heads are those of the networks' code; the constants of the check (20 and 80 m) are theirs.
+Not tested: real weights. Heads are those of the networks' code, as are the constants of the check (20 and 80 m).
 """
 
 from __future__ import annotations
@@ -45,7 +47,7 @@ ROWS, COLUMNS = 120, 160
 
 
 def judge() -> Iterator[Judged]:
-    """Each file, in each form that it is found in, under every preset."""
+    """Each file, in each of its forms, under every preset."""
     with tempfile.TemporaryDirectory() as folder:
         for name in FILES:
             path = published(Path(folder) / f"{name.replace(' ', '_')}.onnx", name)
@@ -54,7 +56,7 @@ def judge() -> Iterator[Judged]:
 
 
 def _forms(path: Path) -> Iterator[tuple[str, Path]]:
-    """The file as it is, and rewritten."""
+    """The file unchanged, and rewritten."""
     import onnx
     import onnxruntime as ort
     from onnxruntime.quantization import QuantType, quantize_dynamic
@@ -72,36 +74,38 @@ def _forms(path: Path) -> Iterator[tuple[str, Path]]:
     onnx.save(half, str(path.with_suffix(".half.onnx")))
     yield "half precision", path.with_suffix(".half.onnx")
     small = path.with_suffix(".int8.onnx")
-    logging.getLogger().setLevel(logging.ERROR)  # it would have the file prepared first
+    logging.getLogger().setLevel(logging.ERROR)  # avoids a warning that asks for preprocessing
     quantize_dynamic(str(path), str(small), weight_type=QuantType.QUInt8)
     yield "weights of 8 bits", small
 
 
 def _judge_file(case: str, own: str, path: Path) -> Iterator[Judged]:
-    """Its own preset and those that would be wrong; and those that would be right all the same."""
-    answers = {preset: found for preset in PRESETS if (found := _answer(path, preset)) is not None}
+    """Its own preset and wrong ones, and those that are correct nevertheless."""
+    estimates = {preset: estimate for preset in PRESETS if (estimate := _answer(path, preset)) is not None}
     truth = depth_of(picture_of(ROWS, COLUMNS))
-    if own in answers and PRESETS[own].focal is not None:  # a picture in whose gray depth lies knows no focal length
-        truth = truth * float(np.median((answers[own].depth / truth)[answers[own].depth > 0]))
-    errors = {preset: _error(found, truth) for preset, found in answers.items()}
+    if own in estimates and PRESETS[own].focal is not None:  # gray images contain no focal length
+        truth = truth * float(np.median((estimates[own].depth / truth)[estimates[own].depth > 0]))
+    errors = {preset: _error(estimate, truth) for preset, estimate in estimates.items()}
     figure = f"{100 * errors[own]:.2g} % under its own preset" if np.isfinite(errors.get(own, np.inf)) else ""
     wrong = {preset for preset, error in errors.items() if not error <= MAX_ERROR}
-    said = {preset: _refusal(path, preset) for preset in answers}
-    yield _count(AREA, case, {own, *wrong} & set(answers), wrong, said, figure)
-    if luck := set(answers) - wrong - {own}:
-        yield _count(LUCK, case, luck, wrong, said, figure)
+    refusals = {preset: _refusal(path, preset) for preset in estimates}
+    yield _count(AREA, case, {own, *wrong} & set(estimates), wrong, refusals, figure)
+    if luck := set(estimates) - wrong - {own}:
+        yield _count(LUCK, case, luck, wrong, refusals, figure)
 
 
-def _count(area: str, case: str, chosen: set[str], wrong: set[str], said: dict[str, str | None], figure: str) -> Judged:
-    believed = sorted(preset for preset in chosen & wrong if said[preset] is None)
-    refused = sorted(preset for preset in chosen - wrong if said[preset] is not None)
-    words = [f"accepted under {preset}" for preset in believed] + [f"rejected under {preset}" for preset in refused]
-    counts = len(chosen), len(chosen & wrong), len(believed), len(refused)
+def _count(
+    area: str, case: str, chosen: set[str], wrong: set[str], refusals: dict[str, str | None], figure: str
+) -> Judged:
+    accepted = sorted(preset for preset in chosen & wrong if refusals[preset] is None)
+    refused = sorted(preset for preset in chosen - wrong if refusals[preset] is not None)
+    words = [f"accepted under {preset}" for preset in accepted] + [f"rejected under {preset}" for preset in refused]
+    counts = len(chosen), len(chosen & wrong), len(accepted), len(refused)
     return Judged(area, case, *counts, "; ".join(words), figure)
 
 
 def _refusal(path: Path, preset: str) -> str | None:
-    """What is said where the file is refused under a preset."""
+    """The error message if the file is rejected under a preset."""
     try:
         loom.estimate_depth(picture_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
     except (loom.FileError, ValueError) as error:
@@ -110,29 +114,26 @@ def _refusal(path: Path, preset: str) -> str | None:
 
 
 def _answer(path: Path, preset: str) -> DepthEstimate | None:
-    """What would be answered, were nothing asked of names and heads; None where the file cannot run."""
+    """The result without the checks of names and heads; None if the file cannot run."""
 
-    def believed(*given: object) -> Head:
+    def accept(*given: object) -> Head:
         return Head(RECIPROCAL) if "focal" in given[2].outputs else UNKNOWN  # type: ignore[attr-defined]
 
-    with (
-        mock.patch.object(network, "check_head", believed),
-        mock.patch.object(network, "_check_names", lambda *_: None),
-    ):
+    with mock.patch.object(network, "check_head", accept), mock.patch.object(network, "_check_names", lambda *_: None):
         try:
             return loom.estimate_depth(picture_of(ROWS, COLUMNS), path, preset=preset, intrinsic=_camera())
         except (loom.FileError, ValueError):
             return None
 
 
-def _error(found: DepthEstimate, truth: NDArray[np.float64]) -> float:
-    """Median relative error of meters; without a unit 0 where the order is right, infinity where not."""
-    seen = found.depth > 0
-    if seen.mean() < 0.5:
+def _error(estimate: DepthEstimate, truth: NDArray[np.float64]) -> float:
+    """Median relative error for metric depth; without a unit 0 if the order is correct, else infinity."""
+    valid = estimate.depth > 0
+    if valid.mean() < 0.5:
         return np.inf
-    if found.unit == "m":
-        return float(np.median(abs(found.depth[seen] / truth[seen] - 1)))
-    order = float(spearmanr(found.depth[seen], truth[seen])[0])
+    if estimate.unit == "m":
+        return float(np.median(abs(estimate.depth[valid] / truth[valid] - 1)))
+    order = float(spearmanr(estimate.depth[valid], truth[valid])[0])
     return 0.0 if order >= MIN_ORDER else np.inf
 
 

@@ -1,7 +1,7 @@
-"""Reliability of frames with poses: fused, refined, painted on a mesh; of their camera; of registered clouds.
+"""Reliability of posed frames: fused, refined, colored on a mesh; of their camera; of registered clouds.
 
-Frames are those of the made-up room with a sensor's noise. A fused surface is right where 90 % of its vertices lie
-within 3 cm of the room.
+Frames are those of the synthetic room with sensor noise. A fused surface is correct if 90 % of its vertices are within
+3 cm of the room.
 """
 
 from __future__ import annotations
@@ -13,9 +13,9 @@ from typing import Any
 import numpy as np
 from judged import Judged
 
-NEAR, MOST = 0.03, 0.9  # [m], share of the vertices
+NEAR, MIN_SHARE = 0.03, 0.9  # [m], fraction of the vertices
 FRAMES = 24
-WRONG_FOCAL = 0.05  # share that a focal length is off by that ought to be told
+WRONG_FOCAL = 0.05  # relative focal length error that should be reported
 
 
 def judge() -> Iterator[Judged]:
@@ -30,12 +30,12 @@ def _sequence() -> Any:
 
 
 def _fused() -> Iterator[Judged]:
-    """Poses that are right, shaken, of other frames, of another convention; depth in other units."""
+    """Poses that are correct, noisy, of other frames, of another convention; depth in other units."""
     import pointloom as loom
 
-    made = _sequence()
-    frames = [made.read(k) for k in range(0, len(made), 30)]
-    truth = np.array([made.poses[k] for k in range(0, len(made), 30)])
+    sequence = _sequence()
+    frames = [sequence.read(k) for k in range(0, len(sequence), 30)]
+    truth = np.array([sequence.poses[k] for k in range(0, len(sequence), 30)])
     rng = np.random.default_rng(2)
     shaken = {far: _shaken(truth, far, rng) for far in (0.01, 0.05, 0.3)}
     cases: list[tuple[str, np.ndarray, float]] = [
@@ -50,16 +50,18 @@ def _fused() -> Iterator[Judged]:
     ]
     for case, poses, unit in cases:
         for refined in (False, True):
-            stream = _Posed(made.intrinsic, frames, poses, unit)
-            found = loom.fuse(stream, voxel_size=0.02, refine=refined, depth_max=4.0)
-            right, told = _is_room(found.mesh)
+            stream = _Posed(sequence.intrinsic, frames, poses, unit)
+            result = loom.fuse(stream, voxel_size=0.02, refine=refined, depth_max=4.0)
+            right, figure = _is_room(result.mesh)
             area = "fusion, poses refined" if refined else "fusion, poses as given"
-            warnings = "; ".join(found.warnings)
-            yield Judged(area, case, 1, not right, not right and not warnings, right and bool(warnings), warnings, told)
+            warnings = "; ".join(result.warnings)
+            yield Judged(
+                area, case, 1, not right, not right and not warnings, right and bool(warnings), warnings, figure
+            )
 
 
 class _Posed:
-    """Frames with other poses and depths than their own."""
+    """Frames with replaced poses and depths."""
 
     depth_scale = 1.0
 
@@ -93,25 +95,25 @@ def _is_room(mesh: Any) -> tuple[bool, str]:
         return False, "no surface"
     errors = np.abs(surface_errors(mesh.vertices))
     share = float((errors < NEAR).mean())
-    return share >= MOST, f"{share:.0%} within 3 cm"
+    return share >= MIN_SHARE, f"{share:.0%} within 3 cm"
 
 
 def _focal() -> Iterator[Judged]:
-    """Frames told with a camera whose focal length is off."""
+    """Frames with a wrong focal length."""
     import pointloom as loom
 
-    made = _sequence()
-    frames: Sequence[Any] = [made.read(k) for k in range(0, len(made) // 2, 3)]
+    sequence = _sequence()
+    frames: Sequence[Any] = [sequence.read(k) for k in range(0, len(sequence) // 2, 3)]
     for factor in (1.0, 0.98, 1.15, 0.85, 1.3):
-        K = made.intrinsic
+        K = sequence.intrinsic
         camera = dataclasses.replace(K, fx=K.fx * factor, fy=K.fy * factor)
         taken = [(f.color, _metres(f).astype(np.float32)) for f in frames]
         stream = loom.frames_from(taken, camera)
         path = loom.track(stream, voxel_size=0.02)
         check = loom.check_focal(stream, path.trajectory)
         wrong = abs(factor - 1) > WRONG_FOCAL
-        doubt = "; ".join((*check.warnings, *path.warnings))
-        passed = not doubt
+        warnings = "; ".join((*check.warnings, *path.warnings))
+        passed = not warnings
         yield Judged(
             "focal length of a depth camera",
             f"times {factor:g}",
@@ -119,5 +121,5 @@ def _focal() -> Iterator[Judged]:
             wrong,
             wrong and passed,
             not wrong and not passed,
-            doubt,
+            warnings,
         )

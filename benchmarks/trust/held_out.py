@@ -1,7 +1,7 @@
-"""Reliability on places and with faults that no constant was chosen on (job_files.py, sensors.py).
+"""Reliability on scenes and faults that no constant was chosen on (places.py, sensors.py).
 
-`tracking`, `scanning`, `registering` and `picturing` yield a Judged a case. What nobody can know, such as how far a
-camera went along a bare corridor, counts as wrong if it is accepted and off, and does not count if it is rejected.
+`tracking`, `scanning`, `registering` and `picturing` yield a Judged for each case. Undetermined quantities, such as the
+distance along a bare corridor, count as wrong if accepted with an error, and do not count if rejected.
 """
 
 from __future__ import annotations
@@ -17,23 +17,23 @@ import numpy as np
 import places
 import sensors
 from judged import Judged
-from places import Place
+from places import Site
 from sensors import CameraFrame, DepthCamera, Scanner
 
 from pointloom.datasets.scenes.room import look_along
 
 Array = np.ndarray[Any, np.dtype[np.float64]]
 
-OFF = 0.10  # [m] a camera pose that is off by more is wrong, where the first pose is the true one
-MANY = 0.05  # share of the frames that may be wrong, or lost, in a path that is right
-ASTRAY, STRAY_SHARE = 0.5, 0.02  # [m] and share of the way that the end of a scanner's path may be off
-NEAR_TURN, NEAR_VOXELS = 5.0, 3.0  # [degrees, voxels] a registration that is right
-VOXEL = 0.05  # [m] of registrations
-SEED = 40  # of the first place
+OFF = 0.10  # [m] maximum error of a correct camera pose, relative to the first pose
+MANY = 0.05  # fraction of the frames that may be wrong, or lost, in a correct path
+ASTRAY, STRAY_SHARE = 0.5, 0.02  # [m] and fraction of the distance: maximum final error of a scanner's path
+NEAR_DEGREES, NEAR_VOXELS = 5.0, 3.0  # [degrees, voxels] maximum errors of a correct registration
+VOXEL = 0.05  # [m] for registration
+SEED = 40  # of the first site
 
 
-def placed(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Array, Array]:
-    """The tracked path, the numbers of its poses, and how far each is off [m]."""
+def track_frames(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Array, Array]:
+    """The tracked path, the indices of its poses, and their errors [m]."""
     import pointloom as loom
 
     stream = loom.frames_from([(f.color, f.depth, f.timestamp) for f in frames], intrinsic)
@@ -42,32 +42,32 @@ def placed(frames: Sequence[CameraFrame], intrinsic: Any) -> tuple[Any, Array, A
     if not len(numbers):
         return path, numbers, np.zeros(0)
     start = frames[int(numbers[0])].pose @ np.linalg.inv(path.trajectory.poses[0])
-    off = [
+    errors = [
         np.linalg.norm((start @ T)[:3, 3] - frames[int(k)].pose[:3, 3])
         for k, T in zip(numbers, path.trajectory.poses, strict=True)
     ]
-    return path, numbers, np.array(off)
+    return path, numbers, np.array(errors)
 
 
 def judge_path(case: str, frames: Sequence[CameraFrame], camera: DepthCamera, known: bool) -> Iterator[Judged]:
-    """Reliability of the frames and of their path; `known` is False if their poses cannot be known."""
-    path, numbers, off = placed(frames, camera.intrinsic)
+    """Reliability of the frames and of their path; `known` is False if their poses cannot be determined."""
+    path, numbers, errors = track_frames(frames, camera.intrinsic)
     doubted = np.isin(numbers, path.uncertain)
-    wrong, seen = off > OFF, sum(bool(f.depth.any()) for f in frames)
+    wrong, visible = errors > OFF, sum(bool(f.depth.any()) for f in frames)
     blank = {k for k, f in enumerate(frames) if not f.depth.any()}
     lost = len(set(path.lost) - blank) if known else 0
     refused = int((doubted & ~wrong).sum()) if known else 0
     count = int(wrong.sum()) + int((~wrong & (~doubted | known)).sum()) + lost
     worst = (
-        f"{1000 * off.max():.0f} mm at worst, {100 * len(numbers) / max(seen, 1):.0f} % placed"
-        if len(off)
+        f"{1000 * errors.max():.0f} mm at worst, {100 * len(numbers) / max(visible, 1):.0f} % placed"
+        if len(errors)
         else "none placed"
     )
-    believed = int((wrong & ~doubted).sum())
-    yield Judged("RGB-D frames, held out", case, count, int(wrong.sum()), believed, refused + lost, "", worst)
-    is_wrong = believed > MANY * len(frames)
+    accepted = int((wrong & ~doubted).sum())
+    yield Judged("RGB-D frames, held out", case, count, int(wrong.sum()), accepted, refused + lost, "", worst)
+    is_wrong = accepted > MANY * len(frames)
     is_refused = not path.reliable
-    is_right = known and not is_wrong and lost + refused <= MANY * seen
+    is_right = known and not is_wrong and lost + refused <= MANY * visible
     counted = int(is_wrong or is_right)
     passed, needless = int(is_wrong and not is_refused), int(is_right and is_refused)
     yield Judged(
@@ -76,7 +76,7 @@ def judge_path(case: str, frames: Sequence[CameraFrame], camera: DepthCamera, kn
 
 
 def tracking() -> Iterator[Judged]:
-    """A depth camera in hand."""
+    """A handheld depth camera."""
     for kind, seed in itertools.product(places.KINDS, (SEED, SEED + 1)):
         camera = DepthCamera(places.KINDS[kind](seed), seed)
         frames = camera.film(_way(kind, 90, seed))
@@ -88,25 +88,25 @@ def tracking() -> Iterator[Judged]:
             )
             yield from judge_path(f"{kind} {seed}, depth 0.7 s late", sensors.delayed(frames, 21), camera, False)
             yield from judge_path(f"{kind} {seed}, depth 0.07 s late", sensors.delayed(frames, 2), camera, True)
-            held = sensors.with_gripper(frames, 0.3, seed)
-            yield from judge_path(f"{kind} {seed}, a thing fixed to the camera in 30 %", held, camera, True)
+            with_gripper = sensors.with_gripper(frames, 0.3, seed)
+            yield from judge_path(f"{kind} {seed}, a thing fixed to the camera in 30 %", with_gripper, camera, True)
     for seed in (SEED + 2, SEED + 3):
-        bare: dict[str, tuple[Place, str]] = {
+        bare: dict[str, tuple[Site, str]] = {
             "bare white corridor": (places.corridor(seed, contrast=0, niches=False), "corridor"),
             "bare white tunnel": (places.tunnel(seed, contrast=0, rough=0), "tunnel"),
             "white hall": (places.hall(seed, contrast=0), "hall"),
         }
-        for case, (place, kind) in bare.items():
-            camera = DepthCamera(place, seed)
+        for case, (site, kind) in bare.items():
+            camera = DepthCamera(site, seed)
             yield from judge_path(f"{case} {seed}", camera.film(_way(kind, 60, seed)), camera, False)
         yield from _covered(seed)
 
 
 def _covered(seed: int) -> Iterator[Judged]:
-    """Covered for as long as the camera takes from one place to another that looks the same."""
+    """Covered while the camera moves from one position to a similar one."""
     period = 1.2
     camera = DepthCamera(places.corridor(seed, niches=False, doors=period), seed)
-    frames = camera.film(sensors.walk(130, seed, speed=0.7))
+    frames = camera.film(sensors.walking_path(130, seed, speed=0.7))
     gap = round(period / 0.7 * sensors.RATE)
     yield from judge_path(
         f"like doors {seed}, covered for a period", sensors.covered(frames, 50, 50 + gap), camera, False
@@ -116,12 +116,12 @@ def _covered(seed: int) -> Iterator[Judged]:
     frames = camera.film(sensors.climb(120, seed))
     yield from judge_path(f"white staircase {seed}, covered for a step", sensors.covered(frames, 50, 74), camera, False)
     camera = DepthCamera(places.hall(seed), seed)
-    frames = camera.film(sensors.walk(120, seed))
+    frames = camera.film(sensors.walking_path(120, seed))
     yield from judge_path(f"hall {seed}, covered for 0.3 s", sensors.covered(frames, 50, 60), camera, True)
 
 
 def _way(kind: str, count: int, seed: int) -> list[Array]:
-    return {"table": sensors.around, "staircase": sensors.climb}.get(kind, sensors.walk)(count, seed)
+    return {"table": sensors.around, "staircase": sensors.climb}.get(kind, sensors.walking_path)(count, seed)
 
 
 def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: bool) -> Judged:
@@ -133,21 +133,21 @@ def judge_scans(case: str, scans: Sequence[Any], truth: Sequence[Array], known: 
         odometry.register(loom.PointCloud(scan))
     first = np.linalg.inv(truth[0])
     true = np.array([(first @ T)[:3, 3] for T in truth])
-    ours = np.array([(np.linalg.inv(odometry.poses[0]) @ T)[:3, 3] for T in odometry.poses])
-    off = np.linalg.norm(ours - true, axis=1)
-    way = float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
-    is_wrong = bool(off[-1] > max(ASTRAY, STRAY_SHARE * way))
+    positions = np.array([(np.linalg.inv(odometry.poses[0]) @ T)[:3, 3] for T in odometry.poses])
+    errors = np.linalg.norm(positions - true, axis=1)
+    distance = float(np.linalg.norm(np.diff(true, axis=0), axis=1).sum())
+    is_wrong = bool(errors[-1] > max(ASTRAY, STRAY_SHARE * distance))
     warnings = "; ".join(odometry.summary.warnings)
     counted = int(is_wrong or known)
-    told = f"{off[-1]:.2f} m off after {way:.0f} m"
-    believed, refused = int(is_wrong and not warnings), int(known and not is_wrong and bool(warnings))
+    figure = f"{errors[-1]:.2f} m off after {distance:.0f} m"
+    accepted, refused = int(is_wrong and not warnings), int(known and not is_wrong and bool(warnings))
     return Judged(
-        "LiDAR path, held out", case, counted, int(is_wrong), believed, refused, warnings, told, _kiss(scans, true)
+        "LiDAR path, held out", case, counted, int(is_wrong), accepted, refused, warnings, figure, _kiss(scans, true)
     )
 
 
 def _kiss(scans: Sequence[Any], true: Array) -> str:
-    """How far KISS-ICP ends off."""
+    """Final error of KISS-ICP."""
     try:
         from kiss_icp.config import KISSConfig
         from kiss_icp.kiss_icp import KissICP
@@ -163,9 +163,9 @@ def _kiss(scans: Sequence[Any], true: Array) -> str:
 
 
 def scanning() -> Iterator[Judged]:
-    """A turning scanner that drives."""
+    """A spinning scanner that drives."""
     for seed in (SEED, SEED + 1):
-        sights: dict[str, tuple[Place, float, bool]] = {
+        sights: dict[str, tuple[Site, float, bool]] = {
             "bare corridor": (places.corridor(seed, niches=False), 0.9, False),
             "corridor with niches": (places.corridor(seed), 0.9, True),
             "corridor, doors at 1.2 m": (places.corridor(seed, niches=False, doors=1.2), 1.2, False),
@@ -176,9 +176,9 @@ def scanning() -> Iterator[Judged]:
             "outdoors": (places.outdoors(seed), 0.8, True),
             "flat field": (places.outdoors(seed, things=0, height=0.0), 0.8, False),
         }
-        for name, (place, step, known) in sights.items():
+        for name, (site, step, known) in sights.items():
             truth = sensors.drive(32, step)
-            scanner = Scanner(place, seed=seed)
+            scanner = Scanner(site, seed=seed)
             scans = [scanner.scan(T, k) for k, T in enumerate(truth)]
             yield judge_scans(f"{name} {seed}", scans, truth, known)
             if known and name in ("forest", "hall with columns", "corridor with niches"):
@@ -192,7 +192,7 @@ def scanning() -> Iterator[Judged]:
 
 
 def _lorries(seed: int) -> Judged:
-    """Walls that drive along, ahead, beside and behind: what they hide would fix the motion."""
+    """Walls that drive along, ahead, beside and behind: they hide the geometry that determines the motion."""
     truth = sensors.drive(32, 0.9)
     scanner = Scanner(places.outdoors(seed, things=60), seed=seed)
     sides = (
@@ -211,7 +211,7 @@ def _lorries(seed: int) -> Judged:
 
 
 def registering() -> Iterator[Judged]:
-    """Parts of places as a camera sees them, pair by pair: of one place, and of two that share nothing."""
+    """Registration of partial views: pairs of one site, and of two sites without overlap."""
     import pointloom as loom
     from pointloom.registration.rigid import pose_error
 
@@ -224,20 +224,20 @@ def registering() -> Iterator[Judged]:
     rng = np.random.default_rng(SEED)
     pairs = [(a, b) for a, b in itertools.combinations(range(len(parts)), 2)]
     same = [p for p in pairs if parts[p[0]][0] == parts[p[1]][0]]
-    apart = [p for p in pairs if parts[p[0]][0] != parts[p[1]][0]]
-    alike = [p for p in apart if parts[p[0]][0].split()[0] == parts[p[1]][0].split()[0]]
-    others = [apart[k] for k in rng.permutation(len(apart))[:200]]
+    disjoint = [p for p in pairs if parts[p[0]][0] != parts[p[1]][0]]
+    alike = [p for p in disjoint if parts[p[0]][0].split()[0] == parts[p[1]][0].split()[0]]
+    others = [disjoint[k] for k in rng.permutation(len(disjoint))[:200]]
     for a, b in [*same, *alike, *others]:
-        (name, points, pose), (other, there, target) = parts[a], parts[b]
+        (name, points, pose), (other, other_points, target) = parts[a], parts[b]
         start = _anywhere(rng)
-        found = loom.registration.register_pair(
-            loom.PointCloud(points @ start[:3, :3].T + start[:3, 3]), loom.PointCloud(there), voxel_size=VOXEL
+        result = loom.registration.register_pair(
+            loom.PointCloud(points @ start[:3, :3].T + start[:3, 3]), loom.PointCloud(other_points), voxel_size=VOXEL
         )
-        T = found.transformation @ start
+        T = result.transformation @ start
         truth = np.linalg.inv(target) @ pose
         shift = np.linalg.norm((T - truth)[:3] @ np.append(points.mean(axis=0), 1))
-        right = name == other and np.degrees(pose_error(T, truth)[0]) < NEAR_TURN and shift < NEAR_VOXELS * VOXEL
-        believed = found.reliable
+        right = name == other and np.degrees(pose_error(T, truth)[0]) < NEAR_DEGREES and shift < NEAR_VOXELS * VOXEL
+        accepted = result.reliable
         area = (
             "registration, clouds of one place, held out"
             if name == other
@@ -248,14 +248,14 @@ def registering() -> Iterator[Judged]:
             f"{name} on {other}",
             1,
             int(not right),
-            int(believed and not right),
-            int(right and not believed),
-            "; ".join(found.warnings),
+            int(accepted and not right),
+            int(right and not accepted),
+            "; ".join(result.warnings),
         )
 
 
 def _sweep(kind: str, seed: int, start: int) -> list[Array]:
-    """Twelve views from one way round a third of a turn; the second begins two thirds of that later."""
+    """Twelve views over a rotation of 120 degrees; the second sequence starts 80 degrees later."""
     if kind == "table":
         return sensors.around(36, seed)[start : start + 12]
     x, height, rise = (1.5, 2.3, 0.0) if kind == "staircase" else (-6.0, 1.4, 0.0)
@@ -263,8 +263,8 @@ def _sweep(kind: str, seed: int, start: int) -> list[Array]:
     for k in range(start, start + 12):
         yaw, pitch = math.radians(-60 + 6 * k + 5 * seed), math.radians(-20 + 12 * math.sin(2.1 * k))
         eye = np.array([x + 0.12 * k, 0.2 * math.sin(k), height + rise])
-        way = np.array([math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)])
-        poses.append(look_along(eye, way))
+        direction = np.array([math.cos(yaw) * math.cos(pitch), math.sin(yaw) * math.cos(pitch), math.sin(pitch)])
+        poses.append(look_along(eye, direction))
     return poses
 
 
@@ -279,14 +279,14 @@ Shot = tuple[str, list[tuple[Array, float]], float | None, bool]
 
 
 def picturing() -> Iterator[Judged]:
-    """Pictures alone: their model is wrong where a camera center is off by 2 % of their extent, or f by 5 %."""
+    """Images alone: the model is wrong if a camera center is off by 2 % of the extent, or f by 5 %."""
     for case, kind, shots, given, known in _albums():
         yield _judge_album(case, places.KINDS[kind](SEED + 5), shots, given, known)
 
 
 def _albums() -> Iterator[tuple[str, str, list[tuple[Array, float]], float | None, bool]]:
-    """Cases: pose and zoom of each picture, the focal length that is given as a factor, whether f can be known."""
-    table = sensors.around(16, 1, radius=1.1, turn=3.6)
+    """Cases: pose and zoom of each image, the given focal length as a factor, whether f can be determined."""
+    table = sensors.around(16, 1, radius=1.1, angle=3.6)
     hall = _orbit(16)
     yield "table", "table", [(T, 1.0) for T in table], None, True
     yield "hall", "hall", [(T, 1.0) for T in hall], None, True
@@ -312,13 +312,13 @@ def _orbit(count: int) -> list[Array]:
     return poses
 
 
-def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], given: float | None, known: bool) -> Judged:
+def _judge_album(case: str, site: Site, shots: list[tuple[Array, float]], given: float | None, known: bool) -> Judged:
     from PIL import Image
     from sfm_accuracy import camera_errors
 
     import pointloom as loom
 
-    cameras = {zoom: DepthCamera(place, 1, scale=2, zoom=zoom) for _, zoom in shots}
+    cameras = {zoom: DepthCamera(site, 1, scale=2, zoom=zoom) for _, zoom in shots}
     with tempfile.TemporaryDirectory() as folder:
         pictures = Path(folder, "pictures")
         pictures.mkdir()
@@ -343,7 +343,7 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
     is_wrong = errors["share_of_extent"] > 0.02 or off_focal > 0.05
     warnings = "; ".join(result.warnings)
     centers, count = 100 * errors["share_of_extent"], len(result.model.names)
-    told = f"centers {centers:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
+    figure = f"centers {centers:.2f} %, f {100 * off_focal:.1f} % off, {count} placed"
     return Judged(
         "pictures, held out",
         case,
@@ -352,7 +352,7 @@ def _judge_album(case: str, place: Place, shots: list[tuple[Array, float]], give
         int(is_wrong and not warnings),
         int(known and not is_wrong and bool(warnings)),
         warnings,
-        told,
+        figure,
     )
 
 

@@ -6,7 +6,7 @@ import math
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 
-Z = 1.959963984540054  # of a normal distribution: 95 % lie within
+Z = 1.959963984540054  # of a normal distribution: 95 % are within
 
 
 @dataclass(frozen=True)
@@ -16,14 +16,14 @@ class Judged:
     Attributes:
         area: The kind of result, a row of docs/trust.md: "focal length", "LiDAR odometry", "RGB-D tracking", ...
         case: A short description of the input.
-        count: Results in it: 1, or the frames or scans of a run.
-        wrong: How many of them are wrong by the truth.
-        wrong_believed: How many of the wrong ones were accepted.
-        right_refused: How many of the correct ones were rejected.
+        count: Number of results: 1, or the frames or scans of a run.
+        wrong: Number of wrong results according to the ground truth.
+        wrong_believed: Number of wrong results that were accepted.
+        right_refused: Number of correct results that were rejected.
         said: The warnings, joined; empty if there are none.
-        error: The figure by which it is right or wrong, with its unit, such as "0.03 % of the centers".
-        peer: The same of the best baseline on the same input, such as "KISS-ICP: 39.0 m"; empty where none was run.
-        held_out: Whether no constant was chosen on the case.
+        error: The decisive error with its unit, such as "0.03 % of the centers".
+        peer: The same for the best baseline on the same input, such as "KISS-ICP: 39.0 m"; empty if none was run.
+        held_out: True if no constant was chosen on the case.
     """
 
     area: str
@@ -39,7 +39,7 @@ class Judged:
 
 
 def interval(hits: int, count: int) -> tuple[float, float]:
-    """The share of which so many hits are likely, lowest and highest at 95 % (Wilson 1927); 0 to 1 of nothing."""
+    """The 95 % confidence interval of a rate (Wilson 1927); 0 to 1 for a count of zero."""
     if count == 0:
         return 0.0, 1.0
     share, spread = hits / count, Z * Z / count
@@ -49,7 +49,7 @@ def interval(hits: int, count: int) -> tuple[float, float]:
 
 
 def share_in_words(hits: int, count: int) -> str:
-    """Hits of a count with their interval: `3 of 120 (0.9 to 7.1 %)`.
+    """Hits of a count with their confidence interval: `3 of 120 (0.9 to 7.1 %)`.
 
     Example:
         >>> share_in_words(3, 120)
@@ -76,12 +76,12 @@ def rates(cases: Iterable[Judged]) -> list[str]:
 def _rate(name: str, cases: Sequence[Judged]) -> str:
     wrong = sum(case.wrong for case in cases)
     right = sum(case.count - case.wrong for case in cases)
-    believed = share_in_words(sum(case.wrong_believed for case in cases), wrong)
-    refused = share_in_words(sum(case.right_refused for case in cases), right)
-    return f"| {name} | {believed} | {refused} |"
+    accepted = share_in_words(sum(case.wrong_believed for case in cases), wrong)
+    rejected = share_in_words(sum(case.right_refused for case in cases), right)
+    return f"| {name} | {accepted} | {rejected} |"
 
 
-SAID = 120  # characters of the warnings in a table
+MAX_CHARACTERS = 120  # characters of the warnings in a table
 
 
 def table(cases: Iterable[Judged]) -> list[str]:
@@ -92,6 +92,6 @@ def table(cases: Iterable[Judged]) -> list[str]:
     ]
     for c in cases:
         counts = (int(c.count), int(c.wrong), int(c.wrong_believed), int(c.right_refused))
-        cells = (c.area, c.case, *counts, c.error, c.peer, c.said[:SAID].replace("|", "/"))
+        cells = (c.area, c.case, *counts, c.error, c.peer, c.said[:MAX_CHARACTERS].replace("|", "/"))
         lines.append("| " + " | ".join(str(cell) for cell in cells) + " |")
     return lines

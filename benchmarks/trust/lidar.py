@@ -1,9 +1,9 @@
-"""LiDAR odometry: is a path that is wrong told so, and one that is right let pass?
+"""LiDAR odometry: warnings for wrong paths, and acceptance of correct ones.
 
     python benchmarks/trust/lidar.py [case ...]
 
-prints the cases of `judge`. A path is wrong where it ends farther from the truth than 2 % of its way and 30 cm. Seeds
-0 to 2 of these places chose constants; those here did not.
+prints the cases of `judge`. A path is wrong if its final error exceeds 2 % of the distance and 30 cm. Constants were
+chosen on seeds 0 to 2 of these sites, not on those used here.
 """
 
 from __future__ import annotations
@@ -23,38 +23,38 @@ import pointloom as loom  # noqa: E402
 
 AREA = "LiDAR odometry"
 SEED = 7
-MIN_ERROR, MIN_SHARE = 0.3, 0.02  # [m], of the way
+MIN_ERROR, MIN_SHARE = 0.3, 0.02  # [m], fraction of the distance
 AROUND = ((31.0, 0.0), (9.0, 0.0), (20.0, 3.0), (20.0, -3.0), (29.0, 3.0), (29.0, -3.0))  # lorries about x = 20
 
 
 def street_run(
     lorries: tuple[tuple[float, float], ...] = (), speed: float = 1.0, lorry_speed: float | None = None
 ) -> made.Run:
-    """A drive through a street, with lorries that drive as fast or otherwise."""
-    place = made.with_lorries(made.street(seed=SEED), lorries, speed if lorry_speed is None else lorry_speed)
-    return made.scan_run(place, made.along_x(25, speed, height=1.8), made.spinning(), max_range=60, seed=SEED)
+    """A drive through a street, with lorries of the same or another speed."""
+    site = made.with_lorries(made.street(seed=SEED), lorries, speed if lorry_speed is None else lorry_speed)
+    return made.scan_run(site, made.along_x(25, speed, height=1.8), made.spinning(), max_range=60, seed=SEED)
 
 
 def foreign_run() -> made.Run:
-    """A drive through a street of which one scan is of a hall."""
+    """A drive through a street with one scan of a hall."""
     run, hall = street_run(), made.scan_run(made.hall(seed=SEED), made.along_x(1, 0.0), made.spinning(), max_range=60)
     run.scans[8] = hall.scans[0]
     return run
 
 
-def indoors(place: made.Place, speed: float, count: int = 25, start: float = 20.0) -> made.Run:
-    """A walk along x, seen 15 m far."""
-    return made.scan_run(place, made.along_x(count, speed, start=start), made.spinning(), max_range=15, seed=SEED)
+def indoors(site: made.Site, speed: float, count: int = 25, start: float = 20.0) -> made.Run:
+    """A path along x with a range of 15 m."""
+    return made.scan_run(site, made.along_x(count, speed, start=start), made.spinning(), max_range=15, seed=SEED)
 
 
-def far(place: made.Place, speed: float, max_range: float = 60.0, start: float = 20.0) -> made.Run:
+def far(site: made.Site, speed: float, max_range: float = 60.0, start: float = 20.0) -> made.Run:
     """A drive along x."""
     poses = made.along_x(25, speed, start=start, height=1.8)
-    return made.scan_run(place, poses, made.spinning(), max_range=max_range, seed=SEED)
+    return made.scan_run(site, poses, made.spinning(), max_range=max_range, seed=SEED)
 
 
 def hand_run(fastest: float) -> made.Run:
-    """A scanner of a small field of view that is turned so fast [deg a scan]."""
+    """A scanner with a small field of view that rotates at this speed [deg per scan]."""
     poses = made.in_hand(50, fastest, seed=SEED)
     return made.scan_run(made.campus(seed=SEED), poses, made.rosette(), max_range=100, noise=0.02, seed=SEED)
 
@@ -89,13 +89,13 @@ CASES: dict[str, tuple[Callable[[], made.Run], float]] = {
 
 
 def error_of(poses: NDArray[np.float64], truth: NDArray[np.float64]) -> float:
-    """How far [m] a path is from the truth at worst, with the first pose on it."""
+    """Largest error [m] of a path aligned by its first pose."""
     true_path = np.linalg.inv(truth[0]) @ truth
     return float(np.linalg.norm((np.linalg.inv(poses[0]) @ poses - true_path)[:, :3, 3], axis=1).max())
 
 
 def kiss_icp(run: made.Run, max_range: float) -> str:
-    """What KISS-ICP makes of the same scans; empty where it is not installed."""
+    """The result of KISS-ICP on the same scans; empty if it is not installed."""
     try:
         from kiss_icp.config import KISSConfig
         from kiss_icp.kiss_icp import KissICP
@@ -112,7 +112,7 @@ def kiss_icp(run: made.Run, max_range: float) -> str:
 
 
 def judge(names: tuple[str, ...] = ()) -> Iterator[Judged]:
-    """Each case: is its path right, and is it let pass?"""
+    """Run each case: is its path correct, and is it accepted?"""
     for name, (make, max_range) in CASES.items():
         if names and not any(part in name for part in names):
             continue
@@ -120,12 +120,14 @@ def judge(names: tuple[str, ...] = ()) -> Iterator[Judged]:
         odometry = loom.registration.LidarOdometry(max_range=max_range, min_range=0.5)
         for scan in run.scans:
             odometry.register(loom.PointCloud(scan))
-        way = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
+        distance = float(np.linalg.norm(np.diff(run.poses[:, :3, 3], axis=0), axis=1).sum())
         error, warnings = error_of(odometry.poses, run.poses), "; ".join(odometry.summary.warnings)
-        wrong = error > max(MIN_ERROR, MIN_SHARE * way)
-        believed, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
-        said, peer = warnings, kiss_icp(run, max_range)
-        yield Judged(AREA, name, 1, int(wrong), believed, refused, said, f"{error:.2f} of {way:.1f} m", peer)
+        wrong = error > max(MIN_ERROR, MIN_SHARE * distance)
+        accepted, refused = int(wrong and not warnings), int(not wrong and bool(warnings))
+        warnings_text, peer = warnings, kiss_icp(run, max_range)
+        yield Judged(
+            AREA, name, 1, int(wrong), accepted, refused, warnings_text, f"{error:.2f} of {distance:.1f} m", peer
+        )
 
 
 if __name__ == "__main__":

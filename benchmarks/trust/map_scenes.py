@@ -1,7 +1,7 @@
-"""Rooms of boxes that a depth camera walks through: other furniture, another renderer and other ways than of the room
-in `src/pointloom/datasets/scenes`, by which nothing of tracking was chosen.
+"""Box rooms for a moving depth camera, with other furniture, renderer and paths than the room
+in `src/pointloom/datasets/scenes`; no constant of tracking was chosen on them.
 
-The camera stays away from the walls: before a near one it slides (docs/slam.md), which is another matter than maps.
+The camera stays away from the walls: in front of a near wall it may slide (docs/slam.md), which is a separate problem.
 """
 
 from __future__ import annotations
@@ -17,18 +17,18 @@ FARTHEST = 4.0  # [m]
 
 
 class BoxRoom:
-    """A room with things in it, all of them boxes, each face with marks of its own.
+    """A room with box-shaped objects; each face has its own marks.
 
     Args:
-        seed: Chooses the size of the room, its things and their marks.
-        things: How many.
+        seed: Selects the size of the room, its objects and their marks.
+        things: Number of objects.
     """
 
     def __init__(self, seed: int, things: int = 12):
         rng = np.random.default_rng(seed)
         self.size = np.array([*rng.uniform(4.0, 6.0, 2), HIGH])
         extents = np.column_stack([rng.uniform(0.3, 1.2, (things, 2)), rng.uniform(0.3, 1.6, things)])
-        angle = rng.uniform(0, 2 * np.pi, things)  # about the middle, which the camera walks in
+        angle = rng.uniform(0, 2 * np.pi, things)  # around the center, where the camera moves
         ring = np.column_stack([np.cos(angle), np.sin(angle)]) * (self.size[:2] / 2 - 0.35)
         middles = self.size[:2] / 2 + ring * rng.uniform(0.75, 1.0, (things, 1))
         lifted = np.where(rng.random(things) < 0.25, rng.uniform(0.5, 0.9, things), 0.0)  # shelves
@@ -38,7 +38,7 @@ class BoxRoom:
         self.shades = rng.uniform(70, 180, (things + 1, 3, 3))
 
     def hits(self, origin: Any, rays: Any) -> tuple[Any, Any, Any]:
-        """How far rays go, what they meet (the last is the room itself), and along which axis."""
+        """Distances along rays, the hit object (the last is the room itself), and the axis of its face."""
         with np.errstate(divide="ignore", invalid="ignore"):
             out = (np.where(rays > 0, self.size, 0.0) - origin) / rays
             a, b = (self.low[:, None] - origin) / rays, (self.high[:, None] - origin) / rays
@@ -46,24 +46,24 @@ class BoxRoom:
         near = np.minimum(a, b)
         enter, leave = near.max(axis=-1), np.maximum(a, b).min(axis=-1)
         enter = np.where((enter < leave) & (enter > 0.05), enter, np.inf)
-        thing = enter.argmin(axis=0)
-        first = np.take_along_axis(enter, thing[None], axis=0)[0]
-        sides = np.take_along_axis(near.argmax(axis=-1), thing[None], axis=0)[0]
-        is_thing = first < far
-        return np.where(is_thing, first, far), np.where(is_thing, thing, len(self.low)), np.where(is_thing, sides, axis)
+        box_index = enter.argmin(axis=0)
+        first = np.take_along_axis(enter, box_index[None], axis=0)[0]
+        sides = np.take_along_axis(near.argmax(axis=-1), box_index[None], axis=0)[0]
+        is_box = first < far
+        return np.where(is_box, first, far), np.where(is_box, box_index, len(self.low)), np.where(is_box, sides, axis)
 
     def frame(self, T: Any, number: int, seed: int) -> Any:
-        """What a camera at T_world_camera sees, with a depth camera's noise (Nguyen et al. 2012)."""
+        """A frame of a camera at T_world_camera, with a depth camera's noise (Nguyen et al. 2012)."""
         rng = np.random.default_rng([seed, number])
         v, u = np.mgrid[:HEIGHT, :WIDTH]
         rays = np.stack([(u - WIDTH / 2 + 0.5) / FOCAL, (v - HEIGHT / 2 + 0.5) / FOCAL, np.ones(u.shape)], axis=-1)
-        turned = rays.reshape(-1, 3) @ T[:3, :3].T
-        depth, thing, side = self.hits(T[:3, 3], turned)
-        points = T[:3, 3] + depth[:, None] * turned
+        world_rays = rays.reshape(-1, 3) @ T[:3, :3].T
+        depth, box_index, side = self.hits(T[:3, 3], world_rays)
+        points = T[:3, 3] + depth[:, None] * world_rays
         along = np.take_along_axis(points, np.stack([(side + 1) % 3, (side + 2) % 3], axis=1), axis=1)
-        waves = np.sin(along * self.marks[thing, side] + thing[:, None])
+        waves = np.sin(along * self.marks[box_index, side] + box_index[:, None])
         light = 0.75 + 0.25 * np.sign(waves[:, 0] * waves[:, 1])
-        color = self.shades[thing, side] * light[:, None] + rng.normal(0, 3, (len(depth), 3))
+        color = self.shades[box_index, side] * light[:, None] + rng.normal(0, 3, (len(depth), 3))
         noisy = depth + rng.normal(0, 1, depth.shape) * (0.0012 + 0.0019 * np.maximum(depth - 0.4, 0) ** 2)
         noisy[(depth > FARTHEST) | (depth < 0.4)] = 0
         return SimpleNamespace(
@@ -72,8 +72,8 @@ class BoxRoom:
             timestamp=number / 30, T_world_camera=T,
         )  # fmt: skip
 
-    def walk(self, angles: Any, seed: int = 0, radius: float = 0.25) -> list[Any]:
-        """Frames of a camera that goes about the middle of the room and looks outwards at angles [degrees]."""
+    def frames_around(self, angles: Any, seed: int = 0, radius: float = 0.25) -> list[Any]:
+        """Frames of a camera that moves around the center of the room and looks outward at angles [degrees]."""
         frames = []
         for number, angle in enumerate(np.radians(angles)):
             ahead = np.array([np.cos(angle), np.sin(angle), -0.25 + 0.1 * np.sin(3 * angle)])

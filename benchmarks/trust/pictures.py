@@ -2,9 +2,9 @@
 
     python benchmarks/trust/pictures.py [CASE ...]      the cases, or those with this in their name, as rows
 
-Made pictures of the furnished room and of ground from above, with exact cameras, and real sets whose cameras are known.
-A result is wrong if a focal length is more than 5 % off, the centers of the cameras more than 1 % of their extent
-(root mean square, after the similarity that fits best), or fewer than 60 % of the pictures are placed.
+Synthetic images of the furnished room and of terrain, with exact cameras, and real sets with known cameras. A result is
+wrong if a focal length is off by more than 5 %, the camera centers by more than 1 % of their extent (RMS after the best
+similarity), or fewer than 60 % of the images are registered.
 """
 
 from __future__ import annotations
@@ -27,22 +27,22 @@ from sfm_accuracy import camera_errors
 import pointloom as loom
 
 AREA = "focal length"
-WRONG_FOCAL, WRONG_CENTERS, MIN_PLACED = 0.05, 0.01, 0.6
+WRONG_FOCAL, WRONG_CENTERS, MIN_REGISTERED = 0.05, 0.01, 0.6
 FEATURES = 1000
-COUNT = 12  # pictures of the room: 66 pairs
+COUNT = 12  # images of the room: 66 pairs
 
-Truth = dict[str, tuple[np.ndarray | None, float]]  # pose, where it is known, and focal length over the width, by name
+Truth = dict[str, tuple[np.ndarray | None, float]]  # by name: pose, if known, and focal length relative to the width
 
 
 @dataclass(frozen=True)
 class Case:
-    """A set of pictures, and how it is given.
+    """A set of images and the reconstruction options.
 
     Attributes:
-        name: In a few words.
-        make: Writes the pictures into a folder, and gives what is true of them.
-        options: Of `loom.sfm.reconstruct`.
-        held_out: Whether it chose no constant.
+        name: A short description.
+        make: Writes the images into a folder and returns their ground truth.
+        options: Options of `loom.sfm.reconstruct`.
+        held_out: True if no constant was chosen on it.
     """
 
     name: str
@@ -52,7 +52,7 @@ class Case:
 
 
 def made(shots: Callable[[], Shots]) -> Callable[[Path], Truth]:
-    """Of made pictures."""
+    """A case function for synthetic images."""
 
     def write(folder: Path) -> Truth:
         written = shots().write(folder)
@@ -62,37 +62,39 @@ def made(shots: Callable[[], Shots]) -> Callable[[Path], Truth]:
 
 
 def with_exif(shots: Shots) -> Shots:
-    """The same, with EXIF as a telephone writes it: whole millimeters in terms of 35 mm film."""
-    said = [scenes.film_length(camera) for camera in shots.cameras]
-    shots.exif = [("Made 1", round(0.15 * film, 2), film) for film in said]
+    """The same, with EXIF as written by a telephone: 35 mm equivalent in integer millimeters."""
+    film_lengths = [scenes.film_length(camera) for camera in shots.cameras]
+    shots.exif = [("Made 1", round(0.15 * film, 2), film) for film in film_lengths]
     return shots
 
 
 def zoomed(factor: float) -> Shots:
-    """The room, every second picture with another focal length."""
-    return scenes.room(scenes.walk(COUNT), [FOCAL * (factor if k % 2 else 1.0) for k in range(COUNT)])
+    """The room, with another focal length in every second image."""
+    return scenes.room(scenes.straight_path(COUNT), [FOCAL * (factor if k % 2 else 1.0) for k in range(COUNT)])
 
 
 def plain_room(poses: np.ndarray, **options: Any) -> Shots:
     return scenes.room(poses, [FOCAL] * len(poses), **options)
 
 
-def two_rooms() -> Shots:
-    """Two parts of the room that have nothing in common."""
-    walk = scenes.walk(60, 1 / 60)
-    return plain_room(np.concatenate([walk[:6], walk[30:36]]))
+def separate_groups() -> Shots:
+    """Two parts of the room without overlap."""
+    path = scenes.straight_path(60, 1 / 60)
+    return plain_room(np.concatenate([path[:6], path[30:36]]))
 
 
 def one_picture() -> Shots:
-    """One picture again and again, with the noise of a camera."""
-    first, rng = plain_room(scenes.walk(1)), np.random.default_rng(0)
+    """The same image repeated, with camera noise."""
+    first, rng = plain_room(scenes.straight_path(1)), np.random.default_rng(0)
     light = first.pictures[0].astype(np.float64)
     pictures = [np.clip(np.rint(light + rng.normal(0, 2, light.shape)), 0, 255).astype(np.uint8) for _ in range(COUNT)]
     return Shots(np.repeat(first.poses, COUNT, axis=0), first.cameras * COUNT, pictures)
 
 
 def flight(relief: float, *, lens: bool, tilt: float = 0.0, tremble: float = 1.5) -> Shots:
-    """A flight over ground, by a lens that COLMAP's usual model does not quite fit and a shutter that rolls, or not."""
+    """A flight over terrain, with a lens that differs from COLMAP's default model and a rolling shutter, or without
+    these.
+    """
     bent = [500.0, 500.0, 324.0, 237.0, -0.05, 0.04, 0.0008, -0.0006]
     camera = loom.CameraModel("OPENCV", 640, 480, bent) if lens else scenes.pinhole(500.0)
     poses = scenes.flight(columns=5, tilt=tilt, tremble=tremble)
@@ -104,33 +106,33 @@ def given(focal: float) -> dict[str, Any]:
 
 
 def real(
-    folder: str, pattern: str, focal: float, *, stride: int = 1, most: int | None = None
+    folder: str, pattern: str, focal: float, *, stride: int = 1, stop: int | None = None
 ) -> Callable[[Path], Truth]:
-    """Of real pictures whose focal length over the width is known, made at most 1000 pixels wide."""
+    """A case function for real images with known focal length relative to the width, reduced to at most 1000 pixels."""
 
-    def write(place: Path) -> Truth:
+    def write(folder_of_set: Path) -> Truth:
         with tempfile.TemporaryDirectory() as name:
-            for path in sorted(real_data(folder).glob(pattern))[:most:stride]:
+            for path in sorted(real_data(folder).glob(pattern))[:stop:stride]:
                 shutil.copy(path, name)
-            choice = loom.sfm.choose_frames(name, place, max_size=1000)
+            choice = loom.sfm.choose_frames(name, folder_of_set, max_size=1000)
         return dict.fromkeys(choice.names, (None, focal))
 
     return write
 
 
 def all_cases() -> list[Case]:
-    """The room and the flights whose wrong results were accepted once, and correct cases beside them."""
-    walk, used = scenes.walk(COUNT), {"held_out": False}
+    """The room and the flights whose wrong results were once accepted, and correct cases."""
+    path, used = scenes.straight_path(COUNT), {"held_out": False}
     flat = lambda: flight(0.4, lens=True, tremble=0.4)  # noqa: E731
     return [
-        Case("room", made(lambda: plain_room(walk)), **used),
+        Case("room", made(lambda: plain_room(path)), **used),
         Case("room, every second picture at 1.5 times the focal length", made(lambda: zoomed(800 / FOCAL)), **used),
         Case("the same with EXIF", made(lambda: with_exif(zoomed(800 / FOCAL))), **used),
         Case("room, every second picture at 1.2 times the focal length", made(lambda: zoomed(1.2))),
-        Case("room, given 600 px for 525", made(lambda: plain_room(walk)), given(600.0), **used),
-        Case("room, given 700 px for 525", made(lambda: plain_room(walk)), given(700.0), **used),
-        Case("room, given 490 px for 525", made(lambda: plain_room(walk)), given(490.0)),
-        Case("room, given 525 px", made(lambda: plain_room(walk)), given(525.0)),
+        Case("room, given 600 px for 525", made(lambda: plain_room(path)), given(600.0), **used),
+        Case("room, given 700 px for 525", made(lambda: plain_room(path)), given(700.0), **used),
+        Case("room, given 490 px for 525", made(lambda: plain_room(path)), given(490.0)),
+        Case("room, given 525 px", made(lambda: plain_room(path)), given(525.0)),
         Case("room, zoomed, given 525 px", made(lambda: zoomed(800 / FOCAL)), given(525.0)),
         Case("straight ahead", made(lambda: plain_room(scenes.dolly())), **used),
         Case("straight ahead with EXIF", made(lambda: with_exif(plain_room(scenes.dolly())))),
@@ -140,49 +142,49 @@ def all_cases() -> list[Case]:
         Case("flight over hills, a pinhole", made(lambda: flight(1.5, lens=False)), **used),
         Case("flight over flat ground, a pinhole that sways", made(lambda: flight(0.0, lens=False)), **used),
         Case("flight over flat ground, tilted to and fro", made(lambda: flight(0.0, lens=False, tilt=25.0)), **used),
-        Case("two rooms", made(two_rooms), **used),
+        Case("two rooms", made(separate_groups), **used),
         Case("turning only", made(lambda: plain_room(scenes.turning(COUNT))), **used),
         Case("one picture twelve times", made(one_picture), **used),
-        Case("room without texture", made(lambda: plain_room(walk, texture=False, color_noise=2.0)), **used),
+        Case("room without texture", made(lambda: plain_room(path, texture=False, color_noise=2.0)), **used),
         Case("temple", real("mvs-temple", "*.png", 1520.4 / 640)),
         Case("Sceaux", real("mvs-sceaux/images", "*.JPG", 2905.88 / 2832)),
         Case("fountain", real("mvs-fountain-p11/images", "*.jpg", 2761.0 / 3072)),
-        Case("kitchen", real("rgbd-7scenes-redkitchen", "*.color.jpg", 525.0 / 640, stride=15, most=300)),
+        Case("kitchen", real("rgbd-7scenes-redkitchen", "*.color.jpg", 525.0 / 640, stride=15, stop=300)),
     ]
 
 
 def judge_case(case: Case) -> Judged:
-    """Make the pictures of a case, find where they were taken, and hold that against the truth."""
+    """Create the images of a case, reconstruct them, and compare with the ground truth."""
     with tempfile.TemporaryDirectory() as name:
         truth = case.make(Path(name) / "pictures")
         options = {"max_features": FEATURES} | case.options
         result = loom.sfm.reconstruct(Path(name) / "pictures", Path(name) / "work", **options)
     wrong, error = errors_of(result.model, truth)
     refused = not result.reliable
-    said = "; ".join(filter(None, ["; ".join(result.warnings), *result.quality.notes]))
+    notes = "; ".join(filter(None, ["; ".join(result.warnings), *result.quality.notes]))
     return Judged(
-        AREA, case.name, 1, wrong, wrong and not refused, refused and not wrong, said, error, "", case.held_out
+        AREA, case.name, 1, wrong, wrong and not refused, refused and not wrong, notes, error, "", case.held_out
     )
 
 
 def errors_of(model: loom.SfmModel | None, truth: Truth) -> tuple[int, str]:
-    """Whether a model is wrong, and by how much."""
-    if model is None or len(model) < MIN_PLACED * len(truth):
+    """Whether a model is wrong, and its errors."""
+    if model is None or len(model) < MIN_REGISTERED * len(truth):
         return 1, f"{0 if model is None else len(model)} of {len(truth)} placed"
-    off = [
+    differences = [
         camera.params[0] / camera.width / truth[name][1] - 1
         for name, camera in zip(model.names, model.cameras, strict=True)
     ]
-    worst, centers = max(off, key=abs), 0.0
-    said = f"focal length {100 * worst:+.1f} %"
+    worst, centers = max(differences, key=abs), 0.0
+    message = f"focal length {100 * worst:+.1f} %"
     if all(truth[name][0] is not None for name in model.names):
         centers = camera_errors(model, {name: truth[name][0] for name in model.names})["share_of_extent"]
-        said += f", centers {100 * centers:.2f} %"
-    return int(abs(worst) > WRONG_FOCAL or centers > WRONG_CENTERS), said
+        message += f", centers {100 * centers:.2f} %"
+    return int(abs(worst) > WRONG_FOCAL or centers > WRONG_CENTERS), message
 
 
 def judge() -> Iterator[Judged]:
-    """All cases, one after the other; those whose data are missing are left out with a line on standard error."""
+    """All cases in sequence; cases with missing data are skipped with a message on standard error."""
     yield from judged_cases(all_cases())
 
 
@@ -195,8 +197,8 @@ def judged_cases(cases: list[Case]) -> Iterator[Judged]:
 
 
 def main() -> None:
-    wanted = sys.argv[1:]
-    chosen = [case for case in all_cases() if not wanted or any(word in case.name for word in wanted)]
+    names = sys.argv[1:]
+    chosen = [case for case in all_cases() if not names or any(word in case.name for word in names)]
     print(*table([])[:2], sep="\n", flush=True)
     for each in judged_cases(chosen):
         print(table([each])[-1], flush=True)

@@ -1,7 +1,7 @@
-"""Poses that global registration accepts, of rooms whose furniture is as square as their walls, and of a kitchen.
+"""Acceptance of global registration in rooms with axis-aligned furniture, and in a kitchen.
 
 Overlapping pairs of one room should be accepted at the correct pose, pairs of different rooms never.
-Constants of the rating were chosen by rooms 0 to 15 and 100 to 109 of box_rooms.py; these are others.
+Constants of the rating were chosen on rooms 0 to 15 and 100 to 109 of box_rooms.py, not on those used here.
 """
 
 from __future__ import annotations
@@ -19,16 +19,16 @@ from belief_scenes import Scan
 from judged import Judged
 from real_data import DataMissingError
 
-ROOMS = range(200, 210)
+SEEDS = range(200, 210)
 VOXEL = 0.05  # [m]
-APART = 3  # of so many pairs of different rooms one is judged
+APART = 3  # one of this many pairs of different rooms is judged
 
 
 def judge() -> Iterator[Judged]:
-    """Accepted pairs with overlap, and accepted pairs without."""
+    """Accepted pairs with and without overlap."""
     scans = [
         Scan(f"box room {seed} part {k}", f"box room {seed}", "room", points, pose)
-        for seed in ROOMS
+        for seed in SEEDS
         for k, (points, pose) in enumerate(box_rooms.fragments(seed))
     ]
     judge_pair = beliefs.Judge(VOXEL)
@@ -37,7 +37,7 @@ def judge() -> Iterator[Judged]:
     try:
         kitchen = [scan for scan in belief_scenes.kitchen() if "frame" not in scan.name][::3]
     except DataMissingError as error:
-        print(f"left out: fragments of a kitchen: {error}", file=sys.stderr)
+        print(f"skipped: fragments of a kitchen: {error}", file=sys.stderr)
         return
     yield _count("kitchen, fragments of 30 frames", _shared(judge_pair, kitchen))
     yield _count("kitchen and rooms of boxes", _apart(judge_pair, kitchen, scans[::2]))
@@ -54,21 +54,21 @@ def _apart(judge_pair: beliefs.Judge, sources: Sequence[Scan], targets: Sequence
             yield judge_pair.judge(source, target, None, 0.0)
 
 
-def _count(case: str, found: Iterator[beliefs.Belief]) -> Judged:
-    rows = list(found)
+def _count(case: str, outcomes: Iterator[beliefs.Belief]) -> Judged:
+    rows = list(outcomes)
     wrong = [row for row in rows if not row.right]
     right = [row for row in rows if row.right]
-    believed = [row for row in wrong if row.believed]
-    refused = [row for row in right if not row.believed]
-    reasons = sorted({warning for row in refused for warning in row.warnings})
+    accepted = [row for row in wrong if row.believed]
+    rejected = [row for row in right if not row.believed]
+    reasons = sorted({warning for row in rejected for warning in row.warnings})
     scores = np.array([row.score for row in wrong])
     return Judged(
         "registration from no guess",
         case,
         len(rows),
         len(wrong),
-        len(believed),
-        len(refused),
+        len(accepted),
+        len(rejected),
         said="; ".join(reasons),
         error=f"highest score of a wrong pose {scores.max():.2f}" if len(scores) else "",
     )

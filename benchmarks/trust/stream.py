@@ -1,10 +1,9 @@
-"""Streams of a depth camera: depth that stands still, colors that come late, what is fixed to the camera or moves.
+"""Faults of depth camera streams: frozen depth, delayed colors, objects fixed to the camera or moving.
 
     POINTLOOM_DATA=<folder> python benchmarks/trust/stream.py
 
-A tracked frame is wrong that is off by more than 10 cm with the first pose the true one; a run whose pictures are not
-of one moment is one answer, wrong as it is, and is rejected if the path is unreliable for that reason. The kitchen
-needs POINTLOOM_DATA.
+A tracked frame is wrong if its error exceeds 10 cm relative to the first pose. A run whose images are not synchronized
+counts as one wrong result, and is rejected if the path is unreliable for that reason. The kitchen needs POINTLOOM_DATA.
 """
 
 from __future__ import annotations
@@ -24,13 +23,13 @@ from judged import Judged, table
 from real_data import DataMissingError, real_data
 
 AREA = "RGB-D streams"
-WRONG = 0.10  # [m] a tracked frame that is off by more is wrongly accepted
+WRONG = 0.10  # [m] maximum error of a correct tracked frame
 VOXEL = 0.02  # [m]
 LATE = 30  # frames: a second
 
 
 def kitchen(count: int) -> tuple[list[Any], Any]:
-    """Frames of the real kitchen at half the size, and their camera."""
+    """Frames of the real kitchen at half size, and their camera."""
     import pointloom as loom
 
     data = loom.open_dataset(real_data("rgbd-7scenes-redkitchen"))
@@ -44,12 +43,12 @@ def kitchen(count: int) -> tuple[list[Any], Any]:
 
 
 def room(count: int, **effects: Any) -> tuple[list[Any], Any]:
-    """Frames of a loop through the made-up room, and their camera."""
+    """Frames of a loop through the synthetic room, and their camera."""
     from pointloom.datasets.scenes.room import room_loop_sequence
 
-    made = room_loop_sequence(400, "eight", width=160, height=120, **effects)
-    frames = [made.read(index) for index in range(count)]
-    return [of(f.depth, f.color, f.T_world_camera, f.timestamp) for f in frames], made.intrinsic
+    sequence = room_loop_sequence(400, "eight", width=160, height=120, **effects)
+    frames = [sequence.read(index) for index in range(count)]
+    return [of(f.depth, f.color, f.T_world_camera, f.timestamp) for f in frames], sequence.intrinsic
 
 
 def of(depth: Any, color: Any, pose: Any, time: float) -> Any:
@@ -57,7 +56,7 @@ def of(depth: Any, color: Any, pose: Any, time: float) -> Any:
 
 
 def with_object(frames: Sequence[Any], share: float, sway: float = 0.0) -> list[Any]:
-    """Something half a metre before the camera over a share of the width, fixed to it or swaying by a share of it."""
+    """Add an object half a meter in front of the camera over a fraction of the width, fixed to it or swaying."""
     height, width = frames[0].depth.shape
     v, u = np.mgrid[:height, :width]
     rng, out = np.random.default_rng(11), []
@@ -74,59 +73,59 @@ def with_object(frames: Sequence[Any], share: float, sway: float = 0.0) -> list[
 
 
 def late(frames: Sequence[Any], count: int) -> list[Any]:
-    """Each frame with the depth of so many frames later."""
+    """Each frame with the depth of `count` frames later."""
     return [of(g.depth, f.color, f.T_world_camera, f.timestamp) for f, g in zip(frames, frames[count:], strict=False)]
 
 
 def frozen(frames: Sequence[Any], first: int) -> list[Any]:
-    """Frames whose depth stands still from one on."""
+    """Frames whose depth is frozen from one on."""
     still = frames[first].depth
     return [f if k < first else of(still, f.color, f.T_world_camera, f.timestamp) for k, f in enumerate(frames)]
 
 
 def run(case: str, frames: Sequence[Any], camera: Any, *, is_sound: bool = True, held_out: bool = True) -> Judged:
-    """Track frames and judge each, or the run as one where its pictures are not of one moment."""
+    """Track frames and judge each, or the run as one if its images are not synchronized."""
     import pointloom as loom
 
     slam = loom.slam.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
     results = slam.run(frames)
-    off = np.array([_off(result, f) for result, f in zip(results, frames, strict=True)])
+    errors = np.array([_off(result, f) for result, f in zip(results, frames, strict=True)])
     tracked = np.array([result.is_tracked for result in results])
     counts = slam.status_counts
-    said = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
-    doubt = slam.stream.problem or ""
-    error = f"at most {100 * np.nanmax(np.where(tracked, off, np.nan)):.0f} cm where tracked"
+    message = f"{counts['tracked']} tracked, {counts['uncertain']} uncertain, {counts['lost']} lost"
+    problem = slam.stream.problem or ""
+    error = f"at most {100 * np.nanmax(np.where(tracked, errors, np.nan)):.0f} cm where tracked"
     if not is_sound:
-        believed = int(not doubt)
-        return Judged(AREA, case, 1, 1, believed, 0, doubt or said, error, held_out=held_out)
-    wrong = off > WRONG  # a frame that is lost has no wrong pose: it counts as right, and refused
+        accepted = int(not problem)
+        return Judged(AREA, case, 1, 1, accepted, 0, problem or message, error, held_out=held_out)
+    wrong = errors > WRONG  # lost frames have no wrong pose: they count as correct and rejected
     refused = int((~tracked & ~wrong).sum())
-    said = "; ".join(filter(None, (said, doubt)))
+    message = "; ".join(filter(None, (message, problem)))
     return Judged(
-        AREA, case, len(off), int(wrong.sum()), int((wrong & tracked).sum()), refused, said, error, "", held_out
+        AREA, case, len(errors), int(wrong.sum()), int((wrong & tracked).sum()), refused, message, error, "", held_out
     )
 
 
 def _off(result: Any, frame: Any) -> float:
-    """How far a pose is off [m]; 0 where there is none."""
+    """Pose error [m]; 0 without a pose."""
     return 0.0 if result.pose is None else float(np.linalg.norm(result.pose[:3, 3] - frame.T_world_camera[:3, 3]))
 
 
 def judge_stall(case: str, frames: Sequence[Any], camera: Any, first: int, *, held_out: bool) -> Judged:
-    """A run whose depth stands still from a frame on: all from the fourth after it is wrong."""
+    """A run whose depth is frozen from a frame on: all frames from the fourth after it are wrong."""
     import pointloom as loom
 
     slam = loom.slam.DenseSLAM(camera, voxel_size=VOXEL, T_init=frames[0].T_world_camera)
     results = slam.run(frozen(frames, first))
     tracked = np.array([result.is_tracked for result in results])
     wrong = np.arange(len(results)) > first + 3
-    said = next(("; ".join(result.warnings) for result in results if not result.is_tracked), "")
-    believed, refused = int((tracked & wrong).sum()), int((~tracked & ~wrong).sum())
-    return Judged(AREA, case, len(results), int(wrong.sum()), believed, refused, said, held_out=held_out)
+    message = next(("; ".join(result.warnings) for result in results if not result.is_tracked), "")
+    accepted, refused = int((tracked & wrong).sum()), int((~tracked & ~wrong).sum())
+    return Judged(AREA, case, len(results), int(wrong.sum()), accepted, refused, message, held_out=held_out)
 
 
 def judge() -> Iterator[Judged]:
-    """The cases; some 2 minutes of CPU."""
+    """The cases; about 2 minutes of CPU time."""
     frames, camera = room(110)
     yield run("room, nothing wrong", frames, camera)
     yield run("room, depth 0.1 s later", late(frames[:63], 3), camera)

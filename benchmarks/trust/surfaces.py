@@ -1,8 +1,9 @@
-"""Reliability of surfaces and meshes, compared with the mesh that the points were drawn from.
+"""Reliability of surfaces and meshes, compared with the mesh that the points were sampled from.
 
-A surface is right where 95 % of it lie within 2 % of the shape's size of the truth, as much of the truth within as much
-of it, and its borders are no longer than eight times that size where the truth has none. Where points are missing, what
-they show is the truth. Shapes are real meshes and made ones; their points get noise, gaps, normals to opposite sides.
+A surface is correct if 95 % of it are within 2 % of the shape's size of the ground truth and vice versa, and if its
+borders are no longer than eight times that size where the ground truth has none. If points are missing, the ground
+truth
+is the covered part. Shapes are real and synthetic meshes; their points get noise, gaps, and opposite normals.
 """
 
 from __future__ import annotations
@@ -14,16 +15,16 @@ import numpy as np
 from judged import Judged
 from real_data import DataMissingError, real_data
 
-NEAR, MOST = 0.02, 0.95  # share of the diagonal; share of the surface
-SHAPES = ("nefertiti", "cheburashka", "fandisk", "stanford-bunny")  # of the real data, in files of .obj
-NOISES = (0.0, 0.003, 0.03)  # shares of the diagonal
+NEAR, MIN_SHARE = 0.02, 0.95  # fraction of the diagonal; fraction of the surface
+SHAPES = ("nefertiti", "cheburashka", "fandisk", "stanford-bunny")  # .obj files of the real data
+NOISES = (0.0, 0.003, 0.03)  # fractions of the diagonal
 COUNT = 4000  # points of a cloud
 SAMPLES = 8000  # on each surface
-LONGEST = 8.0  # borders, of the diagonal
+LONGEST = 8.0  # maximum border length, in diagonals
 
 
 def shapes() -> Iterator[tuple[str, Any]]:
-    """Meshes of size one, real ones where there are any."""
+    """Meshes of size one, including real ones if available."""
     import pointloom as loom
 
     yield "torus", loom.TriangleMesh.create_torus(0.4, 0.12)
@@ -36,8 +37,8 @@ def shapes() -> Iterator[tuple[str, Any]]:
         yield name, mesh.scale(1 / float(np.ptp(mesh.vertices, axis=0).max()), (0, 0, 0))
 
 
-def is_right(mesh: Any, truth: Any, whole: bool = True) -> tuple[bool, str]:
-    """Whether a surface is the true one, or a part of it, and the shares of it and of the truth within reach."""
+def is_right(mesh: Any, truth: Any, is_complete: bool = True) -> tuple[bool, str]:
+    """Whether a surface matches the true one, or a part of it, and the fractions of both within the threshold."""
     import pointloom as loom
 
     if not len(mesh) or mesh.get_surface_area() == 0:
@@ -50,12 +51,12 @@ def is_right(mesh: Any, truth: Any, whole: bool = True) -> tuple[bool, str]:
         points = one.sample_points_uniformly(SAMPLES, seed=1).points
         shares.append(float((scene.compute_distance(points.astype(np.float32)) < far).mean()))
     borders = (_border_of(mesh) - _border_of(truth)) / float(np.linalg.norm(np.ptp(truth.vertices, axis=0)))
-    right = min(shares[: 1 + whole]) >= MOST and borders <= LONGEST
+    right = min(shares[: 1 + is_complete]) >= MIN_SHARE and borders <= LONGEST
     return right, f"{shares[0]:.0%} true, {shares[1]:.0%} there, borders {borders:.1f} times its size"
 
 
 def _border_of(mesh: Any) -> float:
-    """Length of the edges of one triangle [m]."""
+    """Total length of border edges [m]."""
     triangles = mesh.triangles
     edges = np.sort(triangles[:, [0, 1, 1, 2, 2, 0]].reshape(-1, 2), axis=1)
     edges, counts = np.unique(edges, axis=0, return_counts=True)
@@ -81,13 +82,13 @@ def _through_points(name: str, truth: Any) -> Iterator[Judged]:
     clouds["a tenth of the points"] = points[::10]
     for case, chosen in clouds.items():
         for method in ("poisson", "ball", "alpha"):
-            found = loom.create_surface(loom.PointCloud(chosen), method)
-            whole = "missing" not in case
-            yield _judged(f"surface, {method}", f"{name}, {case}", found.mesh, truth, found.warnings, whole)
-    turned = normals * rng.choice((-1.0, 1.0), (len(normals), 1))
+            result = loom.create_surface(loom.PointCloud(chosen), method)
+            is_complete = "missing" not in case
+            yield _judged(f"surface, {method}", f"{name}, {case}", result.mesh, truth, result.warnings, is_complete)
+    flipped = normals * rng.choice((-1.0, 1.0), (len(normals), 1))
     for method in ("poisson", "ball"):
-        found = loom.create_surface(loom.PointCloud(points, normals=turned), method)
-        yield _judged(f"surface, {method}", f"{name}, normals to either side", found.mesh, truth, found.warnings)
+        result = loom.create_surface(loom.PointCloud(points, normals=flipped), method)
+        yield _judged(f"surface, {method}", f"{name}, normals to either side", result.mesh, truth, result.warnings)
 
 
 def _changed(name: str, truth: Any) -> Iterator[Judged]:
@@ -99,9 +100,9 @@ def _changed(name: str, truth: Any) -> Iterator[Judged]:
         few = max(int(share * count), 4)
         simple = loom.simplify_mesh(full, triangles=few)
         yield _judged("simplified mesh", f"{name}, {few:,} of {count:,} triangles", simple.mesh, truth, simple.warnings)
-    for method, turns in (("taubin", 10), ("simple", 3), ("simple", 300), ("laplacian", 300)):
-        smooth = loom.smooth_mesh(full, method, turns)
-        yield _judged("smoothed mesh", f"{name}, {method} {turns} times", smooth.mesh, truth, smooth.warnings)
+    for method, iterations in (("taubin", 10), ("simple", 3), ("simple", 300), ("laplacian", 300)):
+        smooth = loom.smooth_mesh(full, method, iterations)
+        yield _judged("smoothed mesh", f"{name}, {method} {iterations} times", smooth.mesh, truth, smooth.warnings)
     for merge in (1e-6, 0.3):
         clean = loom.clean_mesh(full, merge_distance=merge)
         yield _judged("cleaned mesh", f"{name}, vertices merged within {merge:g}", clean.mesh, truth, clean.warnings)
@@ -118,8 +119,8 @@ def _changed(name: str, truth: Any) -> Iterator[Judged]:
         )
 
 
-def _judged(area: str, case: str, mesh: Any, truth: Any, warnings: tuple[str, ...], whole: bool = True) -> Judged:
-    right, told = is_right(mesh, truth, whole)
+def _judged(area: str, case: str, mesh: Any, truth: Any, warnings: tuple[str, ...], is_complete: bool = True) -> Judged:
+    right, figure = is_right(mesh, truth, is_complete)
     return Judged(
-        area, case, 1, not right, not right and not warnings, right and bool(warnings), "; ".join(warnings), told
+        area, case, 1, not right, not right and not warnings, right and bool(warnings), "; ".join(warnings), figure
     )
