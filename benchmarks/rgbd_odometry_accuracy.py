@@ -23,7 +23,7 @@ from PIL import Image
 import pointloom as loom
 
 STEPS, PAIRS, FRAMES = (1, 5, 10, 20), 40, 300
-DEPTH_MAX = 6.0  # [m] as in docs/odometry.md
+DEPTH_MAX = 6.0  # [m] as in docs/slam.md
 RIGHT = (
     5.0,
     200.0,

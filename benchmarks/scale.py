@@ -1,6 +1,6 @@
 """Run every operation once at a large size: time and peak memory, each in a separate process.
 
-    python benchmarks/scale.py [--points 20000000] [--only NAME] [--output docs/scale.md] [--device cpu]
+    python benchmarks/scale.py [--points 20000000] [--only NAME] [--write] [--device cpu]
 
 Mesh operations get as many triangles as the others get points. Each operation first runs on 20,000 of them to
 compile its
@@ -12,7 +12,6 @@ a failing operation, the table contains the error message.
 from __future__ import annotations
 
 import argparse
-import datetime
 import json
 import platform
 import subprocess
@@ -30,7 +29,9 @@ import numpy as np  # noqa: E402
 import scenes  # noqa: E402
 from contest import Trial, limit_threads, thread_count  # noqa: E402
 from memory import peak_bytes  # noqa: E402
+from pages import write_between  # noqa: E402
 
+PAGE = FOLDER.parent / "docs" / "measured.md"
 SMALL = 20_000
 TIME_LIMIT = 900  # [s] per operation
 Make = Callable[[Any, float], Any]  # (cloud, mean spacing [m]) -> result
@@ -225,7 +226,7 @@ def main() -> int:
     parser.add_argument("--points", type=int, default=20_000_000)
     parser.add_argument("--only", action="append", help="operations whose names start with this")
     parser.add_argument("--device", default="cpu")
-    parser.add_argument("--output", type=Path, help="a Markdown file")
+    parser.add_argument("--write", action="store_true", help="write the tables into docs/measured.md")
     parser.add_argument("--one", help=argparse.SUPPRESS)
     options = parser.parse_args()
     if options.one:
@@ -237,8 +238,9 @@ def main() -> int:
             continue
         rows.append((name, *attempt(name, options)))
         print(f"{rows[-1][0]:45s} {rows[-1][1]:>10s} {rows[-1][2]:>9s}", flush=True)
-    if options.output:
-        options.output.write_text(document(rows, options))
+    if options.write:
+        write_tables(rows)
+        print(f"{options.points:,} points, {options.device}, {thread_count()} threads ({processor()})")
     return 0
 
 
@@ -256,23 +258,13 @@ def attempt(name: str, options: argparse.Namespace) -> tuple[str, str]:
     return f"{record['seconds']:.1f}", f"{record['bytes'] / 2**30:.2f}"
 
 
-def document(rows: list[tuple[str, str, str]], options: argparse.Namespace) -> str:
-    """The table as Markdown."""
-    today = datetime.date.today().isoformat()
-    lines = [
-        "# Scale",
-        "",
-        f"Every operation once on {options.points:,} points or triangles of a bumpy surface, on {options.device} with "
-        f"{thread_count()} threads ({processor()}), {today}: `python benchmarks/scale.py --output docs/scale.md`.",
-        "Peak memory is resident memory beyond the cloud (12 B a point, 24 B with normals) or mesh (18 B a triangle) "
-        "itself, results included.",
-        "",
-        "| operation | seconds | peak memory [GiB] |",
-        "|---|---|---|",
-        *(f"| `{name}` | {seconds} | {memory} |" for name, seconds, memory in rows),
-        "",
-    ]
-    return "\n".join(lines)
+def write_tables(rows: list[tuple[str, str, str]]) -> None:
+    """Replace the tables of docs/measured.md. A table is kept if some of its operations were not measured."""
+    for mark, names in (("scale", OPERATIONS), ("scale-meshes", MESH_OPERATIONS)):
+        lines = [f"| `{name}` | {seconds} | {memory} |" for name, seconds, memory in rows if name in names]
+        if len(lines) == len(names):
+            head = ["| operation | seconds | peak memory [GiB] |", "|---|---|---|"]
+            write_between(PAGE, mark, "\n".join([*head, *lines]))
 
 
 def processor() -> str:

@@ -21,9 +21,9 @@ from .registration.bent_fragments import BentRoom
 
 SLOW = {
     "src/pointloom/cli/shell/SKILL.md",
-    "docs/bending.md", "docs/change.md", "docs/frames.md", "docs/fusion-at-scale.md",
-    "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md", "docs/recordings.md", "docs/slac.md", "docs/slam.md",
-    "docs/submaps.md", "docs/surfaces.md", "docs/terrain.md",
+    "docs/bending.md", "docs/change.md", "docs/frames.md",
+    "docs/logging.md", "docs/meshes.md", "docs/reconstruction.md", "docs/recordings.md", "docs/slam.md",
+    "docs/surfaces.md", "docs/terrain.md", "docs/tiles.md",
 }  # fmt: skip
 FRAMES = 12
 
@@ -83,11 +83,8 @@ def two_frames() -> dict[str, Any]:
     return {}
 
 
-def posed_frames() -> dict[str, Any]:
-    frames = room_sequence(8, width=160, height=120)
-    return {
-        "loom": loom, "camera": frames.intrinsic, "frames": [(f.depth, f.color, f.T_world_camera) for f in frames]
-    }  # fmt: skip
+def sequence_and_pair() -> dict[str, Any]:
+    return sequence_in_folder("folder")() | two_frames()
 
 
 def parts_and_sequence() -> dict[str, Any]:
@@ -144,6 +141,10 @@ def bent_fragments() -> dict[str, Any]:
     }  # fmt: skip
 
 
+def kitchen_and_fragments() -> dict[str, Any]:
+    return bent_fragments() | sequence_in_folder("kitchen")()
+
+
 def scans_and_frames() -> dict[str, Any]:
     sequence_in_folder("frames")()
     return two_scans()
@@ -166,19 +167,16 @@ def sequence_and_scans() -> dict[str, Any]:
 SCENES: dict[str, Callable[[], dict[str, Any]]] = {
     "README.md": two_scans,
     "src/pointloom/cli/shell/SKILL.md": scans_and_frames,
+    "docs/files.md": robot,
     "docs/frames.md": sequence_in_folder("kitchen"),
-    "docs/fusion-at-scale.md": sequence_and_scans,
     "docs/large-clouds.md": survey,
     "docs/logging.md": parts_and_sequence,
     "docs/meshes.md": bunny,
     "docs/models.md": colmap_project,
-    "docs/odometry.md": two_frames,
-    "docs/reconstruction.md": sequence_in_folder("kitchen"),
-    "docs/recorded_sensors.md": robot,
+    "docs/reconstruction.md": kitchen_and_fragments,
     "docs/recordings.md": pair_nearby,
     "docs/registration.md": source_and_target,
-    "docs/slac.md": bent_fragments,
-    "docs/slam.md": sequence_in_folder("folder"),
-    "docs/submaps.md": posed_frames,
+    "docs/slam.md": sequence_and_pair,
     "docs/surfaces.md": surfaces,
+    "docs/tiles.md": sequence_and_scans,
 }

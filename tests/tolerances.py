@@ -138,7 +138,7 @@ TABLE: dict[str, tuple[float, str]] = {
     ),
     "ground_total_error": (
         4.6,
-        "[%] mean over nine tiles with known ground, of a single set of parameters; 4.41 was measured (docs/ground.md)",
+        "[%] mean over nine tiles with known ground, with one set of parameters; 4.41 was measured (docs/terrain.md)",
     ),
     "ground_tile_error": (9.5, "[%] of the worst tile, a steep slope with vegetation and houses; 8.66 was measured"),
     "ground_kappa": (89.5, "[%] mean agreement beyond chance; 90.43 was measured"),

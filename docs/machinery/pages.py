@@ -25,6 +25,7 @@ BROUGHT = {
 }
 # Pages that the site contains in another form.
 REPLACED = {"README.md": "index", "docs/README.md": "guides"}
+INDEX = "<!-- index of README.md -->"  # in guides.md: the tables of docs/README.md follow
 PROJECT_PAGES = ("changelog", "contributing", "security", "kernels", "benchmarks", "emulated-cuda")
 
 _LINK = re.compile(r"(!?)\[([^\]]*)\]\((?![a-z]+:|#)([^)\s#]*)(#[^)\s]*)?\)")
@@ -43,7 +44,7 @@ def bring(docs: Path) -> None:
 
 
 def rewrite_links(page: str, text: str) -> str:
-    """Replace the relative links of a Markdown page by those of the site.
+    """Replace the relative links of a Markdown page by those of the site, and insert the index into the guides.
 
     Links to files outside the site become addresses in the repository, or plain text if no repository is set.
 
@@ -51,6 +52,9 @@ def rewrite_links(page: str, text: str) -> str:
         page: Its name in the site, without suffix.
         text: Its Markdown.
     """
+    if INDEX in text:
+        readme = (ROOT / "docs" / "README.md").read_text(encoding="utf-8")
+        text = text.replace(INDEX, readme[readme.index("\n## ") + 1 :])
     origin = {location: source for source, location in BROUGHT.items()}.get(page, f"docs/{page}.md")
 
     def link(match: re.Match[str]) -> str:

@@ -165,4 +165,4 @@ assert len(finite) == len(cloud) - 5
 # ----------------
 # :ref:`Chapter 2 <sphx_glr_chapters_plot_02_voxels_and_normals.py>` makes the cloud smaller and finds which way its
 # surfaces look. The page :doc:`Pictures </pictures>` has all of ``loom.render``, the page :doc:`The viewer </viewer>`
-# all of ``loom.draw``, :doc:`Units of length </units>` what a file tells of its unit.
+# all of ``loom.draw``, :doc:`Units of length </files>` what a file tells of its unit.

@@ -215,5 +215,5 @@ assert check is not None and not check.reliable
 # Where to go next
 # ----------------
 # :ref:`Chapter 15 <sphx_glr_chapters_plot_15_frames_to_a_model.py>` holds each frame against a model of all before it,
-# which drifts far less. The page :doc:`RGB-D odometry </odometry>` lists the checks of its reliability.
+# which drifts far less. The page :doc:`RGB-D odometry </slam>` lists the checks of its reliability.
 # :doc:`SLAM </slam>` describes loop closure.

@@ -11,7 +11,7 @@ from .devices import resolve_device
 def free_memory(device: Any = None) -> int:
     """Return unused GPU memory to the system, for other programs and libraries.
 
-    A GPU caches up to half of its memory (docs/memory.md). This releases the cache and the streams and graphs of
+    A GPU caches up to half of its memory (docs/gpu.md). This releases the cache and the streams and graphs of
     completed operations; live objects keep their memory. The next operation allocates again and takes slightly longer.
 
     Args:
