@@ -38,14 +38,14 @@ import pointloom as loom
 
 from ..visualization.viewer.events import announced_events  # noqa: F401  a fixture
 from .live_pages import Program
-from .pixels import PATIENCE, ready
+from .pixels import TIMEOUT, ready
 from .viewer_scenes import HEIGHT, WIDTH
 
 HERE = Path(__file__).parent
 TRACES = HERE.parents[1] / "build" / "traces"
 NAMES = ("chromium", "chromium-browser", "google-chrome", "google-chrome-stable", "chrome")
 MISSING = "no Chromium on the path: apt-get install chromium (or POINTLOOM_CHROMIUM=/path/to/it)"
-REBOUND = "rebound.test"  # a name of somebody else that leads to this machine
+REBOUND = "rebound.test"  # a foreign name that resolves to this machine
 # No calls home: the machine may have no network. Text and panels are drawn without WebGL, which takes less time.
 FLAGS = [
     "--use-gl=angle", "--disable-quic", "--no-first-run", "--disable-background-networking", "--disable-sync",
@@ -68,9 +68,9 @@ printed: list[str] = []  # at the end
 
 
 def pytest_ignore_collect(collection_path: Path, config: pytest.Config) -> bool | None:
-    """Only when asked for by name."""
-    asked = [Path(os.fspath(config.invocation_params.dir), arg.split("::")[0]).resolve() for arg in config.args]
-    return None if any(path == HERE or HERE in path.parents for path in asked) else True
+    """Ignore this folder unless it is named on the command line."""
+    requested = [Path(os.fspath(config.invocation_params.dir), arg.split("::")[0]).resolve() for arg in config.args]
+    return None if any(path == HERE or HERE in path.parents for path in requested) else True
 
 
 @pytest.hookimpl(tryfirst=True)
@@ -104,11 +104,11 @@ def pytest_terminal_summary(terminalreporter: pytest.TerminalReporter) -> None:
 
 @pytest.fixture(scope="session")
 def browser() -> Iterator[Browser]:
-    """One Chromium for all tests, with a profile of its own that goes with it."""
+    """One Chromium for all tests, with its own temporary profile."""
     path = os.environ.get("POINTLOOM_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
     if path is None:
         pytest.exit(MISSING, returncode=1)
-    expect.set_options(timeout=1000 * PATIENCE)  # 5 s else, which a busy machine may take
+    expect.set_options(timeout=1000 * TIMEOUT)  # the default of 5 s is too short for a busy machine
     with sync_playwright() as playwright:
         chromium = launch(playwright, path)
         yield chromium
@@ -123,18 +123,18 @@ def launch(playwright: Playwright, path: str) -> Browser:
             executable_path=path, args=[*FLAGS, *flags], chromium_sandbox=False, env=environment
         )
         page = chromium.new_page()
-        found = page.evaluate(RENDERER)
+        renderer = page.evaluate(RENDERER)
         page.close()
-        if name in found:
+        if name in renderer:
             missing = "" if name == "llvmpipe" else "; no llvmpipe: apt-get install libegl-mesa0 libgl1-mesa-dri"
             printed.append(f"Chromium drew with {name}{missing}")
             return chromium
         chromium.close()
-    pytest.exit(f"Chromium draws WebGL with {found}; expected one of {', '.join(RENDERERS)}", returncode=1)
+    pytest.exit(f"Chromium draws WebGL with {renderer}; expected one of {', '.join(RENDERERS)}", returncode=1)
 
 
 class Visit:
-    """A page that is open, what it asked for and what it complained of."""
+    """An open page, its requests and its console messages."""
 
     def __init__(self, page: Page):
         self.page = page
@@ -146,13 +146,13 @@ class Visit:
         page.on("websocket", lambda websocket: self.requests.append(websocket.url))
 
     def _note_console(self, message: ConsoleMessage) -> None:
-        if message.type in ("error", "warning") and not any(known in message.text for known in EXPECTED):
+        if message.type in ("error", "warning") and not any(expected in message.text for expected in EXPECTED):
             self.faults.append(f"{message.type}: {message.text}")
 
     def requests_elsewhere(self) -> list[str]:
-        """What went anywhere but to the page's own host, or stays within the page."""
-        own = tuple(f"{scheme}://{self.page.url.split('/')[2]}/" for scheme in ("http", "ws"))
-        return [url for url in self.requests if not url.startswith((*own, "data:", "blob:", "file:"))]
+        """Requests to hosts other than the page's, data and blob URLs excluded."""
+        own_origins = tuple(f"{scheme}://{self.page.url.split('/')[2]}/" for scheme in ("http", "ws"))
+        return [url for url in self.requests if not url.startswith((*own_origins, "data:", "blob:", "file:"))]
 
 
 @pytest.fixture
@@ -167,7 +167,7 @@ def open_page(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Call
 
     def open_one(shown: Any, *, width: int = 640, height: int = 480, offline: bool = False, faults: bool = True) -> Any:
         context = browser.new_context(viewport={"width": width, "height": height}, offline=offline)
-        context.set_default_timeout(1000 * PATIENCE)
+        context.set_default_timeout(1000 * TIMEOUT)
         context.tracing.start(snapshots=True)
         contexts.append(context)
         page: Any = context.new_page()
@@ -178,8 +178,8 @@ def open_page(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Call
         return page
 
     yield open_one
-    found = [([*visit.faults], visit.requests_elsewhere()) for visit, faults in visits if faults]
-    has_failed = request.node.stash.get(FAILED, False) or any(faults or elsewhere for faults, elsewhere in found)
+    visit_faults = [([*visit.faults], visit.requests_elsewhere()) for visit, faults in visits if faults]
+    has_failed = request.node.stash.get(FAILED, False) or any(faults or elsewhere for faults, elsewhere in visit_faults)
     for number, context in enumerate(contexts):
         with contextlib.suppress(Error):
             trace = TRACES / f"{re.sub(r'[^A-Za-z0-9]+', '-', request.node.nodeid)}-{number}.zip"
@@ -187,13 +187,13 @@ def open_page(browser: Browser, request: pytest.FixtureRequest) -> Iterator[Call
             if has_failed:
                 printed.append(f"trace: playwright show-trace {trace.relative_to(HERE.parents[1])}")
             context.close()
-    assert all(faults == [] for faults, _ in found), found
-    assert all(elsewhere == [] for _, elsewhere in found), found
+    assert all(faults == [] for faults, _ in visit_faults), visit_faults
+    assert all(elsewhere == [] for _, elsewhere in visit_faults), visit_faults
 
 
 @pytest.fixture
 def show(open_page: Callable[..., Page]) -> Iterator[Callable[..., tuple[loom.Viewer, Page]]]:
-    """Draw geometries and open their page: `show(geometries, ...)` gives the viewer and the page."""
+    """Draw geometries and open their page: `show(geometries, ...)` returns the viewer and the page."""
     viewers = []
 
     def show_one(geometries: Any, **settings: Any) -> tuple[loom.Viewer, Page]:
@@ -220,7 +220,7 @@ class _EmptyPage(SimpleHTTPRequestHandler):
 
 @pytest.fixture
 def foreign_page() -> Iterator[str]:
-    """The address of a page that somebody else serves on this machine."""
+    """The address of a page of another server on this machine."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), _EmptyPage)
     thread = threading.Thread(target=partial(server.serve_forever, poll_interval=0.05))
     thread.start()
@@ -232,7 +232,7 @@ def foreign_page() -> Iterator[str]:
 
 @pytest.fixture
 def program(monkeypatch: pytest.MonkeyPatch) -> Iterator[Program]:
-    """A program whose token is always the same, as if it had only been away."""
+    """A program with a constant token, as if it had only been interrupted."""
     monkeypatch.setattr(secrets, "token_urlsafe", lambda _: "a-token-of-the-tests")
     made = Program()
     yield made

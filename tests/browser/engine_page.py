@@ -1,4 +1,4 @@
-"""A page of the engine alone, without a server, and what is put into it and read from it."""
+"""A page with the engine alone, without a server."""
 
 from __future__ import annotations
 
@@ -25,14 +25,14 @@ canvas#scene {{ position: absolute; inset: 0; width: 100%; height: 100%; outline
 
 # Arrays come as base64; `f2` is half floats, as the engine takes them.
 START = """
-window.told = { cameras: [], clicks: [], lost: [] };
+window.reported = { cameras: [], clicks: [], lost: [] };
 window.types = { f4: Float32Array, f2: Uint16Array, u1: Uint8Array, i2: Int16Array, u4: Uint32Array };
 window.unpack = (arrays) => Object.fromEntries(Object.entries(arrays).map(([name, [kind, text]]) =>
   [name, new types[kind](Uint8Array.from(atob(text), (letter) => letter.charCodeAt(0)).buffer)]));
 window.engine = new Engine(document.getElementById("scene"), document.getElementById("overlay"), {
-  onCamera: (camera) => told.cameras.push(camera),
-  onClick: (x, y) => told.clicks.push([x, y]),
-  onLost: (ids) => told.lost.push(ids),
+  onCamera: (camera) => reported.cameras.push(camera),
+  onClick: (x, y) => reported.clicks.push([x, y]),
+  onLost: (ids) => reported.lost.push(ids),
 });
 window.pointloom = { ready: () => engine.ready() };
 """
@@ -52,23 +52,25 @@ def pack(arrays: Mapping[str, np.ndarray]) -> dict[str, list[str]]:
 
 def add(page: Any, number: int, kind: str, *, parent: int = 0, arrays: Any = None, **props: Any) -> None:
     """A node of the engine."""
-    told = [number, parent, kind, props, pack(arrays or {})]
-    page.evaluate("([id, parent, kind, props, arrays]) => engine.add(id, parent, kind, props, unpack(arrays))", told)
+    arguments = [number, parent, kind, props, pack(arrays or {})]
+    page.evaluate(
+        "([id, parent, kind, props, arrays]) => engine.add(id, parent, kind, props, unpack(arrays))", arguments
+    )
 
 
 def set_node(page: Any, number: int, *, arrays: Any = None, **props: Any) -> None:
     """Change a node."""
-    told = [number, props, pack(arrays or {})]
-    page.evaluate("([id, props, arrays]) => engine.set(id, props, unpack(arrays))", told)
+    arguments = [number, props, pack(arrays or {})]
+    page.evaluate("([id, props, arrays]) => engine.set(id, props, unpack(arrays))", arguments)
 
 
 def at(x: float, y: float, z: float, scale: float = 1.0) -> list[float]:
-    """A pose without a turn."""
+    """A pose without a rotation."""
     return [scale, 0, 0, x, 0, scale, 0, y, 0, 0, scale, z]
 
 
 def look_down(page: Any, height: float = 10.0, *, middle: tuple[float, float, float] = (0, 0, 0)) -> None:
-    """A camera over a place, x to the right and y up in the picture; 48 px a unit at a height of 480 and 10 units."""
+    """A camera over a point, x to the right and y up in the image; 48 px per unit at a height of 480 and 10 units."""
     x, y, z = middle
     rotation, fov = [1, 0, 0, 0, -1, 0, 0, 0, -1], 2 * math.atan(0.5)
     camera = {"position": [x, y, z + height], "rotation": rotation, "pivot": [x, y, z], "up": [0, 1, 0], "fov": fov}
@@ -78,14 +80,14 @@ def look_down(page: Any, height: float = 10.0, *, middle: tuple[float, float, fl
 
 
 def seen(page: Any) -> np.ndarray:
-    """The picture once nothing changes any more, without axes and frames."""
+    """The image at rest, without axes and frames."""
     page.evaluate("document.querySelectorAll('.view').forEach((each) => (each.style.opacity = 0))")
     ready(page)
     return picture(page, panels=True)
 
 
 def png(image: np.ndarray) -> np.ndarray:
-    """A picture as the bytes of a PNG, uint8 [k]."""
+    """An image as the bytes of a PNG, uint8 [k]."""
     file = io.BytesIO()
     Image.fromarray(image).save(file, "PNG")
     return np.frombuffer(file.getvalue(), np.uint8)

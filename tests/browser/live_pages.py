@@ -1,4 +1,4 @@
-"""A program of a few lines for the tests of the live page: a link, what its page said, and what is touched in it."""
+"""A small program for the tests of the live page: a link, the events of its page, and its controls."""
 
 from __future__ import annotations
 
@@ -22,7 +22,7 @@ class Program:
 
     Attributes:
         pages: The link.
-        said: What pages did, in order: the kind of a control or "command", and the value.
+        events: Events of pages, in order: the kind of a control or "command", and the value.
     """
 
     def __init__(self, port: int = 0, title: str = "a title"):
@@ -33,19 +33,19 @@ class Program:
         self.port = bound.getsockname()[1]
         self.pages = PageServer(bound, RequestGuard(), title)
         self.url = f"http://127.0.0.1:{self.port}/?token={self.pages.token}"
-        self.said: list[tuple[str, Any]] = []
+        self.events: list[tuple[str, Any]] = []
         down = np.array([[1.0, 0, 0], [0, -1, 0], [0, 0, -1]])
         self.pages.set_first_camera(position=(0, 0, 3), rotation=down, fov=0.9, pivot=(0, 0, 0), up=(0, 1, 0))
         self.pages.set_bounds((-1, -1, 0), (1, 1, 0))
 
     def add_square(self, color: tuple[int, int, int] = (255, 0, 0)) -> Any:
         """A cloud that fills the square."""
-        places = np.stack(np.meshgrid(*[np.linspace(-1, 1, 60)] * 2, [0.0]), -1).reshape(-1, 3).astype(np.float32)
-        return self.pages.scene.add_points(places, plain=color, size=6.0, relief=False)
+        positions = np.stack(np.meshgrid(*[np.linspace(-1, 1, 60)] * 2, [0.0]), -1).reshape(-1, 3).astype(np.float32)
+        return self.pages.scene.add_points(positions, plain=color, size=6.0, relief=False)
 
     def hear(self, handle: Any) -> Any:
-        """Note what pages do to a control."""
-        note: Callable[[Any], None] = lambda event: self.said.append((handle.kind, event.value))  # noqa: E731
+        """Record the events of a control."""
+        note: Callable[[Any], None] = lambda event: self.events.append((handle.kind, event.value))  # noqa: E731
         for name in ("on_update", "on_click", "on_upload", "on_trigger"):
             if getattr(handle, name, None) is not None:
                 getattr(handle, name)(note)
@@ -53,12 +53,12 @@ class Program:
 
     def last(self, kind: str) -> Any:
         """The last value of a control of this kind."""
-        return next((value for name, value in reversed(self.said) if name == kind), None)
+        return next((value for name, value in reversed(self.events) if name == kind), None)
 
     def wait_for(self, page: Page, kind: str, value: Any) -> None:
-        """Until a page has said this."""
-        tell = lambda: f"{kind} {value!r} among {self.said}"  # noqa: E731
-        wait_until(page, lambda: (kind, value) in self.said[-1:], tell)
+        """Wait until the last event of a page is this one."""
+        describe = lambda: f"{kind} {value!r} among {self.events}"  # noqa: E731
+        wait_until(page, lambda: (kind, value) in self.events[-1:], describe)
 
 
 def control(page: Page, handle: Any) -> Any:

@@ -12,7 +12,7 @@ from PIL import Image
 from playwright.sync_api import Frame, Page
 
 from ..visualization.viewer import events
-from ..visualization.viewer.events import PATIENCE
+from ..visualization.viewer.events import TIMEOUT
 
 # Hides panels, notices and all other elements over the canvas. A style sheet that a script adopts passes the page's
 # content security policy.
@@ -39,11 +39,11 @@ def ready(page: Page | Frame) -> None:
     idle: the program has sent all that follows.
     """
     script = f"async (limit) => {{ {WITHIN} await within(pointloom.ready()); }}"
-    page.evaluate(script, PATIENCE)
+    page.evaluate(script, TIMEOUT)
     viewer = getattr(page, "viewer", None)
     while viewer is not None and not is_idle(viewer):
         events.wait_until(lambda: is_idle(viewer))
-        page.evaluate(script, PATIENCE)
+        page.evaluate(script, TIMEOUT)
 
 
 def is_idle(viewer: Any) -> bool:
@@ -65,14 +65,14 @@ def picture(page: Page, *, panels: bool = False) -> np.ndarray:
     if not panels:
         page.evaluate(CANVAS_ALONE, True)
         clip = page.evaluate(CANVAS_BOX)
-    png = page.screenshot(animations="allow", caret="initial", timeout=1000 * PATIENCE, clip=clip)
+    png = page.screenshot(animations="allow", caret="initial", timeout=1000 * TIMEOUT, clip=clip)
     if not panels:
         page.evaluate(CANVAS_ALONE, False)
     return np.asarray(Image.open(io.BytesIO(png)).convert("RGB"))
 
 
 def see(page: Page, claim: Callable[[np.ndarray], object] = lambda _: True) -> np.ndarray:
-    """The image of the page when it is ready, for which the claim must hold."""
+    """The image of the page when it is ready and the claim is true."""
     ready(page)
     image = picture(page)
     assert claim(image), f"{seen(image)}; {complaints(page)}"
@@ -80,7 +80,7 @@ def see(page: Page, claim: Callable[[np.ndarray], object] = lambda _: True) -> n
 
 
 def is_color(image: np.ndarray, color: tuple[int, int, int], tolerance: int = 40) -> np.ndarray:
-    """Which pixels [h, w] differ from the color by no more than the tolerance in each channel."""
+    """Mask [h, w] of the pixels that differ from the color by at most the tolerance in each channel."""
     return (np.abs(image.astype(int) - np.array(color)) <= tolerance).all(axis=-1)
 
 
@@ -96,12 +96,12 @@ def middle_of(image: np.ndarray, color: tuple[int, int, int], tolerance: int = 4
     return float(x.mean()) + 0.5, float(y.mean()) + 0.5
 
 
-def wait_until(page: Page, claim: Callable[[], object], tell: Callable[[], object] = lambda: "") -> None:
+def wait_until(page: Page, claim: Callable[[], object], describe: Callable[[], object] = lambda: "") -> None:
     """Wait until a condition of the program holds, evaluated after each event of its viewers."""
     try:
         events.wait_until(claim)
     except AssertionError as error:
-        raise AssertionError(f"{error}: {tell()}; {complaints(page)}") from None
+        raise AssertionError(f"{error}: {describe()}; {complaints(page)}") from None
 
 
 def wait_in_page(page: Page | Frame, expression: str) -> None:
@@ -112,14 +112,14 @@ def wait_in_page(page: Page | Frame, expression: str) -> None:
     loop = f"async () => {{ while (going && !({expression})) await frame(); }}"
     stop = "finally(() => (going = false))"
     try:
-        page.evaluate(f"async (limit) => {{ {WITHIN} let going = true; await within(({loop})()).{stop}; }}", PATIENCE)
+        page.evaluate(f"async (limit) => {{ {WITHIN} let going = true; await within(({loop})()).{stop}; }}", TIMEOUT)
     except Exception as error:
         raise AssertionError(f"{expression} did not become true: {error}") from None
 
 
 def wait_for_messages(page: Page, claim: Callable[[], object]) -> None:
     """Wait until a condition on messages of the browser holds, evaluated after each frame of the page."""
-    end = time.monotonic() + PATIENCE
+    end = time.monotonic() + TIMEOUT
     while not claim():
         assert time.monotonic() < end, f"it never came; {complaints(page)}"
         page.evaluate("new Promise((done) => requestAnimationFrame(() => done()))")
@@ -128,8 +128,8 @@ def wait_for_messages(page: Page, claim: Callable[[], object]) -> None:
 def seen(image: np.ndarray) -> str:
     """The most frequent colors of an image and their numbers of pixels."""
     colors, counts = np.unique(image.reshape(-1, 3), axis=0, return_counts=True)
-    most = np.argsort(counts)[::-1][:8]
-    return f"pixels by color: { {tuple(colors[i].tolist()): int(counts[i]) for i in most} }"
+    most_frequent = np.argsort(counts)[::-1][:8]
+    return f"pixels by color: { {tuple(colors[i].tolist()): int(counts[i]) for i in most_frequent} }"
 
 
 def complaints(page: Page) -> str:

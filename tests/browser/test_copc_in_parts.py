@@ -1,4 +1,4 @@
-"""A COPC file in Chromium: the coarse levels come first, and finer nodes are read where one looks closer."""
+"""A COPC file in Chromium: coarse levels come first, and finer nodes are read for close views."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""`draw` in Chromium: each kind of geometry is there in its color, where it lies."""
+"""`draw` in Chromium: each kind of geometry is drawn in its color at its position."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def frustum() -> loom.CameraFrustum:
 
 CORNERS = np.array([[0, 0, 0], [2, 0, 0], [2, 1, 0], [0, 1, 1]])
 
-# What is drawn, and how many pixels are the least: lines are thin.
+# Geometries and their minimum numbers of pixels: lines are thin.
 KINDS: dict[str, tuple[Callable[[], Any], int]] = {
     "cloud": (grid_cloud, 1_500),
     "mesh": (sphere, 20_000),
@@ -46,15 +46,15 @@ KINDS: dict[str, tuple[Callable[[], Any], int]] = {
 
 def test_each_kind_is_seen_in_its_color(show):
     viewer, page = show([])
-    for kind, (make, least) in KINDS.items():
+    for kind, (make, min_pixels) in KINDS.items():
         viewer.clear()
         see(page, lambda image: count_pixels(image, BRICK, 60) == 0)
         viewer.add(kind, make(), color=np.array(BRICK) / 255, shaded=False, line_width=4)
-        image = see(page, lambda image, least=least: count_pixels(image, BRICK, 25) > least)
+        image = see(page, lambda image, min_pixels=min_pixels: count_pixels(image, BRICK, 25) > min_pixels)
         assert count_pixels(image, WHITE, 5) > 0.2 * image[..., 0].size, kind
 
 
-def test_geometries_in_one_scene_keep_their_colors_and_places(show):
+def test_geometries_in_one_scene_keep_their_colors_and_positions(show):
     scene = [
         {"geometry": grid_cloud().translate((-2.5, 0, 0)), "name": "cloud", "color": (1, 0, 0)},
         brick(sphere(), name="ball"),
@@ -72,7 +72,7 @@ def test_a_million_points_are_seen(show):
     see(page, lambda image: count_pixels(image, BLUE) > 40_000)
 
 
-def test_a_mesh_without_colors_is_lit_as_in_our_pictures_from_all_sides(show):
+def test_a_mesh_without_colors_is_lit_as_in_rendered_images(show):
     ball = loom.TriangleMesh.create_sphere(1.0, 40).compute_vertex_normals()
     viewer, page = show(ball)
     for front in ((0, -1, 0.2), (1, 0.3, -0.5)):
@@ -80,12 +80,12 @@ def test_a_mesh_without_colors_is_lit_as_in_our_pictures_from_all_sides(show):
 
         def looks_alike(image: np.ndarray) -> bool:
             view = viewer.get_view()
-            own = loom.render(ball, view).astype(float)
-            seen = image.astype(float)
-            if seen.shape != own.shape:
+            rendered = loom.render(ball, view).astype(float)
+            drawn = image.astype(float)
+            if drawn.shape != rendered.shape:
                 return False
-            both = (seen.min(axis=2) < 245) & (own.min(axis=2) < 245)
-            return bool(both.mean() > 0.05 and np.abs(seen - own)[both].mean() < 10)
+            both = (drawn.min(axis=2) < 245) & (rendered.min(axis=2) < 245)
+            return bool(both.mean() > 0.05 and np.abs(drawn - rendered)[both].mean() < 10)
 
         see(page, looks_alike)
 
@@ -95,18 +95,18 @@ FOUR_COLORS = [RED, GREEN, BLUE, (255, 0, 255)]
 
 
 def pixels_of(viewer: loom.Viewer, points: np.ndarray) -> np.ndarray:
-    """Where points [n, 3] of the world are in the page [px], by the view that the page reported."""
+    """Pixel coordinates of world points [n, 3] in the page, by the view that the page reported."""
     view = viewer.get_view()
     T_camera_world = np.linalg.inv(view.T_world_camera)
     x, y, z = T_camera_world[:3, :3] @ points.T + T_camera_world[:3, 3:]
     camera = view.intrinsic
     middles = np.stack([camera.fx * x / z + camera.cx, camera.fy * y / z + camera.cy], -1)
-    return middles + 0.5  # whole numbers are the middles of a View's pixels
+    return middles + 0.5  # whole numbers are the centers of a View's pixels
 
 
 @pytest.mark.parametrize("origin", [(0, 0, 0), (691_000.0, 5_336_000.0, 520.0)], ids=["near", "UTM"])
-def test_points_are_drawn_where_they_lie_and_do_not_jitter_as_the_camera_turns(origin, show):
-    """Four single points of their own colors, 1 m apart; float32 at 5,336 km would step by half a metre."""
+def test_points_are_drawn_at_their_positions_without_jitter_as_the_camera_rotates(origin, show):
+    """Four single points of different colors, 1 m apart; float32 at 5,336 km has steps of half a meter."""
     points = FOUR + origin
     cloud = loom.PointCloud(points, colors=np.array(FOUR_COLORS, np.uint8))
     viewer, page = show({"geometry": cloud, "point_size": 9})
@@ -116,22 +116,22 @@ def test_points_are_drawn_where_they_lie_and_do_not_jitter_as_the_camera_turns(o
         def are_there(image: np.ndarray) -> bool:
             if not all(count_pixels(image, color) > 20 for color in FOUR_COLORS):
                 return False
-            seen = np.array([middle_of(image, color) for color in FOUR_COLORS])
-            return bool(np.abs(seen - pixels_of(viewer, points)).max() < 2.0)
+            centers = np.array([middle_of(image, color) for color in FOUR_COLORS])
+            return bool(np.abs(centers - pixels_of(viewer, points)).max() < 2.0)
 
         see(page, are_there)
 
 
 def test_the_command_writes_the_picture_that_a_page_shows(show, tmp_path):
-    """The file is drawn without a browser, from the view with which a page begins."""
+    """The file is drawn without a browser, from the initial view of a page."""
     cloud = loom.PointCloud(grid_cloud().points, colors=np.tile(np.array(BRICK, np.uint8), (12**3, 1)))
     loom.write_point_cloud(tmp_path / "cloud.ply", cloud)
     done = CliRunner().invoke(cli, ["view", str(tmp_path / "cloud.ply"), "--screenshot", str(tmp_path / "picture.png")])
     assert done.exit_code == 0, done.output
     file = np.asarray(Image.open(tmp_path / "picture.png").convert("RGB"))
     _, page = show(cloud)
-    seen = see(page, lambda image: count_pixels(image, BRICK) > 500)
-    sides = [np.array(image.shape[1::-1]) for image in (file, seen)]
-    middles = [np.array(middle_of(image, BRICK)) for image in (file, seen)]
+    page_image = see(page, lambda image: count_pixels(image, BRICK) > 500)
+    sides = [np.array(image.shape[1::-1]) for image in (file, page_image)]
+    middles = [np.array(middle_of(image, BRICK)) for image in (file, page_image)]
     shares = [(middle - side / 2) / side[1] for middle, side in zip(middles, sides, strict=True)]
     np.testing.assert_allclose(*shares, atol=0.02)

@@ -1,4 +1,4 @@
-"""The engine of our pages in Chromium: nodes drawn where they should be, cameras, views, presses and drags."""
+"""The engine of pages in Chromium: drawn nodes, cameras, views, clicks and drags."""
 
 import io
 import math
@@ -30,7 +30,7 @@ def where(x, y, middle=(320, 240)):
     return middle[0] + 48 * x, middle[1] - 48 * y
 
 
-def test_each_kind_of_node_is_drawn_in_its_place(engine):
+def test_each_kind_of_node_is_drawn_at_its_position(engine):
     dot = np.float32([[0, 0, 0]])
     add(engine, 1, "points", arrays={"positions": dot}, size=20, plain=RED, pose=at(-4, 3, 0))
     add(engine, 2, "points", arrays={"positions": dot}, size=0.5, metric=True, plain=RED, pose=at(-2, 3, 0, 2))
@@ -66,11 +66,11 @@ def test_a_pose_far_from_the_origin_is_exact(engine):
 
 def test_half_floats_are_drawn_where_floats_are(engine):
     rng = np.random.default_rng(2)
-    places = rng.uniform(-4, 4, (500, 3)).astype(np.float16)
+    positions = rng.uniform(-4, 4, (500, 3)).astype(np.float16)
     colors = rng.integers(0, 200, (500, 3)).astype(np.uint8)
-    add(engine, 1, "points", arrays={"positions": places.astype(np.float32), "colors": colors}, size=7)
+    add(engine, 1, "points", arrays={"positions": positions.astype(np.float32), "colors": colors}, size=7)
     first = seen(engine)
-    add(engine, 1, "points", arrays={"positions": places, "colors": colors}, size=7)
+    add(engine, 1, "points", arrays={"positions": positions, "colors": colors}, size=7)
     assert (first != 255).any(axis=-1).sum() > 5000
     np.testing.assert_array_equal(seen(engine), first)
     assert statistics(engine)["bytes"] == 500 * 9
@@ -88,7 +88,7 @@ def test_nodes_change_hide_what_is_below_them_and_are_freed(engine):
     set_node(engine, 2, plain=RED, pose=at(-2, 0, 0))
     assert math.dist(middle_of(seen(engine), RED, 1), where(-1, 0)) < 1.5
     set_node(engine, 1, visible=False)
-    set_node(engine, 3, visible=True)  # hidden all the same
+    set_node(engine, 3, visible=True)  # hidden as well
     assert (seen(engine) == 255).all()
     set_node(engine, 1, visible=True)
     assert count_pixels(seen(engine), BLUE, 1) > 200
@@ -116,16 +116,16 @@ def test_textures_have_their_first_row_at_v_0_and_words_stay_words(engine):
     assert changed.sum() > 300 and math.dist(np.argwhere(changed).mean(axis=0), where(0, 3)[::-1]) < 12
     assert engine.locator("img").count() == 0
     blob = "engine.screenshot().then((b) => b.arrayBuffer()).then((a) => Array.from(new Uint8Array(a)))"
-    taken = np.asarray(Image.open(io.BytesIO(bytes(engine.evaluate(blob)))).convert("RGB"))
-    assert (taken != seen(engine)).any(axis=-1).mean() < 0.002
+    screenshot = np.asarray(Image.open(io.BytesIO(bytes(engine.evaluate(blob)))).convert("RGB"))
+    assert (screenshot != seen(engine)).any(axis=-1).mean() < 0.002
 
 
-def test_opacity_mixes_with_what_lies_behind(engine):
+def test_opacity_blends_with_the_background(engine):
     add(engine, 1, "triangles", arrays=MESH, lit=False, plain=BLUE, opacity=0.5, pose=at(0, 0, 0.5))
     add(engine, 2, "triangles", arrays=MESH, lit=False, plain=RED, pose=at(0, 0, 0))
     image = seen(engine)
     assert np.abs(image[240, 320].astype(float) - np.mean([RED, BLUE], axis=0)).max() < 3
-    assert statistics(engine)["calls"] == 3  # both sides of what one sees through
+    assert statistics(engine)["calls"] == 3  # both sides of a transparent surface
 
 
 def test_parallel_rays_keep_sizes_and_axis_views_look_along_axes(engine):
@@ -136,7 +136,7 @@ def test_parallel_rays_keep_sizes_and_axis_views_look_along_axes(engine):
     engine.evaluate("engine.setOrthographic(true)")
     image = seen(engine)
     assert abs(count_pixels(image, RED, 1) - 96**2) < 200 and abs(count_pixels(image, BLUE, 1) - 96**2) < 200
-    assert abs(engine.evaluate("engine.pickDepth(224, 240)") - 9.1) < 1e-3  # read back from the card
+    assert abs(engine.evaluate("engine.pickDepth(224, 240)") - 9.1) < 1e-3  # read back from the GPU
     x, y, z = engine.evaluate("engine.pick(424, 250)")
     assert math.dist((x, y, z), (104 / 48, -10 / 48, -0.9)) < 1e-3
     engine.evaluate("engine.setUnit('m')")
@@ -153,10 +153,10 @@ def test_parallel_rays_keep_sizes_and_axis_views_look_along_axes(engine):
     seen(engine)
     engine.locator(".gizmo [data-axis='+y'] circle").click()
     np.testing.assert_allclose(engine.evaluate("engine.camera().rotation"), [1, 0, 0, 0, 0, 1, 0, -1, 0], atol=1e-12)
-    assert engine.evaluate("told.clicks") == []  # it was the gizmo's
+    assert engine.evaluate("reported.clicks") == []  # the gizmo received it
 
 
-def test_two_views_turn_together_when_linked_and_alone_when_not(engine):
+def test_two_views_rotate_together_only_when_linked(engine):
     add(engine, 1, "points", arrays={"positions": np.float32([[0, 0, 0]])}, size=20, plain=RED)
     engine.evaluate("engine.setViews(1, true)")
     assert engine.evaluate("engine.camera().position") == [0, 0, 10]
@@ -173,9 +173,9 @@ def test_two_views_turn_together_when_linked_and_alone_when_not(engine):
     before = np.reshape(engine.evaluate(rotations), (2, 3, 3))
     engine.evaluate("engine.orbit(0.4, 0)")
     after = np.reshape(engine.evaluate(rotations), (2, 3, 3))
-    turns = after @ np.swapaxes(before, 1, 2)
-    np.testing.assert_allclose(turns[0], turns[1], atol=1e-9)
-    assert np.trace(turns[0]) < 2.9
+    relative_rotations = after @ np.swapaxes(before, 1, 2)
+    np.testing.assert_allclose(relative_rotations[0], relative_rotations[1], atol=1e-9)
+    assert np.trace(relative_rotations[0]) < 2.9
     engine.evaluate("engine.setViews(2, false)")
     before = np.reshape(engine.evaluate(rotations), (2, 3, 3))
     engine.mouse.move(480, 200)
@@ -186,25 +186,25 @@ def test_two_views_turn_together_when_linked_and_alone_when_not(engine):
     np.testing.assert_array_equal(after[0], before[0])
     assert np.abs(after[1] - before[1]).max() > 0.05
     seen(engine)
-    assert engine.evaluate("told.cameras.at(-1).size") == [319, 480]
+    assert engine.evaluate("reported.cameras.at(-1).size") == [319, 480]
 
 
 def test_a_press_is_a_click_and_a_drag_is_none(engine):
     seen(engine)
     engine.mouse.click(160, 120)
-    assert engine.evaluate("told.clicks") == [[0.25, 0.25]]
+    assert engine.evaluate("reported.clicks") == [[0.25, 0.25]]
     seen(engine)
-    count = engine.evaluate("told.cameras.length")
+    count = engine.evaluate("reported.cameras.length")
     engine.mouse.move(300, 200)
     engine.mouse.down()
     engine.mouse.move(360, 220, steps=5)
     engine.mouse.up()
     seen(engine)
-    assert engine.evaluate("told.clicks.length") == 1
-    pictures = engine.evaluate("told.cameras.length") - count
+    assert engine.evaluate("reported.clicks.length") == 1
+    pictures = engine.evaluate("reported.cameras.length") - count
     assert 1 <= pictures <= 6
     engine.mouse.click(320, 240)
-    assert engine.evaluate("told.clicks.at(-1)") == [0.5, 0.5]
+    assert engine.evaluate("reported.clicks.at(-1)") == [0.5, 0.5]
     seen(engine)
     draws = statistics(engine)["draws"]
     for _ in range(5):
@@ -212,7 +212,7 @@ def test_a_press_is_a_click_and_a_drag_is_none(engine):
     assert statistics(engine)["draws"] == draws  # nothing changes, nothing is drawn
 
 
-def test_a_card_that_forgets_is_filled_from_what_was_kept(engine):
+def test_a_lost_gpu_context_is_restored_from_stored_arrays(engine):
     add(engine, 1, "points", arrays={"positions": SQUARE}, size=9, plain=RED)
     add(engine, 2, "triangles", arrays=MESH, plain=GREEN, pose=at(3, 0, 0))
     before = seen(engine)
@@ -230,15 +230,15 @@ def test_a_card_that_forgets_is_filled_from_what_was_kept(engine):
             await restored;
         }"""
     )
-    assert engine.evaluate("told.lost") == [[3]]
+    assert engine.evaluate("reported.lost") == [[3]]
     same = "engine.tree.get(4).geometry.arrays.positions === window.sent"
     engine.evaluate("window.sent = new Float32Array(60_000)")
     engine.evaluate("engine.add(4, 0, 'points', { visible: false }, { positions: sent })")
-    assert engine.evaluate(same)  # what is kept is what came, not a copy of it
+    assert engine.evaluate(same)  # the stored array is the received one, not a copy
     np.testing.assert_array_equal(seen(engine), before)
 
 
-def test_uncolored_surfaces_stand_out_and_a_page_follows_the_dark(engine):
+def test_uncolored_surfaces_are_visible_and_a_page_follows_the_dark_theme(engine):
     add(engine, 1, "triangles", arrays=MESH)
     light = seen(engine)
     assert (light[240, 320] < 230).all() and np.ptp(light[240, 320].astype(int)) > 8  # warm gray, not white on white

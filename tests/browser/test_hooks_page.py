@@ -1,4 +1,4 @@
-"""What a program hangs on the page, by mouse and keyboard in Chromium."""
+"""Callbacks of a program, by mouse and keyboard in Chromium."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def viewer():
         yield viewer
 
 
-def test_buttons_sliders_keys_and_clicks_reach_the_program(viewer, open_page):
+def test_the_program_receives_buttons_sliders_keys_and_clicks(viewer, open_page):
     pressed, picks = [], []
 
     def press(page):

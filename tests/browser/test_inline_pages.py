@@ -1,4 +1,4 @@
-"""What a notebook's cell shows in Chromium: a page inside it that asks for nothing, a live one, and a still of it."""
+"""Outputs of notebook cells in Chromium: an embedded page without requests, a live one, and its screenshot."""
 
 import numpy as np
 
@@ -9,11 +9,11 @@ from .pixels import count_pixels, ready, wait_in_page
 BRICK = (204, 64, 51)
 
 
-def test_a_page_inside_a_notebook_draws_without_a_server_and_asks_for_nothing(open_page, tmp_path):
+def test_an_embedded_notebook_page_draws_without_a_server_or_requests(open_page, tmp_path):
     cloud = loom.PointCloud(np.random.default_rng(0).random((20_000, 3)))
-    held = loom.draw({"geometry": cloud, "color": np.array(BRICK) / 255, "name": "cloud"}, inline=True, width=480)
+    drawing = loom.draw({"geometry": cloud, "color": np.array(BRICK) / 255, "name": "cloud"}, inline=True, width=480)
     output = tmp_path / "cell.html"
-    output.write_text("<!doctype html><title>a cell</title>" + held._repr_mimebundle_()["text/html"])
+    output.write_text("<!doctype html><title>a cell</title>" + drawing._repr_mimebundle_()["text/html"])
     page = open_page(output.as_uri(), width=640, height=800, offline=True)
     inside = page.wait_for_selector("iframe").content_frame()
     ready(inside)
@@ -29,7 +29,7 @@ def test_a_page_inside_a_notebook_draws_without_a_server_and_asks_for_nothing(op
     assert [url for url in page.visit.requests if not url.startswith(("file:", "data:", "about:"))] == []
 
 
-# As JupyterLab puts an output into its page: scripts run once they are made anew.
+# As JupyterLab puts an output into its page: scripts run once they are recreated.
 SHOW = """html => {
   document.body.innerHTML = html;
   for (const script of document.querySelectorAll("script")) {
@@ -41,7 +41,7 @@ SHOW = """html => {
 IS_LIVE = "getComputedStyle(document.querySelector('iframe')).visibility === 'visible'"
 
 
-def test_a_live_frame_covers_its_still_while_the_viewer_lives_and_the_still_is_seen_later(open_page, foreign_page):
+def test_a_live_frame_covers_its_screenshot_while_the_viewer_is_open(open_page, foreign_page):
     cloud = loom.PointCloud(np.random.default_rng(0).random((20_000, 3)))
     with loom.draw(
         {"geometry": cloud, "color": np.array(BRICK) / 255}, port=0, block=False, open_browser=False
@@ -53,7 +53,7 @@ def test_a_live_frame_covers_its_still_while_the_viewer_lives_and_the_still_is_s
         inside = page.query_selector("iframe").content_frame()
         ready(inside)
     page = open_page(foreign_page, width=700, height=800, faults=False)
-    with page.expect_event("requestfailed"):  # of a server that is gone
+    with page.expect_event("requestfailed"):  # of a closed server
         page.evaluate(SHOW, cell)
     assert count_pixels(picture_of(page), BRICK, 60) > 3000
     assert not page.evaluate(IS_LIVE)

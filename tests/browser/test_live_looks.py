@@ -1,4 +1,4 @@
-"""How the live page is laid out and looks: panel, phone, dark, words over the picture, files that it saves."""
+"""Layout of the live page: panel, phone, dark theme, text over the image, saved files."""
 
 from __future__ import annotations
 
@@ -15,14 +15,14 @@ RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
 
 
 def boxes(page: Page, *selectors: str) -> list[dict[str, float]]:
-    """Where elements are in the window."""
-    found = [page.locator(selector).bounding_box() for selector in selectors]
-    assert all(box is not None for box in found), dict(zip(selectors, found, strict=True))
-    return found  # type: ignore[return-value]
+    """The bounding boxes of elements in the window."""
+    bounding_boxes = [page.locator(selector).bounding_box() for selector in selectors]
+    assert all(box is not None for box in bounding_boxes), dict(zip(selectors, bounding_boxes, strict=True))
+    return bounding_boxes  # type: ignore[return-value]
 
 
 def overlap(a: dict[str, float], b: dict[str, float]) -> bool:
-    """Whether two boxes share more than half a pixel."""
+    """True if two boxes share more than half a pixel."""
     return all(
         a[k] + 0.5 < b[k] + b[size] and b[k] + 0.5 < a[k] + a[size] for k, size in (("x", "width"), ("y", "height"))
     )
@@ -56,20 +56,22 @@ def test_on_a_phone_the_panel_is_a_sheet_below_the_picture(program, visit):
     expect(grip).to_have_attribute("aria-expanded", "false")
 
 
-def test_the_panel_and_what_colors_mean_lie_beside_the_picture(program, visit):
+def test_the_panel_and_the_legend_are_beside_the_image(program, visit):
     program.pages.gui.add_checkbox("check", False)
     bar = program.pages.gui.add_colorbar("height [m]", [(0.0, "0"), (1.0, "9")], RAMP)
     program.pages.gui.add_legend([("ground", (10, 20, 30), "12")])
     page = visit()
-    found = boxes(page, "#picture", "#keys", "#side")
-    assert not any(overlap(a, b) for a, b in ((found[0], found[1]), (found[0], found[2]), (found[1], found[2])))
+    elements = boxes(page, "#picture", "#keys", "#side")
+    assert not any(
+        overlap(a, b) for a, b in ((elements[0], elements[1]), (elements[0], elements[2]), (elements[1], elements[2]))
+    )
     top = page.locator(".colorbar canvas.upright").bounding_box()
     image = picture(page, panels=True)
     x, y = round(top["x"] + 7), round(top["y"])
     assert image[y + 3, x, 0] > 240  # the highest value on top
     assert image[y + round(top["height"]) - 4, x, 2] > 240
     page.get_by_role("separator", name="Width of the panel").press("ArrowLeft")
-    assert boxes(page, "#side")[0]["width"] == found[2]["width"] + 16
+    assert boxes(page, "#side")[0]["width"] == elements[2]["width"] + 16
     page.keyboard.press("t")
     expect(page.locator("#side")).to_be_hidden()
     page.keyboard.press("t")
@@ -93,7 +95,7 @@ def test_dark_follows_the_reader_where_the_ground_is_not_the_programs(program, v
     assert picture(page, panels=True)[20, 300].mean() > 200
 
 
-def test_progress_hint_and_notices_are_told(program, visit):
+def test_progress_hint_and_notices_are_shown(program, visit):
     program.pages.set_hint("Nothing is shown yet.")
     program.pages.set_progress("Reading scan.ply …", 0.4)
     page = visit()

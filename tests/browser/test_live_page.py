@@ -1,4 +1,4 @@
-"""The live page in Chromium, driven by a link of a few lines: what is drawn, what controls say, and of the line."""
+"""The live page in Chromium, driven by a small program: drawing, events of controls, and the connection."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ RED, BLUE, WHITE = (255, 0, 0), (0, 0, 255), (255, 255, 255)
 EVIL = "<script>document.title = 'evil'</script><img src=x onerror=alert(1)>"
 
 
-def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
+def test_a_batch_is_drawn_completely_and_then_acknowledged(program, visit):
     page = visit()
     signed: list[Any] = []
     (client,) = program.pages.get_clients().values()
@@ -33,7 +33,7 @@ def test_a_batch_is_drawn_whole_and_then_signed(program, visit):
     assert count_pixels(image, RED) == 0
 
 
-def test_each_control_says_what_it_was_set_to(program, visit, tmp_path):
+def test_each_control_reports_its_new_value(program, visit, tmp_path):
     gui, hear = program.pages.gui, program.hear
     check = hear(gui.add_checkbox("check", False))
     hear(gui.add_slider("slide", 0.0, 1.0, 0.1, 0.3))
@@ -53,7 +53,7 @@ def test_each_control_says_what_it_was_set_to(program, visit, tmp_path):
     program.wait_for(page, "slider", 0.4)
     page.get_by_role("spinbutton", name="slide, as a number").fill("0.85")
     page.keyboard.press("Enter")
-    program.wait_for(page, "slider", 0.85)  # exactly, though no step lies there
+    program.wait_for(page, "slider", 0.85)  # exactly, though no step is there
     control(page, number).locator("input").fill("77")
     page.keyboard.press("Tab")
     program.wait_for(page, "number", 9.0)
@@ -74,17 +74,17 @@ def test_each_control_says_what_it_was_set_to(program, visit, tmp_path):
     program.wait_for(page, "button", None)
     (tmp_path / "view.json").write_text('{"a": "ä"}', encoding="utf-8")
     control(page, upload).locator("input").set_input_files(tmp_path / "view.json")
-    wait_until(page, lambda: program.last("upload"), lambda: program.said)
+    wait_until(page, lambda: program.last("upload"), lambda: program.events)
     assert (program.last("upload").name, program.last("upload").text) == ("view.json", '{"a": "ä"}')
     page.locator("#scene").press("ArrowRight")
     program.wait_for(page, "timeline", 4.0)
     assert control(page, time).locator("output").inner_text() == "4 / 9"
     page.locator("#scene").press("Space")
-    wait_until(page, lambda: program.last("timeline") > 5, lambda: program.said[-3:])
-    assert dict(program.said).keys() >= {"button"}
+    wait_until(page, lambda: program.last("timeline") > 5, lambda: program.events[-3:])
+    assert dict(program.events).keys() >= {"button"}
 
 
-def test_what_the_program_sets_is_shown_as_text_in_its_order(program, visit):
+def test_values_set_by_the_program_are_shown_as_text_in_order(program, visit):
     gui = program.pages.gui
     with gui.add_folder(EVIL, order=2):
         words = gui.add_words(f"two\nlines {EVIL}")
@@ -116,11 +116,11 @@ def test_ten_thousand_rows_have_the_elements_of_those_in_sight(program, visit):
         for key, label in labels.items():
             tree.put(key, label, True)
     page = visit(height=900)
-    heard = lambda: sum(len(keys) for keys, _ in changes)  # noqa: E731
+    count_keys = lambda: sum(len(keys) for keys, _ in changes)  # noqa: E731
     filtered = {key for key, label in labels.items() if "box" in label and "99" in label}
 
     def wait_for(count: int) -> None:
-        wait_until(page, lambda: heard() == count, heard)
+        wait_until(page, lambda: count_keys() == count, count_keys)
         changes.clear()
 
     expect(page.locator(".tree .count")).to_have_text("10,000 of 10,000 shown")
@@ -136,15 +136,17 @@ def test_ten_thousand_rows_have_the_elements_of_those_in_sight(program, visit):
     page.get_by_placeholder("Filter").fill("")
     page.get_by_role("button", name="All", exact=True).click()
     wait_for(100 + len(filtered) - 1)
-    page.get_by_role("tree").press("Space")  # on the group that holds all: more keys than one message may hold
-    wait_until(page, lambda: heard() == 10_000, heard)
+    page.get_by_role("tree").press("Space")  # on the root group: more keys than one message may contain
+    wait_until(page, lambda: count_keys() == 10_000, count_keys)
     assert len(changes) > 1
     assert not any(tree.value.values())
 
 
 def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
     for key in ("plus", "=", "pageup"):
-        program.pages.gui.add_command("Larger points", key).on_trigger(lambda _: program.said.append(("command", "+")))
+        program.pages.gui.add_command("Larger points", key).on_trigger(
+            lambda _: program.events.append(("command", "+"))
+        )
     program.hear(program.pages.gui.add_button("Measure (M)"))
     page = visit()
     page.keyboard.press("Control+k")
@@ -152,7 +154,7 @@ def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
     for label in ("Larger points", "Measure", "Keys and commands"):
         expect(offered.get_by_text(label, exact=True)).to_have_count(
             1
-        )  # what comes while it is open is offered as well
+        )  # commands added while it is open are offered as well
     labels = offered.all_inner_texts()
     assert len({label.lower() for label in labels}) == len(labels)
     row = page.locator("#palette li", has_text="Larger points")
@@ -166,7 +168,7 @@ def test_the_palette_finds_each_command_once_with_all_its_keys(program, visit):
     page.keyboard.type("larger")
     page.keyboard.press("Enter")
     program.wait_for(page, "command", "+")
-    assert program.said == [("button", None), ("command", "+")]
+    assert program.events == [("button", None), ("command", "+")]
 
 
 def test_the_open_palette_follows_the_program_and_keeps_what_was_chosen(program, visit):
@@ -183,7 +185,7 @@ def test_the_open_palette_follows_the_program_and_keeps_what_was_chosen(program,
 
 def test_keys_are_the_programs_first_and_none_while_one_types(program, visit):
     command = program.pages.gui.add_command("Our own", "H")
-    command.on_trigger(lambda event: program.said.append(("command", event.client_id)))
+    command.on_trigger(lambda event: program.events.append(("command", event.client_id)))
     text = program.pages.gui.add_text("text", "")
     page = visit()
     page.keyboard.press("h")
@@ -201,10 +203,10 @@ def test_keys_are_the_programs_first_and_none_while_one_types(program, visit):
     expect(control(page, last)).to_be_visible()
     page.keyboard.press("h")
     expect(help_).to_be_visible()
-    assert program.said == [("command", 0)]
+    assert program.events == [("command", 0)]
 
 
-def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
+def test_a_connection_gap_preserves_the_scene_and_camera(program, visit):
     program.add_square(RED)
     with program.pages.gui.add_folder("folder", open=False):
         program.pages.gui.add_words("within")
@@ -224,7 +226,7 @@ def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
         again.add_square(BLUE).set_transform(np.eye(3), (5, 0, 0))
         with again.pages.gui.add_folder("folder", open=False):
             again.pages.gui.add_words("another")
-        expect(page.get_by_text("another")).to_be_visible()  # the folder that was opened is open
+        expect(page.get_by_text("another")).to_be_visible()  # the opened folder is still open
         expect(page.locator("#state")).to_be_hidden()
         assert 0.9 < count_pixels(picture(page), RED) / expected < 1.1
         (client,) = again.pages.get_clients().values()
@@ -233,10 +235,10 @@ def test_a_gap_keeps_the_scene_and_where_the_page_looks(program, visit):
         again.pages.stop()
 
 
-def test_an_end_is_told_with_how_to_start_again(program, visit):
+def test_an_end_message_explains_how_to_start_again(program, visit):
     page = visit(faults=False)
     program.pages.end("Start it again: pointloom view scan.ply")
-    with page.expect_event("websocket"):  # a try to connect does not take the words away
+    with page.expect_event("websocket"):  # the message remains during an attempt to connect
         program.pages.stop()
         expect(page.get_by_text("The program has ended.")).to_be_visible()
         expect(page.get_by_text("pointloom view scan.ply")).to_be_visible()
@@ -248,7 +250,7 @@ def test_a_program_that_does_not_answer_for_long_has_ended(program, visit):
     page.clock.install()
     program.pages.stop()
     expect(page.get_by_text("Connection lost; trying again")).to_be_visible()
-    ended = page.get_by_text("The program has ended.")  # a try takes its own time, whatever the clock of the page says
+    ended = page.get_by_text("The program has ended.")  # an attempt takes real time, independent of the page's clock
     wait_for_messages(page, lambda: page.clock.run_for(4_000) or ended.is_visible())
     expect(page.get_by_text("Start it again")).to_be_visible()
 
@@ -262,7 +264,7 @@ def test_a_network_that_comes_back_is_taken_at_once(program, visit):
     assert len(program.pages.get_clients()) == 1
 
 
-def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeypatch):
+def test_an_outdated_page_shows_a_reload_message(program, visit, monkeypatch):
     page = visit()
     monkeypatch.setattr("pointloom.visualization.viewer.link.hub.PROTOCOL", "pointloom.2")
     program.pages.disconnect_all()
@@ -273,16 +275,16 @@ def test_a_page_of_another_version_says_to_load_it_again(program, visit, monkeyp
     ready(page)
 
 
-def test_clicks_are_told_when_asked_for_with_where_the_page_looks(program, visit):
+def test_clicks_are_reported_on_request_with_the_camera(program, visit):
     program.add_square(RED)
     page = visit()
     clicks: list[Any] = []
     box = page.locator("#picture").bounding_box()
-    place = (box["x"] + 0.25 * box["width"], box["y"] + 0.75 * box["height"])
-    page.mouse.click(*place)
+    position = (box["x"] + 0.25 * box["width"], box["y"] + 0.75 * box["height"])
+    page.mouse.click(*position)
     program.pages.scene.on_click(clicks.append)
     ready(page)
-    page.mouse.click(*place)
+    page.mouse.click(*position)
     wait_until(page, lambda: clicks, lambda: "no click")
     (click,) = clicks
     assert (click.x, click.y) == pytest.approx((0.25, 0.75), abs=0.01)

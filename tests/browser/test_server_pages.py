@@ -1,4 +1,4 @@
-"""The server in Chromium: what is drawn is seen, and a page from elsewhere sees nothing."""
+"""The server in Chromium: geometries are drawn, and pages of other hosts have no access."""
 
 from __future__ import annotations
 
@@ -40,24 +40,24 @@ def all_there(image: np.ndarray) -> bool:
     return all(count_pixels(image, color) > 700 for color in (RED, GREEN, BLUE))
 
 
-def test_what_is_drawn_is_seen_in_its_color_and_nothing_is_asked_of_others(server, open_page):
+def test_geometries_are_drawn_in_their_colors_without_external_requests(server, open_page):
     page = open_page(server.url)
     image = see(page, all_there)
     red, green, blue = (count_pixels(image, color) for color in (RED, GREEN, BLUE))
     assert 0.9 < red / green < 1.6 and 0.9 < blue / green < 1.6
     assert page.title() == "pointloom"
-    own = f"//127.0.0.1:{server.port}"
+    origin = f"//127.0.0.1:{server.port}"
     assert page.visit.requests_elsewhere() == []
-    assert {url.partition(":")[0] for url in page.visit.requests if own in url} == {"http", "ws"}
-    assert sum(own in url for url in page.visit.requests) == 2  # the page, and its line
+    assert {url.partition(":")[0] for url in page.visit.requests if origin in url} == {"http", "ws"}
+    assert sum(origin in url for url in page.visit.requests) == 2  # the page, and its connection
     assert page.visit.faults == []
 
 
 def test_a_page_that_would_load_from_elsewhere_is_stopped(server, open_page):
     page = open_page(server.url, faults=False)
     with ViewerServer(port=0) as other:
-        asked = "url => fetch(url, {mode: 'no-cors'}).then(() => 'read', () => 'stopped')"
-        assert page.evaluate(asked, other.url) == "stopped"
+        script = "url => fetch(url, {mode: 'no-cors'}).then(() => 'read', () => 'stopped')"
+        assert page.evaluate(script, other.url) == "stopped"
         assert any("Content Security Policy" in fault for fault in page.visit.faults)
 
 
@@ -74,7 +74,7 @@ FOREIGN = """async ([page, socket]) => {
 
 def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, foreign_page):
     page, statuses = open_page(foreign_page + "/?", faults=False), []
-    network = page.context.new_cdp_session(page)  # what a page is not told
+    network = page.context.new_cdp_session(page)  # headers that a page does not receive
     network.on("Network.responseReceivedExtraInfo", lambda answer: statuses.append(answer["statusCode"]))
     network.send("Network.enable")
     socket = server.url.replace("http", "ws").replace("/?", "/live?")
@@ -90,12 +90,12 @@ def test_a_page_of_another_port_can_neither_connect_nor_read(server, open_page, 
     )
 
 
-def test_a_name_that_was_turned_to_this_machine_gets_nothing(server, open_page):
+def test_a_rebound_host_name_is_rejected(server, open_page):
     page = open_page("about:blank", faults=False)
     for name, status in ((REBOUND, 403), ("127.0.0.1", 200)):
-        answer = page.goto(server.url.replace("127.0.0.1", name))
-        assert answer.status == status, name
-        assert ("<canvas" in answer.text()) == (status == 200)
+        response = page.goto(server.url.replace("127.0.0.1", name))
+        assert response.status == status, name
+        assert ("<canvas" in response.text()) == (status == 200)
 
 
 def test_a_page_without_the_key_sees_nothing(server, open_page):

@@ -24,7 +24,7 @@ pytestmark = pytest.mark.skipif(not (SITE / "index.html").exists(), reason="the 
 
 @pytest.mark.parametrize("width", WIDTHS)
 @pytest.mark.parametrize("name", PAGES)
-def test_a_page_fits_its_window_and_asks_for_nothing_elsewhere(open_page, name, width):
+def test_a_page_fits_its_window_and_makes_no_external_requests(open_page, name, width):
     page = open_page((SITE / name).as_uri(), width=width, height=900, offline=True)
     page.wait_for_load_state()
     assert page.evaluate("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
@@ -36,8 +36,8 @@ def test_a_page_fits_its_window_and_asks_for_nothing_elsewhere(open_page, name, 
 def test_search_finds_a_method_from_disk(open_page):
     page = open_page((SITE / "search.html").as_uri() + "?q=voxel_down_sample", width=1280, height=900, offline=True)
     page.wait_for_selector("#search-results a")
-    found = page.locator("#search-results a").all_text_contents()
-    assert "pointloom.PointCloud.voxel_down_sample" in found
+    results = page.locator("#search-results a").all_text_contents()
+    assert "pointloom.PointCloud.voxel_down_sample" in results
 
 
 def test_a_recording_plays_in_its_page_by_the_sites_one_player(open_page):

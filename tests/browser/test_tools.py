@@ -1,4 +1,4 @@
-"""The tools in Chromium, by mouse and keyboard: what is clicked on is what is meant."""
+"""The tools in Chromium, by mouse and keyboard: a click selects the point under it."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ EVIL = "<img src=x onerror=document.title='evil'> [a](javascript:b) {1+1}"
 
 
 def waves(side: int = 40) -> np.ndarray:
-    """A surface whose points are seen some ten pixels apart."""
+    """A surface with points some ten pixels apart."""
     x, y = (a.ravel() / side * 4 - 2 for a in np.mgrid[:side, :side].astype(float))
     return np.column_stack([x, y, 0.2 * np.sin(2 * x) * np.cos(3 * y) + 0.05 * x * y])
 
@@ -32,7 +32,7 @@ def cloud_of(points: np.ndarray, color: tuple[int, int, int], **attributes: Any)
 
 @pytest.fixture
 def viewer(tmp_path, monkeypatch) -> Iterator[Viewer]:
-    monkeypatch.chdir(tmp_path)  # to see that nothing is written there
+    monkeypatch.chdir(tmp_path)  # to check that nothing is written there
     with Viewer(port=0) as viewer:
         yield viewer
 
@@ -41,10 +41,10 @@ class Visitor:
     """A page with its session's tools."""
 
     def __init__(self, viewer: Viewer, open_page: Callable[..., Any], color: tuple[int, int, int] = BLUE):
-        known = set(viewer.sessions)
+        existing = set(viewer.sessions)
         self.page = open_page(viewer, width=1280, height=800)
         self.picture = see(self.page, lambda image: count_pixels(image, color) > 1000)
-        (self.session,) = (session for number, session in viewer.sessions.items() if number not in known)
+        (self.session,) = (session for number, session in viewer.sessions.items() if number not in existing)
         self.box = self.session._toolbox
 
     def until(self, claim: Callable[[], Any]) -> None:
@@ -58,23 +58,23 @@ class Visitor:
         return self.box.tool
 
     def draw(self, *corners: tuple[float, float]) -> None:
-        """Click the corners of a polygon, as people do one after the other."""
+        """Click the corners of a polygon one after the other, as users do."""
         for x, y in corners:
             count = len(self.box.tool._corners)
             self.click(x, y)
             self.until(lambda count=count: len(self.box.tool._corners) == count + 1)
 
     def click(self, x: float, y: float) -> None:
-        """Click where a View's column and row are: middles of pixels are whole numbers there."""
+        """Click at a View's column and row: whole numbers are centers of pixels there."""
         canvas = self.page.locator("#picture").bounding_box()
         self.page.mouse.click(canvas["x"] + x + 0.5, canvas["y"] + y + 0.5)
 
-    def click_on(self, place: Any) -> None:
-        self.click(*project(self.session.camera_view(), place)[:2])
+    def click_on(self, position: Any) -> None:
+        self.click(*project(self.session.camera_view(), position)[:2])
 
 
 @pytest.mark.parametrize("shift", [np.zeros(3), UTM], ids=["here", "UTM"])
-def test_a_click_on_a_point_tells_its_index_coordinates_and_attributes(viewer, open_page, shift):
+def test_a_click_on_a_point_shows_its_index_coordinates_and_attributes(viewer, open_page, shift):
     points = waves() + shift
     viewer.add("waves", cloud_of(points, BLUE, **{EVIL: np.arange(len(points)) * 2}))
     visitor = Visitor(viewer, open_page)
@@ -88,13 +88,13 @@ def test_a_click_on_a_point_tells_its_index_coordinates_and_attributes(viewer, o
         names, texts = (table.locator(kind).all_inner_texts() for kind in ("th", "td"))
         values = dict(zip(names, texts, strict=True))
         assert [float(values[axis]) for axis in "xyz"] == pytest.approx(points[index], abs=2e-5)
-        assert values["color"] == "0 0 255" and values[EVIL] == f"{2 * index}"  # as text, to the letter
+        assert values["color"] == "0 0 255" and values[EVIL] == f"{2 * index}"  # as text, exactly
     visitor.click(640, 20)
     visitor.until(lambda: "Nothing there" in visitor.box.stage.status.value)
     assert visitor.page.title() == title and visitor.page.locator("img[src=x]").count() == 0
 
 
-def test_a_polygon_drawn_with_the_mouse_keeps_what_open3d_keeps_and_goes_back(viewer, open_page, tmp_path):
+def test_a_polygon_drawn_with_the_mouse_crops_like_open3d_and_can_be_undone(viewer, open_page, tmp_path):
     import open3d as o3d
 
     points = np.vstack([waves(60), waves(60) + np.array([0.01, 0.02, 1.0])])
@@ -109,14 +109,14 @@ def test_a_polygon_drawn_with_the_mouse_keeps_what_open3d_keeps_and_goes_back(vi
         visitor.page.keyboard.press("Enter")
     download.value.save_as(tmp_path / download.value.suggested_filename)
     visitor.until(lambda: "waves (cropped)" in viewer.items and not viewer.items["waves"].visible)
-    kept = viewer.items["waves (cropped)"].cloud.points
+    cropped_points = viewer.items["waves (cropped)"].cloud.points
     volume = o3d.visualization.read_selection_polygon_volume(str(tmp_path / "cropped.json"))
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(viewer.items["waves"].cloud.points.copy()))
-    np.testing.assert_array_equal(np.asarray(volume.crop_point_cloud(cloud).points), kept)
-    assert 500 < len(kept) < 3000
+    np.testing.assert_array_equal(np.asarray(volume.crop_point_cloud(cloud).points), cropped_points)
+    assert 500 < len(cropped_points) < 3000
     assert len(json.loads((tmp_path / "cropped.json").read_text())["bounding_polygon"]) == 5
-    seen = np.array([project(view, point)[:2] for point in kept])
-    assert (seen.min(axis=0) > (419, 179)).all() and (seen.max(axis=0) < (801, 641)).all()
+    pixels = np.array([project(view, point)[:2] for point in cropped_points])
+    assert (pixels.min(axis=0) > (419, 179)).all() and (pixels.max(axis=0) < (801, 641)).all()
     few = see(visitor.page, lambda image: count_pixels(image, MARK) == 0)
     visitor.page.get_by_role("button", name="Undo crop").click()
     visitor.until(lambda: "waves (cropped)" not in viewer.items and viewer.items["waves"].visible)
@@ -152,8 +152,8 @@ def test_escape_leaves_no_trace(viewer, open_page, tmp_path):
 
 def test_pairs_picked_with_the_mouse_bring_two_clouds_together(viewer, open_page, tmp_path):
     points = waves()
-    turn = np.array([[0.9, -np.sqrt(0.19), 0], [np.sqrt(0.19), 0.9, 0], [0, 0, 1]])
-    moved = points @ turn.T + [0.4, -0.3, 1.5]
+    rotation = np.array([[0.9, -np.sqrt(0.19), 0], [np.sqrt(0.19), 0.9, 0], [0, 0, 1]])
+    moved = points @ rotation.T + [0.4, -0.3, 1.5]
     viewer.add("source", cloud_of(moved, RED))
     viewer.add("target", cloud_of(points, BLUE))
     visitor = Visitor(viewer, open_page)
@@ -165,7 +165,7 @@ def test_pairs_picked_with_the_mouse_bring_two_clouds_together(viewer, open_page
         visitor.until(lambda n=number: len(tool._picks) == 2 * n + 1)
         visitor.click_on(points[b])
         visitor.until(lambda n=number: len(tool._picks) == 2 * n + 2)
-    assert [found.index for found in tool._picks] == [500, 500, 1033, 1033, 820, 821, 390, 390]
+    assert [pick.index for pick in tool._picks] == [500, 500, 1033, 1033, 820, 821, 390, 390]
     visitor.page.keyboard.press("Enter")
     visitor.until(lambda: "is registered to target" in visitor.box.stage.status.value)
     pose = viewer.items["source"].pose
@@ -192,7 +192,7 @@ def test_two_pages_use_other_tools_at_once_and_one_goes(viewer, open_page):
     one.until(lambda: ("index", "1,033") in one.box.stage.rows.value)
 
 
-def test_clip_planes_hide_in_one_page_what_they_cut_off(viewer, open_page):
+def test_clip_planes_hide_points_in_one_page_only(viewer, open_page):
     viewer.add("waves", cloud_of(waves(), BLUE))
     viewer.add("box", loom.TriangleMesh.create_box(1, 1, 1), color=(1, 0, 0), shaded=False)
     visitor = Visitor(viewer, open_page)

@@ -1,4 +1,4 @@
-"""`pointloom view` as people start it: a process with a page, until Ctrl-C."""
+"""`pointloom view` as users start it: a process with a page, until Ctrl-C."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ import pointloom as loom
 from .pixels import count_pixels, see
 from .viewer_scenes import HEIGHT, RED, WIDTH, grid_cloud
 
-# A shell that starts the tests in the background has them, and all that they start, ignore Ctrl-C.
+# A shell that starts the tests in the background makes them and their children ignore Ctrl-C.
 START = """import signal, sys
 signal.signal(signal.SIGINT, signal.default_int_handler)
 from pointloom.__main__ import main
@@ -30,28 +30,28 @@ def test_the_command_shows_a_file_until_ctrl_c(open_page, tmp_path):
     command = [sys.executable, "-c", START, "view", str(tmp_path / "cloud.ply"), "--no-open", "--port", "0"]
     environment = os.environ | {"PYTHONPATH": str(Path(loom.__file__).parents[1])}
     environment.pop("SSH_CONNECTION", None)
-    page = open_page("about:blank", width=WIDTH, height=HEIGHT, faults=False)  # it complains when its server has gone
+    page = open_page("about:blank", width=WIDTH, height=HEIGHT, faults=False)  # it logs an error after Ctrl-C
     pipes = {"stdin": subprocess.DEVNULL, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
     process = subprocess.Popen(command, text=True, env=environment, **pipes)
     try:
         lines = []
         for line in process.stderr:  # until the process has ended, or is there
             lines.append(line)
-            if found := re.search(r"viewer: (http://127\.0\.0\.1:(\d+)/\S*)", line):
+            if match := re.search(r"viewer: (http://127\.0\.0\.1:(\d+)/\S*)", line):
                 break
-        assert found, lines
-        page.goto(found[1])
+        assert match, lines
+        page.goto(match[1])
         see(page, lambda image: count_pixels(image, RED) > 700)
         assert page.title() == "cloud.ply" and page.visit.faults == []
         process.send_signal(signal.SIGINT)
-        answer, rest = process.communicate(timeout=60)
+        output, rest = process.communicate(timeout=60)
         assert process.returncode == 130
     finally:
         process.kill()
         process.wait()
-    assert answer == ""
+    assert output == ""
     lines += rest.splitlines()
     assert not [line for line in lines if "Traceback" in line or "Error" in line], lines
     with socket.socket() as free:
         free.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
-        free.bind(("127.0.0.1", int(found[2])))
+        free.bind(("127.0.0.1", int(match[2])))

@@ -1,4 +1,4 @@
-"""The viewer's page in Chromium: what keys, controls and a program change in the picture."""
+"""The viewer's page in Chromium: effects of keys, controls and a program on the image."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ from .viewer_scenes import BLUE, BRICK, RED, at, brick, changed, grid_cloud, pre
 
 
 def test_keys_and_slider_change_the_size_of_points(show):
-    """Points that lie apart: their pixels grow as the square of their size."""
+    """Separate points: their pixels grow as the square of their size."""
     viewer, page = show({"geometry": grid_cloud().points[::97], "color": (1, 0, 0)})
     first = viewer.point_size
 
@@ -50,11 +50,11 @@ def test_n_and_w_show_and_hide_normals_and_edges(show):
     see(page, lambda image: changed(image, before) < 100)
     page.get_by_role("spinbutton").first.focus()
     page.keyboard.press("w")  # a letter, there
-    toggle("n", expected=True)  # what was sent before has come before
+    toggle("n", expected=True)  # earlier messages have arrived before
     assert not viewer.wireframe
 
 
-def test_r_comes_back_to_where_the_page_began(show):
+def test_r_returns_to_the_initial_view(show):
     _, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
     before = see(page, lambda image: count_pixels(image, RED) > 700)
     page.mouse.move(150, 300)
@@ -87,11 +87,11 @@ def test_a_box_that_is_not_ticked_hides_its_geometry(show):
 def test_update_shows_another_geometry_without_a_gap_and_a_pose_moves_it(show):
     viewer, page = show({"geometry": grid_cloud(), "name": "cloud", "color": (1, 0, 0)}, front=(0, 0, 1), up=(0, 1, 0))
     first = count_pixels(see(page, lambda image: count_pixels(image, RED) > 700), RED)
-    least = []
+    pixel_counts = []
     for step in range(6):
         viewer.update("cloud", grid_cloud().translate((0.02 * step, 0, 0)))
-        least.append(count_pixels(picture(page), RED))
-    assert min(least) > 0.6 * first, (first, least)
+        pixel_counts.append(count_pixels(picture(page), RED))
+    assert min(pixel_counts) > 0.6 * first, (first, pixel_counts)
     before = middle_of(see(page), RED)
     viewer.set_pose("cloud", at(0.3))
     see(page, lambda image: middle_of(image, RED)[0] > before[0] + 15)

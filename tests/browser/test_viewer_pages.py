@@ -1,4 +1,4 @@
-"""Pages of one viewer in Chromium: two at once, one that comes back, one whose viewer is talked to by others."""
+"""Pages of one viewer in Chromium: two at once, one that reconnects, and a viewer with invalid requests from others."""
 
 from __future__ import annotations
 
@@ -7,7 +7,7 @@ import contextlib
 import numpy as np
 from websockets.exceptions import ConnectionClosed
 
-from ..visualization.viewer.pages import CAMERA, HELLO, line_of, say
+from ..visualization.viewer.pages import CAMERA, HELLO, line_of, send
 from .pixels import count_pixels, picture, see, wait_until
 from .viewer_scenes import BLUE, BRICK, HEIGHT, RED, WIDTH, at, brick, changed, grid_cloud, press, sphere
 
@@ -19,8 +19,8 @@ def test_a_page_that_reconnects_sees_everything_again(show):
     viewer.server.pages.disconnect_all()
     viewer.add("late", grid_cloud(), color=(0, 0, 1), pose=at(-2.0))
     wait_until(page, lambda: viewer.sessions and first.isdisjoint(viewer.sessions), lambda: (first, viewer.sessions))
-    least = {RED: 300, BRICK: 2_000, BLUE: 300}
-    see(page, lambda image: all(count_pixels(image, color) > few for color, few in least.items()))
+    min_pixels = {RED: 300, BRICK: 2_000, BLUE: 300}
+    see(page, lambda image: all(count_pixels(image, color) > few for color, few in min_pixels.items()))
 
 
 def test_two_pages_of_one_viewer_look_elsewhere_at_once(show, open_page):
@@ -50,21 +50,21 @@ NONSENSE = (
 )
 
 
-def test_strangers_who_send_nonsense_disturb_no_page(show):
+def test_invalid_requests_do_not_disturb_pages(show):
     viewer, page = show({"geometry": grid_cloud(), "color": (1, 0, 0)})
     before = see(page, lambda image: count_pixels(image, RED) > 700)
-    own, title = set(viewer.sessions), page.title()
+    initial_sessions, title = set(viewer.sessions), page.title()
     for data in GARBAGE:
         with contextlib.suppress(ConnectionClosed), line_of(viewer.server) as stranger:
-            say(stranger, HELLO)
+            send(stranger, HELLO)
             stranger.send(data)
     with line_of(viewer.server) as stranger:
         for message in (HELLO, *NONSENSE):
-            say(stranger, message)
+            send(stranger, message)
         wait_until(page, lambda: len(viewer.sessions) == 2, lambda: viewer.sessions)
-    wait_until(page, lambda: set(viewer.sessions) == own, lambda: viewer.sessions)
+    wait_until(page, lambda: set(viewer.sessions) == initial_sessions, lambda: viewer.sessions)
     assert changed(see(page), before) < 20 and page.title() == title
-    viewer.add("late", grid_cloud(), color=(0, 0, 1))  # nothing of it reaches the program's own threads
+    viewer.add("late", grid_cloud(), color=(0, 0, 1))  # the program's own threads are not affected
     viewer.remove("late")
     press(page, "+")
     see(page, lambda image: count_pixels(image, RED) > 1.2 * count_pixels(before, RED))

@@ -1,4 +1,4 @@
-"""What the tests of the viewer draw, and how they touch its page."""
+"""Geometries of the tests of the viewer, and input to its page."""
 
 from __future__ import annotations
 
@@ -33,7 +33,7 @@ def brick(geometry: object, **style: object) -> dict[str, object]:
 
 
 def press(page: Page, key: str) -> None:
-    """A key for the scene, not for a control."""
+    """Press a key for the scene, not for a control."""
     page.evaluate("() => document.activeElement?.blur()")
     page.keyboard.press(key)
 

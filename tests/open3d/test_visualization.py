@@ -12,7 +12,7 @@ import pointloom.open3d as o3d
 from pointloom.core.errors import PointloomError
 
 from ..visualization.viewer.events import announced_events, wait_until  # noqa: F401  a fixture
-from ..visualization.viewer.pages import HELLO, line_of, say
+from ..visualization.viewer.pages import HELLO, line_of, send
 from .runner import differences, draw_nothing, results_of
 
 FRAMES = 60  # lifetime of an unattended window
@@ -165,11 +165,11 @@ def test_a_key_of_the_page_calls_the_program_in_its_loop(box, monkeypatch, capsy
     try:
         viewer = vis._viewer
         with line_of(viewer.server) as page:
-            say(page, HELLO)
+            send(page, HELLO)
             wait_until(lambda: viewer.sessions)
             for key in ("K", "space"):
                 command = next(command for command in viewer.panel._commands if command.hotkey == key)
-                say(page, {"say": "command", "id": command.id})
+                send(page, {"say": "command", "id": command.id})
             wait_until(lambda: vis._pressed.qsize() == 2)
             assert pressed == []  # in the program's own loop, not in a page thread
             assert vis.poll_events()

@@ -1,4 +1,4 @@
-"""Sequences of frames: parts of longer ones, and some of a wavy wall."""
+"""Sequences of frames: parts of longer ones, and views of a wavy wall."""
 
 import numpy as np
 
@@ -7,7 +7,7 @@ from pointloom.io.frames.datasets import Frame
 
 
 class Part:
-    """The first frames of a sequence, one in `every` of it."""
+    """The first frames of a sequence, every `every`-th of it."""
 
     def __init__(self, sequence, count: int, every: int = 1):
         self.sequence, self.count, self.every = sequence, count, every
@@ -31,7 +31,7 @@ CAMERA = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 
 
 def waves():
-    """Frames with a camera that moves sideways by a centimetre a frame."""
+    """Frames of a camera that moves sideways by a centimeter per frame."""
     frames = []
     for i in range(6):
         v, u = np.mgrid[:48, :64]
@@ -45,7 +45,7 @@ def waves():
 
 
 def turning_path() -> loom.Trajectory:
-    """Four poses, each turned by 15 degrees from the one before."""
+    """Four poses, each rotated by 15 degrees from the previous one."""
     poses = np.tile(np.eye(4), (4, 1, 1))
     for pose, angle in zip(poses, np.radians(15) * np.arange(4), strict=True):
         pose[:3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]

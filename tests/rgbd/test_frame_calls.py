@@ -1,4 +1,4 @@
-"""`loom.fuse`, `loom.track`, `loom.reconstruct`, `loom.check_focal`: any frames, and the same as the commands give."""
+"""`loom.fuse`, `track`, `reconstruct`, `check_focal` accept any frames and give the results of the commands."""
 
 from __future__ import annotations
 
@@ -72,10 +72,10 @@ def test_a_list_a_generator_and_a_folder_give_the_same_bits(folder, refine):
     assert [result.frame_count for result in results] == [6, 6, 6]
 
 
-def test_frames_whose_number_nobody_knows_are_counted_as_they_come():
-    told = []
-    loom.fuse(loom.frames_from(iter(waves()), CAMERA), voxel_size=0.05, progress=lambda *step: told.append(step))
-    assert told == [*(("frames", i, 0) for i in range(7)), ("extract", 0, 0)]
+def test_frames_of_unknown_number_are_counted_as_they_arrive():
+    reported = []
+    loom.fuse(loom.frames_from(iter(waves()), CAMERA), voxel_size=0.05, progress=lambda *step: reported.append(step))
+    assert reported == [*(("frames", i, 0) for i in range(7)), ("extract", 0, 0)]
 
 
 def test_one_frame_is_a_surface_already():
@@ -109,7 +109,10 @@ def test_the_command_gives_the_same_bits_figures_and_lines(folder, tmp_path, ref
     assert set(report) - set(result.to_dict()) == more
     unpadded = [line.split() for line in shown.splitlines()]
     for line in str(result).splitlines():
-        assert any(told[: len(line.split())] == line.replace("volume", "volume,").split() for told in unpadded), line
+        assert any(
+            printed_words[: len(line.split())] == line.replace("volume", "volume,").split()
+            for printed_words in unpadded
+        ), line
 
 
 def test_a_list_and_a_generator_give_the_same_mesh():
@@ -162,7 +165,7 @@ def test_by_fragments_the_command_gives_the_same_bits_and_figures(folder, tmp_pa
 
 
 class Damaged:
-    """Frames that can be read by their place, but for some."""
+    """Frames that can be read by index, except some."""
 
     intrinsic, depth_scale = CAMERA, 1000.0
 
@@ -187,7 +190,7 @@ def test_a_list_a_generator_and_a_folder_give_the_same_path(folder):
         assert other.to_dict() == first.to_dict()
 
 
-def test_the_error_is_told_where_frames_came_with_their_poses():
+def test_the_error_is_reported_for_frames_with_poses():
     path = loom.track(loom.frames_from(waves(), CAMERA), voxel_size=0.02)
     assert path.error is not None and path.error.absolute_translation.rmse < 0.01
     untold = loom.track(loom.frames_from([(f.color, f.depth, f.timestamp) for f in waves()], CAMERA), voxel_size=0.02)
@@ -195,13 +198,13 @@ def test_the_error_is_told_where_frames_came_with_their_poses():
     np.testing.assert_array_equal(untold.trajectory.poses, path.trajectory.poses)
 
 
-def test_one_frame_is_where_the_world_begins():
+def test_one_frame_defines_the_world_origin():
     path = loom.track(loom.frames_from(waves()[:1], CAMERA))
     np.testing.assert_array_equal(path.trajectory.poses, np.eye(4)[None])
     assert (path.residuals, path.warnings, path.error) == ((), (), None)
 
 
-def test_what_cannot_be_read_is_named_and_left_out():
+def test_unreadable_frames_are_named_and_excluded():
     path = loom.track(Damaged(2), voxel_size=0.02)
     assert path.unreadable == {2: "frame-2.png: damaged"}
     assert path.trajectory.ids[:, 0].tolist() == [0, 1, 3, 4, 5]
@@ -217,13 +220,13 @@ def test_the_command_gives_the_same_poses_figures_and_lines(folder, tmp_path):
     loom.write_trajectory(tmp_path / "own.log", path.trajectory)
     assert (tmp_path / "own.log").read_bytes() == (tmp_path / "poses.log").read_bytes()
     assert report.items() >= json.loads(json.dumps(path.to_dict())).items()
-    told = dict(line.split(maxsplit=1) for line in shown.splitlines()[1:] if not line.startswith("   "))
+    printed = dict(line.split(maxsplit=1) for line in shown.splitlines()[1:] if not line.startswith("   "))
     for label, value in (line.split(maxsplit=1) for line in str(path).splitlines()):
-        assert told[label].split("; ")[-1] == value.split("; ")[-1]
+        assert printed[label].split("; ")[-1] == value.split("; ")[-1]
 
 
 def test_without_a_trajectory_the_frames_are_tracked_first():
-    """They hardly turn: nothing is told, and nothing is made up."""
+    """The frames hardly rotate: the check returns no result."""
     assert loom.check_focal(loom.frames_from(waves(), CAMERA)) is None
 
 

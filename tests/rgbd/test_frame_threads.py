@@ -1,4 +1,4 @@
-"""From frames to a model the number of threads changes no bit: odometry, tracking, loops, fusion of submaps."""
+"""The number of threads does not change results bitwise: odometry, tracking, loops, fusion of submaps."""
 
 from __future__ import annotations
 
@@ -17,9 +17,9 @@ sys.path.insert(0, {str(ROOT)!r})
 import hashlib
 import pytest
 import pointloom as loom
-from tests.rgbd.slam.slam_walks import begun, frame, frames, walk
+from tests.rgbd.slam.slam_walks import begun, frame, frames, sequence
 
-first, second = (loom.odometry.OdometryFrame(frame(k).depth, walk().intrinsic, frame(k).color) for k in (0, 3))
+first, second = (loom.odometry.OdometryFrame(frame(k).depth, sequence().intrinsic, frame(k).color) for k in (0, 3))
 pair = loom.odometry.align_frames(second, first)
 slam = begun("cpu", submap_frames=3)
 slam.run(frames(*range(7)))

@@ -1,4 +1,4 @@
-"""Every argument of every public call of rgbd refuses what makes no sense, by an error that names it.
+"""Every argument of every public call of rgbd rejects invalid values with an error that names it.
 
 The checks are the host's, so the CPU stands for all devices. Records that operations return are left out.
 """
@@ -19,10 +19,10 @@ from pointloom.rgbd.slam.submaps import Submap
 
 from ..hostile import faults_of, missing_from, public_arguments, read_table
 from .fusion.walls import Wall
-from .reconstruction.walks import Walk, config
+from .reconstruction.walks import ShortSequence, config
 from .sequences import CAMERA, turning_path, waves
 
-# One line a call: what is called, and a good value of each of its arguments, as expressions over `things()`.
+# One line per call: the function, and a valid value of each of its arguments, as expressions over `things()`.
 CALLS = {
     "frames": """
 loom.fuse(frames=posed, voxel_size=0.1, truncation=0.4, depth_max=3.0, weight_threshold=0.0, device="cpu", read_ahead=0, progress=None, clock=None)
@@ -73,12 +73,12 @@ reg.ReconstructionConfig.from_names(names={"depth_max": 2.0})
 reg.ReconstructionConfig.read(path="config.json")
 settings.write(path="written.json")
 reg.FragmentOptions(folder="stages", config=settings)
-reg.make_fragments(source=walk, config=settings, folder="job", device="cpu", progress=None)
+reg.make_fragments(source=sequence, config=settings, folder="job", device="cpu", progress=None)
 reg.register_fragments(config=settings, folder="done", device="cpu", progress=None)
 reg.refine_registration(config=settings, folder="done", device="cpu", progress=None)
 reg.refine_with_slac(config=settings, folder="done", device="cpu", progress=None)
-reg.integrate_scene(source=walk, config=settings, folder="done", device="cpu", progress=None)
-reg.run_system(source=walk, config=settings, folder="job", device="cpu", progress=None)
+reg.integrate_scene(source=sequence, config=settings, folder="done", device="cpu", progress=None)
+reg.run_system(source=sequence, config=settings, folder="job", device="cpu", progress=None)
 reg.SLACOptimizerParams(max_iterations=2, voxel_size=0.05, distance_threshold=0.07, fitness_threshold=0.3, regularizer_weight=1.0, grid_size=0.375)
 reg.run_slac_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
 reg.run_rigid_optimizer_for_fragments(fragments=clouds, fragment_pose_graph=graph, params=params, progress=None)
@@ -95,7 +95,7 @@ HOMES = {
     "tracker()": "DenseSLAM", "model()": "Model", "recorder()": "SubmapRecorder", "submap": "Submap",
     "settings": "ReconstructionConfig", "grid": "ControlGrid",
 }  # fmt: skip
-LEFT_OUT = {  # records, and what tracking asks the model for
+LEFT_OUT = {  # records, and methods of the model that tracking calls
     "frames": set(loom.__all__) - {"fuse", "track", "check_focal", "reconstruct"},
     "odometry": {
         "Method", "RGBDOdometryJacobianFromColorTerm", "RGBDOdometryJacobianFromHybridTerm", "OdometryFrame.from_image",
@@ -107,34 +107,36 @@ LEFT_OUT = {  # records, and what tracking asks the model for
 }  # fmt: skip
 MAY_BE_INFINITE = {("OdometryOption", "depth_max"), ("OdometryFrame", "depth_max")}
 ALSO = {"source": "frame", "depth": "intrinsic"}  # the names in messages of slam
-TABLES = {house: read_table(lines, HOMES) for house, lines in CALLS.items()}
+TABLES = {package: read_table(lines, HOMES) for package, lines in CALLS.items()}
 CASES = [
     pytest.param(
-        house,
+        package,
         call,
         name,
         marks=pytest.mark.slow if call == "run_system" or (call, name) == ("check_focal", "depth_max") else (),
     )
-    for house, table in TABLES.items()
+    for package, table in TABLES.items()
     for call, (_, names) in table.items()
     for name in names
 ]
-GOOD = [(house, call) for house in ("odometry", "slam") for call in TABLES[house]]
+GOOD = [(package, call) for package in ("odometry", "slam") for call in TABLES[package]]
 SMALL = loom.PinholeCameraIntrinsic(32, 24, 30.0, 30.0, 15.5, 11.5)
 SEEN = SimpleNamespace(depth=1.0 + 0.1 * np.sin(np.mgrid[:24, :32].sum(axis=0)), color=None)
 
 
-def module_of(house: str) -> Any:
-    return loom if house == "frames" else getattr(loom, house)
+def module_of(package: str) -> Any:
+    return loom if package == "frames" else getattr(loom, package)
 
 
 @cache
-def things(house: str) -> dict[str, Any]:
-    """The values that the expressions of a table name."""
-    known = {"loom": loom, "reg": module_of(house), "pose": np.eye(4)}
+def things(package: str) -> dict[str, Any]:
+    """The names that the expressions of a table use."""
+    names = {"loom": loom, "reg": module_of(package), "pose": np.eye(4)}
     return (
-        known
-        | {"frames": frame_things, "odometry": pair_things, "slam": slam_things, "reconstruction": job_things}[house]()
+        names
+        | {"frames": frame_things, "odometry": pair_things, "slam": slam_things, "reconstruction": job_things}[
+            package
+        ]()
     )
 
 
@@ -156,7 +158,7 @@ def slam_things() -> dict[str, Any]:
     model = loom.slam.Model(SMALL, voxel_size=0.1, depth_max=2.0)
     model.integrate(SEEN, np.eye(4))
 
-    @cache  # for all values: a refused call changes nothing
+    @cache  # for all values: a rejected call changes nothing
     def tracker() -> Any:
         made = loom.slam.DenseSLAM(SMALL, voxel_size=0.1, submap_frames=10)
         made.step(SEEN)
@@ -183,7 +185,7 @@ def job_things() -> dict[str, Any]:
     depth = np.full((12, 16), 1000, np.uint16)
     return {
         "integrate_deformed": integrate_deformed,
-        "settings": config(), "walk": Walk([0, 1]), "grid": grid, "clouds": clouds, "cloud": clouds[0],
+        "settings": config(), "sequence": ShortSequence([0, 1]), "grid": grid, "clouds": clouds, "cloud": clouds[0],
         "graph": registration.PoseGraph(nodes, [registration.PoseGraphEdge(0, 1)]), "depth": depth,
         "params": rec.SLACOptimizerParams(max_iterations=1), "volume": loom.TSDFVolume(voxel_size=0.02),
         "camera": loom.PinholeCameraIntrinsic(16, 12, 20.0, 20.0, 7.5, 5.5),
@@ -193,31 +195,31 @@ def job_things() -> dict[str, Any]:
 
 @pytest.fixture(autouse=True)
 def folder(tmp_path, monkeypatch):
-    """Files named by hostile values go here, beside a configuration."""
+    """A folder for files named by hostile values, with a configuration."""
     monkeypatch.chdir(tmp_path)
     config().write("config.json")
 
 
-@pytest.mark.parametrize("house", TABLES)
-def test_the_table_names_every_argument_of_every_public_call(house):
-    assert missing_from(TABLES[house], public_arguments(module_of(house), LEFT_OUT[house])) == {}
+@pytest.mark.parametrize("package", TABLES)
+def test_the_table_names_every_argument_of_every_public_call(package):
+    assert missing_from(TABLES[package], public_arguments(module_of(package), LEFT_OUT[package])) == {}
 
 
-def good_call(house, call):
-    function, expressions = TABLES[house][call]
-    good = {name: eval(expression, dict(things(house))) for name, expression in expressions.items()}
-    return lambda **given: eval(function, dict(things(house)))(**given), good
+def good_call(package, call):
+    function, expressions = TABLES[package][call]
+    good = {name: eval(expression, dict(things(package))) for name, expression in expressions.items()}
+    return lambda **given: eval(function, dict(things(package)))(**given), good
 
 
-@pytest.mark.parametrize(("house", "call"), GOOD)
-def test_the_good_arguments_are_taken(house, call):
-    act, good = good_call(house, call)
+@pytest.mark.parametrize(("package", "call"), GOOD)
+def test_the_good_arguments_are_taken(package, call):
+    act, good = good_call(package, call)
     act(**good)
 
 
-@pytest.mark.parametrize(("house", "call", "argument"), CASES)
-def test_a_hostile_value_is_refused_by_name(house, call, argument):
-    act, good = good_call(house, call)
-    finite, also = (call, argument) not in MAY_BE_INFINITE, ALSO.get(argument, "") if house == "slam" else ""
+@pytest.mark.parametrize(("package", "call", "argument"), CASES)
+def test_a_hostile_value_is_refused_by_name(package, call, argument):
+    act, good = good_call(package, call)
+    finite, also = (call, argument) not in MAY_BE_INFINITE, ALSO.get(argument, "") if package == "slam" else ""
     faults = faults_of(act, good, argument, finite=finite, also=also)
     assert not faults, "\n".join(faults)

@@ -1,4 +1,4 @@
-"""Pictures of change: red is up, blue is down, gray is noise, and the legend says so."""
+"""Images of change: red is up, blue is down, gray is noise, and the legend explains it."""
 
 from __future__ import annotations
 
@@ -23,17 +23,17 @@ def row_of(count, device="cpu"):
     return loom.PointCloud(np.column_stack([np.arange(count), np.zeros((count, 2))]), device=device)
 
 
-def test_what_is_noise_is_gray_and_the_rest_diverges(device):
-    found = result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])
+def test_noise_is_gray_and_changes_use_a_diverging_map(device):
+    change = result([1.0, -1.0, 0.1, np.nan, 0.5], [0.2, 0.2, 0.2, np.nan, 0.2])
     cloud = row_of(5, device)
-    colors = paint(cloud, found).colors
+    colors = paint(cloud, change).colors
     assert colors[0, 0] > 0.6 > 0.3 > colors[0, 2] and colors[1, 2] > 0.6 > 0.3 > colors[1, 0]
     np.testing.assert_allclose(colors[2:4], [MISSING] * 2, atol=1e-6)
     assert colors[4, 0] > colors[4, 2] and colors[4, 0] > 0.8
     assert not cloud.has_colors
 
 
-def test_ends_are_where_nearly_all_changes_lie(device):
+def test_limits_cover_nearly_all_changes(device):
     cloud = row_of(1000, device)
     values = np.linspace(-1, 1, 1000)
     values[0] = 300.0
@@ -46,30 +46,30 @@ def test_ends_are_where_nearly_all_changes_lie(device):
 
 @pytest.fixture
 def legends(monkeypatch):
-    """What `render` was asked to write."""
+    """The arguments of the calls of `render`."""
     from pointloom.visualization.change import pictures
 
-    asked, render = [], pictures.render
+    calls, render = [], pictures.render
 
     def noted(*args, **kwargs):
-        asked.append(kwargs)
+        calls.append(kwargs)
         return render(*args, **kwargs)
 
     monkeypatch.setattr(pictures, "render", noted)
-    return asked
+    return calls
 
 
-def test_a_picture_says_what_its_colors_are(device, tmp_path, rng, legends):
+def test_an_image_has_a_legend_of_its_colors(device, tmp_path, rng, legends):
     cloud = loom.PointCloud(rng.random((4000, 3)) * (20, 10, 0.1), device=device)
     values = cloud.points[:, 0] - 10
-    found = result(values, np.full(4000, 2.0))
-    picture = loom.change.draw(cloud, found, tmp_path / "change.png", size=(640, 480))
+    change = result(values, np.full(4000, 2.0))
+    picture = loom.change.draw(cloud, change, tmp_path / "change.png", size=(640, 480))
     assert picture.shape == (480, 640, 3)
     np.testing.assert_array_equal(loom.read_color(tmp_path / "change.png"), picture)
-    asked = legends[0]
-    assert [name for name, _ in asked["legend"]] == ["not significant"]
-    assert asked["color_bar"].limits == (-9.9, 9.9)
-    assert asked["color_bar"].title == "change [m]" and asked["scale_bar"]
+    call = legends[0]
+    assert [name for name, _ in call["legend"]] == ["not significant"]
+    assert call["color_bar"].limits == (-9.9, 9.9)
+    assert call["color_bar"].title == "change [m]" and call["scale_bar"]
     red, green, blue = (picture[240, 60:580, k].astype(int) for k in range(3))
     drawn = (red < 250) | (green < 250)
     assert (blue - red)[drawn][:40].mean() > 60 and (red - blue)[drawn][-40:].mean() > 60  # west sank, east rose
@@ -77,20 +77,20 @@ def test_a_picture_says_what_its_colors_are(device, tmp_path, rng, legends):
     assert np.ptp(middle.astype(int)) == 0 and 140 < middle[0] < 165
 
 
-def test_the_legend_tells_what_is_gray(legends):
+def test_the_legend_explains_gray(legends):
     cloud = row_of(3)
     loom.change.draw(cloud, result([1, np.nan, 1], [0.1, np.nan, 0.1]), size=(64, 48))
     loom.change.draw(cloud, result([1, np.nan, 0], [0.1, np.nan, 0.1]), size=(64, 48))
     loom.change.draw(cloud, [1.0, -1, 0], size=(64, 48))
-    told = [[name for name, _ in asked["legend"] or ()] for asked in legends]
-    assert told == [["no distance"], ["not significant, no distance"], []]
+    entries = [[name for name, _ in call["legend"] or ()] for call in legends]
+    assert entries == [["no distance"], ["not significant, no distance"], []]
 
 
 def test_a_distance_from_a_mesh_is_painted_too(device):
     floor = [[0, 0, 0], [4, 0, 0], [4, 4, 0], [0, 4, 0]], [[0, 1, 2], [0, 2, 3]]
     cloud = loom.PointCloud([[1, 1, 0.5], [2, 3, -0.5], [2, 2, 0.01]], device=device)
-    found = loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
-    colors = paint(cloud, found).colors
+    result = loom.change.cloud_to_mesh(cloud, loom.TriangleMesh(*floor, device=device), registration_error=0.1)
+    colors = paint(cloud, result).colors
     assert colors[0, 0] > colors[0, 2] and colors[1, 2] > colors[1, 0]
     np.testing.assert_allclose(colors[2], MISSING, atol=1e-6)
 

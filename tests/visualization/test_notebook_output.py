@@ -1,4 +1,4 @@
-"""What a cell shows: a still that is always in sight and bounded, and what lies over it."""
+"""Outputs of notebook cells: a bounded screenshot that is always visible, and the page over it."""
 
 import base64
 import html
@@ -29,7 +29,7 @@ OUTPUTS = {
 
 
 @pytest.mark.parametrize("shown", OUTPUTS.values(), ids=OUTPUTS)
-def test_all_outputs_hold_a_still_and_words_and_what_is_in_them_is_escaped(shown):
+def test_all_outputs_contain_an_escaped_screenshot_and_text(shown):
     assert set(shown) == {"text/plain", "text/html", "image/jpeg"} and shown["text/plain"] == "words"
     assert Image.open(io.BytesIO(base64.b64decode(shown["image/jpeg"]))).size == (40, 30)
     assert "<script>alert" not in shown["text/html"] and "<details" not in shown["text/html"]
@@ -40,7 +40,7 @@ def test_the_still_is_in_sight_in_the_html_too(kind):
     assert f'src="data:image/jpeg;base64,{OUTPUTS[kind]["image/jpeg"]}"' in OUTPUTS[kind]["text/html"]
 
 
-def test_a_page_inside_is_sealed_off_and_whole():
+def test_an_embedded_page_is_sandboxed_and_complete():
     inner = OUTPUTS["page"]["text/html"].partition('srcdoc="')[2].partition('"')[0]
     assert html.unescape(inner) == HOSTILE
     assert 'sandbox="allow-scripts"' in OUTPUTS["page"]["text/html"]
@@ -52,7 +52,7 @@ def test_each_live_frame_has_a_name_of_its_own():
     assert len(name) > 12 and name not in OUTPUTS["live"]["text/html"] and again.count(name) == 2
 
 
-def test_what_is_seen_through_lies_over_white():
+def test_transparent_pixels_are_blended_with_white():
     clear = np.zeros((8, 8, 4), np.uint8)
     clear[:4] = [0, 0, 255, 128]
     still = np.asarray(Image.open(io.BytesIO(still_jpeg(clear)))).astype(int)

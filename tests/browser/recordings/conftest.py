@@ -12,7 +12,7 @@ from ..pixels import ready
 
 @pytest.fixture
 def open_recording(open_page, tmp_path):
-    """Write a page, open it from disk without a network, and wait for its first picture."""
+    """Write a page, open it from disk without a network, and wait for its first image."""
 
     def open_one(timeline, *, width=640, height=480, faults=True, **options):
         path = tmp_path / "recording.html"

@@ -1,4 +1,4 @@
-"""Small recordings, and what is read from their pages."""
+"""Small recordings, and values read from their pages."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ def grid(count=60, size=1.0, z=0.0) -> np.ndarray:
 
 
 def one_frame(*shapes: Shape, origin=(0, 0, 0), label="") -> Timeline:
-    """Shapes that stay, each under a name of its own."""
+    """Stationary shapes, each with its own name."""
     shown = {f"part {number}": Placement((number,)) for number in range(len(shapes))}
     return Timeline(np.array(origin, float), list(shapes), [Frame(shown, label)])
 
@@ -35,7 +35,7 @@ def moved(x: float, y: float = 0.0) -> np.ndarray:
 
 
 def two_clouds(frame_count=8, origin=(0, 0, 0)) -> Timeline:
-    """A red square that moves from the left onto a blue one that stands."""
+    """A red square that moves from the left onto a stationary blue one."""
     up = np.tile(np.float32([0, 0, 1]), (3600, 1))
     shapes = [
         Shape("points", grid(), None, up, size=4.0, plain=RED),
@@ -54,7 +54,7 @@ def two_clouds(frame_count=8, origin=(0, 0, 0)) -> Timeline:
 
 
 def from_above(height=10.0, width=640, rows=480, origin=(0, 0, 0)) -> View:
-    """A camera over the origin that looks down, y up in the picture."""
+    """A camera over the origin that looks down, y up in the image."""
     T = np.diag([1.0, -1, -1, 1])
     T[:3, 3] = np.add(origin, (0, 0, height))
     return View(loom.PinholeCameraIntrinsic(width, rows, 600.0, 600.0, (width - 1) / 2, (rows - 1) / 2), T)
@@ -69,7 +69,7 @@ def box_of_triangles() -> Shape:
 
 
 def stage(page) -> np.ndarray:
-    """The picture of the scene once nothing moves, without what lies over it."""
+    """The image of the scene at rest, without overlays."""
     page.evaluate(
         """() => {
             for (const id of ["panel", "help", "help-button", "overlay"]) document.getElementById(id).style.opacity = 0;
@@ -82,13 +82,13 @@ def stage(page) -> np.ndarray:
 
 
 def is_reddish(image: np.ndarray) -> np.ndarray:
-    """Which pixels are red, however dark."""
+    """Mask of red pixels of any brightness."""
     red, green, blue = np.moveaxis(image.astype(int), -1, 0)
     return (red > 40) & (red > 2 * (green + blue))
 
 
 def near_outlines(image: np.ndarray, contrast=12) -> np.ndarray:
-    """Pixels in whose square of 3 x 3 the picture is not even."""
+    """Pixels whose 3 x 3 neighborhood is not uniform."""
     squares = np.lib.stride_tricks.sliding_window_view(np.pad(image, ((1, 1), (1, 1), (0, 0)), "edge"), (3, 3), (0, 1))
     return (squares.max(axis=(-2, -1)).astype(int) - squares.min(axis=(-2, -1)) > contrast).any(axis=-1)
 

@@ -1,4 +1,4 @@
-"""Recordings in Chromium that are hostile or hold nothing, and browsers that lack something."""
+"""Recordings in Chromium with hostile or no content, and browsers without required features."""
 
 import numpy as np
 import pytest
@@ -42,7 +42,7 @@ def test_the_policy_stops_scripts_and_requests_that_get_in_all_the_same(open_rec
     wait_for_messages(page, lambda: stopped() >= 3)
 
 
-def test_a_recording_of_nothing_says_so(open_recording):
+def test_an_empty_recording_shows_a_message(open_recording):
     page = open_recording(Timeline(np.zeros(3), title="nothing"))
     assert "Nothing was recorded" in page.text_content("#message")
     assert page.is_visible("#message")
@@ -55,7 +55,7 @@ def test_a_recording_of_nothing_says_so(open_recording):
         ("delete window.DecompressionStream", "2023 or later"),
     ],
 )
-def test_where_the_browser_lacks_something_the_page_says_what_to_do(open_page, tmp_path, change, words):
+def test_missing_browser_features_are_reported_with_a_remedy(open_page, tmp_path, change, words):
     write_page(tmp_path / "p.html", two_clouds())
     page = open_page("about:blank", faults=False)
     page.add_init_script(change)
@@ -64,7 +64,7 @@ def test_where_the_browser_lacks_something_the_page_says_what_to_do(open_page, t
     assert page.visit.faults == []
 
 
-def test_a_card_that_forgets_everything_is_filled_again(open_recording):
+def test_a_lost_gpu_context_is_restored(open_recording):
     page = open_recording(two_clouds(), view=from_above())
     before = stage(page)
     page.evaluate(

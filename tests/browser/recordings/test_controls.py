@@ -1,4 +1,4 @@
-"""Recordings in Chromium: what mouse, keys and boxes change in the picture."""
+"""Recordings in Chromium: effects of mouse, keys and boxes on the image."""
 
 import math
 
@@ -13,7 +13,7 @@ from .scenes import BLUE, GREEN, RED, from_above, grid, is_reddish, stage, two_c
 def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
     page = open_recording(two_clouds(2))
     project = "recording.project([0.5, 0.2, 0])"
-    first, seen = page.evaluate(project), stage(page)
+    first, initial_image = page.evaluate(project), stage(page)
 
     def drag(dx, dy, button="left", shift=False):
         if shift:
@@ -30,9 +30,9 @@ def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
         np.testing.assert_allclose(page.evaluate(project), first)
 
     drag(80, 30)
-    turned = page.evaluate(project)
-    assert math.dist(turned[:2], first[:2]) > 5
-    assert (stage(page) != seen).any(axis=-1).mean() > 0.02
+    rotated = page.evaluate(project)
+    assert math.dist(rotated[:2], first[:2]) > 5
+    assert (stage(page) != initial_image).any(axis=-1).mean() > 0.02
     reset()
     for options in ({"button": "right"}, {"shift": True}):
         drag(50, -20, **options)
@@ -44,23 +44,23 @@ def test_mouse_and_keys_move_the_camera_and_r_brings_it_back(open_recording):
     page.mouse.wheel(0, -400)
     wait_in_page(page, f"recording.project([0.5, 0.2, 0])[2] < 0.9 * {first[2]}")
     nearer = page.evaluate(project)
-    assert math.dist(nearer[:2], at[:2]) < 40  # what is under the pointer stays about there
+    assert math.dist(nearer[:2], at[:2]) < 40  # the point under the pointer stays about there
     reset()
     page.keyboard.press("Shift+ArrowRight")
     assert math.dist(page.evaluate(project)[:2], first[:2]) > 2
     reset()
-    np.testing.assert_array_equal(stage(page), seen)
+    np.testing.assert_array_equal(stage(page), initial_image)
 
 
-def test_a_double_click_makes_what_is_there_the_middle_of_turning(open_recording):
+def test_a_double_click_sets_the_center_of_rotation(open_recording):
     page = open_recording(two_clouds(2), view=from_above())
-    place = "[-2.5, 0.4, 0]"
-    x, y, depth = page.evaluate(f"recording.project({place})")
+    position = "[-2.5, 0.4, 0]"
+    x, y, depth = page.evaluate(f"recording.project({position})")
     page.mouse.dblclick(x, y)
     ready(page)
     box = page.locator("#scene").bounding_box()
     middle = (box["width"] / 2, box["height"] / 2)
-    centered = page.evaluate(f"recording.project({place})")
+    centered = page.evaluate(f"recording.project({position})")
     assert math.dist(centered[:2], middle) < 4 and abs(centered[2] - depth) < 0.01
     other = page.evaluate("recording.project([0, 0, 0])")
     page.mouse.move(300, 180)
@@ -68,8 +68,8 @@ def test_a_double_click_makes_what_is_there_the_middle_of_turning(open_recording
     page.mouse.move(360, 160)
     page.mouse.up()
     assert math.dist(page.evaluate("recording.project([0, 0, 0])")[:2], other[:2]) > 5
-    turned = page.evaluate(f"recording.project({place})")
-    assert math.dist(turned[:2], middle) < 4 and abs(turned[2] - depth) < 0.05
+    rotated = page.evaluate(f"recording.project({position})")
+    assert math.dist(rotated[:2], middle) < 4 and abs(rotated[2] - depth) < 0.05
 
 
 def test_keys_change_sizes_normals_edges_and_light(open_recording):
@@ -109,7 +109,7 @@ def test_keys_change_sizes_normals_edges_and_light(open_recording):
 
 def test_keys_look_along_axes_in_parallel_from_several_sides(open_recording):
     page = open_recording(two_clouds(2))
-    first, seen = page.evaluate("recording.project([0.5, 0.2, 0])"), stage(page)
+    first, initial_image = page.evaluate("recording.project([0.5, 0.2, 0])"), stage(page)
     page.keyboard.press("o")
     page.keyboard.press("Shift+Z")
     near, far = (page.evaluate(f"recording.project([0.5, 0.2, {z}])") for z in (0.5, -0.5))
@@ -121,7 +121,7 @@ def test_keys_look_along_axes_in_parallel_from_several_sides(open_recording):
     page.keyboard.press("m")
     page.keyboard.press("r")
     np.testing.assert_allclose(page.evaluate("recording.project([0.5, 0.2, 0])"), first)
-    np.testing.assert_array_equal(stage(page), seen)
+    np.testing.assert_array_equal(stage(page), initial_image)
 
 
 def test_a_name_that_is_unticked_is_not_drawn(open_recording):

@@ -1,4 +1,4 @@
-"""Recordings in Chromium: what is drawn where, in which colors."""
+"""Recordings in Chromium: positions and colors of drawn shapes."""
 
 import math
 from dataclasses import replace
@@ -38,30 +38,32 @@ def test_each_shape_is_there_in_its_color(open_recording):
 )
 def test_points_are_seen_where_the_view_projects_them(open_recording, size, origin):
     rng = np.random.default_rng(3)
-    places = rng.uniform(-1, 1, (3, 3)).astype(np.float32)
+    positions = rng.uniform(-1, 1, (3, 3)).astype(np.float32)
     colors = np.uint8([RED, BLUE, GREEN])
-    view = fit_view(np.vstack([places, -places]) + np.array(origin), width=640, height=480)
+    view = fit_view(np.vstack([positions, -positions]) + np.array(origin), width=640, height=480)
     timeline = Timeline(
-        np.array(origin, float), [Shape("points", places, colors, size=9.0)], [Frame({"dots": Placement((0,))})]
+        np.array(origin, float), [Shape("points", positions, colors, size=9.0)], [Frame({"dots": Placement((0,))})]
     )
     image = stage(open_recording(timeline, width=size[0], height=size[1], view=view))
     scale = min(size[0] / 640, size[1] / 480)
     camera, T = view.intrinsic, view.T_world_camera
-    for place, color in zip(places, (RED, BLUE, GREEN), strict=True):
-        x, y, z = (place + np.array(origin) - T[:3, 3]) @ T[:3, :3]
+    for position, color in zip(positions, (RED, BLUE, GREEN), strict=True):
+        x, y, z = (position + np.array(origin) - T[:3, 3]) @ T[:3, :3]
         column = size[0] / 2 + scale * (camera.fx * x / z + camera.cx + 0.5 - 320)
         row = size[1] / 2 + scale * (camera.fy * y / z + camera.cy + 0.5 - 240)
         assert math.dist(middle_of(image, color, 90), (column, row)) < 1.5
 
 
 def ball_of_points(rng) -> Shape:
-    places = rng.normal(size=(20_000, 3))
-    places /= np.linalg.norm(places, axis=1, keepdims=True)
-    return Shape("points", places.astype(np.float32), None, places.astype(np.float32), size=8.0, plain=(89, 128, 158))
+    positions = rng.normal(size=(20_000, 3))
+    positions /= np.linalg.norm(positions, axis=1, keepdims=True)
+    return Shape(
+        "points", positions.astype(np.float32), None, positions.astype(np.float32), size=8.0, plain=(89, 128, 158)
+    )
 
 
 @pytest.mark.parametrize("kind", ["mesh", "cloud"])
-def test_a_page_looks_as_our_pictures_do(open_recording, rng, kind):
+def test_a_page_looks_like_rendered_images(open_recording, rng, kind):
     shape = box_of_triangles() if kind == "mesh" else ball_of_points(rng)
     view = fit_view(shape.positions, width=640, height=480)
     if kind == "mesh":
@@ -75,20 +77,20 @@ def test_a_page_looks_as_our_pictures_do(open_recording, rng, kind):
     inside = ~near_outlines(expected) & (expected < 255).any(axis=-1)
     assert inside.mean() > 0.1
     assert (away[inside] > 12).mean() < 0.001
-    assert (away > 12).mean() < 0.04  # outlines: our pictures have four samples a pixel
+    assert (away > 12).mean() < 0.04  # outlines: pointloom's images have four samples a pixel
 
 
-def turned_inwards(shape: Shape, *, cull: bool) -> Shape:
+def with_inward_faces(shape: Shape, *, cull: bool) -> Shape:
     return replace(shape, indices=np.ascontiguousarray(shape.indices[:, ::-1]), cull=cull)
 
 
-def test_one_sees_into_a_room_whose_back_faces_are_left_out(open_recording):
-    """A box whose faces look inwards hides what is in it, but for those that look away; as in our pictures."""
+def test_culled_back_faces_show_the_inside_of_a_room(open_recording):
+    """A box with inward faces hides its content, except from behind; as in pointloom's images."""
     room, dot = box_of_triangles(), Shape("points", np.float32([[0, 0, 0]]), size=40.0, plain=RED)
     view = fit_view(room.positions, width=640, height=480)
-    closed = stage(open_recording(one_frame(turned_inwards(room, cull=False), dot), view=view))
+    closed = stage(open_recording(one_frame(with_inward_faces(room, cull=False), dot), view=view))
     assert is_reddish(closed).sum() == 0
-    opened = stage(open_recording(one_frame(turned_inwards(room, cull=True), dot), view=view))
+    opened = stage(open_recording(one_frame(with_inward_faces(room, cull=True), dot), view=view))
     assert abs(is_reddish(opened).sum() - math.pi * 20**2) < 60
     mesh = loom.TriangleMesh(room.positions, room.indices[:, ::-1])
     style = {"geometry": mesh, "color": tuple(value / 255 for value in room.plain), "back_faces": False}
@@ -102,7 +104,7 @@ def test_one_sees_into_a_room_whose_back_faces_are_left_out(open_recording):
     assert is_reddish(outside).sum() == 0
 
 
-def test_lines_are_as_wide_as_asked_and_end_behind_the_camera(open_recording):
+def test_lines_have_the_given_width_and_end_behind_the_camera(open_recording):
     ends = np.float32([[-1, 0, 0], [1, 0, 0], [0, -1, 0], [2, -1, 40], [-2, -1, 40]])
     lines = Shape("lines", ends, np.uint8([RED, BLUE, GREEN]), indices=np.int32([[0, 1], [2, 3], [4, 2]]), size=6.0)
     timeline = one_frame(lines)
@@ -110,12 +112,12 @@ def test_lines_are_as_wide_as_asked_and_end_behind_the_camera(open_recording):
     assert abs(is_color(image, RED)[:, 300].sum() - 6) <= 1
     assert abs(is_color(image, RED)[240].sum() - 120 - 6) <= 3
     for color, slope in ((BLUE, 0.5), (GREEN, -0.5)):  # one that begins before the camera, one that ends there
-        seen = is_color(image, color)
-        rows = np.nonzero(seen.any(axis=1))[0]
-        assert rows.min() > 290 and rows.max() == 479  # it runs out of the picture below, and never back in
-        middles = [np.nonzero(seen[row])[0].mean() for row in range(320, 480, 10)]
+        mask = is_color(image, color)
+        rows = np.nonzero(mask.any(axis=1))[0]
+        assert rows.min() > 290 and rows.max() == 479  # it leaves the image below, and never comes back
+        middles = [np.nonzero(mask[row])[0].mean() for row in range(320, 480, 10)]
         np.testing.assert_allclose(middles, 319.5 + slope * (np.arange(320, 480, 10) - 299.5), atol=1)
-        assert all(abs(seen[row].sum() - 6 * math.sqrt(1.25)) < 2 for row in range(320, 480, 10))
+        assert all(abs(mask[row].sum() - 6 * math.sqrt(1.25)) < 2 for row in range(320, 480, 10))
 
 
 def test_one_frame_fills_the_window_and_needs_no_bar(open_recording):
@@ -144,7 +146,7 @@ def test_huge_and_tiny_scenes_are_drawn(open_recording):
 
 
 def test_smoothed_outlines_change_nothing_else(open_recording, changed_player):
-    """As a graphics card draws them; software is spared the samples."""
+    """With the sampling of a graphics card, which is disabled in software."""
     timeline = one_frame(box_of_triangles(), Shape("points", grid(8) + np.float32([0, 0, 1]), size=9.0, plain=RED))
     plain = stage(open_recording(timeline, width=640, height=480))
     changed_player("isSoftware(gl) ? 0 : ", "")
@@ -154,5 +156,5 @@ def test_smoothed_outlines_change_nothing_else(open_recording, changed_player):
     assert away.sum() > 50 and away[~near_outlines(plain)].mean() < 0.001
     assert len(np.unique(smooth.reshape(-1, 3), axis=0)) > len(np.unique(plain.reshape(-1, 3), axis=0))
     x, y, _ = page.evaluate("recording.project([0, 0, 0.5])")
-    page.mouse.dblclick(x, y)  # depths are read from where the samples were averaged
+    page.mouse.dblclick(x, y)  # depths are read where the samples were averaged
     assert math.dist(page.evaluate("recording.project([0, 0, 0.5])")[:2], (320, 240)) < 4

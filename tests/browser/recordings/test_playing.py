@@ -1,4 +1,4 @@
-"""Recordings in Chromium: played, and moved through by slider, keys and plots."""
+"""Recordings in Chromium: playback, and navigation by slider, keys and plots."""
 
 import math
 
@@ -19,7 +19,7 @@ def test_playing_moves_the_red_cloud_and_ends_where_it_began(open_recording):
     wait_in_page(page, "recording.statistics().frame === 7 && !recording.statistics().playing")
     last = middle_of(stage(page), RED, 60)
     assert last[0] > first[0] + 100 and abs(last[1] - first[1]) < 4
-    assert count_pixels(stage(page), BLUE, 60) < 0.4 * blue  # the red cloud lies over it
+    assert count_pixels(stage(page), BLUE, 60) < 0.4 * blue  # the red cloud is in front
     page.click("#play")
     wait_in_page(page, "recording.statistics().playing && recording.statistics().frame > 0")
     page.click("#play")
@@ -54,7 +54,7 @@ def test_the_slider_is_moved_by_keys(open_recording):
 
 
 def mark_of(page, number: int) -> float:
-    """The column of the middle of the mark in a plot, by its color."""
+    """The column of the center of the marker in a plot, by its color."""
     image = picture(page, panels=True)
     box = page.locator("#plots canvas").nth(number).bounding_box()
     x, y = math.ceil(box["x"]), math.ceil(box["y"])
@@ -78,7 +78,7 @@ def test_plots_mark_the_frame_and_a_click_goes_to_one(open_recording):
     assert abs(mark_of(page, 1) - (6 + (box["width"] - 12) * 6 / 7)) < 2
 
 
-def test_many_points_move_thinned_and_are_drawn_whole_at_rest(open_recording):
+def test_many_points_are_thinned_in_motion_and_drawn_completely_at_rest(open_recording):
     rng = np.random.default_rng(0)
     shapes = [Shape("points", rng.normal(size=(50_000, 3)).astype(np.float32), plain=color) for color in (RED, BLUE)]
     frames = [Frame({"a": Placement((0,), moved(6 - 0.03 * k)), "b": Placement((1,))}) for k in range(200)]

@@ -1,4 +1,4 @@
-"""What is saved as a page opens from disk in Chromium without a network, and plays."""
+"""Saved pages open and play from disk in Chromium without a network."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ BRICK, PLAIN = (204, 64, 51), (20, 60, 220)
 SOURCE, TARGET = (255, 180, 0), (0, 166, 237)
 
 
-def test_it_opens_from_disk_without_a_network_and_asks_for_nothing(open_recording):
+def test_a_saved_page_opens_from_disk_without_network_requests(open_recording):
     page = open_recording(two_clouds())
     assert [url.split(":")[0] for url in page.visit.requests] == ["file"]
     assert page.title() == page.text_content("h1") == "two squares"
@@ -28,7 +28,7 @@ def test_it_opens_from_disk_without_a_network_and_asks_for_nothing(open_recordin
 
 @pytest.fixture
 def open_saved(open_page):
-    """Open a page from disk without a network; it may ask for nothing."""
+    """Open a page from disk without a network; it may make no requests."""
 
     def open_one(path: Path):
         page = open_page(path.as_uri(), offline=True)
@@ -57,17 +57,17 @@ def test_a_scene_that_the_viewer_saves_opens_from_disk(open_saved, tmp_path):
 
 
 def is_hue(image: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
-    """Which pixels have the color in any light."""
+    """Mask of pixels of the color in any shading."""
     bright = image.max(axis=-1, keepdims=True)
     return (bright[..., 0] > 60) & is_color(image / np.maximum(bright, 1) * max(color), color, 30)
 
 
 def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path):
-    """Frame by frame the source comes to lie on the target: together they cover less of the picture."""
+    """The source moves onto the target frame by frame: together they cover less of the image."""
     rng = np.random.default_rng(1)
-    places = np.column_stack([rng.uniform(-1, 1, (3000, 2)), np.zeros(3000)])
-    places[:, 2] = 0.3 * np.sin(3 * places[:, 0]) * np.cos(2 * places[:, 1])
-    target = loom.PointCloud(places)
+    positions = np.column_stack([rng.uniform(-1, 1, (3000, 2)), np.zeros(3000)])
+    positions[:, 2] = 0.3 * np.sin(3 * positions[:, 0]) * np.cos(2 * positions[:, 1])
+    target = loom.PointCloud(positions)
     with loom.record(tmp_path / "icp.html") as recorder:
         loom.registration.registration_icp(target.translate((0.25, 0.15, 0.2)), target, 0.6)
         recorder.step("done")
@@ -84,7 +84,7 @@ def test_a_recorded_registration_opens_from_disk_and_plays(open_saved, tmp_path)
     assert page.visit.requests == [(tmp_path / "icp.html").as_uri()]
 
 
-def test_a_page_plays_from_disk_by_the_player_that_lies_beside_it(open_page, tmp_path):
+def test_a_page_plays_from_disk_with_a_separate_player_file(open_page, tmp_path):
     (tmp_path / "recordings").mkdir()
     write_page(tmp_path / "whole.html", two_clouds())
     write_player(tmp_path)

@@ -1,4 +1,4 @@
-"""Posed frames to a mesh: accuracy, order, color, and what a wrong call is told."""
+"""Fusion of posed frames into a mesh: accuracy, order, color, and errors for invalid arguments."""
 
 import dataclasses
 import threading
@@ -19,13 +19,13 @@ VOXEL = 0.05
 
 
 @pytest.fixture(scope="module")
-def walk():
+def sequence():
     """12 small frames of the room."""
     return room_sequence(12, width=160, height=120)
 
 
 class Broken(Wall):
-    """... whose third frame is as `replace` says."""
+    """A wall whose third frame is changed by `replace`."""
 
     def __init__(self, **replace):
         super().__init__(40)
@@ -49,7 +49,7 @@ def test_exact_frames_of_the_room_fuse_to_its_surface(device):
 
 
 class Posed:
-    """Frames with other poses than their own."""
+    """Frames with other poses."""
 
     def __init__(self, frames, poses):
         self.intrinsic, self.depth_scale, self.frames, self.poses = frames.intrinsic, 1000.0, frames, poses
@@ -62,21 +62,21 @@ class Posed:
 
 
 @pytest.mark.slow
-def test_poses_that_contradict_each_other_are_told_and_right_ones_are_not(walk):
-    right = np.array([walk.read(k).T_world_camera for k in range(12)])
+def test_only_contradictory_poses_are_reported(sequence):
+    right = np.array([sequence.read(k).T_world_camera for k in range(12)])
     shaken = right.copy()
     shaken[:, :3, 3] += np.random.default_rng(0).normal(0, 0.15, (12, 3))
     cases = {"right": right, "inverse": np.linalg.inv(right), "others": np.roll(right, 5, axis=0), "shaken": shaken}
     for name, poses in cases.items():
-        found = loom.fuse(Posed(walk, poses), voxel_size=VOXEL)
-        assert (found.reliable) == (name == "right"), name
-        assert name == "right" or "of the measured depth is off the fused surface" in str(found.warnings)
-        assert found.to_dict()["share_off"] == found.share_off
-    assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame contradicts nobody
+        result = loom.fuse(Posed(sequence, poses), voxel_size=VOXEL)
+        assert (result.reliable) == (name == "right"), name
+        assert name == "right" or "of the measured depth is off the fused surface" in str(result.warnings)
+        assert result.to_dict()["share_off"] == result.share_off
+    assert loom.fuse(Wall(1), voxel_size=VOXEL).share_off is None  # one frame cannot contradict another
 
 
 @pytest.mark.parametrize(("depth", "share"), [(1000, 0), (1250, 1), (750, 1)])
-def test_what_frames_see_beyond_noise_lies_off_the_surface(depth, share):
+def test_depth_beyond_noise_is_off_the_surface(depth, share):
     wall, volume = Wall(1), loom.TSDFVolume(voxel_size=VOXEL)
     volume.integrate(wall.read(0).depth, wall.intrinsic, np.eye(4))
     check = PoseCheck(wall.intrinsic, 1000.0, 4.0)
@@ -85,24 +85,24 @@ def test_what_frames_see_beyond_noise_lies_off_the_surface(depth, share):
     assert check.share_off(volume) == share
 
 
-def test_of_a_long_sequence_some_frames_spread_over_it_are_held_against_the_surface(walk):
-    check = PoseCheck(walk.intrinsic, 1000.0, 4.0)
+def test_frames_spread_over_a_long_sequence_are_checked_against_the_surface(sequence):
+    check = PoseCheck(sequence.intrinsic, 1000.0, 4.0)
     for k in range(200):
         check.add(np.full((120, 160), k, np.uint16), np.eye(4))
-    kept = [int(depth[0, 0]) for depth, _ in check._samples]
-    assert kept == list(range(0, 200, 16))
+    sampled = [int(depth[0, 0]) for depth, _ in check._samples]
+    assert sampled == list(range(0, 200, 16))
     assert check._samples[0][0].shape == (60, 80)
 
 
-def test_reading_ahead_changes_no_bit(device, walk):
-    meshes = [loom.fuse(walk, voxel_size=VOXEL, device=device, read_ahead=n).mesh for n in (0, READ_AHEAD)]
+def test_reading_ahead_changes_no_bit(device, sequence):
+    meshes = [loom.fuse(sequence, voxel_size=VOXEL, device=device, read_ahead=n).mesh for n in (0, READ_AHEAD)]
     for name in ("vertices", "triangles", "vertex_colors"):
         left, right = (getattr(mesh, name) for mesh in meshes)
         np.testing.assert_array_equal(left, right)
     assert len(meshes[0]) > 1000
 
 
-def test_the_wall_keeps_its_place_and_its_color(device):
+def test_the_wall_keeps_its_position_and_color(device):
     mesh = loom.fuse(Wall(), voxel_size=0.02, device=device).mesh
     np.testing.assert_allclose(mesh.vertices[:, 2], 1.0, atol=1e-4)
     np.testing.assert_allclose(mesh.vertex_colors, np.tile([1, 128 / 255, 0], (len(mesh.vertices), 1)), atol=0.005)
@@ -123,7 +123,7 @@ def test_the_more_frames_the_more_often_a_voxel_must_be_seen(frame_count, thresh
     assert [frames for frames, _ in WEIGHTS] == sorted((frames for frames, _ in WEIGHTS), reverse=True)
 
 
-def test_shares_tell_missing_depth_from_depth_out_of_reach():
+def test_shares_distinguish_missing_depth_from_depth_out_of_range():
     far = loom.fuse(Wall(depth=3000), voxel_size=0.05, depth_max=2.0)
     assert "raise depth_max" in str(far.warnings) and "--" not in str(far.warnings)
     assert (far.depth_share, far.used_share) == (1.0, 0.0)
@@ -134,11 +134,12 @@ def test_shares_tell_missing_depth_from_depth_out_of_reach():
 
 
 @pytest.mark.parametrize(
-    ("voxel_size", "said"), [(20.0, "20 m is larger than the scene (1 m)"), (0.2, "0.2 m is more than a twentieth of")]
+    ("voxel_size", "message"),
+    [(20.0, "20 m is larger than the scene (1 m)"), (0.2, "0.2 m is more than a twentieth of")],
 )
-def test_a_voxel_too_large_for_what_the_frames_see_is_told(voxel_size, said):
+def test_a_voxel_too_large_for_the_scene_is_reported(voxel_size, message):
     result = loom.fuse(Wall(), voxel_size=voxel_size)
-    assert f"voxel_size: {said}" in str(result.warnings) and "--" not in str(result.warnings)
+    assert f"voxel_size: {message}" in str(result.warnings) and "--" not in str(result.warnings)
     assert str(result).splitlines()[-1].split(maxsplit=1) == ["warning", result.warnings[0]]
     fine = loom.fuse(Wall(), voxel_size=0.02)
     assert fine.reliable and "poor" not in str(fine)
@@ -150,7 +151,7 @@ def test_a_damaged_frame_ends_the_reading(read_ahead):
     source = Broken()
     with pytest.raises(FileError, match=r"frame-2\.png"):
         loom.fuse(source, voxel_size=0.05, read_ahead=read_ahead)
-    assert max(source.asked) <= 2 + read_ahead
+    assert max(source.read_indices) <= 2 + read_ahead
     assert not [thread for thread in threading.enumerate() if thread.name.startswith("pointloom-read")]
 
 

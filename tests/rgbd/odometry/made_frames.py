@@ -1,4 +1,4 @@
-"""Pictures of a made-up corner of a room with a ball, by rays: their depth, their colors and their poses are exact."""
+"""Ray-traced images of a synthetic room corner with a ball, with exact depth, colors and poses."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ WALLS = np.array([[0, 0, 1, 2.6], [1, 0, 0.2, 1.6], [-1, 0.1, 0.3, 1.8], [0, 1, 
 BALL, RADIUS = np.array([0.2, 0.4, 1.7]), 0.35
 
 
-def pose_of(turns, shift):
-    """A pose T_world_camera of small turns about x, y, z [rad] and a shift [m]."""
-    size = np.linalg.norm(turns)
-    axis = np.array(turns) / max(size, 1e-12)
+def pose_of(angles, shift):
+    """A pose T_world_camera of small rotations about x, y, z [rad] and a shift [m]."""
+    size = np.linalg.norm(angles)
+    axis = np.array(angles) / max(size, 1e-12)
     k = np.array([[0, -axis[2], axis[1]], [axis[2], 0, -axis[0]], [-axis[1], axis[0], 0]])
     pose = np.eye(4)
     pose[:3, :3] += np.sin(size) * k + (1 - np.cos(size)) * k @ k
@@ -23,7 +23,7 @@ def pose_of(turns, shift):
 
 
 def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
-    """Depth, float32 [h, w] [m], and colors, uint8 [h, w, 3], seen from a pose; noise as that of a Kinect times it."""
+    """Depth, float32 [h, w] [m], and colors, uint8 [h, w, 3], from a pose; `noise` scales the noise of a Kinect."""
     v, u = np.mgrid[: camera.height, : camera.width]
     rays = np.stack([(u - camera.cx) / camera.fx, (v - camera.cy) / camera.fy, np.ones(u.shape)], -1)
     ways, origin = rays @ pose[:3, :3].T, pose[:3, 3]
@@ -31,8 +31,8 @@ def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
     for a, b, c, d in WALLS:
         along = ways @ [a, b, c]
         with np.errstate(divide="ignore"):
-            reach = np.where(along > 1e-9, (d - origin @ [a, b, c]) / along, np.inf)
-        depth = np.minimum(depth, reach)
+            distance = np.where(along > 1e-9, (d - origin @ [a, b, c]) / along, np.inf)
+        depth = np.minimum(depth, distance)
     m, square = origin - ball, np.sum(ways * ways, -1)
     half = ways @ m
     inside = half * half - square * (m @ m - RADIUS**2)
@@ -49,13 +49,13 @@ def picture(pose, camera=CAMERA, *, noise=0.0, seed=0, ball=BALL):
 
 
 def frame(pose, device, camera=CAMERA, *, with_color=True, **options):
-    """The OdometryFrame of a picture."""
+    """The OdometryFrame of an image."""
     depth, color = picture(pose, camera, **options)
     return loom.odometry.OdometryFrame(depth, camera, color if with_color else None, device=device)
 
 
-def errors_of(found, truth):
+def errors_of(estimate, truth):
     """Angle [deg] and distance [mm] between two poses."""
-    error = np.linalg.inv(truth) @ found
+    error = np.linalg.inv(truth) @ estimate
     angle = np.degrees(2 * np.arcsin(min(np.linalg.norm(error[:3, :3] - np.eye(3)) / 8**0.5, 1)))
     return angle, 1000 * np.linalg.norm(error[:3, 3])

@@ -1,4 +1,4 @@
-"""The motion between two frames is found, is the same in each run, and does not depend on the exposure."""
+"""The motion between two frames is accurate, reproducible and independent of the exposure."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ MOTION = np.linalg.inv(SECOND) @ FIRST  # of the first frame into the second
 
 
 @pytest.mark.parametrize("method", METHODS)
-def test_the_motion_between_exact_pictures_is_found(device, method, tolerances):
+def test_the_motion_between_exact_images_is_estimated(device, method, tolerances):
     result = od.align_frames(frame(FIRST, device), frame(SECOND, device), method=method)
     angle, distance = errors_of(result.transformation, MOTION)
     assert result.reliable, result.warnings
@@ -59,7 +59,7 @@ def test_the_information_counts_the_pixels_of_the_full_picture(device):
     assert np.allclose(information, information.T) and np.linalg.eigvalsh(information)[0] > 0
 
 
-def test_a_frame_of_device_maps_is_one_of_pictures(device, tolerances):
+def test_a_frame_of_device_images_equals_one_of_host_images(device, tolerances):
     from pointloom.kernels.lang import float32
     from pointloom.kernels.memory import upload
 
@@ -73,8 +73,8 @@ def test_a_frame_of_device_maps_is_one_of_pictures(device, tolerances):
 
 
 def test_frames_of_different_cameras_compare_at_levels_of_like_size(device):
-    wide = loom.PinholeCameraIntrinsic(320, 240, 280.0, 280.0, 159.5, 119.5)
-    result = od.align_frames(frame(FIRST, device), frame(SECOND, device, wide))
+    wide_camera = loom.PinholeCameraIntrinsic(320, 240, 280.0, 280.0, 159.5, 119.5)
+    result = od.align_frames(frame(FIRST, device), frame(SECOND, device, wide_camera))
     assert result.reliable, result.warnings
     assert errors_of(result.transformation, MOTION)[0] < 0.3
 

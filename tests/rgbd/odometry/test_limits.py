@@ -1,4 +1,4 @@
-"""The limits of a verdict by the sums of made-up pairs: each counts by itself."""
+"""Each limit of the odometry checks counts by itself, on synthetic sums."""
 
 from __future__ import annotations
 
@@ -11,14 +11,14 @@ from pointloom.rgbd.odometry.motion_checks import _first_fault
 
 
 def fault_of(*, blur=0.0, **sums):
-    """What is said of a pair of 1,000 pixels of which 900 meet depth and 800 lie on the surface, with other sums."""
-    verdict = np.zeros(at.EXCESS + 1)
+    """The fault of a pair of 1,000 pixels, 900 with depth and 800 on the surface, with other sums."""
+    figures = np.zeros(at.EXCESS + 1)
     good = {"PIXELS": 1000, "SEEN": 900, "INLIERS": 800, "IN_FRONT": 10, "NORMALS": 800, "AGREEING": 780, "PLANES": 800}
     for name, value in (good | {"EXCESS": 800.0} | sums).items():
-        verdict[getattr(at, name)] = value
+        figures[getattr(at, name)] = value
     none = np.zeros(21)
-    found = Alignment(np.eye(4), 5, np.ones(4), none, verdict, none, none)
-    return _first_fault(found, *(verdict[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)), blur)
+    alignment = Alignment(np.eye(4), 5, np.ones(4), none, figures, none, none)
+    return _first_fault(alignment, *(figures[k] for k in (at.PIXELS, at.SEEN, at.INLIERS)), blur)
 
 
 def test_a_pair_that_agrees_has_no_fault():
@@ -40,8 +40,8 @@ def test_each_sum_counts(sums, fault):
     assert fault_of(**sums) == fault
 
 
-def test_what_a_target_blurs_counts_as_noise_does():
-    """Surfaces 4 times as far apart as noise of 2 mm: of a target blurred by 4 mm, the root of 5 as much."""
+def test_target_blur_counts_as_noise():
+    """Surface distances 4 times noise of 2 mm: a target blurred by 4 mm increases them by the root of 5."""
     sums = {"EXCESS": 12_800.0, "SQUARES": 12_800.0 * 0.002**2}
     assert "4.0 times the depth noise" in fault_of(**sums)
     assert fault_of(**sums, blur=0.004) == ""

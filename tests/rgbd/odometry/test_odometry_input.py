@@ -1,4 +1,4 @@
-"""What odometry refuses, and what it says then."""
+"""Invalid inputs of odometry and their error messages."""
 
 from __future__ import annotations
 
@@ -31,8 +31,8 @@ def test_wrong_pictures_cameras_and_weights_are_refused(error, words, call):
 
 
 def test_a_matrix_is_a_camera():
-    found = od.compute_rgbd_odometry(IMAGE, IMAGE, CAMERA.matrix)
-    assert found.reliable and repr(found).startswith("OdometryResult(reliable, fitness 0.9")
+    result = od.compute_rgbd_odometry(IMAGE, IMAGE, CAMERA.matrix)
+    assert result.reliable and repr(result).startswith("OdometryResult(reliable, fitness 0.9")
 
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 3), (5, 200)])

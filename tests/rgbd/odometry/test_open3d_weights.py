@@ -1,4 +1,4 @@
-"""With `weights="open3d"` the two odometries of Open3D 0.20 come out, step by step."""
+"""`weights="open3d"` gives the results of the two odometries of Open3D 0.20, step by step."""
 
 from __future__ import annotations
 
@@ -15,12 +15,12 @@ od = loom.odometry
 POSES = pose_of([0, 0, 0], [0, 0, 0]), pose_of([0.01, -0.02, 0.005], [0.02, -0.01, 0.01])
 STEPS = [(0, 0, 1), (0, 1, 0), (1, 0, 0), (6, 4, 2)]
 LEGACY = [(with_depth, steps) for with_depth in (True, False) for steps in STEPS]
-TENSOR = [(method, steps) for method in od.Method for steps in STEPS[:3]]  # of more, runs of Open3D differ in float32
+TENSOR = [(method, steps) for method in od.Method for steps in STEPS[:3]]  # with more, runs of Open3D differ in float32
 MATRIX = [[CAMERA.fx, 0, CAMERA.cx], [0, CAMERA.fy, CAMERA.cy], [0, 0, 1]]
 
 
 def made_pictures():
-    """Two made pictures with holes, depth in whole millimeters."""
+    """Two synthetic images with holes, depth in whole millimeters."""
     pictures = []
     for k, pose in enumerate(POSES):
         depth, color = picture(pose, noise=0.3, seed=k)
@@ -32,7 +32,7 @@ def made_pictures():
 
 @pytest.fixture(scope="module")
 def real_pictures(scan_set, scan_file):
-    """Two frames and their camera: of a living room (shipped), and of the kitchen (real)."""
+    """Two frames and their camera: a living room (shipped) or the kitchen (real)."""
     name, *chosen = {"shipped": ("rgbd-cupoch-redwood5", 0, 1), "real": ("rgbd-7scenes-redkitchen", 100, 103)}[scan_set]
     frames = loom.open_dataset(scan_file(name))
     return [(frame.color, frame.depth) for frame in map(frames.read, chosen)], frames.intrinsic
@@ -54,7 +54,7 @@ def legacy(o3d, pictures, camera, with_depth, steps):
 
 
 def tensor(o3d, pictures, camera, method, steps):
-    """(pose, fitness) of Open3D's tensor form."""
+    """(pose, fitness) of Open3D's tensor API."""
     pipeline, images = o3d.t.pipelines.odometry, []
     for color, raw in pictures:
         parts = (o3d.t.geometry.Image(o3d.core.Tensor(np.ascontiguousarray(part))) for part in (color, raw))
@@ -62,36 +62,36 @@ def tensor(o3d, pictures, camera, method, steps):
     criteria = [pipeline.OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
     matrix, start = o3d.core.Tensor(camera.matrix), o3d.core.Tensor(np.eye(4))
     kind = getattr(pipeline.Method, method.name)
-    found = pipeline.rgbd_odometry_multi_scale(*images, matrix, start, 1000.0, 3.0, criteria, kind)
-    return found.transformation.numpy(), found.fitness
+    result = pipeline.rgbd_odometry_multi_scale(*images, matrix, start, 1000.0, 3.0, criteria, kind)
+    return result.transformation.numpy(), result.fitness
 
 
-def ours(pictures, device):
+def to_rgbd_images(pictures, device):
     return [loom.RGBDImage.create_from_color_and_depth(*pair, 1000.0, 4.0, device=device) for pair in pictures]
 
 
-def check_legacy(theirs, pictures, camera, device, with_depth, steps, tolerances):
-    success, pose, information = theirs
+def check_legacy(expected, pictures, camera, device, with_depth, steps, tolerances):
+    success, pose, information = expected
     term = od.RGBDOdometryJacobianFromHybridTerm() if with_depth else od.RGBDOdometryJacobianFromColorTerm()
     option = od.OdometryOption(steps)
-    result = od.compute_rgbd_odometry(*ours(pictures, device), camera, None, term, option, weights="open3d")
+    result = od.compute_rgbd_odometry(*to_rgbd_images(pictures, device), camera, None, term, option, weights="open3d")
     assert result.reliable == success
     assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_legacy
     assert abs(result.information[5, 5] - information[5, 5]) <= 1e-4 * information[5, 5]
     assert not np.allclose(pose, np.eye(4), atol=1e-5)
 
 
-def check_tensor(theirs, pictures, camera, device, method, steps, tolerances):
-    pose, fitness = theirs
+def check_tensor(expected, pictures, camera, device, method, steps, tolerances):
+    pose, fitness = expected
     criteria = [OdometryConvergenceCriteria(step, 1e-12, 1e-12) for step in steps]
-    images = ours(pictures, device)
+    images = to_rgbd_images(pictures, device)
     result = rgbd_odometry_multi_scale(*images, camera.matrix, None, 1000.0, 3.0, criteria, method, weights="open3d")
     assert np.abs(result.transformation - pose).max() < tolerances.odometry_open3d_tensor
     assert abs(result.fitness - fitness) < 2e-4
 
 
 def of_made_pictures(o3d):
-    """Open3D's results of all cases of the made pictures."""
+    """Open3D's results of all cases of the synthetic images."""
     made = made_pictures()
     of_legacy = [legacy(o3d, *made, with_depth, steps) for with_depth, steps in LEGACY]
     return of_legacy, [tensor(o3d, *made, method, steps) for method, steps in TENSOR]
@@ -99,23 +99,23 @@ def of_made_pictures(o3d):
 
 def test_the_odometries_of_made_pictures(device, oracle, tolerances):
     of_legacy, of_tensor = oracle("rgbd/odometry", of_made_pictures)
-    for theirs, case in zip(of_legacy, LEGACY, strict=True):
-        check_legacy(theirs, *made_pictures(), device, *case, tolerances)
-    for theirs, case in zip(of_tensor, TENSOR, strict=True):
-        check_tensor(theirs, *made_pictures(), device, *case, tolerances)
+    for expected, case in zip(of_legacy, LEGACY, strict=True):
+        check_legacy(expected, *made_pictures(), device, *case, tolerances)
+    for expected, case in zip(of_tensor, TENSOR, strict=True):
+        check_tensor(expected, *made_pictures(), device, *case, tolerances)
 
 
 @pytest.mark.slow
 @pytest.mark.parametrize("with_depth", [True, False])
 def test_the_legacy_odometry_of_real_pictures(real_pictures, o3d, with_depth, tolerances):
-    theirs = legacy(o3d, *real_pictures, with_depth, (20, 10, 5))
-    check_legacy(theirs, *real_pictures, "cpu", with_depth, (20, 10, 5), tolerances)
+    expected = legacy(o3d, *real_pictures, with_depth, (20, 10, 5))
+    check_legacy(expected, *real_pictures, "cpu", with_depth, (20, 10, 5), tolerances)
 
 
 @pytest.mark.parametrize("method", list(od.Method))
 def test_the_tensor_odometry_of_real_pictures(real_pictures, o3d, method, tolerances):
-    theirs = tensor(o3d, *real_pictures, method, (10, 5, 3))
-    check_tensor(theirs, *real_pictures, "cpu", method, (10, 5, 3), tolerances)
+    expected = tensor(o3d, *real_pictures, method, (10, 5, 3))
+    check_tensor(expected, *real_pictures, "cpu", method, (10, 5, 3), tolerances)
 
 
 def information_of(o3d, raws, camera, pose):
@@ -127,12 +127,12 @@ def information_of(o3d, raws, camera, pose):
 def test_the_information_of_two_depths(oracle):
     (first, second), camera = made_pictures()
     raws, pose = [np.ascontiguousarray(pair[1]) for pair in (first, second)], np.linalg.inv(POSES[1]) @ POSES[0]
-    theirs = oracle("rgbd/odometry_information", information_of, raws, camera, pose)
-    mine = compute_odometry_information_matrix(*raws, camera, pose, 0.07)
-    assert np.abs(mine - theirs).max() < 2e-3 * np.abs(theirs).max()
+    expected = oracle("rgbd/odometry_information", information_of, raws, camera, pose)
+    information = compute_odometry_information_matrix(*raws, camera, pose, 0.07)
+    assert np.abs(information - expected).max() < 2e-3 * np.abs(expected).max()
 
 
-def test_a_blank_pair_fails_where_open3d_says_success(device):
+def test_a_blank_pair_fails_where_open3d_reports_success(device):
     image = loom.RGBDImage(np.zeros((120, 160, 3), np.uint8), np.zeros((120, 160), np.uint16), device=device)
     result = od.compute_rgbd_odometry(image, image, CAMERA, weights="open3d")
     assert not result.reliable and "no pixels correspond" in result.warnings[0]

@@ -1,4 +1,4 @@
-"""Real frames: the kitchen's poses are found, and frames that show other places are no success."""
+"""Odometry of real frames: the kitchen's poses, and failures for frames of different locations."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""A pair that does not show one place, or does not tell a motion, is no success: never an exception or an identity."""
+"""Pairs of different locations or with an ambiguous motion fail without an exception or an identity pose."""
 
 from __future__ import annotations
 
@@ -14,15 +14,15 @@ HERE = pose_of([0, 0, 0], [0, 0, 0])
 
 
 def half(depth, side):
-    """The picture with one side only."""
-    kept, middle = depth.copy(), depth.shape[1] // 2
-    kept[:, middle:] = np.where(side == "left", 0, kept[:, middle:])
-    kept[:, :middle] = np.where(side == "right", 0, kept[:, :middle])
-    return kept
+    """The image with one side only."""
+    half_depth, middle = depth.copy(), depth.shape[1] // 2
+    half_depth[:, middle:] = np.where(side == "left", 0, half_depth[:, middle:])
+    half_depth[:, :middle] = np.where(side == "right", 0, half_depth[:, :middle])
+    return half_depth
 
 
 def plane(rng, tilt, color=None):
-    """A noisy picture of a flat wall."""
+    """A noisy image of a flat wall."""
     v, u = np.mgrid[: CAMERA.height, : CAMERA.width]
     depth = 1.5 / (1 + tilt * (u - CAMERA.cx) / CAMERA.fx)
     depth = depth + 0.004 * rng.standard_normal(depth.shape)
@@ -40,22 +40,22 @@ def test_a_blank_frame_is_no_success(device, blank):
     assert not result.reliable and result.warnings
 
 
-def test_two_different_halves_are_no_success(device):
+def test_two_different_image_halves_are_no_success(device):
     depth, color = picture(HERE)
     frames = [od.OdometryFrame(half(depth, side), CAMERA, color, device=device) for side in ("left", "right")]
     assert not od.align_frames(*frames).reliable
 
 
-def test_two_equal_halves_are_enough(device):
+def test_two_equal_image_halves_are_enough(device):
     depth, color = picture(HERE)
     one = od.OdometryFrame(half(depth, "left"), CAMERA, color, device=device)
     result = od.align_frames(one, one)
     assert result.reliable and np.abs(result.transformation - np.eye(4)).max() < 1e-4
 
 
-@pytest.mark.parametrize("turn", [1.2, 1.6, 2.4, 3.1])
-def test_views_of_other_places_are_no_success(device, turn):
-    other = frame(pose_of([0.1, turn, 0.0], [0.2, 0.0, -0.3]), device, noise=1.0, seed=1)
+@pytest.mark.parametrize("angle", [1.2, 1.6, 2.4, 3.1])
+def test_views_of_other_locations_are_no_success(device, angle):
+    other = frame(pose_of([0.1, angle, 0.0], [0.2, 0.0, -0.3]), device, noise=1.0, seed=1)
     assert not od.align_frames(frame(HERE, device, noise=1.0), other).reliable
 
 
@@ -77,7 +77,7 @@ def test_a_wall_with_texture_is(device, rng):
     assert od.align_frames(*frames).reliable
 
 
-def test_a_wrong_camera_is_told_by_the_residual(device):
+def test_a_wrong_camera_is_detected_by_the_residual(device):
     wrong = loom.PinholeCameraIntrinsic(CAMERA.width, CAMERA.height, 110.0, 110.0, 70.0, 66.0)
     poses = HERE, pose_of([0.04, -0.12, 0.06], [0.15, 0.05, 0.1])
     pictures = [picture(pose, noise=0.5, seed=k) for k, pose in enumerate(poses)]
@@ -88,7 +88,7 @@ def test_a_wrong_camera_is_told_by_the_residual(device):
     assert rmse[1] > 1.5 * rmse[0]
 
 
-def test_a_thing_that_moves_does_not_carry_the_camera_off(device):
+def test_a_moving_object_does_not_affect_the_camera_pose(device):
     pictures = [picture(HERE, ball=BALL + shift) for shift in ([0, 0, 0], [0.15, 0, 0])]
     frames = [od.OdometryFrame(depth, CAMERA, color, device=device) for depth, color in pictures]
     result = od.align_frames(*frames)

@@ -1,4 +1,4 @@
-"""Open3D's configurations are understood as they stand; what makes no sense is named."""
+"""Open3D's configurations are read unchanged; invalid values are named in the error."""
 
 import json
 
@@ -23,7 +23,7 @@ TUTORIAL = {  # Open3D's examples/python/reconstruction_system/config/tutorial.j
     "global_registration": "ransac",
     "python_multi_threading": True,
 }
-# What its initialize_config.py fills in.
+# Defaults set by its initialize_config.py.
 FILLED_IN = {
     "depth_map_type": "redwood",
     "n_frames_per_fragment": 100,
@@ -57,19 +57,19 @@ FILLED_IN = {
 }
 
 
-def test_open3ds_configuration_is_taken_as_it_stands(tmp_path):
+def test_open3ds_configuration_is_accepted_unchanged(tmp_path):
     path = tmp_path / "tutorial.json"
     path.write_text(json.dumps(TUTORIAL | FILLED_IN))
-    found = Config.read(path).to_names()
-    understood = {name: value for name, value in (TUTORIAL | FILLED_IN).items() if name in found}
-    assert {name: found[name] for name in understood} == understood
-    ignored = set(TUTORIAL | FILLED_IN) - set(found)
+    names = Config.read(path).to_names()
+    understood = {name: value for name, value in (TUTORIAL | FILLED_IN).items() if name in names}
+    assert {name: names[name] for name in understood} == understood
+    ignored = set(TUTORIAL | FILLED_IN) - set(names)
     assert ignored == {
         *("name", "python_multi_threading", "depth_map_type", "block_count", "device", "subfolder_slac", "debug_mode")
     }
 
 
-def test_the_defaults_are_open3ds_but_for_what_follows_the_data():
+def test_the_defaults_are_open3ds_except_data_dependent_ones():
     names = TUTORIAL | FILLED_IN
     default = Config().to_names()
     assert {name for name, value in default.items() if name in names and value != names[name]} == {
@@ -78,11 +78,11 @@ def test_the_defaults_are_open3ds_but_for_what_follows_the_data():
 
 
 def test_older_names_mean_the_same():
-    found = Config.from_names({"max_depth": 2.5, "max_depth_diff": 0.05})
-    assert found == Config(depth_max=2.5, depth_diff_max=0.05)
+    config = Config.from_names({"max_depth": 2.5, "max_depth_diff": 0.05})
+    assert config == Config(depth_max=2.5, depth_diff_max=0.05)
 
 
-def test_names_of_the_tensor_system_are_understood_in_their_groups_or_without():
+def test_names_of_the_tensor_system_are_accepted_with_or_without_groups():
     grouped = {
         "general": {"fragment_size": 50, "depth_max": 2.0},
         "odometry": {"odometry_method": "point2plane", "odometry_loop_interval": 10, "odometry_distance_thr": 0.05},
@@ -106,14 +106,14 @@ def test_names_of_the_tensor_system_are_understood_in_their_groups_or_without():
     assert Config.from_names(grouped) == Config.from_names(flat) == expected
 
 
-def test_what_is_written_is_read_again(tmp_path):
+def test_a_written_configuration_is_read_again(tmp_path):
     config = Config(voxel_size=0.1, icp_method="generalized", tsdf_voxel_size=0.02)
     config.write(tmp_path / "config.json")
     assert Config.read(tmp_path / "config.json") == config
 
 
 @pytest.mark.parametrize(
-    ("names", "said"),
+    ("names", "message"),
     [
         ({"voxelsize": 0.05}, "voxelsize: unknown name .* did you mean 'voxel_size'"),
         ({"depth_max": "3.0"}, "depth_max: expected a number"),
@@ -135,17 +135,17 @@ def test_what_is_written_is_read_again(tmp_path):
         ({"template_fragment_posegraph": "%03d/%03d.json"}, "template_fragment_posegraph: expected one %03d"),
     ],
 )
-def test_what_makes_no_sense_is_named(tmp_path, names, said):
+def test_invalid_values_are_named(tmp_path, names, message):
     path = tmp_path / "config.json"
     path.write_text(json.dumps(names))
-    with pytest.raises(FileError, match=said) as caught:
+    with pytest.raises(FileError, match=message) as caught:
         Config.read(path)
     assert str(path) in str(caught.value)
-    with pytest.raises((TypeError, ValueError), match=said):
+    with pytest.raises((TypeError, ValueError), match=message):
         Config.from_names(names)
 
 
-def test_a_list_is_no_configuration(tmp_path):
+def test_a_list_is_rejected_as_a_configuration(tmp_path):
     with pytest.raises(TypeError, match="expected a mapping"):
         Config.from_names([])
     (tmp_path / "list.json").write_text("[]")

@@ -1,4 +1,4 @@
-"""The whole system: a model of what hangs together, and an account of what does not."""
+"""The complete reconstruction system: the model of connected frames, and the report of the others."""
 
 import dataclasses
 import json
@@ -14,47 +14,47 @@ from pointloom.core.wording import json_text
 from pointloom.datasets.scenes.room import surface_errors
 from pointloom.io.frames.datasets import Frame
 
-from .walks import Walk, blank, config, frame_at
+from .walks import ShortSequence, blank, config, frame_at
 
 run_system = loom.reconstruction.run_system
 
 
 def digest_of(folder):
-    """What the files of a job hold, but for times."""
+    """The content of the files of a job, without times."""
     paths = sorted(path for path in folder.rglob("*") if path.is_file())
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
 
 
-def on_the_truth(report, walk, folder):
-    """The vertices of the model, its first camera laid on the true one."""
+def on_the_truth(report, sequence, folder):
+    """The vertices of the model, with its first camera aligned to the true one."""
     path = loom.read_trajectory(folder / "scene" / "trajectory.log")
-    T = walk.read(int(path.ids[0, 0])).T_world_camera @ np.linalg.inv(path.poses[0])
+    T = sequence.read(int(path.ids[0, 0])).T_world_camera @ np.linalg.inv(path.poses[0])
     vertices = loom.read_triangle_mesh(folder / "scene" / "integrated.ply").vertices
     return vertices @ T[:3, :3].T + T[:3, 3]
 
 
 @pytest.fixture(scope="module")
 def room(tmp_path_factory):
-    """A walk of nine frames in three fragments, and what was made of it."""
-    folder, walk = tmp_path_factory.mktemp("job"), Walk(range(9), width=160)
-    report = run_system(walk, config(n_frames_per_fragment=3), folder)
-    return walk, folder, report
+    """A sequence of nine frames in three fragments, and its reconstruction."""
+    folder, sequence = tmp_path_factory.mktemp("job"), ShortSequence(range(9), width=160)
+    report = run_system(sequence, config(n_frames_per_fragment=3), folder)
+    return sequence, folder, report
 
 
 @pytest.mark.slow
-def test_frames_without_poses_become_the_room(room):
-    walk, folder, report = room
+def test_frames_without_poses_are_reconstructed_to_the_room(room):
+    sequence, folder, report = room
     assert (report.used, report.lost, report.warnings) == (9, (), ())
     assert [fragment.frames for fragment in report.fragments] == [3, 3, 3]
     assert all(fragment.placed for fragment in report.fragments)
     assert report.trajectory_error["rmse"] < 0.01
-    errors = surface_errors(on_the_truth(report, walk, folder))
+    errors = surface_errors(on_the_truth(report, sequence, folder))
     assert np.median(errors) < 0.01
     assert len(errors) == report.mesh["vertices"] > 3000
 
 
 @pytest.mark.slow
-def test_the_report_is_json_and_names_files_that_are_there(room):
+def test_the_report_is_json_and_names_existing_files(room):
     _, _, report = room
     assert json.loads(json_text(report))["used"] == 9
     assert [Path(path).name for path in report.files] == ["integrated.ply", "trajectory.log"]
@@ -75,39 +75,39 @@ def test_the_path_names_the_frames(room):
 
 
 def test_each_stage_can_be_run_by_itself(room, tmp_path):
-    walk, folder, _ = room
+    sequence, folder, _ = room
     settings = config(n_frames_per_fragment=3)
-    loom.reconstruction.make_fragments(walk, settings, tmp_path)
+    loom.reconstruction.make_fragments(sequence, settings, tmp_path)
     loom.reconstruction.register_fragments(settings, tmp_path)
-    placed = loom.reconstruction.integrate_scene(walk, settings, tmp_path)
+    integrated = loom.reconstruction.integrate_scene(sequence, settings, tmp_path)
     loom.reconstruction.refine_registration(settings, tmp_path)
-    refined = loom.reconstruction.integrate_scene(walk, settings, tmp_path)
+    refined = loom.reconstruction.integrate_scene(sequence, settings, tmp_path)
     settings.write(tmp_path / "config.json")
-    assert not np.array_equal(placed.T_world_camera, refined.T_world_camera)
+    assert not np.array_equal(integrated.T_world_camera, refined.T_world_camera)
     assert digest_of(tmp_path) == digest_of(folder)
 
 
-def test_a_stage_wants_the_one_before(tmp_path):
+def test_a_stage_requires_the_previous_one(tmp_path):
     with pytest.raises(FileError, match="make_fragments"):
         loom.reconstruction.register_fragments(config(), tmp_path)
-    loom.reconstruction.make_fragments(Walk([0, 1]), config(), tmp_path)
+    loom.reconstruction.make_fragments(ShortSequence([0, 1]), config(), tmp_path)
     for stage in (
         lambda: loom.reconstruction.refine_registration(config(), tmp_path),
-        lambda: loom.reconstruction.integrate_scene(Walk([0, 1]), config(), tmp_path),
+        lambda: loom.reconstruction.integrate_scene(ShortSequence([0, 1]), config(), tmp_path),
     ):
         with pytest.raises(FileError, match="register_fragments"):
             stage()
 
 
-def test_fragments_made_again_are_placed_again(tmp_path):
-    run_system(Walk([0, 1]), config(), tmp_path)
-    loom.reconstruction.make_fragments(Walk([0, 1, 2]), config(), tmp_path)
+def test_recomputed_fragments_are_registered_again(tmp_path):
+    run_system(ShortSequence([0, 1]), config(), tmp_path)
+    loom.reconstruction.make_fragments(ShortSequence([0, 1, 2]), config(), tmp_path)
     with pytest.raises(FileError, match="recreated after their registration"):
-        loom.reconstruction.integrate_scene(Walk([0, 1, 2]), config(), tmp_path)
+        loom.reconstruction.integrate_scene(ShortSequence([0, 1, 2]), config(), tmp_path)
 
 
 def test_parts_that_cannot_be_joined_are_listed(tmp_path):
-    report = run_system(Walk([0, 1, 2, 3, 40, 41]), config(), tmp_path)
+    report = run_system(ShortSequence([0, 1, 2, 3, 40, 41]), config(), tmp_path)
     assert report.used == 4
     (lost,) = report.lost
     assert (lost.first, lost.last, lost.count, lost.stage) == ("frame-4", "frame-5", 2, "register_fragments")
@@ -116,34 +116,34 @@ def test_parts_that_cannot_be_joined_are_listed(tmp_path):
 
 
 @pytest.mark.slow
-def test_parts_that_meet_again_are_joined_without_odometry(tmp_path):
-    walk = Walk([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160)
-    report = run_system(walk, config(), tmp_path)
+def test_overlapping_parts_are_joined_without_odometry(tmp_path):
+    sequence = ShortSequence([0, 1, 2, 40, 41, 42, 2, 1, 0], width=160)
+    report = run_system(sequence, config(), tmp_path)
     assert [fragment.placed for fragment in report.fragments] == [True, False, True]
     assert [fragment.joined for fragment in report.fragments] == [False, False, False]
     assert report.trajectory_error["rmse"] < 0.01
 
 
 def test_one_frame_is_a_model(tmp_path):
-    report = run_system(Walk([0]), config(), tmp_path)
+    report = run_system(ShortSequence([0]), config(), tmp_path)
     assert (report.used, report.reliable) == (1, True)
     assert report.mesh["vertices"] > 1000
 
 
-def test_blank_frames_leave_no_model_and_say_so(tmp_path):
-    report = run_system(Walk([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
+def test_blank_frames_leave_no_model_and_are_reported(tmp_path):
+    report = run_system(ShortSequence([0, 1], changed={i: blank(frame_at(i)) for i in (0, 1)}), config(), tmp_path)
     assert (report.used, report.files, report.mesh) == (0, (), None)
     assert report.lost[0].count == 2
     assert "frames overlap" in str(report.warnings)
 
 
 class Stream:
-    """Frames that come once, one after the other."""
+    """Frames that can be read once, in order."""
 
     depth_scale = 1000.0
 
-    def __init__(self, walk):
-        self.intrinsic, self.frames = walk.intrinsic, [walk.read(i) for i in range(len(walk))]
+    def __init__(self, sequence):
+        self.intrinsic, self.frames = sequence.intrinsic, [sequence.read(i) for i in range(len(sequence))]
 
     def __iter__(self):
         while self.frames:
@@ -152,28 +152,28 @@ class Stream:
 
 
 def test_a_stream_is_recorded_and_then_read_as_often_as_needed(tmp_path):
-    walk = Walk(range(4))
-    report = run_system(Stream(walk), config(), tmp_path)
+    sequence = ShortSequence(range(4))
+    report = run_system(Stream(sequence), config(), tmp_path)
     assert (report.used, report.trajectory_error) == (4, None)
     assert len(loom.open_frames(tmp_path / "frames")) == 4
-    again = run_system(Stream(Walk([])), config(), tmp_path, resume=True)
+    again = run_system(Stream(ShortSequence([])), config(), tmp_path, resume=True)
     assert again.resumed == 1
     with pytest.raises(FileError, match="frames"):
-        run_system(Stream(walk), config(), tmp_path)
+        run_system(Stream(sequence), config(), tmp_path)
 
 
-def test_frames_are_not_held(tmp_path):
-    walk, alive, most = Walk(range(8)), [], []
-    inner = walk.read
+def test_frames_are_released_after_use(tmp_path):
+    sequence, alive, alive_counts = ShortSequence(range(8)), [], []
+    inner = sequence.read
 
     def read(index):
         frame = inner(index)
         frame = dataclasses.replace(frame, depth=frame.depth.copy())
         alive.append(weakref.ref(frame.depth))
-        most.append(sum(ref() is not None for ref in alive))
+        alive_counts.append(sum(ref() is not None for ref in alive))
         return frame
 
-    walk.read = read
-    run_system(walk, config(n_frames_per_fragment=4), tmp_path)
-    assert len(most) == 24  # twice for fragments, once for the scene
-    assert max(most) <= 6  # those decoded ahead
+    sequence.read = read
+    run_system(sequence, config(n_frames_per_fragment=4), tmp_path)
+    assert len(alive_counts) == 24  # twice for fragments, once for the scene
+    assert max(alive_counts) <= 6  # frames that are decoded ahead

@@ -1,4 +1,4 @@
-"""A short walk through the furnished room in tiny pictures, and what may happen to its frames."""
+"""A short sequence through the furnished room in tiny images, and changes of its frames."""
 
 from __future__ import annotations
 
@@ -14,19 +14,19 @@ from pointloom.datasets.scenes.room import room_loop_sequence
 from pointloom.rgbd.slam.dense_slam import DenseSLAM
 
 WIDTH, HEIGHT = 80, 60
-VOXEL = 0.04  # [m] some 4 pixels of the near things, 2 of the far
-LOOP = 300  # frames of the whole loop: 1 to 3 degrees and 1 to 3 cm a frame
+VOXEL = 0.04  # [m] some 4 pixels of near objects, 2 of far ones
+LOOP = 300  # frames of the complete loop: 1 to 3 degrees and 1 to 3 cm per frame
 
 
 @cache
-def walk() -> Any:
+def sequence() -> Any:
     return room_loop_sequence(LOOP, width=WIDTH, height=HEIGHT)
 
 
 @cache
 def frame(index: int) -> Any:
-    """A frame of the walk, rendered on the CPU and kept."""
-    return walk().read(index)
+    """A frame of the sequence, rendered on the CPU and cached."""
+    return sequence().read(index)
 
 
 def frames(*indices: int) -> list[Any]:
@@ -34,9 +34,9 @@ def frames(*indices: int) -> list[Any]:
 
 
 def changed(original: Any, **changes: Any) -> Any:
-    """A frame with other pictures or another time."""
-    kept = {name: getattr(original, name) for name in ("depth", "color", "name", "timestamp", "T_world_camera")}
-    return SimpleNamespace(**{**kept, **changes})
+    """A frame with other images or another time."""
+    fields = {name: getattr(original, name) for name in ("depth", "color", "name", "timestamp", "T_world_camera")}
+    return SimpleNamespace(**{**fields, **changes})
 
 
 def blank(original: Any) -> Any:
@@ -44,22 +44,22 @@ def blank(original: Any) -> Any:
 
 
 def begun(device: str, **options: Any) -> DenseSLAM:
-    """A DenseSLAM that has seen nothing, and begins where the walk does."""
+    """A DenseSLAM without frames that starts at the first pose of the sequence."""
     start = {"T_init": frame(0).T_world_camera, "voxel_size": VOXEL, "device": device}
-    return loom.slam.DenseSLAM(walk().intrinsic, **{**start, **options})
+    return loom.slam.DenseSLAM(sequence().intrinsic, **{**start, **options})
 
 
 def error_of(result: Any, true: Any) -> tuple[float, float]:
-    """How far a result is off: [m], [degrees]."""
-    turn = result.pose[:3, :3].T @ true.T_world_camera[:3, :3]
-    angle = np.degrees(np.arccos(np.clip((np.trace(turn) - 1) / 2, -1, 1)))
+    """Error of a result: [m], [degrees]."""
+    rotation = result.pose[:3, :3].T @ true.T_world_camera[:3, :3]
+    angle = np.degrees(np.arccos(np.clip((np.trace(rotation) - 1) / 2, -1, 1)))
     return float(np.linalg.norm(result.pose[:3, 3] - true.T_world_camera[:3, 3])), float(angle)
 
 
 def fit(results: Sequence[Any]) -> list[bool]:
-    """Which frames lie on the model: those that are doubted for what adds up on the way alone do too."""
+    """True for frames on the model, including those that are uncertain only because of drift."""
     return [result.is_tracked or result.has_drifted for result in results]
 
 
-def verdicts(results: Sequence[Any]) -> list[str]:
+def statuses(results: Sequence[Any]) -> list[str]:
     return [result.status for result in results]

@@ -1,4 +1,4 @@
-"""What frames leave open adds up along a path, until the camera sees again what is surer; it reaches all verdicts."""
+"""Uncertainty accumulates along a path until the camera sees better-known parts again; all results include it."""
 
 from __future__ import annotations
 
@@ -16,24 +16,24 @@ from pointloom.rgbd.slam.tracker import Drift
 from .slam_walks import begun, frames
 
 
-def deviated(off: float, verdict="tracked") -> TrackingResult:
+def deviated(deviation: float, status="tracked") -> TrackingResult:
     covariance = np.zeros((6, 6))
-    covariance[4, 4] = off * off
-    return TrackingResult(np.eye(4), verdict, covariance=covariance)
+    covariance[4, 4] = deviation * deviation
+    return TrackingResult(np.eye(4), status, covariance=covariance)
 
 
-def test_the_deviation_of_a_position_is_that_of_its_most_open_direction():
+def test_the_deviation_of_a_position_is_that_of_its_least_constrained_direction():
     assert np.isclose(deviated(0.02).position_deviation, 0.02)
 
 
-@pytest.mark.parametrize(("share", "verdict"), [(0.9, "tracked"), (1.1, "uncertain")])
-def test_a_pose_that_is_too_open_is_uncertain_and_its_frame_fits_all_the_same(share, verdict):
-    judged = judge_drift(deviated(share * MAX_DEVIATION), 0.04)
-    assert (judged.status, judged.has_drifted) == (verdict, verdict == "uncertain")
-    assert judged.reliable == (verdict != "uncertain")
+@pytest.mark.parametrize(("share", "status"), [(0.9, "tracked"), (1.1, "uncertain")])
+def test_a_poorly_constrained_pose_is_uncertain_even_if_its_frame_fits(share, status):
+    result = judge_drift(deviated(share * MAX_DEVIATION), 0.04)
+    assert (result.status, result.has_drifted) == (status, status == "uncertain")
+    assert result.reliable == (status != "uncertain")
 
 
-def test_a_coarser_model_holds_less():
+def test_a_coarser_model_allows_more_drift():
     assert judge_drift(deviated(1.5 * MAX_DEVIATION), 0.16).status == "tracked"
 
 
@@ -41,19 +41,19 @@ def test_a_lost_frame_stays_lost():
     assert judge_drift(dataclasses.replace(deviated(1.0), status="lost"), 0.04).status == "lost"
 
 
-def test_the_way_adds_up_and_a_look_back_takes_it_off(device):
-    """Each alignment is as sure as any other here: what differs is what a frame stands on."""
-    model, own, offs = begun(device).model, 1e-6 * np.eye(6), []
+def test_uncertainty_accumulates_and_is_reduced_by_revisiting(device):
+    """All alignments are equally certain; only the frames they refer to differ."""
+    model, covariance, offs = begun(device).model, 1e-6 * np.eye(6), []
     keyframes = Keyframes(model.device)
     drift = Drift(keyframes)
     for number in range(0, 60, 6):
         shown = frames(number)[0]
         pyramid = model.prepare(shown).pyramid
-        offs.append(np.trace(drift.of(pyramid, shown.T_world_camera, own)[3:, 3:]))
+        offs.append(np.trace(drift.of(pyramid, shown.T_world_camera, covariance)[3:, 3:]))
         keyframes.add(pyramid, shown.T_world_camera, number)
         drift.keep(pyramid)
     back = frames(1)[0]
-    again = np.trace(drift.of(model.prepare(back).pyramid, back.T_world_camera, own)[3:, 3:])
+    again = np.trace(drift.of(model.prepare(back).pyramid, back.T_world_camera, covariance)[3:, 3:])
     assert offs[0] == 0 and offs[-1] > 2 * offs[1] > 0
     assert again < 0.7 * offs[-1]
 
@@ -64,7 +64,7 @@ def test_covariances_are_symmetric_and_positive(device):
         assert np.linalg.eigvalsh(result.covariance).min() > 0
 
 
-def test_a_path_that_is_open_is_unreliable_and_says_by_how_much():
+def test_a_path_with_large_deviation_is_unreliable_and_reports_it():
     camera = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
     v, u = np.mgrid[:48, :64]
     depth = np.float32(1.0 + 0.1 * np.sin(u / 5) * np.cos(v / 7))

@@ -1,4 +1,4 @@
-"""A focal length that is wrong is told from the frames, where they are turned against each other."""
+"""A wrong focal length is detected from frames that are rotated relative to each other."""
 
 import numpy as np
 import pytest
@@ -13,7 +13,7 @@ from ..sequences import Part
 
 
 class Stretched(Part):
-    """Frames whose focal length is told wrongly."""
+    """Frames with a wrong focal length."""
 
     def __init__(self, part: Part, factor: float):
         super().__init__(part.sequence, part.count, part.every)
@@ -28,7 +28,7 @@ def turning() -> Part:
 
 
 @pytest.fixture(scope="module")
-def walk() -> Part:
+def short_sequence() -> Part:
     """8 frames, 1 cm apart."""
     return Part(room_loop_sequence(600, width=80, height=60), 8)
 
@@ -48,17 +48,17 @@ def test_the_right_focal_length_is_not_reported(turning, device):
     ("factor", "better"),
     [(1.25, 0.8), pytest.param(0.8, 1.25, marks=pytest.mark.slow), pytest.param(0.9, 1.1, marks=pytest.mark.slow)],
 )
-def test_a_wrong_focal_length_is_told_with_a_better_one(turning, factor, better):
+def test_a_wrong_focal_length_is_reported_with_a_better_one(turning, factor, better):
     check = check_focal(Stretched(turning, factor), path_of(turning), depth_max=4.0)
     assert check is not None and check.factor == better
     assert f"about {better:g} times as long" in str(check.warnings)
 
 
-def test_a_camera_that_hardly_turned_tells_nothing(walk):
-    assert check_focal(walk, path_of(walk), depth_max=4.0) is None
+def test_a_camera_with_little_rotation_gives_no_focal_check(short_sequence):
+    assert check_focal(short_sequence, path_of(short_sequence), depth_max=4.0) is None
 
 
-def test_uncertain_poses_and_frames_that_cannot_be_read_say_nothing(turning, monkeypatch):
+def test_uncertain_poses_and_unreadable_frames_give_no_focal_check(turning, monkeypatch):
     path = path_of(turning)
     assert check_focal(turning, path, depth_max=4.0, uncertain=range(2, 10)) is None
 
@@ -69,7 +69,7 @@ def test_uncertain_poses_and_frames_that_cannot_be_read_say_nothing(turning, mon
     assert check_focal(turning, path, depth_max=4.0) is None
 
 
-def test_pairs_are_turned_by_enough_and_end_at_different_frames(turning):
+def test_pairs_are_rotated_enough_and_end_at_different_frames(turning):
     path = path_of(turning)
     pairs = rotated_pairs(path)
     assert len(pairs) >= 3

@@ -1,4 +1,4 @@
-"""Closing loops: drift goes, good poses stay, and what looks alike bends nothing."""
+"""Loop closure removes drift, preserves good poses, and rejects similar but different locations."""
 
 import dataclasses
 import itertools
@@ -16,25 +16,25 @@ from .loop_scenes import hall_run, moved, record, room_run, surface_error, traje
 
 @pytest.fixture(scope="module")
 def closed():
-    """The drifted run with its loops closed: (submaps, tracked, true, LoopClosure)."""
+    """The drifted run with closed loops: (submaps, tracked, true, LoopClosure)."""
     submaps, tracked, true = room_run()
     return submaps, tracked, true, close_loops(submaps)
 
 
 def farthest_shift(poses, submaps):
-    """How far submaps were moved [m, or rad on an arm of a metre]."""
+    """Displacements of submaps [m, or rad at an arm of one meter]."""
     return max(sum(pose_error(T, s.T_world_submap)) for T, s in zip(poses, submaps, strict=True))
 
 
 def bits_of(closure, order):
-    """All bits of a closure, submaps in the order of the run; `order` is where each stands in the list given."""
-    place = {given: k for k, given in enumerate(order)}
-    pairs = sorted((place[p.source], place[p.target], p.T_target_source.tobytes(), p.score) for p in closure.loops)
+    """All bits of a closure, submaps in the order of the run; `order` gives their positions in the given list."""
+    rank = {given: k for k, given in enumerate(order)}
+    pairs = sorted((rank[p.source], rank[p.target], p.T_target_source.tobytes(), p.score) for p in closure.loops)
     return closure.T_world_submap[order].tobytes(), pairs
 
 
 @pytest.mark.slow
-def test_closing_loops_takes_drift_out_of_the_trajectory(closed):
+def test_closing_loops_removes_drift_from_the_trajectory(closed):
     submaps, tracked, true, closure = closed
     numbers, poses = corrected_trajectory(submaps, closure.T_world_submap)
     assert (numbers == np.arange(len(true))).all()
@@ -45,7 +45,7 @@ def test_closing_loops_takes_drift_out_of_the_trajectory(closed):
 
 
 @pytest.mark.slow
-def test_fusing_at_corrected_poses_takes_drift_out_of_the_surface(closed):
+def test_fusing_at_corrected_poses_removes_drift_from_the_surface(closed):
     submaps, tracked, true, closure = closed
     _, poses = corrected_trajectory(submaps, closure.T_world_submap)
     before = surface_error(fuse_submaps(submaps), tracked, true)
@@ -54,13 +54,13 @@ def test_fusing_at_corrected_poses_takes_drift_out_of_the_surface(closed):
 
 
 @pytest.mark.slow
-def test_every_loop_that_is_taken_is_right(closed):
+def test_every_accepted_loop_is_correct(closed):
     submaps, _, true, closure = closed
     middles = [len(s.frames) // 2 for s in submaps]
     truth = [true[s.frames[k]] @ invert_pose(s.T_submap_camera[k]) for s, k in zip(submaps, middles, strict=True)]
     for loop in closure.loops:
         angle, shift = pose_error(loop.T_target_source, invert_pose(truth[loop.target]) @ truth[loop.source])
-        assert angle < np.radians(1.5) and shift < 0.08  # what was lost within the two
+        assert angle < np.radians(1.5) and shift < 0.08  # the drift within the two
 
 
 @pytest.mark.slow
@@ -72,7 +72,7 @@ def test_the_order_of_submaps_does_not_matter(closed):
 
 
 @pytest.mark.slow
-def test_right_poses_stay():
+def test_correct_poses_are_unchanged():
     submaps, _, true = room_run(drift=0.0)
     closure = close_loops(submaps)
     _, poses = corrected_trajectory(submaps, closure.T_world_submap)
@@ -81,19 +81,19 @@ def test_right_poses_stay():
 
 
 @pytest.mark.slow
-def test_another_room_that_looks_alike_stays_where_it_is():
-    """The same room again, 7 m on: no accepted pair may pull them together."""
+def test_a_similar_room_is_not_joined():
+    """The same room again, 7 m away: no accepted pair may connect the two."""
     submaps, _, _ = room_run(drift=0.0)
-    there = pose_of(np.array([0, 0, 0, 7.0, 0, 0]))
+    shift = pose_of(np.array([0, 0, 0, 7.0, 0, 0]))
     pair = [submaps[0], submaps[5]]
-    twins = [*pair, *(moved(s, there, frames=s.frames + 1000, follows=True) for s in pair)]
+    twins = [*pair, *(moved(s, shift, frames=s.frames + 1000, follows=True) for s in pair)]
     closure = close_loops(twins)
     assert all(loop.target // 2 == loop.source // 2 for loop in closure.loops)
     assert farthest_shift(closure.T_world_submap, twins) < 0.02
 
 
-def test_a_symmetric_hall_is_not_turned_round(device):
-    """Its two ends lie on each other as well as on themselves, and three planes fit any other."""
+def test_a_symmetric_hall_is_not_rotated(device):
+    """Its two ends fit each other as well as themselves, and any three planes match."""
     parts = [hall_run(device, 4, (0.0, 1.2)), hall_run(device, 4, (np.pi, np.pi + 1.2), first=10)]
     closure = close_loops(parts, voxel_size=0.1, drift=2.0)
     assert closure.loops == []
@@ -103,15 +103,15 @@ def test_a_symmetric_hall_is_not_turned_round(device):
 @pytest.mark.slow
 def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
     submaps, _, true, closure = closed
-    known = {(p.source, p.target) for p in closure.loops}
+    true_loops = {(p.source, p.target) for p in closure.loops}
     wrong = max((p for p in closure.loops), key=lambda p: p.source - p.target)
-    off = pose_of(np.array([0.1, 0.0, 0.1, 0.3, -0.2, 0.1]))
-    found = loops_module.verify_near
+    error_pose = pose_of(np.array([0.1, 0.0, 0.1, 0.3, -0.2, 0.1]))
+    verify = loops_module.verify_near
 
     def deceived(surfaces, candidates):
-        loops = found(surfaces, candidates)
+        loops = verify(surfaces, candidates)
         return [
-            dataclasses.replace(p, T_target_source=off @ p.T_target_source)
+            dataclasses.replace(p, T_target_source=error_pose @ p.T_target_source)
             if (p.source, p.target) == (wrong.source, wrong.target)
             else p
             for p in loops
@@ -125,19 +125,19 @@ def test_a_loop_that_contradicts_the_others_is_dropped(closed, monkeypatch):
     monkeypatch.setattr(loops_module, "refine", unrefined)
     misled = close_loops(submaps)
     _, poses = corrected_trajectory(submaps, misled.T_world_submap)
-    taken = {(p.source, p.target) for p in misled.loops}
-    assert (wrong.source, wrong.target) in known - taken
+    accepted = {(p.source, p.target) for p in misled.loops}
+    assert (wrong.source, wrong.target) in true_loops - accepted
     reasons = {(p.source, p.target): p.refused for p in misled.refused}
     assert "contradicts" in reasons[wrong.source, wrong.target]
     assert trajectory_error(poses, true) < 0.012
 
 
 @pytest.mark.slow
-def test_submaps_after_a_loss_are_found_again():
-    """Two that tracking put meters away, turned round, after it was lost."""
+def test_submaps_after_a_tracking_loss_are_relocalized():
+    """Two submaps that tracking placed meters away and rotated after a tracking loss."""
     submaps, _, _ = room_run(drift=0.0)
-    lost = pose_of(np.array([0.0, 0.0, 2.5, 9.0, 4.0, 1.0]))
-    run = [*submaps[:2], moved(submaps[5], lost, follows=False), moved(submaps[6], lost)]
+    wrong_pose = pose_of(np.array([0.0, 0.0, 2.5, 9.0, 4.0, 1.0]))
+    run = [*submaps[:2], moved(submaps[5], wrong_pose, follows=False), moved(submaps[6], wrong_pose)]
     closure = close_loops(run)
     assert (closure.groups == 0).all()
     for T, k in zip(closure.T_world_submap[2:], (5, 6), strict=True):
@@ -145,7 +145,7 @@ def test_submaps_after_a_loss_are_found_again():
         assert angle < np.radians(1) and shift < 0.03
 
 
-def test_submaps_that_nothing_joins_stay_in_a_group_of_their_own(device):
+def test_unconnected_submaps_form_their_own_group(device):
     parts = [hall_run(device, 4, (0.0, 1.2)), hall_run(device, 4, (2.0, 3.2), first=10)]
     far = moved(parts[1], pose_of(np.array([0, 0, 0, 50.0, 0, 0])), follows=False)
     closure = close_loops([far, parts[0]], voxel_size=0.1)
@@ -153,7 +153,7 @@ def test_submaps_that_nothing_joins_stay_in_a_group_of_their_own(device):
     assert (closure.T_world_submap == [far.T_world_submap, parts[0].T_world_submap]).all()
 
 
-def test_frames_go_with_their_submaps():
+def test_frames_move_with_their_submaps():
     steps = np.cumsum(np.random.default_rng(0).normal(0, 0.02, (25, 6)), axis=0)
     tracked = np.array([pose_of(step) for step in steps])
     submaps = record(tracked, frames=10).finish()
@@ -163,7 +163,7 @@ def test_frames_go_with_their_submaps():
     T = pose_of(np.array([0.3, 0.1, -0.2, 1.0, 2.0, 3.0]))
     _, poses = corrected_trajectory(submaps[::-1], (T @ stayed)[::-1])
     assert np.abs(poses - T @ tracked).max() < 1e-9
-    stayed[-1, :3, 3] += 0.1  # the last one alone: the first frames stay, the last go with it, between is between
+    stayed[-1, :3, 3] += 0.1  # frames of the first submap stay, those of the last move, others are interpolated
     _, poses = corrected_trajectory(submaps, stayed)
     shifts = np.linalg.norm((poses - tracked)[:, :3, 3], axis=1)
     assert shifts[0] < 1e-9 and np.isclose(shifts[-1], 0.1 * 3**0.5) and (np.diff(shifts) > -1e-9).all()
@@ -178,10 +178,10 @@ def test_the_order_of_submaps_does_not_matter_to_the_volume(device):
     assert len(digests) == 1
 
 
-def test_progress_is_told(device):
-    told = []
-    close_loops([hall_run(device, 3, (0.0, 0.8))], progress=lambda *step: told.append(step))
-    assert told[0] == ("surfaces", 0, 1) and told[-1][0] == "loops" and told[-1][1] == told[-1][2]
+def test_progress_is_reported(device):
+    reported = []
+    close_loops([hall_run(device, 3, (0.0, 0.8))], progress=lambda *step: reported.append(step))
+    assert reported[0] == ("surfaces", 0, 1) and reported[-1][0] == "loops" and reported[-1][1] == reported[-1][2]
 
 
 def test_bad_input_is_refused(device):

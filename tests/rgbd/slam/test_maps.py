@@ -1,4 +1,4 @@
-"""A camera that is lost for long begins a new map, which is joined where the two are known to show the same place."""
+"""A camera that is lost for long begins a new map, which is joined once both maps show the same location."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ from pointloom.registration.rigid import invert_pose
 from pointloom.rgbd.slam import map_joins, maps
 from pointloom.rgbd.slam.map_joins import Proposal, judge_join
 
-from .slam_walks import begun, blank, frame, frames, walk
+from .slam_walks import begun, blank, frame, frames, sequence
 
 ELSEWHERE = range(150, 166)  # the other side of the room
 NEAR = 0.03  # [m] voxels are 4 cm
@@ -21,7 +21,7 @@ NEAR = 0.03  # [m] voxels are 4 cm
 
 @pytest.fixture(autouse=True)
 def _soon(monkeypatch):
-    """Lost for four frames is long, and a map of four frames is one."""
+    """A loss of four frames begins a new map, and four frames make a map."""
     monkeypatch.setattr(maps, "LOST_FOR_LONG", 4)
     monkeypatch.setattr(maps, "TRIAL", 4)
 
@@ -38,7 +38,7 @@ def error(pose, index: int) -> float:
 
 
 @pytest.mark.slow
-def test_a_camera_lost_for_long_begins_a_map_with_coordinates_of_its_own(device):
+def test_a_camera_lost_for_long_begins_a_map_with_its_own_coordinates(device):
     slam = away(device)
     assert [result.map for result in slam.results] == [0] * 14 + [1] * 12
     assert [result.status for result in slam.results] == ["tracked"] * 10 + ["lost"] * 4 + ["tracked"] * 12
@@ -61,17 +61,17 @@ def test_maps_that_share_nothing_are_not_joined(device):
 
 
 @pytest.mark.slow
-def test_a_map_is_joined_where_the_camera_comes_into_the_old_one(device):
-    """Lost at 60, it walks back to where it began."""
-    slam, seen = begun(device), [*range(0, 14, 2), *range(60, -1, -2)]
-    slam.run(frames(*seen))
+def test_maps_are_joined_when_the_camera_returns_to_the_old_one(device):
+    """Lost at 60, the camera returns to its start."""
+    slam, indices = begun(device), [*range(0, 14, 2), *range(60, -1, -2)]
+    slam.run(frames(*indices))
     (join,) = (join for join in slam.joins if not join.refused)
     assert (join.target, join.source) == (0, 1) and join.views >= 2 and join.score > 0.5
     assert list(slam.map_sizes) == [0]
-    placed = slam.trajectory.ids[:, 0].tolist()
-    assert len(placed) == len(seen) - 4
-    assert max(error(pose, seen[k]) for k, pose in zip(placed, slam.trajectory.poses, strict=True)) < NEAR
-    assert slam.model.frame_count == len(placed)
+    ids = slam.trajectory.ids[:, 0].tolist()
+    assert len(ids) == len(indices) - 4
+    assert max(error(pose, indices[k]) for k, pose in zip(ids, slam.trajectory.poses, strict=True)) < NEAR
+    assert slam.model.frame_count == len(ids)
 
 
 @pytest.mark.slow
@@ -83,24 +83,26 @@ def test_maps_are_joined_by_their_submaps_too(device):
     slam._maps.searchable.append(renumbered(other, slam))
     (join,) = slam.join_maps()
     assert not join.refused and len(slam.trajectory) == 25
-    off = [error(r.pose, k) for r, k in zip(slam.results, [*range(0, 24, 2), *range(30, 4, -2)], strict=True)]
-    assert max(off) < NEAR
+    errors = [error(r.pose, k) for r, k in zip(slam.results, [*range(0, 24, 2), *range(30, 4, -2)], strict=True)]
+    assert max(errors) < NEAR
     assert len(slam.close_loops().T_world_submap) >= 4
 
 
 def renumbered(other, slam):
-    """The only map of another run as the second of a run."""
+    """The only map of another run as the second map of a run."""
     from dataclasses import replace
 
-    first, known = len(slam.results), other._maps.here
+    first, second_map = len(slam.results), other._maps.here
     slam.results += [replace(result, index=first + result.index, map=1) for result in other.results]
-    known.number, known.keyframes.numbers = 1, [first + number for number in known.keyframes.numbers]
-    known.recorder.finish()
-    known.recorder.submaps = [replace(submap, frames=submap.frames + first) for submap in known.recorder.submaps]
-    return known
+    second_map.number, second_map.keyframes.numbers = 1, [first + number for number in second_map.keyframes.numbers]
+    second_map.recorder.finish()
+    second_map.recorder.submaps = [
+        replace(submap, frames=submap.frames + first) for submap in second_map.recorder.submaps
+    ]
+    return second_map
 
 
-def test_a_join_has_to_be_borne_out_by_the_maps(device):
+def test_a_join_must_be_confirmed_by_the_maps(device):
     first, second = begun(device), begun(device)
     first.run(frames(*range(0, 24, 4)))
     second.model.current_frame_pose = frame(8).T_world_camera.copy()
@@ -125,7 +127,7 @@ def test_a_join_has_to_be_borne_out_by_the_maps(device):
         ({"score": 0.4}, "their surfaces do not confirm it: score 0.40"),
     ],
 )
-def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
+def test_each_kind_of_evidence_is_required(monkeypatch, given, refused):
     views, gap = given.get("views", 2), given.get("apart", 1.0)
     poses = [np.eye(4) for _ in range(views)]
     for k, pose in enumerate(poses):
@@ -138,7 +140,7 @@ def test_each_sort_of_evidence_is_asked_for(monkeypatch, given, refused):
     assert bool(refused) is bool(given)
 
 
-def test_a_proposal_is_borne_out_by_frames_over_some_way_and_dropped_by_a_few_that_are_not():
+def test_a_proposal_needs_confirming_frames_and_is_dropped_by_a_few_contradicting_ones():
     off, shift = [0.0], np.eye(4)
     tracker = SimpleNamespace(try_pose=lambda _, pose: SimpleNamespace(status="tracked", pose=pose @ moved(off[0])))
     proposal = Proposal(SimpleNamespace(tracker=tracker), None, shift, np.eye(4))
@@ -155,15 +157,15 @@ def moved(x: float):
     return T
 
 
-def test_a_map_that_is_lost_again_at_once_is_given_up(device, monkeypatch):
+def test_a_map_that_is_lost_immediately_is_discarded(device, monkeypatch):
     monkeypatch.setattr(maps, "LOST_FOR_LONG", 1)
     slam = begun(device)
     slam.run(frames(*range(4), *ELSEWHERE[:3], 100))  # two frames of a new map, and then elsewhere
     assert slam.status_counts == {"tracked": 4, "uncertain": 0, "lost": 4}
     assert "discarded after 2 frames" in slam.results[5].warnings[0]
     assert slam.map_sizes == {0: 4} and slam.model.frame_count == 4
-    found = slam.step(frame(3))
-    assert found.is_tracked and found.map == 0  # where it was, it is found
+    result = slam.step(frame(3))
+    assert result.is_tracked and result.map == 0  # the relocalized camera is in its old map
 
 
 def test_covered_frames_begin_no_map(device):
@@ -173,19 +175,19 @@ def test_covered_frames_begin_no_map(device):
 
 
 @pytest.mark.slow
-def test_models_that_are_kept_are_few(device, monkeypatch):
+def test_few_models_are_stored(device, monkeypatch):
     monkeypatch.setattr(maps, "MAX_MAPS", 2)
     slam = away(device)
     slam.run(frames(*range(75, 85)))
     assert slam._maps.begun == 3 and len(slam._maps.searchable) == 2
-    assert set(slam.map_sizes) == {0, 1, 2}  # its frames still say which map they are of
+    assert set(slam.map_sizes) == {0, 1, 2}  # its frames still refer to their map
 
 
 class Away:
     """Four frames, then nine of the other side of the room, for `loom.track`."""
 
     seen = (*range(4), *ELSEWHERE[:9])
-    intrinsic, depth_scale = property(lambda _: walk().intrinsic), 1000.0
+    intrinsic, depth_scale = property(lambda _: sequence().intrinsic), 1000.0
 
     def __len__(self) -> int:
         return len(self.seen)
@@ -194,7 +196,7 @@ class Away:
         return frame(self.seen[index])
 
 
-def test_a_path_says_what_lies_in_a_map_of_its_own():
+def test_a_path_reports_poses_in_a_separate_map():
     path = loom.track(Away(), voxel_size=0.04)
     assert path.trajectory.ids[:, 0].tolist() == list(range(8, 13))
     assert len(path.true_poses) == 5 and path.error.absolute_translation.rmse < NEAR
@@ -212,7 +214,8 @@ def test_a_model_is_of_one_map():
     result = loom.reconstruct(Away(), voxel_size=0.04)
     assert len(result.trajectory) == 5 and "2 maps" in str(result.warnings)
     lowest, highest = result.mesh.vertices.min(axis=0), result.mesh.vertices.max(axis=0)
-    alone = loom.reconstruct(loom.frames_from([(f.color, f.depth) for f in frames(*range(154, 159))], walk().intrinsic),
-                             voxel_size=0.04)  # fmt: skip
+    alone = loom.reconstruct(
+        loom.frames_from([(f.color, f.depth) for f in frames(*range(154, 159))], sequence().intrinsic), voxel_size=0.04
+    )
     np.testing.assert_allclose(lowest, alone.mesh.vertices.min(axis=0), atol=0.05)
     np.testing.assert_allclose(highest, alone.mesh.vertices.max(axis=0), atol=0.05)

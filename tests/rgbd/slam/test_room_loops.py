@@ -1,4 +1,4 @@
-"""Loops through the furnished room: closed, slow, exact; and what is done to their pictures is what was asked for."""
+"""Loops through the furnished room are closed, slow and exact, and their images have the given effects."""
 
 import numpy as np
 import pytest
@@ -24,8 +24,8 @@ def test_a_loop_of_600_frames_is_closed_and_as_slow_as_a_hand(path):
     assert poses.shape == (600, 4, 4)
     around = np.concatenate([poses, poses[:1]])
     steps = np.linalg.norm(np.diff(around[:, :3, 3], axis=0), axis=1)
-    turns = np.einsum("nji,njk->nik", around[:-1, :3, :3], around[1:, :3, :3])
-    angles = np.degrees(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1)))
+    rotations = np.einsum("nji,njk->nik", around[:-1, :3, :3], around[1:, :3, :3])
+    angles = np.degrees(np.arccos(np.clip((np.trace(rotations, axis1=1, axis2=2) - 1) / 2, -1, 1)))
     assert steps.min() > 0.003 and steps.max() < 0.02
     assert angles.max() < 1.5 and angles.sum() > 360
     assert surface_errors(poses[:, :3, 3]).min() > 0.4
@@ -38,7 +38,7 @@ def test_the_two_loops_are_not_the_same_way():
 
 
 @pytest.mark.parametrize("path", LOOPS)
-def test_depth_of_a_loop_lies_on_the_true_surface(path, device):
+def test_depth_of_a_loop_is_on_the_true_surface(path, device):
     sequence = room_loop_sequence(6, path, **SMALL, noise=False, device=device)
     for frame in sequence:
         assert surface_errors(back_project(frame), device=device).max() < 2e-6
@@ -48,11 +48,11 @@ def test_depth_of_a_loop_lies_on_the_true_surface(path, device):
 @pytest.mark.parametrize("path", LOOPS)
 def test_a_loop_sees_all_sides_of_the_room(path):
     """Nearly all sixteenths of each wall, of the floor and of the ceiling."""
-    seen = np.concatenate([back_project(f) for f in room_loop_sequence(40, path, **SMALL, noise=False)])
+    points = np.concatenate([back_project(f) for f in room_loop_sequence(40, path, **SMALL, noise=False)])
     sizes = (5.0, 4.0, 2.6)
     for axis, size in enumerate(sizes):
-        for wall in (seen[:, axis] < 0.1, seen[:, axis] > size - 0.1):
-            along = np.delete(seen[wall], axis, axis=1)
+        for wall in (points[:, axis] < 0.1, points[:, axis] > size - 0.1):
+            along = np.delete(points[wall], axis, axis=1)
             extent = np.delete(sizes, axis)
             cells = np.unique((along / extent * 4).clip(0, 3).astype(int), axis=0)
             assert len(cells) >= 14
@@ -66,11 +66,11 @@ def test_times_are_those_of_30_frames_a_second():
 def test_a_covered_lens_sees_nothing_and_the_pose_stays_true():
     plain, covered = room_loop_sequence(9, **SMALL), room_loop_sequence(9, **SMALL, covered=(2, 4))
     for i in range(9):
-        frame, known = covered.read(i), plain.read(i)
-        assert np.array_equal(frame.T_world_camera, known.T_world_camera)
+        frame, expected = covered.read(i), plain.read(i)
+        assert np.array_equal(frame.T_world_camera, expected.T_world_camera)
         dark = 2 <= i < 4
-        assert np.array_equal(frame.depth, np.zeros_like(known.depth) if dark else known.depth)
-        assert np.array_equal(frame.color, np.zeros_like(known.color) if dark else known.color)
+        assert np.array_equal(frame.depth, np.zeros_like(expected.depth) if dark else expected.depth)
+        assert np.array_equal(frame.color, np.zeros_like(expected.color) if dark else expected.color)
 
 
 def test_frames_may_lack_color():
@@ -90,9 +90,11 @@ def test_exposure_changes_brightness_within_its_bounds_and_along_the_rows():
     plain, wild = room_loop_sequence(60, **SMALL), room_loop_sequence(60, **SMALL, exposure=0.5)
     ratios = []
     for i in range(0, 60, 6):
-        known, frame = plain.read(i).color.astype(float), wild.read(i).color.astype(float)
+        expected, frame = plain.read(i).color.astype(float), wild.read(i).color.astype(float)
         rows = [
-            frame[v][known[v] < 160].sum() / known[v][known[v] < 160].sum() for v in (0, 59) if (known[v] < 160).any()
+            frame[v][expected[v] < 160].sum() / expected[v][expected[v] < 160].sum()
+            for v in (0, 59)
+            if (expected[v] < 160).any()
         ]
         ratios.append(rows)
     everything = np.concatenate(ratios)
@@ -100,7 +102,7 @@ def test_exposure_changes_brightness_within_its_bounds_and_along_the_rows():
     assert max(abs(rows[0] - rows[-1]) for rows in ratios) > 0.02
 
 
-def test_somebody_walks_through_the_view_and_out_of_it():
+def test_a_person_crosses_the_view():
     plain, crossed = (
         room_loop_sequence(60, **SMALL, noise=False),
         room_loop_sequence(60, **SMALL, noise=False, person=True),

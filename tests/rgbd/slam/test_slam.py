@@ -1,4 +1,4 @@
-"""A camera without poses in: its path and the surface out, and a verdict on each frame."""
+"""SLAM without given poses: the path, the surface, and a status for each frame."""
 
 from __future__ import annotations
 
@@ -8,22 +8,24 @@ import pytest
 import pointloom as loom
 from pointloom.datasets.scenes.room import surface_errors
 
-from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, frame, frames, verdicts, walk
+from .slam_walks import HEIGHT, VOXEL, WIDTH, begun, blank, changed, error_of, frame, frames, sequence, statuses
 
-# Noise of some 5 mm a pixel at 2 m and voxels of 4 cm in pictures of 80 x 60: a hundredth of them is within reach.
-NEAR, TURNED = 0.02, 0.5  # [m], [degrees]
+# Noise of some 5 mm a pixel at 2 m and voxels of 4 cm in images of 80 x 60 allow a hundredth of them.
+NEAR, MAX_ROTATION_ERROR = 0.02, 0.5  # [m], [degrees]
 
 
-def assert_found(results, true):
+def assert_tracked(results, true):
     for result, shown in zip(results, true, strict=True):
         assert result.status == "tracked", f"frame {result.index}: {result.warnings}"
-        off, turned = error_of(result, shown)
-        assert off < NEAR and turned < TURNED, f"frame {result.index} is {1000 * off:.0f} mm, {turned:.2f} degrees off"
+        error, angle = error_of(result, shown)
+        assert error < NEAR and angle < MAX_ROTATION_ERROR, (
+            f"frame {result.index} is {1000 * error:.0f} mm, {angle:.2f} degrees off"
+        )
 
 
-def test_a_walk_is_tracked_and_its_surface_is_the_rooms(device):
-    taken, slam = frames(*range(10)), begun(device)
-    assert_found(slam.run(taken), taken)
+def test_a_sequence_is_tracked_and_its_surface_is_the_rooms(device):
+    source, slam = frames(*range(10)), begun(device)
+    assert_tracked(slam.run(source), source)
     assert slam.status_counts == {"tracked": 10, "uncertain": 0, "lost": 0}
     assert slam.volume.frame_count == 10
     errors = surface_errors(slam.extract_triangle_mesh().vertices)
@@ -31,12 +33,12 @@ def test_a_walk_is_tracked_and_its_surface_is_the_rooms(device):
 
 
 def test_the_trajectory_has_the_frames_numbers_and_times(device):
-    taken, slam = frames(0, 1, 2), begun(device)
-    slam.run([taken[0], blank(taken[1]), taken[2]])
+    source, slam = frames(0, 1, 2), begun(device)
+    slam.run([source[0], blank(source[1]), source[2]])
     path = slam.trajectory
     assert path.ids is not None and path.timestamps is not None
     assert path.ids.tolist() == [[0, 0, 1], [2, 2, 1]]
-    assert path.timestamps.tolist() == [taken[0].timestamp, taken[2].timestamp]
+    assert path.timestamps.tolist() == [source[0].timestamp, source[2].timestamp]
 
 
 def lit(shown, gain):
@@ -54,14 +56,14 @@ def lit(shown, gain):
     ids=["depth alone", "some without color", "rolling exposure", "farther apart"],
 )
 def test_other_frames_are_tracked_too(device, change):
-    taken, slam = [change(k, frame(k)) for k in range(6)], begun(device)
-    assert_found(slam.run(taken), taken)
+    source, slam = [change(k, frame(k)) for k in range(6)], begun(device)
+    assert_tracked(slam.run(source), source)
     assert slam.volume.frame_count == 6
-    colors = slam.render(taken[0].T_world_camera).colors
-    assert (colors is None) == all(shown.color is None for shown in taken)
+    colors = slam.render(source[0].T_world_camera).colors
+    assert (colors is None) == all(shown.color is None for shown in source)
 
 
-def test_what_does_not_lie_on_the_model_is_not_fused(device):
+def test_depth_off_the_model_is_not_fused(device):
     slam, shown = begun(device), frame(4)
     assert slam.step(blank(frame(0))).status == "lost"
     slam.run(frames(*range(4)))
@@ -74,31 +76,31 @@ def test_what_does_not_lie_on_the_model_is_not_fused(device):
     assert slam.volume.frame_count == 4
 
 
-def test_a_camera_that_was_covered_for_a_while_is_found_again(device):
-    """Meanwhile it moves by 6 frames of this walk, some 9 cm and 7 degrees."""
+def test_a_camera_that_was_covered_is_relocalized(device):
+    """The camera moves by 6 frames of this sequence while covered, some 9 cm and 7 degrees."""
     slam = begun(device)
     slam.run(frames(*range(6)))
-    lost = [slam.step(blank(frame(6))) for _ in range(12)]
-    assert set(verdicts(lost)) == {"lost"}
+    lost_results = [slam.step(blank(frame(6))) for _ in range(12)]
+    assert set(statuses(lost_results)) == {"lost"}
     assert slam.volume.frame_count == 6
     results = slam.run(frames(9, 10, 11))
     assert results[-1].status == "tracked"
-    off, turned = error_of(results[-1], frame(11))
-    assert off < 2 * NEAR and turned < 2 * TURNED
+    error, angle = error_of(results[-1], frame(11))
+    assert error < 2 * NEAR and angle < 2 * MAX_ROTATION_ERROR
 
 
-def test_a_lost_camera_is_found_again_from_a_keyframe(device):
+def test_a_lost_camera_is_relocalized_from_a_keyframe(device):
     slam = begun(device)
     slam.run(frames(*range(0, 28, 2)))
     assert len(slam.keyframes) >= 3
     slam.step(blank(frame(28)))
-    first, second = slam.run(frames(1, 2))  # where it began, far from where it was last
+    first, second = slam.run(frames(1, 2))  # the start, far from the last pose
     assert first.relocalized and not second.relocalized
-    assert_found([first, second], frames(1, 2))
+    assert_tracked([first, second], frames(1, 2))
 
 
 def test_a_flat_wall_without_color_is_uncertain_as_long_as_it_lasts(device):
-    """3 mm of noise, as of a real camera; nothing is fused but the frame that the world begins with."""
+    """3 mm of noise, as of a real camera; only the first frame is fused."""
     rng, slam = np.random.default_rng(0), begun(device)
     for number in range(8):
         depth = (1200 + rng.normal(0, 3, (HEIGHT, WIDTH))).round().astype(np.uint16)
@@ -107,19 +109,19 @@ def test_a_flat_wall_without_color_is_uncertain_as_long_as_it_lasts(device):
     assert slam.volume.frame_count == 1
 
 
-def test_somebody_in_a_quarter_of_the_picture_does_not_lose_the_camera(device):
-    taken, slam = frames(*range(8)), begun(device)
-    slam.run(taken[:5])
-    for k, shown in enumerate(taken[5:]):
+def test_a_person_in_a_quarter_of_the_image_does_not_lose_the_camera(device):
+    source, slam = frames(*range(8)), begun(device)
+    slam.run(source[:5])
+    for k, shown in enumerate(source[5:]):
         depth = shown.depth.copy()
         depth[10:, 10 + 4 * k : 28 + 4 * k] = 900
         result = slam.step(changed(shown, depth=depth))
         assert result.status != "lost", result.warnings
-        off, turned = error_of(result, shown)
-        assert off < 2 * NEAR and turned < 2 * TURNED
+        error, angle = error_of(result, shown)
+        assert error < 2 * NEAR and angle < 2 * MAX_ROTATION_ERROR
 
 
-def test_one_frame_or_none_is_a_run_too(device):
+def test_runs_of_one_frame_or_none_are_valid(device):
     slam = begun(device)
     assert slam.run([]) == [] and len(slam.trajectory) == 0
     assert len(slam.extract_triangle_mesh().vertices) == 0
@@ -130,19 +132,19 @@ def test_one_frame_or_none_is_a_run_too(device):
 
 
 @pytest.mark.parametrize("jump", [-5.0, 1000.0, np.nan])
-def test_time_that_jumps_takes_the_velocity_away_and_nothing_else(device, jump):
-    taken, slam = frames(*range(5)), begun(device)
-    slam.run(taken[:3])
-    time = taken[2].timestamp + jump
+def test_a_time_jump_only_resets_the_velocity(device, jump):
+    source, slam = frames(*range(5)), begun(device)
+    slam.run(source[:3])
+    time = source[2].timestamp + jump
     if np.isnan(jump):
         with pytest.raises(ValueError, match="timestamp"):
-            slam.step(changed(taken[3], timestamp=time))
+            slam.step(changed(source[3], timestamp=time))
         return
-    assert_found([slam.step(changed(taken[3], timestamp=time))], taken[3:4])
-    assert_found([slam.step(changed(taken[4], timestamp=time + 1 / 30))], taken[4:5])
+    assert_tracked([slam.step(changed(source[3], timestamp=time))], source[3:4])
+    assert_tracked([slam.step(changed(source[4], timestamp=time + 1 / 30))], source[4:5])
 
 
-def test_tracking_alone_leaves_the_model_as_it_is(device):
+def test_tracking_alone_does_not_change_the_model(device):
     slam = begun(device)
     slam.run(frames(0, 1))
     result = slam.track(frame(2))
@@ -154,13 +156,13 @@ def test_tracking_alone_leaves_the_model_as_it_is(device):
 
 
 def test_a_model_tracks_and_renders(device):
-    model = loom.slam.Model(walk().intrinsic, voxel_size=VOXEL, device=device)
+    model = loom.slam.Model(sequence().intrinsic, voxel_size=VOXEL, device=device)
     first, second = frames(0, 1)
     model.integrate(first, first.T_world_camera)
-    found = model.track_frame(second, first.T_world_camera)
-    assert found.reliable, found.warnings
-    off = np.linalg.norm(found.transformation[:3, 3] - second.T_world_camera[:3, 3])
-    assert off < NEAR
+    result = model.track_frame(second, first.T_world_camera)
+    assert result.reliable, result.warnings
+    error = np.linalg.norm(result.transformation[:3, 3] - second.T_world_camera[:3, 3])
+    assert error < NEAR
     view = model.render(first.T_world_camera)
     both = (view.depth > 0) & (first.depth > 0)
     assert both.mean() > 0.5
@@ -186,18 +188,18 @@ def test_an_image_pair_is_a_frame(device):
     assert slam.step(loom.RGBDImage(frame(1).color, frame(1).depth, depth_trunc=4.0)).status == "tracked"
 
 
-def test_closing_loops_keeps_a_good_path_and_fuses_the_model_anew(device):
-    """Nothing drifted here: poses stay, and the model of all submaps is the room's, and goes on being tracked."""
-    taken, slam = frames(*range(12)), begun(device, submap_frames=6)
-    slam.run(taken[:10])
+def test_closing_loops_preserves_a_good_path_and_rebuilds_the_model(device):
+    """Without drift, poses are unchanged, the model of all submaps is the room's, and tracking continues."""
+    source, slam = frames(*range(12)), begun(device, submap_frames=6)
+    slam.run(source[:10])
     before = slam.trajectory.poses
-    said: list[str] = []
-    closure = slam.close_loops(progress=lambda stage, done, total: said.append(stage))
-    assert len(closure.T_world_submap) >= 2 and said
+    stages: list[str] = []
+    closure = slam.close_loops(progress=lambda stage, done, total: stages.append(stage))
+    assert len(closure.T_world_submap) >= 2 and stages
     assert np.abs(slam.trajectory.poses - before).max() < 0.02
     errors = surface_errors(slam.extract_triangle_mesh().vertices)
     assert len(errors) > 300 and np.median(errors) < 0.01
-    assert_found(slam.run(taken[10:]), taken[10:])
+    assert_tracked(slam.run(source[10:]), source[10:])
 
 
 def test_without_submaps_there_is_nothing_to_close(device):

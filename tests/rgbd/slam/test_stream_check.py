@@ -1,4 +1,4 @@
-"""Color and depth of one moment: what comes twice, and what comes late, is told; what is right is not."""
+"""Synchronization of color and depth: repeated and delayed images are reported, correct ones are not."""
 
 from __future__ import annotations
 
@@ -11,38 +11,38 @@ import pytest
 import pointloom as loom
 from pointloom.rgbd.slam.dense_slam import STALE, StreamLag
 
-from .slam_walks import begun, blank, changed, fit, frames, verdicts, walk
+from .slam_walks import begun, blank, changed, fit, frames, sequence, statuses
 
 
-def stalled(taken, first, last):
-    """Frames of which some have the depth picture of the one before the first of them."""
-    return [changed(f, depth=taken[first - 1].depth) if first <= k <= last else f for k, f in enumerate(taken)]
+def stalled(source, first, last):
+    """Frames, some of which repeat the depth image of an earlier frame."""
+    return [changed(f, depth=source[first - 1].depth) if first <= k <= last else f for k, f in enumerate(source)]
 
 
-def test_a_depth_picture_that_came_before_is_rejected_under_colors_that_move(device):
-    taken, slam = frames(*range(10)), begun(device)
-    results = slam.run(stalled(taken, 2, 8))  # a thirtieth of a second each
-    assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 4 + ["tracked"]
+def test_a_repeated_depth_image_is_rejected_if_colors_change(device):
+    source, slam = frames(*range(10)), begun(device)
+    results = slam.run(stalled(source, 2, 8))  # 1/30 s each
+    assert statuses(results) == ["tracked"] * 5 + ["lost"] * 4 + ["tracked"]
     assert {r.warnings for r in results[5:9]} == {(STALE,)}
     assert not any(r.fused for r in results[5:9])
 
 
 def test_without_times_three_frames_are_accepted():
-    taken = [changed(f, timestamp=None) for f in frames(*range(8))]
-    results = begun("cpu").run(stalled(taken, 2, 7))
-    assert verdicts(results) == ["tracked"] * 5 + ["lost"] * 3
+    source = [changed(f, timestamp=None) for f in frames(*range(8))]
+    results = begun("cpu").run(stalled(source, 2, 7))
+    assert statuses(results) == ["tracked"] * 5 + ["lost"] * 3
 
 
 def test_a_frame_that_is_repeated_now_and_then_is_accepted():
-    taken = frames(*range(8))
-    results = begun("cpu").run(stalled(stalled(taken, 2, 2), 5, 6))
+    source = frames(*range(8))
+    results = begun("cpu").run(stalled(stalled(source, 2, 2), 5, 6))
     assert all(fit(results)) and len(results) == 8
 
 
-def test_frames_that_repeat_whole_are_a_camera_that_stands_still(device):
+def test_repeated_frames_are_a_stationary_camera(device):
     slam = begun(device)
     first = changed(frames(0)[0], timestamp=None)
-    assert verdicts(slam.run([first] * 5)) == ["tracked"] * 5
+    assert statuses(slam.run([first] * 5)) == ["tracked"] * 5
 
 
 def test_colors_that_are_only_noisy_do_not_move(device):
@@ -52,17 +52,17 @@ def test_colors_that_are_only_noisy_do_not_move(device):
     def noisy(f):
         return changed(f, color=np.clip(f.color + rng.normal(0, 3, f.color.shape), 0, 255).astype(np.uint8))
 
-    assert verdicts(slam.run([noisy(first) for _ in range(5)])) == ["tracked"] * 5
+    assert statuses(slam.run([noisy(first) for _ in range(5)])) == ["tracked"] * 5
 
 
-def test_a_lens_that_stays_covered_is_blank_and_no_stall(device):
-    taken, slam = frames(*range(6)), begun(device)
-    moving = [taken[0], *(changed(f, depth=blank(f).depth) for f in taken[1:])]
+def test_a_covered_lens_is_blank_and_no_stalled_stream(device):
+    source, slam = frames(*range(6)), begun(device)
+    moving = [source[0], *(changed(f, depth=blank(f).depth) for f in source[1:])]
     assert [r.warnings for r in slam.run(moving)[1:]] == [("the image is blank",)] * 5
 
 
 def trembling(count: int, late: int, seed: int = 0, period: float | None = None) -> StreamLag:
-    """A StreamLag of a hand-held camera whose colors come so many frames late; half of each shift is noise."""
+    """A StreamLag of a hand-held camera whose colors are delayed by this many frames; half of each shift is noise."""
     rng, lag = np.random.default_rng(seed), StreamLag()
     shake = rng.normal(size=(count + 200, 2)) + 3 * np.sin(np.arange(count + 200) / 40)[:, None]
     noise = 0.5 * rng.normal(size=(2, count, 2))
@@ -73,7 +73,7 @@ def trembling(count: int, late: int, seed: int = 0, period: float | None = None)
 
 
 @pytest.mark.parametrize("late", [5, 15, 30, -5, -30])
-def test_colors_that_come_late_or_early_are_told_with_the_time(late):
+def test_delayed_or_early_colors_are_reported_with_the_delay(late):
     lag = trembling(90, late, period=1 / 30)
     assert lag.frames == late and math.isclose(lag.seconds, abs(late) / 30)
     assert trembling(90, late).frames == late
@@ -86,12 +86,12 @@ def test_a_tenth_of_a_second_is_accepted(late):
         assert trembling(200, late, seed, period=1 / 30).frames is None
 
 
-def test_few_slow_frames_apart_are_told_by_their_times():
+def test_few_slow_frames_apart_are_detected_by_their_times():
     assert trembling(90, 3, period=1 / 6).frames == 3, "half a second"
     assert trembling(90, 2, period=1 / 30).frames is None
 
 
-def test_pictures_that_have_nothing_in_common_tell_nothing():
+def test_unrelated_images_give_no_delay():
     for seed in range(20):
         rng, lag = np.random.default_rng(seed), StreamLag()
         for _ in range(150):
@@ -108,22 +108,24 @@ def test_frames_without_a_shift_are_left_out():
 
 
 def test_reported_frames_are_uncertain_and_make_the_path_unreliable(device):
-    taken, slam = frames(*range(4)), begun(device)
-    slam.run(taken[:3])
+    source, slam = frames(*range(4)), begun(device)
+    slam.run(source[:3])
     slam.stream.lag.frames, slam.stream.lag.seconds = 30, 1.0
-    result = slam.step(taken[3])
-    said = "color and depth appear to be 1.0 s apart in time"
-    assert (result.status, result.warnings, result.fused) == ("uncertain", (said,), False)
+    result = slam.step(source[3])
+    message = "color and depth appear to be 1.0 s apart in time"
+    assert (result.status, result.warnings, result.fused) == ("uncertain", (message,), False)
     slam.stream.lag.seconds = math.nan
     assert slam.stream.problem == "color and depth appear to be 30 frames apart in time"
 
 
-def test_a_path_whose_streams_are_apart_is_unreliable():
-    path = loom.track(loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], walk().intrinsic), voxel_size=0.04)
+def test_a_path_with_unsynchronized_streams_is_unreliable():
+    path = loom.track(
+        loom.frames_from([(f.color, f.depth) for f in frames(0, 1)], sequence().intrinsic), voxel_size=0.04
+    )
     assert path.stream is None and path.reliable
-    said = "color and depth appear to be 1.0 s apart in time"
-    apart = dataclasses.replace(path, stream=said, uncertain=(0, 1), uncertain_warning=said)
-    assert apart.warnings == (said, "2 of 2 poses are uncertain (frame 0-1)")
-    assert apart.to_dict()["stream"] == said
+    message = "color and depth appear to be 1.0 s apart in time"
+    apart = dataclasses.replace(path, stream=message, uncertain=(0, 1), uncertain_warning=message)
+    assert apart.warnings == (message, "2 of 2 poses are uncertain (frame 0-1)")
+    assert apart.to_dict()["stream"] == message
     slides = dataclasses.replace(path, uncertain=(0, 1), uncertain_warning="it may slide")
     assert "(frame 0-1): it may slide" in slides.warnings[0]

@@ -1,4 +1,4 @@
-"""Submaps: frames are shared out, each piece in the frame of its first camera."""
+"""Submaps: frames are split into parts, each in the frame of its first camera."""
 
 import numpy as np
 import pytest
@@ -20,11 +20,11 @@ def test_each_submap_shares_its_last_frames_with_the_next():
     assert sum(s.volume.frame_count for s in submaps) == 29
 
 
-def test_a_submap_without_frames_of_its_own_is_left_out():
+def test_a_submap_without_its_own_frames_is_omitted():
     assert [s.frames[-1] for s in record(along_x(10), frames=10, shared=0.2).finish()] == [9]
 
 
-def test_a_camera_that_goes_far_fills_submaps_sooner():
+def test_a_fast_camera_fills_submaps_sooner():
     submaps = record(along_x(20, step=0.1), frames=100, way=0.5, shared=0.2).finish()
     assert len(submaps) >= 4
     assert all(np.ptp(s.T_world_camera[:, 0, 3]) <= 0.61 for s in submaps)
@@ -38,8 +38,8 @@ def test_a_submap_after_a_loss_follows_none():
     assert [s.follows for s in submaps] == [False, False]
 
 
-def test_a_submap_lies_in_the_frame_of_its_first_camera():
-    """Far from the world's origin too, where its own numbers stay small."""
+def test_a_submap_is_in_the_frame_of_its_first_camera():
+    """Also far from the world's origin, where local coordinates stay small."""
     far = pose_of(np.array([0, 0, 1.0, 500_000.0, 5_400_000.0, 300.0]))
     submap = record([far @ pose for pose in along_x(3)]).finish()[0]
     assert np.abs(submap.T_world_submap - far).max() < 1e-9 and (submap.volume.origin == 0).all()
@@ -47,23 +47,23 @@ def test_a_submap_lies_in_the_frame_of_its_first_camera():
     assert np.abs(submap.cloud(0.05).points[:, 2] - 1.5).max() < 1e-4
 
 
-def test_tracking_is_what_the_recorder_was_given():
+def test_tracked_poses_are_those_given_to_the_recorder():
     poses = along_x(25)
     submaps = record(poses, frames=10).finish()
     numbers, tracked = tracked_run(submaps)
     assert (numbers == np.arange(25)).all() and np.abs(tracked - poses).max() < 1e-12
 
 
-def test_a_cloud_of_a_submap_lies_on_its_surface(device):
+def test_a_cloud_of_a_submap_is_on_its_surface(device):
     submap = hall_run(device, 4, (0.0, 1.2))
     cloud = submap.cloud(0.1)
     points = cloud.points @ submap.T_world_submap[:3, :3].T + submap.T_world_submap[:3, 3]
-    off = np.abs(np.abs(points) - [2.0, 2.0, 1.2]).min(axis=1)
-    assert len(cloud) > 300 and np.median(off) < 0.01
+    distances = np.abs(np.abs(points) - [2.0, 2.0, 1.2]).min(axis=1)
+    assert len(cloud) > 300 and np.median(distances) < 0.01
     assert cloud.has_normals()
 
 
-def test_the_submap_in_progress_can_be_looked_at():
+def test_the_submap_in_progress_can_be_extracted():
     recorder = SubmapRecorder(CAMERA, voxel_size=0.1, color=False)
     assert recorder.current is None
     recorder.add(hall_depth(np.eye(4)), np.eye(4))

@@ -1,4 +1,4 @@
-"""Verdicts on frames by the figures of their alignment alone: each limit counts by itself."""
+"""Tracking status from the figures of an alignment: each limit counts by itself."""
 
 from __future__ import annotations
 
@@ -25,26 +25,26 @@ GOOD = OdometryResult(
 )
 
 
-def moved(shift=0.0, turn=0.0):
-    """A motion by a shift along x [m] and a turn about z [degrees]."""
+def moved(shift=0.0, angle=0.0):
+    """A motion by a shift along x [m] and a rotation about z [degrees]."""
     T = np.eye(4)
-    c, s = np.cos(np.radians(turn)), np.sin(np.radians(turn))
+    c, s = np.cos(np.radians(angle)), np.sin(np.radians(angle))
     T[:2, :2], T[0, 3] = [[c, -s], [s, c]], shift
     return T
 
 
-def test_a_frame_that_lies_on_the_model_near_by_is_tracked():
+def test_a_frame_on_the_model_near_the_last_pose_is_tracked():
     assert judge_tracking(GOOD, moved(0.3, 25.0)) == ("tracked", "")
 
 
-@pytest.mark.parametrize(("shift", "turn"), [(0.5, 0.0), (0.0, 40.0), (0.5, 40.0), (np.nan, 0.0)])
-def test_a_frame_that_jumps_is_lost_however_well_it_fits(shift, turn):
-    verdict, reason = judge_tracking(GOOD, moved(shift, turn))
-    assert verdict == "lost" and reason.startswith("its pose jumps by ")
+@pytest.mark.parametrize(("shift", "angle"), [(0.5, 0.0), (0.0, 40.0), (0.5, 40.0), (np.nan, 0.0)])
+def test_a_frame_with_a_pose_jump_is_lost_even_if_it_fits(shift, angle):
+    status, reason = judge_tracking(GOOD, moved(shift, angle))
+    assert status == "lost" and reason.startswith("its pose jumps by ")
 
 
 @pytest.mark.parametrize(
-    ("change", "verdict"),
+    ("change", "expected"),
     [
         ({"overlap": 0.1, "fitness": 0.09}, "lost"),
         ({"overlap": 0.2, "fitness": 0.19}, "uncertain"),
@@ -54,13 +54,13 @@ def test_a_frame_that_jumps_is_lost_however_well_it_fits(shift, turn):
         ({"smallest_eigenvalue": 0.001}, "uncertain"),
     ],
 )
-def test_each_figure_counts_in_tracking(change, verdict):
-    found, reason = judge_tracking(dataclasses.replace(GOOD, **change), np.eye(4))
-    assert found == verdict and reason
+def test_each_figure_counts_in_tracking(change, expected):
+    status, reason = judge_tracking(dataclasses.replace(GOOD, **change), np.eye(4))
+    assert status == expected and reason
 
 
 @pytest.mark.parametrize(
-    ("change", "verdict"),
+    ("change", "expected"),
     [
         ({}, "tracked"),
         ({"warnings": (UNDETERMINED,)}, "tracked"),  # its limit is for frames of full size
@@ -70,5 +70,5 @@ def test_each_figure_counts_in_tracking(change, verdict):
         ({"overlap": 0.4, "fitness": 0.4}, "lost"),
     ],
 )
-def test_each_figure_counts_where_a_place_is_recognized(change, verdict):
-    assert judge_recognition(dataclasses.replace(GOOD, **change), SURE_OVERLAP)[0] == verdict
+def test_each_figure_counts_in_relocalization(change, expected):
+    assert judge_recognition(dataclasses.replace(GOOD, **change), SURE_OVERLAP)[0] == expected

@@ -1,4 +1,4 @@
-"""Reads a page back as its player does: `read_page`."""
+"""Reads a page as its player does: `read_page`."""
 
 import base64
 import json
@@ -11,7 +11,7 @@ import numpy as np
 
 
 class _Elements(HTMLParser):
-    """All elements with their attributes, and the text in each script, title and style."""
+    """Collects all elements with their attributes, and the text of each script, title and style."""
 
     def __init__(self):
         super().__init__()
@@ -36,7 +36,7 @@ class _Elements(HTMLParser):
 
 
 class Page:
-    """What a page holds: `description`, `arrays`, `elements` and texts of scripts, style and title."""
+    """The content of a page: `description`, `arrays`, `elements` and texts of scripts, style and title."""
 
     def __init__(self, path: Path):
         self.text = path.read_text(encoding="utf-8")
@@ -64,7 +64,7 @@ class Page:
         return np.vstack([self.arrays[self.description["poses"]][number].reshape(3, 4), [0, 0, 0, 1]])
 
     def shown(self, frame: int) -> dict[str, tuple[list[int], np.ndarray]]:
-        """By name the shapes' numbers and the pose."""
+        """The shape numbers and the pose by name."""
         placements = [self.description["placements"][number] for number in self.description["frames"][frame]["shown"]]
         return {self.description["items"][item]: (shapes, self.pose(pose)) for item, shapes, pose in placements}
 
@@ -75,7 +75,7 @@ class Page:
 
 
 def _join(data: bytes, described: dict, block: int) -> np.ndarray:
-    """The bytes of rows beside each other again."""
+    """Restore bytes that were split by significance."""
     dtype, rows, width = np.dtype("<" + described["kind"]), described["rows"], described["width"]
     stride, parts, start = dtype.itemsize * width, [np.empty((0, width), dtype)], 0
     for row in range(0, rows, block):
@@ -93,5 +93,5 @@ def read_page(path: Path) -> Page:
 
 
 def outside_addresses(text: str) -> list[str]:
-    """Whatever could name another host."""
+    """All strings that could refer to another host."""
     return re.findall(r"(?:https?:|wss?:|ftp:)?//[\w.-]+\.\w+[^\s\"'<>]*", text)

@@ -1,4 +1,4 @@
-"""Animations and videos: as many frames as steps, at their pace, in the colors that were drawn."""
+"""Animations and videos have one frame per step, the given frame rate, and the drawn colors."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ has_ffmpeg = pytest.mark.skipif(shutil.which("ffmpeg") is None, reason="needs th
 
 
 def pictures(count: int = 12, height: int = 41, width: int = 61) -> list[np.ndarray]:
-    """A square that walks to the right and stands still from the eighth picture on."""
+    """A square that moves to the right and stops at the eighth image."""
     made = []
     for k in range(count):
         picture = np.full((height, width, 3), 255, np.uint8)
@@ -34,7 +34,7 @@ def pictures(count: int = 12, height: int = 41, width: int = 61) -> list[np.ndar
 
 
 def read_back(data: bytes) -> tuple[list[np.ndarray], list[int]]:
-    """The frames of an animation as a reader shows them, and how long [ms]."""
+    """The frames of an animation as an image reader decodes them, and their durations [ms]."""
     image = Image.open(io.BytesIO(data))
     frames, durations = [], []
     for k in range(getattr(image, "n_frames", 1)):
@@ -45,8 +45,8 @@ def read_back(data: bytes) -> tuple[list[np.ndarray], list[int]]:
     return frames, durations
 
 
-def walk(frames: int = 4) -> Timeline:
-    """A blue cloud, and an orange one that comes onto it, with a value."""
+def two_cloud_timeline(frames: int = 4) -> Timeline:
+    """A blue cloud, and an orange one with a value that moves onto it."""
     square = np.random.default_rng(0).uniform(-1, 1, (400, 3)).astype(np.float32)
     shapes = [Shape("points", square, size=5.0, plain=color) for color in (BLUE, ORANGE)]
     timeline = Timeline(np.array([5e5, 5e6, 0.0]), shapes, fps=10.0)
@@ -67,7 +67,7 @@ def near(picture: np.ndarray, color: tuple[int, int, int]) -> np.ndarray:
 
 
 @pytest.mark.parametrize(("fps", "total"), [(30, 400), (7, 1714)])
-def test_a_gif_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fps, total):
+def test_a_gif_has_all_frames_and_the_right_duration(fps, total):
     drawn, file = pictures(), io.BytesIO()
     palette = make_palette(drawn, WHITE)
     assert write_gif(file, drawn, palette, fps) == 12
@@ -75,12 +75,12 @@ def test_a_gif_has_every_frame_also_equal_ones_and_takes_as_long_as_it_should(fp
     frames, durations = read_back(file.getvalue())
     assert len(frames) == 12
     assert abs(sum(durations) - total) <= 5
-    for seen, picture in zip(frames, drawn, strict=True):
-        assert np.abs(seen.astype(int) - picture).max() < 8
-        assert (seen == 255).all(axis=2).sum() == (picture == 255).all(axis=2).sum()
+    for frame, picture in zip(frames, drawn, strict=True):
+        assert np.abs(frame.astype(int) - picture).max() < 8
+        assert (frame == 255).all(axis=2).sum() == (picture == 255).all(axis=2).sum()
 
 
-def test_what_changed_is_found_to_the_pixel():
+def test_the_changed_box_is_exact_to_the_pixel():
     before = np.zeros((20, 30, 3), np.uint8)
     after = before.copy()
     after[4:9, 7:11, 1] = 1
@@ -89,8 +89,8 @@ def test_what_changed_is_found_to_the_pixel():
     assert changed_box(before, None) == (0, 0, 30, 20)
 
 
-def test_a_frame_shows_the_shapes_where_they_lie_then(device):
-    film = film_of(walk(), (320, 240), device)
+def test_a_frame_shows_the_shapes_at_their_current_poses(device):
+    film = film_of(two_cloud_timeline(), (320, 240), device)
     columns = []
     for k in range(4):
         picture = film.draw(k)
@@ -99,17 +99,17 @@ def test_a_frame_shows_the_shapes_where_they_lie_then(device):
         assert blue.sum() > 100
         columns.append(np.flatnonzero(orange.any(axis=0)).mean())
         assert orange.sum() > 100
-        assert (np.concatenate([picture[186], picture[:187, 0], picture[:187, -1]]) == 255).all()  # all lies within
-    assert np.diff(columns).max() < -10 or np.diff(columns).min() > 10  # it moves one way
+        assert (np.concatenate([picture[186], picture[:187, 0], picture[:187, -1]]) == 255).all()  # no change beyond
+    assert np.diff(columns).max() < -10 or np.diff(columns).min() > 10  # it moves in one direction
 
 
 def test_values_are_plotted_beneath_up_to_the_frame():
-    film = film_of(walk(), (320, 240))
+    film = film_of(two_cloud_timeline(), (320, 240))
     strips = [film.draw(k)[190:].astype(int) for k in range(4)]
     past = [int(((strip[..., 2] - strip[..., 0]) > 100).sum()) for strip in strips]
     assert past == sorted(past)
     assert past[0] < past[3]
-    timeline = walk()
+    timeline = two_cloud_timeline()
     timeline.frames = [Frame(frame.shown, frame.label) for frame in timeline.frames]
     assert (film_of(timeline, (320, 240))._picture_height, film._picture_height) == (240, 188)
 
@@ -123,8 +123,8 @@ def test_frames_without_anything_and_values_that_are_not_finite_are_drawn():
 
 def test_a_recording_has_as_many_frames_as_steps(tmp_path):
     path = tmp_path / "walk.gif"
-    told: list[tuple[str, int, int]] = []
-    with loom.record(path, size=(160, 120), fps=20, progress=lambda *step: told.append(step)) as r:
+    reported: list[tuple[str, int, int]] = []
+    with loom.record(path, size=(160, 120), fps=20, progress=lambda *step: reported.append(step)) as r:
         r.add("cloud", np.random.default_rng(0).random((100, 3)))
         for k in range(6):
             r.plot("k", k)
@@ -132,7 +132,7 @@ def test_a_recording_has_as_many_frames_as_steps(tmp_path):
     frames, durations = read_back(path.read_bytes())
     assert (len(frames), sum(durations)) == (6, 300)
     assert frames[0].shape == (120, 160, 3)
-    assert told[-1] == ("drawing", 6, 6)
+    assert reported[-1] == ("drawing", 6, 6)
 
 
 @has_ffmpeg
@@ -142,11 +142,11 @@ def test_a_video_has_as_many_frames_as_steps_and_even_sides(tmp_path):
         r.add("cloud", np.random.default_rng(0).random((100, 3)))
         for k in range(6):
             r.step(str(k))
-    asked = "stream=width,height,nb_read_frames,r_frame_rate,pix_fmt"
-    line = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", asked, "-of", "json", str(path)]
-    said = json.loads(subprocess.run(line, capture_output=True, check=True).stdout)["streams"][0]
-    assert (said["width"], said["height"], said["nb_read_frames"]) == (162, 122, "6")
-    assert (said["r_frame_rate"], said["pix_fmt"]) == ("25/1", "yuv420p")
+    entries = "stream=width,height,nb_read_frames,r_frame_rate,pix_fmt"
+    line = ["ffprobe", "-v", "error", "-count_frames", "-show_entries", entries, "-of", "json", str(path)]
+    stream = json.loads(subprocess.run(line, capture_output=True, check=True).stdout)["streams"][0]
+    assert (stream["width"], stream["height"], stream["nb_read_frames"]) == (162, 122, "6")
+    assert (stream["r_frame_rate"], stream["pix_fmt"]) == ("25/1", "yuv420p")
     assert [entry.name for entry in tmp_path.iterdir()] == ["walk.mp4"]
 
 

@@ -1,4 +1,4 @@
-"""A recording as the last line of a notebook's cell: it shows itself, in at most 4 MB."""
+"""A recording as the last line of a notebook cell displays itself, in at most 4 MB."""
 
 import base64
 import html
@@ -32,7 +32,7 @@ def reds(picture):
     return (np.abs(picture - RED) < 40).all(axis=-1).sum()
 
 
-def test_a_page_lies_in_the_notebook_over_its_last_frame(tmp_path):
+def test_a_page_is_embedded_in_the_notebook_over_its_last_frame(tmp_path):
     r = recorded(tmp_path / "a.html")
     shown = r._repr_mimebundle_()
     page = shown["text/html"].partition('srcdoc="')[2].partition('"')[0]
@@ -58,21 +58,21 @@ def test_animations_and_videos_play_below_the_cell(tmp_path, suffix, start):
     assert data == (tmp_path / f"a{suffix}").read_bytes() and reds(still_of(shown)) > 1000
 
 
-def test_what_is_too_large_for_a_notebook_is_its_last_frame_and_where_it_is(tmp_path, monkeypatch):
+def test_large_files_are_shown_by_their_last_frame_and_path(tmp_path, monkeypatch):
     monkeypatch.setattr(cell_output, "MAX_PAGE_BYTES", 10_000)
     shown = recorded(tmp_path / "large.html")._repr_mimebundle_()
     assert "<iframe" not in shown["text/html"] and "large.html" in shown["text/html"] and reds(still_of(shown)) > 1000
     assert "9.8 KiB in notebooks: open it in a browser" in shown["text/html"] and len(shown["text/html"]) < 300_000
 
 
-def test_a_file_that_went_leaves_its_last_frame(tmp_path):
+def test_a_deleted_file_is_shown_by_its_last_frame(tmp_path):
     r = recorded(tmp_path / "a.html")
     (tmp_path / "a.html").unlink()
     shown = r._repr_mimebundle_()
     assert "cannot be read" in shown["text/html"] and reds(still_of(shown)) > 1000
 
 
-def test_what_is_not_written_is_words(tmp_path):
+def test_an_unwritten_recording_is_shown_as_text(tmp_path):
     r = loom.record(tmp_path / "a.html")
     with r:
         r.add("square", np.eye(3))

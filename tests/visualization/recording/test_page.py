@@ -1,4 +1,4 @@
-"""Recordings as one HTML file: what is in it, and what it refuses."""
+"""Recordings as one HTML file: their content, and rejected input."""
 
 import base64
 import dataclasses
@@ -53,7 +53,7 @@ def written(timeline, tmp_path):
     return read_page(tmp_path / "page.html")
 
 
-def test_positions_colors_and_indices_come_back_bit_for_bit(written, timeline):
+def test_positions_colors_and_indices_are_bitwise_identical(written, timeline):
     for described, shape in zip(written.description["shapes"], timeline.shapes, strict=True):
         assert described["kind"] == shape.kind
         assert written.array(described["positions"]).tobytes() == shape.positions.tobytes()
@@ -64,9 +64,9 @@ def test_positions_colors_and_indices_come_back_bit_for_bit(written, timeline):
 
 def test_normals_keep_their_direction_to_a_hundredth_of_a_degree(written, timeline):
     units = timeline.shapes[0].normals / np.linalg.norm(timeline.shapes[0].normals, axis=1, keepdims=True)
-    kept = written.array(written.description["shapes"][0]["normals"]).astype(float)
-    kept /= np.linalg.norm(kept, axis=1, keepdims=True)
-    assert np.degrees(np.linalg.norm(np.cross(units, kept), axis=1)).max() < 0.01
+    normals = written.array(written.description["shapes"][0]["normals"]).astype(float)
+    normals /= np.linalg.norm(normals, axis=1, keepdims=True)
+    assert np.degrees(np.linalg.norm(np.cross(units, normals), axis=1)).max() < 0.01
 
 
 def test_normals_of_no_length_or_of_nan_are_none(rng, tmp_path):
@@ -74,11 +74,11 @@ def test_normals_of_no_length_or_of_nan_are_none(rng, tmp_path):
     shape = points(rng, 5, normals=normals)
     write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})]))
     page = read_page(tmp_path / "p.html")
-    kept = page.array(page.description["shapes"][0]["normals"])
-    assert kept.tolist() == [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 32767], [0, 32767, 0]]
+    written_normals = page.array(page.description["shapes"][0]["normals"])
+    assert written_normals.tolist() == [[0, 0, 0], [0, 0, 0], [0, 0, 0], [0, 0, 32767], [0, 32767, 0]]
 
 
-def test_frames_tell_what_is_shown_where(written):
+def test_frames_list_the_displayed_shapes_and_poses(written):
     for k in range(3):
         shown = written.shown(k)
         assert list(shown) == ["cloud", "mesh"]
@@ -105,7 +105,7 @@ def test_numbers_of_plots_have_gaps_where_there_are_none(written):
     assert series == {"fitness": [0, 1 / 3, 2 / 3], "rmse": [None, None, None]}
 
 
-def test_nothing_outside_is_named_and_only_the_page_itself_may_run(written):
+def test_a_page_refers_to_nothing_external_and_runs_only_its_scripts(written):
     code = written.text.split('<script type="text/plain"')[0] + written.scripts[0]
     assert outside_addresses(code) == []
     assert [tag for tag, attributes in written.elements if {"src", "srcset", "style"} & set(attributes)] == []
@@ -168,7 +168,7 @@ def test_the_view_is_counted_from_the_timelines_origin(timeline, tmp_path):
     assert [camera[name] for name in ("width", "height", "fx", "fy", "cx")] == [320, 200, 300, 400, -5]
 
 
-def test_without_a_view_all_frames_are_seen_whole(rng, tmp_path):
+def test_without_a_view_all_frames_fit_the_window(rng, tmp_path):
     shape = points(rng, 50_000)
     frames = [Frame({"a": Placement((0,), moved(20 * k))}) for k in range(3)]
     write_page(tmp_path / "p.html", Timeline(np.zeros(3), [shape], frames))
@@ -200,12 +200,12 @@ def test_writing_takes_little_memory_beside_the_points(rng, tmp_path):
     each = Timeline(np.zeros(3), [shape], [Frame({"a": Placement((0,))})])
     tracemalloc.start()
     write_page(tmp_path / "p.html", each)
-    _, most = tracemalloc.get_traced_memory()
+    _, peak = tracemalloc.get_traced_memory()
     tracemalloc.stop()
-    assert most < 1.5 * shape.positions.nbytes + 2**24
+    assert peak < 1.5 * shape.positions.nbytes + 2**24
 
 
-def test_an_existing_file_is_replaced_only_when_asked_and_whole_or_not_at_all(timeline, tmp_path, monkeypatch):
+def test_an_existing_file_is_replaced_atomically_and_only_on_request(timeline, tmp_path, monkeypatch):
     path = tmp_path / "p.html"
     path.write_text("mine")
     with pytest.raises(FileError, match="exists already"):
@@ -225,8 +225,8 @@ def shape(**changes):
     )
 
 
-def placed(*given):
-    """The timeline with one frame that shows this."""
+def with_placement(*given):
+    """The timeline with one frame that shows this placement."""
     return lambda timeline: dataclasses.replace(timeline, frames=[Frame({"a": Placement(*given)})])
 
 
@@ -244,10 +244,10 @@ def placed(*given):
         (shape(normals=np.zeros((3, 3))), {}, r"shapes\[1\]\.normals: expected shape \[4, 3\]"),
         (shape(size=0), {}, r"shapes\[1\]\.size: expected a finite number > 0, got 0"),
         (shape(plain=(0, 0, 300)), {}, r"shapes\[1\]\.plain: expected three whole numbers from 0 to 255"),
-        (placed((3,)), {}, r"frames\[0\]\.shown\['a'\]\.shapes: expected numbers of 3 shapes, got 3"),
-        (placed((0,), np.eye(3)), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected shape \[4, 4\]"),
-        (placed((0,), np.eye(4) * np.nan), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected finite numbers"),
-        (placed((0,), np.ones((4, 4))), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected a last row"),
+        (with_placement((3,)), {}, r"frames\[0\]\.shown\['a'\]\.shapes: expected numbers of 3 shapes, got 3"),
+        (with_placement((0,), np.eye(3)), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected shape \[4, 4\]"),
+        (with_placement((0,), np.eye(4) * np.nan), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected finite numbers"),
+        (with_placement((0,), np.ones((4, 4))), {}, r"frames\[0\]\.shown\['a'\]\.pose: expected a last row"),
         (
             lambda timeline: dataclasses.replace(timeline, fps=math.nan),
             {},
@@ -259,7 +259,7 @@ def placed(*given):
         (lambda timeline: timeline, {"point_size": 0}, "point_size: expected a finite number > 0"),
     ],
 )
-def test_what_no_page_shows_is_refused_by_name(timeline, tmp_path, change, options, message):
+def test_unsupported_content_is_rejected_by_name(timeline, tmp_path, change, options, message):
     with pytest.raises((ValueError, TypeError), match=message):
         write_page(tmp_path / "p.html", change(timeline), **options)
     assert list(tmp_path.iterdir()) == []
@@ -272,15 +272,15 @@ def recorded(tmp_path, rng):
     return tmp_path / "whole.html"
 
 
-def test_a_page_without_its_player_names_the_files_that_hold_it(recorded, tmp_path):
+def test_a_page_without_its_player_names_the_player_files(recorded, tmp_path):
     write_player(tmp_path)
     share_player(recorded, tmp_path / "shared.html", "../")
-    whole, shared = recorded.read_text(), (tmp_path / "shared.html").read_text()
+    standalone, shared = recorded.read_text(), (tmp_path / "shared.html").read_text()
     script, style = ((tmp_path / f"{PLAYER}{suffix}").read_text() for suffix in (".js", ".css"))
-    assert script in whole and style in whole and script not in shared and style not in shared
+    assert script in standalone and style in standalone and script not in shared and style not in shared
     assert f'<script src="../{PLAYER}.js">' in shared and f'href="../{PLAYER}.css"' in shared
     assert "script-src 'self' file:;" in shared and "default-src 'none'" in shared and "sha256" not in shared
-    arrays = [text[text.index('data-array="0"') :].split("</script>")[0] for text in (whole, shared)]
+    arrays = [text[text.index('data-array="0"') :].split("</script>")[0] for text in (standalone, shared)]
     assert arrays[0] == arrays[1]
 
 

@@ -1,4 +1,4 @@
-"""Recordings: what is shown in each frame, what is kept once, what becomes of errors, and what is refused."""
+"""Recordings: the content of each frame, arrays stored once, errors, and rejected input."""
 
 from __future__ import annotations
 
@@ -37,11 +37,11 @@ def shifted(x: float) -> np.ndarray:
     return T
 
 
-def places(timeline: Timeline, frame: int, name: str) -> np.ndarray:
-    """Where the positions of a name lie in the world in a frame, float64."""
-    placed = timeline.frames[frame].shown[name]
-    points = np.concatenate([timeline.shapes[number].positions for number in placed.shapes]).astype(np.float64)
-    T = np.eye(4) if placed.pose is None else placed.pose
+def world_positions(timeline: Timeline, frame: int, name: str) -> np.ndarray:
+    """World positions of a name in a frame, float64."""
+    shown_shape = timeline.frames[frame].shown[name]
+    points = np.concatenate([timeline.shapes[number].positions for number in shown_shape.shapes]).astype(np.float64)
+    T = np.eye(4) if shown_shape.pose is None else shown_shape.pose
     return points @ T[:3, :3].T + T[:3, 3] + timeline.origin
 
 
@@ -53,18 +53,18 @@ def path(tmp_path: Path) -> Path:
 def test_icp_is_recorded_pose_by_pose_and_its_clouds_once(device, path):
     target = loom.PointCloud(bumps(), device=device)
     source = loom.PointCloud(bumps() + SHIFT, device=device)
-    heard: list[dict[str, Any]] = []
+    events: list[dict[str, Any]] = []
     with loom.record(path) as r:
-        result = loom.registration.registration_icp(source, target, 0.2, callback_after_iteration=heard.append)
+        result = loom.registration.registration_icp(source, target, 0.2, callback_after_iteration=events.append)
     frames = r.timeline.frames
     assert len(frames) == result.iterations + 1
     assert len(r.timeline.shapes) == 2
-    assert frames[0].shown["source"].pose is None  # as it lies
-    for frame, state in zip(frames[1:], heard, strict=True):
+    assert frames[0].shown["source"].pose is None  # with its pose
+    for frame, state in zip(frames[1:], events, strict=True):
         np.testing.assert_array_equal(frame.shown["source"].pose, state["transformation"])
         assert frame.values == {"fitness": state["fitness"], "inlier rmse [m]": state["inlier_rmse"]}
         assert frame.shown["target"].pose is None
-    np.testing.assert_array_equal(heard[-1]["transformation"], result.transformation)
+    np.testing.assert_array_equal(events[-1]["transformation"], result.transformation)
     assert frames[3].label == "ICP, iteration 3"
     assert path.stat().st_size > 1000
 
@@ -83,8 +83,8 @@ def test_icp_fusion_and_clusters_have_the_same_bits_recorded_or_not(device, tmp_
 
     alone = work()
     with loom.record(tmp_path / "all.html") as r:
-        seen = work()
-    for left, right in zip(alone, seen, strict=True):
+        recorded = work()
+    for left, right in zip(alone, recorded, strict=True):
         np.testing.assert_array_equal(left, right)
     assert len(r.timeline.frames) > 10
 
@@ -120,10 +120,12 @@ def test_fusion_shows_camera_path_and_surface_as_they_grow(device, path):
     assert timeline.frames[0].shown["camera"].pose is None
     np.testing.assert_allclose(timeline.frames[6].shown["camera"].pose, shifted(0.3), atol=1e-12)
     assert len({frame.shown["camera"].shapes for frame in timeline.frames}) == 1
-    np.testing.assert_allclose(places(timeline, 6, "path")[:, 0], 0.05 * np.arange(7), atol=1e-6)
+    np.testing.assert_allclose(world_positions(timeline, 6, "path")[:, 0], 0.05 * np.arange(7), atol=1e-6)
     surfaces = [frame.shown["surface"].shapes for frame in timeline.frames]
     assert surfaces[0] == surfaces[4] != surfaces[5] == surfaces[6] != surfaces[7]
-    np.testing.assert_allclose(places(timeline, 7, "surface"), volume.extract_triangle_mesh(0).vertices, atol=1e-6)
+    np.testing.assert_allclose(
+        world_positions(timeline, 7, "surface"), volume.extract_triangle_mesh(0).vertices, atol=1e-6
+    )
 
 
 def test_lidar_odometry_shows_scan_after_scan_on_the_map(path):
@@ -133,9 +135,9 @@ def test_lidar_odometry_shows_scan_after_scan_on_the_map(path):
     labels = [frame.label.split(":")[0] for frame in r.timeline.frames]
     assert labels == ["scan 0", "scan 1", "scan 2", "scan 3", "the map of 4 scans"]
     for k in range(4):
-        seen = places(r.timeline, k, "scan")
+        positions = world_positions(r.timeline, k, "scan")
         moved = (wall - [0.2 * k, 0, 0]) @ track.poses[k][:3, :3].T + track.poses[k][:3, 3]
-        np.testing.assert_allclose(seen, moved, atol=1e-5)
+        np.testing.assert_allclose(positions, moved, atol=1e-5)
 
 
 def test_rgbd_odometry_chains_the_motions(path):
@@ -165,7 +167,7 @@ def test_clusters_take_their_colors_in_the_order_of_their_labels(device, path):
         assert sum(len(shape.positions) for shape in shapes) == len(cloud)
 
 
-def test_planes_are_shown_as_they_are_found(path):
+def test_planes_are_shown_as_they_are_detected(path):
     x, y = np.random.default_rng(0).random((2, 500))
     floor, wall = np.column_stack([x, y, 0 * x]), np.column_stack([0 * x[:300], x[:300], y[:300] + 0.1])
     cloud = loom.PointCloud(np.vstack([floor, wall]))
@@ -176,7 +178,7 @@ def test_planes_are_shown_as_they_are_found(path):
     assert sizes == [int((labels == k).sum()) for k in (-1, 0, 1)]
 
 
-def test_what_one_algorithm_showed_goes_when_another_one_begins_and_what_the_user_showed_stays(path):
+def test_shapes_of_an_algorithm_are_removed_by_the_next_one_and_the_users_remain(path):
     cloud = loom.PointCloud(bumps())
     with loom.record(path) as r:
         r.add("mine", bumps(10))
@@ -185,7 +187,7 @@ def test_what_one_algorithm_showed_goes_when_another_one_begins_and_what_the_use
         report(
             "icp", source=cloud, target=cloud, iteration_index=9, transformation=np.eye(4), fitness=1.0, inlier_rmse=0
         )
-        assert "source" not in r.timeline.frames[-1].shown  # what the user takes away stays away
+        assert "source" not in r.timeline.frames[-1].shown  # shapes removed by the user stay removed
         cloud.cluster_dbscan(0.2, 3)
     assert set(r.timeline.frames[0].shown) == {"mine", "target", "source"}
     assert set(r.timeline.frames[-1].shown) == {"mine", "cloud"}
@@ -194,13 +196,13 @@ def test_what_one_algorithm_showed_goes_when_another_one_begins_and_what_the_use
 def test_a_view_in_parameters_of_open3d_is_that_of_render_about_all_frames(tmp_path):
     given, cloud = {"front": [1, 0, 0], "up": [0, 0, 1], "zoom": 0.7}, loom.PointCloud(bumps())
     bounds = cloud.get_min_bound(), cloud.get_max_bound()
-    for name, view in (("told", given), ("same", loom.View.from_open3d(bounds, **given, width=64, height=48))):
+    for name, view in (("given", given), ("same", loom.View.from_open3d(bounds, **given, width=64, height=48))):
         with loom.record(tmp_path / f"{name}.gif", automatic=False, size=(64, 48), view=view) as recording:
             recording.add("cloud", cloud)
-    assert (tmp_path / "told.gif").read_bytes() == (tmp_path / "same.gif").read_bytes()
+    assert (tmp_path / "given.gif").read_bytes() == (tmp_path / "same.gif").read_bytes()
 
 
-def test_nothing_is_recorded_by_itself_where_that_was_asked_for(path):
+def test_automatic_recording_can_be_disabled(path):
     cloud = loom.PointCloud(bumps())
     with loom.record(path, automatic=False) as r:
         loom.registration.registration_icp(cloud, cloud, 0.2)
@@ -209,7 +211,7 @@ def test_nothing_is_recorded_by_itself_where_that_was_asked_for(path):
     assert [frame.label for frame in r.timeline.frames] == ["by hand"]
 
 
-def test_a_loop_of_updates_makes_the_frames_that_it_says(path):
+def test_a_loop_of_updates_makes_the_given_frames(path):
     cloud = loom.PointCloud(bumps())
     with loom.record(path, automatic=False, title="steps") as r:
         r.add("cloud", cloud, color=(1, 0, 0))
@@ -232,7 +234,7 @@ def test_a_loop_of_updates_makes_the_frames_that_it_says(path):
     assert r.timeline.title == "steps"
 
 
-def test_equal_arrays_are_kept_once_and_changed_ones_again(path):
+def test_equal_arrays_are_stored_once_and_changed_ones_again(path):
     points = bumps(20)
     with loom.record(path) as r:
         for k in range(4):
@@ -244,7 +246,7 @@ def test_equal_arrays_are_kept_once_and_changed_ones_again(path):
     assert [frame.shown["points"].shapes for frame in r.timeline.frames] == [(0,), (0,), (0,), (1,)]
 
 
-def test_large_clouds_are_sampled_and_the_title_says_so(path):
+def test_large_clouds_are_sampled_and_the_title_reports_it(path):
     with loom.record(path, max_points=100, title="many") as r:
         r.add("cloud", loom.PointCloud(bumps(1500)))
         r.add("mesh", loom.TriangleMesh.create_sphere(1.0, 40))
@@ -275,8 +277,8 @@ def test_many_frames_are_thinned_evenly_and_the_last_one_stays(path):
     numbers = [int(frame.label) for frame in r.timeline.frames]
     assert numbers == [*range(0, 99, 16), 99]
     assert "one of 16 steps" in r.timeline.title
-    assert [places(r.timeline, k, "frame")[0, 0] for k in range(len(numbers))] == numbers
-    assert len(r.timeline.shapes) <= 12  # those of frames that went are gone
+    assert [world_positions(r.timeline, k, "frame")[0, 0] for k in range(len(numbers))] == numbers
+    assert len(r.timeline.shapes) <= 12  # shapes of removed frames are removed
 
 
 def test_memory_is_bounded_by_dropping_frames(path, monkeypatch):
@@ -299,8 +301,8 @@ def test_utm_coordinates_keep_their_millimeters(path):
         r.set_pose("source", T)
         r.step()
     assert all(np.abs(shape.positions).max() < 1e5 for shape in r.timeline.shapes)
-    np.testing.assert_allclose(places(r.timeline, 0, "target"), points + UTM, atol=1e-3)
-    np.testing.assert_allclose(places(r.timeline, 0, "source"), points + UTM + 0.001, atol=1e-3)
+    np.testing.assert_allclose(world_positions(r.timeline, 0, "target"), points + UTM, atol=1e-3)
+    np.testing.assert_allclose(world_positions(r.timeline, 0, "source"), points + UTM + 0.001, atol=1e-3)
 
 
 def test_points_that_are_not_finite_and_empty_clouds_are_left_out(tmp_path):
@@ -316,7 +318,7 @@ def test_points_that_are_not_finite_and_empty_clouds_are_left_out(tmp_path):
 
 
 @pytest.mark.parametrize("error", [KeyboardInterrupt, ValueError])
-def test_an_error_goes_on_and_what_was_recorded_until_then_is_written(path, error):
+def test_an_error_propagates_and_the_recording_so_far_is_written(path, error):
     r = loom.record(path, title="half")
     with pytest.raises(error, match="mine"), r:
         r.add("cloud", bumps(10))
@@ -328,34 +330,34 @@ def test_an_error_goes_on_and_what_was_recorded_until_then_is_written(path, erro
     assert len(r.timeline.frames) == 1
 
 
-def test_a_block_in_which_nothing_happens_warns_and_the_program_goes_on(path):
+def test_an_empty_block_warns_and_the_program_continues(path):
     match = r"no file is written: .*nothing was recorded.*step\(\)"
-    with pytest.warns(UserWarning, match=match) as told, loom.record(path) as r:
+    with pytest.warns(UserWarning, match=match) as warned, loom.record(path) as r:
         pass
-    assert not path.exists() and told[0].filename == __file__
+    assert not path.exists() and warned[0].filename == __file__
     assert r._repr_mimebundle_() == {"text/plain": repr(r)}
     with pytest.raises(ValueError, match=r"/out\.html:"):
         r.save()
-    with pytest.raises(KeyError, match="mine"), loom.record(path) as r:  # and no warning beside it
+    with pytest.raises(KeyError, match="mine"), loom.record(path) as r:  # and no other warning
         r.add("cloud", bumps(10))
         raise KeyError("mine")
     assert not path.exists()
 
 
 @pytest.mark.parametrize(
-    ("title", "most", "tab", "above"),
+    ("title", "max_points", "tab", "above"),
     [("", 200, "a walk", ""), ("mine", 200, "mine", "mine"), ("", 5, "a walk", "cloud: 5 of 10 points")],
 )
-def test_the_tab_has_the_title_or_the_name_of_the_file(tmp_path, title, most, tab, above):
+def test_the_tab_has_the_title_or_the_name_of_the_file(tmp_path, title, max_points, tab, above):
     path = tmp_path / "a walk.html"
-    with loom.record(path, title=title, max_points=most) as r:
+    with loom.record(path, title=title, max_points=max_points) as r:
         r.add("cloud", bumps(10))
         r.step()
     page = Page(path)
     assert (page.title, page.description["title"]) == (tab, above)
 
 
-def test_what_cannot_be_written_is_refused_before_the_work(tmp_path, monkeypatch):
+def test_unwritable_files_are_rejected_first(tmp_path, monkeypatch):
     with pytest.raises(FileError, match=r"/a\.avi:.*mp4"):
         loom.record(tmp_path / "a.avi")
     with pytest.raises(FileError, match=r"/a\.html:"):
@@ -372,7 +374,7 @@ def test_what_cannot_be_written_is_refused_before_the_work(tmp_path, monkeypatch
     assert (tmp_path / "b.html").read_text() == "keep me"
 
 
-def test_what_cannot_be_shown_is_refused_by_name(path):
+def test_unsupported_geometries_are_rejected_by_name(path):
     r = loom.record(path)
     with pytest.raises(TypeError, match="PointCloud"):
         r.add("thing", "a string")
@@ -403,19 +405,19 @@ def test_closed_loops_move_the_path_and_no_loop_is_no_frame(path):
         report("loops", slam=slam, closure=SimpleNamespace(loops=[1, 2]))
     assert before == 3
     assert r.timeline.frames[3].label == "2 loops closed"
-    np.testing.assert_allclose(places(r.timeline, 3, "path")[:, 0], [0, 1, 2], atol=1e-6)
+    np.testing.assert_allclose(world_positions(r.timeline, 3, "path")[:, 0], [0, 1, 2], atol=1e-6)
 
 
-def test_stages_stand_before_the_labels_and_fragments_come_one_by_one(path):
+def test_stages_precede_the_labels_and_fragments_appear_one_by_one(path):
     clouds = [loom.PointCloud(bumps(50)) for _ in range(3)]
     poses = np.array([shifted(k) for k in range(3)])
     with loom.record(path) as r:
         report("stage", name="register")
         report("fragments", clouds=clouds, poses=poses, placed=np.array([True, False, True]))
-        report("something new", number=3)  # what nobody knows to show is nothing
+        report("something new", number=3)  # unknown events are ignored
     labels = [frame.label for frame in r.timeline.frames]
     assert labels == ["register: 1 of 2 clouds placed, 3 in all", "register: 2 of 2 clouds placed, 3 in all"]
-    np.testing.assert_allclose(places(r.timeline, 1, "cloud 2"), bumps(50) + np.array([2, 0, 0]), atol=1e-6)
+    np.testing.assert_allclose(world_positions(r.timeline, 1, "cloud 2"), bumps(50) + np.array([2, 0, 0]), atol=1e-6)
 
 
 def test_a_texture_becomes_colors_of_vertices(path):
@@ -431,11 +433,11 @@ def test_a_texture_becomes_colors_of_vertices(path):
     assert colors.tolist() == [[0, 0, 255], [0, 0, 255], [255, 0, 0], [255, 0, 0]]
 
 
-def test_a_pose_turns_a_shape_about_where_its_cloud_counts_from(path):
+def test_a_pose_rotates_a_shape_about_the_origin_of_its_cloud(path):
     points, T = bumps(50), np.array([[0.0, -1, 0, 5], [1, 0, 0, 6], [0, 0, 1, 7], [0, 0, 0, 1]])
     with loom.record(path) as r:
         r.add("here", loom.PointCloud(points))
         r.add("far", loom.PointCloud(points + UTM), pose=T)
         r.step()
     expected = (points + UTM) @ T[:3, :3].T + T[:3, 3]
-    np.testing.assert_allclose(places(r.timeline, 0, "far"), expected, atol=1e-3)
+    np.testing.assert_allclose(world_positions(r.timeline, 0, "far"), expected, atol=1e-3)

@@ -1,4 +1,4 @@
-"""Text and strokes on a picture: they lie where they are said to, are crisp, and leave the rest as it is."""
+"""Text and lines on an image are sharp, at the given position, and change nothing else."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ def darkness(canvas):
 
 
 def ink_box(canvas):
-    """Left, top, right, bottom of what is drawn."""
+    """Left, top, right, bottom of the drawn pixels."""
     rows, columns = np.nonzero(darkness(canvas))
     return columns.min(), rows.min(), columns.max(), rows.max()
 
@@ -30,12 +30,12 @@ def written(device, text, x=100, y=40, **options):
 
 
 @pytest.mark.parametrize("size", [12, 20, 32])
-def test_a_capital_letter_stands_in_the_middle_of_its_height(device, size):
+def test_a_capital_letter_is_centered_on_its_height(device, size):
     _, top, _, bottom = ink_box(written(device, "H", size=size))
     assert abs((top + bottom) / 2 - 40) <= 0.5 and bottom - top + 1 == lettering().cap_height(size)
 
 
-def test_the_anchor_says_what_of_the_text_lies_at_the_place(device):
+def test_the_anchor_aligns_the_text(device):
     for anchor, share in (("left", 0.0), ("center", 0.5), ("right", 1.0)):
         left, _, right, _ = ink_box(written(device, "HHHH", anchor=anchor, size=16))
         assert left + share * (right - left) == pytest.approx(100, abs=2)
@@ -43,7 +43,7 @@ def test_the_anchor_says_what_of_the_text_lies_at_the_place(device):
         assert ink_box(written(device, "HHHH", anchor=anchor, size=16))[edge] == 40
 
 
-def test_a_text_is_as_wide_as_it_says(device):
+def test_a_text_has_its_reported_width(device):
     canvas = written(device, "Hamburgefonstiv", x=0, size=16)
     left, _, right, _ = ink_box(canvas)
     assert right - left + 1 == pytest.approx(canvas.text_width("Hamburgefonstiv", 16), abs=3)
@@ -68,14 +68,14 @@ def test_every_letter_of_ascii_and_the_further_signs_is_there():
     for size in letters.sizes:
         shapes = {}
         for sign in signs:
-            placed = letters.set(sign, size)
-            assert len(placed) == 1 and placed.tolist() != unknown, unicodedata.name(sign)
-            start, width, height = placed[0, :3]
-            shapes[sign] = (width, height, letters.coverage[start : start + width * height].tobytes(), placed[0, 4])
-        assert len(set(shapes.values())) >= len(signs) - 3  # I, l and | are much the same
+            glyphs = letters.set(sign, size)
+            assert len(glyphs) == 1 and glyphs.tolist() != unknown, unicodedata.name(sign)
+            start, width, height = glyphs[0, :3]
+            shapes[sign] = (width, height, letters.coverage[start : start + width * height].tobytes(), glyphs[0, 4])
+        assert len(set(shapes.values())) >= len(signs) - 3  # I, l and | look alike
 
 
-def test_what_the_table_lacks_is_a_box(device):
+def test_missing_characters_are_drawn_as_a_box(device):
     np.testing.assert_array_equal(written(device, "é漢").to_numpy(), written(device, UNKNOWN * 2).to_numpy())
     np.testing.assert_array_equal(written(device, "a\nb").to_numpy(), written(device, "a b").to_numpy())
 
@@ -86,7 +86,7 @@ def test_anything_can_be_written(device, text):
     assert bool(darkness(canvas).any()) == bool(str(text).strip())
 
 
-def test_what_is_drawn_later_lies_above(device):
+def test_later_drawings_cover_earlier_ones(device):
     canvas = Canvas.blank(40, 40, device=device)
     canvas.rectangle(5, 5, 20, 20, fill=BLACK)
     canvas.rectangle(10, 10, 20, 20, fill=RED)
@@ -95,20 +95,20 @@ def test_what_is_drawn_later_lies_above(device):
     assert (darkness(canvas) == 255).sum() == 400 + 400 - 15 * 15
 
 
-def test_an_outline_lies_inside_and_corners_are_no_darker(device):
+def test_an_outline_is_inside_and_corners_are_no_darker(device):
     canvas = Canvas.blank(40, 40, device=device)
     canvas.rectangle(5, 6, 20, 10, outline=BLACK, line_width=2, opacity=0.5)
     assert ink_box(canvas) == (5, 6, 24, 15)
     assert (darkness(canvas) == 128).sum() == 200 - 16 * 6 and set(np.unique(darkness(canvas))) == {0, 128}
 
 
-def test_a_polyline_is_broken_where_a_place_is_not_finite(device):
+def test_a_polyline_is_broken_at_non_finite_points(device):
     canvas = Canvas.blank(60, 20, device=device)
     canvas.polyline([[5, 10], [20, 10], [np.nan, 3], [30, np.inf], [40, 10], [55, 10]], color=BLACK)
     assert np.flatnonzero(darkness(canvas)[10]).tolist() == [*range(5, 21), *range(40, 56)]
 
 
-def test_lines_that_reach_far_out_lie_where_they_would(device):
+def test_lines_far_beyond_the_canvas_are_clipped_correctly(device):
     canvas = Canvas.blank(50, 40, device=device)
     canvas.line(-1e9, -1e9, 1e9, 1e9, color=BLACK)
     assert (np.diagonal(darkness(canvas)) > 250).all()
@@ -159,23 +159,23 @@ LOW, HIGH = (-1.0, 0.5), (2.0, 3.0)
 SHARES = np.linspace(0, 1, 2001)
 
 
-@pytest.mark.parametrize("reach", [1.5, 4.0, 40.0])
-def test_a_part_begins_and_ends_where_points_of_the_segment_do(rng, reach):
-    segments = rng.uniform(-reach, reach, (200, 4))
+@pytest.mark.parametrize("extent", [1.5, 4.0, 40.0])
+def test_a_part_begins_and_ends_where_points_of_the_segment_do(rng, extent):
+    segments = rng.uniform(-extent, extent, (200, 4))
     parts, rows = clip_segments(segments, LOW, HIGH)
-    kept = dict(zip(rows.tolist(), parts, strict=True))
-    assert list(kept) == sorted(kept)
+    visible_parts = dict(zip(rows.tolist(), parts, strict=True))
+    assert list(visible_parts) == sorted(visible_parts)
     for row, ends in enumerate(segments):
         points = ends[:2] + SHARES[:, None] * (ends[2:] - ends[:2])
         inside = points[((points >= LOW) & (points <= HIGH)).all(axis=1)]
         step = np.linalg.norm(ends[2:] - ends[:2]) / (len(SHARES) - 1)
         if len(inside):
-            np.testing.assert_allclose(kept[row], np.r_[inside[0], inside[-1]], rtol=0, atol=step)
-        elif row in kept:  # a corner that lies between two of the points
-            assert np.linalg.norm(kept[row][2:] - kept[row][:2]) <= step
+            np.testing.assert_allclose(visible_parts[row], np.r_[inside[0], inside[-1]], rtol=0, atol=step)
+        elif row in visible_parts:  # a corner between two of the points
+            assert np.linalg.norm(visible_parts[row][2:] - visible_parts[row][:2]) <= step
 
 
-def test_a_segment_inside_stays_as_it_is_and_one_that_is_not_finite_goes():
+def test_inner_segments_are_unchanged_and_non_finite_ones_removed():
     inside = [0.1, 0.7, 1.9, 2.9]
     parts, rows = clip_segments(np.array([[np.nan, 1, 1, 1], inside, [0, 1, 2 * FARTHEST, 1]]), LOW, HIGH)
     assert parts.tolist() == [inside] and rows.tolist() == [1]

@@ -1,4 +1,4 @@
-"""Colors of clouds: by what, between which limits, with which names; the maps are those of the public definitions."""
+"""Colors of clouds: attributes, limits, names, and color maps by their public definitions."""
 
 import hashlib
 
@@ -33,27 +33,27 @@ def test_every_way_of_coloring_gives_colors_for_all_points(cloud):
         ["x", "height", "ring", "intensity"], "values"
     )
     for by, kind in kinds.items():
-        found = color_cloud(cloud, by)
-        colors = found.colors.numpy()
-        assert found.kind == kind and colors.shape == (500, 3) and 0 <= colors.min() <= colors.max() <= 1
-        assert (found.limits is not None) == (kind == "values")
+        coloring = color_cloud(cloud, by)
+        colors = coloring.colors.numpy()
+        assert coloring.kind == kind and colors.shape == (500, 3) and 0 <= colors.min() <= colors.max() <= 1
+        assert (coloring.limits is not None) == (kind == "values")
 
 
-def test_heights_reach_from_the_lowest_point_to_the_highest(cloud):
-    found = color_cloud(cloud, "height")
+def test_heights_range_from_the_lowest_point_to_the_highest(cloud):
+    coloring = color_cloud(cloud, "height")
     z = cloud.points[:, 2]
-    assert found.limits == (z.min(), z.max()) and found.title == "height [m]"
+    assert coloring.limits == (z.min(), z.max()) and coloring.title == "height [m]"
     table = colormap_table("viridis")
-    colors = found.colors.numpy()
+    colors = coloring.colors.numpy()
     assert np.abs(colors[z.argmin()] - table[0]).max() < 1e-6 and np.abs(colors[z.argmax()] - table[-1]).max() < 1e-6
 
 
 def test_heights_of_points_far_from_zero_are_as_fine_as_near_it(device):
     z = np.linspace(0, 0.01, 50)
-    here = color_cloud(loom.PointCloud(np.outer(z, [0, 0, 1]), device=device), "z", limits=(0, 0.01))
+    near_zero = color_cloud(loom.PointCloud(np.outer(z, [0, 0, 1]), device=device), "z", limits=(0, 0.01))
     points = np.outer(z, [0, 0, 1]) + np.array([399_000.25, 5_823_000.5, 8_000_000])
-    there = color_cloud(loom.PointCloud(points, device=device), "z", limits=(8e6, 8e6 + 0.01))
-    np.testing.assert_allclose(here.colors.numpy(), there.colors.numpy(), atol=2e-3)
+    far_away = color_cloud(loom.PointCloud(points, device=device), "z", limits=(8e6, 8e6 + 0.01))
+    np.testing.assert_allclose(near_zero.colors.numpy(), far_away.colors.numpy(), atol=2e-3)
 
 
 def test_limits_of_values_leave_out_the_farthest_fiftieth_at_either_end(cloud):
@@ -70,38 +70,40 @@ def test_limits_of_many_values_come_from_a_sample(cloud, monkeypatch):
 
 def test_values_that_are_not_finite_are_gray_and_do_not_set_limits(device):
     values = np.array([0.0, np.nan, 2.0, np.inf, 1.0])
-    found = color_cloud(loom.PointCloud(np.zeros((5, 3)), device=device, v=values), "v", limits=None)
-    assert found.has_missing and found.limits == pytest.approx((0.04, 1.96))
-    np.testing.assert_allclose(found.colors.numpy()[[1, 3]], [MISSING] * 2, atol=1e-6)
-    assert found.entries() == [("none", MISSING)]
+    coloring = color_cloud(loom.PointCloud(np.zeros((5, 3)), device=device, v=values), "v", limits=None)
+    assert coloring.has_missing and coloring.limits == pytest.approx((0.04, 1.96))
+    np.testing.assert_allclose(coloring.colors.numpy()[[1, 3]], [MISSING] * 2, atol=1e-6)
+    assert coloring.entries() == [("none", MISSING)]
 
 
 def test_nothing_but_nan_is_gray(device):
     points = np.full((3, 3), np.nan)
     for by in ("height", np.full(3, np.nan)):
-        found = color_cloud(loom.PointCloud(points, device=device), by)
-        assert found.limits == (0.0, 1.0) and found.has_missing
-        np.testing.assert_allclose(found.colors.numpy(), [MISSING] * 3, atol=1e-6)
+        coloring = color_cloud(loom.PointCloud(points, device=device), by)
+        assert coloring.limits == (0.0, 1.0) and coloring.has_missing
+        np.testing.assert_allclose(coloring.colors.numpy(), [MISSING] * 3, atol=1e-6)
 
 
 def test_a_constant_takes_the_color_in_the_middle(device):
-    found = color_cloud(loom.PointCloud(np.ones((4, 3)), device=device), "x")
-    assert found.limits == (1.0, 1.0)
-    np.testing.assert_allclose(found.colors.numpy(), [colormap_table("viridis")[127:129].mean(axis=0)] * 4, atol=1e-6)
+    coloring = color_cloud(loom.PointCloud(np.ones((4, 3)), device=device), "x")
+    assert coloring.limits == (1.0, 1.0)
+    np.testing.assert_allclose(
+        coloring.colors.numpy(), [colormap_table("viridis")[127:129].mean(axis=0)] * 4, atol=1e-6
+    )
 
 
 def test_labels_take_the_palette_and_noise_is_dark_gray(cloud):
-    found = color_cloud(cloud, "label")
-    assert list(found.names.items())[:2] == [(-1, "noise"), (0, "label 0")] and len(found.names) == 5
+    coloring = color_cloud(cloud, "label")
+    assert list(coloring.names.items())[:2] == [(-1, "noise"), (0, "label 0")] and len(coloring.names) == 5
     expected = np.vstack([NOISE, PALETTE[:4] / 255])[cloud.attributes["label"] + 1]
-    np.testing.assert_allclose(found.colors.numpy(), expected, atol=1e-6)
-    assert [color for _, color in found.entries()] == [label_color(label) for label in range(-1, 4)]
+    np.testing.assert_allclose(coloring.colors.numpy(), expected, atol=1e-6)
+    assert [color for _, color in coloring.entries()] == [label_color(label) for label in range(-1, 4)]
 
 
 def test_classes_of_las_have_their_names(device):
     cloud = loom.PointCloud(np.zeros((3, 3)), device=device, classification=np.array([2, 6, 40], np.uint8))
     assert color_cloud(cloud, "classification").names == {2: "ground", 6: "building", 40: "label 40"}
-    assert color_cloud(cloud, "label").kind == "labels"  # what labels are called in the cloud
+    assert color_cloud(cloud, "label").kind == "labels"  # the name of labels in the cloud
     assert color_cloud(cloud, "classification", colormap="turbo").kind == "values"
 
 
@@ -114,10 +116,10 @@ def test_an_array_is_colored_as_an_attribute_is(cloud):
 def test_labels_of_64_bits_are_no_others(device):
     labels = np.array([2**40 + 7, -(2**40), 3], np.int64)
     for values in (labels, np.array([2**31 + 7, 2**32 - 1, 3], np.uint32)):
-        found = color_cloud(loom.PointCloud(np.zeros((3, 3)), device=device), values)
+        coloring = color_cloud(loom.PointCloud(np.zeros((3, 3)), device=device), values)
         expected = [label_color(label) for label in values.tolist()]
-        np.testing.assert_allclose(found.colors.numpy(), expected, atol=1e-6)
-        assert found.names[3] == "label 3" and 4094 in found.names
+        np.testing.assert_allclose(coloring.colors.numpy(), expected, atol=1e-6)
+        assert coloring.names[3] == "label 3" and 4094 in coloring.names
 
 
 def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
@@ -143,7 +145,7 @@ def test_an_attribute_goes_before_a_coordinate_of_its_name(device):
         ("z", {"limits": 3}, "limits"),
     ],
 )
-def test_what_a_cloud_cannot_be_colored_by_is_told(by, options, message):
+def test_unsupported_colorings_are_rejected(by, options, message):
     cloud = loom.PointCloud(np.zeros((2, 3)), pair=np.zeros((2, 2)))
     with pytest.raises(ValueError, match=message):
         color_cloud(cloud, by, **options)
@@ -190,5 +192,5 @@ def test_a_color_bar_names_the_unit_of_the_cloud():
     points = [[0, 0, 0], [1, 2, 3]]
     for unit, title in ((None, "height [m]"), ("metre", "height [m]"), ("US survey foot", "height [US ft]")):
         assert color_cloud(loom.PointCloud(points, unit=unit), "height").title == title
-    degrees = loom.PointCloud(points, unit="degree")  # which says nothing of heights
+    degrees = loom.PointCloud(points, unit="degree")  # unrelated to heights
     assert [color_cloud(degrees, by).title for by in "xyz"] == ["x [deg]", "y [deg]", "z"]

@@ -1,4 +1,4 @@
-"""The gallery draws each step of the tutorial: something is there, not all of it background, in more than one shade."""
+"""The gallery draws each step of the tutorial, with more than one color besides the background."""
 
 import importlib.util
 from pathlib import Path

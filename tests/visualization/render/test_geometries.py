@@ -1,4 +1,4 @@
-"""What is drawn of each kind of geometry: names, styles, shared arrays, boxes, and what is refused."""
+"""Drawn parts of each kind of geometry: names, styles, shared arrays, boxes, and rejected input."""
 
 from pathlib import Path
 from types import SimpleNamespace
@@ -48,15 +48,15 @@ KINDS = {
 
 @pytest.mark.parametrize("name", KINDS)
 def test_each_kind_has_its_name_parts_and_box(name, device):
-    make, kinds, reach = KINDS[name]
-    [(found, geometry, style)] = named_geometries(make())
+    make, kinds, extent = KINDS[name]
+    [(default_name, geometry, style)] = named_geometries(make())
     parts = parts_of(geometry, style, device)
-    assert found == name == kind_of(geometry) and [type(part) for part in parts] == kinds
+    assert default_name == name == kind_of(geometry) and [type(part) for part in parts] == kinds
     assert all(str(part.positions.device) == str(device) for part in parts) or str(device) == "cpu"
     low, high = bounds_of(parts)
     assert low.dtype == np.float64 and (high >= low).all()
-    if reach is not None:
-        assert low == pytest.approx(reach[0]) and high == pytest.approx(reach[1])
+    if extent is not None:
+        assert low == pytest.approx(extent[0]) and high == pytest.approx(extent[1])
 
 
 def test_an_oriented_box_and_the_boxes_color_are_drawn():
@@ -69,7 +69,7 @@ def test_an_oriented_box_and_the_boxes_color_are_drawn():
     assert len(np.unique(edges, axis=0)) == 12
 
 
-def test_plain_objects_and_those_of_open3d_are_taken(o3d):
+def test_plain_objects_and_open3d_objects_are_accepted(o3d):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(CUBE, float)))
     ball = o3d.geometry.TriangleMesh.create_box()
     lines = o3d.geometry.LineSet.create_from_axis_aligned_bounding_box(cloud.get_axis_aligned_bounding_box())
@@ -82,7 +82,7 @@ def test_plain_objects_and_those_of_open3d_are_taken(o3d):
     assert download(parts_of(plain)[0].colors)[0] == pytest.approx(128 / 255)
 
 
-def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of(o3d):
+def test_open3d_tensor_geometries_are_drawn_like_legacy_ones(o3d):
     cloud = o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.array(CUBE, float)))
     cloud.paint_uniform_color([0.2, 0.4, 0.6])
     ball, lines = o3d.geometry.TriangleMesh.create_box(), o3d.geometry.LineSet.create_from_axis_aligned_bounding_box
@@ -107,7 +107,7 @@ def test_tensors_of_open3d_are_drawn_as_what_they_were_made_of(o3d):
         named_geometries(o3d.geometry.VoxelGrid())
 
 
-def test_refusals_say_what_was_given_and_how_to_go_on():
+def test_errors_state_the_given_value_and_a_remedy():
     for path in ("scan.ply", Path("scan.ply")):
         with pytest.raises(TypeError, match=r"^geometries:.*loom\.read_point_cloud.*scan\.ply"):
             named_geometries([path])
@@ -124,7 +124,7 @@ def test_arrays_of_clouds_and_meshes_are_shared(device):
     assert (part.positions.ptr, part.indices.ptr) == (mesh._arrays["vertices"].ptr, mesh._arrays["triangles"].ptr)
 
 
-def test_names_are_those_given_or_told_apart_by_numbers():
+def test_names_are_as_given_or_made_unique_by_numbers():
     cloud, mesh = loom.PointCloud(CUBE), loom.TriangleMesh.create_box(1, 1, 1)
     assert [n for n, _, _ in named_geometries([cloud, mesh, cloud, {"geometry": mesh, "name": "cloud"}])] == [
         "cloud",
@@ -145,7 +145,7 @@ def test_several_clouds_without_colors_get_different_ones():
     assert named_geometries(cloud)[0][2].color is None
 
 
-def test_styles_reach_the_parts():
+def test_styles_are_applied_to_the_parts():
     cloud = loom.PointCloud(CUBE, colors=CUBE)
     [part] = parts_of(cloud, Style(color=(1, 0, 0), point_size=4, metric=True, shaded=False, pose=np.eye(4)))
     assert (part.plain, part.size, part.metric, part.shaded, part.colors.size) == ((1, 0, 0), 4.0, True, False, 0)
@@ -180,24 +180,24 @@ def test_voxels_show_the_faces_that_no_other_voxel_touches():
     normals = np.cross(faces[:, 1] - faces[:, 0], faces[:, 3] - faces[:, 0])
     centers = faces.mean(axis=1)
     owner = np.array([0.5, 0.5, 0.5]) + cells[np.abs(centers[:, None] - cells - 0.5).sum(axis=2).argmin(axis=1)]
-    assert (((centers - owner) * normals).sum(axis=1) > 0).all()  # counterclockwise seen from outside
+    assert (((centers - owner) * normals).sum(axis=1) > 0).all()  # counterclockwise from outside
     edges = parts_of(grid, Style(wireframe=True))[1]
     assert isinstance(edges, Lines) and edges.indices.size == 2 * (20 + 12)
     assert len(outer_faces(loom.VoxelGrid(np.zeros(3), 1.0, (0, 0, 0), np.empty((0, 3), np.int32)))) == 0
 
 
-def test_a_frustum_holds_what_its_camera_sees():
+def test_a_frustum_contains_the_view_of_its_camera():
     T = np.eye(4)
     T[:3, 3] = 1, 2, 3
     frustum = loom.CameraFrustum(INTRINSIC, T, scale=2.0)
     corners = frustum.corners()[:4] - T[:3, 3]
-    seen = corners[:, :2] / corners[:, 2:] * 525 + (319.5, 239.5)
-    assert seen == pytest.approx(np.array([[-0.5, -0.5], [639.5, -0.5], [639.5, 479.5], [-0.5, 479.5]]))
+    pixels = corners[:, :2] / corners[:, 2:] * 525 + (319.5, 239.5)
+    assert pixels == pytest.approx(np.array([[-0.5, -0.5], [639.5, -0.5], [639.5, 479.5], [-0.5, 479.5]]))
     assert (corners[:, 2] == 2).all() and frustum.corners()[4, 1] < frustum.corners()[0, 1]
 
 
 @pytest.mark.parametrize("wrong", [3, None, [1, 2], [[0, 0, 0]], {"a": 3}, loom.PointCloud, [loom.PointCloud(), None]])
-def test_what_cannot_be_drawn_is_refused_with_what_can(wrong):
+def test_unsupported_geometries_are_rejected_with_the_supported_ones(wrong):
     with pytest.raises((TypeError, ValueError), match=r"^geometries:"):
         for _, geometry, style in named_geometries(wrong):
             parts_of(geometry, style)
@@ -223,7 +223,7 @@ def test_styles_out_of_range_are_refused(keys, kind, message):
         named_geometries({"geometry": loom.PointCloud(CUBE), **keys})
 
 
-def test_a_mesh_is_colored_by_what_its_vertices_hold():
+def test_a_mesh_is_colored_by_its_vertex_attributes():
     mesh = loom.TriangleMesh([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]).paint_uniform_color((1, 0, 0))
     mesh.vertex_attributes["bend"] = np.array([-1.0, 0.0, 1.0])
     [part] = parts_of(mesh, Style(color_by="bend", colormap="gray", limits=(-1, 1)))

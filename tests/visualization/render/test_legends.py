@@ -1,4 +1,4 @@
-"""Legends, color bars and labels: all inside the picture, in the right colors, nothing over anything else."""
+"""Legends, color bars and labels are inside the image, have the right colors, and do not overlap."""
 
 import numpy as np
 import pytest
@@ -18,7 +18,7 @@ def canvas(device):
 
 
 def changed(canvas):
-    """Left, top, right, bottom of what was drawn."""
+    """Left, top, right, bottom of the drawn pixels."""
     rows, columns = np.nonzero((canvas.to_numpy() != Canvas.blank(1, 1, DARK).to_numpy()[0, 0]).any(axis=2))
     return columns.min(), rows.min(), columns.max(), rows.max()
 
@@ -28,7 +28,7 @@ def count(canvas, color):
 
 
 @pytest.mark.parametrize("corner", ["upper left", "upper right", "lower left", "lower right"])
-def test_a_legend_lies_in_its_corner_with_a_square_of_each_color(canvas, corner):
+def test_a_legend_is_in_its_corner_with_a_square_of_each_color(canvas, corner):
     draw_legend(canvas, [(f"name {k}", color) for k, color in enumerate(COLORS)], corner)
     left, top, right, bottom = changed(canvas)
     assert (left < 15) == ("left" in corner) and (right > 304) == ("right" in corner)
@@ -61,7 +61,7 @@ def test_a_color_bar_shows_the_map_with_its_low_end_below(canvas):
     assert rows[0] < rows[1] - 30
 
 
-def test_a_gray_entry_stands_for_what_is_missing(canvas):
+def test_a_gray_entry_marks_missing_values(canvas):
     coloring = {"limits": (0.0, 3.0), "colormap": "viridis"}
     other = canvas.copy()
     draw_color_bar(canvas, Coloring(None, "values", has_missing=True, **coloring))
@@ -76,19 +76,19 @@ def test_a_bar_of_any_range_stays_inside_the_picture(canvas, limits):
     assert left > 100 and right < 319
 
 
-def test_labels_that_would_lie_on_an_earlier_one_are_counted(canvas):
+def test_labels_that_overlap_an_earlier_one_are_counted(canvas):
     labels = [("first", 50, 50), ("hidden", 60, 53), ("third", 50, 90), ("outside", -5, 50), ("nan", float("nan"), 5)]
     assert draw_labels(canvas, labels) == 1
     assert changed(canvas)[3] < 105
 
 
-@pytest.mark.parametrize("place", [(318, 2), (1, 237), (160, 238), (318, 238)])
-def test_a_label_at_the_edge_is_whole(canvas, place):
-    draw_labels(canvas, [("Edge", *place)], color=(1.0, 0.0, 0.0))
+@pytest.mark.parametrize("position", [(318, 2), (1, 237), (160, 238), (318, 238)])
+def test_a_label_at_the_edge_is_not_cut_off(canvas, position):
+    draw_labels(canvas, [("Edge", *position)], color=(1.0, 0.0, 0.0))
     middle = canvas.copy()
     middle.rectangle(0, 0, 320, 240, fill=DARK)
     draw_labels(middle, [("Edge", 160, 120)], color=(1.0, 0.0, 0.0))
-    dot = 20  # pixels of the dot at most, which the edge may cut
+    dot = 20  # maximum number of pixels of the dot that the edge may cut
     assert count(canvas, (1.0, 0.0, 0.0)) >= count(middle, (1.0, 0.0, 0.0)) - dot
 
 

@@ -1,5 +1,4 @@
-"""What is seen through: light adds up from the front to the back, in any order of what is given; what lies behind
-nothing is transparent."""
+"""Transparency: colors are blended from front to back in any input order; the background can be transparent."""
 
 import numpy as np
 import pytest
@@ -14,14 +13,14 @@ RED, BLUE, GREEN = (1.0, 0.0, 0.0), (0.0, 0.0, 1.0), (0.0, 1.0, 0.0)
 
 
 def wall(z, color, opacity=1.0, half=3.0):
-    """A square across the whole picture (or a part of it) at a depth [m], as bright as its color."""
+    """A square across the image (or a part of it) at a depth [m], as bright as its color."""
     corners = np.array([[-half, -half, z], [half, -half, z], [half, half, z], [-half, half, z]])
     mesh = loom.TriangleMesh(corners, [[0, 1, 2], [0, 2, 3]])
     return {"geometry": mesh, "color": color, "opacity": opacity, "shaded": False}
 
 
 def dots(z, color, opacity, spacing=0.05):
-    """A cloud of discs that overlap, across the middle of the picture."""
+    """A cloud of overlapping discs across the middle of the image."""
     steps = np.arange(-0.6, 0.6, spacing)
     x, y = (each.ravel() for each in np.meshgrid(steps, steps))
     cloud = loom.PointCloud(np.column_stack([x, y, np.full(x.size, float(z))]))
@@ -29,7 +28,7 @@ def dots(z, color, opacity, spacing=0.05):
 
 
 def view():
-    """At the origin, along z."""
+    """A camera at the origin that looks along z."""
     camera = loom.PinholeCameraIntrinsic(*SIZE, 60.0, 60.0, (SIZE[0] - 1) / 2, (SIZE[1] - 1) / 2)
     return loom.View(camera, np.eye(4))
 
@@ -42,13 +41,13 @@ def middle(picture):
     return picture[SIZE[1] // 2, SIZE[0] // 2].astype(int).tolist()
 
 
-def test_a_share_of_the_light_comes_from_behind(device):
+def test_colors_are_blended_with_the_background_by_opacity(device):
     picture = draw(wall(2, RED, 0.4), wall(3, BLUE), device=device)
     assert middle(picture) == [102, 0, 153]
     assert middle(draw(wall(2, RED, 0.4), background="black", device=device)) == [102, 0, 0]
 
 
-def test_layers_lie_as_deep_as_they_are_in_whatever_order_they_are_given(device):
+def test_layers_are_sorted_by_depth_for_any_input_order(device):
     walls = [wall(2, RED, 0.5), wall(3, GREEN, 0.5), wall(4, BLUE, 0.5)]
     picture = draw(*walls, background="black", device=device)
     assert np.abs(np.array(middle(picture)) - [127.5, 63.75, 31.875]).max() <= 1
@@ -74,24 +73,24 @@ def test_a_cloud_between_two_walls_is_behind_the_one_and_before_the_other(device
     assert np.abs(np.array(middle(draw(*shown, background="black", device=device))) - [63.75, 127.5, 31.875]).max() <= 1
 
 
-def test_what_is_solid_hides_what_is_seen_through(device):
+def test_opaque_surfaces_hide_transparent_ones(device):
     assert middle(draw(wall(2, RED), wall(3, GREEN, 0.5), dots(4, BLUE, 0.5), device=device)) == [255, 0, 0]
 
 
-def test_no_opacity_is_not_there_and_whole_opacity_is_as_none_told(device):
+def test_zero_opacity_is_invisible_and_full_opacity_is_the_default(device):
     plain = wall(2, RED)
     del plain["opacity"]
     assert draw(wall(2, RED, 1.0), device=device).tobytes() == draw(plain, device=device).tobytes()
     assert middle(draw(wall(2, RED, 0.0), wall(3, BLUE), device=device)) == [0, 0, 255]
 
 
-def test_more_faces_than_layers_end_with_what_is_solid(device):
+def test_beyond_the_maximum_of_layers_the_opaque_surface_follows(device):
     walls = [wall(2 + 0.05 * k, RED, 0.02) for k in range(40)]
     red, _, blue = middle(draw(*walls, wall(9, BLUE), device=device))
     assert red == round(255 * (1 - 0.98**16)) and blue == round(255 * 0.98**16)
 
 
-def test_depth_is_of_what_is_solid(device):
+def test_depth_is_that_of_opaque_surfaces(device):
     _, depth = draw(wall(2, RED, 0.5), wall(3, BLUE, half=0.3), depth=True, device=device)
     assert depth[24, 32] == pytest.approx(3.0) and depth[0, 0] == 0
 
@@ -111,14 +110,14 @@ def test_a_transparent_picture_laid_over_a_ground_is_the_picture_before_it(devic
     shown = [{"geometry": ball, "opacity": 0.6}, wall(6, GREEN, 0.5, half=1.4)]
     words = {"legend": [("a", RED)], "labels": [("here", (0, 0, 3))], "scale_bar": True}
     clear = draw(*shown, background="transparent", device=device, **({} if ground == "black" else words))
-    whole = draw(*shown, background=ground, device=device, **({} if ground == "black" else words))
+    opaque = draw(*shown, background=ground, device=device, **({} if ground == "black" else words))
     share = clear[..., 3:] / 255
     laid = clear[..., :3] * share + 255 * np.array((0, 0, 0) if ground == "black" else ground) * (1 - share)
-    assert np.abs(laid - whole).max() <= 2.5
+    assert np.abs(laid - opaque).max() <= 2.5
 
 
 @pytest.mark.parametrize("name", ["a.png", "a.webp"])
-def test_files_hold_what_is_transparent(tmp_path, name):
+def test_files_contain_transparent_geometries(tmp_path, name):
     picture = draw(wall(2, RED, 0.4, half=0.5), background="transparent")
     save_picture(tmp_path / name, picture)
     with Image.open(tmp_path / name) as read:
@@ -126,7 +125,7 @@ def test_files_hold_what_is_transparent(tmp_path, name):
 
 
 @pytest.mark.parametrize("name", ["a.jpg", "a.gif"])
-def test_files_that_hold_no_transparency_are_refused_with_a_remedy(tmp_path, name):
+def test_files_without_transparency_support_are_rejected_with_a_remedy(tmp_path, name):
     with pytest.raises(FileError, match="does not support transparency"):
         save_picture(tmp_path / name, np.zeros((4, 4, 4), np.uint8))
 

@@ -1,4 +1,4 @@
-"""Views: they frame what they show; Open3D's cameras and files."""
+"""Views fit their geometries; Open3D's cameras and files."""
 
 import json
 import tempfile
@@ -47,16 +47,16 @@ def open3ds_cameras(o3d, parameters):
         if not window.create_window(visible=False, width=640, height=480):
             pytest.skip("no window, and no EGL for one off screen")
         window.add_geometry(o3d.geometry.PointCloud(o3d.utility.Vector3dVector(np.stack(BOUNDS))))
-    control, found = window.get_view_control(), []
+    control, cameras = window.get_view_control(), []
     for step, (front, lookat, up, (zoom, _, _)) in enumerate(parameters):
         for name, value in {"front": front, "lookat": lookat, "up": up, "zoom": zoom}.items():
             getattr(control, f"set_{name}")(value)
         control.change_field_of_view(step % 5 - 2)
         angle = json.loads(window.get_view_status())["trajectory"][0]["field_of_view"]
         camera = control.convert_to_pinhole_camera_parameters()
-        found.append((angle, camera.intrinsic.intrinsic_matrix.copy(), camera.extrinsic.copy()))
+        cameras.append((angle, camera.intrinsic.intrinsic_matrix.copy(), camera.extrinsic.copy()))
     window.destroy_window()
-    return tuple(np.array(values) for values in zip(*found, strict=True))
+    return tuple(np.array(values) for values in zip(*cameras, strict=True))
 
 
 def test_cameras_are_those_of_open3d_itself(oracle):

@@ -1,4 +1,4 @@
-"""What is written over a picture lies beside what is drawn, and says lengths that are right."""
+"""Overlays do not cover geometries, and scale bars have the right length."""
 
 import numpy as np
 import pytest
@@ -14,7 +14,7 @@ ENTRIES = [("a name", (1.0, 0.0, 0.0)), ("a longer name", (0.0, 0.0, 1.0))]
 
 
 def slab(shape, device):
-    """A cloud as wide, deep and high as told, in known colors."""
+    """A cloud of the given width, depth and height, in known colors."""
     rng = np.random.default_rng(0)
     return loom.PointCloud(rng.random((3000, 3)) * shape, label=np.zeros(3000, np.int32), device=device)
 
@@ -30,22 +30,22 @@ def is_drawn(picture):
         ((640, 360), (1, 1, 8), "height"), ((360, 640), (8, 1, 1), "label"),
     ],
 )  # fmt: skip
-def test_nothing_lies_over_what_is_drawn_where_the_view_is_fitted(size, shape, by, device):
+def test_overlays_cover_no_geometry_in_a_fitted_view(size, shape, by, device):
     cloud = slab(shape, device)
     shown = {"geometry": cloud, "color_by": by}
-    whole = loom.render(shown, None, size, color_bar=True, legend=ENTRIES, device=device)
+    picture = loom.render(shown, None, size, color_bar=True, legend=ENTRIES, device=device)
     canvas = Canvas.blank(*size, device=device)
     draw_legend(canvas, ENTRIES)
     draw_color_bar(canvas, color_cloud(cloud, by))
     panels = is_drawn(canvas.to_numpy())
-    assert panels.any() and np.array_equal(whole[panels], canvas.to_numpy()[panels])
-    inside = is_drawn(whole) & ~panels
+    assert panels.any() and np.array_equal(picture[panels], canvas.to_numpy()[panels])
+    inside = is_drawn(picture) & ~panels
     box = [np.flatnonzero(inside.any(axis=axis)) for axis in (1, 0)]
-    used = max(np.ptp(places) / length for places, length in zip(box, size[::-1], strict=True))
-    assert used > 0.35  # and it is as large as it may be
+    used = max(np.ptp(pixels) / length for pixels, length in zip(box, size[::-1], strict=True))
+    assert used > 0.35  # and it is as large as possible
 
 
-def test_a_view_that_is_given_is_kept(device):
+def test_a_given_view_is_unchanged(device):
     cloud = slab((2, 2, 2), device)
     view = loom.fit_view(cloud.points, width=320, height=240)
     bare = loom.render({"geometry": cloud, "color_by": "height"}, view, device=device)
@@ -53,7 +53,7 @@ def test_a_view_that_is_given_is_kept(device):
     assert np.array_equal(bare[:, :150], given[:, :150])
 
 
-def test_numbers_stand_at_both_ends_of_a_bar():
+def test_numbers_are_at_both_ends_of_a_bar():
     assert with_ends(choose_ticks(-1.83, 10.94, 7), 0.05).texts == ("−1.8", "0", "2", "4", "6", "8", "10", "10.9")
     assert with_ends(choose_ticks(0, 3, 4), 0.05).texts == ("0", "1", "2", "3")
     assert with_ends(choose_ticks(0.97, 2.02, 3), 0.1).texts == ("0.97", "1.5", "2.02")
@@ -61,9 +61,11 @@ def test_numbers_stand_at_both_ends_of_a_bar():
     assert len(with_ends(choose_ticks(5e6, 5e6 + 0.001, 4), 0.1).values) >= 3
 
 
-@pytest.mark.parametrize(("most", "length"), [(1, 1), (1.99, 1), (2, 2), (4.9, 2), (7, 5), (0.3, 0.2), (1234, 1000)])
-def test_a_scale_bar_has_a_round_length(most, length):
-    assert round_length(most) == length
+@pytest.mark.parametrize(
+    ("max_length", "length"), [(1, 1), (1.99, 1), (2, 2), (4.9, 2), (7, 5), (0.3, 0.2), (1234, 1000)]
+)
+def test_a_scale_bar_has_a_round_length(max_length, length):
+    assert round_length(max_length) == length
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 250.0])
@@ -82,7 +84,7 @@ def test_a_scale_bar_is_as_long_as_lengths_at_the_depth_of_the_middle(scale):
     assert abs(row - (columns[1] - columns[0])) <= 4 and 0.08 * 640 < row < 0.26 * 640
 
 
-def test_a_scale_bar_says_the_unit_and_is_left_out_behind_the_camera(device):
+def test_a_scale_bar_shows_the_unit_and_is_omitted_behind_the_camera(device):
     cloud = slab((2, 2, 2), device)
     feet = slab((2, 2, 2), device)
     feet.unit = "foot"
@@ -93,7 +95,7 @@ def test_a_scale_bar_says_the_unit_and_is_left_out_behind_the_camera(device):
     assert (loom.render(behind, away, scale_bar=True) == 255).all()
 
 
-def test_what_is_up_stands_upright_in_a_fitted_view(device):
+def test_the_up_axis_is_vertical_in_a_fitted_view(device):
     pillar = np.random.default_rng(0).random((2000, 3)) * [1, 6, 1]
     tall = {"z": pillar[:, [0, 2, 1]], "y": pillar, "x": pillar[:, [1, 0, 2]]}
     for up, points in tall.items():

@@ -1,4 +1,4 @@
-"""Plots by matplotlib: their sizes, that data appear where they should, and what happens without matplotlib."""
+"""Plots by matplotlib: sizes, positions of data, and errors without matplotlib."""
 
 import sys
 

@@ -1,4 +1,4 @@
-"""Pictures: silhouettes of the right size, colors and depths where they belong, the same bits each time, refusals."""
+"""Rendering: sizes of silhouettes, positions of colors and depths, bitwise reproducible images, rejected input."""
 
 import contextlib
 from types import SimpleNamespace
@@ -15,7 +15,7 @@ BLACK, WHITE = (0, 0, 0), (255, 255, 255)
 
 
 def sphere(radius=1.0, rings=60, center=(0.0, 0.0, 0.0)):
-    """A sphere whose triangles look outward."""
+    """A sphere with outward triangles."""
     theta, phi = np.meshgrid(np.linspace(0, np.pi, rings + 1), np.linspace(0, 2 * np.pi, 2 * rings, endpoint=False))
     points = np.stack([np.sin(theta) * np.cos(phi), np.sin(theta) * np.sin(phi), np.cos(theta)], -1)
     i, j = np.meshgrid(np.arange(2 * rings), np.arange(rings), indexing="ij")
@@ -33,7 +33,7 @@ def straight_view(distance, focal=200.0):
 
 
 def coverage(image):
-    """The covered area [px] of a picture on white, edges by their share, of what is drawn in black."""
+    """The area [px] of black shapes on a white image, with fractions at edges."""
     return (255 - image[..., 0].astype(float)).sum() / 255
 
 
@@ -51,14 +51,14 @@ def test_a_sphere_has_the_silhouette_of_a_sphere(device):
 
 
 def ramp():
-    """A tilted square whose red grows with x, and a view of it."""
+    """A tilted square whose red increases with x, and a view of it."""
     vertices = np.array([[-1.0, -1.0, 2.0], [1.0, -1.0, 6.0], [1.0, 1.0, 6.0], [-1.0, 1.0, 2.0]])
     view = loom.View(loom.PinholeCameraIntrinsic(160, 120, 60.0, 60.0, 79.5, 59.5), np.eye(4))
     return vertices, [[0, 2, 1], [0, 3, 2]], view
 
 
 def x_of_ramp(columns):
-    slope = (columns - 79.5) / 60  # x = 2 share - 1 lies on the plane z = 4 + 2 x
+    slope = (columns - 79.5) / 60  # x = 2 share - 1 is on the plane z = 4 + 2 x
     return 4 * slope / (1 - 2 * slope)
 
 
@@ -84,7 +84,7 @@ def test_textures_are_read_between_their_pixels_in_perspective(device):
 
 def test_the_lower_left_corner_of_a_texture_is_its_last_row(device):
     texture = np.array([[WHITE, WHITE], [(255, 0, 0), WHITE]], np.uint8).repeat(20, axis=0).repeat(20, axis=1)
-    vertices = [[-0.5, 0.5, 0], [0.5, 0.5, 0], [0.5, -0.5, 0], [-0.5, -0.5, 0]]  # lower left first, as it is seen
+    vertices = [[-0.5, 0.5, 0], [0.5, 0.5, 0], [0.5, -0.5, 0], [-0.5, -0.5, 0]]  # lower left first in the image
     uvs = np.array([[0, 0], [1, 0], [1, 1], [0, 1]])[[0, 1, 2, 0, 2, 3]]
     mesh = loom.TriangleMesh(vertices, [[0, 1, 2], [0, 2, 3]], triangle_uvs=uvs, textures=[texture])
     image = loom.render(mesh, straight_view(5.0), device=device, background=BLACK)
@@ -153,8 +153,8 @@ def test_edges_are_drawn_over_faces_and_as_wide_on_each_slope(device):
     loss = bare[..., 0].astype(float) - image[..., 0]
     v, u = np.mgrid[:120, :160]
     ring = (np.hypot(u - 79.5, v - 59.5) > 20) & (np.hypot(u - 79.5, v - 59.5) < 40)
-    turn = np.round(np.arctan2(v - 59.5, u - 79.5) / (np.pi / 6)).astype(int) % 12
-    sums = np.array([loss[ring & (turn == k)].sum() for k in range(12)])
+    sector = np.round(np.arctan2(v - 59.5, u - 79.5) / (np.pi / 6)).astype(int) % 12
+    sums = np.array([loss[ring & (sector == k)].sum() for k in range(12)])
     assert sums.min() > 0.9 * sums.max() and loss.min() >= 0
     assert sums.mean() == pytest.approx(20 * 204 * 0.88, rel=0.1)  # as dark as an edge of 1 px
 
@@ -164,7 +164,7 @@ def test_the_order_of_triangles_does_not_change_the_picture(device):
     first = loom.render(mesh, None, SMALL, device=device)
     assert first.tobytes() == loom.render(mesh, None, SMALL, device=device).tobytes()
     mesh.triangles = mesh.triangles[::-1]
-    # triangles with the same depth in a sample may change places there
+    # triangles with the same depth in a sample may be swapped there
     assert (first != loom.render(mesh, None, SMALL, device=device)).mean() < 0.01
 
 
@@ -175,13 +175,13 @@ def test_points_keep_their_colors_and_one_point_is_a_disc(device):
     assert (255 - image[..., 1].astype(float)).sum() / 255 == pytest.approx(np.pi * 100, rel=0.03)
 
 
-def test_points_in_metres_are_the_larger_the_nearer(device):
+def test_points_sized_in_meters_are_larger_when_nearer(device):
     point = {"geometry": np.zeros((1, 3)), "point_size": 0.2, "metric": True, "color": BLACK}
     areas = [coverage(loom.render(point, straight_view(d), device=device)) for d in (1.0, 2.0)]
     assert areas == pytest.approx([np.pi * 400, np.pi * 100], rel=0.05)
 
 
-def test_the_size_of_points_closes_most_gaps(device):
+def test_the_point_size_closes_nearly_all_gaps(device):
     rng = np.random.default_rng(2)
     for count in (1500, 60_000):
         points = np.column_stack([rng.uniform(-1, 1, (count, 2)), np.zeros(count)])
@@ -211,11 +211,11 @@ def test_points_behind_their_neighbors_are_darker_and_those_with_normals_are_lit
     lit = loom.render(loom.PointCloud(step, normals=normals / np.linalg.norm(normals, axis=1)[:, None]), **options)
     assert abs(int(lit[60, 60, 0]) - int(lit[60, 100, 0])) > 5
     colored = loom.PointCloud(step, normals=normals, colors=np.full((len(step), 3), 0.5))
-    assert loom.render(colored, **options)[60, 60].tolist() == [128, 128, 128]  # as bright as it is
+    assert loom.render(colored, **options)[60, 60].tolist() == [128, 128, 128]  # at full brightness
 
 
 @pytest.mark.parametrize("lean", [(0.02, 0.05), (0.15, -0.1)])
-def test_lines_are_seen_over_the_faces_that_they_lie_in(device, lean):
+def test_lines_are_visible_over_the_faces_that_contain_them(device, lean):
     cube = loom.TriangleMesh.create_box(2, 2, 2)
     cube = paint(loom.TriangleMesh(cube.vertices - 1, cube.triangles), (0, 0, 1))
     face = loom.LineSet([[1, -1, -1], [1, 1, -1], [1, 1, 1], [1, -1, 1]], [[0, 1], [1, 2], [2, 3], [3, 0], [0, 2]])
@@ -224,10 +224,10 @@ def test_lines_are_seen_over_the_faces_that_they_lie_in(device, lean):
         ((image[..., 0] > 128) & (image[..., 2] < 128)).sum()
         for image in (loom.render([*back, paint(face, (1, 0, 0))], view, device=device) for back in ([cube], []))
     )
-    assert 0.97 * alone < red <= 1.15 * alone  # over the blue cube pixels at the rim count from a smaller share on
+    assert 0.97 * alone < red <= 1.15 * alone  # over the blue cube, edge pixels count from a smaller fraction on
 
 
-def test_line_widths_and_colors_are_kept_apart(device):
+def test_line_widths_and_colors_are_independent(device):
     lines = loom.LineSet([[-1, -0.2, 0], [1, -0.2, 0], [-1, 0.2, 0], [1, 0.2, 0]], [[0, 1], [2, 3]])
     lines = loom.LineSet(lines.points, lines.lines, [[1, 0, 0], [0, 1, 0]])
     image = loom.render([{"geometry": lines, "line_width": 4}], straight_view(2.0), device=device)
@@ -238,7 +238,7 @@ def test_line_widths_and_colors_are_kept_apart(device):
     )
 
 
-def test_what_is_nearer_hides_what_is_behind_whatever_it_is(device):
+def test_nearer_geometries_hide_farther_ones_of_any_kind(device):
     ball = {"geometry": sphere(), "color": (1, 0, 0), "shaded": False}
     cloud = {"geometry": np.array([[0, 0, -2.0], [0.0, 0.3, 2.0]]), "color": (0, 1, 0), "point_size": 6}
     line = {"geometry": loom.LineSet([[-1, 0.2, -3], [1, 0.2, -3], [-1, -0.2, 3], [1, -0.2, 3]], [[0, 1], [2, 3]])}
@@ -249,7 +249,7 @@ def test_what_is_nearer_hides_what_is_behind_whatever_it_is(device):
         assert (image[79:81, 80] < 60).all() and image[55, 80].tolist() == [255, 0, 0]
 
 
-def test_depth_is_that_of_what_is_seen(device):
+def test_depth_is_that_of_the_visible_surface(device):
     _, depth = loom.render(sphere(rings=200), straight_view(5.0), depth=True, device=device)
     assert depth.shape == (120, 160) and depth.dtype == np.float32
     v, u = np.mgrid[:120, :160]
@@ -268,7 +268,7 @@ def test_depth_of_lines_is_their_own(device):
     assert depth[60, 80] == pytest.approx(2.0, rel=1e-6)
 
 
-def test_a_pose_moves_what_is_drawn(device):
+def test_a_pose_moves_the_drawn_geometry(device):
     T = np.eye(4)
     T[:3, :3], T[:3, 3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]], (5.0, -3.0, 1.0)
     cloud = loom.PointCloud(np.random.default_rng(0).random((3000, 3))).estimate_normals()

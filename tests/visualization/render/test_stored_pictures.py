@@ -1,4 +1,4 @@
-"""Pictures are the same bits as those stored when they were looked at, on every device.
+"""Rendered images are bitwise identical to the stored ones, on every device.
 
 After a change of how pictures look, `python -m tests.visualization.render.test_stored_pictures FOLDER` from the root of
 the repository writes the pictures into a folder to be looked at, and their hashes beside this file.
@@ -44,13 +44,13 @@ def colors(rows=90):
 
 def textured():
     surface = mesh()
-    place = np.mgrid[:32, :32].sum(axis=0) % 8
-    texture = np.stack([32 * place, 255 - 16 * place, np.full((32, 32), 90)], axis=-1).astype(np.uint8)
+    levels = np.mgrid[:32, :32].sum(axis=0) % 8
+    texture = np.stack([32 * levels, 255 - 16 * levels, np.full((32, 32), 90)], axis=-1).astype(np.uint8)
     uvs = surface.vertices[surface.triangles.ravel(), :2] / 2
     return loom.TriangleMesh(surface.vertices, surface.triangles, triangle_uvs=uvs, textures=[texture])
 
 
-def walk():
+def parabola_poses():
     poses = np.tile(np.eye(4), (12, 1, 1))
     poses[:, 0, 3] = np.arange(12) / 6
     poses[:, 1, 3] = (np.arange(12) / 6 - 1) ** 2
@@ -58,15 +58,15 @@ def walk():
 
 
 def boxes():
-    turn = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1.0]])
+    rotation = np.array([[0.6, -0.8, 0], [0.8, 0.6, 0], [0, 0, 1.0]])
     upright = loom.AxisAlignedBoundingBox([0, 0, 0], [2, 2, 0.5])
     lines = loom.LineSet([[0, 0, 0], [2, 2, 1], [2, 0, 1]], [[0, 1], [1, 2]], [[1, 0, 0], [0, 0.6, 0]])
-    tilted = {"geometry": loom.OrientedBoundingBox([1, 1, 0.4], turn, [1, 0.5, 0.7]), "line_width": 3}
+    tilted = {"geometry": loom.OrientedBoundingBox([1, 1, 0.4], rotation, [1, 0.5, 0.7]), "line_width": 3}
     return [upright, tilted | {"color": (0.8, 0.3, 0)}, lines, mesh()]
 
 
 def inside():
-    """Seen from between the hills, so that triangles reach behind the camera."""
+    """A view from between the hills, so that triangles extend behind the camera."""
     pose = np.eye(4)
     pose[:3, :3] = [[0.8, 0, 0.6], [-0.6, 0, 0.8], [0, -1, 0]]
     pose[:3, 3] = 0.7, 0.4, 0.55
@@ -81,7 +81,10 @@ def voxels():
 
 def cameras():
     intrinsic = loom.PinholeCameraIntrinsic(640, 480, 500.0, 500.0, 319.5, 239.5)
-    return [loom.Trajectory(walk()), *(loom.CameraFrustum(intrinsic, T, scale=0.3) for T in walk()[::4])]
+    return [
+        loom.Trajectory(parabola_poses()),
+        *(loom.CameraFrustum(intrinsic, T, scale=0.3) for T in parabola_poses()[::4]),
+    ]
 
 
 def normals(rows=90):
@@ -89,7 +92,7 @@ def normals(rows=90):
 
 
 def room():
-    """A box whose faces look inwards, and what is in it."""
+    """A box whose faces point inwards, and its content."""
     box = loom.TriangleMesh.create_box(2, 2, 1)
     return [loom.TriangleMesh(box.vertices, box.triangles[:, ::-1]), mesh()]
 
@@ -100,7 +103,7 @@ def titled():
 
 
 def veils():
-    """A surface and a cloud that are seen through, and what is behind them and between."""
+    """A transparent surface and a transparent cloud, with objects behind and between them."""
     ball = loom.TriangleMesh.create_sphere(0.4, 12).translate((1, 1, 0.3))
     moved = loom.PointCloud(hills() + np.array([0, 0, 0.5]))
     through = [{"geometry": mesh(), "opacity": 0.6}, {"geometry": moved, "opacity": 0.3, "color": (0, 0.3, 0.9)}]
@@ -112,7 +115,7 @@ WAVE = [0, 5, 9, 10, 7, 3, -2, -6, -9, -10, -8, -4]  # no sine: another library 
 
 
 def ground(device):
-    """A picture of many colors."""
+    """An image of many colors."""
     rows, columns = np.mgrid[: FIGURE[1], : FIGURE[0]]
     image = np.stack([rows, columns % 256, (rows * columns) % 256], axis=-1).astype(np.uint8)
     return Canvas.of_image(image, device)

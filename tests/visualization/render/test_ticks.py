@@ -1,4 +1,4 @@
-"""Ticks: round numbers inside the axis, no more than asked for, texts that tell them apart."""
+"""Ticks are round numbers inside the axis, within the maximum count, with distinct texts."""
 
 import math
 
@@ -37,10 +37,10 @@ def test_a_title_without_a_unit_gets_the_power_of_ten():
 
 @settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(ENDS, ENDS, st.integers(2, 20))
-def test_ticks_lie_inside_and_are_told_apart(a, b, most):
-    ticks = choose_ticks(min(a, b), max(a, b), most)
+def test_ticks_are_inside_the_range_and_distinct(a, b, max_ticks):
+    ticks = choose_ticks(min(a, b), max(a, b), max_ticks)
     slack = 1e-6 * (ticks.high - ticks.low)
-    assert ticks.low < ticks.high and len(ticks.values) <= most
+    assert ticks.low < ticks.high and len(ticks.values) <= max_ticks
     assert all(ticks.low - slack <= value <= ticks.high + slack for value in ticks.values)
     assert len(set(ticks.texts)) == len(ticks.texts)
     assert all(len(text) <= 10 for text in ticks.texts)
@@ -48,8 +48,8 @@ def test_ticks_lie_inside_and_are_told_apart(a, b, most):
 
 @settings(max_examples=25, deadline=None, suppress_health_check=[HealthCheck.too_slow])
 @given(ENDS, ENDS, st.integers(4, 20))
-def test_texts_say_where_ticks_are(a, b, most):
-    ticks = choose_ticks(min(a, b), max(a, b), most)
+def test_texts_give_the_tick_positions(a, b, max_ticks):
+    ticks = choose_ticks(min(a, b), max(a, b), max_ticks)
     assert len(ticks.values) >= 1
     step = ticks.high - ticks.low
     for value, text in zip(ticks.values, ticks.texts, strict=True):

@@ -1,4 +1,4 @@
-"""A viewer's server; walks over what a test made alone."""
+"""A viewer's server; garbage collection of the objects of one test."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from .events import announced_events  # noqa: F401  a fixture
 
 @pytest.fixture
 def server(capfd) -> Iterator[ViewerServer]:
-    """A server; whatever was done to it, nothing was printed."""
+    """A server; nothing may be printed during the test."""
     with ViewerServer(port=0) as server:
         yield server
     assert capfd.readouterr() == ("", "")
@@ -22,7 +22,7 @@ def server(capfd) -> Iterator[ViewerServer]:
 
 @pytest.fixture
 def quick_collection() -> Iterator[None]:
-    """`gc.collect()` leaves out the objects that existed before the test."""
+    """`gc.collect()` ignores the objects that existed before the test."""
     gc.freeze()
     yield
     gc.unfreeze()

@@ -21,7 +21,7 @@ from pointloom.visualization.viewer.sessions import Session
 from pointloom.visualization.viewer.streaming import CloudStream
 from pointloom.visualization.viewer.tools.toolbox import Toolbox
 
-# After each call of these something may have changed.
+# State may have changed after each call of these.
 SOURCES: tuple[tuple[type, tuple[str, ...]], ...] = (
     (Delivery, ("send", "join", "leave", "take")),
     (PageClient, ("take",)),
@@ -33,7 +33,7 @@ SOURCES: tuple[tuple[type, tuple[str, ...]], ...] = (
     (CloudStream, ("_update_request", "close")),
     (LevelBuilder, ("_build",)),
 )
-PATIENCE = 60.0  # [s]; only a failing test waits so long
+TIMEOUT = 60.0  # [s]; reached only by failing tests
 
 
 class Events:
@@ -57,30 +57,30 @@ class Events:
             self.at_rest_running += at_rest
             self._condition.notify_all()
 
-    def wait(self, seen: int, seconds: float) -> bool:
-        """Wait until there are more events than `seen`; False after the time limit."""
+    def wait(self, count: int, seconds: float) -> bool:
+        """Wait until there are more events than `count`; False after the time limit."""
         with self._condition:
-            return self._condition.wait_for(lambda: self.count > seen, seconds)
+            return self._condition.wait_for(lambda: self.count > count, seconds)
 
 
 events = Events()
 
 
-def wait_until(claim: Callable[[], object], seconds: float = PATIENCE) -> None:
+def wait_until(claim: Callable[[], object], seconds: float = TIMEOUT) -> None:
     """Wait until the condition holds, evaluated now and after each event."""
     end = time.monotonic() + seconds
     while True:
-        seen = events.count
+        count = events.count
         if claim():
             return
-        if not events.wait(seen, end - time.monotonic()):
+        if not events.wait(count, end - time.monotonic()):
             raise AssertionError("it came without an event" if claim() else "it never came")
 
 
 def join_threads(running: Callable[[threading.Thread], bool]) -> None:
     """Wait until the threads for which `running` is true have ended."""
     for thread in filter(running, threading.enumerate()):
-        thread.join(PATIENCE)
+        thread.join(TIMEOUT)
         assert not thread.is_alive(), f"{thread.name} still runs"
 
 
@@ -122,8 +122,8 @@ def announced_events() -> Iterator[None]:
         finally:
             events.happened()
 
-    def note_client(client: PageClient, said: dict[str, Any]) -> None:
-        take(client, said)
+    def note_client(client: PageClient, message: dict[str, Any]) -> None:
+        take(client, message)
         events.heard.add(client)
 
     with pytest.MonkeyPatch.context() as patch:

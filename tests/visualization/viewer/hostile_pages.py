@@ -1,4 +1,4 @@
-"""Messages that no page of ours would send: `hostile_messages` and `near_messages`."""
+"""Invalid messages that pages of pointloom never send: `hostile_messages` and `near_messages`."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ KNOWN = {
 
 
 def hostile_messages(ids: Sequence[int]) -> Iterator[str]:
-    """Every field of every message with every hostile value in its place, left out, and with others beside it."""
+    """Each field of each message with each hostile value, missing, and with additional fields."""
     for name, fields in KNOWN.items():
         message = {"say": name, **fields}
         for field in fields.keys() - {"say"}:
@@ -42,7 +42,7 @@ def hostile_messages(ids: Sequence[int]) -> Iterator[str]:
 
 
 def near_messages(ids: Sequence[int], count: int, seed: int = 0) -> Iterator[str]:
-    """Random messages most of whose fields are right."""
+    """Random messages with mostly valid fields."""
     picker = random.Random(seed)
     for _ in range(count):
         name = picker.choice(tuple(KNOWN))

@@ -1,4 +1,4 @@
-"""Strangers at the viewer's door: raw requests, and a page's websocket without a browser."""
+"""Raw requests to the viewer's server, and a page's websocket without a browser."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pointloom.visualization.viewer.link.client import PageClient
 from pointloom.visualization.viewer.link.hub import PROTOCOL
 from pointloom.visualization.viewer.server import ViewerServer
 
-from .events import PATIENCE, events, wait_until
+from .events import TIMEOUT, events, wait_until
 
 HELLO = {"say": "hello", "size": [800, 600], "version": 1}
 CAMERA = {
@@ -28,18 +28,18 @@ CAMERA = {
 
 
 def with_token(server: ViewerServer, path: str = "/") -> str:
-    """The path with what makes the server answer."""
+    """The path with the token."""
     return f"{path}?token={server.pages.token}"
 
 
 def get(
     server: ViewerServer, path: str | None = None, method: str = "GET", **headers: str
 ) -> tuple[int, dict[str, str], bytes]:
-    """Status, headers (in small letters) and body of an answer; an underscore in a name stands for a hyphen.
+    """Status, headers (lower case) and body of a response; underscores in names become hyphens.
 
-    Without a path it is the page's, with its token.
+    The default path is that of the page, with its token.
     """
-    line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=PATIENCE)
+    line = http.client.HTTPConnection("127.0.0.1", server.port, timeout=TIMEOUT)
     try:
         line.putrequest(
             method, with_token(server) if path is None else path, skip_host="Host" in headers, skip_accept_encoding=True
@@ -47,27 +47,27 @@ def get(
         for name, value in headers.items():
             line.putheader(name.replace("_", "-"), value)
         line.endheaders()
-        answer = line.getresponse()
-        return answer.status, {name.lower(): value for name, value in answer.getheaders()}, answer.read()
+        response = line.getresponse()
+        return response.status, {name.lower(): value for name, value in response.getheaders()}, response.read()
     finally:
         line.close()
 
 
 def send_raw(server: ViewerServer, data: bytes) -> bytes:
-    """What the server answers to these bytes before it hangs up."""
-    with socket.create_connection(("127.0.0.1", server.port), timeout=PATIENCE) as line:
-        answer = b""
+    """The server's response to these bytes, until it closes the connection."""
+    with socket.create_connection(("127.0.0.1", server.port), timeout=TIMEOUT) as line:
+        response = b""
         with contextlib.suppress(ConnectionError):
             line.sendall(data)
             line.shutdown(socket.SHUT_WR)
             while block := line.recv(65536):
-                answer += block
-    return answer
+                response += block
+    return response
 
 
 @contextlib.contextmanager
 def line_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]:
-    """A websocket as the served page opens it, that has said nothing yet."""
+    """A websocket as the served page opens it, before its first message."""
     settings = {"origin": f"http://127.0.0.1:{server.port}", "subprotocols": [PROTOCOL]} | settings
     address = f"ws://127.0.0.1:{server.port}{with_token(server, '/live')}"
     with connect(address, compression=None, max_size=None, proxy=None, close_timeout=0.2, **settings) as line:
@@ -76,19 +76,19 @@ def line_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]
 
 @contextlib.contextmanager
 def visitor_of(server: ViewerServer) -> Iterator[ClientConnection]:
-    """A page that has said hello, and lets the program choose its camera."""
+    """A page that has sent hello and lets the program choose its camera."""
     with line_of(server) as line:
-        say(line, HELLO)
+        send(line, HELLO)
         yield line
 
 
 @contextlib.contextmanager
 def page_of(server: ViewerServer, **settings: Any) -> Iterator[ClientConnection]:
-    """A page that has said hello and where its camera is, and was heard."""
+    """A page that has sent hello and its camera, both received by the server."""
     with line_of(server, **settings) as line:
         before = set(server.pages.get_clients())
-        say(line, HELLO)
-        say(line, CAMERA)
+        send(line, HELLO)
+        send(line, CAMERA)
         wait_until(lambda: bool(set(server.pages.get_clients()) - before))
         (client,) = [client for number, client in server.pages.get_clients().items() if number not in before]
         wait_until(lambda: client in events.heard)
@@ -102,11 +102,11 @@ def client_of(server: ViewerServer) -> PageClient:
 
 
 def silent_line(server: ViewerServer, name: str = "127.0.0.1", port: int = 0, buffer: int = 4096) -> socket.socket:
-    """A page under that name and port that has said hello, whose other end does not read by itself."""
+    """A page under that name and port that has sent hello and does not read by itself."""
     host = f"{name}:{port or server.port}"
     line = socket.socket()
     line.setsockopt(socket.SOL_SOCKET, socket.SO_RCVBUF, buffer)
-    line.settimeout(PATIENCE)
+    line.settimeout(TIMEOUT)
     line.connect(("127.0.0.1", server.port))
     hello = json.dumps(HELLO).encode()
     frame = bytes([0x81, 0x80 | len(hello), 0, 0, 0, 0]) + hello  # text, masked by zeros
@@ -120,12 +120,12 @@ def silent_line(server: ViewerServer, name: str = "127.0.0.1", port: int = 0, bu
     return line
 
 
-def say(line: ClientConnection, message: dict[str, Any]) -> None:
+def send(line: ClientConnection, message: dict[str, Any]) -> None:
     """Send a message as a page does."""
     line.send(json.dumps(message))
 
 
-def hear(line: ClientConnection, seconds: float = PATIENCE) -> list[dict[str, Any]]:
+def hear(line: ClientConnection, seconds: float = TIMEOUT) -> list[dict[str, Any]]:
     """The operations of the next message, arrays in place of their numbers."""
     raw = line.recv(timeout=seconds)
     assert isinstance(raw, bytes)
@@ -145,8 +145,8 @@ def hear(line: ClientConnection, seconds: float = PATIENCE) -> list[dict[str, An
 ARRAYS = {"positions", "colors", "normals", "indices", "uvs", "texture", "poses", "image", "data"}
 
 
-def hear_until(line: ClientConnection, name: str, seconds: float = PATIENCE, **fields: Any) -> dict[str, Any]:
-    """The next operation of this name, with these fields; those of its message that come before it are let go."""
+def hear_until(line: ClientConnection, name: str, seconds: float = TIMEOUT, **fields: Any) -> dict[str, Any]:
+    """The next operation of this name with these fields; earlier ones of its message are dropped."""
     end = time.monotonic() + seconds
     while True:
         for op in hear(line, max(end - time.monotonic(), 0.01)):
@@ -155,11 +155,11 @@ def hear_until(line: ClientConnection, name: str, seconds: float = PATIENCE, **f
 
 
 def is_well(server: ViewerServer) -> bool:
-    """Whether a page gets the scene, and the server hears it."""
+    """True if a page gets the scene and the server receives its messages."""
     with page_of(server) as line:
         return hear_until(line, "clear")["op"] == "clear"
 
 
 def count(server: ViewerServer) -> int:
-    """How many pages are connected."""
+    """The number of connected pages."""
     return server.pages.client_count

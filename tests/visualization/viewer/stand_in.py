@@ -1,4 +1,4 @@
-"""Pages without a browser: `Page` keeps what it was sent; `StandIn` is a viewer with one, for tools."""
+"""Pages without a browser: `Page` stores received operations; `StandIn` is a viewer with one page, for tools."""
 
 from __future__ import annotations
 
@@ -22,13 +22,13 @@ from pointloom.visualization.viewer.tools.toolbox import Toolbox
 
 
 class Seen(dict):
-    """A node, a control or another thing as the page knows it, its fields by name."""
+    """A node, a control or another object of the page, its fields by name."""
 
     __getattr__ = dict.__getitem__
 
 
 class Page:
-    """A page: what waits in its outbox is applied when somebody looks; `taken` has the operations of each message."""
+    """A page: operations in its outbox are applied on access; `taken` has the operations of each message."""
 
     def __init__(self, outbox: Any, delivery: Delivery, take: Any, client: PageClient):
         self._outbox, self._delivery, self._take, self.client = outbox, delivery, take, client
@@ -79,15 +79,15 @@ class Page:
         return [control for control in self.controls.values() if control.kind == kind]
 
     def look(self) -> list[dict[str, Any]]:
-        """Take what waits; the operations that came."""
+        """Apply and return the waiting operations."""
         with self._lock:
-            came = []
+            operations = []
             while ops := self._delivery.take(self._outbox)[0]:
                 self.taken.append(ops)
-                came += ops
+                operations += ops
                 for op in ops:
                     self._apply(op)
-            return came
+            return operations
 
     @property
     def own_bytes(self) -> int:
@@ -95,9 +95,9 @@ class Page:
 
     def _apply(self, op: dict[str, Any]) -> None:
         name, fields = op["op"], Seen(op)
-        held = {"node": self._nodes, "control": self._controls, "command": self._commands}
-        if name in held:
-            held[name][op["id"]] = fields
+        stored = {"node": self._nodes, "control": self._controls, "command": self._commands}
+        if name in stored:
+            stored[name][op["id"]] = fields
         elif name in ("set", "setcontrol"):
             changed = (self._nodes if name == "set" else self._controls).get(op["id"])
             if changed is not None:
@@ -113,20 +113,20 @@ class Page:
         else:
             self._others.setdefault(name, []).append(fields)
 
-    def _drop(self, held: dict[int, Seen], number: int) -> None:
-        held.pop(number, None)
-        for child in [child for child, one in held.items() if one.get("parent") == number]:
-            self._drop(held, child)
+    def _drop(self, stored: dict[int, Seen], number: int) -> None:
+        stored.pop(number, None)
+        for child in [child for child, one in stored.items() if one.get("parent") == number]:
+            self._drop(stored, child)
 
-    def say(self, say: str, **fields: Any) -> None:
-        """Say something, through the checks that every message goes through; done when this returns."""
-        said = read(json.dumps({"say": say, **fields}))
-        if said is not None:
-            self._take(said)
-        self.settle()
+    def send(self, kind: str, **fields: Any) -> None:
+        """Send a message through all checks; wait until it is processed."""
+        message = read(json.dumps({"say": kind, **fields}))
+        if message is not None:
+            self._take(message)
+        self.run_callbacks()
 
-    def settle(self) -> None:
-        """Until all callbacks of the page have been called."""
+    def run_callbacks(self) -> None:
+        """Wait until all callbacks of the page have been called."""
         done = threading.Event()
         if self.client.worker.run(done.set, always=True):
             assert done.wait(60)
@@ -134,37 +134,37 @@ class Page:
     def set(self, label: str, value: Any) -> None:
         control = self.control(label)
         control["value"] = value
-        self.say("value", id=control.id, value=value)
+        self.send("value", id=control.id, value=value)
 
     def press(self, label: str) -> None:
-        self.say("press", id=self.control(label).id)
+        self.send("press", id=self.control(label).id)
 
     def key(self, key: str) -> None:
         for command in self.commands:
             if command.hotkey == key:
-                self.say("command", id=command.id)
+                self.send("command", id=command.id)
 
     def move(self, position: Any, *, size: Any = None, **fields: Any) -> None:
         """Move its camera, as its mouse does."""
         state = self.client.camera.state
-        said = {"position": list(position), "rotation": state.rotation.ravel().tolist(), "fov": state.fov}
-        said |= {"pivot": state.pivot.tolist(), "size": list(size or state.size), "orthographic": state.orthographic}
-        self.say("camera", **(said | fields))
+        message = {"position": list(position), "rotation": state.rotation.ravel().tolist(), "fov": state.fov}
+        message |= {"pivot": state.pivot.tolist(), "size": list(size or state.size), "orthographic": state.orthographic}
+        self.send("camera", **(message | fields))
 
     def answer(self) -> bool:
-        """Give the sign that was asked for last; whether one was."""
-        asked = [op["n"] for op in self.look() if op["op"] == "sign"]
-        if asked:
-            self.say("sign", n=asked[-1])
-        return bool(asked)
+        """Acknowledge the last signal request; True if there was one."""
+        signs = [op["n"] for op in self.look() if op["op"] == "sign"]
+        if signs:
+            self.send("sign", n=signs[-1])
+        return bool(signs)
 
 
 @contextlib.contextmanager
 def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
-    """A page that looks at a viewer, which knows of it."""
+    """A page that is connected to a viewer."""
     visitor = viewer.server.pages._welcome({"say": "hello", "size": list(size), "version": 1}, lambda: None)
     page = Page(visitor._outbox, viewer.server.pages._delivery, visitor.take, visitor._client)
-    page.settle()
+    page.run_callbacks()
     try:
         yield page
     finally:
@@ -176,14 +176,14 @@ def page_in(viewer: Any, size: tuple[int, int] = (800, 600)) -> Iterator[Page]:
 
 def page_alone(size: tuple[int, int] = (1000, 800)) -> Page:
     delivery = Delivery()
-    shared, own = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
+    shared, private = Channel(delivery, is_shared=True), Channel(delivery, is_shared=False)
     state = type(FIRST)(**{**vars(FIRST), "size": size})
-    client = PageClient(own, 0, state, (Scene(shared), Gui(shared)))
-    return Page(delivery.join(own, lambda: None), delivery, client.take, client)
+    client = PageClient(private, 0, state, (Scene(shared), Gui(shared)))
+    return Page(delivery.join(private, lambda: None), delivery, client.take, client)
 
 
 class Stream:
-    """A cloud of the page, of which is kept what tools ask for."""
+    """A cloud of the page that stores the settings of tools."""
 
     def __init__(self) -> None:
         self.keep: Any = None
@@ -197,7 +197,7 @@ class Stream:
 
 
 class StandIn:
-    """A viewer with one page, which looks where it is told at once."""
+    """A viewer with one page that applies view requests at once."""
 
     wireframe = False
 
@@ -253,19 +253,16 @@ class StandIn:
     def look_as(self, state: Any) -> None:
         self.now = self.began
 
-    def tell(self) -> None:
-        pass
-
     def count_anew(self) -> None:
         pass
 
     def wait(self) -> None:
-        """Until all is done that was asked for."""
-        self.page.settle()
+        """Wait until all requested work is done."""
+        self.page.run_callbacks()
         self.box._worker.submit(lambda: None).result(timeout=60)
 
     def press(self, label: str) -> None:
-        """Press the button that begins with these words."""
+        """Press the button whose label begins with these words."""
         labels = [str(control.get("label")) for control in self.page.controls.values() if control.kind == "button"]
         self.page.press(next(one for one in labels if one == label or one.startswith(f"{label} (")))
         self.wait()
@@ -281,16 +278,16 @@ class StandIn:
     def click(self, x: float, y: float) -> None:
         camera = self.now.intrinsic
         share = {"x": (x + 0.5) / camera.width, "y": (y + 0.5) / camera.height}
-        self.page.say("click", **share)
+        self.page.send("click", **share)
         self.wait()
 
     @property
     def clicks(self) -> Any:
-        """Who is told of clicks."""
+        """The callbacks for clicks."""
         return self.client.scene.click_callbacks()
 
     @property
-    def told(self) -> str:
+    def status(self) -> str:
         return self.box.stage.status.value
 
     @property

@@ -1,4 +1,4 @@
-"""Viewers of a notebook's cells: one that runs again closes its last, and the oldest of too many go."""
+"""Viewers of notebook cells: a rerun cell closes its last viewer, and the oldest are closed beyond the limit."""
 
 import gc
 import sys
@@ -17,13 +17,13 @@ from .pages import hear_until, visitor_of
 
 
 class Kernel:
-    """The request that a kernel answers."""
+    """The request that a kernel is processing."""
 
     def __init__(self):
         self.count = 0
 
     def run(self, code, **metadata):
-        """From now on this cell runs."""
+        """Start to run this cell."""
         self.count += 1
         request = {"header": {"msg_id": str(self.count)}, "metadata": metadata, "content": {"code": code}}
         self.get_parent = lambda: request
@@ -60,7 +60,7 @@ def opened():
 
 
 @pytest.mark.parametrize("metadata", [{}, {"cellId": "a"}, {"cell_id": "a"}])
-def test_a_cell_that_runs_again_closes_what_it_opened(kernel, metadata):
+def test_a_rerun_cell_closes_its_earlier_viewer(kernel, metadata):
     kernel.run("draw(a); draw(b)", **metadata)
     first = [opened(), opened()]
     kernel.run("draw(c)", cellId="another")
@@ -77,7 +77,7 @@ def test_a_cell_that_runs_again_closes_what_it_opened(kernel, metadata):
     assert again.closed == bool(metadata)
 
 
-def test_of_too_many_the_oldest_goes_and_says_so(kernel):
+def test_the_oldest_viewer_is_closed_with_a_message_at_the_limit(kernel):
     viewers = []
     for number in range(MAX_OPEN + 4):
         kernel.run(f"draw({number})")
@@ -85,18 +85,18 @@ def test_of_too_many_the_oldest_goes_and_says_so(kernel):
     assert [viewer.closed for viewer in viewers] == [True] * 4 + [False] * MAX_OPEN
     assert all("oldest" in viewer.words[0] for viewer in viewers[:4])
     kernel.run("draw(15)")
-    opened()  # of a cell that is there: nothing else goes
+    opened()  # of an existing cell: no other viewer is closed
     assert [viewer.closed for viewer in viewers[4:]].count(True) == 1
 
 
 @pytest.mark.parametrize("request_", [None, {}, {"metadata": None}, {"metadata": {}, "content": {}, "header": {}}])
-def test_a_kernel_that_tells_no_cell_closes_none_before_there_are_too_many(kernel, request_):
+def test_a_kernel_without_cell_ids_closes_viewers_only_at_the_limit(kernel, request_):
     kernel.get_parent = lambda: request_
     viewers = [opened() for _ in range(MAX_OPEN + 1)]
     assert [viewer.closed for viewer in viewers] == [True] + [False] * MAX_OPEN
 
 
-def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel, quick_collection):
+def test_closed_or_collected_viewers_are_forgotten(kernel, quick_collection):
     kernel.run("draw(a)")
     let_go = weakref.ref(opened())
     closed = opened()
@@ -108,22 +108,22 @@ def test_viewers_that_were_closed_or_let_go_are_forgotten(kernel, quick_collecti
     assert len(cells._opened) == 1
 
 
-def test_a_cell_s_earlier_cloud_is_let_go_when_it_runs_again(kernel, capfd, quick_collection):
-    held, viewers = [], []
+def test_the_earlier_cloud_of_a_rerun_cell_is_freed(kernel, capfd, quick_collection):
+    clouds, viewers = [], []
     for _ in range(3):
         kernel.run("viewer = loom.draw(cloud)", cellId="a")
         cloud = loom.PointCloud(np.random.default_rng(0).random((50, 3)))
-        held.append(weakref.ref(cloud))
+        clouds.append(weakref.ref(cloud))
         viewers.append(loom.draw(cloud, port=0, inline=False, width=64, height=48))
         del cloud
     gc.collect()
     assert [viewer.closed for viewer in viewers] == [True, True, False]
-    assert [cloud() is None for cloud in held] == [True, True, False]
+    assert [cloud() is None for cloud in clouds] == [True, True, False]
     viewers[-1].close()
     assert capfd.readouterr() == ("", "")
 
 
-def test_the_visitor_of_the_oldest_is_told(kernel, monkeypatch):
+def test_visitors_of_the_oldest_viewer_are_notified(kernel, monkeypatch):
     monkeypatch.setattr(cells, "MAX_OPEN", 1)
     kernel.run("loom.draw(first)")
     first = loom.draw(np.eye(3), port=0, inline=False, width=64, height=48)

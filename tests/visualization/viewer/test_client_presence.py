@@ -1,4 +1,4 @@
-"""How long a viewer waits for pages that have gone, and what it says of it on stderr."""
+"""Waiting for pages that have gone, and the messages on stderr."""
 
 import math
 import threading
@@ -27,13 +27,13 @@ class Waiting:
     """A thread that waits for the last page of a viewer, by a clock that the test sets forward.
 
     Attributes:
-        later: How much later it is [s].
-        looks: How often it has looked whether the wait is over.
+        clock_offset: Offset of the clock [s].
+        polls: Number of checks for the end of the wait.
     """
 
     def __init__(self, viewer, linger, monkeypatch):
-        self.later, self.looks, self.over = 0.0, 0, threading.Event()
-        clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.later)
+        self.clock_offset, self.polls, self.over = 0.0, 0, threading.Event()
+        clock = types.SimpleNamespace(monotonic=lambda: time.monotonic() + self.clock_offset)
         for module in (client_presence, scene, hub):
             monkeypatch.setattr(module, "time", clock)
         monkeypatch.setattr(client_presence, "LOOK", 0.001)
@@ -41,7 +41,7 @@ class Waiting:
 
         def look(*args):
             over = is_over(*args)
-            self.looks += 1
+            self.polls += 1
             return over
 
         monkeypatch.setattr(Presence, "_is_over", look)
@@ -49,9 +49,9 @@ class Waiting:
         threading.Thread(target=lambda: (viewer.wait(linger=linger), self.over.set()), daemon=True).start()
 
     def goes_on(self):
-        """Whether it still waits once it has looked again."""
-        looks = self.looks
-        wait_until(lambda: self.looks > looks + 1 or self.over.is_set())
+        """True if it still waits after another poll."""
+        looks = self.polls
+        wait_until(lambda: self.polls > looks + 1 or self.over.is_set())
         return not self.over.is_set()
 
 
@@ -59,39 +59,39 @@ def test_wait_ends_a_while_after_the_last_page_has_gone(shown, capfd, monkeypatc
     with pytest.raises(ValueError, match="seconds"):
         shown.wait(-1)
     waiting = Waiting(shown, 100, monkeypatch)
-    waiting.later = 1000.0
-    assert waiting.goes_on()  # nobody was there yet
+    waiting.clock_offset = 1000.0
+    assert waiting.goes_on()  # there was no page yet
     with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
-        waiting.later = 2000.0
+        waiting.clock_offset = 2000.0
         assert waiting.goes_on()
     wait_until(lambda: not shown.sessions)
     assert waiting.goes_on()
-    waiting.later += 101
+    waiting.clock_offset += 101
     assert waiting.over.wait(60)
     ending = f"ending in 100 s (open {shown.url} again to stay, Ctrl-C ends now)"
     assert capfd.readouterr() == ("", f"the last page has closed; {ending}\n")
 
 
-def test_a_page_that_is_loaded_again_keeps_the_wait_going_however_slow_the_line(shown, capfd, monkeypatch):
+def test_a_reloaded_page_extends_the_wait_on_slow_connections(shown, capfd, monkeypatch):
     with visitor_of(shown.server):
         wait_until(lambda: shown.sessions)
     wait_until(lambda: not shown.sessions)
     waiting = Waiting(shown, 100, monkeypatch)
-    for _ in range(2):  # the page is asked for, and its websocket does not come for long
-        waiting.later += 70
+    for _ in range(2):  # the page is requested, but its websocket is late
+        waiting.clock_offset += 70
         assert waiting.goes_on()
         assert get(shown.server)[0] == 200
     with visitor_of(shown.server):
-        wait_until(lambda: "a page is open again" in told(capfd))
-        waiting.later += 130
+        wait_until(lambda: "a page is open again" in stderr_of(capfd))
+        waiting.clock_offset += 130
         assert waiting.goes_on()
     wait_until(lambda: not shown.sessions)
-    waiting.later += 101
+    waiting.clock_offset += 101
     assert waiting.over.wait(60)
 
 
-def test_who_is_turned_away_at_the_door_is_no_page(shown):
+def test_rejected_requests_count_as_no_page(shown):
     before = shown.server.last_request
     assert get(shown.server, Host="evil.example")[0] == 403
     assert get(shown.server, "/favicon.ico")[0] == 404
@@ -103,15 +103,17 @@ def test_who_is_turned_away_at_the_door_is_no_page(shown):
 NOW = 1e10  # [s]
 
 
-def stand_in(seen):
-    """A viewer whose last page went so many seconds ago, or where there was none yet."""
-    gone = None if seen is None else NOW - seen
+def viewer_stub(seconds):
+    """A viewer whose last page left `seconds` ago, or that had no page yet."""
+    last_seen = None if seconds is None else NOW - seconds
     server = types.SimpleNamespace(last_request=-math.inf)
-    return types.SimpleNamespace(url="http://u", sessions={}, _last_seen=gone, server=server, _ended=threading.Event())
+    return types.SimpleNamespace(
+        url="http://u", sessions={}, _last_seen=last_seen, server=server, _ended=threading.Event()
+    )
 
 
 @pytest.mark.parametrize(
-    ("seen", "linger", "over", "words"),
+    ("seconds", "linger", "over", "words"),
     [
         (None, 0, False, ""),
         (61, LINGER, True, ""),
@@ -120,17 +122,17 @@ def stand_in(seen):
         (0, 0, True, ""),
     ],
 )
-def test_polling_says_once_that_the_last_page_has_gone(capfd, monkeypatch, seen, linger, over, words):
+def test_polling_reports_once_that_the_last_page_has_gone(capfd, monkeypatch, seconds, linger, over, words):
     monkeypatch.setattr(client_presence, "time", types.SimpleNamespace(monotonic=lambda: NOW))
-    one = Presence(stand_in(seen))
+    one = Presence(viewer_stub(seconds))
     assert [one.wait(0, linger) for _ in range(3)] == [over] * 3
     with pytest.raises(ValueError, match="linger"):
         one.wait(0, -1)
-    lines = told(capfd).splitlines()
+    lines = stderr_of(capfd).splitlines()
     assert len(lines) == bool(words) and words in "".join(lines)
 
 
-def told(capfd):
+def stderr_of(capfd):
     out, err = capfd.readouterr()
     assert out == ""
     return err

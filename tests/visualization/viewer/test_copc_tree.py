@@ -1,4 +1,4 @@
-"""COPC in parts: few nodes for a first look, those that a view needs after it, and damages that stay where they are."""
+"""COPC nodes: few for the first view, others on demand, and damage that affects only its node."""
 
 from __future__ import annotations
 
@@ -44,7 +44,7 @@ def home(tree):
 
 
 def near(tree, share=0.03):
-    """A view down onto the dense corner."""
+    """A view of the dense corner from above."""
     at = np.array([20.0, 15.0, 1.0]) + UTM
     return fit_view(
         at + 400 * share * np.array([[-1, -1, 0], [1, 1, 0.0]]),
@@ -69,29 +69,31 @@ def test_a_first_look_reads_the_coarse_levels_alone(city):
     assert tree.count == COUNT and len(tree.head) <= max(15_000, tree.counts[0])
     assert nodes.nodes_read == np.count_nonzero(np.cumsum(tree.counts) <= len(tree.head)) < len(tree) / 2
     assert nodes.bytes_read < city.stat().st_size / 2
-    for i in range(nodes.nodes_read):  # the head's points come first
+    for i in range(nodes.nodes_read):  # the root's points come first
         assert np.abs(tree.points_of(i) - tree.head.points[tree.indices_of(i)]).max() < 1e-4
     assert nodes.nodes_read < len(tree) / 2
 
 
 def rows_of(points):
-    """The row of each point by its coordinates, which are those of the file in float64."""
-    return {tuple(place): row for row, place in enumerate(points.tolist())}
+    """The row of each point by its coordinates, the float64 values of the file."""
+    return {tuple(point): row for row, point in enumerate(points.tolist())}
 
 
 def test_all_nodes_are_the_file_to_its_own_precision(city):
-    tree, told = CopcTree(city, first=1), read_las(city)
-    rows, colors = rows_of(told.points), np.rint(told.colors * 255)
-    seen = []
+    tree, file_cloud = CopcTree(city, first=1), read_las(city)
+    rows, colors = rows_of(file_cloud.points), np.rint(file_cloud.colors * 255)
+    all_rows = []
     for i in range(len(tree)):
-        node, mine = tree.node(i), [rows[tuple(place)] for place in tree.points_of(i).tolist()]
-        assert np.abs(node.positions + node.middle - told.points[mine]).max() < 1e-4
-        assert np.array_equal(node.colors, colors[mine]) and np.array_equal(tree.colors_of(node.indices), colors[mine])
-        seen += mine
-    assert sorted(seen) == list(range(COUNT))
+        node, node_rows = tree.node(i), [rows[tuple(point)] for point in tree.points_of(i).tolist()]
+        assert np.abs(node.positions + node.middle - file_cloud.points[node_rows]).max() < 1e-4
+        assert np.array_equal(node.colors, colors[node_rows]) and np.array_equal(
+            tree.colors_of(node.indices), colors[node_rows]
+        )
+        all_rows += node_rows
+    assert sorted(all_rows) == list(range(COUNT))
 
 
-def test_a_near_view_reads_what_is_near_and_no_more(city):
+def test_a_near_view_reads_only_near_nodes(city):
     tree = CopcTree(city, first=1)
     client = Client()
     stream = CloudStream(client, tree, origin=UTM, budget=24_000)
@@ -106,10 +108,10 @@ def test_a_near_view_reads_what_is_near_and_no_more(city):
     assert stream.total == COUNT
     before = tree.nodes.nodes_read
     stream.look(home(tree))
-    assert tree.nodes.nodes_read == before  # what was seen is there
+    assert tree.nodes.nodes_read == before  # the loaded nodes are available
 
 
-def test_what_is_kept_has_a_bound(city):
+def test_the_node_cache_is_bounded(city):
     memory = 300_000
     tree = CopcTree(city, memory=memory, first=1)
     for i in [*range(len(tree)), *range(len(tree))]:
@@ -119,7 +121,7 @@ def test_what_is_kept_has_a_bound(city):
 
 
 @pytest.mark.parametrize("by", ["height", "classification"])
-def test_nodes_have_the_colors_of_the_whole(city, by):
+def test_nodes_have_the_colors_of_the_complete_cloud(city, by):
     tree = CopcTree(city, first=1)
     item = make_item("city", 0, tree.head, Style(), tree)
     limits = (245.0, 255.0) if by == "height" else None
@@ -130,9 +132,9 @@ def test_nodes_have_the_colors_of_the_whole(city, by):
     plain.recolor(choice.of(plain))
     rows = rows_of(read_las(city).points)
     for i in (0, len(tree) - 1):
-        mine = [rows[tuple(place)] for place in tree.points_of(i).tolist()]
-        found = item.colors_of(tree.indices_of(i)).astype(int)
-        assert len(found) and np.abs(found - plain.colors_of(np.array(mine))).max() <= 1
+        node_rows = [rows[tuple(point)] for point in tree.points_of(i).tolist()]
+        colors = item.colors_of(tree.indices_of(i)).astype(int)
+        assert len(colors) and np.abs(colors - plain.colors_of(np.array(node_rows))).max() <= 1
 
 
 def test_a_damaged_node_is_named_and_the_others_are_shown(city, tmp_path, caplog):
@@ -146,9 +148,9 @@ def test_a_damaged_node_is_named_and_the_others_are_shown(city, tmp_path, caplog
     with caplog.at_level(logging.WARNING, "pointloom.viewer"):
         CloudStream(client, tree, origin=UTM, budget=COUNT).look(home(tree))
         assert len(tree.node(len(tree) - 1).positions) == 0
-    (said,) = [record.getMessage() for record in caplog.records]
-    assert "spoiled.copc.laz" in said and f"node {node['level']}-" in said
-    assert "its layers do not fit" in said and "the other points are shown" in said
+    (message,) = [record.getMessage() for record in caplog.records]
+    assert "spoiled.copc.laz" in message and f"node {node['level']}-" in message
+    assert "its layers do not fit" in message and "the other points are shown" in message
     assert len(client.world()) == COUNT - int(node["count"])
 
 
@@ -170,7 +172,7 @@ def test_a_coarse_node_that_is_damaged_leaves_those_below(city, tmp_path, caplog
     assert len(tree.lost) == 1 and "node 0-0-0-0" in caplog.text
 
 
-def test_a_file_that_changes_or_goes_spoils_no_page(city, tmp_path, caplog):
+def test_a_changed_or_deleted_file_does_not_break_a_page(city, tmp_path, caplog):
     path = tmp_path / "gone.copc.laz"
     path.write_bytes(city.read_bytes())
     tree = CopcTree(path, first=1)
@@ -180,7 +182,7 @@ def test_a_file_that_changes_or_goes_spoils_no_page(city, tmp_path, caplog):
     assert len(tree.node(len(tree) - 2).positions) == 0 and "cannot be read" in caplog.text
 
 
-def test_what_is_no_copc_is_told(city, tmp_path):
+def test_files_other_than_copc_are_rejected(city, tmp_path):
     cut = tmp_path / "cut.copc.laz"
     cut.write_bytes(city.read_bytes()[:20_000])
     plain = tmp_path / "plain.laz"

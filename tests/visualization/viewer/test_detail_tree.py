@@ -1,4 +1,4 @@
-"""The multi-resolution tree: each point in one node, nodes where their points are, and what a view takes of them."""
+"""The multi-resolution tree: each point in one node, nodes around their points, and selection by a view."""
 
 import numpy as np
 import pytest
@@ -53,8 +53,8 @@ def test_nodes_are_the_same_on_every_device_and_in_every_run(device, rng):
 
 
 @pytest.mark.slow
-def test_what_is_drawn_down_to_a_level_is_evenly_spaced(rng):
-    """Of two points in one voxel one has joined a node below which nothing lies: few, by the limits for that."""
+def test_points_down_to_a_level_are_evenly_spaced(rng):
+    """Of two points in one voxel, one may be in a node without children: few, by the given limits."""
     points = hills(rng, 150_000).astype(np.float32).astype(np.float64)
     tree = DetailTree.from_cloud(loom.PointCloud(points))
     for level in range(int(tree.levels.max()) + 1):
@@ -82,7 +82,7 @@ def test_a_level_of_a_dense_cloud_leaves_no_voxel_empty(rng):
 def test_large_nodes_are_cut_and_stay_within_their_cubes(rng, monkeypatch):
     monkeypatch.setattr(detail_tree, "MAX_POINTS", 500)
     points = rng.random((30_000, 3))
-    points[:2000] = 0.3  # in one place, which no halving parts
+    points[:2000] = 0.3  # coincident points, which cannot be split
     tree = DetailTree.from_cloud(loom.PointCloud(points))
     assert tree.counts.max() <= 500
     check_nodes(tree, points.astype(np.float32).astype(np.float64))
@@ -122,16 +122,16 @@ def hilly():
 
 def test_a_view_takes_coarse_nodes_first_within_the_budget(hilly):
     points, tree = hilly
-    seen = set(np.flatnonzero(tree._in_view(look_at(points))).tolist())
+    visible = set(np.flatnonzero(tree._in_view(look_at(points))).tolist())
     for budget in (1, 20_000, 10**9):
         nodes = tree.select(look_at(points), budget)
         assert sum(tree.counts[nodes]) <= max(budget, tree.counts[nodes[0]])
         assert len(nodes) == len(set(nodes))
-        at = {node: place for place, node in enumerate(nodes)}
+        at = {node: position for position, node in enumerate(nodes)}
         for node in nodes:
             inside = np.abs(tree.middles[node] - tree._level_middles).max(axis=1) < tree._level_halves
             above = np.flatnonzero(inside & (tree.levels < tree.levels[node])).tolist()
-            assert all(at[k] < at[node] for k in above if k in seen), "what a node refines comes before it"
+            assert all(at[k] < at[node] for k in above if k in visible), "what a node refines comes before it"
     assert tree.select(look_at(points), 0) == []
     far, near = (tree.select(look_at(points, distance), 40_000) for distance in (400.0, 8.0))
     assert tree.levels[near].max() > tree.levels[far].max()
@@ -148,10 +148,10 @@ def test_a_view_takes_all_points_that_it_shows(hilly):
         u = camera.fx * local[:, 0] / local[:, 2] + camera.cx
         v = camera.fy * local[:, 1] / local[:, 2] + camera.cy
     shown = (local[:, 2] > 0) & (u > -0.5) & (u < camera.width - 0.5) & (v > -0.5) & (v < camera.height - 0.5)
-    taken = np.concatenate([tree.indices_of(i) for i in tree.select(view, 10**9, finest=0.0)])
+    selected = np.concatenate([tree.indices_of(i) for i in tree.select(view, 10**9, finest=0.0)])
     assert 5_000 < shown.sum() < 60_000
-    assert set(np.flatnonzero(shown)) <= set(taken.tolist())
-    assert len(taken) < len(points), "what is out of view is left out"
+    assert set(np.flatnonzero(shown)) <= set(selected.tolist())
+    assert len(selected) < len(points), "what is out of view is left out"
 
 
 def test_hidden_points_leave_room_for_others(hilly):
@@ -178,13 +178,13 @@ def test_the_tree_of_a_file_is_that_of_its_cloud(tmp_path, suffix, rng, monkeypa
             np.arange(25_000, dtype=np.uint16) % 999,
         )
     loom.write_point_cloud(path, cloud)
-    told = []
-    kept = ["intensity"] if suffix != ".xyz" else []
-    tree = DetailTree.from_file(path, attributes=kept, progress=lambda *step: told.append(step))
+    reported = []
+    attributes = ["intensity"] if suffix != ".xyz" else []
+    tree = DetailTree.from_file(path, attributes=attributes, progress=lambda *step: reported.append(step))
     read = loom.read_point_cloud(path)
     check_nodes(tree, read.points)
     assert np.abs(tree.low - read.points.min(axis=0)).max() < 1e-2
-    assert told[0] == ("reading", 0, 100) and told[-1] == ("reading", 100, 100) and told == sorted(told)
+    assert reported[0] == ("reading", 0, 100) and reported[-1] == ("reading", 100, 100) and reported == sorted(reported)
     for i in (0, len(tree) - 1):
         node = tree.node(i)
         if suffix == ".xyz":
@@ -203,10 +203,10 @@ def test_a_sample_is_spread_over_the_file(tmp_path, suffix, rng):
     loom.write_point_cloud(tmp_path / f"c{suffix}", loom.PointCloud(points, colors=rng.random((10_000, 3))))
     sample = sample_file(tmp_path / f"c{suffix}", 999)
     assert sample is not None
-    whole = loom.read_point_cloud(tmp_path / f"c{suffix}")
+    cloud = loom.read_point_cloud(tmp_path / f"c{suffix}")
     assert len(sample) == len(range(0, 10_000, 11))
-    assert np.abs(sample.points - whole.points[::11]).max() < 1e-2
-    assert np.array_equal(sample.colors, whole.colors[::11])
+    assert np.abs(sample.points - cloud.points[::11]).max() < 1e-2
+    assert np.array_equal(sample.colors, cloud.colors[::11])
 
 
 def test_a_sample_of_a_compressed_file_is_of_each_chunk(tmp_path, rng):
@@ -224,7 +224,7 @@ def test_a_sample_of_a_compressed_file_is_of_each_chunk(tmp_path, rng):
         assert np.abs(sample.points - points[numbers]).max() < 1e-2
 
 
-def test_files_that_are_read_whole_give_no_sample(tmp_path):
+def test_files_that_are_read_completely_give_no_sample(tmp_path):
     loom.write_point_cloud(tmp_path / "a.xyz", loom.PointCloud([[0, 0, 0]]))
     loom.write_point_cloud(tmp_path / "a.ply", loom.PointCloud([[0, 0, 0]]), ascii=True)
     assert sample_file(tmp_path / "a.xyz", 10) is None
@@ -250,7 +250,7 @@ def test_an_attribute_that_a_file_lacks_is_named(tmp_path):
             DetailTree.from_file(tmp_path / name, attributes=["ring"])
 
 
-def test_what_is_no_cloud_is_refused():
+def test_input_other_than_clouds_is_rejected():
     with pytest.raises(FileError, match=r"nowhere\.ply:"):
         DetailTree.from_file("nowhere.ply")
     tree = DetailTree.from_cloud(loom.PointCloud([[0, 0, 0]]))

@@ -1,4 +1,4 @@
-"""`loom.draw`: what it says, when it waits, where a browser opens."""
+"""`loom.draw`: its messages, when it waits, and when a browser opens."""
 
 import os
 import queue
@@ -40,28 +40,28 @@ def draw(*geometries, **options):
     return loom.draw(*geometries, **{"port": 0, "block": False, "open_browser": False} | options)
 
 
-def test_draw_says_where_the_page_is_on_stderr_alone(cloud, capfd):
+def test_draw_prints_the_page_address_on_stderr_only(cloud, capfd):
     with draw([cloud]) as viewer:
         out, err = capfd.readouterr()
     assert out == ""
     assert err == f"viewer: {viewer.url} (Ctrl-C ends it)\n"
 
 
-def test_unattended_draw_is_a_picture_and_waits_for_nobody(cloud, capfd, monkeypatch):
+def test_unattended_draw_is_an_image_and_does_not_wait(cloud, capfd, monkeypatch):
     monkeypatch.setenv("POINTLOOM_DRAW", "picture")
     monkeypatch.setattr(drawing.webbrowser, "open", lambda url: pytest.fail("a browser was opened"))
     still = draw_geometries([cloud], width=64, height=48, zoom=0.5, front=[0, 0, 1])
     drawn = loom.render(cloud, {"zoom": 0.5, "front": [0, 0, 1]}, (64, 48), mesh_show_back_face=False)
     assert np.array_equal(still, drawn)
     assert capfd.readouterr() == ("", "")
-    with loom.draw(cloud, port=0, block=False) as viewer:  # what does not wait is a viewer all the same
+    with loom.draw(cloud, port=0, block=False) as viewer:  # a call that does not wait is a viewer as well
         assert list(viewer.items) == ["cloud"]
     monkeypatch.setenv("POINTLOOM_DRAW", "window")
     with pytest.raises(ValueError, match="POINTLOOM_DRAW:"):
         loom.draw(cloud)
 
 
-def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
+def test_draw_explains_ssh_forwarding(cloud, capfd, monkeypatch):
     monkeypatch.setenv("SSH_CONNECTION", "10.0.0.1 50000 10.0.0.2 22")
     with draw([cloud]) as viewer:
         lines = capfd.readouterr().err.splitlines()
@@ -70,15 +70,15 @@ def test_draw_says_how_to_come_through_ssh(cloud, capfd, monkeypatch):
     assert lines[1].endswith("@10.0.0.2")
 
 
-def test_a_port_that_is_taken_is_told_with_the_next_one(cloud, capfd):
-    with socket.create_server(("127.0.0.1", 0)) as taken:
-        port = taken.getsockname()[1]
+def test_a_port_in_use_is_reported_with_the_next_one(cloud, capfd):
+    with socket.create_server(("127.0.0.1", 0)) as blocker:
+        port = blocker.getsockname()[1]
         with draw([cloud], port=port) as viewer:
             first = capfd.readouterr().err.splitlines()[0]
     assert first == f"port {port} is in use; using the next free one, {viewer.server.port}"
 
 
-def test_an_open_door_is_told(cloud, capfd):
+def test_a_server_open_to_the_network_is_reported(cloud, capfd):
     with draw([cloud], host="0.0.0.0"):
         assert "anyone with this address and its token can see the scene" in capfd.readouterr().err
 
@@ -126,8 +126,8 @@ def test_hostile_arguments_leave_no_server(geometries, options, error):
 
 def test_draw_waits_until_the_last_page_has_gone(cloud, monkeypatch):
     made, looks = queue.Queue(), []
-    say, is_over = drawing.announce, Presence._is_over
-    monkeypatch.setattr(drawing, "announce", lambda viewer: (made.put(viewer), say(viewer)))
+    original_announce, is_over = drawing.announce, Presence._is_over
+    monkeypatch.setattr(drawing, "announce", lambda viewer: (made.put(viewer), original_announce(viewer)))
     monkeypatch.setattr(Presence, "_is_over", lambda *args: looks.append(is_over(*args)) or looks[-1])
     announce(monkeypatch, Presence, "_is_over")
     thread = threading.Thread(target=lambda: draw([cloud], block=None, linger=0), daemon=True)
@@ -147,7 +147,7 @@ def test_ctrl_c_ends_a_script_s_wait_and_the_script_goes_on(tmp_path):
     script = (
         "import signal, sys, numpy as np, pointloom as loom\n"
         "from pointloom.visualization.viewer.client_presence import Presence\n"
-        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a job of a script's begins with it ignored
+        "signal.signal(signal.SIGINT, signal.default_int_handler)\n"  # a background job of a script ignores it
         "look = Presence._is_over\n"
         "def first_look(*args):\n"
         "    Presence._is_over = look\n"

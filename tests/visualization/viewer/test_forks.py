@@ -1,4 +1,4 @@
-"""Children of a program with a viewer: they hold neither its port nor its pages."""
+"""Child processes of a program with a viewer inherit neither its port nor its pages."""
 
 import os
 import socket
@@ -44,18 +44,20 @@ finally:
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="no forks here")
-def test_a_child_that_lives_on_holds_neither_port_nor_pages():
+def test_a_surviving_child_inherits_neither_port_nor_pages():
     environment = os.environ | {"PYTHONPATH": str(ROOT / "src")}
-    found = subprocess.run([sys.executable, "-c", PARENT], capture_output=True, text=True, env=environment, timeout=300)
-    assert (found.stdout.splitlines(), found.stderr) == (["True", "b'HTTP/1.1 404'", "b''", "True (0, 0)"], "")
+    completed = subprocess.run(
+        [sys.executable, "-c", PARENT], capture_output=True, text=True, env=environment, timeout=300
+    )
+    assert (completed.stdout.splitlines(), completed.stderr) == (["True", "b'HTTP/1.1 404'", "b''", "True (0, 0)"], "")
 
 
-def test_a_closed_port_answers_nobody_though_another_process_holds_its_socket():
+def test_a_closed_port_does_not_respond_though_another_process_has_its_socket():
     server = ViewerServer(port=0)
-    kept = server.pages._hub._bound.dup()  # as in a child that no hook of Python's saw
+    duplicate = server.pages._hub._bound.dup()  # as in a child without Python's fork hooks
     server.close()
     with pytest.raises(ConnectionRefusedError):
         socket.create_connection(("127.0.0.1", server.port), timeout=60)
     with ViewerServer(port=server.port) as again:
         assert again.port == server.port
-    kept.close()
+    duplicate.close()

@@ -1,4 +1,4 @@
-"""The rules of the door, apart from any server."""
+"""The request rules of the server, tested without a server."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ LOCAL = RequestGuard()
 OPEN = RequestGuard(frozenset({"scanner.lab", "scanner"}), any_address=True)
 
 
-def asked(host: str, **others: str) -> dict[str, list[str]]:
+def request_headers(host: str, **others: str) -> dict[str, list[str]]:
     return {"host": [host]} | {name.replace("_", "-"): [value] for name, value in others.items()}
 
 
@@ -18,8 +18,8 @@ def asked(host: str, **others: str) -> dict[str, list[str]]:
     "host", ["127.0.0.1:8080", "localhost:9000", "LOCALHOST", "[::1]:8080", "127.0.1.1", "localhost.:8080"]
 )
 def test_loopback_is_answered_under_any_port(host):
-    assert LOCAL.refusal(asked(host), websocket=False) == ""
-    assert LOCAL.refusal(asked(host, origin=f"http://{host}"), websocket=True) == ""
+    assert LOCAL.refusal(request_headers(host), websocket=False) == ""
+    assert LOCAL.refusal(request_headers(host, origin=f"http://{host}"), websocket=True) == ""
 
 
 @pytest.mark.parametrize(
@@ -30,8 +30,8 @@ def test_loopback_is_answered_under_any_port(host):
     ],
 )  # fmt: skip
 def test_a_name_that_only_points_here_is_refused(host):
-    assert LOCAL.refusal(asked(host), websocket=False)
-    assert LOCAL.refusal(asked(host, origin=f"http://{host}"), websocket=True)
+    assert LOCAL.refusal(request_headers(host), websocket=False)
+    assert LOCAL.refusal(request_headers(host, origin=f"http://{host}"), websocket=True)
 
 
 def test_two_hosts_or_none_are_refused():
@@ -49,34 +49,38 @@ def test_two_hosts_or_none_are_refused():
 )  # fmt: skip
 def test_a_page_from_elsewhere_is_refused(origin):
     for websocket in (False, True):
-        assert LOCAL.refusal(asked("127.0.0.1:8080", origin=origin), websocket=websocket)
+        assert LOCAL.refusal(request_headers("127.0.0.1:8080", origin=origin), websocket=websocket)
 
 
 def test_a_websocket_without_an_origin_is_refused_and_a_page_is_not():
-    assert LOCAL.refusal(asked("127.0.0.1:8080"), websocket=True)
-    assert not LOCAL.refusal(asked("127.0.0.1:8080"), websocket=False)
+    assert LOCAL.refusal(request_headers("127.0.0.1:8080"), websocket=True)
+    assert not LOCAL.refusal(request_headers("127.0.0.1:8080"), websocket=False)
     assert LOCAL.refusal({"host": ["127.0.0.1"], "origin": ["http://127.0.0.1"] * 2}, websocket=True)
 
 
 def test_default_ports_are_the_same_as_none():
-    assert not LOCAL.refusal(asked("localhost", origin="http://localhost:80"), websocket=True)
-    assert not LOCAL.refusal(asked("localhost:443", origin="https://localhost"), websocket=True)
-    assert LOCAL.refusal(asked("localhost:80", origin="https://localhost"), websocket=True)
+    assert not LOCAL.refusal(request_headers("localhost", origin="http://localhost:80"), websocket=True)
+    assert not LOCAL.refusal(request_headers("localhost:443", origin="https://localhost"), websocket=True)
+    assert LOCAL.refusal(request_headers("localhost:80", origin="https://localhost"), websocket=True)
 
 
 @pytest.mark.parametrize("site", ["cross-site", "same-site"])
 def test_fetching_and_embedding_from_elsewhere_is_refused_even_without_an_origin(site):
     for mode in ("no-cors", "cors", "same-origin"):
-        assert LOCAL.refusal(asked("127.0.0.1", sec_fetch_site=site, sec_fetch_mode=mode), websocket=False)
-    assert not LOCAL.refusal(asked("127.0.0.1", sec_fetch_site=site, sec_fetch_mode="navigate"), websocket=False)
-    assert not LOCAL.refusal(asked("127.0.0.1", sec_fetch_site="same-origin", sec_fetch_mode="cors"), websocket=False)
+        assert LOCAL.refusal(request_headers("127.0.0.1", sec_fetch_site=site, sec_fetch_mode=mode), websocket=False)
+    assert not LOCAL.refusal(
+        request_headers("127.0.0.1", sec_fetch_site=site, sec_fetch_mode="navigate"), websocket=False
+    )
+    assert not LOCAL.refusal(
+        request_headers("127.0.0.1", sec_fetch_site="same-origin", sec_fetch_mode="cors"), websocket=False
+    )
 
 
 def test_a_server_for_others_answers_under_its_addresses_and_its_own_names():
     for host in ("192.168.1.5:8080", "scanner.lab:8080", "Scanner:8080", "[fe80::1]:8080", "localhost:8080"):
-        assert not OPEN.refusal(asked(host), websocket=False)
-    assert OPEN.refusal(asked("evil.example:8080"), websocket=False)
-    assert OPEN.refusal(asked("192.168.1.5:8080", origin="http://192.168.1.6:8080"), websocket=True)
+        assert not OPEN.refusal(request_headers(host), websocket=False)
+    assert OPEN.refusal(request_headers("evil.example:8080"), websocket=False)
+    assert OPEN.refusal(request_headers("192.168.1.5:8080", origin="http://192.168.1.6:8080"), websocket=True)
 
 
 def test_no_header_can_be_smuggled_in_by_a_host():
@@ -84,7 +88,7 @@ def test_no_header_can_be_smuggled_in_by_a_host():
         assert split_host(host) is None
 
 
-def test_the_page_may_reach_nothing_but_its_own_server_and_run_nothing_but_its_own_scripts():
+def test_the_page_may_connect_only_to_its_server_and_run_only_its_scripts():
     headers = response_headers("127.0.0.1:8080", {"script": ["sha256-abc="], "style": []})
     rules = dict(rule.split(" ", 1) for rule in headers["Content-Security-Policy"].split("; "))
     assert rules["default-src"] == "'none'"
@@ -113,6 +117,6 @@ def test_a_control_takes_values_of_its_own_kind_within_its_limits():
         ("abc", (1, 2, 3), None), ({}, None, None),
     ],
 )  # fmt: skip
-def test_a_control_refuses_what_is_no_value_of_it(value, current, options):
+def test_a_control_rejects_invalid_values(value, current, options):
     with pytest.raises(ValueError, match="expected"):
         control_value(value, current, options=options)

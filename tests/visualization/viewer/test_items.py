@@ -1,4 +1,4 @@
-"""What the viewer makes of geometries before any page is there: coordinates, colors, surfaces, cameras, shares."""
+"""Geometries before they are sent to pages: coordinates, colors, surfaces, cameras, fractions."""
 
 import dataclasses
 import math
@@ -24,7 +24,7 @@ SQUARE = [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0]]
 FACES = [[0, 1, 2], [0, 2, 3]]
 
 
-def turn(angle, axis=2):
+def rotation_about(angle, axis=2):
     T = np.eye(4)
     a, b = [i for i in range(3) if i != axis]
     T[[a, b], [a, b]] = math.cos(angle)
@@ -45,18 +45,18 @@ def test_a_scene_of_any_size_is_some_units_wide_in_the_page(scale):
 
 
 def test_a_pose_is_applied_about_the_world_s_zero_not_the_cloud_s():
-    frame, T = Frame(UTM), turn(0.5)
+    frame, T = Frame(UTM), rotation_about(0.5)
     T[:3, 3] = [1, 2, 3]
     origin, local = UTM + np.array([10, 20, 30]), np.array([0.1, 0.2, 0.3])
     R, t = frame.pose_in_page(origin, T)
-    seen = R @ local + t
-    assert np.allclose(seen, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)
+    transformed = R @ local + t
+    assert np.allclose(transformed, T[:3, :3] @ (origin + local) + T[:3, 3] - UTM, atol=1e-9)
 
 
 def test_poses_of_style_and_of_the_program_follow_each_other(rng):
-    item = make_item("cloud", 0, loom.PointCloud(rng.random((50, 3))), Style(pose=turn(0.3)))
-    item.pose = turn(0.4)
-    assert np.allclose(item.pose_of(item.parts[0]), turn(0.7))
+    item = make_item("cloud", 0, loom.PointCloud(rng.random((50, 3))), Style(pose=rotation_about(0.3)))
+    item.pose = rotation_about(0.4)
+    assert np.allclose(item.pose_of(item.parts[0]), rotation_about(0.7))
     low, high = item.world_bounds()
     assert (item.sample() >= low - 1e-6).all()
     assert (item.sample() <= high + 1e-6).all()
@@ -78,14 +78,14 @@ def test_a_cloud_shows_its_own_colors_then_those_of_the_choice(rng):
     assert (item.colors_of(every) == [255, 0, 0]).all()
 
 
-def test_a_cloud_can_be_colored_by_what_it_has(rng):
+def test_a_cloud_can_be_colored_by_its_attributes(rng):
     points = rng.random((5, 3))
     cloud = loom.PointCloud(points, normals=points, colors=points, intensity=points[:, 0], flow=points)
     assert choices_of(cloud) == ["rgb", "normal", "height", "x", "y", "intensity"]
     assert choices_of(loom.PointCloud(points)) == ["height", "x", "y"]
 
 
-def test_a_choice_that_no_cloud_knows_names_those_that_there_are(rng):
+def test_an_unknown_attribute_is_rejected_with_the_existing_ones(rng):
     items = [make_item("cloud", 0, loom.PointCloud(rng.random((5, 3)), ring=np.arange(5)), Style())]
     with pytest.raises(ValueError, match=r"^by:"):
         ColoringChoice().checked("rings", None, None, items)
@@ -108,7 +108,7 @@ def test_a_choice_that_no_cloud_knows_names_those_that_there_are(rng):
         (2_000_000, 1_234_000_000, 0, "2.0 of 1,234 million points"),
     ],
 )
-def test_the_page_says_how_many_points_and_triangles_it_draws(drawn, total, triangles, text):
+def test_the_page_reports_the_numbers_of_drawn_points_and_triangles(drawn, total, triangles, text):
     assert counts_text(drawn, total, triangles) == text
 
 
@@ -117,7 +117,7 @@ def arrays_of(mesh, **style):
     return part, surface_arrays(part)
 
 
-def test_a_mesh_is_sent_whole(device):
+def test_a_mesh_is_sent_completely(device):
     mesh = loom.TriangleMesh(np.array(SQUARE) + UTM, FACES, device=device).compute_vertex_normals()
     part, sent = arrays_of(mesh)
     assert np.allclose(sent["positions"] + part.origin, mesh.vertices, atol=1e-6)
@@ -125,7 +125,7 @@ def test_a_mesh_is_sent_whole(device):
     assert np.allclose(sent["normals"], mesh.vertex_normals)
 
 
-def test_a_mesh_has_the_colors_of_its_vertices_or_the_warm_gray_of_our_pictures():
+def test_a_mesh_has_its_vertex_colors_or_the_default_warm_gray():
     assert arrays_of(loom.TriangleMesh(SQUARE, FACES))[1]["plain"].tolist() == [204, 199, 189]
     colored = loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.tile([[1, 0, 0.5]], (4, 1)))
     assert arrays_of(colored)[1]["colors"].tolist() == [[255, 0, 128]] * 4
@@ -153,25 +153,25 @@ def test_a_texture_goes_along():
     assert (corners == np.array(SQUARE)[np.ravel(FACES)]).all()
 
 
-def test_what_is_not_finite_is_not_sent():
+def test_non_finite_points_are_not_sent():
     empty = loom.TriangleMesh(np.zeros((0, 3)), np.zeros((0, 3), int))
     assert [surface_arrays(part) for part in make_item("mesh", 0, empty, Style()).parts] in ([], [None])
     _, holed = arrays_of(loom.TriangleMesh([*SQUARE[:3], [np.nan, 0, 0]], FACES))
     assert np.isfinite(holed["positions"]).all() and holed["indices"].tolist() == FACES[:1]
     (lines,) = make_item("lines", 0, loom.LineSet(SQUARE, [[0, 1], [2, 3], [1, 2]]), Style()).parts
-    places = np.array([*SQUARE[:3], [np.nan] * 3], np.float32)
-    part = dataclasses.replace(lines, positions=upload(places, vec3, lines.positions.device))
+    positions = np.array([*SQUARE[:3], [np.nan] * 3], np.float32)
+    part = dataclasses.replace(lines, positions=upload(positions, vec3, lines.positions.device))
     assert line_arrays(part)["ends"].tolist() == [SQUARE[:2], [SQUARE[1], SQUARE[2]]]
 
 
 def seen_from(camera, frame, points, aspect):
-    """Where points are in a page, -1 to 1."""
+    """Positions of points in a page, -1 to 1."""
     local = (points - frame.to_world(camera.position)) @ camera.rotation
     tan = math.tan(camera.fov / 2)
     return local[:, :2] / local[:, 2:] / [tan * aspect, tan]
 
 
-def test_the_page_s_camera_sees_what_the_view_shows(rng):
+def test_the_page_camera_matches_the_view(rng):
     points = rng.random((40, 3)) + UTM
     bounds = points.min(axis=0), points.max(axis=0)
     frame = Frame.around(bounds)
@@ -206,7 +206,7 @@ def test_a_view_comes_back_from_the_page_s_camera(rng):
 
 
 @pytest.mark.parametrize("zoom", [1.0, 0.01])
-def test_a_camera_without_perspective_sees_what_a_view_from_very_far_away_shows(rng, zoom):
+def test_an_orthographic_camera_matches_a_very_distant_view(rng, zoom):
     points = rng.random((40, 3)) + UTM
     bounds = points.min(axis=0), points.max(axis=0)
     frame, size = Frame.around(bounds), (800, 600)
@@ -218,22 +218,22 @@ def test_a_camera_without_perspective_sees_what_a_view_from_very_far_away_shows(
     view = view_of(near, frame, bounds, size)
     local = (points - frame.to_world(camera.pivot)) @ camera.rotation
     expected = local[:, :2] / depth * (300 / math.tan(camera.fov / 2))  # the page's scale, at the depth of its pivot
-    seen = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
-    pixels = seen[:, :2] / seen[:, 2:] * view.intrinsic.fx
+    camera_points = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+    pixels = camera_points[:, :2] / camera_points[:, 2:] * view.intrinsic.fx
     shown = (np.abs(expected) < [400, 300]).all(axis=1)
     assert np.abs(pixels - expected)[shown].max(initial=0) < 1
     assert zoom < 1 or shown.mean() > 0.8
 
 
 @pytest.mark.parametrize("distance", [1.0, 600.0])
-def test_the_scene_lies_between_what_is_drawn_nearest_and_farthest(distance):
+def test_the_scene_is_between_the_near_and_far_planes(distance):
     bounds = np.full(3, -0.5), np.full(3, 0.5)
     frame = Frame(np.zeros(3))
     camera = CameraState(np.array([0, 0, -distance]), np.eye(3), 1.0, (800, 600), np.zeros(3))
-    reach = camera_limits(camera, frame, bounds)
-    assert reach["near"] < distance - 0.5 and distance + 0.5 < reach["far"]
-    assert reach["closest"] < distance < reach["farthest"]
-    assert reach["far"] / reach["near"] <= 1e5
+    limits = camera_limits(camera, frame, bounds)
+    assert limits["near"] < distance - 0.5 and distance + 0.5 < limits["far"]
+    assert limits["closest"] < distance < limits["farthest"]
+    assert limits["far"] / limits["near"] <= 1e5
 
 
 def test_the_union_is_that_of_all_boxes_after_each_of_many_changes(rng):
@@ -247,13 +247,13 @@ def test_the_union_is_that_of_all_boxes_after_each_of_many_changes(rng):
             low = rng.integers(-5, 5, 3).astype(float)
             boxes[name] = low, low + rng.integers(0, 3, 3)
             extents.put(name, boxes[name])
-        found = extents.union()
+        union = extents.union()
         assert len(extents) == len(boxes)
         if not boxes:
-            assert found is None
+            assert union is None
             continue
-        assert (found[0] == np.min([low for low, _ in boxes.values()], axis=0)).all()
-        assert (found[1] == np.max([high for _, high in boxes.values()], axis=0)).all()
+        assert (union[0] == np.min([low for low, _ in boxes.values()], axis=0)).all()
+        assert (union[1] == np.max([high for _, high in boxes.values()], axis=0)).all()
     corners = extents.corners()
     assert corners.shape == (8 * len(boxes), 3)
     assert {tuple(corner) for corner in corners} >= {tuple(low) for low, _ in boxes.values()}

@@ -1,4 +1,4 @@
-"""Cells that a real kernel of Jupyter's runs: what they show, how large it is, and that words come through."""
+"""Cells run by a real Jupyter kernel: their outputs, output sizes and printed text."""
 
 import json
 import os
@@ -22,8 +22,8 @@ CELLS = {
     "cloud": "cloud",
     "mesh": "loom.TriangleMesh.create_box()",
     "many": "for _ in range(50): display(cloud)",
-    "progress": "told = []\nloom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500,\n"
-    "                   progress=lambda *step: told.append(step))\nprint(len(told) > 0, told[-1][0])",
+    "progress": "reported = []\nloom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500,\n"
+    "                   progress=lambda *step: reported.append(step))\nprint(len(reported) > 0, reported[-1][0])",
     "records": "with loom.VerbosityContextManager(loom.VerbosityLevel.Debug):\n"
     "    small = loom.simplify_mesh(loom.TriangleMesh.create_sphere(resolution=40), triangles=500)",
     "warning": "cloud.translate([1, 0, 0])\ncloud.estimate_normals(radius=0.01)\nNone",
@@ -40,12 +40,12 @@ LARGE = (
     "points = np.random.default_rng(0).random((6_000_000, 3), np.float32)\n"
     "viewer = loom.draw(loom.PointCloud(points), inline=False, max_points=6_000_000)"
 )
-MANY = {"start": CELLS["start"], "alone": STATE, **{f"same {turn}": f"{LARGE}\n{STATE}" for turn in range(5)}}
+MANY = {"start": CELLS["start"], "alone": STATE, **{f"same {iteration}": f"{LARGE}\n{STATE}" for iteration in range(5)}}
 
 
 @pytest.fixture(scope="module")
 def outputs():
-    """What each cell gave: a list of outputs by the cell's name."""
+    """The outputs of each cell by its name."""
     return run(CELLS)
 
 
@@ -75,13 +75,13 @@ def words(outputs, stream):
 
 
 @pytest.mark.parametrize("cell", ["inline", "open3d's name"])
-def test_a_cell_that_draws_inline_holds_a_bounded_page(outputs, cell):
+def test_a_cell_that_draws_inline_contains_a_bounded_page(outputs, cell):
     page = shown(outputs[cell], "text/html")
     assert "<iframe srcdoc=" in page and "of 300,000 points" in page
     assert 500_000 < len(page) < 5 * 2**20 and 5_000 < len(shown(outputs[cell], "image/jpeg")) < 270_000
 
 
-def test_a_cell_that_draws_live_holds_a_frame_of_the_server(outputs):
+def test_a_cell_that_draws_live_contains_a_frame_of_the_server(outputs):
     page = shown(outputs["live"], "text/html")
     assert 'data-src="http://127.0.0.1:' in page and len(page) < 300_000
     assert 5_000 < len(shown(outputs["live"], "image/jpeg")) < 270_000
@@ -109,8 +109,8 @@ def state(outputs):
 
 
 def test_a_cell_that_runs_again_leaves_one_viewer_and_one_cloud(many):
-    turns = [state(many[f"same {turn}"]) for turn in range(5)]
-    assert [len(turn["open"]) for turn in turns] == [1] * 5
-    places = [turn["open"][0].partition("?")[0] for turn in turns]  # of each its own token
-    assert turns[4]["threads"] <= turns[0]["threads"] and places[0] == places[4]
-    assert turns[4]["bytes"] - turns[1]["bytes"] < 150e6  # three more of them would have 216 MB
+    runs = [state(many[f"same {run}"]) for run in range(5)]
+    assert [len(run["open"]) for run in runs] == [1] * 5
+    page_urls = [run["open"][0].partition("?")[0] for run in runs]  # each with its own token
+    assert runs[4]["threads"] <= runs[0]["threads"] and page_urls[0] == page_urls[4]
+    assert runs[4]["bytes"] - runs[1]["bytes"] < 150e6  # three more of them would have 216 MB

@@ -1,4 +1,4 @@
-"""What follows from many changes is done once a frame, in a thread that goes when there is nothing to do."""
+"""Updates after many changes run once a frame, in a thread that ends when there is no work."""
 
 import threading
 
@@ -12,7 +12,7 @@ from .events import wait_until
 
 @pytest.fixture
 def made(monkeypatch):
-    """A job that counts how often it is done, and its lock."""
+    """A job that counts its runs, and its lock."""
     monkeypatch.setattr(scene, "IDLE", 0.05)
     lock, done = threading.RLock(), []
     job = DeferredUpdate(lambda: done.append(threading.current_thread().name), lambda: lock.acquire(), lock.release)
@@ -21,7 +21,7 @@ def made(monkeypatch):
     job.join()
 
 
-def test_many_who_ask_meanwhile_are_answered_once(made):
+def test_concurrent_requests_are_merged(made):
     job, lock, done = made
     with lock:
         for _ in range(100):

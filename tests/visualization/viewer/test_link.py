@@ -1,4 +1,4 @@
-"""How operations reach pages: whole batches, the newest state, nothing twice."""
+"""Delivery of operations to pages: complete batches, the newest state, no repetitions."""
 
 from __future__ import annotations
 
@@ -18,7 +18,7 @@ from pointloom.visualization.viewer.link.scene import Scene
 
 
 class Page:
-    """A page that reads when it is told to."""
+    """A page that reads on request."""
 
     def __init__(self, delivery: Delivery):
         self.channel = Channel(delivery, is_shared=False)
@@ -33,7 +33,7 @@ class Page:
         return self.delivery.take(self.outbox)[0]
 
     def read_all(self) -> list[dict]:
-        """All that waits, but for what says that all is new."""
+        """All waiting operations without the initial reset."""
         ops: list[dict] = []
         while more := self.read():
             ops += more
@@ -59,7 +59,7 @@ POINTS = np.arange(15, dtype=np.float32).reshape(5, 3)
 
 
 @pytest.mark.parametrize("rows", [0, 1, 5, SLICE // 12 * 3 + 1])
-def test_arrays_lie_where_the_message_says_and_nothing_is_copied_for_it(rows):
+def test_arrays_are_at_their_declared_offsets_without_copies(rows):
     positions, colors = np.full((rows, 3), 0.5, np.float32), np.full((rows, 3), 7, np.uint8)
     pieces = list(pack([{"op": "node", "id": 1, "positions": positions, "label": "ä\ud800"}, {"op": "x", "c": colors}]))
     assert max(map(len, pieces)) <= SLICE
@@ -76,7 +76,7 @@ def test_arrays_lie_where_the_message_says_and_nothing_is_copied_for_it(rows):
         assert np.array_equal(np.frombuffer(message, f"<{kind}", count * width, offset).reshape(count, width), values)
 
 
-def test_what_json_cannot_hold_is_left_out_alone(caplog):
+def test_only_values_unsupported_by_json_are_omitted(caplog):
     message = b"".join(
         pack([{"op": "a", "x": float("nan")}, {"op": "b", "x": np.float32(0.5)}, {"op": "c", "x": POINTS}])
     )
@@ -95,15 +95,15 @@ def test_an_array_that_its_owner_may_change_is_copied_and_a_read_only_one_is_not
     assert second is still
 
 
-def test_a_page_that_comes_later_gets_the_newest_state_and_what_is_gone_is_gone(delivery, scene, gui):
+def test_a_new_page_gets_the_newest_state_without_removed_nodes(delivery, scene, gui):
     group = scene.add_group()
     child = scene.add_points(POINTS, parent=group)
-    gone = scene.add_points(POINTS, parent=scene.add_group(parent=group))
+    removed = scene.add_points(POINTS, parent=scene.add_group(parent=group))
     child.set(size=7)
     child.set_transform(None, (1, 2, 3), 2.0)
     with gui.add_folder("folder") as folder:
         gui.add_button("in it")
-    gone._channel.drop("drop", 3)
+    removed._channel.drop("drop", 3)
     folder.remove()
     text = gui.add_text("text", "old")
     text.value = "new"
@@ -113,18 +113,18 @@ def test_a_page_that_comes_later_gets_the_newest_state_and_what_is_gone_is_gone(
     assert ops[2]["value"] == "new"
 
 
-def test_unsent_changes_are_replaced_and_order_is_kept(delivery, scene):
+def test_unsent_changes_are_replaced_in_order(delivery, scene):
     page = Page(delivery)
     node = scene.add_points(POINTS)
     page.read_all()
     for size in range(1, 100):
         node.set(size=size)
         node.visible = size % 2 == 0
-    later = scene.add_group()
+    late_group = scene.add_group()
     node.set(size=100)
     change, added = page.read_all()
     assert change == {"op": "set", "id": node.id, "size": 100.0, "visible": False}
-    assert (added["op"], added["id"]) == ("node", later.id)
+    assert (added["op"], added["id"]) == ("node", late_group.id)
 
 
 def test_what_comes_and_goes_unsent_is_never_sent(delivery, scene):
@@ -171,7 +171,7 @@ def test_rows_of_a_tree_wait_as_what_they_are_last(delivery, gui):
     assert len(Page(delivery).read_all()[1]["put"]) == 1000
 
 
-def test_notices_that_nobody_reads_do_not_pile_up(delivery, scene, gui):
+def test_unread_notices_do_not_accumulate(delivery, scene, gui):
     page = Page(delivery)
     client = PageClient(page.channel, 0, FIRST, (scene, gui))
     for number in range(1000):
@@ -183,7 +183,7 @@ def test_notices_that_nobody_reads_do_not_pile_up(delivery, scene, gui):
     assert page.outbox.own_bytes == 0
 
 
-def test_a_batch_is_sent_when_it_is_complete_and_then_whole(delivery, scene):
+def test_a_batch_is_sent_completely_at_its_end(delivery, scene):
     page = Page(delivery)
     with delivery.atomic():
         first = scene.add_group()
@@ -212,7 +212,7 @@ def test_batches_of_two_threads_are_neither_torn_nor_mixed_up(delivery, scene):
     thread = threading.Thread(target=other)
     thread.start()
     assert inside.wait(60)
-    node.set(size=6)  # newer than that of the batch that is not complete
+    node.set(size=6)  # newer than that of the incomplete batch
     assert page.read_all() == []
     done.set()
     thread.join()
@@ -231,29 +231,29 @@ def test_large_batches_that_wait_go_one_by_one_and_joined_ones_together(delivery
 
 
 def test_callbacks_run_in_order_in_one_thread_and_no_more_wait_than_may():
-    worker, begun, gate, seen = Worker("test-worker"), threading.Event(), threading.Event(), []
-    worker.run(lambda: (begun.set(), gate.wait(60)))
-    assert begun.wait(60)  # what is at work waits no more
-    taken = [worker.run(seen.append, number) for number in range(MAX_WAITING + 10)]
-    assert worker.run(seen.append, "end", always=True)
+    worker, started, gate, values = Worker("test-worker"), threading.Event(), threading.Event(), []
+    worker.run(lambda: (started.set(), gate.wait(60)))
+    assert started.wait(60)  # a running callback is not replaced
+    accepted = [worker.run(values.append, number) for number in range(MAX_WAITING + 10)]
+    assert worker.run(values.append, "end", always=True)
     worker.end()
-    assert not worker.run(seen.append, "late")
+    assert not worker.run(values.append, "late")
     gate.set()
     worker._thread.join(60)
-    assert sum(taken) in (MAX_WAITING - 1, MAX_WAITING)
-    assert seen == [*range(sum(taken)), "end"]
+    assert sum(accepted) in (MAX_WAITING - 1, MAX_WAITING)
+    assert values == [*range(sum(accepted)), "end"]
 
 
-def test_of_several_moves_that_wait_the_last_is_told():
-    worker, gate, seen = Worker("test-worker"), threading.Event(), []
-    hear = seen.append
+def test_of_several_queued_moves_only_the_last_is_reported():
+    worker, gate, values = Worker("test-worker"), threading.Event(), []
+    hear = values.append
     worker.run(gate.wait, 60)
     for number in range(1000):
         worker.run(hear, number, about="camera")
     worker.end()
     gate.set()
     worker._thread.join(60)
-    assert seen == [999]
+    assert values == [999]
 
 
 @pytest.mark.parametrize(
@@ -264,7 +264,7 @@ def test_of_several_moves_that_wait_the_last_is_told():
     ],
     ids=str,
 )  # fmt: skip
-def test_what_is_no_property_is_told_to_who_gives_it(delivery, scene, wrong):
+def test_invalid_properties_raise_in_the_caller(delivery, scene, wrong):
     page = Page(delivery)
     with pytest.raises(ValueError, match=next(iter(wrong))):
         scene.add_points(**{"positions": POINTS, **wrong})

@@ -1,4 +1,4 @@
-"""What was shown when, while the program runs: moments, what pages see of them, what is held, and the recording."""
+"""The timeline of a running program: moments, their display in pages, stored bytes, and the recording."""
 
 from __future__ import annotations
 
@@ -29,7 +29,7 @@ def viewer():
 
 
 def cloud_of(number, count=4):
-    """A cloud whose first point tells its number."""
+    """A cloud whose first point contains its number."""
     points = np.zeros((count, 3))
     points[:, 0] = number
     points[-1] = 10
@@ -37,19 +37,19 @@ def cloud_of(number, count=4):
 
 
 def shown(viewer):
-    """What pages see: the number of each cloud, where it stands, and whether it is seen."""
-    found = {}
+    """The state that pages show: the number of each cloud, its position, and its visibility."""
+    items = {}
     for name, item in viewer.shown.items():
-        place = np.zeros(3) if item.pose is None else item.pose[:3, 3]
-        found[name] = (int(item.cloud.points[0][0]), place.tolist(), item.visible)
-    return found
+        position = np.zeros(3) if item.pose is None else item.pose[:3, 3]
+        items[name] = (int(item.cloud.points[0][0]), position.tolist(), item.visible)
+    return items
 
 
 HERE = [0.0, 0.0, 0.0]
 
 
-def tell_story(viewer):
-    """A program that adds, updates, moves, hides, shows and removes, a moment each."""
+def run_example(viewer):
+    """A program that adds, updates, moves, hides, shows and removes, one moment each."""
     viewer.add("old", cloud_of(9))
     viewer.set_time(0)
     viewer.add("a", cloud_of(1))
@@ -72,7 +72,7 @@ STORY = [
 
 
 def test_each_moment_shows_what_was_then_in_any_order(viewer):
-    tell_story(viewer)
+    run_example(viewer)
     for number in (3, 0, 2, 1, 3, 1, 0):
         viewer.show_time(number)
         assert shown(viewer) == STORY[number]
@@ -84,7 +84,7 @@ def test_each_moment_shows_what_was_then_in_any_order(viewer):
     assert shown(viewer) == STORY[3] and viewer.timeline.is_live
 
 
-def test_without_set_time_nothing_is_kept(viewer):
+def test_without_set_time_nothing_is_recorded(viewer):
     viewer.add("a", cloud_of(1))
     viewer.update("a", cloud_of(2))
     assert viewer.timeline is None
@@ -93,7 +93,7 @@ def test_without_set_time_nothing_is_kept(viewer):
 
 
 def test_a_program_goes_on_while_pages_look_at_what_was(viewer):
-    tell_story(viewer)
+    run_example(viewer)
     viewer.show_time(1)
     before = list(viewer.shown.values())
     viewer.set_time(4)
@@ -117,7 +117,7 @@ def test_a_program_goes_on_while_pages_look_at_what_was(viewer):
     assert shown(viewer) == {"d": (1, HERE, True)}
 
 
-def test_a_pose_that_the_program_changes_in_place_is_that_of_its_moment(viewer):
+def test_later_changes_of_a_pose_array_do_not_affect_recorded_moments(viewer):
     viewer.add("a", cloud_of(1))
     T = np.eye(4)
     for frame in range(3):
@@ -128,8 +128,8 @@ def test_a_pose_that_the_program_changes_in_place_is_that_of_its_moment(viewer):
     assert shown(viewer)["a"] == (1, [1.0, 0.0, 0.0], True)
 
 
-def test_what_a_page_asks_for_of_what_was_changes_nothing_that_is(viewer):
-    tell_story(viewer)
+def test_viewing_the_past_does_not_change_the_present(viewer):
+    run_example(viewer)
     viewer.show_time(1)
     with requested_by_page():
         viewer.set_visible("old", False)
@@ -158,7 +158,7 @@ def test_a_moment_of_the_same_time_goes_on_and_an_earlier_one_is_refused(viewer)
 
 
 def drag(viewer, value):
-    """A page puts the time line there."""
+    """A page moves the timeline there."""
     control = viewer.timeline._control
     control.value = value
     for callback in control._callbacks:
@@ -175,10 +175,10 @@ def test_the_time_line_comes_with_the_second_moment_and_follows_the_newest(viewe
     control = viewer.timeline._control
     assert (control.min, control.max, control.step, control.value) == (0, 2, 1, 2)
     with page_in(viewer) as page:
-        page.say("value", id=control.id, value=1)
+        page.send("value", id=control.id, value=1)
         assert shown(viewer)["a"][0] == 1
-        for wrong in ("1", None, True):  # what is no number is passed over
-            page.say("value", id=control.id, value=wrong)
+        for wrong in ("1", None, True):  # invalid numbers are ignored
+            page.send("value", id=control.id, value=wrong)
     viewer.set_time(3)
     viewer.update("a", cloud_of(3))
     assert (control.max, control.value) == (3, 1) and shown(viewer)["a"][0] == 1
@@ -202,7 +202,7 @@ def test_times_in_seconds_are_reached_by_steps_of_the_page(viewer):
     assert viewer.timeline.is_live
 
 
-def test_what_stays_is_held_once_and_a_pose_costs_little(viewer):
+def test_unchanged_geometries_are_stored_once_and_a_pose_is_small(viewer):
     viewer.add("big", cloud_of(1, 100_000))
     viewer.add("other", cloud_of(2, 100_000))
     viewer.set_time(0)
@@ -215,7 +215,7 @@ def test_what_stays_is_held_once_and_a_pose_costs_little(viewer):
     assert len(viewer.timeline._tracks["other"]) == 1
 
 
-def test_the_oldest_moments_go_beyond_the_bytes_and_that_is_said_once(viewer, caplog):
+def test_the_oldest_moments_are_removed_beyond_the_byte_limit_with_one_warning(viewer, caplog):
     viewer.history_bytes = 20 * 12_000 + 30 * ENTRY
     with caplog.at_level(logging.WARNING, "pointloom.viewer"):
         for frame in range(200):
@@ -230,8 +230,8 @@ def test_the_oldest_moments_go_beyond_the_bytes_and_that_is_said_once(viewer, ca
         assert shown(viewer)["a"][0] == time
     viewer.show_time(0)
     assert shown(viewer)["a"][0] == timeline.times[0]
-    held = sum(size for _, size in timeline._arrays.values()) + ENTRY * sum(map(len, timeline._tracks.values()))
-    assert timeline.bytes == held
+    n_bytes = sum(size for _, size in timeline._arrays.values()) + ENTRY * sum(map(len, timeline._tracks.values()))
+    assert timeline.bytes == n_bytes
 
 
 def test_what_never_changed_outlives_the_moment_it_came_in(viewer):
@@ -264,15 +264,15 @@ def test_pages_that_look_at_a_moment_that_goes_see_the_oldest_that_is_left(viewe
 
 
 def test_a_recording_has_a_frame_for_each_moment(viewer, tmp_path):
-    tell_story(viewer)
+    run_example(viewer)
     viewer.show_time(0)
     drawn = Drawn(viewer, 1000).timeline(moments_of(viewer.timeline, 600))
     assert [[*frame.shown] for frame in drawn.frames] == [["old", "a"], ["old", "a"], ["a"], ["a", "b"]]
     assert [frame.label for frame in drawn.frames] == ["0", "1", "2", "3"]
     assert len(drawn.shapes) == 4  # each once
     moved = drawn.frames[2].shown["a"]
-    place = drawn.shapes[moved.shapes[0]].positions[0] + moved.pose[:3, 3] + drawn.origin
-    assert np.allclose(place, [2 + 1, 2, 3])
+    position = drawn.shapes[moved.shapes[0]].positions[0] + moved.pose[:3, 3] + drawn.origin
+    assert np.allclose(position, [2 + 1, 2, 3])
     viewer.save_recording(tmp_path / "story.html")
     assert (tmp_path / "story.html").stat().st_size > 1000
 

@@ -1,4 +1,4 @@
-"""What pages say to the viewer's server, and pages that do not listen."""
+"""Messages of pages to the viewer's server, and pages that do not read."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ from pointloom.visualization.viewer.link.client import MAX_WAITING
 
 from .events import announce, wait_until
 from .hostile_pages import HOSTILE_VALUES, hostile_messages, near_messages
-from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, say, silent_line
+from .pages import CAMERA, client_of, count, hear, hear_until, is_well, line_of, page_of, send, silent_line
 
 
 def move_to(line, fov: float) -> None:
-    """A camera that is told from others by its angle."""
-    say(line, CAMERA | {"fov": fov})
+    """A camera identified by its angle."""
+    send(line, CAMERA | {"fov": fov})
 
 
 def test_a_page_gets_the_scene_and_is_heard(server):
@@ -30,7 +30,7 @@ def test_a_page_gets_the_scene_and_is_heard(server):
     slider = server.pages.gui.add_slider("size", 0.0, 10.0, 0.5, 5.0)
     with page_of(server) as line:
         assert hear_until(line, "node", kind="points")["plain"] == [255, 0, 0]
-        say(line, {"say": "value", "id": slider.id, "value": 7})
+        send(line, {"say": "value", "id": slider.id, "value": 7})
         wait_until(lambda: slider.value == 7.0)
         camera = client_of(server).camera
         assert camera.position.tolist() == [0.0, 0.0, 3.0]
@@ -45,7 +45,7 @@ NO_MESSAGES = [
 ]  # fmt: skip
 
 
-def test_what_is_no_message_ends_who_sends_it_and_nobody_else(server):
+def test_an_invalid_message_disconnects_only_its_sender(server):
     with page_of(server) as good:
         hear_until(good, "clear")
         for raw in NO_MESSAGES:
@@ -60,7 +60,7 @@ def test_what_is_no_message_ends_who_sends_it_and_nobody_else(server):
         wait_until(lambda: len(server.pages.get_clients()) == 1)
 
 
-def test_a_message_beyond_the_limit_ends_who_sends_it(server):
+def test_a_message_beyond_the_limit_disconnects_its_sender(server):
     with page_of(server) as evil:
         with pytest.raises(ConnectionClosed) as ended:
             evil.send('{"say": "file", "text": "' + "x" * (2 << 20))
@@ -71,9 +71,9 @@ def test_a_message_beyond_the_limit_ends_who_sends_it(server):
 
 
 @pytest.mark.parametrize("first", [CAMERA, {"say": "sign", "n": 1}, {"say": "hello"}], ids=["camera", "sign", "half"])
-def test_a_page_says_hello_first(server, first):
+def test_a_page_sends_hello_first(server, first):
     with line_of(server) as line:
-        say(line, first)
+        send(line, first)
         with pytest.raises(ConnectionClosed):
             line.recv(timeout=60)
     assert server.pages.get_clients() == {}
@@ -89,13 +89,13 @@ BAD_CAMERAS = [
 ]  # fmt: skip
 
 
-def test_what_is_no_camera_is_passed_over_and_the_last_good_one_stays(server):
+def test_invalid_cameras_are_ignored_and_the_last_valid_one_remains(server):
     slider = server.pages.gui.add_slider("then", 0, len(BAD_CAMERAS), 1, 0)
     with page_of(server) as evil:
         for number, bad in enumerate(BAD_CAMERAS, 1):
-            say(evil, CAMERA | {"fov": 0.5} | bad)
-            say(evil, {key: value for key, value in CAMERA.items() if key not in bad})
-            say(evil, {"say": "value", "id": slider.id, "value": number})
+            send(evil, CAMERA | {"fov": 0.5} | bad)
+            send(evil, {key: value for key, value in CAMERA.items() if key not in bad})
+            send(evil, {"say": "value", "id": slider.id, "value": number})
             wait_until(lambda number=number: slider.value == number)
             assert client_of(server).camera.fov == CAMERA["fov"], bad
             assert client_of(server).camera.position.tolist() == CAMERA["position"], bad
@@ -104,15 +104,15 @@ def test_what_is_no_camera_is_passed_over_and_the_last_good_one_stays(server):
 def test_a_rotation_that_is_one_up_to_rounding_is_made_exact(server):
     rounded = np.diag([1.0, -1.0, -1.0]) + 3e-4 * np.arange(9).reshape(3, 3) / 9
     with page_of(server) as line:
-        say(line, CAMERA | {"fov": 0.5, "rotation": rounded.ravel().tolist()})
+        send(line, CAMERA | {"fov": 0.5, "rotation": rounded.ravel().tolist()})
         camera = client_of(server).camera
         wait_until(lambda: camera.fov == 0.5)
         assert np.abs(camera.rotation @ camera.rotation.T - np.eye(3)).max() < 1e-14
         assert np.abs(camera.rotation - rounded).max() < 1e-3
 
 
-def test_hostile_messages_reach_no_call_of_the_program(server):
-    """Every field of every message wrong in type, range and size, while threads of the program work with the page."""
+def test_hostile_messages_are_not_passed_to_the_program(server):
+    """Each field of each message with wrong types, ranges and sizes, while threads of the program use the page."""
     gui, scene, failures, done = server.pages.gui, server.pages.scene, [], threading.Event()
     handles = [
         gui.add_slider("slider", 0, 10, 1, 5), gui.add_range("range", 0, 1, 0.1, (0.2, 0.8)), gui.add_text("text", "x"),
@@ -146,7 +146,7 @@ def test_hostile_messages_reach_no_call_of_the_program(server):
             for message in (*hostile_messages(ids), *near_messages(ids, 300)):
                 evil.send(message)
             move_to(evil, 0.5)
-            wait_until(lambda: client_of(server).camera.fov == 0.5)  # the same line is still heard
+            wait_until(lambda: client_of(server).camera.fov == 0.5)  # the same connection still works
     finally:
         done.set()
         worker.join()
@@ -155,15 +155,15 @@ def test_hostile_messages_reach_no_call_of_the_program(server):
 
 
 def test_a_page_sets_the_value_of_a_control_and_nothing_else_of_it(server):
-    seen = []
+    values = []
     gui = server.pages.gui
     slider, color = gui.add_slider("size", 0.0, 10.0, 0.5, 5.0), gui.add_dropdown("color", ("height", "rgb"), "rgb")
     span, words = gui.add_range("span", 0, 1, 0.1, (0.2, 0.8)), gui.add_words("ours")
-    slider.on_update(lambda event: seen.append(event.value))
+    slider.on_update(lambda event: values.append(event.value))
     with page_of(server) as line:
 
         def set_to(handle, value) -> None:
-            say(line, {"say": "value", "id": handle.id, "value": value})
+            send(line, {"say": "value", "id": handle.id, "value": value})
 
         for value in HOSTILE_VALUES:
             if isinstance(value, bool) or not isinstance(value, int | float):
@@ -172,8 +172,8 @@ def test_a_page_sets_the_value_of_a_control_and_nothing_else_of_it(server):
         set_to(span, [0.9, 0.1])
         set_to(words, "theirs")
         set_to(slider, 1e300)
-        wait_until(lambda: seen != [])
-        assert (seen, slider.value, color.value, span.value, words.value) == ([10.0], 10.0, "rgb", (0.2, 0.8), "ours")
+        wait_until(lambda: values != [])
+        assert (values, slider.value, color.value, span.value, words.value) == ([10.0], 10.0, "rgb", (0.2, 0.8), "ours")
         set_to(color, "height")
         set_to(span, [0.1, 2])
         wait_until(lambda: span.value == (0.1, 1.0))
@@ -185,58 +185,58 @@ def test_a_control_that_is_off_is_not_set(server):
     pressed = []
     button.on_click(pressed.append)
     with page_of(server) as line:
-        say(line, {"say": "press", "id": button.id})
-        say(line, {"say": "value", "id": slider.id, "value": 3})
+        send(line, {"say": "press", "id": button.id})
+        send(line, {"say": "value", "id": slider.id, "value": 3})
         wait_until(lambda: slider.value == 3)
         assert pressed == []
 
 
-def test_what_one_page_sets_the_others_see_and_it_hears_only_of_what_was_mended(server):
+def test_other_pages_see_a_change_and_its_sender_only_corrections(server):
     slider = server.pages.gui.add_slider("size", 0, 10, 1, 5)
     tree = server.pages.gui.add_tree()
     tree.put("a", "A", True)
     with page_of(server) as first, page_of(server) as second:
         for line in (first, second):
             hear_until(line, "rows")
-        say(first, {"say": "value", "id": slider.id, "value": 7})
+        send(first, {"say": "value", "id": slider.id, "value": 7})
         assert hear_until(second, "setcontrol")["value"] == 7
-        say(first, {"say": "value", "id": tree.id, "value": [["a", "gone"], False]})
+        send(first, {"say": "value", "id": tree.id, "value": [["a", "gone"], False]})
         assert hear_until(second, "rows")["put"] == [["a", "A", False, None]]
-        say(first, {"say": "value", "id": slider.id, "value": 70})
+        send(first, {"say": "value", "id": slider.id, "value": 70})
         assert [hear(line)[0]["value"] for line in (first, second)] == [10, 10]
 
 
-def test_a_sync_is_answered_behind_all_that_follows_from_what_was_said_before(server):
+def test_a_sync_is_acknowledged_after_all_earlier_effects(server):
     button, go_on = server.pages.gui.add_button("press"), threading.Event()
     button.on_click(lambda event: go_on.wait(60) and server.pages.scene.add_group())
     with page_of(server) as line:
-        say(line, {"say": "press", "id": button.id})
-        say(line, {"say": "sync", "n": 7})
+        send(line, {"say": "press", "id": button.id})
+        send(line, {"say": "sync", "n": 7})
         for wrong in ({}, {"n": 0}, {"n": "7"}):
-            say(line, {"say": "sync"} | wrong)
+            send(line, {"say": "sync"} | wrong)
         go_on.set()
-        heard: list[str] = []
-        while "sync" not in heard:
-            heard += [f"{op['op']}" for op in hear(line)]
-        assert heard.index("node") < heard.index("sync")
-        say(line, {"say": "sync", "n": 8})
+        operations: list[str] = []
+        while "sync" not in operations:
+            operations += [f"{op['op']}" for op in hear(line)]
+        assert operations.index("node") < operations.index("sync")
+        send(line, {"say": "sync", "n": 8})
         assert hear_until(line, "sync")["n"] == 8
 
 
-def test_a_file_is_taken_whole(server):
+def test_a_file_is_received_completely(server):
     button, loaded = server.pages.gui.add_upload_button("Load"), []
     button.on_upload(lambda event: loaded.append((event.value.name, event.value.content)))
     with page_of(server) as line:
-        say(line, {"say": "file", "id": button.id, "name": "view.json", "text": "ü" * 100_000})
+        send(line, {"say": "file", "id": button.id, "name": "view.json", "text": "ü" * 100_000})
         wait_until(lambda: loaded == [("view.json", "ü".encode() * 100_000)])
 
 
-def test_a_click_says_where_and_from_where(server):
+def test_a_click_reports_its_position_and_camera(server):
     clicks = []
     with page_of(server) as line:
         server.pages.scene.on_click(clicks.append)
         assert hear_until(line, "clicks")["on"] is True
-        say(line, {"say": "click", "x": 0.25, "y": 0.5})
+        send(line, {"say": "click", "x": 0.25, "y": 0.5})
         move_to(line, 0.5)
         wait_until(lambda: len(clicks) == 1)
         (event,) = clicks
@@ -252,7 +252,7 @@ def test_a_callback_that_fails_is_logged_and_not_printed(server, caplog):
     assert "ZeroDivisionError" in caplog.text
 
 
-def test_a_page_that_talks_without_end_waits_and_others_do_not(server):
+def test_a_page_that_sends_continuously_does_not_delay_others(server):
     slow = threading.Event()
     presses = []
     button = server.pages.gui.add_button("press")
@@ -262,7 +262,7 @@ def test_a_page_that_talks_without_end_waits_and_others_do_not(server):
         def flood() -> None:
             try:
                 for _ in range(20_000):
-                    say(evil, {"say": "press", "id": button.id})
+                    send(evil, {"say": "press", "id": button.id})
             except ConnectionClosed:
                 pass
 
@@ -277,7 +277,7 @@ def test_a_page_that_talks_without_end_waits_and_others_do_not(server):
         assert not thread.is_alive()
 
 
-def test_two_hundred_at_once_are_too_many_for_nobody_but_themselves(server):
+def test_two_hundred_connections_are_limited_without_affecting_others(server):
     refused, silent = 0, [socket.create_connection(("127.0.0.1", server.port)) for _ in range(100)]
     with page_of(server) as first, ExitStack() as stack:
         hear_until(first, "clear")
@@ -315,7 +315,7 @@ def test_a_page_that_does_not_read_is_dropped_and_others_are_served(server, impa
     line.close()
 
 
-def test_a_page_that_reads_slowly_but_reads_is_kept(server, impatient, monkeypatch):
+def test_a_slow_page_stays_connected(server, impatient, monkeypatch):
     looks, unsent = [], hub._unsent_bytes
     monkeypatch.setattr(hub, "_unsent_bytes", lambda line: looks.append(line) or unsent(line))
     announce(monkeypatch, hub, "_unsent_bytes")
@@ -328,7 +328,7 @@ def test_a_page_that_reads_slowly_but_reads_is_kept(server, impatient, monkeypat
             for _ in range(5):
                 read += len(line.recv(100_000))
         assert count(server) == 1
-        assert 500_000 < read < 35_000_000  # there was more to come all the time
+        assert 500_000 < read < 35_000_000  # the page was never idle
 
 
 def test_a_page_that_answers_no_ping_is_dropped(server, impatient):
@@ -337,10 +337,10 @@ def test_a_page_that_answers_no_ping_is_dropped(server, impatient):
         wait_until(lambda: count(server) == 0)
 
 
-def test_what_waits_for_one_page_is_bounded(server, monkeypatch):
+def test_the_queue_of_a_page_is_bounded(server, monkeypatch):
     monkeypatch.setattr(hub, "MAX_OWN_BYTES", 20_000_000)
     monkeypatch.setattr(hub, "WATCH_SECONDS", 0.1)
-    with page_of(server, max_queue=1):  # it stops reading with the first message that nobody takes
+    with page_of(server, max_queue=1):  # it stops reading at the first unread message
         client = client_of(server)
         points = np.zeros((200_000, 3), np.float32)
 
@@ -362,13 +362,13 @@ def test_updates_of_a_page_that_reads_nothing_take_no_more_than_one(server):
             node.set(positions=points, size=1 + step)
             node.set_transform(None, (step, 0, 0))
         assert client._channel.delivery._outboxes[client._channel][0].own_bytes <= 2 * points.nbytes
-        found = hear_until(line, "node", kind="points")
-        while found.get("size") != 100:
-            found = hear(line)[0]
-        assert found["pose"][3] == 99
+        message = hear_until(line, "node", kind="points")
+        while message.get("size") != 100:
+            message = hear(line)[0]
+        assert message["pose"][3] == 99
 
 
-def test_a_page_that_goes_while_something_is_sent_to_it_warns_nobody(server):
+def test_a_page_that_leaves_during_a_transfer_causes_no_warning(server):
     with page_of(server):
         client = client_of(server)
     wait_until(lambda: count(server) == 0)

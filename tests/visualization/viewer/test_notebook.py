@@ -1,4 +1,4 @@
-"""The viewer in a notebook: shown at once, and as a page inside it where no server can run or be reached."""
+"""The viewer in a notebook: served live, or embedded as a page where no server can run or be reached."""
 
 import base64
 import builtins
@@ -19,7 +19,7 @@ from pointloom.visualization.viewer.server import ViewerError, ViewerExtraError
 
 @pytest.fixture(autouse=True)
 def at_home(monkeypatch):
-    """A kernel on the machine of its browser, whatever runs the tests."""
+    """A kernel on the machine of its browser, independent of the environment."""
     for variable, _ in HOSTED_NOTEBOOKS:
         monkeypatch.delenv(variable, raising=False)
     monkeypatch.delenv(VARIABLE, raising=False)
@@ -27,14 +27,14 @@ def at_home(monkeypatch):
 
 @pytest.fixture
 def notebook(monkeypatch):
-    """As in a kernel of Jupyter's."""
+    """Simulate a Jupyter kernel."""
     shell = type("ZMQInteractiveShell", (), {})()
     monkeypatch.setitem(sys.modules, "IPython", types.SimpleNamespace(get_ipython=lambda: shell))
 
 
 @pytest.fixture
 def without_extra(monkeypatch):
-    """As where the extra is not installed."""
+    """Simulate a missing optional package."""
     for name in [
         name for name in sys.modules if name.split(".")[0] == "websockets" or ".visualization.viewer.link" in name
     ]:
@@ -64,11 +64,11 @@ def test_a_notebook_goes_on_at_once_and_shows_the_page(notebook, cloud, capfd):
     assert capfd.readouterr() == ("", "")
     assert f'data-src="{viewer.url}"' in shown["text/html"]
     assert "ssh -L" in shown["text/html"] and "<details" not in shown["text/html"]
-    assert f'src="data:image/jpeg;base64,{shown["image/jpeg"]}"' in shown["text/html"]  # in sight without a server
+    assert f'src="data:image/jpeg;base64,{shown["image/jpeg"]}"' in shown["text/html"]  # visible without a server
     picture = pixels_of(shown["image/jpeg"])
     assert picture.shape == (240, 320, 3)
     assert (picture < 250).any(axis=2).sum() > 500
-    assert viewer._repr_mimebundle_() == {"text/plain": repr(viewer)}  # once it is closed
+    assert viewer._repr_mimebundle_() == {"text/plain": repr(viewer)}  # after it is closed
 
 
 def page_in(shown):
@@ -77,18 +77,18 @@ def page_in(shown):
     return html.unescape(inner)
 
 
-def test_a_page_inside_comes_where_the_extra_is_missing(notebook, without_extra, cloud):
+def test_the_page_is_embedded_if_the_extra_is_missing(notebook, without_extra, cloud):
     page = loom.draw([cloud], width=320, height=240, front=[1, 0, 0], up=[0, 0, 1])
     assert isinstance(page, InlinePage)
     shown = page._repr_mimebundle_()
-    off = np.abs(pixels_of(shown["image/jpeg"]).astype(int) - page.picture)
-    assert page.picture.shape == (240, 320, 3) and off.mean() < 4
+    difference = np.abs(pixels_of(shown["image/jpeg"]).astype(int) - page.picture)
+    assert page.picture.shape == (240, 320, 3) and difference.mean() < 4
     assert "pip install" in shown["text/html"] and page_in(shown["text/html"]) == page.html
     assert 'sandbox="allow-scripts"' in shown["text/html"] and "http" not in shown["text/html"].partition("<iframe")[0]
 
 
 @pytest.mark.parametrize("variable", [variable for variable, _ in HOSTED_NOTEBOOKS])
-def test_where_no_server_is_reached_the_page_lies_inside(notebook, cloud, monkeypatch, variable):
+def test_the_page_is_embedded_where_no_server_is_reachable(notebook, cloud, monkeypatch, variable):
     monkeypatch.setenv(variable, "1")
     assert wants_inline(None, notebook=True) and wants_inline(False, notebook=True) is None
     assert wants_inline(None, notebook=False) is None
@@ -96,7 +96,7 @@ def test_where_no_server_is_reached_the_page_lies_inside(notebook, cloud, monkey
     assert wants_inline(None, notebook=True) is None
 
 
-def test_colab_and_a_wish_put_it_inside_too(notebook, monkeypatch):
+def test_colab_and_the_environment_variable_embed_the_page(notebook, monkeypatch):
     assert wants_inline(None, notebook=True) is None
     monkeypatch.setenv(VARIABLE, "1")
     assert wants_inline(None, notebook=True) and wants_inline(None, notebook=False) is None
@@ -108,7 +108,7 @@ def test_colab_and_a_wish_put_it_inside_too(notebook, monkeypatch):
     assert "Colab" in (wants_inline(None, notebook=True) or "")
 
 
-def test_a_page_inside_is_bounded_and_says_what_it_left_out(cloud, monkeypatch, rng):
+def test_an_embedded_page_is_bounded_and_reports_omissions(cloud, monkeypatch, rng):
     monkeypatch.setattr(drawing, "MAX_BYTES", 250_000)
     many = loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3)))
     page = loom.draw({"many": many, "few": cloud}, inline=True, width=160, height=120)
@@ -120,13 +120,13 @@ def test_a_page_inside_is_bounded_and_says_what_it_left_out(cloud, monkeypatch, 
     assert MAX_BYTES == 4 * 2**20
 
 
-def test_a_script_is_told_what_to_install(without_extra, cloud):
+def test_a_script_gets_an_install_hint(without_extra, cloud):
     with pytest.raises(ViewerExtraError, match=r'pip install "pointloom\[viewer\]"') as raised:
         loom.draw([cloud], block=False)
     assert isinstance(raised.value, ImportError)
 
 
-def test_a_page_inside_comes_where_no_port_is_free(notebook, cloud, monkeypatch):
+def test_the_page_is_embedded_if_no_port_is_free(notebook, cloud, monkeypatch):
     def refuse(**_):
         raise ViewerError("ports 8080 to 8099: all in use")
 

@@ -1,4 +1,4 @@
-"""A page is sent the next step when it has given its signs, and nothing waits for one that has gone."""
+"""A page gets the next step after its acknowledgements; a page that has left blocks nothing."""
 
 from __future__ import annotations
 
@@ -6,32 +6,32 @@ from pointloom.visualization.viewer import sessions
 from pointloom.visualization.viewer.sessions import SIGNS, Pace
 
 
-def test_a_step_waits_for_so_many_signs():
-    asked = []
+def test_a_step_waits_for_a_number_of_acknowledgements():
+    requests = []
 
-    def ask():
-        asked.append(len(asked))
+    def request_sign():
+        requests.append(len(requests))
         pace.answer()
 
-    pace = Pace(ask)
-    assert pace.wait() and len(asked) == SIGNS
+    pace = Pace(request_sign)
+    assert pace.wait() and len(requests) == SIGNS
 
 
-def test_a_page_that_goes_ends_the_wait_and_is_asked_no_more():
-    asked = []
+def test_a_page_that_leaves_ends_the_wait_and_gets_no_more_requests():
+    requests = []
 
-    def ask():
-        asked.append(len(asked))
+    def request_sign():
+        requests.append(len(requests))
         pace.answer()
-        if len(asked) == SIGNS:
+        if len(requests) == SIGNS:
             pace.close()
 
-    pace = Pace(ask)
+    pace = Pace(request_sign)
     assert not pace.wait()
-    assert not pace.wait() and len(asked) == SIGNS
+    assert not pace.wait() and len(requests) == SIGNS
 
 
-def test_a_page_that_gives_no_sign_is_asked_once_and_sent_the_next_step(monkeypatch):
+def test_an_unresponsive_page_gets_the_next_step_after_one_request(monkeypatch):
     monkeypatch.setattr(sessions, "SIGNAL_TIMEOUT", 0.01)
-    asked = []
-    assert Pace(lambda: asked.append(1)).wait() and asked == [1]
+    requests = []
+    assert Pace(lambda: requests.append(1)).wait() and requests == [1]

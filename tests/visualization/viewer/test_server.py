@@ -1,4 +1,4 @@
-"""The viewer's server: who is answered, what a page may say, and that it goes without a trace."""
+"""The viewer's server: accepted requests, valid messages, and a clean shutdown."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ from .pages import (
     is_well,
     line_of,
     page_of,
-    say,
+    send,
     send_raw,
     silent_line,
     with_token,
@@ -47,8 +47,8 @@ def free_port() -> int:
         return line.getsockname()[1]
 
 
-def test_it_listens_on_this_machine_alone(server):
-    other = "127.0.0.2"  # is this machine's too, and would reach whoever listens on every address
+def test_the_server_listens_on_loopback_only(server):
+    other = "127.0.0.2"  # also means this machine, and would reach servers that listen on all addresses
     with pytest.raises(ConnectionRefusedError):
         socket.create_connection((other, server.port), timeout=60)
     assert server.url == f"http://127.0.0.1:{server.port}/?token={server.pages.token}"
@@ -63,7 +63,7 @@ def test_the_line_for_ssh_names_both_ports(server, monkeypatch):
         assert remote.ssh_line.endswith("@10.0.0.2")
 
 
-def test_a_port_that_is_taken_gives_the_next_and_says_so(server):
+def test_a_port_in_use_gives_the_next_one_with_a_message(server):
     with ViewerServer(port=server.port) as second:
         assert server.port < second.port < server.port + MAX_PORTS
         assert second.moved_from == server.port
@@ -90,7 +90,7 @@ def test_a_host_and_a_port_that_are_none_are_refused_by_name():
             ViewerServer(host, port=0)
 
 
-def test_beyond_this_machine_only_when_asked_and_it_is_said():
+def test_the_server_is_exposed_only_on_request_with_a_message():
     with ViewerServer("0.0.0.0", port=0) as server:
         assert server.exposed
         assert server.url == f"http://127.0.0.1:{server.port}/?token={server.pages.token}"
@@ -122,10 +122,10 @@ def test_the_page_is_served_under_our_name(server):
     assert gzip.decompress(packed[2]) == body
 
 
-def test_a_page_that_is_known_goes_over_once(server):
+def test_an_unchanged_page_is_sent_once(server):
     tag = get(server)[1]["etag"]
-    for known in (tag, f"W/{tag}", f'"other", {tag}'):
-        status, headers, body = get(server, If_None_Match=known)
+    for etags in (tag, f"W/{tag}", f'"other", {tag}'):
+        status, headers, body = get(server, If_None_Match=etags)
         assert (status, body, headers["etag"]) == (304, b"", tag)
     assert get(server, If_None_Match='"other"')[0] == 200
     assert get(server)[1]["cache-control"] == "no-cache"
@@ -133,15 +133,15 @@ def test_a_page_that_is_known_goes_over_once(server):
     assert status == 403 and b"Open the complete address that the program printed" in body
 
 
-def test_without_the_token_there_is_nothing_but_words(server):
+def test_without_the_token_only_a_text_is_served(server):
     for query in (
         "", "?token=", "?token=wrong", "?token=%ff%00", "?Token={token}", "?token={token}x",
         "?token={token}&token={token}", "?token[]={token}", "?" + "&" * 1000,
     ):  # fmt: skip
         status, _, body = get(server, "/" + query.format(token=server.pages.token))
         assert status in (400, 403) and server.pages.token.encode() not in body and b"<script" not in body, query
-    answer = send_raw(server, "GET /?token=\u00e4 HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode())
-    assert not answer or answer.startswith((b"HTTP/1.1 403 ", b"HTTP/1.1 400 "))
+    response = send_raw(server, "GET /?token=\u00e4 HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode())
+    assert not response or response.startswith((b"HTTP/1.1 403 ", b"HTTP/1.1 400 "))
 
 
 def test_a_websocket_without_the_token_gets_403(server):
@@ -150,21 +150,21 @@ def test_a_websocket_without_the_token_gets_403(server):
             connect(f"ws://127.0.0.1:{server.port}{address}", origin=f"http://127.0.0.1:{server.port}", proxy=None)
 
 
-def test_each_server_has_a_token_of_its_own_that_nobody_guesses(server):
+def test_each_server_has_its_own_unguessable_token(server):
     with ViewerServer(port=0) as other:
         assert other.pages.token != server.pages.token
         assert len(other.pages.token) >= 22  # 128 bits and more
 
 
-def test_every_answer_tells_the_browser_what_it_may_not(server):
-    for answer in (get(server), get(server, "/"), get(server, "/other"), get(server, Host="evil.example")):
-        headers = answer[1]
+def test_every_response_has_security_headers(server):
+    for response in (get(server), get(server, "/"), get(server, "/other"), get(server, Host="evil.example")):
+        headers = response[1]
         assert "default-src 'none'" in headers["content-security-policy"]
         assert "unsafe" not in headers["content-security-policy"]
         assert headers["x-content-type-options"] == "nosniff"
         assert headers["referrer-policy"] == "no-referrer"
         assert headers["cross-origin-resource-policy"] == "same-origin"
-        assert headers["cache-control"] == ("no-cache" if answer[0] == 200 else "no-store")
+        assert headers["cache-control"] == ("no-cache" if response[0] == 200 else "no-store")
         assert "access-control-allow-origin" not in headers
         assert "server" not in headers
 
@@ -179,7 +179,7 @@ def test_the_policy_names_the_scripts_and_styles_that_the_page_has(server):
         )
 
 
-def test_there_is_nothing_but_the_page(server):
+def test_only_the_page_is_served(server):
     for path in (
         "/etc/passwd", "/../../../../etc/passwd", "/%2e%2e/%2e%2e/etc/passwd", "/..%5c..%5cetc", "//etc/passwd", "/.",
         "/index.html", "/%00", "/live", "/LIVE", "/live/", "http://127.0.0.1/", "*",
@@ -206,13 +206,13 @@ def test_other_hosts_and_origins_get_403(server):
     assert get(server, Origin=f"http://127.0.0.1:{server.port}")[0] == 200
 
 
-def test_a_page_of_another_version_is_told_to_load_again(server):
+def test_an_outdated_page_gets_a_reload_message(server):
     for offered in (None, ["chat"], ["viser-v1.1.1"]):
         with pytest.raises(InvalidStatus, match="426"), line_of(server, subprotocols=offered):
             pass
     for offered, version in ((["pointloom.0"], 1), (["pointloom.2"], 2), (["pointloom.1"], 2)):
         with line_of(server, subprotocols=offered) as line, pytest.raises(ConnectionClosed) as ended:
-            say(line, {**HELLO, "version": version})
+            send(line, {**HELLO, "version": version})
             line.recv(timeout=60)
         assert ended.value.rcvd.code == 4001
 
@@ -222,7 +222,7 @@ def test_only_get_is_answered(server):
         assert b" 200 " not in send_raw(server, f"{method} / HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n".encode()), method
 
 
-def test_what_is_no_request_gets_nothing(server):
+def test_invalid_requests_are_rejected(server):
     for data in (
         b"\x00" * 100, b"GET / HTTP/1.1\r\n\r\n", b"GET /\r\n\r\n",
         b"GET / HTTP/1.1\r\nHost: 127.0.0.1\r\nHost: evil\r\n\r\n",
@@ -271,7 +271,7 @@ def test_closing_does_not_wait_for_a_page_that_does_not_read(monkeypatch):
             assert not thread.is_alive()
 
 
-def test_pages_are_told_what_was_sent_last_before_they_are_sent_away():
+def test_pages_receive_the_last_message_before_they_are_closed():
     with ViewerServer(port=0) as server, page_of(server) as line:
         server.pages.end("The program has ended")
         server.close()

@@ -1,4 +1,4 @@
-"""The first picture comes soon: clouds arrive in steps, as fast as a page takes them, and levels while one looks."""
+"""Fast first image: clouds arrive in steps at the pace of the page, and levels during viewing."""
 
 import os
 import subprocess
@@ -16,7 +16,7 @@ from pointloom.visualization.viewer.tools.clip_planes import Clip
 from pointloom.visualization.viewer.tools.picking import project
 from pointloom.visualization.viewer.viewer import Viewer
 
-from .events import PATIENCE, join_threads, wait_until
+from .events import TIMEOUT, join_threads, wait_until
 from .stand_in import StandIn, page_in
 
 RED = (1.0, 0.0, 0.0)
@@ -24,7 +24,7 @@ RED = (1.0, 0.0, 0.0)
 
 @pytest.fixture
 def small_steps(monkeypatch):
-    """Steps of a few hundred points, for pages that give no sign."""
+    """Steps of a few hundred points, for pages that send no acknowledgement."""
     for name, value in {"FIRST": 100, "STEP": 300, "AT_ONCE": 200}.items():
         monkeypatch.setattr(point_transfer, name, value)
     monkeypatch.setattr(scene, "FIRST", 100)
@@ -44,9 +44,9 @@ def line_of(shown):
 
 
 def is_feeder(thread):
-    """Whether a thread is one of the package, but for those that share kernels."""
-    others = ("pointloom-cpu-", "pointloom-page")  # those of the server, and of its pages
-    return thread.name.startswith("pointloom-") and not thread.name.startswith(others)
+    """True for a thread of the package that is not shared by kernels."""
+    shared = ("pointloom-cpu-", "pointloom-page")  # those of the server, and of its pages
+    return thread.name.startswith("pointloom-") and not thread.name.startswith(shared)
 
 
 def feeders():
@@ -78,7 +78,7 @@ def test_a_part_comes_at_once_and_the_rest_in_steps(small_steps, rng):
         join_threads(lambda thread: is_feeder(thread) and thread.name != "pointloom-tools_0")
 
 
-def test_what_is_there_is_replaced_at_once(small_steps, rng):
+def test_existing_points_are_replaced_at_once(small_steps, rng):
     with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3))))
         stream = stream_of(shown)
@@ -95,7 +95,7 @@ def nodes_of(page, stream):
     return [page.nodes[node.id] for node in stream._nodes]
 
 
-def test_colors_size_pose_and_visibility_reach_all_steps(small_steps, rng):
+def test_colors_size_pose_and_visibility_apply_to_all_steps(small_steps, rng):
     with Viewer(port=0) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((1000, 3)), colors=rng.random((1000, 3))))
         stream = stream_of(shown)
@@ -126,7 +126,7 @@ def test_the_next_step_waits_for_the_page(small_steps, rng, monkeypatch):
         wait_until(lambda: "pointloom-feed" in feeders())
         wait_until(lambda: any(op["op"] == "sign" for op in page.look()))
         assert stream.drawn == 100
-        page.say("sign", n=1)
+        page.send("sign", n=1)
         wait_until(lambda: page.answer() and stream.drawn == 1000)
 
 
@@ -136,14 +136,14 @@ def test_closing_in_the_midst_of_it_leaves_no_thread(small_steps, rng, monkeypat
         shown.add("cloud", loom.PointCloud(rng.random((900, 3))))
         shown.add("large", loom.PointCloud(rng.random((3000, 3))))
         wait_until(lambda: "pointloom-feed" in feeders())
-        with shown.lock:  # whoever closes it may hold it
+        with shown.lock:  # the caller may hold it
             shown.close()
     join_threads(is_feeder)
 
 
 def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
-    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(PATIENCE) and build(cloud))
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(TIMEOUT) and build(cloud))
     with Viewer(port=0, max_points=20_000) as shown, page_in(shown) as page:
         shown.add("cloud", loom.PointCloud(rng.random((60_000, 3)), colors=rng.random((60_000, 3))))
         stream = stream_of(shown)
@@ -156,9 +156,9 @@ def test_a_large_cloud_is_shown_in_part_while_its_levels_are_built(small_steps, 
         assert page.others("progress")[-1].text == ""
 
 
-def test_levels_of_what_was_replaced_meanwhile_are_let_go(small_steps, rng, monkeypatch):
+def test_levels_of_a_replaced_cloud_are_freed(small_steps, rng, monkeypatch):
     may_go, build = threading.Event(), DetailTree.from_cloud
-    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(PATIENCE) and build(cloud))
+    monkeypatch.setattr(DetailTree, "from_cloud", lambda cloud: may_go.wait(TIMEOUT) and build(cloud))
     with Viewer(port=0, max_points=2000) as shown, page_in(shown):
         shown.add("cloud", loom.PointCloud(rng.random((5000, 3))))
         shown.update("cloud", loom.PointCloud(rng.random((50, 3))))
@@ -174,8 +174,8 @@ def test_tools_learn_of_each_change_of_the_scene(rng):
         stream_of(shown)
         (session,) = shown.sessions.values()
         wait_until(lambda: session._toolbox is not None)
-        asked = []
-        session._toolbox.refresh = lambda: asked.append(True)
+        refreshes = []
+        session._toolbox.refresh = lambda: refreshes.append(True)
         for change in (
             lambda: shown.set_visible("cloud", False),
             lambda: shown.set_pose("cloud", np.eye(4)),
@@ -183,10 +183,10 @@ def test_tools_learn_of_each_change_of_the_scene(rng):
             lambda: shown.add("other", loom.PointCloud(rng.random((20, 3)))),
             lambda: shown.remove("other"),
         ):
-            asked.clear()
+            refreshes.clear()
             change()
             shown.catch_up()
-            assert asked
+            assert refreshes
 
 
 def test_pictures_show_what_clip_planes_and_crops_leave(rng):
@@ -196,14 +196,14 @@ def test_pictures_show_what_clip_planes_and_crops_leave(rng):
         stream_of(shown)
         (session,) = shown.sessions.values()
         wait_until(lambda: session._toolbox is not None)
-        whole = red(shown.screenshot())
+        full = red(shown.screenshot())
         session._toolbox.stage.clip = Clip(low=[0.8, -9, -9], high=[9, 9, 9])
-        assert 0 < red(shown.screenshot()) < 0.6 * whole
+        assert 0 < red(shown.screenshot()) < 0.6 * full
         session._toolbox.stage.clip = Clip()
-        assert red(shown.screenshot()) == whole
+        assert red(shown.screenshot()) == full
         shown.add("part", loom.PointCloud(points[:5], colors=np.tile(RED, (5, 1))))
         shown.set_visible("cloud", False)  # as a crop does
-        assert 0 < red(shown.screenshot()) < 0.1 * whole
+        assert 0 < red(shown.screenshot()) < 0.1 * full
 
 
 def red(picture):
@@ -211,7 +211,7 @@ def red(picture):
 
 
 def test_a_cloud_of_levels_is_picked_and_cropped_with_its_file_s_colors(rng):
-    """Its colors are with its levels alone."""
+    """Its colors arrive only with its levels."""
     points = rng.random((500, 3)) * [4, 4, 0.5]
     page = StandIn(cloud=loom.PointCloud(points))
     colored = loom.PointCloud(points, colors=np.tile([1.0, 0.0, 0.0], (500, 1)))
@@ -230,7 +230,7 @@ def test_a_cloud_of_levels_is_picked_and_cropped_with_its_file_s_colors(rng):
 
 @pytest.mark.slow
 def test_the_first_picture_of_a_cloud_waits_for_no_compiler():
-    """Taichi, scipy's matrices and click take longer to import than all else."""
+    """Taichi, scipy's matrices and click take longer to import than all other modules."""
     script = (
         "import sys, pointloom as loom\n"
         "loom.draw(loom.PointCloud([[0, 0, 0], [1, 1, 1]]), port=0, block=False, open_browser=False).close()\n"

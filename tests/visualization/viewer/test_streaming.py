@@ -1,4 +1,4 @@
-"""What a client of the viewer is sent: seen through a client that keeps what the browser would hold."""
+"""Streaming of clouds to a client, checked by a client that stores the browser's state."""
 
 import contextlib
 import itertools
@@ -23,12 +23,12 @@ class Node:
     def __init__(self, client, kind, number, parent=None, R=None, t=None, scale=1.0, visible=True, **values):
         self.client, self.kind, self.id, self.parent, self.removed = client, kind, number, parent, False
         self._visible, self.values = visible, values
-        self.set_transform(R, t, told=False)
+        self.set_transform(R, t, notify=False)
 
-    def set_transform(self, R=None, t=None, scale=None, *, told=True):
+    def set_transform(self, R=None, t=None, scale=None, *, notify=True):
         self.R = np.eye(3) if R is None else np.asarray(R)
         self.t = np.zeros(3) if t is None else np.asarray(t, np.float64)
-        if told:
+        if notify:
             self.client.messages.append(("place", self.id))
 
     @property
@@ -58,7 +58,7 @@ class Node:
 
 
 class Client:
-    """Stands for a `PageClient`."""
+    """Replaces a `PageClient`."""
 
     def __init__(self):
         self.scene, self.nodes, self.messages, self.swaps = self, {}, [], []
@@ -104,7 +104,7 @@ class Client:
         return frame
 
     def world(self):
-        """Positions that are seen, about the scene's zero, in float64."""
+        """Visible positions relative to the scene's origin, in float64."""
         parts = [node.positions.astype(np.float64) + node.t for node in self.seen()]
         assert all(node.parent is self.frame for node in self.seen())
         points = np.concatenate(parts) if parts else np.empty((0, 3))
@@ -115,7 +115,7 @@ class Client:
 
 
 def numbers_of(stream):
-    """The number in the tree of each node in the page."""
+    """The tree index of each node in the page."""
     return {sent.node.id: i for i, sent in stream._sent.items() if sent.node is not None}
 
 
@@ -130,9 +130,9 @@ POINTS = hills(200_000)
 FAR = fit_view(POINTS, width=1000, height=750)
 
 
-def moved(view, forward, aside=0.0):
+def moved(view, forward, sideways=0.0):
     T = view.T_world_camera.copy()
-    T[:3, 3] += T[:3, :3] @ [aside, 0, forward]
+    T[:3, 3] += T[:3, :3] @ [sideways, 0, forward]
     return View(view.intrinsic, T)
 
 
@@ -166,7 +166,7 @@ def test_a_view_is_filled_up_to_the_budget(client, stream):
     assert len(client.messages) == before
 
 
-def test_points_are_sent_where_they_lie(client, stream, tree):
+def test_points_are_sent_with_their_positions(client, stream, tree):
     """Within a quarter of a pixel, near and far, half a million meters from zero."""
     precisions = []
     for view in (FAR, moved(FAR, 70.0), moved(FAR, 115.0)):
@@ -184,9 +184,9 @@ def test_points_are_sent_where_they_lie(client, stream, tree):
 def test_the_first_points_come_soon_and_coarse(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
     monkeypatch.setattr(streaming, "_FIRST_POINTS", 20_000)
-    whole = CloudStream(client, tree, origin=UTM, budget=10**6)
-    whole.look(FAR)
-    tree_numbers = numbers_of(whole)
+    stream = CloudStream(client, tree, origin=UTM, budget=10**6)
+    stream.look(FAR)
+    tree_numbers = numbers_of(stream)
     names = [tree_numbers[number] for kind, number in client.messages if kind == "add" and number in tree_numbers]
     assert len(client.swaps) > 3
     assert 0 < client.swaps[0] < len(POINTS) / 2, "the first swap is a part"
@@ -194,29 +194,29 @@ def test_the_first_points_come_soon_and_coarse(client, tree, monkeypatch):
     assert tree.levels[names[-1]] == tree.levels.max()
 
 
-def test_what_matters_comes_in_steps_as_the_client_takes_them(client, tree, monkeypatch):
+def test_points_are_sent_in_steps_at_the_pace_of_the_client(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_BATCH_POINTS", 30_000)
-    seen = []
+    drawn_counts = []
 
     def pause():
-        seen.append(whole.drawn)
-        whole.set_visible(True)  # no lock is held, so that others may go on
+        drawn_counts.append(stream.drawn)
+        stream.set_visible(True)  # no lock is held, so that other threads can continue
         return True
 
-    whole = CloudStream(client, tree, origin=UTM, budget=10**6, pause=pause)
-    whole.look(FAR)
-    assert whole.drawn == len(POINTS)
-    assert len(seen) >= 3
-    assert all(a < b < len(POINTS) for a, b in itertools.pairwise(seen))
+    stream = CloudStream(client, tree, origin=UTM, budget=10**6, pause=pause)
+    stream.look(FAR)
+    assert stream.drawn == len(POINTS)
+    assert len(drawn_counts) >= 3
+    assert all(a < b < len(POINTS) for a, b in itertools.pairwise(drawn_counts))
     assert client.count("remove") == 0
 
 
-def test_a_cloud_within_the_budget_is_sent_whole(client, tree):
-    whole = CloudStream(client, tree, origin=UTM, budget=len(POINTS))
-    whole.look(moved(FAR, 95.0))
-    assert whole.drawn == len(POINTS)
+def test_a_cloud_within_the_budget_is_sent_completely(client, tree):
+    stream = CloudStream(client, tree, origin=UTM, budget=len(POINTS))
+    stream.look(moved(FAR, 95.0))
+    assert stream.drawn == len(POINTS)
     sent = client.count("add")
-    whole.look(moved(FAR, 94.0, 10.0))
+    stream.look(moved(FAR, 94.0, 10.0))
     assert client.count("remove") == 0
     assert client.count("add") - sent < 0.2 * len(tree), "but what came near enough to want exact positions"
 
@@ -235,24 +235,24 @@ def test_a_plain_cloud_is_plain(client):
     assert {tuple(c) for node in client.seen() for c in node.colors.tolist()} == {PLAIN}
 
 
-def test_coming_back_shows_what_was_hidden(client, stream):
+def test_returning_to_a_view_shows_hidden_nodes_again(client, stream):
     near = moved(FAR, 120.0)
     stream.look(near)
-    there = np.sort(client.world(), axis=0)
+    before = np.sort(client.world(), axis=0)
     stream.look(FAR)
     sent = client.count("add")
     stream.look(near)
     assert client.count("add") == sent, "nothing is sent twice"
-    assert np.array_equal(np.sort(client.world(), axis=0), there)
+    assert np.array_equal(np.sort(client.world(), axis=0), before)
 
 
 def test_hidden_points_are_bounded(client, tree, monkeypatch):
     monkeypatch.setattr(streaming, "_HIDDEN", 1)
     stream = CloudStream(client, tree, origin=UTM, budget=40_000)
-    for aside in np.linspace(-45, 45, 9):
-        stream.look(moved(FAR, 115.0, aside))
-        held = sum(len(node.positions) for node in client.nodes.values() if node.kind == "points")
-        assert held <= 2 * 40_000
+    for sideways in np.linspace(-45, 45, 9):
+        stream.look(moved(FAR, 115.0, sideways))
+        n_points = sum(len(node.positions) for node in client.nodes.values() if node.kind == "points")
+        assert n_points <= 2 * 40_000
     assert client.count("remove") > 0
 
 
@@ -266,7 +266,7 @@ def test_no_swap_leaves_a_hole_or_doubles_the_points(client, stream):
 
 
 def test_an_overtaken_look_stops(client, stream, monkeypatch):
-    """From inside the first batch of one look another thread looks elsewhere."""
+    """Another thread looks elsewhere during the first batch of a look."""
     monkeypatch.setattr(streaming, "_BATCH_NODES", 1)
     other = moved(FAR, 90.0, 15.0)
     thread = threading.Thread(target=stream.look, args=(other,))
@@ -287,7 +287,7 @@ def test_an_overtaken_look_stops(client, stream, monkeypatch):
     assert client.threads.count(threading.get_ident()) == 1, "no batch behind the first"
 
 
-def test_new_colors_reach_all_that_is_shown_and_come_back_right(client, stream):
+def test_new_colors_apply_to_all_shown_points_and_are_restored(client, stream):
     near = moved(FAR, 120.0)
     stream.look(near)
     stream.look(FAR)
@@ -302,7 +302,7 @@ def test_new_colors_reach_all_that_is_shown_and_come_back_right(client, stream):
     assert np.concatenate([node.colors for node in client.seen()])[:, 2].max() > 200
 
 
-def test_hidden_points_are_not_drawn_and_others_take_their_place(client, stream):
+def test_hidden_points_are_not_drawn_and_are_replaced_by_others(client, stream):
     stream.look(FAR)
     middle = POINTS[:, 0].mean()
     stream.set_keep(lambda points: points[:, 0] > middle)
@@ -331,7 +331,7 @@ def test_points_grow_with_the_gaps_between_them(client, stream):
 
 
 def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
-    """Within a node that is drawn finer they would stand out."""
+    """They would be visible within a node that is drawn finer."""
     stream.look(moved(FAR, 120.0))
     tree_numbers = numbers_of(stream)
     sizes = {tree_numbers[node.id]: node.size for node in client.seen()}
@@ -339,12 +339,12 @@ def test_coarse_ends_of_what_is_drawn_have_larger_points(client, stream, tree):
     refined = dict(zip(nodes, tree._are_refined(nodes), strict=True))
     assert any(refined.values())
     for i in nodes:
-        wide = 1.5 * tree.spacings[i]
-        assert sizes[i] == (stream.point_size if refined[i] else max(stream.point_size, wide))
+        width = 1.5 * tree.spacings[i]
+        assert sizes[i] == (stream.point_size if refined[i] else max(stream.point_size, width))
     assert max(sizes.values()) > stream.point_size
 
 
-def test_a_pose_moves_what_is_sent_and_what_is_chosen(client, stream):
+def test_a_pose_moves_sent_and_selected_points(client, stream):
     stream.look(FAR)
     before = client.world() + UTM
     T = np.eye(4)
@@ -358,7 +358,7 @@ def test_a_pose_moves_what_is_sent_and_what_is_chosen(client, stream):
 
 
 def test_a_pose_that_hardly_differs_is_sent_too(client, stream):
-    """A frame 10 km away follows steps of a centimetre."""
+    """A frame 10 km away follows steps of a centimeter."""
     stream.look(FAR)
     T = np.eye(4)
     T[0, 3] = 10_000.0

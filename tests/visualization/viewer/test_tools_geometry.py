@@ -34,7 +34,7 @@ def pose_of(axis, angle, shift):
 
 
 def wavy(side=60):
-    """A surface that can be registered in one way only."""
+    """A surface with a unique registration."""
     x, y = (a.ravel() / side * 3 for a in np.mgrid[:side, :side].astype(float))
     return np.column_stack([x, y, 0.3 * np.sin(2.3 * x) * np.cos(1.7 * y) + 0.1 * x * y])
 
@@ -65,7 +65,7 @@ def test_clicks_measure_more_the_more_there_are():
     assert length_text(1.5e-7) == "1.5e-07 m" and length_text(2.5e9) == "2.5e+09 m"
 
 
-def test_what_is_kept_lies_in_the_box_and_before_the_plane(rng, device):
+def test_selected_points_are_in_the_box_and_before_the_plane(rng, device):
     points = rng.uniform(-1, 1, (8000, 3)) + UTM
     clip = Clip(
         low=UTM - np.array([0.5, np.inf, 1]),
@@ -92,7 +92,7 @@ def test_a_pose_brings_points_under_the_planes(rng):
     )
 
 
-def test_no_planes_keep_all_but_what_is_nowhere():
+def test_no_planes_select_all_finite_points():
     clip = Clip()
     assert not clip.cuts and hidden_points(loom.PointCloud([[0, 0, 0]]), clip) is None
     assert clip.keep([[1e30, 0, 0], [np.nan, 0, 0]]).tolist() == [True, False]
@@ -123,7 +123,7 @@ def test_a_mesh_is_cut_through_its_triangles(device):
         ({"offset": np.nan}, "offset"),
     ],
 )
-def test_planes_that_make_no_sense_are_refused(given, words):
+def test_invalid_planes_are_rejected(given, words):
     with pytest.raises(ValueError, match=words):
         Clip(**given)
 
@@ -161,23 +161,25 @@ def test_rough_pairs_and_icp_bring_two_clouds_together(device, rng, shift):
     target = loom.PointCloud(points + shift, device=device)
     source = loom.PointCloud((points - T[:3, 3]) @ T[:3, :3] + shift, device=device)
     rows = [130, 1770, 3480, 3550]
-    seen = []
+    poses = []
     missed = rng.normal(scale=0.03, size=(len(rows), 3))
-    found = register_from_pairs(source, target, source.points[rows], target.points[rows] + missed, on_pose=seen.append)
-    moved = source.points @ found.transformation[:3, :3].T + found.transformation[:3, 3]
-    assert np.abs(moved - target.points).max() < 1e-3 < found.fit.rms
-    assert found.refined and found.fitness > 0.99 and found.inlier_rmse < 1e-3
-    assert len(seen) > 2 and np.array_equal(seen[0], found.fit.transformation)
-    assert np.array_equal(seen[-1], found.transformation)
+    result = register_from_pairs(
+        source, target, source.points[rows], target.points[rows] + missed, on_pose=poses.append
+    )
+    moved = source.points @ result.transformation[:3, :3].T + result.transformation[:3, 3]
+    assert np.abs(moved - target.points).max() < 1e-3 < result.fit.rms
+    assert result.refined and result.fitness > 0.99 and result.inlier_rmse < 1e-3
+    assert len(poses) > 2 and np.array_equal(poses[0], result.fit.transformation)
+    assert np.array_equal(poses[-1], result.transformation)
     rough = register_from_pairs(source, target, source.points[rows], target.points[rows] + missed, refine=False)
-    assert not rough.refined and np.array_equal(rough.transformation, found.fit.transformation)
+    assert not rough.refined and np.array_equal(rough.transformation, result.fit.transformation)
 
 
-def test_wrong_pairs_are_told_and_leave_the_pose_as_picked():
+def test_wrong_pairs_are_reported_and_leave_the_picked_pose():
     target = loom.PointCloud(wavy())
     far = [[90, 0, 0], [91, 0, 0], [90, 1, 0]]
-    found = register_from_pairs(target, target, target.points[[0, 500, 3000]], far, max_correspondence_distance=0.1)
-    assert not found.refined and found.fitness == 0 and "check the pairs" in found.warnings[0]
+    result = register_from_pairs(target, target, target.points[[0, 500, 3000]], far, max_correspondence_distance=0.1)
+    assert not result.refined and result.fitness == 0 and "check the pairs" in result.warnings[0]
 
 
 def test_clouds_with_nothing_to_register_are_refused():
@@ -193,9 +195,9 @@ def test_clouds_with_nothing_to_register_are_refused():
 def test_pairs_are_written_to_be_read_again(tmp_path):
     target = loom.PointCloud(wavy())
     rows = [130, 1770, 3480]
-    found = register_from_pairs(target, target, target.points[rows], target.points[rows])
+    result = register_from_pairs(target, target, target.points[rows], target.points[rows])
     pairs = np.column_stack([rows, rows])
-    save_pairs(tmp_path / "pairs.json", ("a", "b"), pairs, target.points[rows], target.points[rows], found)
+    save_pairs(tmp_path / "pairs.json", ("a", "b"), pairs, target.points[rows], target.points[rows], result)
     content = json.loads((tmp_path / "pairs.json").read_text())
     assert content["correspondences"] == pairs.tolist() and content["source"] == "a"
-    assert np.array_equal(content["T_target_source"], found.transformation)
+    assert np.array_equal(content["T_target_source"], result.transformation)

@@ -1,4 +1,4 @@
-"""Picking: the point that a click means is found among all of them, in front, to the index, wherever the cloud lies."""
+"""Picking: a click selects the front point near the pixel, by its exact index, at any coordinates."""
 
 import numpy as np
 import pytest
@@ -22,7 +22,7 @@ FRONT = View(loom.PinholeCameraIntrinsic(641, 481, 500.0, 500.0, 320.0, 240.0), 
 
 
 def grid(side=40, spacing=0.05):
-    """A tilted surface whose points lie some ten pixels apart in a fitted view."""
+    """A tilted surface with points some ten pixels apart in a fitted view."""
     x, y = (a.ravel() * spacing for a in np.mgrid[:side, :side].astype(float))
     return np.column_stack([x, y, 0.1 * np.sin(2 * x) * np.cos(3 * y)])
 
@@ -34,7 +34,7 @@ def sphere(count=3000):
 
 
 def oracle(points, view, x, y, radius, hidden=None):
-    """The same rule in NumPy, one point after the other in float64."""
+    """The same rule in NumPy, for one point at a time in float64."""
     q = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
     camera = view.intrinsic
     with np.errstate(all="ignore"):
@@ -68,27 +68,27 @@ def test_the_choice_is_that_of_the_rule_written_in_numpy(device, rng):
     stored = loom.PointCloud(points).points
     marks = cloud.copy()
     marks["hidden"] = hidden.astype(np.uint8)
-    found = 0
+    n_hits = 0
     for x, y in rng.uniform((160, 120), (480, 360), (40, 2)):
         expected = oracle(stored, view, x, y, 6.0)
         assert pick_point(cloud, view, x, y) == expected
         assert pick_point(cloud, view, x, y, hidden=marks.array("hidden")) == oracle(stored, view, x, y, 6.0, hidden)
-        found += expected is not None
-    assert found > 20
+        n_hits += expected is not None
+    assert n_hits > 20
 
 
-def test_what_lies_behind_the_surface_is_not_picked_through_its_gaps(device):
+def test_points_behind_the_surface_are_not_picked_through_its_gaps(device):
     points = sphere()
     cloud, view = loom.PointCloud(points, device=device), fit_view(points, width=640, height=480)
     eye = view.T_world_camera[:3, 3]
     away = eye / np.linalg.norm(eye)
-    for index in np.flatnonzero(points @ away < -0.5)[::50]:  # on the far side: a click there means the near one
+    for index in np.flatnonzero(points @ away < -0.5)[::50]:  # on the far side: a click there selects the near one
         x, y, _ = project(view, points[index])
         met = pick_point(cloud, view, x, y, radius=12.0)
         assert met is not None and points[met] @ away > 0.3
 
 
-def test_nothing_in_reach_is_nothing(device):
+def test_nothing_is_picked_beyond_the_radius(device):
     cloud = loom.PointCloud([[0, 0, 2.0]], device=device)
     assert pick_point(cloud, FRONT, 320, 240) == 0
     assert pick_point(cloud, FRONT, 326, 240) == 0
@@ -97,29 +97,29 @@ def test_nothing_in_reach_is_nothing(device):
     assert pick_point(loom.PointCloud(device=device), FRONT, 320, 240) is None
 
 
-def test_points_that_are_nowhere_or_behind_the_camera_are_not_picked(device):
+def test_non_finite_points_and_those_behind_the_camera_are_not_picked(device):
     points = [[np.nan, 0, 1], [0, 0, -1], [0, 0, 0], [0, np.inf, 1], [0, 0, 3]]
     assert pick_point(loom.PointCloud(points, device=device), FRONT, 320, 240) == 4
     assert pick_point(loom.PointCloud(points[:4], device=device), FRONT, 320, 240) is None
 
 
-def test_of_points_in_one_place_the_first_is_picked(device):
+def test_of_coincident_points_the_first_is_picked(device):
     assert pick_point(loom.PointCloud([[0, 0, 2]] * 1000, device=device), FRONT, 321, 240) == 0
 
 
-def test_a_pose_moves_what_is_picked(device):
+def test_a_pose_moves_the_picked_point(device):
     points = grid()
-    turn = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
-    moved = points @ turn[:3, :3].T + turn[:3, 3]
+    pose = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
+    moved = points @ pose[:3, :3].T + pose[:3, 3]
     cloud, view = loom.PointCloud(points, device=device), fit_view(moved, width=640, height=480)
     for index in (0, 777, 1599):
         x, y, _ = project(view, moved[index])
-        assert pick_point(cloud, view, x, y, pose=turn) == index
-        found = pick([Target("cloud", cloud, pose=turn)], view, x, y)
-        np.testing.assert_allclose(found.point, moved[index], atol=1e-6)
+        assert pick_point(cloud, view, x, y, pose=pose) == index
+        hit = pick([Target("cloud", cloud, pose=pose)], view, x, y)
+        np.testing.assert_allclose(hit.point, moved[index], atol=1e-6)
 
 
-def test_among_clouds_and_meshes_what_is_in_front_is_picked(device):
+def test_the_front_cloud_or_mesh_is_picked(device):
     near = loom.PointCloud([[0.0, 0, 2]], device=device)
     far = loom.PointCloud([[0.0, 0, 3], [0.001, 0, 4]], device=device)
     wall = loom.RaycastingScene(device=device)
@@ -133,7 +133,7 @@ def test_among_clouds_and_meshes_what_is_in_front_is_picked(device):
     assert pick([], FRONT, 320, 240) is None
 
 
-def test_what_clip_planes_hide_is_not_picked(device):
+def test_points_hidden_by_clip_planes_are_not_picked(device):
     cloud = loom.PointCloud([[0, 0, 2.0], [0, 0, 3.0], [0, 0, 4.0]], device=device)
     assert pick_point(cloud, FRONT, 320, 240, hidden=hidden_points(cloud, Clip(low=[-1, -1, 2.5]))) == 1
     plane = Clip(normal=[0, 0, 2], offset=3.5)
@@ -143,18 +143,18 @@ def test_what_clip_planes_hide_is_not_picked(device):
     assert pick_point(cloud, FRONT, 320, 240, pose=shift, hidden=hidden_points(cloud, plane, pose=shift)) == 1
 
 
-def test_what_lies_outside_a_box_or_nowhere_is_hidden(device):
+def test_points_outside_a_box_or_not_finite_are_hidden(device):
     points = [[0, 0, 2.0], [0, 0, 3.0], [0, 0, 4.0], [np.nan, 0, 3.0], [0.5, 0, 3.0], [0, 2, 3.0]]
     hidden = hidden_points(loom.PointCloud(points, device=device), Clip(low=[-1, -1, 2.5], high=[1, 1, 3.5]))
     assert download(hidden).tolist() == [1, 0, 1, 1, 0, 1]
 
 
-def test_the_ray_through_a_pixel_meets_what_is_seen_there():
+def test_the_ray_through_a_pixel_hits_its_point():
     view = fit_view(grid() + UTM, width=640, height=480)
-    place = grid()[123] + UTM
-    x, y, depth = project(view, place)
+    position = grid()[123] + UTM
+    x, y, depth = project(view, position)
     eye, ray = ray_through(view, x, y)
-    np.testing.assert_allclose(eye + depth * ray, place, atol=1e-6)
+    np.testing.assert_allclose(eye + depth * ray, position, atol=1e-6)
     assert np.isnan(project(view, eye - ray)[0])
 
 
@@ -169,13 +169,13 @@ def test_the_ray_through_a_pixel_meets_what_is_seen_there():
         ({"pose": np.eye(3)}, ValueError, "pose"),
     ],
 )
-def test_what_makes_no_sense_is_refused_by_name(change, error, words):
+def test_invalid_arguments_are_rejected_by_name(change, error, words):
     given = {"cloud": loom.PointCloud([[0, 0, 2.0]]), "view": FRONT, "x": 320, "y": 240} | change
     with pytest.raises(error, match=words):
         pick_point(**given)
 
 
-def test_all_that_a_cloud_knows_of_a_point_is_told():
+def test_all_attributes_of_a_point_are_reported():
     cloud = loom.PointCloud(
         np.array([[0.1, 0.25, -3]]) + UTM,
         colors=[[1, 0.5, 0]],

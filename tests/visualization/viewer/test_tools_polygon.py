@@ -1,4 +1,4 @@
-"""A polygon drawn on the screen cuts out what Open3D's crop keeps from the saved file, and what one saw in it."""
+"""A polygon drawn on the screen selects the visible points inside it, and Open3D crops the same from the saved file."""
 
 import json
 import tempfile
@@ -22,7 +22,7 @@ from pointloom.visualization.viewer.tools.polygon_crop import (
 UTM = np.array([412_345.0, 5_412_345.0, 300.0])
 STAR = np.array([[0, -170], [60, -40], [190, -30], [80, 60], [120, 190], [0, 100], [-120, 190], [-80, 60], [-190, -20]])
 MIDDLE = np.array([449.5, 299.5])
-PLACES = {"here": np.zeros(3), "UTM": UTM}
+OFFSETS = {"here": np.zeros(3), "UTM": UTM}
 
 
 def scene(rng, scale=1.0, shift=0.0):
@@ -30,7 +30,7 @@ def scene(rng, scale=1.0, shift=0.0):
 
 
 def looking(points, axis, direction=(-0.65, 0.7, -0.75)):
-    """The view along an axis onto points, and a star around the picture's middle."""
+    """The view along an axis onto points, and a star around the image center."""
     view = view_along(fit_view(points, width=900, height=600, direction=direction), points.min(0), points.max(0), axis)
     return view, STAR + MIDDLE
 
@@ -52,7 +52,7 @@ def seen_at(view, points):
 
 
 def open3ds_crop(o3d, saved, points):
-    """The indices that Open3D's crop by a saved file keeps."""
+    """The indices that Open3D's crop by a saved file selects."""
     with tempfile.TemporaryDirectory() as folder:
         Path(f"{folder}/cropped.json").write_text(saved)
         volume = o3d.visualization.read_selection_polygon_volume(f"{folder}/cropped.json")
@@ -60,35 +60,37 @@ def open3ds_crop(o3d, saved, points):
     return np.array(volume.crop_in_polygon(cloud), np.int32)
 
 
-@pytest.mark.parametrize(("axis", "place"), [("X", "here"), ("Y", "UTM"), ("Z", "UTM")])
-def test_the_saved_file_keeps_in_open3d_what_is_cropped_here(device, rng, tmp_path, axis, place, oracle):
-    points = scene(rng, shift=PLACES[place])
+@pytest.mark.parametrize(("axis", "location"), [("X", "here"), ("Y", "UTM"), ("Z", "UTM")])
+def test_the_saved_file_crops_the_same_points_in_open3d(device, rng, tmp_path, axis, location, oracle):
+    points = scene(rng, shift=OFFSETS[location])
     view, star = looking(points, axis)
     cloud = loom.PointCloud(points, device=device)
     volume = polygon_to_volume(view, star, cloud)
     volume.to_json(tmp_path / "cropped.json")
-    kept = indices_in_volume(cloud, volume)
+    selected = indices_in_volume(cloud, volume)
     saved = (tmp_path / "cropped.json").read_text()
-    theirs = oracle(f"visualization/polygon_crop/{axis.lower()}_{place.lower()}", open3ds_crop, saved, cloud.points)
-    assert theirs.tolist() == kept.tolist() and len(kept) > 300
+    expected = oracle(
+        f"visualization/polygon_crop/{axis.lower()}_{location.lower()}", open3ds_crop, saved, cloud.points
+    )
+    assert expected.tolist() == selected.tolist() and len(selected) > 300
     read = loom.SelectionPolygonVolume.from_json(tmp_path / "cropped.json")
-    np.testing.assert_array_equal(indices_in_volume(cloud, read), kept)
+    np.testing.assert_array_equal(indices_in_volume(cloud, read), selected)
 
 
 @pytest.mark.parametrize(("axis", "scale"), [("X", 1e-3), ("Y", 1.0), ("Z", 1e5)])
-def test_the_volume_holds_what_is_seen_inside_to_a_pixel(rng, axis, scale):
+def test_the_volume_contains_the_points_inside_the_polygon_to_a_pixel(rng, axis, scale):
     points = scene(rng, scale)
     cloud = loom.PointCloud(points)
     view, star = looking(cloud.points, axis)
     u, v, _ = seen_at(view, cloud.points)
     inside = contains(star, u, v)
-    kept = np.zeros(len(points), bool)
-    kept[indices_in_volume(cloud, polygon_to_volume(view, star, cloud))] = True
-    for index in np.flatnonzero(kept != inside):  # only points seen within a pixel of the line may differ
-        turns = [contains(star, np.array([u[index] + du]), np.array([v[index] + dv]))[0] for du, dv in
+    selected = np.zeros(len(points), bool)
+    selected[indices_in_volume(cloud, polygon_to_volume(view, star, cloud))] = True
+    for index in np.flatnonzero(selected != inside):  # only points seen within a pixel of the line may differ
+        sides = [contains(star, np.array([u[index] + du]), np.array([v[index] + dv]))[0] for du, dv in
                  ((1, 0), (-1, 0), (0, 1), (0, -1), (1, 1), (-1, -1), (1, -1), (-1, 1))]  # fmt: skip
-        assert len(set(turns)) == 2
-    assert (kept != inside).mean() < 0.003 and 0.05 < inside.mean() < 0.9
+        assert len(set(sides)) == 2
+    assert (selected != inside).mean() < 0.003 and 0.05 < inside.mean() < 0.9
 
 
 def test_the_file_is_like_open3ds_own(rng, tmp_path):
@@ -126,9 +128,9 @@ def test_in_a_free_view_the_points_seen_inside_are_taken(device, rng):
     u, v, depth = seen_at(view, cloud.points)
     expected = np.flatnonzero(contains(star, u, v) & (depth > 0))
     assert seen_inside(cloud, view, star).tolist() == expected.tolist() and len(expected) > 300
-    turn = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
-    moved = View(view.intrinsic, turn @ view.T_world_camera)
-    assert seen_inside(cloud, moved, star, pose=turn).tolist() == expected.tolist()
+    pose = np.array([[0, -1, 0, 5], [1, 0, 0, -3], [0, 0, 1, 2], [0, 0, 0, 1.0]])
+    moved = View(view.intrinsic, pose @ view.T_world_camera)
+    assert seen_inside(cloud, moved, star, pose=pose).tolist() == expected.tolist()
 
 
 def test_nothing_behind_the_camera_is_seen_inside(device):
@@ -167,7 +169,7 @@ def test_a_polygon_that_is_none_is_refused(polygon, words):
             crop(loom.PointCloud([[0, 0, 0]]), view, polygon)
 
 
-def test_a_turned_view_and_a_cloud_without_points_are_refused(rng):
+def test_a_rotated_view_and_a_cloud_without_points_are_rejected(rng):
     points = scene(rng)
     with pytest.raises(ValueError, match="along an axis"):
         polygon_to_volume(fit_view(points), STAR, points)
@@ -179,12 +181,12 @@ def test_a_turned_view_and_a_cloud_without_points_are_refused(rng):
 def test_the_prism_is_exact_halfway_between_the_first_and_the_last_point_seen_inside():
     view = fit_view(
         [[-3, -3, 0], [3, 3, 6]], direction=(0, 0, -1), up=(0, 1, 0), width=640, height=480
-    )  # not from afar
+    )  # only near the camera
     points = np.array([[0, 0, 1], [0.1, 0, 2], [0, 0.1, 4], [2.9, 2.9, 0], [-2.9, -2.9, 6]])
     polygon = [[200, 120], [440, 130], [430, 350], [210, 360]]
     assert seen_inside(loom.PointCloud(points), view, polygon).tolist() == [0, 1, 2]
     beside = [[u - 175, v - 100] for u, v in polygon]
     assert seen_inside(loom.PointCloud(points), view, beside).tolist() == []
     for corners, level in ((polygon, 2.5), (beside, 3.0)):
-        for corner, found in zip(corners, polygon_to_volume(view, corners, points).bounding_polygon, strict=True):
-            np.testing.assert_allclose(project(view, [found[0], found[1], level])[:2], corner, atol=1e-6)
+        for corner, vertex in zip(corners, polygon_to_volume(view, corners, points).bounding_polygon, strict=True):
+            np.testing.assert_allclose(project(view, [vertex[0], vertex[1], level])[:2], corner, atol=1e-6)

@@ -1,4 +1,4 @@
-"""The tools at work in a page that is a stand-in: clicks, keys and buttons, and that nothing stays behind."""
+"""The tools in a simulated page: clicks, keys, buttons, and complete cleanup."""
 
 import numpy as np
 import pytest
@@ -28,8 +28,8 @@ def draw_triangle(page):
     page.key("enter")
 
 
-def click_on(page, place):
-    page.click(*project(page.now, place)[:2])
+def click_on(page, position):
+    page.click(*project(page.now, position)[:2])
 
 
 def test_one_tool_is_at_work_at_a_time_and_its_button_ends_it(page):
@@ -45,17 +45,17 @@ def test_one_tool_is_at_work_at_a_time_and_its_button_ends_it(page):
     assert page.box.tool is None
 
 
-def test_a_picked_point_is_told_and_marked(page):
+def test_a_picked_point_is_reported_and_marked(page):
     page.press("Pick a point")
     click_on(page, waves()[777])
     assert "| index | 777 |" in page.table and "| level | 777 |" in page.table
     dot, words = page.page.nodes.values()
     assert (dot.kind, words.text) == ("points", "777")
-    place = np.reshape(words.pose, (3, 4))[:, 3] + page.frame.origin
-    seen, clicked = (project(page.now, at)[:2] for at in (place, waves()[777]))
-    np.testing.assert_allclose(seen, clicked, atol=0.1)
+    position = np.reshape(words.pose, (3, 4))[:, 3] + page.frame.origin
+    marked, clicked = (project(page.now, at)[:2] for at in (position, waves()[777]))
+    np.testing.assert_allclose(marked, clicked, atol=0.1)
     page.click(2, 2)
-    assert "Nothing there" in page.told and page.table == "" and page.page.nodes == {}
+    assert "Nothing there" in page.status and page.table == "" and page.page.nodes == {}
 
 
 def test_names_from_files_are_shown_as_they_are_in_controls_of_plain_text():
@@ -88,7 +88,7 @@ def test_clicks_measure_and_backspace_takes_one_back(page):
     assert page.table == "" and page.page.nodes == {}
 
 
-def test_lengths_are_measured_in_the_unit_of_what_is_clicked_on():
+def test_lengths_are_measured_in_the_unit_of_the_clicked_cloud():
     cloud = loom.PointCloud(waves(), unit="foot")
     other = loom.PointCloud(waves() + np.array([10, 0, 0]))
     page = StandIn(waves=cloud, other=other)
@@ -100,13 +100,14 @@ def test_lengths_are_measured_in_the_unit_of_what_is_clicked_on():
     other.unit = "metre"
     click_on(page, waves()[500] + np.array([10, 0, 0]))
     assert (
-        "one is in foot, the other in metre: expected equal units to measure a length" in page.told and page.table == ""
+        "one is in foot, the other in metre: expected equal units to measure a length" in page.status
+        and page.table == ""
     )
     page.box.close()
 
 
 def files_of(page, folder):
-    """Write what the page downloaded into a folder; the names, in their order."""
+    """Write the page's downloads into a folder; return the names in order."""
     files = page.page.others("download")
     for file in files:
         (folder / file.name).write_bytes(bytes(file.data))
@@ -121,12 +122,16 @@ def test_a_polygon_is_drawn_saved_cropped_and_undone(page, tmp_path):
         page.click(*corner)
     page.key("backspace")
     page.key("enter")
-    kept = page.items["waves (cropped)"].cloud
-    assert files_of(page, tmp_path) == ["cropped.json"] and "downloaded as cropped.json" in page.told
+    cropped = page.items["waves (cropped)"].cloud
+    assert files_of(page, tmp_path) == ["cropped.json"] and "downloaded as cropped.json" in page.status
     volume = loom.SelectionPolygonVolume.from_json(tmp_path / "cropped.json")
-    assert len(volume.bounding_polygon) == 3 and 50 < len(kept) < 800 and f"{len(kept):,} of 1,600 points" in page.told
-    np.testing.assert_array_equal(page.items["waves"].cloud.crop(volume).points, kept.points)
-    assert not page.items["waves"].visible and kept["level"].dtype == page.items["waves"].cloud["level"].dtype
+    assert (
+        len(volume.bounding_polygon) == 3
+        and 50 < len(cropped) < 800
+        and f"{len(cropped):,} of 1,600 points" in page.status
+    )
+    np.testing.assert_array_equal(page.items["waves"].cloud.crop(volume).points, cropped.points)
+    assert not page.items["waves"].visible and cropped["level"].dtype == page.items["waves"].cloud["level"].dtype
     page.press("Undo crop")
     assert list(page.items) == ["waves"] and page.items["waves"].visible
     page.key("escape")
@@ -141,37 +146,37 @@ def test_points_hidden_by_clip_planes_are_not_in_a_crop(page):
         page.click(*corner)
     page.key("enter")
     assert len(page.items["waves (cropped)"].cloud) == (waves()[:, 0] >= 0).sum()
-    assert "hidden by clip planes" in page.told
+    assert "hidden by clip planes" in page.status
 
 
 def test_a_download_has_a_limit(page, monkeypatch):
     monkeypatch.setattr("pointloom.visualization.viewer.tools.stage.MAX_BYTES", 100)
     page.press("Crop by polygon")
     draw_triangle(page)
-    assert "pages download at most" in page.told and list(page.items) == ["waves"]
+    assert "pages download at most" in page.status and list(page.items) == ["waves"]
     assert page.page.others("download") == []
 
 
 def test_corners_stay_on_the_scene_as_the_view_is_moved_along(page):
     page.press("Crop by polygon")
     page.click(300, 200)
-    place = page.box.tool._corners[0]
+    position = page.box.tool._corners[0]
     page.now = type(page.now)(page.now.intrinsic, page.now.T_world_camera.copy())
     page.now.T_world_camera[0, 3] += 0.3
     page.click(700, 220)
-    np.testing.assert_array_equal(page.box.tool._corners[0], place)
+    np.testing.assert_array_equal(page.box.tool._corners[0], position)
     assert len(page.box.tool._corners) == 2
 
 
-def test_a_view_turned_away_is_made_straight_before_a_corner_counts(page):
+def test_a_rotated_view_is_aligned_before_a_corner_counts(page):
     before = page.now
     page.press("Crop by polygon")
     page.now = before
     page.click(500, 400)
-    assert looks_along_axis(page.now) and "rotated away" in page.told and page.box.tool._corners == []
+    assert looks_along_axis(page.now) and "rotated away" in page.status and page.box.tool._corners == []
 
 
-def test_a_free_view_keeps_what_is_seen_inside_as_a_cloud(page, tmp_path):
+def test_a_free_view_crops_the_visible_points_into_a_cloud(page, tmp_path):
     page.press("Crop by polygon")
     page.set("view", "free view")
     assert not looks_along_axis(page.now)
@@ -189,7 +194,7 @@ def test_a_polygon_without_corners_or_points_crops_nothing(page, corners):
         page.click(*corner)
     page.key("enter")
     assert list(page.items) == ["waves"] and page.page.others("download") == []
-    assert "at least three corners" in page.told or "contains no points" in page.told
+    assert "at least three corners" in page.status or "contains no points" in page.status
 
 
 def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
@@ -197,13 +202,13 @@ def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
     page = StandIn(source=loom.PointCloud(points + np.array([0.3, -0.2, 1.2])), target=loom.PointCloud(points))
     page.press("Register by pairs")
     page.key("enter")
-    assert "at least three pairs" in page.told
+    assert "at least three pairs" in page.status
     for index in (500, 1033, 390):
         click_on(page, points[index] + [0.3, -0.2, 1.2])
         click_on(page, points[index])
     page.key("enter")
     np.testing.assert_allclose(page.items["source"].pose[:3, 3], [-0.3, 0.2, -1.2], atol=1e-4)
-    assert "is registered to target" in page.told and "| fitness | 100" in page.table.replace("&#46;", ".")
+    assert "is registered to target" in page.status and "| fitness | 100" in page.table.replace("&#46;", ".")
     page.press("Save pairs and pose")
     assert files_of(page, tmp_path) == ["pairs.json", "pairs.txt"]
     np.testing.assert_allclose(np.loadtxt(tmp_path / "pairs.txt"), page.items["source"].pose, atol=1e-12)
@@ -212,7 +217,7 @@ def test_pairs_register_and_the_old_pose_comes_back(tmp_path):
     page.box.close()
 
 
-def test_posed_clouds_register_where_they_stand():
+def test_posed_clouds_are_registered_at_their_poses():
     points = waves()
     page = StandIn(source=loom.PointCloud(points), target=loom.PointCloud(points))
     for name, shift in (("source", [0, 0, 2.0]), ("target", [5.0, 0, 0])):
@@ -225,13 +230,13 @@ def test_posed_clouds_register_where_they_stand():
     for index in (500, 1033, 390):
         click_on(page, points[index] + [0, 0, 2])
         click_on(page, points[index] + [5, 0, 0])
-    assert [found.index for found in page.box.tool._picks] == [500, 500, 1033, 1033, 390, 390]
+    assert [pick.index for pick in page.box.tool._picks] == [500, 500, 1033, 1033, 390, 390]
     page.key("enter")
     np.testing.assert_allclose(page.items["source"].pose, page.items["target"].pose, atol=1e-4)
     page.box.close()
 
 
-def test_pairs_on_a_line_are_told_and_move_nothing():
+def test_collinear_pairs_are_reported_and_move_nothing():
     points = waves()
     points[:, 2] = 0
     page = StandIn(source=loom.PointCloud(points + np.array([0, 0, 1.0])), target=loom.PointCloud(points))
@@ -240,16 +245,16 @@ def test_pairs_on_a_line_are_told_and_move_nothing():
         click_on(page, points[index] + [0, 0, 1.0])
         click_on(page, points[index])
     page.key("enter")
-    assert "are collinear" in page.told and page.items["source"].pose is None
+    assert "are collinear" in page.status and page.items["source"].pose is None
     page.box.close()
 
 
-def test_tools_say_what_they_lack(page):
+def test_tools_report_missing_input(page):
     page.press("Register by pairs")
-    assert "registration requires two clouds" in page.told and page.box.tool is None
+    assert "registration requires two clouds" in page.status and page.box.tool is None
     page.set_visible("waves", False)
     page.press("Crop by polygon")
-    assert "no cloud to crop" in page.told and page.box.tool is None
+    assert "no cloud to crop" in page.status and page.box.tool is None
 
 
 def test_clip_planes_hide_points_and_spare_them_from_picking(page):
@@ -259,10 +264,10 @@ def test_clip_planes_hide_points_and_spare_them_from_picking(page):
     np.testing.assert_array_equal(page.streams["waves"].keep(points), points[:, 0] <= 0)
     page.press("Pick a point")
     click_on(page, points[1200])
-    assert points[1200, 0] > 0.5 and "Nothing there" in page.told
+    assert points[1200, 0] > 0.5 and "Nothing there" in page.status
     click_on(page, points[300])
     assert "| index | 300 |" in page.table
-    page.streams["waves"] = type(page.streams["waves"])()  # the page has got the cloud anew
+    page.streams["waves"] = type(page.streams["waves"])()  # the page received the cloud again
     page.box.refresh()
     page.wait()
     assert page.streams["waves"].keep is not None
@@ -270,13 +275,13 @@ def test_clip_planes_hide_points_and_spare_them_from_picking(page):
     assert page.streams["waves"].keep is None
 
 
-def test_a_cloud_that_goes_meanwhile_is_told(page):
+def test_a_cloud_removed_during_a_crop_is_reported(page):
     page.press("Crop by polygon")
     for corner in ((300, 200), (700, 220), (640, 600)):
         page.click(*corner)
     page.items["other"] = page.items.pop("waves")
     page.key("enter")
-    assert "no longer in the scene" in page.told.replace("&#46;", ".")
+    assert "no longer in the scene" in page.status.replace("&#46;", ".")
 
 
 def test_clouds_that_come_meanwhile_are_offered():
@@ -295,25 +300,25 @@ def test_a_page_that_has_gone_is_left_alone(page):
     page.press("Pick a point")
     page.box.close()
     page.box.close()
-    page.page.say("click", x=0.5, y=0.5)
+    page.page.send("click", x=0.5, y=0.5)
     page.box.run(lambda: pytest.fail("nobody is there"))
 
 
-@pytest.mark.parametrize("place", [(-30, 5), (5, 1e9)])
-def test_a_click_outside_the_screen_is_none(page, place):
+@pytest.mark.parametrize("pixel", [(-30, 5), (5, 1e9)])
+def test_a_click_outside_the_screen_is_none(page, pixel):
     page.press("Crop by polygon")
-    page.click(*place)
+    page.click(*pixel)
     assert page.box.tool._corners == []
 
 
-def test_a_thousand_clicks_are_kept(page):
+def test_a_thousand_clicks_are_stored(page):
     page.press("Crop by polygon")
     page.box.tool._corners = [np.zeros(3)] * 1000
     page.click(500, 400)
-    assert "expected at most" in page.told and len(page.box.tool._corners) == 1000
+    assert "expected at most" in page.status and len(page.box.tool._corners) == 1000
 
 
-def test_more_than_can_be_waited_for_is_left(page):
+def test_requests_beyond_the_queue_limit_are_dropped(page):
     import threading
 
     gate, done = threading.Event(), []

@@ -1,4 +1,4 @@
-"""The viewer before pages without a browser: what they are sent, what stays when they go, what programs may ask."""
+"""The viewer with pages without a browser: sent operations, state after pages leave, and the public methods."""
 
 import contextlib
 import sys
@@ -18,7 +18,7 @@ from pointloom.visualization.viewer.sessions import Session
 from pointloom.visualization.viewer.viewer import Viewer
 
 from .events import join_threads, wait_until
-from .pages import HELLO, line_of, say
+from .pages import HELLO, line_of, send
 from .stand_in import page_in
 
 UTM = np.array([500_000.0, 5_600_000.0, 300.0])
@@ -28,7 +28,7 @@ FACES = [[0, 1, 2], [0, 2, 3]]
 
 @pytest.fixture
 def shown(capfd, caplog):
-    """A viewer; whatever was done to it, nothing was printed and nothing went wrong with a page."""
+    """A viewer; nothing may be printed and no page may fail during the test."""
     with Viewer(port=0) as shown:
         yield shown
     assert capfd.readouterr() == ("", "")
@@ -37,13 +37,13 @@ def shown(capfd, caplog):
 
 @pytest.fixture
 def page(shown):
-    """A page that looks at it."""
+    """A page of the viewer."""
     with page_in(shown) as page:
         yield page
 
 
 def session_of(shown):
-    """The first page, with all that followed from changes."""
+    """The first page, after all updates."""
     wait_until(lambda: shown.sessions)
     shown.catch_up()
     with shown.lock:
@@ -56,14 +56,14 @@ def node_of(shown, page, name):
     return page.nodes[shown.sessions[page.client.client_id].streams[name]._nodes[0].id]
 
 
-def places_of(shown, node):
-    """Where a node's points stand in the world."""
+def positions_of(shown, node):
+    """World positions of the points of a node."""
     pose = np.reshape(node.pose, (3, 4))
     return (node.positions @ pose[:, :3].T + pose[:, 3]) * shown.frame.unit + shown.frame.origin
 
 
 def words_of(page):
-    """What the page says that it draws."""
+    """The page's text about the drawn points."""
     return page.of_kind("words")[0].value
 
 
@@ -71,18 +71,18 @@ def cloud_of(points, **more):
     return loom.PointCloud(points, **more)
 
 
-@pytest.mark.parametrize("place", [np.zeros(3), UTM, 1e9 * np.ones(3)], ids=["zero", "utm", "far"])
-def test_a_cloud_stands_in_the_page_where_it_stands_in_the_world(shown, page, rng, place):
-    points = rng.random((500, 3)) + place
+@pytest.mark.parametrize("offset", [np.zeros(3), UTM, 1e9 * np.ones(3)], ids=["zero", "utm", "far"])
+def test_a_cloud_has_its_world_position_in_the_page(shown, page, rng, offset):
+    points = rng.random((500, 3)) + offset
     shown.add("cloud", cloud_of(points))
     node = node_of(shown, page, "cloud")
     assert node.positions.dtype == np.float32
-    assert np.abs(node.positions).max() < 2  # nothing that float32 would round
-    assert np.abs(places_of(shown, node) - points).max() < (1e-6 if place[0] < 1e8 else 1e-2)
+    assert np.abs(node.positions).max() < 2  # float32 would round nothing
+    assert np.abs(positions_of(shown, node) - points).max() < (1e-6 if offset[0] < 1e8 else 1e-2)
 
 
 @pytest.mark.parametrize("size", [1e-7, 1e7])
-def test_a_scene_of_any_size_is_looked_at_whole(shown, page, rng, size):
+def test_a_scene_of_any_size_is_fitted_into_view(shown, page, rng, size):
     points = rng.random((200, 3)) * size
     shown.add("cloud", cloud_of(points))
     view = session_of(shown).camera_view()
@@ -139,17 +139,17 @@ def test_a_mesh_box_and_path_are_in_every_page(shown, page, rng):
     shown.add("box", loom.AxisAlignedBoundingBox([0, 0, 0], [1, 1, 1]))
     shown.add("path", loom.Trajectory(poses))
     shown.add("voxels", loom.TriangleMesh.create_sphere(1.0).voxelize(0.3))
-    with page_in(shown) as later:
-        for one in (page, later):
+    with page_in(shown) as late_page:
+        for one in (page, late_page):
             nodes = {name: [one.nodes[node.id] for _, node in shown._nodes[name]._nodes] for name in shown.items}
-            kinds = {name: {node.kind for node in found} for name, found in nodes.items()}
+            kinds = {name: {node.kind for node in item_nodes} for name, item_nodes in nodes.items()}
             assert kinds == {"mesh": {"triangles"}, "box": {"lines"}, "path": {"lines"}, "voxels": {"triangles"}}
             (mesh,) = nodes["mesh"]
-            assert mesh.plain == [204, 199, 189] and mesh.lit  # the warm gray of our pictures
+            assert mesh.plain == [204, 199, 189] and mesh.lit  # the warm gray of pointloom's images
             assert words_of(one).endswith(" triangles") and "points" not in words_of(one)
 
 
-def test_points_are_lit_as_in_our_pictures(shown, page, rng):
+def test_points_are_lit_as_in_rendered_images(shown, page, rng):
     points, normals = rng.random((50, 3)), np.tile([[0, 0, 1.0]], (50, 1))
     shown.add("plain", cloud_of(points, normals=normals))
     shown.add("own colors", cloud_of(points, normals=normals, colors=points))
@@ -170,15 +170,15 @@ def test_clip_planes_cut_surfaces_in_one_page_alone(shown, page):
         toolbox._worker.submit(lambda: None).result(60)
         (cut,) = [one for one in page.nodes.values() if one.id != node.id]
         middle = shown.frame.to_world(np.reshape(cut.pose, (3, 4))[:, 3])
-        places = cut.positions[cut.indices.ravel()] + middle
-        assert not page.nodes[node.id].visible and places[:, 2].min() >= -1 and places[:, 2].max() <= 1e-6
+        positions = cut.positions[cut.indices.ravel()] + middle
+        assert not page.nodes[node.id].visible and positions[:, 2].min() >= -1 and positions[:, 2].max() <= 1e-6
         assert other.nodes[node.id].visible and len(other.nodes) == 1
         page.set("clip", False)
         toolbox._worker.submit(lambda: None).result(60)
         assert page.nodes[node.id].visible and len(page.nodes) == 1
 
 
-def test_sizes_of_points_are_pixels_or_metres(shown, page, rng):
+def test_point_sizes_are_in_pixels_or_meters(shown, page, rng):
     shown.add("pixels", cloud_of(rng.random((50, 3))))
     shown.add("twice", cloud_of(rng.random((50, 3))), point_size=6)
     shown.add("meters", cloud_of(rng.random((50, 3))), point_size=0.01, metric=True)
@@ -194,8 +194,8 @@ def test_update_replaces_points_and_colors_in_one_message(shown, page, rng):
     node = node_of(shown, page, "cloud")
     page.taken.clear()
     shown.update("cloud", cloud_of(points[:70] + 1, colors=np.zeros((70, 3))))
-    assert node_of(shown, page, "cloud") is node  # no node comes or goes: no frame without it
-    assert np.abs(places_of(shown, node) - points[:70] - 1).max() < 1e-6
+    assert node_of(shown, page, "cloud") is node  # no node is added or removed: no frame without it
+    assert np.abs(positions_of(shown, node) - points[:70] - 1).max() < 1e-6
     (message,) = [ops for ops in page.taken if any(op["op"] == "set" for op in ops)]
     (changed,) = [op for op in message if op["op"] == "set"]
     assert {"positions", "colors", "pose"} <= set(changed)
@@ -211,7 +211,7 @@ def test_of_updates_that_a_page_does_not_read_the_last_one_waits(shown, page, rn
     assert len(node_of(shown, page, "cloud").positions) == 1049
 
 
-def test_a_mesh_comes_with_the_message_that_takes_the_one_before_away(shown, page):
+def test_a_mesh_is_replaced_in_one_message(shown, page):
     shown.add("mesh", loom.TriangleMesh(SQUARE, FACES, vertex_colors=np.ones((4, 3))))
     ((_, first),) = shown._nodes["mesh"]._nodes
     page.look()
@@ -227,7 +227,7 @@ def test_a_mesh_comes_with_the_message_that_takes_the_one_before_away(shown, pag
 @pytest.mark.slow
 @pytest.mark.parametrize("change", ["add", "update", "set_pose", "set_visible", "remove"])
 def test_a_change_costs_the_same_among_ten_objects_and_among_two_thousand(change):
-    """Calls of functions and operations sent, of a change and all that follows from it within a frame."""
+    """Numbers of function calls and sent operations of a change and its updates within a frame."""
     work = []
     for count in (10, 2000):
         with Viewer(port=0) as shown, page_in(shown) as page, shown.lock:
@@ -252,7 +252,7 @@ def test_a_change_costs_the_same_among_ten_objects_and_among_two_thousand(change
 
 @contextlib.contextmanager
 def counted_calls():
-    """How many functions of Python's are called in this thread."""
+    """The number of Python function calls in this thread."""
     calls = [0]
 
     def count(frame, event, argument):
@@ -284,7 +284,7 @@ def test_a_batch_is_one_message_and_may_be_nested(shown, page, rng):
     with pytest.raises(KeyError), shown.batch():
         shown.remove("boxes/7")
         shown.remove("boxes/7")
-    assert "boxes/7" not in page.rows  # what was done until then is shown
+    assert "boxes/7" not in page.rows  # all earlier work is shown
 
 
 def test_many_are_added_at_once_or_none(shown, page):
@@ -305,13 +305,13 @@ def test_clouds_and_meshes_of_any_device_are_shown(shown, page, rng, device):
     shown.show_normals(True)
     shown.show_wireframe(True)
     node = node_of(shown, page, "cloud")
-    assert np.abs(places_of(shown, node) - points).max() < 1e-6
+    assert np.abs(positions_of(shown, node) - points).max() < 1e-6
     assert (np.diff(node.colors[:, 0].astype(int)) > 0).all()
     assert len(page.nodes[shown._nodes["cloud"]._normals.id].positions) == 2 * 60
     assert [page.nodes[node.id].wireframe for _, node in shown._nodes["mesh"]._nodes] == [True]
 
 
-def test_a_pose_moves_what_is_there_and_stays_through_updates(shown, page, rng):
+def test_a_pose_moves_the_geometry_and_survives_updates(shown, page, rng):
     points, T = rng.random((50, 3)) + UTM, np.eye(4)
     T[:3, :3] = [[0, -1, 0], [1, 0, 0], [0, 0, 1]]
     T[:3, 3] = [1, 2, 3]
@@ -326,7 +326,7 @@ def test_a_pose_moves_what_is_there_and_stays_through_updates(shown, page, rng):
             shown.update("cloud", geometry)
         moved = points @ T[:3, :3].T + T[:3, 3]
         assert (
-            np.abs(places_of(shown, node_of(shown, page, "cloud")) - moved).max() < 1e-3
+            np.abs(positions_of(shown, node_of(shown, page, "cloud")) - moved).max() < 1e-3
         )  # UTM times a rotation: far away
 
 
@@ -341,7 +341,7 @@ def test_remove_and_clear_leave_nothing(shown, page, rng):
     shown.clear()
     assert not shown.items and not page.nodes and not page.rows
     assert not session_of(shown).streams
-    shown.add("cloud", cloud_of(rng.random((50, 3)) + UTM))  # looked at anew, where it is
+    shown.add("cloud", cloud_of(rng.random((50, 3)) + UTM))  # fitted again at its position
     assert np.linalg.norm(shown.frame.origin - UTM) < 2
 
 
@@ -377,7 +377,7 @@ def test_of_cameras_that_are_odd_a_picture_can_be_drawn(shown, page, rng, odd, s
 
 
 @pytest.mark.parametrize("method", ["show", "set_pose", "show_counts"])
-def test_what_goes_wrong_with_one_page_reaches_neither_the_program_nor_another_page(rng, method, monkeypatch):
+def test_an_error_of_one_page_affects_neither_the_program_nor_another_page(rng, method, monkeypatch):
     with Viewer(port=0) as shown, page_in(shown) as page, page_in(shown) as other:
         bad = shown.sessions[page.client.client_id]
         monkeypatch.setattr(bad, method, lambda *given: 1 / 0)
@@ -389,7 +389,7 @@ def test_what_goes_wrong_with_one_page_reaches_neither_the_program_nor_another_p
         assert words_of(other) == "50 points"
 
 
-def test_a_page_that_could_not_be_shown_the_scene_is_no_page(shown, rng, monkeypatch, caplog):
+def test_a_page_that_failed_to_get_the_scene_is_not_counted(shown, rng, monkeypatch, caplog):
     shown.add("cloud", cloud_of(rng.random((50, 3))))
     monkeypatch.setattr(Session, "show", lambda *given: 1 / 0)
     with page_in(shown):
@@ -404,7 +404,7 @@ def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
     for _ in range(3):
         with line_of(shown.server) as line:
             before = set(shown.sessions)
-            say(line, HELLO)
+            send(line, HELLO)
             wait_until(lambda before=before: set(shown.sessions) - before)
             line.socket.close()
             for _ in range(10):
@@ -415,33 +415,33 @@ def test_a_page_that_goes_in_the_midst_of_updates_does_no_harm(shown, rng):
 
 def test_the_camera_rests_a_while_after_it_moved(shown, page, rng, monkeypatch):
     shown.add("cloud", cloud_of(rng.random((50, 3))))
-    session, seen = session_of(shown), []
+    session, views = session_of(shown), []
     wait_until(lambda: session._timer is None)
     now, timers = 0.0, []
     monkeypatch.setattr(sessions, "time", SimpleNamespace(monotonic=lambda: now))
     monkeypatch.setattr(sessions.threading, "Timer", lambda *timer: timers.append(timer) or Mock())
-    monkeypatch.setattr(session, "refresh_tools", lambda: seen.append(session.camera_view()))
+    monkeypatch.setattr(session, "refresh_tools", lambda: views.append(session.camera_view()))
     for k in range(10):
         now = 0.1 * k * sessions.REST
         page.move([float(k), 0.0, 3.0])
-        page.settle()
+        page.run_callbacks()
     now = sessions.REST
-    for seconds in (sessions.REST, 0.9 * sessions.REST):  # since the first move, and what is left since the last
-        assert seen == []
+    for seconds in (sessions.REST, 0.9 * sessions.REST):  # the time since the first move, and the remaining time
+        assert views == []
         waited, look = timers.pop(0)
         assert waited == pytest.approx(seconds)
         look()
         now += 0.95 * sessions.REST  # past the end
-    (view,) = seen
+    (view,) = views
     assert view.T_world_camera[0, 3] - shown.frame.origin[0] == pytest.approx(9)
 
 
-def test_a_page_of_another_shape_shows_all_again_until_somebody_moves_it(shown, page, rng, monkeypatch):
+def test_a_resized_page_shows_everything_until_the_camera_is_moved(shown, page, rng, monkeypatch):
     points = rng.random((50, 3))
     shown.add("cloud", cloud_of(points))
     session_of(shown)
-    place = lambda: session_of(shown).client.camera.position  # noqa: E731
-    page.move(place(), size=(400, 600))
+    position = lambda: session_of(shown).client.camera.position  # noqa: E731
+    page.move(position(), size=(400, 600))
     assert seen_share(shown, points) > 1  # as wide as before in half the width
     wait_until(lambda: seen_share(shown, points) < 1)
     page.move([5.0, 5.0, 5.0], size=(400, 600))
@@ -449,11 +449,11 @@ def test_a_page_of_another_shape_shows_all_again_until_somebody_moves_it(shown, 
     monkeypatch.setattr(session_of(shown), "refresh_tools", lambda: rested.append(True))
     page.move([5.0, 5.0, 5.0], size=(900, 600))
     wait_until(lambda: rested)
-    assert place().tolist() == [5.0, 5.0, 5.0]
+    assert position().tolist() == [5.0, 5.0, 5.0]
 
 
 def seen_share(shown, points):
-    """How far to the side of the picture points are seen, at most: 1 at its edge."""
+    """Largest horizontal distance of points from the image center: 1 at its edge."""
     view = shown.get_view()
     local = (points - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
     return np.abs(local[:, 0] / local[:, 2] * view.intrinsic.fx / (view.intrinsic.width / 2)).max()
@@ -491,7 +491,7 @@ def test_a_view_that_is_none_leaves_the_one_before(shown, given, error, text):
     assert (shown.get_view().T_world_camera == before).all()
 
 
-def test_colors_go_by_what_is_known_of_the_points(shown, page, rng):
+def test_colors_follow_the_attributes_of_the_points(shown, page, rng):
     points = rng.random((50, 3))
     shown.add("cloud", cloud_of(points, label=np.arange(50) % 4 - 1))
     shown.color_by("label")
@@ -516,7 +516,7 @@ def test_colors_go_by_what_is_known_of_the_points(shown, page, rng):
         bar.ticks[0] == [0.0, "0.25"] and bar.ticks[-1] == [1.0, "0.75"]
     )
     shown.update("cloud", cloud_of(points + 1))
-    assert (node_of(shown, page, "cloud").colors == 255).all()  # the range stays
+    assert (node_of(shown, page, "cloud").colors == 255).all()  # the range is unchanged
     shown.color_by(None)
     assert page.of_kind("colorbar") == []
     with pytest.raises(ValueError, match=r"^by:"):
@@ -524,11 +524,11 @@ def test_colors_go_by_what_is_known_of_the_points(shown, page, rng):
 
 
 def trigger(page, action):
-    """Press the key of an action, as its page knows it."""
+    """Press the key of an action as defined in its page."""
     page.key({key.action: key.hotkeys[0] for key in KEYS}[action])
 
 
-def test_every_key_does_what_it_says(shown, page, rng):
+def test_every_key_works_as_documented(shown, page, rng):
     points = rng.random((50, 3))
     normals = points / np.linalg.norm(points, axis=1, keepdims=True)
     shown.add("cloud", cloud_of(points, normals=normals, colors=points))
@@ -568,11 +568,11 @@ def test_a_saved_view_is_loaded_again(shown, page, rng):
     trigger(page, "reset_view")
     assert not np.allclose(shown.get_view().T_world_camera, before, atol=0.1)
     load = page.control("Load view").id
-    page.say("file", id=load, name="view.json", text=text)
+    page.send("file", id=load, name="view.json", text=text)
     assert np.allclose(shown.get_view().T_world_camera, before, atol=1e-6)
-    page.say("file", id=load, name="view.json", text="no view")
-    told = page.others("notify")[-1]
-    assert told.kind == "error" and "Expected a view as Open3D copies it" in told.text
+    page.send("file", id=load, name="view.json", text="no view")
+    notice = page.others("notify")[-1]
+    assert notice.kind == "error" and "Expected a view as Open3D copies it" in notice.text
 
 
 def test_every_key_and_every_tool_is_in_the_palette_once(shown, page):
@@ -586,16 +586,16 @@ def test_every_key_and_every_tool_is_in_the_palette_once(shown, page):
     assert session_of(shown)._toolbox.tool.label == "Measure"
 
 
-def test_names_reach_the_page_as_plain_text_alone(shown, page, rng):
+def test_names_are_sent_to_the_page_as_plain_text(shown, page, rng):
     name = "<img src=x onerror=alert(1)>"
     shown.add(name, cloud_of(rng.random((50, 3)), label=np.zeros(50, int)))
     shown.color_by("label")
     page.look()
     holding = {op["op"] for ops in page.taken for op in ops if name in str(op)}
-    assert holding == {"rows"}  # whose labels are text
+    assert holding == {"rows"}  # labels that contain text
 
 
-def test_the_panel_lists_what_is_there(shown, page, rng):
+def test_the_panel_lists_the_geometries(shown, page, rng):
     shown.add("one", cloud_of(rng.random((5, 3))))
     shown.add("two", cloud_of(rng.random((5, 3)), ring=np.arange(5)))
     shown.add("three", loom.TriangleMesh(SQUARE, FACES))
@@ -603,7 +603,7 @@ def test_the_panel_lists_what_is_there(shown, page, rng):
     assert list(page.rows) == ["one", "two", "three"]
     assert tuple(page.control("by").options) == ("own colors", "height", "x", "y", "ring")
     (tree,) = page.of_kind("tree")
-    page.say("value", id=tree.id, value=[["one", "three", "gone meanwhile"], False])
+    page.send("value", id=tree.id, value=[["one", "three", "gone meanwhile"], False])
     assert [item.visible for item in shown.items.values()] == [False, True, False]
     assert not page.nodes[shown._nodes["three"]._nodes[0][1].id].visible
     shown.set_visible("one", True)
@@ -614,7 +614,7 @@ def test_the_panel_lists_what_is_there(shown, page, rng):
     assert tuple(page.control("by").options) == ("own colors", "height", "x", "y")
 
 
-def test_an_empty_scene_says_how_to_fill_it(shown, page):
+def test_an_empty_scene_explains_how_to_fill_it(shown, page):
     assert "viewer.add(" in page.others("hint")[-1].text
     shown.add("mesh", loom.TriangleMesh(SQUARE, FACES))
     shown.catch_up()
@@ -624,23 +624,23 @@ def test_an_empty_scene_says_how_to_fill_it(shown, page):
     assert "viewer.add(" in page.others("hint")[-1].text
 
 
-def test_names_of_open3d_are_told_apart_from_ours(shown):
+def test_open3d_names_are_distinguished_from_pointloom_names(shown):
     with pytest.raises(AttributeError, match="no attribute 'update_geometry'"):
         shown.update_geometry(None)
     with pytest.raises(AttributeError, match="did you mean 'screenshot'"):
         shown.screenshoot()
 
 
-def test_unknown_names_are_answered_with_those_that_there_are(shown, rng):
+def test_unknown_names_are_rejected_with_the_existing_ones(shown, rng):
     shown.add("cloud", cloud_of(rng.random((5, 3))))
-    for ask in (
+    for action in (
         lambda: shown.update("clod", cloud_of(rng.random((5, 3)))),
         lambda: shown.remove("clod"),
         lambda: shown.set_pose("clod", np.eye(4)),
         lambda: shown.set_visible("clod", True),
     ):
         with pytest.raises(KeyError, match="no geometry 'clod'; there are 'cloud'"):
-            ask()
+            action()
 
 
 def test_empty_things_are_shown_as_nothing(shown, page, rng):
@@ -657,7 +657,7 @@ def test_empty_things_are_shown_as_nothing(shown, page, rng):
     assert np.linalg.norm(shown.get_view().T_world_camera[:3, 3] - UTM) < 20
 
 
-def test_a_screenshot_shows_what_the_page_shows(shown, rng, tmp_path):
+def test_a_screenshot_matches_the_page(shown, rng, tmp_path):
     shown.background = (0, 0, 1)
     shown.add("cloud", cloud_of(rng.random((3000, 3))), color=(1, 0, 0), shaded=False)
     picture = shown.screenshot(tmp_path / "shot.png")
@@ -667,12 +667,12 @@ def test_a_screenshot_shows_what_the_page_shows(shown, rng, tmp_path):
     assert (picture == [255, 0, 0]).all(axis=2).sum() > 1000
     shown.set_visible("cloud", False)
     shown.update("cloud", cloud_of(rng.random((60, 3))))  # it stays hidden
-    with page_in(shown) as later:
-        assert not node_of(shown, later, "cloud").visible
+    with page_in(shown) as second_page:
+        assert not node_of(shown, second_page, "cloud").visible
     assert (shown.screenshot() == [0, 0, 255]).all()
 
 
-def test_a_saved_page_holds_the_scene_and_no_more_points_than_asked(rng, tmp_path):
+def test_a_saved_page_contains_the_scene_and_at_most_the_given_points(rng, tmp_path):
     with Viewer(port=0, max_points=1000) as shown:
         shown.add("cloud", cloud_of(rng.random((900, 3)) + UTM))
         shown.save_html(tmp_path / "one.html")
@@ -703,8 +703,8 @@ def test_close_frees_port_threads_and_memory(rng):
         assert again.server.port == port
 
 
-def test_pages_are_told_that_the_viewer_is_closed_and_how_to_start_it_again(monkeypatch):
-    for arguments, told in (
+def test_pages_are_notified_that_the_viewer_is_closed_and_how_to_restart_it(monkeypatch):
+    for arguments, reason in (
         (["/usr/bin/pointloom", "view", "a scan.las"], "pointloom view 'a scan.las'"),
         (["/home/me/show.py", "--secret"], "python show.py"),
         ([""], "The program can open another viewer."),
@@ -715,34 +715,34 @@ def test_pages_are_told_that_the_viewer_is_closed_and_how_to_start_it_again(monk
             monkeypatch.setattr(shown.server.pages, "stop", lambda page=page, deliver=deliver: (page.look(), deliver()))
             shown.close()
             (end,) = page.others("end")
-            assert end.text.startswith("The viewer has been closed.") and end.text.endswith(told)
+            assert end.text.startswith("The viewer has been closed.") and end.text.endswith(reason)
 
 
 def test_pages_know_the_unit_of_their_scale_bar_where_all_of_the_scene_is_in_one(shown):
-    def told(page):
+    def unit_of(page):
         shown.catch_up()
         page.look()
         return page.others("unit")[-1].text
 
     with page_in(shown) as page:
         shown.add("here", loom.PointCloud([[0, 0, 0], [1, 1, 1]]))
-        assert told(page) is None  # nobody knows
+        assert unit_of(page) is None  # the unit is unknown
         shown.add("feet", loom.PointCloud([[0, 0, 0], [2, 2, 2]], unit="ft"))
-        assert told(page) == "ft"
+        assert unit_of(page) == "ft"
         with pytest.warns(loom.UnitWarning):
             shown.add("meters", loom.PointCloud([[0, 0, 0], [3, 3, 3]], unit="m"))
-        assert told(page) is None
+        assert unit_of(page) is None
         shown.remove("feet")
-        assert told(page) == "m"
+        assert unit_of(page) == "m"
 
 
-def test_what_is_added_beyond_the_view_is_shown_until_somebody_moves_the_camera(shown, page, rng):
-    def is_seen(place):
+def test_geometries_added_outside_the_view_are_shown_until_the_camera_is_moved(shown, page, rng):
+    def is_seen(position):
         shown.catch_up()
         page.look()
         view = shown.get_view()
         x, y, depth = view.intrinsic.matrix @ (
-            (np.array(place) - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
+            (np.array(position) - view.T_world_camera[:3, 3]) @ view.T_world_camera[:3, :3]
         )
         x, y = x / depth, y / depth
         return bool(depth > 0 and 0 <= x < view.intrinsic.width and 0 <= y < view.intrinsic.height)
@@ -753,13 +753,13 @@ def test_what_is_added_beyond_the_view_is_shown_until_somebody_moves_the_camera(
         shown.add(f"box {k}", loom.PointCloud(rng.random((100, 3)) + np.array([10 * k, 0, 0])))
         assert is_seen([10 * k, 0, 0])
     shown.update("box 4", loom.PointCloud(rng.random((100, 3)) + np.array([500, 0, 0])))
-    assert not is_seen([500, 0, 0])  # what only moves takes no camera with it
+    assert not is_seen([500, 0, 0])  # moved geometries do not move the camera
     page.move(shown.get_view().T_world_camera[:3, 3] * 1.1)
     shown.add("far", loom.PointCloud(rng.random((100, 3)) + np.array([0, 900, 0])))
     assert not is_seen([0, 900, 0])
 
 
-def test_the_first_view_stands_upright():
+def test_the_first_view_is_upright():
     cone = loom.TriangleMesh.create_cone(0.5, 4.0)
     with loom.Viewer(port=0) as viewer:
         viewer.add("cone", cone)
@@ -775,5 +775,5 @@ def test_the_first_view_stands_upright():
 
 
 def upwards(viewer):
-    """The axis that points upwards the most in the first view."""
+    """The axis that points up the most in the first view."""
     return "xyz"[int(np.argmax(-viewer.home().T_world_camera[:3, 1]))]

@@ -1,4 +1,4 @@
-"""Every argument of the viewer's calls refuses what makes no sense by an error that names it; clouds of all kinds."""
+"""Every argument of the viewer's calls rejects invalid values with an error that names it; clouds of all kinds."""
 
 from __future__ import annotations
 
@@ -35,7 +35,7 @@ WORDS = {
     "geometries": "points",
     "geometry": "geometries|points",
     "color_by": "by",
-}  # by which messages may name them
+}  # accepted names in messages
 
 
 @pytest.fixture(scope="module")
