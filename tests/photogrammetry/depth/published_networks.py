@@ -1,7 +1,7 @@
-"""Networks in the shape of published ONNX exports: their names, sizes, normalization and last operations.
+"""Tiny ONNX networks with the names, sizes, normalization and last operations of published exports.
 
-In place of weights they decode the picture: gray g of 0..255 is depth 1 + 9 g / 255 meters, which each then gives as
-its family does. What ends in what is from the families' own code (src/pointloom/photogrammetry/depth/heads.py).
+Instead of weights they decode the picture: gray g of 0..255 is depth 1 + 9 g / 255 meters. Each network encodes this
+depth as its family does, after the families' own code (src/pointloom/photogrammetry/depth/heads.py).
 """
 
 from __future__ import annotations
@@ -22,13 +22,13 @@ UNIT = np.zeros(3), np.ones(3)
 BYTES = np.zeros(3), np.full(3, 1 / 255)
 
 FOCAL = 0.9  # of the pictures: the focal length over their width
-MOGE_SHIFT, MOGE_SCALE = 0.75, 1.6  # what MoGe's points lack of depth, before the scale to meters
+MOGE_SHIFT, MOGE_SCALE = 0.75, 1.6  # the missing depth of MoGe's points, before the scale to meters
 
 make = helper.make_node
 
 
 def picture_of(height: int = 60, width: int = 80) -> np.ndarray:
-    """A picture in whose gray lies the depth of a floor that comes nearer and a box before it."""
+    """A picture whose gray encodes the depth of a sloping floor with a box in front."""
     v, u = np.mgrid[:height, :width]
     gray = 220 - 150 * v / height + 20 * np.sin(5 * u / width)
     box = (abs(u / width - 0.6) < 0.15) & (abs(v / height - 0.5) < 0.2)
@@ -36,7 +36,7 @@ def picture_of(height: int = 60, width: int = 80) -> np.ndarray:
 
 
 def depth_of(picture: np.ndarray) -> np.ndarray:
-    """The depth that lies in it [m]."""
+    """The encoded depth [m]."""
     return 1 + 9 * picture[..., 0].astype(np.float64) / 255
 
 
@@ -78,7 +78,7 @@ def _sigmoid(farthest: float) -> Callable[[], tuple[list[onnx.NodeProto], dict[s
 
 
 def _clipped() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
-    """A metric network that was exported with the relative one's last function: a logit below 0 gives 0."""
+    """A metric network exported with the last function of the relative one: a logit below 0 gives 0."""
     nodes = [make("Div", ["z", "far"], ["p"]), *_logit("p", "l"), make("Relu", ["l"], ["s"])]
     nodes += [make("Mul", ["s", "range"], ["m"]), make("Squeeze", ["m", "axis"], ["out"])]
     return nodes, {"far": np.float32(10.5), "range": np.float32(20), "one": np.float32(1)}
@@ -118,8 +118,8 @@ def _canonical() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
     return nodes, {"focal": np.float32(FOCAL), "zero": np.float32(0), "view": np.float32(view)}
 
 
-def _metres() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
-    """Depth Pro's `infer` at its own size: on to meters by the focal length that it found [px of 1536]."""
+def _meters() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
+    """Depth Pro's `infer` at its own size: meters by the estimated focal length [px of 1536]."""
     nodes = [make("Div", ["focal", "z"], ["raw"]), make("Relu", ["raw"], ["c"]), make("ReduceMean", ["z"], ["mean"])]
     nodes += [make("Mul", ["mean", "zero"], ["nothing"]), make("Add", ["nothing", "pixels"], ["focallength_px"])]
     nodes += [make("Div", ["width", "focallength_px"], ["w_f"]), make("Mul", ["c", "w_f"], ["inverse"])]
@@ -130,7 +130,7 @@ def _metres() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
 
 
 def _rays() -> list[onnx.NodeProto]:
-    """Nodes that give x and y of the points at depth z, for a camera of FOCAL, whatever the size."""
+    """Nodes that give x and y of the points at depth z, for a camera of FOCAL at any size."""
     nodes = [make("Mul", ["z", "zero"], ["nothing"]), make("Add", ["nothing", "one"], ["ones"])]
     nodes += [make("CumSum", ["ones", "three"], ["u"]), make("CumSum", ["ones", "two"], ["v"])]
     nodes += [make("ReduceMax", ["u"], ["w"], keepdims=1), make("Mul", ["w", "focal"], ["f"])]
@@ -153,19 +153,19 @@ _RAYS = {
 
 
 def _points() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
-    """MoGe-2: points without their shift and scale, a mask that leaves out what is white, the scale."""
+    """MoGe-2: points without their shift and scale, a mask that excludes white pixels, the scale."""
     nodes = [*_rays(), make("Sub", ["z", "shift"], ["zs"]), make("Concat", ["up", "vp", "zs"], ["all"], axis=1)]
     nodes += [make("Div", ["all", "size"], ["small"]), make("Transpose", ["small"], ["out"], perm=[0, 2, 3, 1])]
     nodes += [make("Sub", ["white", "z"], ["dark"]), make("Mul", ["dark", "hundred"], ["sure"])]
     nodes += [make("Sigmoid", ["sure"], ["m"]), make("Squeeze", ["m", "axis"], ["mask"])]
     nodes += [make("ReduceMax", ["nothing"], ["n"], keepdims=0), make("Add", ["n", "sizes"], ["metric_scale"])]
     constants = {"shift": MOGE_SHIFT, "size": MOGE_SCALE, "white": 9.8, "hundred": 100}
-    found: dict[str, Any] = {name: np.float32(value) for name, value in constants.items()}
-    return nodes, {**_RAYS, **found, "sizes": np.array([MOGE_SCALE], np.float32)}
+    values: dict[str, Any] = {name: np.float32(value) for name, value in constants.items()}
+    return nodes, {**_RAYS, **values, "sizes": np.array([MOGE_SCALE], np.float32)}
 
 
 def _with_camera() -> tuple[list[onnx.NodeProto], dict[str, Any]]:
-    """UniDepth V2: points, and the camera matrix of the input; its pixels' middles lie at halves."""
+    """UniDepth V2: points, and the camera matrix of the input with pixel centers at half-integers."""
     nodes = [*_rays(), make("Concat", ["up", "vp", "z"], ["out"], axis=1)]
     nodes += [
         make("ReduceMax", ["v"], ["h"], keepdims=1),
@@ -190,7 +190,7 @@ FILES: dict[str, tuple[str, Any, tuple[Any, Any], Any, str, tuple[str, ...]]] = 
     "zoedepth": ("zoedepth", HALF, OPEN, _bins, "pixel_values", ("predicted_depth",)),
     "zoedepth fixed": ("zoedepth", HALF, (384, 512), _bins, "pixel_values", ("predicted_depth",)),
     "depth pro": ("depth-pro", HALF, (1536, 1536), _canonical, "image", ("canonical_inverse_depth", "fov_deg")),
-    "depth pro meters": ("depth-pro", HALF, (1536, 1536), _metres, "pixel_values", PAIR),
+    "depth pro meters": ("depth-pro", HALF, (1536, 1536), _meters, "pixel_values", PAIR),
     "moge-2": ("moge-2", UNIT, OPEN, _points, "image", ("points", "mask", "metric_scale")),
     "unidepth": ("unidepth-v2", IMAGENET, (462, 616), _with_camera, "rgbs", ("pts_3d", "intrinsics")),
     "metric3d": ("metric3d-v2", BYTES, (616, 1064), _clamped, "image", ("pred_depth",)),

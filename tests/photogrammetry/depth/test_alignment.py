@@ -1,4 +1,4 @@
-"""Scale and shift from references, many or few, some of them wrong."""
+"""Scale and shift from references, including outliers."""
 
 import numpy as np
 import pytest
@@ -13,34 +13,34 @@ def exact(count=200, scale=0.02, shift=0.1, seed=0):
 
 
 @pytest.mark.parametrize("wrong", [0.0, 0.4, 0.6])
-def test_wrong_references_change_nothing_where_the_right_ones_are_exact(wrong):
+def test_wrong_references_do_not_change_the_fit_to_exact_ones(wrong):
     d, y = exact(400)
     rng = np.random.default_rng(1)
     lost = rng.random(400) < wrong
     far = np.where(rng.random(400) < 0.5, y * rng.uniform(1.3, 5, 400), y * rng.uniform(0.1, 0.7, 400))
-    found = align_inverse_depth(d, np.where(lost, far, y))
-    assert (found.scale, found.shift) == pytest.approx((0.02, 0.1), rel=1e-9)
-    assert found.inlier_share == pytest.approx(1 - lost.mean(), abs=0.08)
+    result = align_inverse_depth(d, np.where(lost, far, y))
+    assert (result.scale, result.shift) == pytest.approx((0.02, 0.1), rel=1e-9)
+    assert result.inlier_share == pytest.approx(1 - lost.mean(), abs=0.08)
 
 
 def test_the_fit_is_the_weighted_least_squares_of_the_inliers():
     d, y = exact(300)
     y = y * (1 + np.random.default_rng(2).normal(0, 0.01, 300))
-    found = align_inverse_depth(d, y)
+    result = align_inverse_depth(d, y)
     rows = np.stack([d / y, 1 / y], 1)
     np.testing.assert_allclose(
-        [found.scale, found.shift], np.linalg.lstsq(rows, np.ones(300), rcond=None)[0], rtol=1e-9
+        [result.scale, result.shift], np.linalg.lstsq(rows, np.ones(300), rcond=None)[0], rtol=1e-9
     )
 
 
-def test_the_same_seed_gives_the_same_bits():
+def test_the_same_seed_gives_bitwise_identical_results():
     d, y = exact(9000)
     y = y * (1 + np.random.default_rng(2).normal(0, 0.03, 9000))
     assert align_inverse_depth(d, y, seed=3) == align_inverse_depth(d, y, seed=3)
 
 
 def simulated(z, ok, seed, noise=0.01):
-    """A network's map of a scene, off by slow noise, and 300 points of it, each off by 1 %, of which 40 % are wrong."""
+    """A network's map with slow noise, and 300 reference points with an error of 1%, 40% of them wrong."""
     rng = np.random.default_rng(seed)
     d = np.where(ok, 1 / np.where(ok, z, 1), 0)
     d = (d - d[ok].min()) / np.ptp(d[ok])
@@ -58,43 +58,43 @@ def abs_rel(d, scale, shift, z, ok):
 
 
 def errors_of(z, ok):
-    """AbsRel of the alignment for several seeds, and of the least squares over all pixels with their true depth."""
-    ours, best = [], []
+    """AbsRel of the alignment for several seeds, and of least squares over all pixels with true depth."""
+    errors, best = [], []
     for seed in range(7):
         d, x, y = simulated(z, ok, seed)
-        found = align_inverse_depth(x, y, seed=seed)
-        ours.append(abs_rel(d, found.scale, found.shift, z, ok))
+        result = align_inverse_depth(x, y, seed=seed)
+        errors.append(abs_rel(d, result.scale, result.shift, z, ok))
         slope = np.linalg.lstsq(np.stack([d[ok], np.ones(ok.sum())], 1), 1 / z[ok], rcond=None)[0]
         best.append(abs_rel(d, *slope, z, ok))
-    return np.array(ours), np.array(best)
+    return np.array(errors), np.array(best)
 
 
 def test_40_percent_wrong_points_leave_a_real_scene_within_1_3_percent(real_file):
     z = read_depth(real_file("rgbd-7scenes-redkitchen/frame-000100.depth.png")) / 1000
-    ours, best = errors_of(z, (z > 0.3) & (z < 5))
-    assert np.median(ours) <= 0.013
-    assert (ours <= 1.12 * best).all()  # no worse than with every pixel's true depth, up to the noise of 180 points
+    errors, best = errors_of(z, (z > 0.3) & (z < 5))
+    assert np.median(errors) <= 0.013
+    assert (errors <= 1.12 * best).all()  # no worse than with every pixel's true depth, up to the noise of 180 points
 
 
 def test_40_percent_wrong_points_leave_a_made_up_scene_within_1_3_percent():
     v, u = np.mgrid[:480, :640]
     z = np.minimum(2.0 / np.maximum((v - 200) / 300, 0.3), 4.5) - 1.2 * (np.hypot(u - 250, v - 260) < 90)
-    ours, best = errors_of(z, np.ones(z.shape, bool))
-    assert np.median(ours) <= 0.013
-    assert (ours <= 1.12 * best).all()
+    errors, best = errors_of(z, np.ones(z.shape, bool))
+    assert np.median(errors) <= 0.013
+    assert (errors <= 1.12 * best).all()
 
 
-def test_networks_of_metric_depth_lack_a_scale_alone():
+def test_metric_depth_is_aligned_by_scale_only():
     d = np.random.default_rng(0).uniform(0.2, 2, 100)
     y = 1.25 * d
     y[::3] *= 3
-    found = align_inverse_depth(d, y, with_shift=False)
-    assert (found.scale, found.shift) == (pytest.approx(1.25, rel=1e-12), 0.0)
-    assert found.inlier_share == pytest.approx(66 / 100)
-    assert found.farthest == pytest.approx(1 / y.reshape(-1)[np.arange(100) % 3 > 0].min())
+    result = align_inverse_depth(d, y, with_shift=False)
+    assert (result.scale, result.shift) == (pytest.approx(1.25, rel=1e-12), 0.0)
+    assert result.inlier_share == pytest.approx(66 / 100)
+    assert result.farthest == pytest.approx(1 / y.reshape(-1)[np.arange(100) % 3 > 0].min())
 
 
-def test_fewer_than_20_that_agree_are_refused():
+def test_fewer_than_20_inliers_are_rejected():
     d, y = exact(200)
     with pytest.raises(AlignmentError, match=r"^align:.*20.*got 19"):
         align_inverse_depth(d[:19], y[:19])
@@ -104,7 +104,7 @@ def test_fewer_than_20_that_agree_are_refused():
         align_inverse_depth(d[:30], wrong)
 
 
-def test_a_map_that_falls_where_depth_says_nearer_is_refused():
+def test_a_map_that_decreases_with_inverse_depth_is_rejected():
     d, y = exact(200)
     with pytest.raises(AlignmentError, match=r"^align:"):
         align_inverse_depth(d, y.max() + 0.2 - y)
@@ -112,28 +112,28 @@ def test_a_map_that_falls_where_depth_says_nearer_is_refused():
         align_inverse_depth(np.full(50, 3.0), y[:50])
 
 
-def test_two_distances_settle_scale_and_shift_without_a_check():
-    found = align_to_distances(np.array([10.0, 30.0]), np.array([0.25, 0.5]))
-    assert (found.scale, found.shift, found.inlier_share) == (pytest.approx(0.0125), pytest.approx(0.125), None)
+def test_two_distances_determine_scale_and_shift_unchecked():
+    result = align_to_distances(np.array([10.0, 30.0]), np.array([0.25, 0.5]))
+    assert (result.scale, result.shift, result.inlier_share) == (pytest.approx(0.0125), pytest.approx(0.125), None)
     with pytest.raises(AlignmentError, match=r"^align:"):
         align_to_distances(np.array([10.0, 30.0]), np.array([0.5, 0.25]))
     with pytest.raises(AlignmentError, match=r"^align:.*2.*got 1"):
         align_to_distances(np.array([10.0]), np.array([0.5]))
 
 
-def test_one_distance_settles_a_scale_without_a_check():
-    found = align_to_distances(np.array([0.5]), np.array([0.25]), with_shift=False)
-    assert (found.scale, found.shift, found.inlier_share) == (0.5, 0.0, None)
+def test_one_distance_determines_the_scale_unchecked():
+    result = align_to_distances(np.array([0.5]), np.array([0.25]), with_shift=False)
+    assert (result.scale, result.shift, result.inlier_share) == (0.5, 0.0, None)
 
 
-def test_of_more_distances_most_must_agree():
+def test_a_majority_of_the_distances_must_agree():
     d = np.array([5.0, 10.0, 20.0, 30.0, 40.0])
     y = 0.0125 * d + 0.125
     wrong = y.copy()
     wrong[1] *= 3
-    found = align_to_distances(d, wrong)
-    assert (found.scale, found.shift) == pytest.approx((0.0125, 0.125), rel=1e-9)
-    assert found.inlier_share == pytest.approx(0.8)
+    result = align_to_distances(d, wrong)
+    assert (result.scale, result.shift) == pytest.approx((0.0125, 0.125), rel=1e-9)
+    assert result.inlier_share == pytest.approx(0.8)
     wrong[[0, 4]] *= (0.2, 6.0)
     with pytest.raises(AlignmentError, match=r"^align:.*5"):
         align_to_distances(d, wrong)

@@ -1,4 +1,4 @@
-"""Every argument of every public call on depth networks refuses what makes no sense, by an error that names it."""
+"""Every public call on depth networks rejects invalid arguments by name."""
 
 from __future__ import annotations
 
@@ -47,8 +47,8 @@ def things(tmp_path_factory) -> dict[str, Any]:
 @cache
 def arguments() -> dict[str, set[str]]:
     public = SimpleNamespace(__all__=sorted(NAMES), **{name: getattr(loom, name) for name in NAMES})
-    found: dict[str, set[str]] = public_arguments(public, set())  # type: ignore[arg-type]
-    return found
+    result: dict[str, set[str]] = public_arguments(public, set())  # type: ignore[arg-type]
+    return result
 
 
 def test_the_table_names_every_argument_of_every_public_call():
@@ -56,7 +56,7 @@ def test_the_table_names_every_argument_of_every_public_call():
 
 
 def run(call: str, things: dict[str, Any], given: dict[str, Any]) -> Any:
-    """A call of the table; what it wrote before is no reason to refuse it."""
+    """Call a function of the table; outputs of earlier calls are replaced."""
     again = {"overwrite": True} if call == "depth_of_pictures" else {}
     return eval(TABLE[call][0], dict(things))(**given, **again)
 

@@ -1,4 +1,4 @@
-"""`pointloom depth`: files in, files out, exit codes, what is said."""
+"""`pointloom depth`: input and output files, exit codes, messages."""
 
 import json
 import shutil
@@ -21,7 +21,7 @@ from .tiny_networks import fixed_map, linear
 
 @pytest.fixture
 def folder(tmp_path):
-    """A picture, a network that sees its depth up to scale and shift, and its true depth."""
+    """A picture, a network that gives its depth up to scale and shift, and its true depth."""
     z = scene()
     fixed_map(tmp_path / "net.onnx", 37 / z + 5)
     Image.fromarray(PICTURE).save(tmp_path / "photo.png")
@@ -34,7 +34,7 @@ def words(folder, *more, output="out.ply", picture="photo.png"):
     return ["depth", folder / picture, "--model", folder / "net.onnx", "-o", folder / output, "--device", "cpu", *more]
 
 
-def test_a_picture_becomes_a_cloud_in_metres(folder):
+def test_a_picture_becomes_a_cloud_in_meters(folder):
     extras = ["--picture", folder / "out.png", "--depth-map", folder / "depth.npy"]
     report = answer(*words(folder, "--align", folder / "z.npy", "--intrinsic", folder / "camera.json", *extras))
     (each,) = report["pictures"]
@@ -53,7 +53,7 @@ def test_a_picture_becomes_a_cloud_in_metres(folder):
     assert (image != image[0, 0]).any(2).mean() > 0.3
 
 
-def test_a_map_without_references_says_that_its_unit_is_arbitrary(folder):
+def test_the_unit_is_reported_arbitrary_without_references(folder):
     result = run(*words(folder))
     assert result.exit_code == 0, result.stderr
     for part in (
@@ -66,7 +66,7 @@ def test_a_map_without_references_says_that_its_unit_is_arbitrary(folder):
     assert loom.read_point_cloud(folder / "out.ply").points[:, 2].min() == pytest.approx(1, rel=1e-5)
 
 
-def test_two_distances_are_told_to_be_unchecked(folder):
+def test_two_distances_are_reported_as_unchecked(folder):
     z = scene()
     (folder / "two.txt").write_text(f"100 500 {z[500, 100]}\n300 20 {z[20, 300]}\n")
     result = run(*words(folder, "--align", folder / "two.txt"))
@@ -94,10 +94,10 @@ def test_few_references_that_agree_are_unreliable(folder):
     assert (folder / "out.ply").exists()
 
 
-def test_a_map_of_which_hardly_anything_is_left_is_unreliable(folder):
+def test_a_map_with_little_valid_depth_is_unreliable(folder):
     v = np.linspace(0, 1, SIDE)[:, None] ** 30 * np.ones(
         (1, SIDE)
-    )  # most is more than ten times as far as the sensor sees
+    )  # most pixels are over ten times beyond the range of the sensor
     fixed_map(folder / "net.onnx", v)
     sensor = np.where(v > 0.3, 1 / np.maximum(v, 0.3) * 0.3, 0)
     np.save(folder / "near.npy", sensor.astype(np.float32))
@@ -108,8 +108,8 @@ def test_a_map_of_which_hardly_anything_is_left_is_unreliable(folder):
 @pytest.mark.slow
 def test_a_folder_keeps_names_and_takes_references_by_name(folder):
     pictures, sensors = folder / "pictures", folder / "sensors"
-    for place in (pictures, sensors):
-        place.mkdir()
+    for folder_path in (pictures, sensors):
+        folder_path.mkdir()
     for name in ("b.jpg", "a.png", "c.PNG"):
         Image.fromarray(PICTURE).save(pictures / name)
         shutil.copy(folder / "z.npy", sensors / f"{name[0]}.npy")
@@ -175,7 +175,7 @@ def test_errors_name_the_file_and_leave_nothing(folder, monkeypatch, more, reaso
     assert names_in(folder) == before
 
 
-def test_names_of_a_folder_that_would_meet_are_an_error(folder):
+def test_colliding_names_in_a_folder_are_an_error(folder):
     pictures = folder / "pictures"
     pictures.mkdir()
     assert "contains no images" in refusal(*words(folder, picture="pictures", output="clouds"))
@@ -235,11 +235,11 @@ def test_other_formats_and_existing_files(folder):
     assert json.loads(run(*words(folder, "--json", "--force", output="out.npz")).stdout)["command"] == "depth"
 
 
-def test_a_view_from_aside_still_looks_at_the_scene():
+def test_an_oblique_view_looks_at_the_scene():
     view = job.oblique_view(CAMERA, 3.0)
     T = np.linalg.inv(view.T_world_camera)
     middle = T[:3, :3] @ [0, 0, 3.0] + T[:3, 3]
-    np.testing.assert_allclose(middle, [0, 0, 3.3], atol=1e-12)  # what lay ahead at this distance lies ahead still
+    np.testing.assert_allclose(middle, [0, 0, 3.3], atol=1e-12)  # the point at this distance stays on the optical axis
     assert view.T_world_camera[0, 3] > 0.3  # to the right
     assert view.T_world_camera[1, 3] < -0.3  # and above
 
@@ -248,8 +248,8 @@ def test_the_call_from_python_gives_what_the_command_prints(folder):
     align = ["--align", folder / "z.npy", "--intrinsic", folder / "camera.json"]
     printed, shown = answer(*words(folder, *align)), run(*words(folder, *align, "--force"))
     settings = DepthSettings(intrinsic=CAMERA, align=folder / "z.npy")
-    places = folder / "photo.png", folder / "net.onnx", folder / "out.ply"
-    report = depth_of_pictures(*places, settings, device="cpu", overwrite=True)
+    paths = folder / "photo.png", folder / "net.onnx", folder / "out.ply"
+    report = depth_of_pictures(*paths, settings, device="cpu", overwrite=True)
     changing = ("seconds", "peak_bytes")
     made = json.loads(json.dumps(report.to_dict()))
     assert {k: v for k, v in made.items() if k not in changing} == {

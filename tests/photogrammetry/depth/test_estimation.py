@@ -1,4 +1,4 @@
-"""One picture to depth and points: references of all kinds, cameras, edges, tiles."""
+"""Depth and points from one picture: references, cameras, edges, tiles."""
 
 import itertools
 
@@ -17,7 +17,7 @@ SIDE = 518  # the network's picture goes in and comes out as it is
 
 
 def scene(height=SIDE, width=SIDE):
-    """True depth [m]: a floor that comes nearer, a wall, and a board in front of both."""
+    """True depth [m]: a sloping floor, a wall, and a board in front of both."""
     v, u = np.mgrid[:height, :width]
     z = np.minimum(1.5 / np.maximum((v / height - 0.45), 1e-3), 4.0)
     board = (np.abs(u / width - 0.4) < 0.15) & (np.abs(v / height - 0.5) < 0.2)
@@ -26,7 +26,7 @@ def scene(height=SIDE, width=SIDE):
 
 @pytest.fixture
 def network(tmp_path):
-    """A network that sees the scene up to scale and shift, and the scene."""
+    """A network that gives the scene up to scale and shift, and the scene."""
     z = scene()
     return fixed_map(tmp_path / "scene.onnx", 37 / z + 5), z
 
@@ -35,50 +35,50 @@ PICTURE = np.random.default_rng(0).integers(0, 256, (SIDE, SIDE, 3), dtype=np.ui
 CAMERA = loom.PinholeCameraIntrinsic(SIDE, SIDE, 500.0, 510.0, 250.0, 262.0)
 
 
-def test_a_depth_map_brings_metres(network):
+def test_a_depth_map_as_reference_gives_meters(network):
     path, z = network
     for align, scale in ((np.round(z * 5000).astype(np.uint16), 5000.0), (z.astype(np.float32), 1000.0)):
-        found = loom.estimate_depth(PICTURE, path, align=align, depth_scale=scale)
-        assert found.is_metric
-        assert (found.unit, found.inlier_share, found.references) == ("m", 1.0, SIDE * SIDE)
-        assert (found.scale, found.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-3)
-        np.testing.assert_allclose(found.depth, z, rtol=1e-3)
-        assert evaluate_depth(found.depth, z).abs_rel < 1e-3
+        result = loom.estimate_depth(PICTURE, path, align=align, depth_scale=scale)
+        assert result.is_metric
+        assert (result.unit, result.inlier_share, result.references) == ("m", 1.0, SIDE * SIDE)
+        assert (result.scale, result.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-3)
+        np.testing.assert_allclose(result.depth, z, rtol=1e-3)
+        assert evaluate_depth(result.depth, z).abs_rel < 1e-3
 
 
-def test_a_depth_map_of_another_size_lies_border_on_border(network):
+def test_a_depth_map_of_another_size_is_aligned_at_its_borders(network):
     path, _ = network
     coarse = (np.mgrid[:37, :37].astype(float) + 0.5) * SIDE / 37 - 0.5
     v, u = coarse
     z = np.minimum(1.5 / np.maximum((v / SIDE - 0.45), 1e-3), 4.0)
     z[(np.abs(u / SIDE - 0.4) < 0.2) & (np.abs(v / SIDE - 0.5) < 0.25)] = 0  # no depth near the board
-    found = loom.estimate_depth(PICTURE, path, align=z)
-    assert found.references == (z > 0).sum()
-    assert found.inlier_share == 1.0
-    assert (found.scale, found.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-4)
+    result = loom.estimate_depth(PICTURE, path, align=z)
+    assert result.references == (z > 0).sum()
+    assert result.inlier_share == 1.0
+    assert (result.scale, result.shift) == pytest.approx((1 / 37, -5 / 37), rel=1e-4)
 
 
-def test_wrong_and_missing_sensor_depth_is_passed_over(network):
+def test_wrong_and_missing_sensor_depth_is_ignored(network):
     path, z = network
     sensor = z.copy()
     lost = np.random.default_rng(0).random(z.shape)
     sensor[lost < 0.3] = 0
     sensor[lost < 0.05] = np.nan
     sensor[lost > 0.65] *= 2 * lost[lost > 0.65]  # by 1.3 and more
-    found = loom.estimate_depth(PICTURE, path, align=sensor)
-    np.testing.assert_allclose(found.depth, z, rtol=1e-4)
-    assert found.inlier_share < 0.7
+    result = loom.estimate_depth(PICTURE, path, align=sensor)
+    np.testing.assert_allclose(result.depth, z, rtol=1e-4)
+    assert result.inlier_share < 0.7
 
 
-def test_the_number_that_sensors_write_for_no_depth_is_none(network):
+def test_the_invalid_value_of_sensors_is_no_depth(network):
     path, z = network
     sensor = np.round(z * 1000).astype(np.uint16)
     sensor[:200] = 65535
-    found = loom.estimate_depth(PICTURE, path, align=sensor)
-    assert (found.references, found.inlier_share) == (318 * SIDE, 1.0)
+    result = loom.estimate_depth(PICTURE, path, align=sensor)
+    assert (result.references, result.inlier_share) == (318 * SIDE, 1.0)
 
 
-def test_files_of_references_are_those_of_arrays(network, tmp_path):
+def test_reference_files_match_arrays(network, tmp_path):
     path, z = network
     np.save(tmp_path / "z.npy", z.astype(np.float32))
     Image.fromarray(np.round(z * 1000).astype(np.uint16)).save(tmp_path / "z.png")
@@ -90,13 +90,13 @@ def test_files_of_references_are_those_of_arrays(network, tmp_path):
         ("a.csv", "u,v,meters\n100,500,{a}\n300,20,{b}\n"),
     ):
         (tmp_path / name).write_text(text.format(a=z[500, 100], b=z[20, 300]))
-        found = loom.estimate_depth(PICTURE, path, align=tmp_path / name)
-        np.testing.assert_allclose(found.depth, z, rtol=1e-4)
-        assert (found.references, found.inlier_share, found.is_metric) == (2, None, True)
+        result = loom.estimate_depth(PICTURE, path, align=tmp_path / name)
+        np.testing.assert_allclose(result.depth, z, rtol=1e-4)
+        assert (result.references, result.inlier_share, result.is_metric) == (2, None, True)
 
 
 def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
-    """A sparse model of three pictures, the second of which sees points of the scene, some of them wrong."""
+    """A sparse model of three pictures. The second observes points of the scene, some of them wrong."""
     rng = np.random.default_rng(4)
     u, v = rng.uniform(0, size - 1, (2, count))
     depth = z[
@@ -117,41 +117,41 @@ def sparse_model(z, count=120, wrong=0.3, size=SIDE, distorted=False):
     )  # fmt: skip
 
 
-def test_a_sparse_model_brings_its_own_unit_and_camera(network, tmp_path):
+def test_a_sparse_model_gives_its_unit_and_camera(network, tmp_path):
     path, z = network
     Image.fromarray(PICTURE).save(tmp_path / "photo.png")
     model = sparse_model(z)
     for picture, align in ((tmp_path / "photo.png", model), (PICTURE, (model, "b/photo.png"))):
-        found = loom.estimate_depth(picture, path, align=align)
-        assert not found.is_metric
-        assert (found.unit, found.intrinsic_source, found.intrinsic) == (
+        result = loom.estimate_depth(picture, path, align=align)
+        assert not result.is_metric
+        assert (result.unit, result.intrinsic_source, result.intrinsic) == (
             "the sparse model's",
             "the sparse model",
             CAMERA,
         )
-        assert found.references == 120
-        assert found.inlier_share > 0.6
-        assert evaluate_depth(found.depth, z).abs_rel < 5e-3
+        assert result.references == 120
+        assert result.inlier_share > 0.6
+        assert evaluate_depth(result.depth, z).abs_rel < 5e-3
 
 
 def test_a_sparse_model_of_smaller_pictures_fits_too(network):
     path, z = network
-    found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, size=259), "photo.png"))
-    assert evaluate_depth(found.depth, z).abs_rel < 5e-3
-    assert found.intrinsic_source == "the sparse model"
-    np.testing.assert_allclose(found.intrinsic.matrix, CAMERA.matrix, rtol=1e-12)
+    result = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, size=259), "photo.png"))
+    assert evaluate_depth(result.depth, z).abs_rel < 5e-3
+    assert result.intrinsic_source == "the sparse model"
+    np.testing.assert_allclose(result.intrinsic.matrix, CAMERA.matrix, rtol=1e-12)
 
 
-def test_of_a_lens_that_bends_rays_the_points_lie_where_it_sees_them(network):
+def test_the_distortion_of_a_sparse_model_s_camera_is_removed(network):
     path, z = network
-    found = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, distorted=True), "photo.png"))
-    assert evaluate_depth(found.depth, z).abs_rel < 5e-3
-    assert found.intrinsic_source == "the sparse model, its distortion left out"
-    camera = found.intrinsic
+    result = loom.estimate_depth(PICTURE, path, align=(sparse_model(z, distorted=True), "photo.png"))
+    assert evaluate_depth(result.depth, z).abs_rel < 5e-3
+    assert result.intrinsic_source == "the sparse model, its distortion left out"
+    camera = result.intrinsic
     assert (camera.fx, camera.fy, camera.cx, camera.cy) == pytest.approx((500, 500, 250, 262), rel=1e-5)
 
 
-def test_the_folder_of_a_model_will_do(network, tmp_path):
+def test_the_folder_of_a_model_is_accepted(network, tmp_path):
     path, z = network
     Image.fromarray(PICTURE).save(tmp_path / "photo.png")
     model = sparse_model(z)
@@ -169,9 +169,9 @@ def test_metric_networks_are_aligned_by_a_scale_alone(tmp_path):
     path = fixed_map(tmp_path / "m.onnx", 0.8 * z)
     picture = PICTURE[:504, :504]
     camera = loom.PinholeCameraIntrinsic(504, 504, 300.0, 300.0, 251.5, 251.5)
-    found = loom.estimate_depth(picture, path, preset="depth-anything-3-metric", intrinsic=camera, align=z)
-    assert (found.scale, found.shift) == (pytest.approx(0.8, rel=1e-5), 0.0)
-    np.testing.assert_allclose(found.depth, z, rtol=1e-4)
+    result = loom.estimate_depth(picture, path, preset="depth-anything-3-metric", intrinsic=camera, align=z)
+    assert (result.scale, result.shift) == (pytest.approx(0.8, rel=1e-5), 0.0)
+    np.testing.assert_allclose(result.depth, z, rtol=1e-4)
     alone = loom.estimate_depth(picture, path, preset="depth-anything-3", align=[(100, 480, z[480, 100])])
     np.testing.assert_allclose(alone.depth, z, rtol=1e-4)
 
@@ -180,10 +180,10 @@ def test_depth_far_beyond_the_references_is_dropped(tmp_path):
     w = np.tile(np.linspace(-0.1, 1, SIDE), (SIDE, 1))
     path = fixed_map(tmp_path / "m.onnx", w)
     sensor = np.where(w > 0.5, 1 / np.where(w > 0.5, w, 1), 0)
-    found = loom.estimate_depth(PICTURE, path, align=sensor)
-    kept = found.depth > 0
-    assert found.depth.max() == pytest.approx(20, rel=0.05)
-    np.testing.assert_array_equal(kept[0], w[0] > 0.05)
+    result = loom.estimate_depth(PICTURE, path, align=sensor)
+    valid = result.depth > 0
+    assert result.depth.max() == pytest.approx(20, rel=0.05)
+    np.testing.assert_array_equal(valid[0], w[0] > 0.05)
 
 
 @pytest.mark.parametrize(
@@ -229,16 +229,16 @@ def test_a_damaged_file_of_distances_names_the_line(network, tmp_path, text, rea
         loom.estimate_depth(PICTURE, network[0], align=path)
 
 
-def test_points_lie_where_the_camera_sees_them(network, device):
+def test_points_are_unprojected_with_the_camera(network, device):
     path, z = network
-    found = loom.estimate_depth(PICTURE, path, intrinsic=CAMERA, align=z.astype(np.float32))
-    cloud = found.to_point_cloud(keep_edges=True, device=device)
+    result = loom.estimate_depth(PICTURE, path, intrinsic=CAMERA, align=z.astype(np.float32))
+    cloud = result.to_point_cloud(keep_edges=True, device=device)
     v, u = np.mgrid[:SIDE, :SIDE]
     expected = np.stack([(u - 250) / 500 * z, (v - 262) / 510 * z, z], -1).reshape(-1, 3)
     np.testing.assert_allclose(cloud.points, expected, rtol=1e-4, atol=1e-4)
     np.testing.assert_allclose(cloud.colors, PICTURE.reshape(-1, 3) / 255, atol=1e-6)
     assert str(cloud.device) == device
-    assert len(found.to_point_cloud(keep_edges=True, stride=2)) == (SIDE // 2) ** 2
+    assert len(result.to_point_cloud(keep_edges=True, stride=2)) == (SIDE // 2) ** 2
 
 
 def test_a_camera_of_another_size_is_refused(network):
@@ -251,18 +251,18 @@ def test_a_smoothed_edge_leaves_no_points_between_the_surfaces(tmp_path, device)
     z = scene()
     small = (1 / z)[::7, ::7].astype(np.float32)
     smooth = np.array(Image.fromarray(small).resize((SIDE, SIDE), Image.Resampling.BILINEAR))
-    found = loom.estimate_depth(PICTURE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA)
-    found = DepthEstimate(**{**vars(found), "enlargement": 3.0})
-    kept = found.to_point_cloud(device=device)
-    depth = kept.project_to_depth_image(SIDE, SIDE, CAMERA, depth_scale=1, depth_max=100)
+    result = loom.estimate_depth(PICTURE, fixed_map(tmp_path / "m.onnx", smooth), align=1 / smooth, intrinsic=CAMERA)
+    result = DepthEstimate(**{**vars(result), "enlargement": 3.0})
+    cloud = result.to_point_cloud(device=device)
+    depth = cloud.project_to_depth_image(SIDE, SIDE, CAMERA, depth_scale=1, depth_max=100)
     row = SIDE // 3  # the board before the wall
-    ramp = (found.depth[row] > 1.6) & (found.depth[row] < 3.8)
+    ramp = (result.depth[row] > 1.6) & (result.depth[row] < 3.8)
     assert ramp.sum() >= 8
     assert not depth[row][ramp].any()
     assert depth[row][~ramp].all()
-    floor = depth[int(0.93 * SIDE)]  # slanted, and whole
+    floor = depth[int(0.93 * SIDE)]  # slanted, and without gaps
     assert floor.all()
-    assert len(kept) > 0.97 * SIDE * SIDE
+    assert len(cloud) > 0.97 * SIDE * SIDE
 
 
 def test_one_model_serves_many_pictures(tmp_path):
@@ -287,8 +287,8 @@ def test_tiles_cover_the_picture_evenly_and_overlap():
     assert len(starts_of(4000, side_of(3000, 4000, 4))) == 4
 
 
-def test_tiles_bring_detail_on_the_scale_of_the_whole():
-    """A network that sees finer details in a part, and each part on a scale of its own."""
+def test_tiles_add_detail_at_the_scale_of_the_full_image():
+    """The network gives finer details for a tile, and each tile has a different scale."""
     v, u = np.mgrid[:240, :320]
     true = (0.3 + 0.5 * v / 240 + 0.03 * np.sin(1.2 * u)).astype(np.float32)
     color = np.stack([u % 256, v % 256, u // 256], -1).astype(np.uint8)
@@ -300,18 +300,20 @@ def test_tiles_bring_detail_on_the_scale_of_the_whole():
         calls.append((top, left))
         return np.float32(3 + len(calls)) * true[top : top + rows, left : left + columns] + np.float32(len(calls))
 
-    whole = (0.3 + 0.5 * v / 240).astype(np.float32)
-    told = []
-    found, used, count = refine_by_tiles(color, whole, 3, inverse, seed=0, report=lambda *each: told.append(each))
+    coarse = (0.3 + 0.5 * v / 240).astype(np.float32)
+    progress = []
+    refined, used, count = refine_by_tiles(
+        color, coarse, 3, inverse, seed=0, report=lambda *each: progress.append(each)
+    )
     assert used == count == len(calls) >= 6
-    assert told[-1] == (count, count)
-    wave = found - whole
-    np.testing.assert_allclose(wave, true - whole, atol=0.012)
-    assert np.abs(np.diff(found, axis=1) - np.diff(true, axis=1)).max() < 0.004  # no seams
+    assert progress[-1] == (count, count)
+    wave = refined - coarse
+    np.testing.assert_allclose(wave, true - coarse, atol=0.012)
+    assert np.abs(np.diff(refined, axis=1) - np.diff(true, axis=1)).max() < 0.004  # no seams
 
 
-def test_tiles_that_differ_where_they_meet_leave_no_seam():
-    whole = np.tile(np.linspace(1, 2, 400, dtype=np.float32), (100, 1))
+def test_tiles_that_differ_at_their_overlap_leave_no_seam():
+    coarse = np.tile(np.linspace(1, 2, 400, dtype=np.float32), (100, 1))
     calls = []
 
     def bent(part):
@@ -319,45 +321,45 @@ def test_tiles_that_differ_where_they_meet_leave_no_seam():
         u = np.linspace(-1, 1, part.shape[1], dtype=np.float32)
         return np.tile(u + (0.3 if len(calls) % 2 else -0.3) * u * u, (part.shape[0], 1))
 
-    found, used, count = refine_by_tiles(
-        np.zeros((100, 400, 3), np.uint8), whole, 3, bent, seed=0, report=lambda *_: None
+    refined, used, count = refine_by_tiles(
+        np.zeros((100, 400, 3), np.uint8), coarse, 3, bent, seed=0, report=lambda *_: None
     )
     assert used == count == 3
-    assert np.abs(found - whole).max() > 0.03  # they differ
-    assert np.abs(np.diff(found, axis=1)).max() < 0.01  # and where they do, pixels side by side hardly
+    assert np.abs(refined - coarse).max() > 0.03  # they differ
+    assert np.abs(np.diff(refined, axis=1)).max() < 0.01  # but neighboring pixels hardly do
 
 
-def test_tiles_that_say_something_else_are_left_out():
-    whole = np.tile(np.linspace(1, 2, 200, dtype=np.float32), (150, 1))
+def test_contradicting_tiles_are_excluded():
+    coarse = np.tile(np.linspace(1, 2, 200, dtype=np.float32), (150, 1))
     color = np.zeros((150, 200, 3), np.uint8)
 
     def falling(part):
         return np.tile(np.linspace(2, 1, part.shape[1], dtype=np.float32), (part.shape[0], 1))
 
-    found, used, count = refine_by_tiles(color, whole, 2, falling, seed=0, report=lambda *_: None)
+    refined, used, count = refine_by_tiles(color, coarse, 2, falling, seed=0, report=lambda *_: None)
     assert (used, count) == (0, 4)
-    np.testing.assert_allclose(found, whole, rtol=1e-6)
+    np.testing.assert_allclose(refined, coarse, rtol=1e-6)
 
 
-def test_an_estimate_by_tiles_is_that_of_the_whole_where_the_network_sees_no_more(tmp_path):
+def test_tiles_without_finer_detail_match_the_untiled_estimate(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(252, 252))
     ramp = np.tile(np.linspace(20, 220, 600).astype(np.uint8)[None, :, None], (400, 1, 3))
-    whole = loom.estimate_depth(ramp, path)
+    untiled = loom.estimate_depth(ramp, path)
     steps = []
     tiled = loom.estimate_depth(ramp, path, tiles=2, progress=lambda *each: steps.append(each))
     assert tiled.tiles == (4, 4)
     assert steps[-1] == ("tiles", 4, 4)
-    np.testing.assert_allclose(tiled.depth, whole.depth, rtol=0.02)
+    np.testing.assert_allclose(tiled.depth, untiled.depth, rtol=0.02)
 
 
-def test_errors_are_those_of_the_papers():
+def test_errors_follow_their_published_definitions():
     truth = np.array([[1.0, 2.0, 4.0, 0.0, 8.0]])
     depth = np.array([[1.1, 2.0, 6.0, 3.0, np.nan]])
-    found = evaluate_depth(depth, truth)
-    assert found.abs_rel == pytest.approx((0.1 + 0 + 0.5) / 3)
-    assert found.delta1 == pytest.approx(2 / 3)
-    assert found.rmse == pytest.approx(np.sqrt((0.01 + 0 + 4) / 3))
-    assert (found.coverage, found.pixel_count) == (0.75, 3)
+    errors = evaluate_depth(depth, truth)
+    assert errors.abs_rel == pytest.approx((0.1 + 0 + 0.5) / 3)
+    assert errors.delta1 == pytest.approx(2 / 3)
+    assert errors.rmse == pytest.approx(np.sqrt((0.01 + 0 + 4) / 3))
+    assert (errors.coverage, errors.pixel_count) == (0.75, 3)
     raw = np.array([[1100, 2000]], np.uint16)
     assert evaluate_depth(raw, np.array([[1.0, 2.0]])).abs_rel == pytest.approx(0.05)
     assert np.isnan(evaluate_depth(np.zeros((2, 2)), np.ones((2, 2))).abs_rel)

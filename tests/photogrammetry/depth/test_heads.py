@@ -1,4 +1,4 @@
-"""Heads found in graphs, and files that are damaged or hostile."""
+"""Detection of output heads in graphs; damaged and hostile files."""
 
 import hypothesis
 import hypothesis.strategies as st
@@ -56,7 +56,7 @@ def scaled(last, number):
         (helper.make_tensor("m", TensorProto.INT64, [], [20]), 20),
     ],
 )  # fmt: skip
-def test_a_number_is_read_however_it_is_stored(number, factor):
+def test_constants_are_read_from_every_storage_form(number, factor):
     *nodes, constant = scaled("Sigmoid", number)
     assert head_of(*nodes, m=constant) == Head(SIGMOID, factor)
 
@@ -69,7 +69,7 @@ def test_a_number_that_is_a_node_or_comes_first_is_read_too():
     assert head_of(make("Sigmoid", ["x"], ["a"]), make("Div", ["a", "m"], ["y"]), m=np.float32(0.05)).kind == SIGMOID
 
 
-def test_what_changes_shape_or_type_alone_is_passed_over():
+def test_operations_on_shape_or_type_are_skipped():
     chain = ["Resize", "Squeeze", "Unsqueeze", "Cast", "Reshape", "Transpose", "Gather", "Slice", "Identity", "Clip"]
     nodes, value = [make("Relu", ["x"], ["v0"])], "v0"
     for k, operation in enumerate(chain):
@@ -103,19 +103,19 @@ def test_what_changes_shape_or_type_alone_is_passed_over():
         (["Relu x a", "ReduceMax a b", "Div a b y"], {}, Head()),
     ],
 )  # fmt: skip
-def test_the_operation_that_decides_is_found(nodes, constants, head):
+def test_the_deciding_operation_is_detected(nodes, constants, head):
     made = [make(first, inputs, [last]) for first, *inputs, last in (line.split() for line in nodes)]
-    found = head_of(*made, **{name: np.float32(value) for name, value in constants.items()})
-    assert found.kind == head.kind
-    assert found.factor == pytest.approx(head.factor)
+    result = head_of(*made, **{name: np.float32(value) for name, value in constants.items()})
+    assert result.kind == head.kind
+    assert result.factor == pytest.approx(head.factor)
 
 
-def test_heads_inside_functions_are_found():
+def test_heads_inside_functions_are_detected():
     opsets = [helper.make_opsetid("", 17), helper.make_opsetid("own", 1)]
     sigmoid = helper.make_function(
         "own", "last", ["p", "q"], ["r"], [make("Sigmoid", ["p"], ["s"]), make("Mul", ["s", "q"], ["r"])], opsets
     )
-    whole = helper.make_function(
+    outer = helper.make_function(
         "own",
         "model",
         ["u", "w"],
@@ -123,12 +123,12 @@ def test_heads_inside_functions_are_found():
         [make("last", ["u", "w"], ["t"], domain="own"), make("Squeeze", ["t"], ["z"])],
         opsets,
     )
-    for functions, name in (([sigmoid], "last"), ([sigmoid, whole], "model")):
+    for functions, name in (([sigmoid], "last"), ([sigmoid, outer], "model")):
         nodes = [make("Conv", ["x", "m"], ["a"]), make(name, ["a", "m"], ["y"], domain="own")]
         assert head_of(*nodes, functions=functions, m=np.float32(80)) == Head(SIGMOID, 80)
 
 
-def test_functions_and_values_that_never_end_say_nothing():
+def test_recursive_functions_and_cyclic_values_give_no_head():
     opsets = [helper.make_opsetid("own", 1)]
     endless = helper.make_function("own", "f", ["p"], ["r"], [make("f", ["p"], ["r"], domain="own")], opsets)
     assert head_of(make("f", ["x"], ["y"], domain="own"), functions=[endless]) == Head()
@@ -155,7 +155,7 @@ def test_a_damaged_file_gives_a_file_error_or_a_head(folder, at, byte):
 
 
 def field(number, content):
-    """A field of bytes, as Protocol Buffers write it."""
+    """A field of bytes in the format of Protocol Buffers."""
     length, size = bytearray(), len(content)
     while size >= 0x80:
         length.append(size & 0x7F | 0x80)
@@ -199,7 +199,7 @@ def branch(tensor):
     return helper.make_graph([], "b", [], [helper.make_tensor_value_info("m", TensorProto.FLOAT, [1])], [tensor])
 
 
-KEPT_IN = {  # where a tensor can be in a model
+TENSOR_LOCATIONS = {  # where a tensor can be in a model
     "initializer": lambda tensor: scaled("Relu", tensor),
     "attribute": lambda tensor: (make("Constant", [], ["y"], value=tensor), None),
     "sparse attribute": lambda tensor: (make("Constant", [], ["y"], sparse_value=sparse(tensor)), None),
@@ -207,23 +207,23 @@ KEPT_IN = {  # where a tensor can be in a model
 }
 
 
-@pytest.mark.parametrize("kept_in", KEPT_IN)
+@pytest.mark.parametrize("stored_in", TENSOR_LOCATIONS)
 @pytest.mark.parametrize("location", ["../../etc/passwd", "/etc/passwd", "", "..", "folder/weights", "link"])
 def test_weights_outside_the_folder_are_refused_before_onnxruntime_sees_the_file(
-    kept_in, location, tmp_path, monkeypatch
+    stored_in, location, tmp_path, monkeypatch
 ):
     (tmp_path / "folder").mkdir()
     (tmp_path / "folder" / "weights").write_bytes(bytes(4))
     (tmp_path / "link").symlink_to("/etc/passwd")
     path = tmp_path / "m.onnx"
-    *nodes, tensor = KEPT_IN[kept_in](external(location))
+    *nodes, tensor = TENSOR_LOCATIONS[stored_in](external(location))
     path.write_bytes(model_of(*nodes, **({} if tensor is None else {"m": tensor})).SerializeToString())
     monkeypatch.setattr("onnxruntime.InferenceSession", lambda *_, **__: pytest.fail("onnxruntime was started"))
     with pytest.raises(loom.FileError, match=r"m\.onnx"):
         loom.DepthModel(path)
 
 
-def test_a_number_in_a_file_of_its_own_is_not_read(tmp_path):
+def test_external_constants_are_not_read(tmp_path):
     (tmp_path / "weights").write_bytes(np.float32(20).tobytes())
     *nodes, tensor = scaled("Relu", external("weights"))
     (tmp_path / "m.onnx").write_bytes(model_of(*nodes, m=tensor).SerializeToString())
@@ -256,7 +256,7 @@ def slope(height=60, width=90):
 
 @hypothesis.given(st.floats(40, 400), st.floats(-5, 1.5), st.floats(0.01, 100))
 @hypothesis.settings(max_examples=6, deadline=None)
-def test_focal_length_and_shift_of_a_point_map_come_back(focal, shift, size):
+def test_focal_length_and_shift_of_a_point_map_are_recovered(focal, shift, size):
     points, valid = size * point_map(slope(), focal, shift), np.ones((60, 90), bool)
     free = recover_pinhole(points, valid, None)
     assert free is not None
@@ -268,14 +268,14 @@ def test_focal_length_and_shift_of_a_point_map_come_back(focal, shift, size):
 
 
 def test_noise_of_one_percent_moves_the_focal_length_little():
-    found = recover_pinhole(point_map(slope(), 80.0, 0.6, noise=0.01), np.ones((60, 90), bool), None)
-    assert found is not None
-    assert found.focal == pytest.approx((80, 80), rel=0.05)
+    pinhole = recover_pinhole(point_map(slope(), 80.0, 0.6, noise=0.01), np.ones((60, 90), bool), None)
+    assert pinhole is not None
+    assert pinhole.focal == pytest.approx((80, 80), rel=0.05)
 
 
-def test_a_wall_from_the_front_fixes_no_focal_length():
+def test_a_frontal_wall_does_not_determine_the_focal_length():
     points, valid = point_map(np.full((60, 90), 3.0), 80.0, 0.6, noise=0.002), np.ones((60, 90), bool)
-    found = recover_pinhole(points, valid, None)
-    assert found is not None
-    assert found.focal is None
+    pinhole = recover_pinhole(points, valid, None)
+    assert pinhole is not None
+    assert pinhole.focal is None
     assert recover_pinhole(points, np.zeros((60, 90), bool), None) is None

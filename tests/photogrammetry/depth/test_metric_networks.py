@@ -1,4 +1,4 @@
-"""Networks of metric depth: what each gives is meters, and a file of another kind than the preset is refused."""
+"""Metric depth networks give meters, and files of another kind than the preset are rejected."""
 
 import numpy as np
 import pytest
@@ -12,8 +12,8 @@ from ...cli.commands import answer, names_in, refusal, run
 from .published_networks import FILES, FOCAL, depth_of, picture_of, published
 from .tiny_networks import FLOAT, linear, save
 
-WHOLE = [name for name in FILES if name != "dav2 broken"]
-METRIC = [name for name in WHOLE if PRESETS[FILES[name][0]].output == "metric"]
+VALID = [name for name in FILES if name != "dav2 broken"]
+METRIC = [name for name in VALID if PRESETS[FILES[name][0]].output == "metric"]
 BY_FOCAL = [name for name in METRIC if FILES[name][0].startswith("metric3d")]
 
 
@@ -29,7 +29,7 @@ def files(tmp_path_factory):
 
 
 def canonical(name, picture):
-    """What is to be divided by to get meters: the focal length of the input over that of the family."""
+    """The divisor that gives meters: focal length of the input over that of the family."""
     if name not in BY_FOCAL:
         return 1.0
     model = PRESETS[FILES[name][0]]
@@ -39,13 +39,13 @@ def canonical(name, picture):
 
 
 @pytest.mark.parametrize("name", [name for name in METRIC if not name.startswith("depth pro")])
-def test_a_metric_network_gives_metres(name, files):
+def test_a_metric_network_gives_meters(name, files):
     picture = picture_of()
-    found = loom.estimate_depth(picture, files[name], preset=FILES[name][0], intrinsic=camera_of(picture))
-    assert (found.unit, found.is_metric, found.intrinsic_source) == ("m", True, "given")
-    seen = found.depth > 0
+    result = loom.estimate_depth(picture, files[name], preset=FILES[name][0], intrinsic=camera_of(picture))
+    assert (result.unit, result.is_metric, result.intrinsic_source) == ("m", True, "given")
+    seen = result.depth > 0
     assert seen.mean() > 0.95
-    ratio = found.depth[seen] / (depth_of(picture)[seen] * canonical(name, picture))
+    ratio = result.depth[seen] / (depth_of(picture)[seen] * canonical(name, picture))
     assert np.median(ratio) == pytest.approx(1, rel=0.005)
     assert np.percentile(abs(ratio - 1), 90) < 0.03
 
@@ -54,26 +54,26 @@ def test_a_metric_network_gives_metres(name, files):
     ("name", "size"),
     [("depth pro", (60, 80)), ("depth pro meters", (80, 60)), ("moge-2", (80, 60)), ("unidepth", (80, 60))],
 )
-def test_the_focal_length_that_a_network_finds_stands_in_for_an_unknown_camera(name, size, files):
+def test_the_focal_length_of_the_network_replaces_an_unknown_camera(name, size, files):
     picture = picture_of(*size)
-    found = loom.estimate_depth(picture, files[name], preset=FILES[name][0])
-    assert (found.unit, found.intrinsic_source) == ("m", "the network")
+    result = loom.estimate_depth(picture, files[name], preset=FILES[name][0])
+    assert (result.unit, result.intrinsic_source) == ("m", "the network")
     wide = 616 / 462 * 80 if name == "unidepth" else size[1]  # of the input with its borders
-    assert found.intrinsic.fx == pytest.approx(FOCAL * wide, rel=0.01)
-    assert (found.intrinsic.cx, found.intrinsic.cy) == pytest.approx(((size[1] - 1) / 2, (size[0] - 1) / 2), abs=0.6)
-    seen = found.depth > 0
-    assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(1, rel=0.01)
+    assert result.intrinsic.fx == pytest.approx(FOCAL * wide, rel=0.01)
+    assert (result.intrinsic.cx, result.intrinsic.cy) == pytest.approx(((size[1] - 1) / 2, (size[0] - 1) / 2), abs=0.6)
+    seen = result.depth > 0
+    assert np.median(result.depth[seen] / depth_of(picture)[seen]) == pytest.approx(1, rel=0.01)
 
 
 @pytest.mark.parametrize("name", ["depth pro", "depth pro meters"])
-def test_a_known_focal_length_is_taken_in_place_of_depth_pro_s(name, files):
+def test_a_known_focal_length_replaces_depth_pro_s(name, files):
     picture = picture_of()
-    found = loom.estimate_depth(picture, files[name], preset="depth-pro", intrinsic=camera_of(picture, 2 * FOCAL))
-    seen = found.depth > 0
-    assert np.median(found.depth[seen] / depth_of(picture)[seen]) == pytest.approx(2, rel=0.005)
+    result = loom.estimate_depth(picture, files[name], preset="depth-pro", intrinsic=camera_of(picture, 2 * FOCAL))
+    seen = result.depth > 0
+    assert np.median(result.depth[seen] / depth_of(picture)[seen]) == pytest.approx(2, rel=0.005)
 
 
-@pytest.mark.parametrize("name", WHOLE)
+@pytest.mark.parametrize("name", VALID)
 def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
     own = PRESETS[FILES[name][0]]
     for preset in PRESETS.values():
@@ -98,44 +98,44 @@ def test_a_file_of_the_other_kind_is_refused_under_every_preset(name, files):
         ("metric3d convnext", "metric3d-v2", "metric3d-convnext has this size"),
     ],
 )
-def test_the_refusal_names_the_preset_to_take(name, preset, wanted, files):
+def test_the_error_names_the_matching_preset(name, preset, wanted, files):
     with pytest.raises(loom.FileError, match=wanted):
         loom.DepthModel(files[name], preset)
 
 
 @pytest.mark.parametrize("preset", ["depth-anything-v2", "depth-anything-v2-metric"])
-def test_a_metric_network_with_the_relative_one_s_last_function_is_refused_always(preset, files):
+def test_a_metric_network_with_a_relative_head_is_always_rejected(preset, files):
     with pytest.raises(loom.FileError, match=r"/dav2_broken\.onnx:.*20"):
         loom.DepthModel(files["dav2 broken"], preset)
 
 
-@pytest.mark.parametrize("name", WHOLE)
-def test_a_published_file_leaves_nothing_open(name, files):
+@pytest.mark.parametrize("name", VALID)
+def test_published_files_need_no_notes(name, files):
     assert loom.DepthModel(files[name], FILES[name][0]).notes == ()
 
 
 @pytest.mark.parametrize("name", ["dav2 indoor", "metric3d"])
-def test_metric_maps_are_aligned_by_a_scale_and_contrary_references_refused(name, files):
+def test_metric_maps_are_aligned_by_scale_and_contradicting_references_rejected(name, files):
     picture = picture_of()
     truth = 3 * depth_of(picture)
     truth[::2] = 0
     options = {"preset": FILES[name][0], "intrinsic": camera_of(picture)}
-    found = loom.estimate_depth(picture, files[name], align=truth, **options)
-    assert found.shift == 0
-    assert found.scale * 3 / canonical(name, picture) == pytest.approx(1, rel=0.01)
-    assert found.inlier_share > 0.9
+    result = loom.estimate_depth(picture, files[name], align=truth, **options)
+    assert result.shift == 0
+    assert result.scale * 3 / canonical(name, picture) == pytest.approx(1, rel=0.01)
+    assert result.inlier_share > 0.9
     with pytest.raises(ValueError, match=r"^align:.*3 distances.*got 1"):
         loom.estimate_depth(picture, files[name], align=[(5, 5, 1.0), (40, 30, 9.0), (50, 55, 30.0)], **options)
 
 
-def test_of_depth_anything_3_the_file_does_not_say_whether_it_is_the_metric_one(files):
+def test_depth_anything_3_is_noted_as_not_labeled_metric(files):
     assert (
         "does not specify that its depth is in meters"
         in (loom.DepthModel(files["da3"], "depth-anything-3-metric").notes[0])
     )
 
 
-def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
+def test_an_unlabeled_file_is_accepted_with_a_note(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     for preset, meaning in (("depth-anything-v2", "larger for nearer points"), ("depth-anything-v2-metric", "meters")):
         assert meaning in "".join(loom.DepthModel(path, preset).notes)
@@ -144,12 +144,12 @@ def test_a_file_that_says_nothing_is_taken_and_that_is_said_once(tmp_path):
 def test_moge_s_sky_is_no_depth(files):
     picture = picture_of()
     picture[:6] = 255
-    found = loom.estimate_depth(picture, files["moge-2"], preset="moge-2")
-    assert not found.depth[:5].any()
-    assert (found.depth[8:] > 0).all()
+    result = loom.estimate_depth(picture, files["moge-2"], preset="moge-2")
+    assert not result.depth[:5].any()
+    assert (result.depth[8:] > 0).all()
 
 
-def test_points_that_no_camera_puts_where_their_pixels_are_are_refused(tmp_path):
+def test_points_inconsistent_with_any_camera_are_rejected(tmp_path):
     nodes = [
         helper.make_node("ReduceMean", ["image"], ["z"], axes=[1], keepdims=1),
         helper.make_node("Concat", ["z", "z", "z"], ["all"], axis=1),
@@ -164,11 +164,11 @@ def test_points_that_no_camera_puts_where_their_pixels_are_are_refused(tmp_path)
             loom.estimate_depth(picture, path, preset="moge-2", intrinsic=camera)
 
 
-def test_a_wall_from_the_front_leaves_moge_without_metres_where_the_camera_is_unknown(files):
+def test_moge_gives_no_meters_for_a_frontal_wall_and_an_unknown_camera(files):
     wall = np.full((60, 80, 3), 100, np.uint8)
     wall[::7, ::5] = 101  # 4 cm of 4.5 m
-    found = loom.estimate_depth(wall, files["moge-2"], preset="moge-2")
-    assert (found.unit, found.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
+    result = loom.estimate_depth(wall, files["moge-2"], preset="moge-2")
+    assert (result.unit, result.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
     known = loom.estimate_depth(wall, files["moge-2"], preset="moge-2", intrinsic=camera_of(wall))
     assert known.unit == "m"
     assert np.median(known.depth / depth_of(wall)) == pytest.approx(1, rel=0.02)
@@ -180,7 +180,7 @@ def test_metric3d_s_canvas_has_two_sizes_and_no_mixture(tmp_path):
             loom.DepthModel(linear(tmp_path / "m.onnx", size=size), "metric3d-v2")
 
 
-def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tmp_path):
+def test_an_unlabeled_file_of_metric3d_s_size_is_rejected_by_other_presets(tmp_path):
     path = linear(tmp_path / "m.onnx", size=(616, 1064))
     with pytest.raises(loom.FileError, match=r"/m\.onnx:.*metric3d-v2"):
         loom.DepthModel(path, "depth-anything-v2")
@@ -188,7 +188,7 @@ def test_a_file_of_metric3d_s_size_that_says_nothing_is_not_taken_for_another(tm
 
 
 @pytest.mark.parametrize("value", [190.0, 0.0])
-def test_a_view_that_no_lens_has_is_an_error(tmp_path, value):
+def test_an_impossible_field_of_view_is_an_error(tmp_path, value):
     nodes = [
         helper.make_node("ReduceMean", ["x"], ["gray"], axes=[1], keepdims=1),
         helper.make_node("Relu", ["gray"], ["predicted_depth"]),
@@ -214,19 +214,19 @@ def words(photo, model, *more):
 
 
 def test_the_command_refuses_a_metric_file_under_the_default_preset_and_writes_nothing(photo, files):
-    said = refusal(*words(photo, files["dav2 indoor"]))
-    assert "Use the preset depth-anything-v2-metric" in said
+    message = refusal(*words(photo, files["dav2 indoor"]))
+    assert "Use the preset depth-anything-v2-metric" in message
     assert names_in(photo.parent) == ["photo.png"]
 
 
-def test_the_summary_says_that_a_camera_is_the_network_s(photo, files):
+def test_the_summary_reports_a_camera_from_the_network(photo, files):
     result = run(*words(photo, files["unidepth"], "--preset", "unidepth-v2"))
     assert result.exit_code == 0
     assert "from the network" in result.stdout
     assert "shapes are distorted" not in result.stdout
 
 
-def test_what_a_file_does_not_say_is_said_once(photo, tmp_path):
+def test_missing_metadata_is_noted_once(photo, tmp_path):
     path = linear(tmp_path / "m.onnx", size=(28, 42))
     result = run(*words(photo, path))
     assert result.exit_code == 0

@@ -1,4 +1,4 @@
-"""What networks are given and what is taken from them, preset by preset; and models that are not the preset's."""
+"""Inputs and outputs of the networks of each preset, and models that do not match the preset."""
 
 import sys
 
@@ -34,13 +34,13 @@ SIZES = {  # of an input for 640 x 480, 480 x 640, 1920 x 1080, 100 x 100: rows 
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_the_input_has_the_size_that_the_network_was_made_for(name):
-    found = [input_size(PRESETS[name], *size) for size in ((480, 640), (640, 480), (1080, 1920), (100, 100))]
-    assert found == SIZES[name]
+def test_the_input_has_the_size_of_the_network(name):
+    sizes = [input_size(PRESETS[name], *size) for size in ((480, 640), (640, 480), (1080, 1920), (100, 100))]
+    assert sizes == SIZES[name]
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_sides_are_whole_multiples_and_never_nothing(name):
+def test_sides_are_positive_multiples(name):
     preset = PRESETS[name]
     for size in ((1, 1), (5000, 4000), (97, 101), (3, 2000)):
         try:
@@ -61,7 +61,7 @@ def picture_of(size, seed=0):
 
 
 @pytest.mark.parametrize("name", PRESETS)
-def test_the_normalization_is_that_of_the_network_s_own_code(name):
+def test_the_normalization_matches_the_code_of_the_network(name):
     preset, imagenet = PRESETS[name], ((0.485, 0.456, 0.406), (0.229, 0.224, 0.225))
     own = {"dpt": ((0.5,) * 3, (0.5,) * 3), "metric3d-v2": ((0.0,) * 3, (1.0,) * 3)}
     own |= {"zoedepth": own["dpt"], "depth-pro": own["dpt"], "metric3d-convnext": own["metric3d-v2"]}
@@ -71,7 +71,7 @@ def test_the_normalization_is_that_of_the_network_s_own_code(name):
     assert preset.levels == (255 if name.startswith("metric3d") else 1)
 
 
-def test_no_number_goes_in_that_no_picture_has(tmp_path):
+def test_resized_inputs_stay_within_the_range_of_the_picture(tmp_path):
     model = loom.DepthModel(linear(tmp_path / "m.onnx", weights=(1, 0, 0)), "midas-v2.1-small-onnx")
     picture = np.zeros((40, 40, 3), np.uint8)
     picture[:, 20:] = 255  # bicubic kernels go beyond at such edges
@@ -80,7 +80,7 @@ def test_no_number_goes_in_that_no_picture_has(tmp_path):
 
 
 @pytest.mark.parametrize("name", ["depth-anything-v2", "midas-v2.1-onnx", "dpt", "depth-anything-3"])
-def test_numbers_go_in_as_the_preset_says(name, tmp_path):
+def test_inputs_are_normalized_by_the_preset(name, tmp_path):
     preset = PRESETS[name]
     size = (384, 512) if name == "dpt" else input_size(preset, 480, 640)
     model = loom.DepthModel(linear(tmp_path / "m.onnx", size=size, squeeze=True, views=preset.takes_views), name)
@@ -103,14 +103,14 @@ def test_a_model_of_any_size_gets_that_of_the_preset(name, tmp_path):
     assert error.max() < 0.004  # a level of 255: ramps come back where they were, to the borders
 
 
-def test_a_map_of_whole_strides_covers_the_picture_to_its_borders(tmp_path):
+def test_a_strided_map_covers_the_picture_to_its_borders(tmp_path):
     model = loom.DepthModel(in_strides(tmp_path / "m.onnx"), "depth-anything-v2")
     ramp = np.tile(np.linspace(0, 250, 500), (500, 1)).astype(np.uint8)
     values, placement = model._run_with_placement(np.repeat(ramp[..., None], 3, 2))
     assert (placement.rows, placement.columns) == (518, 518)
     assert values.shape == (500, 500)
     gray = np.mean([(ramp[250] / 255 - mean) / std for mean, std in zip(IMAGENET_MEAN, IMAGENET_STD, strict=True)], 0)
-    cell = 14 * 500 / 518  # pixels that one of its numbers stands for
+    cell = 14 * 500 / 518  # pixels per output value
     assert np.abs(values[250] - gray).max() < 0.6 * cell * (gray[499] - gray[0]) / 499
 
 
@@ -124,14 +124,14 @@ def test_fixed_inputs_are_taken_as_they_are(tmp_path):
     assert (half._placement(100, 100).rows, half._placement(100, 100).columns) == (28, 518)
 
 
-def test_models_in_half_precision_are_fed_so(tmp_path):
+def test_half_precision_models_get_half_precision_inputs(tmp_path):
     model = loom.DepthModel(linear(tmp_path / "m.onnx", size=(28, 42), kind=TensorProto.FLOAT16))
     picture = picture_of((28, 42))
     values = model._run_with_placement(picture)[0]
     np.testing.assert_allclose(values, seen_by(PRESETS[model.preset], picture), atol=5e-3)
 
 
-def test_what_is_added_around_a_picture_is_the_mean_color(tmp_path):
+def test_borders_are_filled_with_the_mean_color(tmp_path):
     model = loom.DepthModel(with_mean(tmp_path / "m.onnx", (616, 1064)), "metric3d-v2")
     picture = np.full((300, 400, 3), 10, np.uint8)
     picture[:, 200:] = 20
@@ -157,7 +157,7 @@ def test_square_exports_of_depth_anything_3_see_undistorted_pictures(tmp_path):
 
 
 def flat_estimate(tmp_path, name, picture, focal, **options):
-    """The estimate of a network that gives the red of a picture, 0..levels before its normalization."""
+    """The estimate of a network that returns the red channel, 0..levels before normalization."""
     preset = PRESETS[name]
     weights = (preset.std[0] / preset.levels * 255, 0, 0)
     offset = preset.mean[0] / preset.levels * 255
@@ -175,50 +175,50 @@ def two_reds(size, near, far):
     return picture
 
 
-def test_metric3d_gives_metres_by_the_focal_length_of_its_input(tmp_path):
+def test_metric3d_gives_meters_by_the_focal_length_of_its_input(tmp_path):
     for factor in (1, 2):
         size = 616 // factor, 1064 // factor
-        found = flat_estimate(tmp_path, "metric3d-v2", two_reds(size, 10, 20), 500.0 / factor)
-        assert found.is_metric
-        assert (found.unit, found.scale, found.shift, found.inlier_share) == ("m", 1.0, 0.0, None)
-        assert found.depth[5, 5] == pytest.approx(10 * 500 / 1000, rel=1e-4)
-        assert found.depth[5, -5] == pytest.approx(20 * 500 / 1000, rel=1e-4)
+        result = flat_estimate(tmp_path, "metric3d-v2", two_reds(size, 10, 20), 500.0 / factor)
+        assert result.is_metric
+        assert (result.unit, result.scale, result.shift, result.inlier_share) == ("m", 1.0, 0.0, None)
+        assert result.depth[5, 5] == pytest.approx(10 * 500 / 1000, rel=1e-4)
+        assert result.depth[5, -5] == pytest.approx(20 * 500 / 1000, rel=1e-4)
 
 
 def test_depth_anything_3_metric_divides_by_300(tmp_path):
     for factor in (1, 2):
         size = 504 // factor, 504 // factor
-        found = flat_estimate(tmp_path, "depth-anything-3-metric", two_reds(size, 10, 20), 600.0 / factor)
-        assert found.is_metric
-        assert found.depth[5, 5] == pytest.approx(10 * 600 / 300, rel=1e-4)
-        assert found.depth[5, -5] == pytest.approx(20 * 600 / 300, rel=1e-4)
+        result = flat_estimate(tmp_path, "depth-anything-3-metric", two_reds(size, 10, 20), 600.0 / factor)
+        assert result.is_metric
+        assert result.depth[5, 5] == pytest.approx(10 * 600 / 300, rel=1e-4)
+        assert result.depth[5, -5] == pytest.approx(20 * 600 / 300, rel=1e-4)
 
 
-def test_metres_need_a_focal_length_that_is_known(tmp_path):
+def test_meters_require_a_known_focal_length(tmp_path):
     path = linear(tmp_path / "m.onnx", offset=1.0)
-    found = loom.estimate_depth(two_reds((300, 400), 10, 20), path, preset="metric3d-v2")
-    assert not found.is_metric
-    assert (found.unit, found.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
-    assert found.intrinsic.fx == pytest.approx(200 / np.tan(np.radians(30)))
+    result = loom.estimate_depth(two_reds((300, 400), 10, 20), path, preset="metric3d-v2")
+    assert not result.is_metric
+    assert (result.unit, result.intrinsic_source) == ("arbitrary", "assumed 60 degrees")
+    assert result.intrinsic.fx == pytest.approx(200 / np.tan(np.radians(30)))
 
 
 @pytest.mark.parametrize("name", ["depth-anything-v2", "dpt"])
 def test_inverse_depth_without_references_runs_from_1_to_10(tmp_path, name):
     side = 518 if name == "depth-anything-v2" else 384
-    found = flat_estimate(tmp_path, name, two_reds((side, side), 200, 50), 300.0)
-    assert not found.is_metric
-    assert found.unit == "arbitrary"
-    assert found.depth[5, 5] == pytest.approx(1, rel=1e-4)
-    assert found.depth[5, -5] == pytest.approx(10, rel=1e-3)
+    result = flat_estimate(tmp_path, name, two_reds((side, side), 200, 50), 300.0)
+    assert not result.is_metric
+    assert result.unit == "arbitrary"
+    assert result.depth[5, 5] == pytest.approx(1, rel=1e-4)
+    assert result.depth[5, -5] == pytest.approx(10, rel=1e-3)
     d = np.array([200.0, 50.0])
-    np.testing.assert_allclose(1 / (found.scale * d + found.shift), [1, 10], rtol=1e-3)
+    np.testing.assert_allclose(1 / (result.scale * d + result.shift), [1, 10], rtol=1e-3)
 
 
 def test_relative_depth_without_references_keeps_its_ratios(tmp_path):
-    found = flat_estimate(tmp_path, "depth-anything-3", two_reds((504, 504), 50, 200), 300.0)
-    assert (found.unit, found.shift) == ("arbitrary", 0.0)
-    assert found.depth[5, 5] == pytest.approx(1, rel=1e-3)
-    assert found.depth[5, -5] == pytest.approx(4, rel=1e-3)
+    result = flat_estimate(tmp_path, "depth-anything-3", two_reds((504, 504), 50, 200), 300.0)
+    assert (result.unit, result.shift) == ("arbitrary", 0.0)
+    assert result.depth[5, 5] == pytest.approx(1, rel=1e-3)
+    assert result.depth[5, -5] == pytest.approx(4, rel=1e-3)
 
 
 def two_inputs(path):
@@ -257,7 +257,7 @@ MODELS = {
 
 
 @pytest.mark.parametrize("title", MODELS)
-def test_a_model_that_is_not_the_preset_s_is_refused_when_it_is_opened(title, tmp_path):
+def test_a_model_of_another_preset_is_rejected_when_opened(title, tmp_path):
     make, reason = MODELS[title]
     with pytest.raises(loom.FileError, match=r"m\.onnx") as error:
         loom.DepthModel(make(tmp_path / "m.onnx"))
@@ -298,7 +298,7 @@ def test_metric_depth_that_is_never_positive_is_an_error(tmp_path):
         loom.estimate_depth(picture_of((50, 50)), path, preset="depth-anything-3-metric")
 
 
-def test_what_is_no_model_is_refused_with_a_remedy(tmp_path):
+def test_files_that_are_no_models_are_rejected_with_advice(tmp_path):
     good = linear(tmp_path / "good.onnx").read_bytes()
     contents = {
         "random": np.random.default_rng(0).bytes(5000), "text": b"weights: none\n" * 20, "cut": good[: len(good) // 2],
@@ -317,7 +317,7 @@ def test_what_is_no_model_is_refused_with_a_remedy(tmp_path):
 
 
 @pytest.mark.parametrize("name", [b"side", b"depth", b"Conv"])
-def test_a_name_that_is_no_text_is_refused_without_a_banner(tmp_path, capsys, name):
+def test_a_name_that_is_no_text_is_rejected_without_a_banner(tmp_path, capsys, name):
     data = linear(tmp_path / "good.onnx", size=("side", "w")).read_bytes()
     path = tmp_path / "bad.onnx"
     path.write_bytes(data.replace(name, b"\xff" + name[1:]))
@@ -326,7 +326,7 @@ def test_a_name_that_is_no_text_is_refused_without_a_banner(tmp_path, capsys, na
     assert capsys.readouterr().out == ""
 
 
-def test_a_model_of_a_later_format_says_what_to_update(tmp_path):
+def test_a_model_of_a_newer_format_requires_an_update(tmp_path):
     model = onnx.load(linear(tmp_path / "m.onnx"))
     model.ir_version = 99
     (tmp_path / "later.onnx").write_bytes(model.SerializeToString())
@@ -334,7 +334,7 @@ def test_a_model_of_a_later_format_says_what_to_update(tmp_path):
         loom.DepthModel(tmp_path / "later.onnx")
 
 
-def test_weights_in_a_file_of_their_own_are_found_beside_the_model(tmp_path):
+def test_external_weights_are_read_from_the_folder_of_the_model(tmp_path):
     model = onnx.load(linear(tmp_path / "m.onnx", size=(28, 42)))
     onnx.save(model, tmp_path / "split.onnx", save_as_external_data=True, location="split.onnx_data", size_threshold=0)
     picture = picture_of((28, 42))
@@ -353,7 +353,7 @@ def test_without_the_extra_the_error_names_it(package, tmp_path, monkeypatch):
         loom.DepthModel(path)
 
 
-def test_no_cuda_is_an_error_and_never_the_cpu_in_silence(tmp_path, monkeypatch):
+def test_missing_cuda_is_an_error_without_fallback_to_the_cpu(tmp_path, monkeypatch):
     import onnxruntime
 
     path = linear(tmp_path / "m.onnx")
@@ -369,7 +369,7 @@ def test_no_cuda_is_an_error_and_never_the_cpu_in_silence(tmp_path, monkeypatch)
     monkeypatch.setattr(network, "resolve_device", lambda _: _Cuda)
     with pytest.raises(loom.DeviceError, match=r"^device:"):
         loom.DepthModel(path, device="cuda")
-    assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"  # which it says
+    assert loom.DepthModel(path, device="auto").provider == "CPUExecutionProvider"
 
 
 class _Cuda:
@@ -377,7 +377,7 @@ class _Cuda:
 
 
 @pytest.mark.slow
-def test_the_same_bits_twice_and_with_any_number_of_threads(tmp_path):
+def test_results_are_bitwise_identical_for_any_number_of_threads(tmp_path):
     path, picture = busy(tmp_path / "m.onnx"), picture_of((200, 300))
     first = loom.DepthModel(path, threads=1)._run_with_placement(picture)[0]
     for threads in (1, 2, None):

@@ -1,4 +1,4 @@
-"""Pictures of all kinds as a network gets them: turned upright, gray, deep, transparent, tiny, huge, black."""
+"""Network inputs from rotated, gray, 16-bit, transparent, tiny, huge and black pictures."""
 
 import math
 
@@ -14,7 +14,7 @@ from .tiny_networks import linear
 UPRIGHT = np.random.default_rng(0).integers(0, 256, (24, 40), dtype=np.uint8).repeat(8, 0).repeat(8, 1)
 RGB = np.stack([UPRIGHT, 255 - UPRIGHT, UPRIGHT // 2], -1)
 
-# What the file holds for each orientation that shows this picture upright.
+# Stored pixels for each orientation that give this picture upright.
 STORED = {
     1: RGB, 2: RGB[:, ::-1], 3: RGB[::-1, ::-1], 4: RGB[::-1], 5: RGB.transpose(1, 0, 2),
     6: np.rot90(RGB, 1), 7: np.rot90(RGB, 2).transpose(1, 0, 2), 8: np.rot90(RGB, -1),
@@ -32,7 +32,7 @@ def exif(**tags):
 
 
 @pytest.mark.parametrize(("orientation", "suffix"), [*((each, "png") for each in STORED), (6, "jpg")])
-def test_exif_turns_pictures_upright(tmp_path, orientation, suffix):
+def test_exif_rotates_pictures_upright(tmp_path, orientation, suffix):
     path = tmp_path / f"photo.{suffix}"
     options = {"quality": 100, "subsampling": 0} if suffix == "jpg" else {}
     stored = np.ascontiguousarray(STORED[orientation])
@@ -46,7 +46,7 @@ def test_exif_turns_pictures_upright(tmp_path, orientation, suffix):
         np.testing.assert_array_equal(photo.color, np.asarray(ImageOps.exif_transpose(picture)))
 
 
-def test_a_rotated_jpeg_gives_depth_upright_and_wants_its_camera_so(tmp_path):
+def test_a_rotated_jpeg_requires_an_upright_camera(tmp_path):
     path = tmp_path / "photo.jpg"
     Image.fromarray(np.ascontiguousarray(STORED[6])).save(path, exif=exif(orientation=6))
     model = linear(tmp_path / "m.onnx", size=(28, 28))
@@ -84,7 +84,7 @@ def test_the_focal_length_comes_from_exif(tmp_path):
     assert (camera.cx, camera.cy) == (159.5, 95.5)
 
 
-def test_without_one_60_degrees_are_assumed_and_said():
+def test_60_degrees_are_assumed_and_reported_without_a_focal_length():
     for size in ((192, 320), (320, 192)):
         camera, source = camera_of(take_photo(np.zeros(size, np.uint8)))
         assert source == "assumed 60 degrees"
@@ -110,19 +110,19 @@ def test_gray_deep_and_transparent_pictures_are_taken(tmp_path):
 def test_a_single_pixel_and_a_line_of_pixels_have_a_depth(tmp_path):
     model = loom.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
     line = np.linspace(0, 255, 30).astype(np.uint8)
-    found = loom.estimate_depth(line[None], model)
-    assert found.depth.shape == (1, 30)
-    assert len(found.to_point_cloud()) == 30
+    result = loom.estimate_depth(line[None], model)
+    assert result.depth.shape == (1, 30)
+    assert len(result.to_point_cloud()) == 30
     with pytest.raises(loom.FileError, match=r"/m\.onnx \(output 'depth'\):"):  # one color shows no depth
         loom.estimate_depth(np.full((1, 1), 9, np.uint8), model)
 
 
-def test_a_huge_picture_is_made_small_first(tmp_path):
+def test_a_huge_picture_is_downscaled_first(tmp_path):
     model = loom.DepthModel(linear(tmp_path / "m.onnx"), "midas-v2.1-small")
     picture = np.tile(np.linspace(0, 255, 1500).astype(np.uint8), (1000, 1))
-    found = loom.estimate_depth(picture, model)
-    assert found.depth.shape == (1000, 1500)
-    assert found.enlargement == 1000 / 160  # 171 rows of 256 columns, in whole multiples of 32
+    result = loom.estimate_depth(picture, model)
+    assert result.depth.shape == (1000, 1500)
+    assert result.enlargement == 1000 / 160  # 171 rows of 256 columns, in multiples of 32
     with pytest.raises(ValueError, match=r"^picture:.*depth-anything-v2"):
         loom.estimate_depth(np.zeros((4, 6000), np.uint8), linear(tmp_path / "d.onnx"))
 
@@ -130,7 +130,7 @@ def test_a_huge_picture_is_made_small_first(tmp_path):
 @pytest.mark.parametrize(
     "content", [b"", b"hello", b"\x89PNG\r\n\x1a\n" + b"\0" * 50, b"\xff\xd8\xff\xe0" + b"\1" * 50]
 )
-def test_what_is_no_picture_is_refused(tmp_path, content):
+def test_files_that_are_no_pictures_are_rejected(tmp_path, content):
     path = tmp_path / "photo.jpg"
     path.write_bytes(content)
     with pytest.raises(loom.FileError, match=r"photo\.jpg"):

@@ -1,4 +1,4 @@
-"""Depth networks of a few numbers, as ONNX files: what they give follows from what goes in, exactly."""
+"""Depth networks with few weights, as ONNX files; their outputs can be computed exactly."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def save(
     outputs: Sequence[tuple[str, int, Any]],
     **constants: Any,
 ) -> Path:
-    """A file of these nodes; inputs and outputs by name, type and shape."""
+    """Write these nodes to a file; inputs and outputs are given by name, type and shape."""
     values = [numpy_helper.from_array(np.asarray(value), name) for name, value in constants.items()]
     ends = [[helper.make_tensor_value_info(*each) for each in side] for side in (inputs, outputs)]
     graph = helper.make_graph(nodes, "tiny", *ends, values)
@@ -61,7 +61,7 @@ def linear(
 
 
 def in_strides(path: Path, stride: int = 14) -> Path:
-    """Gives the mean of each whole square of so many pixels: what is left over at the right and below it drops."""
+    """Gives the mean of each complete square block; incomplete blocks at the right and bottom are dropped."""
     nodes = [
         helper.make_node("ReduceMean", ["x"], ["gray"], axes=[1], keepdims=1),
         helper.make_node("AveragePool", ["gray"], ["cells"], kernel_shape=[stride] * 2, strides=[stride] * 2),
@@ -72,7 +72,7 @@ def in_strides(path: Path, stride: int = 14) -> Path:
 
 
 def fixed_map(path: Path, values: np.ndarray) -> Path:
-    """Gives these numbers, float32 [h, w], whatever the picture, if only the input is of their size."""
+    """Gives these numbers, float32 [h, w], for any picture of their size."""
     nodes = [
         helper.make_node("Mul", ["x", "zero"], ["nothing"]),
         helper.make_node("ReduceMean", ["nothing"], ["plane"], axes=[1], keepdims=1),
@@ -84,7 +84,7 @@ def fixed_map(path: Path, values: np.ndarray) -> Path:
 
 
 def with_mean(path: Path, size: tuple[int, int]) -> Path:
-    """Gives red + the mean of all red of the input, so that what was added around a picture can be told."""
+    """Gives red + the mean red of the input, so that added borders can be detected."""
     nodes = [
         helper.make_node("Conv", ["x", "kernel"], ["red"]),
         helper.make_node("GlobalAveragePool", ["red"], ["mean"]),
@@ -95,7 +95,7 @@ def with_mean(path: Path, size: tuple[int, int]) -> Path:
 
 
 def busy(path: Path) -> Path:
-    """Convolutions, attention and a norm over some thousand numbers, as real networks have."""
+    """Convolutions, attention and a norm over some thousand numbers, as in real networks."""
     rng = np.random.default_rng(5)
     constants = {
         "k1": rng.normal(0, 0.2, (32, 3, 14, 14)).astype(np.float32),
@@ -128,6 +128,6 @@ def busy(path: Path) -> Path:
 
 
 def seen_by(preset: Any, picture: np.ndarray, weights: Sequence[float] = WEIGHTS) -> np.ndarray:
-    """What `linear` gives for a picture that goes in as it is, by the preset's normalization."""
+    """The output of `linear` for a picture that is not resized, with the preset's normalization."""
     values = (picture.astype(np.float64) / 255 * preset.levels - preset.mean) / preset.std
     return values @ np.array(weights)

@@ -1,4 +1,4 @@
-"""Exact depth maps of made-up scenes: balls before a wall, seen by cameras on an arc."""
+"""Exact depth maps of synthetic scenes: balls in front of a wall, viewed by cameras on an arc."""
 
 from __future__ import annotations
 
@@ -15,16 +15,16 @@ WALL = 3.0  # [m] z of the wall
 BALLS = ((0.1, -0.05, 2.2, 0.45), (-0.7, 0.3, 2.6, 0.3))  # centers and radii [m]
 
 
-def pose(x: float, y: float = 0.0, turn: float = 0.0) -> np.ndarray:
-    """T_camera_world of a camera at (x, y, 0), turned about the vertical [rad]."""
+def pose(x: float, y: float = 0.0, angle: float = 0.0) -> np.ndarray:
+    """T_camera_world of a camera at (x, y, 0), rotated about the vertical by an angle [rad]."""
     T = np.eye(4)
-    T[:3, :3] = [[np.cos(turn), 0, -np.sin(turn)], [0, 1, 0], [np.sin(turn), 0, np.cos(turn)]]
+    T[:3, :3] = [[np.cos(angle), 0, -np.sin(angle)], [0, 1, 0], [np.sin(angle), 0, np.cos(angle)]]
     T[:3, 3] = -T[:3, :3] @ (x, y, 0.0)
     return T
 
 
 def cameras(count: int, *, step: float = 0.15, shift: Any = (0.0, 0.0, 0.0)) -> list[Any]:
-    """Cameras side by side that turn a little to each other, of two sizes in turn; the world moved by `shift`."""
+    """Cameras side by side, rotated toward each other, of two alternating sizes; the world is moved by `shift`."""
     made = []
     for k in range(count):
         at = (k - (count - 1) / 2) * step
@@ -35,7 +35,7 @@ def cameras(count: int, *, step: float = 0.15, shift: Any = (0.0, 0.0, 0.0)) -> 
 
 
 def true_map(camera: Any, *, balls: Any = BALLS, wall: float = WALL, shift: Any = (0.0, 0.0, 0.0)) -> Any:
-    """What a camera sees of the scene, in float64 till the end."""
+    """The exact depth map of a camera, computed in float64."""
     lens, T = camera.intrinsic, np.linalg.inv(camera.T_camera_world)
     v, u = np.mgrid[: lens.height, : lens.width].astype(np.float64)
     local = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones_like(u)], axis=-1)
@@ -74,6 +74,6 @@ def true_maps(count: int, **scene: Any) -> Any:
 
 def changed(maps: Any, i: int, depth: Any) -> Any:
     """The maps with another depth for one picture."""
-    kept = list(maps)
-    kept[i] = DepthMap(depth, kept[i].normals, kept[i].confidence)
-    return DepthMaps(maps.cameras, maps.sources, kept)
+    result = list(maps)
+    result[i] = DepthMap(depth, result[i].normals, result[i].confidence)
+    return DepthMaps(maps.cameras, maps.sources, result)

@@ -1,4 +1,4 @@
-"""Pictures of a textured plane by several cameras, each pixel's brightness and depth exact."""
+"""Pictures of a textured plane by several cameras, with exact brightness and depth."""
 
 from __future__ import annotations
 
@@ -13,7 +13,7 @@ NORMAL, DISTANCE = np.array([0.3, 0.1, -1.0]) / np.sqrt(1.1), 2.0  # n . X = -di
 
 
 def texture(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
-    """Brightness 0..1 at places of the plane: waves of many directions, down to some pixels long."""
+    """Brightness 0..1 at points of the plane: waves of many directions, down to a few pixels long."""
     rng = np.random.default_rng(5)
     total = np.zeros_like(a)
     for _ in range(24):
@@ -28,14 +28,14 @@ def intrinsic(scale: float = 1.0) -> loom.PinholeCameraIntrinsic:
 
 
 def camera_at(x: float, y: float = 0.0, scale: float = 1.0) -> loom.mvs.PosedCamera:
-    """A camera that looks along z, from the side."""
+    """A camera that looks along z, shifted sideways."""
     T = np.eye(4)
     T[:2, 3] = -x, -y
     return loom.mvs.PosedCamera(intrinsic(scale), T)
 
 
 def look(camera: loom.mvs.PosedCamera) -> tuple[NDArray[np.uint8], NDArray[np.float64]]:
-    """What a camera sees of the plane: gray [h, w], and the depth [h, w]."""
+    """The gray picture [h, w] and the depth [h, w] of the plane for a camera."""
     lens = camera.intrinsic
     v, u = np.mgrid[: lens.height, : lens.width].astype(np.float64)
     rays = np.stack([(u - lens.cx) / lens.fx, (v - lens.cy) / lens.fy, np.ones_like(u)], axis=-1)
@@ -46,7 +46,7 @@ def look(camera: loom.mvs.PosedCamera) -> tuple[NDArray[np.uint8], NDArray[np.fl
 
 
 def scene(cameras: list[loom.mvs.PosedCamera]) -> tuple[list[NDArray[np.uint8]], SparsePoints]:
-    """The pictures of these cameras, and the points that every sixth pixel of the first sees."""
+    """The pictures of these cameras, and the points of every sixth pixel of the first."""
     depth = look(cameras[0])[1][::6, ::6]
     lens = cameras[0].intrinsic
     v, u = np.mgrid[: lens.height : 6, : lens.width : 6].astype(np.float64)

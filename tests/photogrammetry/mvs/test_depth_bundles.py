@@ -1,4 +1,4 @@
-"""Archives of networks: poses, depth and confidence become maps that are checked and fused."""
+"""Archives of networks: poses, depth and confidence become checked and fused depth maps."""
 
 import numpy as np
 import pytest
@@ -23,7 +23,7 @@ def poses():
 
 
 def depths(T):
-    """Of the ball and the wall, in float64."""
+    """Depth of the ball and the wall, in float64."""
     lens = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, K[0, 0], K[1, 1], K[0, 2], K[1, 2])
     ball = [(*BALL[0], BALL[1])]
     return np.array([true_map(loom.mvs.PosedCamera(lens, pose), balls=ball, wall=6.0).depth for pose in T])
@@ -34,16 +34,16 @@ def arrays_of(layout, **changed):
     z = depths(T).astype(np.float32)
     bytes_ = np.full((COUNT, HEIGHT, WIDTH, 3), 128, np.uint8)
     if layout == "Depth Anything 3":
-        found = {"depth": z, "conf": confidence, "extrinsics": T[:, :3], "intrinsics": np.tile(K, (COUNT, 1, 1))}
-        found["image"] = bytes_
+        arrays = {"depth": z, "conf": confidence, "extrinsics": T[:, :3], "intrinsics": np.tile(K, (COUNT, 1, 1))}
+        arrays["image"] = bytes_
     else:
-        found = {"depth": z[..., None], "extrinsic": T[:, :3], "intrinsic": np.tile(K, (COUNT, 1, 1))}
+        arrays = {"depth": z[..., None], "extrinsic": T[:, :3], "intrinsic": np.tile(K, (COUNT, 1, 1))}
         if layout == "VGGT":
             floats = np.full((COUNT, 3, HEIGHT, WIDTH), 128 / 255, np.float32)
-            found |= {"depth_conf": confidence, "images": floats, "pose_enc": np.zeros((COUNT, 9))}
+            arrays |= {"depth_conf": confidence, "images": floats, "pose_enc": np.zeros((COUNT, 9))}
         else:
-            found |= {"final_mask": z < 5.9, "images": bytes_ / 255}
-    return found | changed
+            arrays |= {"final_mask": z < 5.9, "images": bytes_ / 255}
+    return arrays | changed
 
 
 def write(tmp_path, arrays):
@@ -69,9 +69,9 @@ def test_a_bundle_is_read_and_fused(tmp_path, layout):
 def test_a_bundle_is_brought_to_scale_by_known_positions(tmp_path):
     names = [f"{i}.png" for i in range(COUNT)]
     bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT")), names=names)
-    turn = Rotation.from_rotvec([0.3, 0.5, -0.2]).as_matrix()
+    rotation = Rotation.from_rotvec([0.3, 0.5, -0.2]).as_matrix()
     eyes = np.linalg.inv(poses())[:, :3, 3]
-    world = 2.5 * eyes @ turn.T + [10, 20, 30]
+    world = 2.5 * eyes @ rotation.T + [10, 20, 30]
     fit = loom.registration.fit_to_positions(bundle.to_model(), dict(zip(names, world, strict=True)))
     assert fit.scale == pytest.approx(2.5, rel=1e-9)
     moved = bundle.transform(fit.transformation)
@@ -84,15 +84,15 @@ def test_a_bundle_is_brought_to_scale_by_known_positions(tmp_path):
 
 
 def test_poses_that_contradict_the_depth_are_an_error(tmp_path):
-    turned = np.linalg.inv(poses())[:, :3]
-    turned[:, :, 3] += 3 * np.arange(COUNT)[:, None]
-    bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", extrinsic=turned)))
+    inverted = np.linalg.inv(poses())[:, :3]
+    inverted[:, :, 3] += 3 * np.arange(COUNT)[:, None]
+    bundle = loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", extrinsic=inverted)))
     with pytest.raises(ValueError, match="of VGGT contradict each other"):
         bundle.fuse()
 
 
 @pytest.mark.parametrize(
-    ("changed", "told"),
+    ("changed", "match"),
     [
         ({"depth": np.zeros((COUNT, HEIGHT, WIDTH, 1))}, "expected depth in some pixels"),
         ({"depth": np.full((COUNT, HEIGHT, WIDTH, 1), np.nan)}, "expected depth in some pixels"),
@@ -110,8 +110,8 @@ def test_poses_that_contradict_the_depth_are_an_error(tmp_path):
         ({"images": np.full((COUNT, HEIGHT, WIDTH, 3), 7.0)}, "pictures: expected uint8"),
     ],
 )
-def test_damaged_bundles_are_named(tmp_path, changed, told):
-    with pytest.raises(FileError, match=told):
+def test_damaged_bundles_are_named(tmp_path, changed, match):
+    with pytest.raises(FileError, match=match):
         loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", **changed)))
 
 
@@ -121,7 +121,7 @@ def test_other_archives_and_pickles_are_named(tmp_path):
     objects = np.array([{"a": 1}], dtype=object)
     with pytest.raises(FileError, match=r"predictions\.npz"):
         loom.mvs.read_depth_bundle(write(tmp_path, arrays_of("VGGT", depth=objects)))
-    path = write(tmp_path, arrays_of("VGGT", world_points=objects))  # which nobody asks for
+    path = write(tmp_path, arrays_of("VGGT", world_points=objects))  # not read
     assert len(loom.mvs.read_depth_bundle(path).maps) == COUNT
     path.write_bytes(path.read_bytes()[:-40])
     with pytest.raises(FileError, match="truncated"):

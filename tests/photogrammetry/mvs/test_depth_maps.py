@@ -1,4 +1,4 @@
-"""Depth maps are kept to the bit, in memory or in a folder; a damaged or unfinished folder is refused."""
+"""Depth maps are stored bitwise, in memory or in a folder; damaged or unfinished folders are rejected."""
 
 from __future__ import annotations
 
@@ -20,13 +20,13 @@ def a_map(seed: int, scale: float = 1.0) -> DepthMap:
     return DepthMap(rng.random(size), rng.normal(size=(*size, 3)), rng.random(size))
 
 
-def kept_in(folder) -> DepthMaps:
+def stored_in(folder) -> DepthMaps:
     cameras = [camera_at(0.0), camera_at(0.2, scale=1.5)]
     return DepthMaps(cameras, [(1,), (0,)], (a_map(i, 1 + i / 2) for i in range(2)), folder=folder)
 
 
-def test_a_folder_gives_back_every_bit(tmp_path):
-    made, opened = kept_in(tmp_path / "maps"), DepthMaps.open(tmp_path / "maps")
+def test_a_folder_restores_maps_bitwise(tmp_path):
+    made, opened = stored_in(tmp_path / "maps"), DepthMaps.open(tmp_path / "maps")
     assert len(opened) == len(made) == 2 and opened.sources == ((1,), (0,))
     for i, each in enumerate(opened):
         for name in ("depth", "normals", "confidence"):
@@ -41,7 +41,7 @@ def test_a_folder_gives_back_every_bit(tmp_path):
 
 def test_the_same_maps_make_the_same_files(tmp_path):
     for name in ("one", "other"):
-        kept_in(tmp_path / name)
+        stored_in(tmp_path / name)
     for path in (tmp_path / "one").iterdir():
         assert path.read_bytes() == (tmp_path / "other" / path.name).read_bytes()
 
@@ -60,7 +60,7 @@ def test_the_same_maps_make_the_same_files(tmp_path):
     ],
 )
 def test_a_damaged_folder_is_refused(tmp_path, name, damage):
-    kept_in(tmp_path)
+    stored_in(tmp_path)
     path = tmp_path / name
     if damage is None:
         path.unlink()
@@ -71,7 +71,7 @@ def test_a_damaged_folder_is_refused(tmp_path, name, damage):
 
 
 def test_maps_of_other_pictures_are_refused(tmp_path):
-    kept_in(tmp_path)
+    stored_in(tmp_path)
     index = json.loads((tmp_path / "depth_maps.json").read_text())
     (tmp_path / "000000.npz").write_bytes((tmp_path / "000001.npz").read_bytes())
     with pytest.raises(loom.FileError, match=r"/000000\.npz:.*float32.*36.*48"):
@@ -83,7 +83,7 @@ def test_maps_of_other_pictures_are_refused(tmp_path):
 
 
 def test_a_folder_that_is_written_anew_is_unfinished_till_the_end(tmp_path):
-    kept_in(tmp_path)
+    stored_in(tmp_path)
 
     def broken():
         yield a_map(0)
@@ -95,7 +95,7 @@ def test_a_folder_that_is_written_anew_is_unfinished_till_the_end(tmp_path):
         DepthMaps.open(tmp_path)
 
 
-def test_what_is_no_depth_map_is_refused():
+def test_invalid_depth_maps_are_rejected():
     size = (6, 8)
     good = {"depth": np.ones(size), "normals": np.zeros((*size, 3)), "confidence": np.ones(size)}
     for name, value, match in (

@@ -1,4 +1,4 @@
-"""Depth of photographs with poses: a textured plane is found where it is, the same each time."""
+"""Depth of posed photographs is accurate on a textured plane and reproducible."""
 
 from __future__ import annotations
 
@@ -28,12 +28,12 @@ def estimate(cameras, **options):
 
 
 def errors(each: DepthMap, camera: loom.mvs.PosedCamera, unit: float = 1.0) -> np.ndarray:
-    """By how many pixels a source would see each pixel elsewhere, 0.18 aside."""
+    """Reprojection error of each pixel in a source 0.18 to the side [px]."""
     truth, has = look(camera)[1], each.depth > 0
     return np.abs(unit / each.depth[has] - 1 / truth[has]) * FOCAL * 0.18
 
 
-def test_a_textured_plane_is_found_where_it_is(device):
+def test_a_textured_plane_has_accurate_depth(device):
     cameras = three()
     maps = estimate(cameras, device=device)
     assert [each.depth.shape for each in maps] == [(36, 48)] * 3
@@ -58,17 +58,17 @@ def test_normals_point_to_the_camera_and_confidence_follows_the_error():
     assert wrong[trusted].mean() < wrong[~trusted & (maps[0].depth > 0)].mean()
 
 
-def test_the_same_bits_come_twice_and_from_a_folder(tmp_path):
+def test_repeated_runs_and_folders_are_bitwise_identical(tmp_path):
     first = estimate(three())
     assert digest(first) == digest(estimate(three()))
-    kept = estimate(three(), folder=tmp_path / "maps")
-    assert digest(first) == digest(kept) == digest(DepthMaps.open(tmp_path / "maps"))
+    stored = estimate(three(), folder=tmp_path / "maps")
+    assert digest(first) == digest(stored) == digest(DepthMaps.open(tmp_path / "maps"))
     assert sorted(path.name for path in (tmp_path / "maps").iterdir()) == [
         "000000.npz", "000001.npz", "000002.npz", "depth_maps.json",
     ]  # fmt: skip
 
 
-def test_little_room_on_the_device_changes_no_bit():
+def test_little_device_memory_changes_no_bit():
     cameras = [*three(), camera_at(0.1, -0.1)]
     sources = [[1, 2], [0, 3], [3, 0], [2, 1]]
     assert digest(estimate(cameras, sources=sources)) == digest(estimate(cameras, sources=sources, device_bytes=0))
@@ -130,13 +130,13 @@ def test_a_picture_without_sources_has_no_depth():
     assert maps.sources[2] == () and maps[2].share == 0 and maps[0].share > 0.8
 
 
-def test_cameras_that_only_turn_are_refused_with_what_to_do():
+def test_cameras_that_only_rotate_are_rejected():
     cameras = [camera_at(0.0), camera_at(0.0)]
     with pytest.raises(ValueError, match="cameras:"):
         estimate(cameras, sources=[[1], [0]])
 
 
-def test_without_any_points_depth_is_found_where_frusta_meet():
+def test_depth_is_estimated_where_frusta_overlap_without_points():
     cameras = three()
     pictures, _ = scene(cameras)
     maps = loom.mvs.estimate_depth_maps(pictures, cameras)
@@ -158,7 +158,7 @@ def test_a_picture_that_sees_no_points_is_searched_where_frusta_meet():
     assert np.median(errors(maps[2], cameras[2])) < 0.05
 
 
-def test_pictures_that_do_not_fit_are_told_by_number(tmp_path):
+def test_invalid_pictures_are_reported_by_number(tmp_path):
     cameras = three()
     pictures, sparse = scene(cameras)
 
@@ -184,7 +184,7 @@ def test_pictures_that_do_not_fit_are_told_by_number(tmp_path):
     refused([*pictures[:2], tmp_path / "deep.png"], loom.FileError, "16-bit")
 
 
-def test_sources_that_make_no_sense_are_refused():
+def test_invalid_sources_are_rejected():
     for sources, match in (
         ([[1], [0]], "for each of the 3"),
         ([[3], [], []], r"sources\[0\]"),

@@ -1,4 +1,4 @@
-"""Depth maps of an exact scene fused to points and to meshes: each place once, where it is."""
+"""Depth maps of an exact scene fused to points and meshes."""
 
 from __future__ import annotations
 
@@ -17,16 +17,16 @@ UTM = (512_345.25, 5_403_210.5, 310.0)
 
 
 def distance_to_scene(points, shift=(0.0, 0.0, 0.0)):
-    """Of points from the nearest surface [m]."""
+    """Distance of points from the nearest surface [m]."""
     p = np.asarray(points) - shift
-    found = np.abs(p[:, 2] - WALL)
+    distance = np.abs(p[:, 2] - WALL)
     for x, y, z, radius in BALLS:
-        found = np.minimum(found, np.abs(np.linalg.norm(p - (x, y, z), axis=1) - radius))
-    return found
+        distance = np.minimum(distance, np.abs(np.linalg.norm(p - (x, y, z), axis=1) - radius))
+    return distance
 
 
 def pictures_of(maps):
-    """Pictures whose color is that of the picture's number."""
+    """Pictures of one color, the picture's number."""
     return [np.full((*each.depth.shape, 3), 40 * i, np.uint8) for i, each in enumerate(maps)]
 
 
@@ -36,7 +36,7 @@ def points_of(maps, i):
 
 
 @pytest.mark.parametrize("shift", [(0.0, 0.0, 0.0), UTM], ids=["near zero", "in UTM coordinates"])
-def test_points_lie_on_the_surface_and_cover_all_that_is_seen_once(device, shift):
+def test_points_cover_the_visible_surface_once(device, shift):
     maps = true_maps(5, shift=shift)
     cloud = loom.mvs.fuse(maps, pictures_of(maps), min_views=1, device=device)
     assert np.quantile(distance_to_scene(cloud.points, shift), 0.99) < 2e-3
@@ -49,7 +49,7 @@ def test_points_lie_on_the_surface_and_cover_all_that_is_seen_once(device, shift
     assert np.quantile(near, 0.02) > 0.2 * 1.5 / 66  # a fifth of the finest pixels on the balls
 
 
-def test_normals_colors_views_and_confidence_come_along(device):
+def test_normals_colors_views_and_confidence_are_fused(device):
     maps = true_maps(3, balls=())
     cloud = loom.mvs.fuse(maps, pictures_of(maps), device=device)
     assert set(cloud.attributes) == {"confidence", "views"}
@@ -61,7 +61,7 @@ def test_normals_colors_views_and_confidence_come_along(device):
     np.testing.assert_allclose(cloud.colors[seen_by_all], 40 / 255, atol=1e-6)  # the mean of 0, 40 and 80
 
 
-def test_points_that_too_few_pictures_show_go():
+def test_points_in_too_few_pictures_are_removed():
     maps = true_maps(3)
     counts = [len(loom.mvs.fuse(maps, None, min_views=n)) for n in (1, 2, 3, 4)]
     assert counts[0] > counts[1] > counts[2] > counts[3] == 0
@@ -69,7 +69,7 @@ def test_points_that_too_few_pictures_show_go():
     assert counts == [(views >= n).sum() for n in (1, 2, 3, 4)]
 
 
-def test_pictures_that_overlap_are_merged_though_they_are_no_sources_of_each_other():
+def test_overlapping_pictures_are_merged_without_being_sources():
     maps = true_maps(3)
     strangers = DepthMaps(maps.cameras, [(), (), ()], list(maps))
     np.testing.assert_array_equal(loom.mvs.fuse(strangers, None).points, loom.mvs.fuse(maps, None).points)
@@ -81,14 +81,14 @@ def test_a_volume_keeps_what_enough_pictures_show():
     assert counts[0] > counts[1] > counts[2] > counts[3] == 0
 
 
-def test_no_surface_is_made_up_far_from_all_points():
+def test_there_is_no_surface_far_from_all_points():
     maps = true_maps(4)
     mesh, points = (loom.mvs.fuse(maps, None, to=to) for to in ("poisson", "points"))
     away = KDTree(points.points).query(mesh.vertices)[0]
     assert away.max() < 0.3  # three cells of two pixels of 4.6 cm; Poisson's surface goes 63 cm away
 
 
-def test_the_same_bits_with_maps_and_pictures_on_disk_and_no_room(tmp_path, monkeypatch):
+def test_maps_and_pictures_on_disk_change_no_bit(tmp_path, monkeypatch):
     maps = true_maps(4)
     rng = np.random.default_rng(3)
     pictures = [rng.integers(0, 256, (*each.depth.shape, 3)).astype(np.uint8) for each in maps]
@@ -114,7 +114,7 @@ def test_pictures_of_another_size_and_gray_ones_are_taken():
 
 
 @pytest.mark.parametrize("to", ["tsdf", "poisson"])
-def test_a_mesh_lies_on_the_surface(device, to):
+def test_mesh_vertices_are_on_the_surface(device, to):
     maps = true_maps(5)
     mesh = loom.mvs.fuse(maps, pictures_of(maps), to=to, device=device)
     off = distance_to_scene(mesh.vertices)
@@ -129,7 +129,7 @@ def test_a_mesh_lies_on_the_surface(device, to):
 @pytest.mark.parametrize("to", ["tsdf", "poisson"])
 def test_a_mesh_in_utm_coordinates_is_that_near_zero(to):
     near, far = (loom.mvs.fuse(true_maps(3, shift=shift), None, to=to) for shift in ((0.0, 0.0, 0.0), UTM))
-    assert len(near) == pytest.approx(len(far), rel=0.02)  # voxels lie elsewhere on the surface
+    assert len(near) == pytest.approx(len(far), rel=0.02)  # voxel centers differ
     assert np.median(distance_to_scene(far.vertices, UTM)) == pytest.approx(
         np.median(distance_to_scene(near.vertices)), abs=2e-3
     )

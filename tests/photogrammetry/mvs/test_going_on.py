@@ -1,4 +1,4 @@
-"""A search for depth that is interrupted goes on at the next picture, to the same bits."""
+"""An interrupted depth search resumes at the next picture, with bitwise identical results."""
 
 from __future__ import annotations
 
@@ -15,13 +15,13 @@ def bytes_of(maps):
     return [part.tobytes() for each in maps for part in (each.depth, each.normals, each.confidence)]
 
 
-def test_an_interrupted_search_goes_on_at_the_next_picture(tmp_path, monkeypatch):
+def test_an_interrupted_search_resumes_at_the_next_picture(tmp_path, monkeypatch):
     cameras = three()
     pictures, sparse = scene(cameras)
-    whole = bytes_of(loom.mvs.estimate_depth_maps(pictures, cameras, sparse))
+    expected = bytes_of(loom.mvs.estimate_depth_maps(pictures, cameras, sparse))
     steps, matched, match = [], [], plane_search._PhaseRun.match
     monkeypatch.setattr(
-        plane_search._PhaseRun, "match", lambda walk, i: matched.append((walk.number, i)) or match(walk, i)
+        plane_search._PhaseRun, "match", lambda phase, i: matched.append((phase.number, i)) or match(phase, i)
     )
 
     def run(stop):
@@ -39,19 +39,17 @@ def test_an_interrupted_search_goes_on_at_the_next_picture(tmp_path, monkeypatch
             run(stop)
     phases = steps[0] // 3
     maps = run(None)
-    assert bytes_of(maps) == whole
-    assert matched == [
-        (k // 3, k % 3) for k in range(9, 3 * phases)
-    ]  # the pictures that were done are not matched anew
+    assert bytes_of(maps) == expected
+    assert matched == [(k // 3, k % 3) for k in range(9, 3 * phases)]  # finished pictures are not matched again
 
 
-def test_what_was_cut_off_is_matched_again(tmp_path):
+def test_truncated_files_are_matched_again(tmp_path):
     cameras = three()
     pictures, sparse = scene(cameras)
-    whole = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
+    expected = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
     files = sorted((tmp_path / "going").iterdir())
     files[0].write_bytes(files[0].read_bytes()[:-7])
     files[1].write_bytes(b"")
     np.save(files[2], np.zeros((3, 4), np.float32))
     again = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, going=tmp_path / "going")
-    assert bytes_of(again) == bytes_of(whole)
+    assert bytes_of(again) == bytes_of(expected)

@@ -1,4 +1,4 @@
-"""Every argument of multi-view stereo refuses what makes no sense, by an error that names it."""
+"""Every function of multi-view stereo rejects invalid arguments by name."""
 
 from __future__ import annotations
 

@@ -1,4 +1,4 @@
-"""Where a mask leaves a picture out there is no depth, and no point comes of it."""
+"""Masked pixels have no depth and give no points."""
 
 from __future__ import annotations
 
@@ -13,20 +13,20 @@ from .made_pictures import HEIGHT, WIDTH, scene, three
 
 @pytest.fixture(scope="module")
 def masks():
-    """The right half of every picture is left out, as a background that does not turn with a thing."""
+    """A mask that excludes the right half of each picture."""
     mask = np.zeros((HEIGHT, WIDTH), np.uint8)
     mask[:, : WIDTH // 2] = 255
     return mask
 
 
-def test_what_a_mask_leaves_out_has_no_depth_and_makes_no_point(masks, tmp_path):
+def test_masked_pixels_have_no_depth_and_no_points(masks, tmp_path):
     cameras = three()
     pictures, sparse = scene(cameras)
     write_png(tmp_path / "m.png", masks)
     given = [tmp_path / "m.png", masks, masks > 0]
-    whole = loom.mvs.estimate_depth_maps(pictures, cameras, sparse)
+    unmasked = loom.mvs.estimate_depth_maps(pictures, cameras, sparse)
     maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=given)
-    for each, all_of_it in zip(maps, whole, strict=True):
+    for each, all_of_it in zip(maps, unmasked, strict=True):
         out = masks == 0
         assert not each.depth[out].any() and not each.confidence[out].any() and not each.normals[out].any()
         assert np.array_equal(each.depth[~out], all_of_it.depth[~out]) and each.depth[~out].any()
@@ -38,19 +38,19 @@ def test_what_a_mask_leaves_out_has_no_depth_and_makes_no_point(masks, tmp_path)
     assert len(cloud) > 100 and inside.all()
 
 
-def test_none_leaves_a_picture_whole(masks):
+def test_none_masks_nothing(masks):
     cameras = three()
     pictures, sparse = scene(cameras)
-    whole = loom.mvs.estimate_depth_maps(pictures, cameras, sparse)
+    unmasked = loom.mvs.estimate_depth_maps(pictures, cameras, sparse)
     maps = loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=[None, masks, None])
-    assert np.array_equal(maps[0].depth, whole[0].depth) and not np.array_equal(maps[1].depth, whole[1].depth)
+    assert np.array_equal(maps[0].depth, unmasked[0].depth) and not np.array_equal(maps[1].depth, unmasked[1].depth)
 
 
 def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
     cameras = three()
     pictures, sparse = scene(cameras)
     write_png(tmp_path / "m.png", masks[:-1])
-    for wrong, error, said in [
+    for wrong, error, match in [
         ([masks], ValueError, "masks: expected one, or None, for each of the 3 images, got 1"),
         ([masks, masks, masks[1:]], ValueError, r"masks\[2\]: expected shape"),
         ([masks, masks, 1.0 * masks], TypeError, r"masks\[2\]: expected a path, or an array of bool or uint8"),
@@ -60,5 +60,5 @@ def test_masks_that_do_not_fit_are_refused(masks, tmp_path):
             "m.png: expected a mask of 48 x 36 pixels as its image, got 48 x 35",
         ),
     ]:
-        with pytest.raises(error, match=said):
+        with pytest.raises(error, match=match):
             loom.mvs.estimate_depth_maps(pictures, cameras, sparse, masks=wrong)

@@ -1,4 +1,4 @@
-"""Depth where patches say nothing: a gray wall takes its frame's plane, and what stands before it keeps its shape."""
+"""Depth without texture: a gray wall takes the plane of its frame, and a ball in front keeps its shape."""
 
 from __future__ import annotations
 
@@ -34,7 +34,7 @@ def cameras() -> list[loom.mvs.PosedCamera]:
 
 
 def look(camera: loom.mvs.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarray, np.ndarray, np.ndarray]:
-    """Gray with a camera's noise, depth, and 0 for the frame, 1 for the gray wall, 2 for the ball: each [h, w]."""
+    """Noisy gray picture, depth, and labels (0 frame, 1 gray wall, 2 ball), each [h, w]."""
     v, u = np.mgrid[:HEIGHT, :WIDTH].astype(np.float64)
     rays = np.stack([(u - LENS.cx) / FOCAL, (v - LENS.cy) / FOCAL, np.ones_like(u)], axis=-1)
     start = camera.center
@@ -54,24 +54,24 @@ def look(camera: loom.mvs.PosedCamera, seed: int, ball: bool) -> tuple[np.ndarra
 
 
 def estimate(ball: bool, **options) -> tuple[DepthMaps, list[np.ndarray], list[np.ndarray]]:
-    """Maps, by how much each depth is wrong [share], and what each pixel shows."""
+    """Depth maps, relative depth errors, and labels of the pixels."""
     posed = cameras()
     seen = [look(camera, i, ball) for i, camera in enumerate(posed)]
     v, u = np.mgrid[2:HEIGHT:6, 2:WIDTH:6]
     depth = seen[0][1][v, u]
     points = np.stack([(u - LENS.cx) / FOCAL * depth, (v - LENS.cy) / FOCAL * depth, depth], -1)
-    points = points[seen[0][2][v, u] != 1]  # nobody finds features on the gray wall
+    points = points[seen[0][2][v, u] != 1]  # there are no features on the gray wall
     sparse = SparsePoints(points, [(i, k) for i in range(3) for k in range(len(points))])
     maps = loom.mvs.estimate_depth_maps([each[0] for each in seen], posed, sparse, sources=ALL, **options)
     wrong = [
-        np.where(found.depth > 0, np.abs(found.depth / true[1] - 1), np.inf)
-        for found, true in zip(maps, seen, strict=True)
+        np.where(estimated.depth > 0, np.abs(estimated.depth / true[1] - 1), np.inf)
+        for estimated, true in zip(maps, seen, strict=True)
     ]
     return maps, wrong, [each[2] for each in seen]
 
 
 def inner(kind: np.ndarray) -> np.ndarray:
-    """Where the gray wall is all that a window sees: beside the frame it counts as texture."""
+    """Pixels whose window contains only the gray wall: the frame counts as texture."""
     return ndimage.binary_erosion(kind == 1, iterations=3)
 
 
@@ -92,16 +92,16 @@ def test_a_gray_wall_with_a_textured_frame_is_filled(device, filled):
     assert digest(maps) == digest(filled[0])  # on every device the same bits
 
 
-def test_that_is_what_priors_do(monkeypatch):
+def test_without_priors_the_wall_is_not_filled(monkeypatch):
     without_priors(monkeypatch)
     _, wrong, kind = estimate(False)
     assert (wrong[0][inner(kind[0])] < 0.01).mean() < 0.5
 
 
-def test_a_gray_wall_is_kept_by_the_filter(filled):
+def test_a_gray_wall_passes_the_filter(filled):
     maps, _, kind = filled
-    kept = loom.mvs.filter_depth_maps(maps)
-    assert (kept[0].depth[inner(kind[0])] > 0).mean() > 0.8
+    filtered = loom.mvs.filter_depth_maps(maps)
+    assert (filtered[0].depth[inner(kind[0])] > 0).mean() > 0.8
 
 
 def test_a_textured_ball_before_a_gray_wall_stays_a_ball(monkeypatch, device):

@@ -1,4 +1,4 @@
-"""Planes of plain places: fitted to what is sure, walls of one color parted, what lies before them left out."""
+"""Plane priors of untextured regions: fits, separate walls of one color, exclusion of objects in front."""
 
 from __future__ import annotations
 
@@ -19,13 +19,13 @@ PIXELS_PER = 50.0
 
 def given(device: str, w: np.ndarray, sure: np.ndarray, plain: np.ndarray, seed: int = 0) -> np.ndarray:
     """The priors, or 0 where there are none, [h, w, 4]."""
-    place = wp.get_device(device)
-    judged = upload(np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2), vec2, place)
-    planes = upload(np.stack([w, w * 0, w * 0, w * 0], axis=-1).astype(np.float32).reshape(-1, 4), vec4, place)
-    places = find_regions(judged, w.shape[1])
-    if places is None:
+    on_device = wp.get_device(device)
+    judged = upload(np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2), vec2, on_device)
+    planes = upload(np.stack([w, w * 0, w * 0, w * 0], axis=-1).astype(np.float32).reshape(-1, 4), vec4, on_device)
+    regions = find_regions(judged, w.shape[1])
+    if regions is None:
         return np.zeros((*w.shape, 4), np.float32)
-    return download(plane_priors(places, judged, planes, TOLERANCE / PIXELS_PER, seed)).reshape(*w.shape, 4)
+    return download(plane_priors(regions, judged, planes, TOLERANCE / PIXELS_PER, seed)).reshape(*w.shape, 4)
 
 
 def frame(width: int) -> np.ndarray:
@@ -33,7 +33,7 @@ def frame(width: int) -> np.ndarray:
 
 
 @pytest.mark.parametrize("every", [1, 23])  # 23: fewer sure pixels than threads that sum them
-def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it(device, every):
+def test_a_plain_region_takes_the_plane_of_certain_pixels_around_it(device, every):
     w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
     noisy = w + np.random.default_rng(0).normal(0, 0.1 / PIXELS_PER, w.shape)
     priors = given(device, noisy, textured & ((7 * u + 13 * v) % every == 0), ~textured)
@@ -43,7 +43,7 @@ def test_a_plain_place_takes_the_plane_of_what_is_sure_around_it(device, every):
     assert not priors[textured].any()
 
 
-def test_what_lies_before_a_wall_does_not_bend_its_plane(device):
+def test_an_object_in_front_of_a_wall_does_not_bend_its_plane(device):
     w, textured = 0.5 + 0.002 * u - 0.001 * v, frame(10)
     before = np.where(textured & (u < 40) & (v < 20), 0.9, w)
     priors = given(device, before, textured, ~textured)
@@ -58,7 +58,7 @@ def test_two_walls_of_one_color_have_a_plane_each(device):
 
 
 @pytest.mark.parametrize("kind", ["nothing sure", "a line", "a band", "a mess", "a speck"])
-def test_where_no_plane_is_certain_there_is_no_prior(device, kind):
+def test_there_is_no_prior_without_a_certain_plane(device, kind):
     w, textured = 0.5 + 0.002 * u, frame(10)
     sure, plain = textured, ~textured
     if kind == "nothing sure":
@@ -76,31 +76,31 @@ def test_where_no_plane_is_certain_there_is_no_prior(device, kind):
 
 
 def random_picture(seed: int) -> tuple[np.ndarray, np.ndarray]:
-    """Plain and sure pixels in speckles and bands."""
+    """Plain and certain pixels in speckles and bands."""
     rng = np.random.default_rng(seed)
     plain = ndimage.gaussian_filter(rng.normal(size=u.shape), 3) > 0.02
     return plain, rng.random(u.shape) < 0.3
 
 
 @pytest.mark.parametrize("seed", range(2))
-def test_places_are_what_hangs_together_and_what_is_sure_about_them(device, seed):
+def test_regions_are_connected_components_with_the_certain_pixels_around_them(device, seed):
     plain, sure = random_picture(seed)
     judged = np.stack([plain, sure], axis=-1).astype(np.float32).reshape(-1, 2)
-    places = find_regions(upload(judged, vec2, wp.get_device(device)), WIDTH)
-    assert places is not None
+    regions = find_regions(upload(judged, vec2, wp.get_device(device)), WIDTH)
+    assert regions is not None
     labels, count = ndimage.label(plain)
     large = [k for k in range(1, count + 1) if (labels == k).sum() >= 64]
-    assert places.count == len(large)
+    assert regions.count == len(large)
     expected = []
     for number, k in enumerate(sorted(large, key=lambda k: np.flatnonzero(labels == k)[0])):
         near = ndimage.binary_dilation(labels == k, iterations=3) & sure
         expected += [(number << 32) | pixel for pixel in np.flatnonzero(near)]
-    assert download(places.pairs).tolist() == expected
-    lengths = download(places.lasts) - download(places.firsts)
+    assert download(regions.pairs).tolist() == expected
+    lengths = download(regions.lasts) - download(regions.firsts)
     assert lengths.sum() == len(expected)
 
 
-def test_a_pixel_takes_the_plane_of_what_is_near_it(device):
+def test_pixels_take_the_plane_of_near_pixels(device):
     w, textured = np.where(u < WIDTH // 2, 0.5, 0.7), frame(10)
     priors = given(device, np.where((u + v) % 9 == 0, 0.9, w), textured, ~textured)  # and some pixels on no plane
     inner = ~textured & (np.abs(u - WIDTH // 2) > 4)

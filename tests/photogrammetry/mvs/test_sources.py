@@ -1,4 +1,4 @@
-"""Sources by greedy cover: held against the plain loop, and chosen as one would by hand."""
+"""Choice of sources by greedy cover, compared with a plain loop."""
 
 from __future__ import annotations
 
@@ -17,8 +17,8 @@ from .made_maps import pose
 LENS = loom.PinholeCameraIntrinsic(64, 48, 60.0, 60.0, 31.5, 23.5)
 
 
-def camera_at(x, y=0.0, z=0.0, turn=0.0):
-    T = pose(x, y, turn)
+def camera_at(x, y=0.0, z=0.0, angle=0.0):
+    T = pose(x, y, angle)
     T[:3, 3] -= T[:3, 2] * z
     return loom.mvs.PosedCamera(LENS, T)
 
@@ -26,12 +26,12 @@ def camera_at(x, y=0.0, z=0.0, turn=0.0):
 def scattered(rng, count=9, points=300):
     """Cameras in a row and points that some of them see."""
     cameras = [camera_at(*rng.normal(0, 0.5, 2)) for _ in range(count)]
-    places = rng.normal((0, 0, 6), 1, (points, 3))
-    return cameras, SparsePoints(places, np.argwhere(rng.random((count, points)) < 0.4))
+    positions = rng.normal((0, 0, 6), 1, (points, 3))
+    return cameras, SparsePoints(positions, np.argwhere(rng.random((count, points)) < 0.4))
 
 
 def plain_cover(cameras, sparse, count):
-    """The greedy choice with one matrix a picture."""
+    """The greedy choice with one matrix per picture."""
     centers, out = np.array([camera.center for camera in cameras]), []
     for i in range(len(cameras)):
         mine = sparse.seen_by(i)
@@ -57,13 +57,13 @@ def plain_cover(cameras, sparse, count):
 
 
 @pytest.mark.parametrize("count", [1, 4, 8])
-def test_the_choice_is_that_of_the_plain_loop(rng, count):
+def test_the_choice_matches_a_plain_loop(rng, count):
     cameras, sparse = scattered(rng)
     assert choose_sources(cameras, sparse, count=count) == plain_cover(cameras, sparse, count)
 
 
-def test_a_source_that_sees_what_the_others_miss_comes_before_better_ones():
-    """Pictures 1, 2, 3 and 4 see the left half well, only picture 5 the right half, and that at a poorer angle."""
+def test_a_source_covering_unseen_points_precedes_better_ones():
+    """Pictures 1 to 4 see the left half well; only picture 5 sees the right half, at a poorer angle."""
     cameras = [camera_at(x) for x in (0.0, 0.5, 0.52, 0.54, 0.56, 0.15)]
     points = np.stack([np.linspace(-1, 1, 40), np.zeros(40), np.full(40, 5.0)], axis=1)
     left = np.flatnonzero(points[:, 0] < 0).tolist()
@@ -88,7 +88,7 @@ def test_observations_in_any_order_and_twice_give_the_same(rng):
     assert choose_sources(cameras, again) == choose_sources(cameras, sparse)
 
 
-def test_the_world_may_lie_anywhere_in_any_unit(rng):
+def test_sources_are_independent_of_origin_and_unit(rng):
     cameras, sparse = scattered(rng)
     expected = choose_sources(cameras, sparse)
     for scale, shift in ((1.0, (5e5, 5.4e6, 300.0)), (1e-6, np.zeros(3)), (1e6, np.zeros(3))):
@@ -101,8 +101,8 @@ def test_the_world_may_lie_anywhere_in_any_unit(rng):
         assert choose_sources(moved, points) == expected
 
 
-def test_without_points_cameras_that_look_the_same_way_from_some_steps_aside_are_taken():
-    cameras = [camera_at(0.1 * k) for k in range(6)] + [camera_at(0.05, turn=3.0)]
+def test_nearby_cameras_of_the_same_direction_are_sources_without_points():
+    cameras = [camera_at(0.1 * k) for k in range(6)] + [camera_at(0.05, angle=3.0)]
     none = SparsePoints(np.zeros((0, 3)), np.zeros((0, 2), int))
     chosen = choose_sources(cameras, none, count=3)
     assert chosen == choose_sources(cameras, None, count=3)
@@ -147,7 +147,7 @@ def test_no_picture_and_one_have_no_sources(count):
     assert choose_sources(cameras, None) == ((),) * count
 
 
-def test_cameras_at_one_place_are_no_error():
+def test_cameras_at_one_position_are_no_error():
     assert choose_sources([camera_at(0.0)] * 3, None) == ((), (), ())
     sparse = SparsePoints([[0.0, 0.0, 2.0]], [(0, 0), (1, 0), (2, 0)])
     assert choose_sources([camera_at(0.0)] * 3, sparse) == ((), (), ())

@@ -1,4 +1,4 @@
-"""Pictures of the made-up scene, what was found in them, and videos of it."""
+"""Pictures of the synthetic scene, their features, and videos."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pointloom.photogrammetry.sfm.features import find_features
 from pointloom.photogrammetry.sfm.mapping import map_pictures
 from pointloom.photogrammetry.sfm.matches import match
 
-from .scene import picture, walk
+from .scene import camera_path, picture
 
 COUNT = 8
 FEATURES = 1200
@@ -37,23 +37,23 @@ def left_half(shape) -> np.ndarray:
 
 
 @pytest.fixture(scope="session")
-def walked() -> list[np.ndarray]:
-    return [picture(T) for T in walk(COUNT)]
+def scene_pictures() -> list[np.ndarray]:
+    return [picture(T) for T in camera_path(COUNT)]
 
 
 @pytest.fixture(scope="session")
-def stages(walked, tmp_path_factory) -> SimpleNamespace:
-    """Features, matches and the model of 8 pictures, in a folder whose name is hard on paths."""
+def stages(scene_pictures, tmp_path_factory) -> SimpleNamespace:
+    """Features, matches and the model of 8 pictures, in a folder with spaces and non-ASCII characters."""
     pytest.importorskip("sqlite3")
     if not has_pycolmap():
         pytest.skip("pycolmap is not installed")
     work = tmp_path_factory.mktemp("sfm") / "Küche 1 ✓"
-    pictures = write_pictures(work / "Bilder", walked)
+    pictures = write_pictures(work / "Bilder", scene_pictures)
     features_db, matches_db, sparse = work / "features.db", work / "matches.db", work / "sparse"
-    said: list[tuple[str, int, int]] = []
+    steps: list[tuple[str, int, int]] = []
 
     def progress(*step):
-        said.append(step)
+        steps.append(step)
 
     features = find_features(pictures, features_db, max_features=FEATURES, progress=progress)
     before = features_db.read_bytes()
@@ -62,11 +62,13 @@ def stages(walked, tmp_path_factory) -> SimpleNamespace:
     before = matches_db.read_bytes()
     result = map_pictures(pictures, matches_db, sparse, progress=progress)
     assert matches_db.read_bytes() == before
-    return SimpleNamespace(**{name: value for name, value in locals().items() if name not in ("before", "walked")})
+    return SimpleNamespace(
+        **{name: value for name, value in locals().items() if name not in ("before", "scene_pictures")}
+    )
 
 
 def has_pycolmap() -> bool:
-    """Asked without importing it: beside other packages it may hang."""
+    """True if pycolmap is installed; importing it beside other packages may hang."""
     import importlib.util
 
     return importlib.util.find_spec("pycolmap") is not None
@@ -91,5 +93,5 @@ def make_video(tmp_path) -> Callable[..., Path]:
 @pytest.fixture(scope="session")
 def panned() -> list[np.ndarray]:
     """40 frames of 160 x 120 that move by 3 pixels each."""
-    wide = np.array(Image.fromarray(picture(walk(2)[0])).resize((640, 120), Image.Resampling.BOX))
+    wide = np.array(Image.fromarray(picture(camera_path(2)[0])).resize((640, 120), Image.Resampling.BOX))
     return [np.ascontiguousarray(wide[:, 3 * k : 3 * k + 160]) for k in range(40)]

@@ -1,4 +1,4 @@
-"""Made-up features of points that cameras with known poses see: no pictures, no COLMAP."""
+"""Synthetic features of points seen by cameras with known poses, without pictures and COLMAP."""
 
 from __future__ import annotations
 
@@ -15,7 +15,7 @@ CAMERA = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [FOCAL, FOCAL, 320.0, 240.0]
 
 
 def looking(center: np.ndarray, at: np.ndarray, roll: float) -> np.ndarray:
-    """T_camera_world of a camera that looks at a place."""
+    """T_camera_world of a camera that looks at a point."""
     z = (at - center) / np.linalg.norm(at - center)
     x = np.cross([0.0, 1.0, 0.0], z)
     x /= np.linalg.norm(x)
@@ -27,8 +27,8 @@ def looking(center: np.ndarray, at: np.ndarray, roll: float) -> np.ndarray:
     return T
 
 
-def walk(count: int = 7) -> loom.SfmModel:
-    """Cameras in an uneven row before a heap of points, named so that text and numbers sort alike."""
+def camera_row(count: int = 7) -> loom.SfmModel:
+    """Cameras in an uneven row in front of a point cluster; text and numeric order of names agree."""
     along = np.linspace(-1, 1, count) ** 3 + np.linspace(-1, 1, count)
     poses = [
         looking(np.array([x, 0.2 * np.sin(3 * x), -0.3 * x * x]), np.array([0.3 * x, 0.1 * k / count, 4.0]), 0.1 * x)
@@ -38,7 +38,7 @@ def walk(count: int = 7) -> loom.SfmModel:
 
 
 def features_of(model: loom.SfmModel, *, count: int = POINTS, noise: float = 0.2, strangers: int = 40) -> FeatureRays:
-    """What the pictures of a model show of `count` points, and as many features of nothing as there are strangers."""
+    """Features of `count` points in the pictures of a model, and `strangers` unmatched features."""
     rng = np.random.default_rng(0)
     points = rng.uniform(-1, 1, (count, 3)) * (1.2, 0.8, 0.8) + (0, 0, 4.0)
     looks = some_looks(rng, count)
@@ -56,7 +56,7 @@ def features_of(model: loom.SfmModel, *, count: int = POINTS, noise: float = 0.2
 
 
 def some_looks(rng: np.random.Generator, count: int) -> np.ndarray:
-    """Descriptors as SIFT's: of length 512, most of it in few numbers."""
+    """Descriptors like SIFT's: of length 512, dominated by few entries."""
     values = rng.exponential(size=(count, 128))
     return np.clip(512 * values / np.linalg.norm(values, axis=1, keepdims=True), 0, 255).astype(np.uint8)
 
@@ -68,15 +68,15 @@ def with_poses(model: loom.SfmModel, T_camera_world: np.ndarray, focal: float = 
 
 
 def rays_as(model: loom.SfmModel, features: FeatureRays) -> FeatureRays:
-    """The features with the rays that a model's lenses give their pixels."""
+    """The features with rays computed by the lenses of a model."""
     rays = [camera.unproject(features.pixels[features.of(i)])[:, :2] for i, camera in enumerate(model.cameras)]
     return FeatureRays(features.firsts, features.pixels, np.concatenate(rays), features.descriptors)
 
 
-def seen_model(camera: loom.CameraModel, names: Sequence[str], turn: float = 0.1) -> loom.SfmModel:
-    """Three cameras side by side, the second turned [rad], and 60 points that they see where the lens shows them."""
+def seen_model(camera: loom.CameraModel, names: Sequence[str], angle: float = 0.1) -> loom.SfmModel:
+    """Three cameras side by side, the second rotated by an angle [rad], and 60 points with exact observations."""
     rng, poses = np.random.default_rng(0), np.tile(np.eye(4), (3, 1, 1))
-    poses[1, :3, :3] = [[np.cos(turn), 0, np.sin(turn)], [0, 1, 0], [-np.sin(turn), 0, np.cos(turn)]]
+    poses[1, :3, :3] = [[np.cos(angle), 0, np.sin(angle)], [0, 1, 0], [-np.sin(angle), 0, np.cos(angle)]]
     poses[:, 0, 3] = -0.1 * np.arange(3)
     points = np.column_stack([rng.uniform(-1.2, 1.2, 60), rng.uniform(-0.8, 0.8, 60), rng.uniform(2, 3, 60)])
     pixels = np.concatenate([camera.project(points @ T[:3, :3].T + T[:3, 3]) for T in poses])

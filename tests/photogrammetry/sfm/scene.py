@@ -1,4 +1,4 @@
-"""A made-up scene that pictures can be matched by: a wall and three boards before it, all with a grain."""
+"""A synthetic scene with enough texture for matching: a wall and three boards in front of it."""
 
 from __future__ import annotations
 
@@ -19,23 +19,23 @@ GRAIN = ((8, 0.2), (32, 0.3), (128, 0.5))  # cells of the noise on a plane, and 
 
 def grains() -> list[np.ndarray]:
     rng = np.random.default_rng(0)
-    found = []
+    textures = []
     for _ in PLANES:
         sums = np.zeros((512, 512))
         for cells, weight in GRAIN:
             noise = Image.fromarray(rng.random((cells, cells)).astype(np.float32))
             sums += weight * np.asarray(noise.resize((512, 512), Image.Resampling.BICUBIC))
-        found.append(np.clip(128 + 55 * (sums - sums.mean()) / sums.std(), 0, 255))
-    return found
+        textures.append(np.clip(128 + 55 * (sums - sums.mean()) / sums.std(), 0, 255))
+    return textures
 
 
 TEXTURES = grains()
 
 
-def camera_pose(along: float, *, turn_only: bool = False) -> np.ndarray:
-    """T_camera_world at -0.5..0.5 of a walk past the scene, or of a look around from its middle."""
-    center = np.zeros(3) if turn_only else np.array([1.2 * along, 0.15 * np.sin(6 * along), 0.1 * np.cos(5 * along)])
-    yaw = (0.6 if turn_only else 0.25) * along
+def camera_pose(along: float, *, rotate_only: bool = False) -> np.ndarray:
+    """T_camera_world at -0.5..0.5 of a path past the scene, or of a rotation at its center."""
+    center = np.zeros(3) if rotate_only else np.array([1.2 * along, 0.15 * np.sin(6 * along), 0.1 * np.cos(5 * along)])
+    yaw = (0.6 if rotate_only else 0.25) * along
     T = np.eye(4)
     T[:3, :3] = [[np.cos(yaw), 0, np.sin(yaw)], [0, 1, 0], [-np.sin(yaw), 0, np.cos(yaw)]]
     T[:3, 3] = -T[:3, :3] @ center
@@ -43,7 +43,7 @@ def camera_pose(along: float, *, turn_only: bool = False) -> np.ndarray:
 
 
 def picture(T_camera_world: np.ndarray, focal: float = FOCAL) -> np.ndarray:
-    """What a camera sees, shape [240, 320], uint8."""
+    """The picture of a camera, shape [240, 320], uint8."""
     R, t = T_camera_world[:3, :3], T_camera_world[:3, 3]
     center = -R.T @ t
     v, u = np.mgrid[:HEIGHT, :WIDTH]
@@ -63,14 +63,14 @@ def picture(T_camera_world: np.ndarray, focal: float = FOCAL) -> np.ndarray:
 
 
 def sampled(texture: np.ndarray, where: np.ndarray) -> np.ndarray:
-    """Values between pixels, `where` being 0..1 on both axes."""
-    place = where * (len(texture) - 2)
-    i, j = place[..., 0].astype(int), place[..., 1].astype(int)
-    p, q = place[..., 0] - i, place[..., 1] - j
+    """Bilinear samples of a texture, `where` in 0..1 on both axes."""
+    position = where * (len(texture) - 2)
+    i, j = position[..., 0].astype(int), position[..., 1].astype(int)
+    p, q = position[..., 0] - i, position[..., 1] - j
     upper = texture[j, i] * (1 - p) + texture[j, i + 1] * p
     return upper * (1 - q) + (texture[j + 1, i] * (1 - p) + texture[j + 1, i + 1] * p) * q
 
 
-def walk(count: int, **options: bool) -> list[np.ndarray]:
+def camera_path(count: int, **options: bool) -> list[np.ndarray]:
     """The poses of `count` pictures."""
     return [camera_pose(k / (count - 1) - 0.5, **options) for k in range(count)]

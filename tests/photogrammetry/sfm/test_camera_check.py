@@ -1,4 +1,4 @@
-"""What the pictures say of cameras: told from the figures alone, and asked of models by COLMAP's process."""
+"""Checks of focal lengths: messages from given figures, and profiles of models by COLMAP's process."""
 
 from __future__ import annotations
 
@@ -21,22 +21,28 @@ from .conftest import has_pycolmap
 from .test_model_quality import FOCAL, HEIGHT, WIDTH, model_of, views
 
 
-def told(**figures: float) -> str:
+def warnings_of(**figures: float) -> str:
     return "; ".join(CameraCheck(**figures).reasons())
 
 
 def test_a_given_camera_is_reported_with_both_numbers():
-    said = told(given=600, found=526, error=0.85, freed_error=0.5)
+    message = warnings_of(given=600, found=526, error=0.85, freed_error=0.5)
     assert (
-        "given focal length is 600 px, but 526 px fits the images better (the error falls from 0.85 to 0.5 px)" in said
+        "given focal length is 600 px, but 526 px fits the images better (the error falls from 0.85 to 0.5 px)"
+        in message
     )
-    assert "given focal length is 600 px" in told(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
+    assert "given focal length is 600 px" in warnings_of(given=600, found=526, error=0.5, freed_error=0.45, spread=0.02)
 
 
 @pytest.mark.parametrize(
     "figures",
     [
-        {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45},  # as good: the pictures do not tell
+        {
+            "given": 600,
+            "found": 526,
+            "error": 0.5,
+            "freed_error": 0.45,
+        },  # equally good: the pictures do not determine it
         {"given": 600, "found": 526, "error": 0.5, "freed_error": 0.45, "spread": 0.03},  # nor do parts of them
         {"given": 526, "found": 530, "error": 0.85, "freed_error": 0.5},  # it was something else
         {"given": 526, "found": 526, "error": 0.5, "freed_error": 0.5, "own_error": 0.45},
@@ -45,20 +51,20 @@ def test_a_given_camera_is_reported_with_both_numbers():
     ],
 )
 def test_a_camera_that_fits_is_not_reported(figures):
-    assert told(**figures) == ""
+    assert warnings_of(**figures) == ""
 
 
-def test_a_focal_length_that_the_pictures_do_not_fix_is_told():
-    assert "the images do not determine the focal length (with a focal length 15% off 663 px" in told(
+def test_an_undetermined_focal_length_is_reported():
+    assert "the images do not determine the focal length (with a focal length 15% off 663 px" in warnings_of(
         found=663, rise=0.0, error=0.4
     )
-    said = told(found=663, rise=0.026, spread=0.046, error=0.4)
-    assert "the error rises by 2.6%, and subsets of the images" in said
-    assert "or a lens with more distortion, change the focal length by 5%" in said
-    assert "the 525 px of EXIF fit worse" in told(found=663, rise=0, error=0.4, exif=525, freed_error=0.6)
+    message = warnings_of(found=663, rise=0.026, spread=0.046, error=0.4)
+    assert "the error rises by 2.6%, and subsets of the images" in message
+    assert "or a lens with more distortion, change the focal length by 5%" in message
+    assert "the 525 px of EXIF fit worse" in warnings_of(found=663, rise=0, error=0.4, exif=525, freed_error=0.6)
 
 
-def test_exif_settles_what_the_pictures_leave_open():
+def test_exif_determines_the_focal_length_if_the_pictures_do_not():
     check = CameraCheck(found=663, rise=0.0, error=0.4, exif=525, freed_error=0.401)
     assert check.reasons() == []
     (remark,) = check.notes()
@@ -67,14 +73,14 @@ def test_exif_settles_what_the_pictures_leave_open():
     )
 
 
-def test_pictures_of_several_focal_lengths_are_told_or_have_cameras_of_their_own():
+def test_several_focal_lengths_are_reported_or_get_separate_cameras():
     figures = {"found": 600.0, "rise": 0.1, "error": 1.4, "own_error": 0.4}
-    assert "several focal lengths (with one focal length per image the error falls from 1.4 to 0.4 px)" in told(
+    assert "several focal lengths (with one focal length per image the error falls from 1.4 to 0.4 px)" in warnings_of(
         **figures
     )
     parted = CameraCheck(**figures | {"parted": 2})
     assert parted.reasons() == [] and "2 cameras with different focal lengths do" in parted.notes()[0]
-    assert "several focal lengths" in told(given=525, freed_error=1.2, **figures)
+    assert "several focal lengths" in warnings_of(given=525, freed_error=1.2, **figures)
 
 
 def test_a_check_and_a_quality_are_read_again_from_json():
@@ -91,42 +97,43 @@ def points(rng):
     return np.column_stack([rng.uniform(-4, 4, (400, 2)), rng.uniform(3, 8, 400)])
 
 
-def test_points_that_are_more_than_a_pixel_off_are_told(points):
-    model = model_of(views(4, side=1.0, turn=0.3), points)
+def test_reprojection_errors_above_a_pixel_are_reported(points):
+    model = model_of(views(4, side=1.0, angle=0.3), points)
     for error, size, refused in ((0.9, 1, False), (1.1, 1, True), (1.5, 4, False), (1.7, 4, True)):
         cameras = [loom.CameraModel("PINHOLE", size * WIDTH, size * HEIGHT, [FOCAL, FOCAL, 9, 9])] * len(model)
-        found = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
-        said = assess_model(found, 4, focal=CameraCheck()).warnings
-        assert ("the reprojection error is" in str(said)) == refused
+        scaled = dataclasses.replace(model, cameras=cameras, errors=np.full(len(points), error))
+        warnings = assess_model(scaled, 4, focal=CameraCheck()).warnings
+        assert ("the reprojection error is" in str(warnings)) == refused
 
 
 def test_the_check_of_the_focal_length_makes_a_warning(points):
-    model = model_of(views(4, side=1.0, turn=0.3), points)
+    model = model_of(views(4, side=1.0, angle=0.3), points)
     quality = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4))
     assert not quality.reliable and "; ".join(quality.warnings).startswith(
         "the images do not determine the focal length"
     )
-    kept = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
-    assert kept.reliable and kept.to_dict()["notes"] == list(kept.notes) != []
+    noted = assess_model(model, 4, focal=CameraCheck(found=600, rise=0.001, error=0.4, exif=1, freed_error=0.4))
+    assert noted.reliable and noted.to_dict()["notes"] == list(noted.notes) != []
 
 
-ASK = """
+SCRIPT = """
 import json, pathlib, runpy, sys
 import pycolmap
 pycolmap.logging.minloglevel = 2
-asked = runpy.run_path(sys.argv[1])
-said = {}
-for place in sorted(pathlib.Path(sys.argv[2]).iterdir()):
-    model = pycolmap.Reconstruction(str(place))
-    shared, own, lengths = asked["own_focal_lengths"](pycolmap, model)
-    said[place.name] = asked["profile"](pycolmap, model) | {"own": own / shared} | asked["judge_given"](pycolmap, model)
-    said[place.name]["clusters"] = sorted(len(group) for group in asked["clusters"](lengths))
-print(json.dumps(said))
+script = runpy.run_path(sys.argv[1])
+results = {}
+for path in sorted(pathlib.Path(sys.argv[2]).iterdir()):
+    model = pycolmap.Reconstruction(str(path))
+    shared, own, lengths = script["own_focal_lengths"](pycolmap, model)
+    results[path.name] = script["profile"](pycolmap, model) | {"own": own / shared}
+    results[path.name] |= script["judge_given"](pycolmap, model)
+    results[path.name]["clusters"] = sorted(len(group) for group in script["clusters"](lengths))
+print(json.dumps(results))
 """
 
 
 def zoomed(poses, points) -> loom.SfmModel:
-    """A model with one camera of pictures every second of which was taken with another focal length."""
+    """A model with one camera, although every second picture has another focal length."""
     near, far = (model_of(poses, points, focal=focal, noise=0.2) for focal in (FOCAL, 1.3 * FOCAL))
     parts = [(model, model.observations[:, 0] % 2 == k) for k, model in enumerate((near, far))]
     seen = np.concatenate([model.observations[mine] for model, mine in parts])
@@ -135,13 +142,13 @@ def zoomed(poses, points) -> loom.SfmModel:
 
 
 @pytest.fixture(scope="module")
-def asked(tmp_path_factory) -> dict:
-    """What COLMAP's process finds of models that are made of points, without any picture."""
+def results(tmp_path_factory) -> dict:
+    """Results of COLMAP's process for models of synthetic points, without pictures."""
     if not has_pycolmap():
         pytest.skip("pycolmap is not installed")
     rng = np.random.default_rng(0)
     points = np.column_stack([rng.uniform(-4, 4, (300, 2)), rng.uniform(3, 8, 300)])
-    around, ahead = views(8, side=2.0, turn=0.5), [np.eye(4) for _ in range(8)]
+    around, ahead = views(8, side=2.0, angle=0.5), [np.eye(4) for _ in range(8)]
     for k, T in enumerate(ahead):
         T[2, 3] = -0.2 * k
     models = {
@@ -154,23 +161,23 @@ def asked(tmp_path_factory) -> dict:
     for name, model in models.items():
         loom.write_colmap_model(folder / name, model)
     script = Path(colmap_worker.__file__).with_name("colmap_cameras.py")
-    command = [sys.executable, "-P", "-c", ASK, str(script), str(folder)]
+    command = [sys.executable, "-P", "-c", SCRIPT, str(script), str(folder)]
     done = subprocess.run(command, capture_output=True, text=True, check=True, timeout=300)
     return json.loads(done.stdout.splitlines()[-1])
 
 
-def test_pictures_from_the_side_fix_the_focal_length_and_straight_ahead_none(asked):
-    assert asked["around"]["rise"] > 0.1 and asked["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
-    assert asked["ahead"]["rise"] < 0.002
+def test_sideways_motion_determines_the_focal_length_and_forward_motion_does_not(results):
+    assert results["around"]["rise"] > 0.1 and results["around"]["found"] == pytest.approx(FOCAL, rel=0.01)
+    assert results["ahead"]["rise"] < 0.002
 
 
-def test_a_focal_length_that_was_given_is_held_against_the_pictures(asked):
-    assert CameraCheck.from_json(asked["around"]).reasons() == []
-    said = CameraCheck.from_json(asked["wrong"])
-    assert said.given == pytest.approx(1.15 * FOCAL) and said.found == pytest.approx(FOCAL, rel=0.01)
-    assert said.freed_error < 0.6 * said.error
+def test_a_given_focal_length_is_checked_against_the_pictures(results):
+    assert CameraCheck.from_json(results["around"]).reasons() == []
+    check = CameraCheck.from_json(results["wrong"])
+    assert check.given == pytest.approx(1.15 * FOCAL) and check.found == pytest.approx(FOCAL, rel=0.01)
+    assert check.freed_error < 0.6 * check.error
 
 
-def test_pictures_of_two_focal_lengths_fall_into_two_cameras(asked):
-    assert asked["zoom"]["own"] < 0.5 < 0.9 < asked["around"]["own"]
-    assert asked["zoom"]["clusters"] == [4, 4] and asked["around"]["clusters"] == [8]
+def test_pictures_of_two_focal_lengths_form_two_clusters(results):
+    assert results["zoom"]["own"] < 0.5 < 0.9 < results["around"]["own"]
+    assert results["zoom"]["clusters"] == [4, 4] and results["around"]["clusters"] == [8]

@@ -1,4 +1,4 @@
-"""What COLMAP's process takes of the pycolmap that is there: a GPU where it can, networks where they are built in."""
+"""Different builds of pycolmap: with and without a GPU and networks."""
 
 from __future__ import annotations
 
@@ -26,17 +26,17 @@ def test_a_gpu_is_used_where_pycolmap_and_the_machine_have_one(monkeypatch, has_
     assert WORKER["on_gpu"](SimpleNamespace(has_cuda=has_cuda), {"gpu": wanted}) is used
 
 
-def test_a_gpu_that_was_asked_for_and_is_not_there_is_named(monkeypatch):
+def test_a_requested_but_missing_gpu_is_an_error(monkeypatch):
     monkeypatch.setitem(WORKER["on_gpu"].__globals__, "_cuda_devices", lambda: 0)
-    for has_cuda, said in ((False, "pip install pycolmap-cuda12"), (True, "there is no CUDA device")):
-        with pytest.raises(RuntimeError, match=said):
+    for has_cuda, message in ((False, "pip install pycolmap-cuda12"), (True, "there is no CUDA device")):
+        with pytest.raises(RuntimeError, match=message):
             WORKER["on_gpu"](SimpleNamespace(has_cuda=has_cuda), {"gpu": True})
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_networks_that_are_not_built_in_are_a_named_error(walked, tmp_path):
-    pictures = write_pictures(tmp_path / "p", walked[:2])
+def test_missing_networks_are_a_named_error(scene_pictures, tmp_path):
+    pictures = write_pictures(tmp_path / "p", scene_pictures[:2])
     with pytest.raises(
         loom.FileError, match="ALIKED and LightGlue require a pycolmap built with ONNX, and their weights"
     ):

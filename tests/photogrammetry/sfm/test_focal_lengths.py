@@ -1,4 +1,4 @@
-"""Photographs of several lenses, of a lens that was given wrongly, and such as do not tell their focal length."""
+"""Photographs of several lenses, of a wrongly given lens, and without a focal length in EXIF."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ import pointloom as loom
 from pointloom.photogrammetry.sfm.features import find_features
 
 from .conftest import has_pycolmap, write_pictures
-from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
+from .scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
 
 COUNT = 8
 
@@ -24,7 +24,7 @@ def _wants_colmap():
 
 
 def exif_of(film: int, *, focal: float | tuple[int, int] = 4.25) -> Image.Exif:
-    """EXIF of a telephone with a focal length, and with that in terms of 35 mm film."""
+    """EXIF of a telephone with a focal length, and its 35 mm equivalent."""
     exif = Image.Exif()
     exif[0x010F], exif[0x0110], exif[0x8769] = "Maker", "Phone 1", {0x920A: focal, 0xA405: film}
     return exif
@@ -38,19 +38,19 @@ def write_photographs(folder, pictures, films) -> None:
 
 
 def cameras_of(database) -> list[tuple[float, int]]:
-    """Focal lengths of the cameras of a database, and whether EXIF told them."""
+    """Focal lengths of the cameras of a database, and whether EXIF gave them."""
     with sqlite3.connect(database) as connection:
         rows = connection.execute("SELECT params, prior_focal_length FROM cameras ORDER BY 1").fetchall()
     return sorted((float(np.frombuffer(params)[0]), prior) for params, prior in rows)
 
 
 @pytest.mark.slow
-def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
-    write_photographs(tmp_path / "photos", walked[:5], [28, 50, 28, None, 50])
+def test_pictures_of_one_size_are_grouped_into_cameras_by_exif(scene_pictures, tmp_path):
+    write_photographs(tmp_path / "photos", scene_pictures[:5], [28, 50, 28, None, 50])
     choice = loom.sfm.choose_frames(tmp_path / "photos", tmp_path / "frames")
     assert any("EXIF contains 3 cameras or focal lengths" in remark for remark in choice.notes)
-    found = find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
-    assert (found.camera_count, found.sizes) == (3, {(WIDTH, HEIGHT): 5})
+    features = find_features(tmp_path / "frames", tmp_path / "f.db", max_features=100)
+    assert (features.camera_count, features.sizes) == (3, {(WIDTH, HEIGHT): 5})
     diagonal = np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)
     expected = [(0.85 * WIDTH, 0), (28 * diagonal, 1), (50 * diagonal, 1)]
     assert cameras_of(tmp_path / "f.db") == [
@@ -62,8 +62,8 @@ def test_pictures_of_one_size_are_cameras_by_what_exif_tells(walked, tmp_path):
 
 
 @pytest.mark.slow
-def test_a_zoom_that_nobody_told_of_becomes_two_cameras(tmp_path):
-    pictures = [picture(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(walk(COUNT))]
+def test_an_unrecorded_zoom_becomes_two_cameras(tmp_path):
+    pictures = [picture(T, FOCAL * (1.5 if k % 2 else 1.0)) for k, T in enumerate(camera_path(COUNT))]
     result = loom.sfm.reconstruct(write_pictures(tmp_path / "p", pictures), tmp_path / "work", max_features=800)
     assert result.model is not None and len(result.model) == COUNT and len(set(result.model.cameras)) == 2
     for name, camera in zip(result.model.names, result.model.cameras, strict=True):
@@ -73,8 +73,8 @@ def test_a_zoom_that_nobody_told_of_becomes_two_cameras(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_camera_that_was_given_wrongly_is_told_with_both_focal_lengths(walked, tmp_path):
-    pictures = write_pictures(tmp_path / "p", walked)
+def test_a_wrong_given_camera_is_reported_with_both_focal_lengths(scene_pictures, tmp_path):
+    pictures = write_pictures(tmp_path / "p", scene_pictures)
     wrong = loom.PinholeCameraIntrinsic(WIDTH, HEIGHT, 1.2 * FOCAL, 1.2 * FOCAL, 159.5, 119.5)
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=800, intrinsic=wrong)
     assert not result.reliable and "given focal length is 360 px" in str(result.warnings)
@@ -83,7 +83,7 @@ def test_a_camera_that_was_given_wrongly_is_told_with_both_focal_lengths(walked,
 
 @pytest.mark.slow
 @pytest.mark.parametrize("film", [None, 32])
-def test_straight_ahead_no_focal_length_is_found_and_that_of_exif_is_kept(tmp_path, film):
+def test_forward_motion_keeps_the_focal_length_of_exif(tmp_path, film):
     poses = [np.eye(4) for _ in range(COUNT)]
     for k, T in enumerate(poses):
         T[2, 3] = -0.12 * k
@@ -93,7 +93,7 @@ def test_straight_ahead_no_focal_length_is_found_and_that_of_exif_is_kept(tmp_pa
     if film is None:
         assert not result.reliable and "the images do not determine the focal length" in str(result.warnings)
     else:
-        kept = 32 * np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)  # 296 of 300
-        assert result.model.cameras[0].params[0] == pytest.approx(kept, rel=1e-3)
+        expected = 32 * np.hypot(WIDTH, HEIGHT) / np.hypot(36, 24)  # 296 of 300
+        assert result.model.cameras[0].params[0] == pytest.approx(expected, rel=1e-3)
         assert "EXIF's 295.8 px" in " ".join(result.quality.notes)
         assert result.reliable or "focal length" not in str(result.warnings)

@@ -1,4 +1,4 @@
-"""Frames of videos and folders of photographs, made ready for structure from motion."""
+"""Frames of videos and folders of photographs, prepared for structure from motion."""
 
 from __future__ import annotations
 
@@ -26,12 +26,12 @@ def read(path: Path) -> np.ndarray:
 
 
 def blurred(frame: np.ndarray) -> np.ndarray:
-    """Smeared along the rows, as by a jolt."""
+    """Blurred along the rows, as by camera shake."""
     return np.mean([np.roll(frame, shift, axis=1) for shift in range(-4, 5)], axis=0).astype(np.uint8)
 
 
 def softened(frame: np.ndarray) -> np.ndarray:
-    """A little less sharp than its neighbors, not blurred."""
+    """Slightly less sharp than its neighbors, not blurred."""
     return (0.85 * frame + 0.15 * blurred(frame)).astype(np.uint8)
 
 
@@ -47,33 +47,33 @@ def picked(frames, **options) -> FramePicker:
     return picker
 
 
-def test_no_frame_that_is_blurred_is_taken(panned):
+def test_blurred_frames_are_not_chosen(panned):
     for start in range(0, 20, 3):
         spoiled = set(range(start, 40, 5)) | set(range(start + 1, 40, 5))
         picker = picked([blurred(f) if k in spoiled else f for k, f in enumerate(panned)])
         assert not spoiled & set(picker.chosen) and picker.blurred >= 0.8 * len(spoiled) and len(picker.chosen) >= 7
 
 
-def test_frames_follow_each_other_by_the_movement_that_is_asked_for(panned):
+def test_frames_are_spaced_by_the_requested_movement(panned):
     for step, pixels in ((0.04, 6.4), (0.1, 16), (0.2, 32)):
         moved = 3 * np.diff(picked(panned, min_movement=step).chosen)
         assert moved.min() >= pixels - 2 * 3 and moved.max() <= pixels + 5 * 3
 
 
-def test_what_lies_before_the_last_one_taken_is_not_looked_at_again(panned):
+def test_frames_before_the_last_chosen_one_are_not_reconsidered(panned):
     near = panned[::2]
     frames = [frame if k % 3 == 2 else softened(frame) for k, frame in enumerate(near)]
-    step = movement_a_frame(near) / 1.2  # each frame is at another place, and none runs ahead
+    step = movement_a_frame(near) / 1.2  # each frame is at a new position within the step
     assert picked(frames, min_movement=step).chosen[:6] == [2, 5, 8, 11, 14, 17]
 
 
-def test_where_each_frame_is_at_another_place_all_are_taken(panned):
+def test_distant_frames_are_all_chosen(panned):
     far = panned[::5]  # 9 % of the width a frame
     chosen = picked(far).chosen
     assert chosen == list(range(chosen[0], len(far))) and chosen[0] <= frame_picker.NEAR
 
 
-def test_a_camera_that_stands_still_gives_one_frame(panned):
+def test_a_stationary_camera_gives_one_frame(panned):
     rng = np.random.default_rng(0)
     noisy = [np.clip(panned[0] + rng.normal(0, 4, panned[0].shape), 0, 255).astype(np.uint8) for _ in range(100)]
     for k, frame in enumerate(noisy):
@@ -105,7 +105,7 @@ def test_black_and_blank_frames_are_left_out(panned):
     assert picked(night).chosen == [] and picked([frame // 9 for frame in panned]).chosen != []
 
 
-def test_movement_is_that_of_the_picture(panned):
+def test_movement_matches_that_of_the_picture(panned):
     wide = np.concatenate([panned[0], panned[39]], axis=1)
     for dx, dy in ((0, 0), (4, 0), (-3, 2), (0, -7), (10, 5)):
         second = wide[20 + dy : 80 + dy, 40 + dx : 120 + dx]
@@ -151,19 +151,19 @@ def test_frames_of_a_video_are_those_of_the_numbers_in_their_names(make_video, p
     ("reader", "kind"),
     [("ffmpeg", "mp4"), *(pytest.param("opencv", k, marks=pytest.mark.slow) for k in ("mp4", "mkv"))],
 )
-def test_a_video_that_was_cut_off_says_how_many_frames_are_missing(make_video, panned, tmp_path, reader, kind):
-    whole = make_video(f"whole.{kind}", panned * 3, *(["-movflags", "+faststart"] if kind == "mp4" else []))
+def test_a_truncated_video_reports_the_missing_frames(make_video, panned, tmp_path, reader, kind):
+    complete = make_video(f"whole.{kind}", panned * 3, *(["-movflags", "+faststart"] if kind == "mp4" else []))
     cut = tmp_path / f"cut.{kind}"
-    cut.write_bytes(whole.read_bytes()[: whole.stat().st_size // 2])
+    cut.write_bytes(complete.read_bytes()[: complete.stat().st_size // 2])
     choice = loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
     assert 30 < choice.frame_count < 90 and choice.frames_promised == 120
     assert f"the video is damaged or truncated: {choice.frame_count} of 120 frames were decoded" in choice.notes[0]
 
 
 @READERS
-def test_a_video_without_its_index_says_what_to_do(make_video, panned, tmp_path, reader):
-    whole, cut = make_video("whole.mp4", panned), tmp_path / "cut.mp4"
-    cut.write_bytes(whole.read_bytes()[:-2000])
+def test_a_video_without_its_index_is_an_error(make_video, panned, tmp_path, reader):
+    complete, cut = make_video("whole.mp4", panned), tmp_path / "cut.mp4"
+    cut.write_bytes(complete.read_bytes()[:-2000])
     with pytest.raises(loom.FileError, match=r"cut\.mp4:"):
         loom.sfm.choose_frames(cut, tmp_path / "out", reader=reader)
     assert not (tmp_path / "out").exists()
@@ -171,7 +171,7 @@ def test_a_video_without_its_index_says_what_to_do(make_video, panned, tmp_path,
 
 @READERS
 @pytest.mark.parametrize("content", [b"", bytes(range(256)) * 200])
-def test_what_is_no_video_is_refused(tmp_path, reader, content):
+def test_files_that_are_no_videos_are_rejected(tmp_path, reader, content):
     (tmp_path / "junk.mp4").write_bytes(content)
     with pytest.raises(loom.FileError, match=r"junk\.mp4:"):
         loom.sfm.choose_frames(tmp_path / "junk.mp4", tmp_path / "out", reader=reader)
@@ -214,14 +214,14 @@ def test_a_playlist_is_no_video_and_is_not_followed(make_video, panned, tmp_path
         (b"#EXTM3U\n", ""),
     ],
 )
-def test_containers_are_found_by_their_first_bytes(tmp_path, head, container):
+def test_containers_are_detected_by_their_first_bytes(tmp_path, head, container):
     path = tmp_path / "a.mp4"
     path.write_bytes(head)
     assert find_container(path) == container
 
 
-def turned(video: Path) -> Path:
-    """The same video with a matrix that turns it by 90 degrees."""
+def rotated(video: Path) -> Path:
+    """The same video with a matrix that rotates it by 90 degrees."""
     path = video.with_name("turned.mp4")
     command = ["ffmpeg", "-v", "error", "-i", str(video), "-c", "copy", "-metadata:s:v", "rotate=90", str(path)]
     subprocess.run(command, check=True, timeout=60)
@@ -229,8 +229,10 @@ def turned(video: Path) -> Path:
 
 
 @READERS
-def test_a_video_of_a_telephone_held_upright_is_turned(make_video, panned, tmp_path, reader):
-    choice = loom.sfm.choose_frames(turned(make_video("flat.mp4", panned)), tmp_path / "out", reader=reader, kind="png")
+def test_a_portrait_video_of_a_telephone_is_rotated(make_video, panned, tmp_path, reader):
+    choice = loom.sfm.choose_frames(
+        rotated(make_video("flat.mp4", panned)), tmp_path / "out", reader=reader, kind="png"
+    )
     assert set(choice.sizes) == {(120, 160)}
     written = read(tmp_path / "out" / choice.names[0])[..., 0].astype(int)
     errors = {k: np.abs(np.rot90(written, k) - panned[choice.numbers[0]]).mean() for k in (1, -1)}
@@ -239,14 +241,14 @@ def test_a_video_of_a_telephone_held_upright_is_turned(make_video, panned, tmp_p
 
 @READERS
 @pytest.mark.parametrize("upright", [pytest.param(False, marks=pytest.mark.slow), True])
-def test_pixels_that_are_no_squares_are_made_squares(make_video, panned, tmp_path, reader, upright):
+def test_anamorphic_pixels_are_made_square(make_video, panned, tmp_path, reader, upright):
     video = make_video("wide.mp4", [np.ascontiguousarray(frame[:, ::2]) for frame in panned[:12]], "-vf", "setsar=2/1")
-    choice = loom.sfm.choose_frames(turned(video) if upright else video, tmp_path / "out", reader=reader)
+    choice = loom.sfm.choose_frames(rotated(video) if upright else video, tmp_path / "out", reader=reader)
     assert set(choice.sizes) == {(120, 160) if upright else (160, 120)}
 
 
-def test_no_frame_stands_twice_or_is_left_out_where_the_rate_varies(make_video, panned, tmp_path):
-    """Frames of uneven times, as telephones write them in the dark."""
+def test_variable_frame_rates_neither_duplicate_nor_drop_frames(make_video, panned, tmp_path):
+    """Uneven frame times, as telephones write them in the dark."""
     expression = "setpts='if(lt(N,20),N,20+(N-20)*5)/10/TB'"
     video = make_video("uneven.mkv", panned, "-vf", expression, "-fps_mode", "vfr")
     with video_files.VideoFrames(video_files.open_video(video), max_size=None, gray=True) as frames:
@@ -277,7 +279,7 @@ def test_a_black_video_is_refused(make_video, tmp_path):
         loom.sfm.choose_frames(video, tmp_path / "out")
 
 
-def test_black_frames_and_too_many_frames_are_told(make_video, panned, tmp_path):
+def test_black_frames_and_too_many_frames_are_reported(make_video, panned, tmp_path):
     video = make_video("v.mp4", [np.zeros_like(panned[0])] * 3 + panned)
     choice = loom.sfm.choose_frames(video, tmp_path / "out", max_frames=4)
     assert len(choice.names) == 4 and set(choice.left_out) == {"0", "1", "2"}
@@ -302,7 +304,7 @@ def test_photographs_keep_their_order_and_their_names(panned, tmp_path):
 
 
 @pytest.mark.parametrize("orientation", [2, 5, 6, 8])
-def test_photographs_are_turned_as_exif_says(panned, tmp_path, orientation):
+def test_photographs_are_rotated_by_exif_orientation(panned, tmp_path, orientation):
     from PIL import ImageOps
 
     image = Image.fromarray(panned[0])
@@ -331,8 +333,8 @@ def test_gray_and_16_bit_photographs_become_8_bit(panned, tmp_path):
 
 def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     source = write_pictures(tmp_path / "in", panned[:4])
-    whole = (source / "view 1.png").read_bytes()
-    (source / "view 1.png").write_bytes(whole[: len(whole) // 2])
+    content = (source / "view 1.png").read_bytes()
+    (source / "view 1.png").write_bytes(content[: len(content) // 2])
     (source / "view 2.png").write_bytes(b"")
     (source / "wall.nef").write_bytes(b"nef")
     write_pictures(source, [np.zeros((48, 64), np.uint8)], ["lens cap.png"])
@@ -342,7 +344,7 @@ def test_photographs_that_cannot_be_used_are_named(panned, tmp_path):
     assert "3 images left out, since unusable" in choice.notes[0] and "wall.nef" in choice.notes[1]
 
 
-def test_photographs_of_several_sizes_are_told(panned, tmp_path):
+def test_photographs_of_several_sizes_are_reported(panned, tmp_path):
     source = write_pictures(tmp_path / "in", [panned[0], panned[1][:, :100], panned[2]])
     choice = loom.sfm.choose_frames(source, tmp_path / "out", max_size=80)
     assert choice.sizes == {(80, 60): 2, (67, 80): 1}
@@ -361,7 +363,7 @@ def test_a_folder_without_a_picture_that_can_be_used_is_refused(panned, tmp_path
         loom.sfm.choose_frames(tmp_path / "in", tmp_path / "out")
 
 
-def test_a_folder_that_holds_something_is_not_written_to(panned, tmp_path):
+def test_a_folder_with_contents_is_not_written_to(panned, tmp_path):
     source = write_pictures(tmp_path / "in", panned[:2])
     with pytest.raises(loom.FileError, match="in:"):
         loom.sfm.choose_frames(source, source)

@@ -1,4 +1,4 @@
-"""EXIF and XMP of all sorts of programs: absurdities are told or ignored, without a crash or a wrong focal length."""
+"""Invalid EXIF and XMP is reported or ignored, without a crash or a wrong focal length."""
 
 from __future__ import annotations
 
@@ -23,12 +23,12 @@ from .conftest import has_pycolmap
 SIZE = (96, 64)
 INNER, GPS = 0x8769, 0x8825
 FOCAL, FILM, ACROSS, UNIT, WIDTH, HEIGHT, ZOOM = 0x920A, 0xA405, 0xA20E, 0xA210, 0xA002, 0xA003, 0xA404
-PLACE = {1: "N", 2: (47.0, 30.0, 36.0), 3: "E", 4: (8.0, 15.0, 0.0), 5: b"\0", 6: 430.5}
+GPS_TAGS = {1: "N", 2: (47.0, 30.0, 36.0), 3: "E", 4: (8.0, 15.0, 0.0), 5: b"\0", 6: 430.5}
 GOOD = {FOCAL: 4.25, FILM: 26, ACROSS: IFDRational(17136, 1), UNIT: 2, WIDTH: 4000, HEIGHT: 3000}  # 5.93 mm across
 
 
 def shot(path, inner=None, gps=None, size=SIZE, seed=0, **more):
-    """A picture with these tags of EXIF; `more` are those of its first table, and what Pillow takes."""
+    """A picture with these EXIF tags; `more` are those of the first table and options of Pillow."""
     path.parent.mkdir(exist_ok=True)
     exif = Image.Exif()
     exif[0x010F], exif[0x0110] = "Maker", "Phone 1"
@@ -43,14 +43,14 @@ def shot(path, inner=None, gps=None, size=SIZE, seed=0, **more):
 
 FOCAL_LENGTHS = [
     ("all of it fits", GOOD, None),
-    ("nothing is told", {}, None),
+    ("no focal length", {}, None),
     ("zero", {FOCAL: 0.0, FILM: 0}, None),
     ("over zero", {FOCAL: IFDRational(425, 0)}, None),
     ("not a number", {FOCAL: IFDRational(0, 0), ACROSS: IFDRational(0, 0), WIDTH: 4000}, None),
     ("negative", {FOCAL: IFDRational(-425, 100)}, None),
     ("film alone", {FILM: 26}, None),
     ("a telephoto", {FOCAL: 300.0, FILM: 300}, None),
-    ("a tenth of a metre for a millimetre", {FOCAL: 425.0, FILM: 2600}, "35 mm equivalent of 2600 mm is"),
+    ("a tenth of a meter for a millimeter", {FOCAL: 425.0, FILM: 2600}, "35 mm equivalent of 2600 mm is"),
     ("the focal length for that on film", {FOCAL: 4.25, FILM: 4}, "35 mm equivalent of 4 mm is 11 px"),
     (
         "film that says ten times the sensor's",
@@ -69,7 +69,7 @@ FOCAL_LENGTHS = [
         "the sensor would be 0.000233 mm wide",
     ),
     (
-        "inches for micrometres",
+        "inches for micrometers",
         {FOCAL: 4.25, ACROSS: 0.67, UNIT: 2, WIDTH: 4000},
         "the sensor would be 1.52e+05 mm wide",
     ),
@@ -90,60 +90,60 @@ FOCAL_LENGTHS = [
 ]
 
 
-@pytest.mark.parametrize(("told", "expected"), [case[1:] for case in FOCAL_LENGTHS], ids=[c[0] for c in FOCAL_LENGTHS])
-def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, told, expected):
-    doubt = focal_problem(shot(tmp_path / "a.jpg", told), SIZE)
-    assert doubt is None if expected is None else doubt is not None and expected in doubt
+@pytest.mark.parametrize(("tags", "expected"), [case[1:] for case in FOCAL_LENGTHS], ids=[c[0] for c in FOCAL_LENGTHS])
+def test_a_focal_length_that_contradicts_itself_is_rejected(tmp_path, tags, expected):
+    problem = focal_problem(shot(tmp_path / "a.jpg", tags), SIZE)
+    assert problem is None if expected is None else problem is not None and expected in problem
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_mapping_begins_with_no_rejected_focal_length(tmp_path):
-    for k, (_, told, _) in enumerate(FOCAL_LENGTHS):  # each of a size of its own, and so a camera
-        shot(tmp_path / "in" / f"{k:02d}.jpg", told, size=(96 + 2 * k, 64), seed=k)
-    found = find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
+    for k, (_, tags, _) in enumerate(FOCAL_LENGTHS):  # each has a different size, and thus its own camera
+        shot(tmp_path / "in" / f"{k:02d}.jpg", tags, size=(96 + 2 * k, 64), seed=k)
+    features = find_features(tmp_path / "in", tmp_path / "f.db", max_features=64)
     with sqlite3.connect(tmp_path / "f.db") as database:
         query = (
             "SELECT name, params, width, prior_focal_length FROM images JOIN cameras USING (camera_id) ORDER BY name"
         )
         rows = database.execute(query).fetchall()
     assert len(rows) == len(FOCAL_LENGTHS)
-    for (_, told, doubt), (name, params, width, prior) in zip(FOCAL_LENGTHS, rows, strict=True):
+    for (_, tags, problem), (name, params, width, prior) in zip(FOCAL_LENGTHS, rows, strict=True):
         share = float(np.frombuffer(params)[0]) / width
-        assert math.isfinite(share) and 0.2 <= share <= 10, (name, told, share)
+        assert math.isfinite(share) and 0.2 <= share <= 10, (name, tags, share)
         if not prior:
-            assert share == pytest.approx(0.85), (name, told)
-        assert not (prior and doubt), (name, told)
-    told = [remark.split(":")[0] for remark in found.notes]
-    assert told == [
+            assert share == pytest.approx(0.85), (name, tags)
+        assert not (prior and problem), (name, tags)
+    rejected = [remark.split(":")[0] for remark in features.notes]
+    assert rejected == [
         f"EXIF's focal length of {k:02d}.jpg is rejected"
-        for k, (_, _, doubt) in enumerate(FOCAL_LENGTHS)
-        if doubt is not None
+        for k, (_, _, problem) in enumerate(FOCAL_LENGTHS)
+        if problem is not None
     ]
-    assert found.to_dict()["notes"] == list(found.notes)
+    assert features.to_dict()["notes"] == list(features.notes)
 
 
 @pytest.mark.parametrize("meters", [-4e8, 20_001.0])
-def test_an_altitude_beyond_the_air_is_told_and_the_place_counts_without(tmp_path, meters):
+def test_an_impossible_altitude_is_reported_and_the_position_used_without_it(tmp_path, meters):
     sign = b"\1" if meters < 0 else b"\0"
-    places = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=PLACE | {5: sign, 6: abs(meters)})])
-    assert places.places[0].altitude is None and places.altitudes_refused == {"a.jpg": meters}
-    assert places.notes() == [f"the altitude of 1 image is rejected: a.jpg ({meters:g} m)"]
-    assert places.to_dict()["altitudes_refused"] == {"a.jpg": meters}
+    positions = loom.sfm.read_picture_places([shot(tmp_path / "a.jpg", gps=GPS_TAGS | {5: sign, 6: abs(meters)})])
+    assert positions.places[0].altitude is None and positions.altitudes_refused == {"a.jpg": meters}
+    assert positions.notes() == [f"the altitude of 1 image is rejected: a.jpg ({meters:g} m)"]
+    assert positions.to_dict()["altitudes_refused"] == {"a.jpg": meters}
 
 
 @pytest.mark.parametrize("value", [0, 9, b"\0\2", b"\1\1"])
-def test_an_orientation_that_there_is_not_is_as_stored_and_told(tmp_path, value):
+def test_an_invalid_orientation_is_ignored_and_reported(tmp_path, value):
     source = tmp_path / "in"
     path = shot(source / "a.jpg", tags={0x0112: 6 if isinstance(value, bytes) else value})
-    if isinstance(value, bytes):  # the type of the tag: text, bytes, a fraction, none that there is
+    if isinstance(value, bytes):  # the type of the tag: text, bytes, a fraction, an invalid one
         data, entry = path.read_bytes(), b"\x01\x12\0\3\0\0\0\1"
         assert data.count(entry) == 1
         path.write_bytes(data.replace(entry, b"\x01\x12" + value + b"\0\0\0\1"))
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE: 1} and read_orientation(path) == 1
-    told = any("an invalid orientation, so they are used as stored: a.jpg" in remark for remark in choice.notes)
-    assert told == (value in (9, b"\0\2"))  # of the others Pillow says nothing at all
+    warned = any("an invalid orientation, so they are used as stored: a.jpg" in remark for remark in choice.notes)
+    assert warned == (value in (9, b"\0\2"))  # Pillow does not report the others
 
 
 def test_a_tag_that_points_out_of_the_file_is_a_named_error_of_the_picture(tmp_path):
@@ -155,12 +155,12 @@ def test_a_tag_that_points_out_of_the_file_is_a_named_error_of_the_picture(tmp_p
     assert choice.names == ("b.jpg",) and choice.left_out["a.jpg"].startswith("damaged image")
 
 
-def test_an_orientation_that_the_told_size_contradicts_is_told(tmp_path):
+def test_an_orientation_contradicting_the_exif_size_is_reported(tmp_path):
     source = tmp_path / "in"
-    shot(source / "a.jpg", {WIDTH: SIZE[1], HEIGHT: SIZE[0]}, tags={0x0112: 6})  # turned by a program that left the tag
+    shot(source / "a.jpg", {WIDTH: SIZE[1], HEIGHT: SIZE[0]}, tags={0x0112: 6})  # rotated without removing the tag
     shot(source / "b.jpg", {WIDTH: SIZE[0], HEIGHT: SIZE[1]}, tags={0x0112: 6})
     xmp = b'<x:xmpmeta><rdf:Description tiff:Orientation="1"/></x:xmpmeta>'
-    shot(source / "c.jpg", tags={0x0112: 6}, xmp=xmp)  # EXIF's word counts
+    shot(source / "c.jpg", tags={0x0112: 6}, xmp=xmp)  # EXIF has priority
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.sizes == {SIZE[::-1]: 3}
     (remark,) = [remark for remark in choice.notes if "rotated before" in remark]
@@ -184,11 +184,11 @@ XMPS = {
 
 
 @pytest.mark.parametrize("name", XMPS)
-def test_xmp_that_makes_no_sense_says_nothing(tmp_path, name):
-    path = shot(tmp_path / "a.jpg", gps={k: v for k, v in PLACE.items() if k != 6}, xmp=XMPS[name])
-    places = loom.sfm.read_picture_places([path])
-    assert len(places) == 1 and not places.refused and places.attitudes == {}
-    assert places.places[0].altitude == (431.2 if name == "cut off" else None)
+def test_invalid_xmp_is_ignored(tmp_path, name):
+    path = shot(tmp_path / "a.jpg", gps={k: v for k, v in GPS_TAGS.items() if k != 6}, xmp=XMPS[name])
+    positions = loom.sfm.read_picture_places([path])
+    assert len(positions) == 1 and not positions.refused and positions.attitudes == {}
+    assert positions.places[0].altitude == (431.2 if name == "cut off" else None)
 
 
 def test_xmp_of_megabytes_is_looked_through_in_no_time(tmp_path):
@@ -199,7 +199,7 @@ def test_xmp_of_megabytes_is_looked_through_in_no_time(tmp_path):
     assert time.process_time() - start < 20  # a search that is quadratic in a megabyte takes hours
 
 
-def test_a_picture_with_a_bomb_of_text_is_left_out_or_read_and_never_unpacked_whole(tmp_path):
+def test_a_decompression_bomb_in_xmp_is_never_unpacked_completely(tmp_path):
     """A PNG whose XMP unpacks to 64 MB."""
     source = tmp_path / "in"
     shot(source / "b.png")
@@ -209,7 +209,7 @@ def test_a_picture_with_a_bomb_of_text_is_left_out_or_read_and_never_unpacked_wh
     body = b"XML:com.adobe.xmp\0\1\0\0\0" + bomb
     chunk = len(body).to_bytes(4, "big") + b"iTXt" + body + zlib.crc32(b"iTXt" + body).to_bytes(4, "big")
     (source / "a.png").write_bytes(data[:33] + chunk + data[33:])
-    places = loom.sfm.read_picture_places(source)
-    assert len(places) == 0 and places.picture_count == 2
+    positions = loom.sfm.read_picture_places(source)
+    assert len(positions) == 0 and positions.picture_count == 2
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert "b.png" in choice.names and (("a.png" in choice.names) != ("a.png" in choice.left_out))

@@ -1,4 +1,4 @@
-"""What photographs tell of their place: EXIF and XMP are read strictly, and what makes no sense is named."""
+"""Positions from EXIF and XMP are read strictly, and invalid values are named."""
 
 import numpy as np
 import pytest
@@ -28,36 +28,41 @@ def write(path, gps=None, xmp=None, orientation=None):
     return path
 
 
-def place_of(path, *args, **kwargs):
-    (place,) = loom.sfm.read_picture_places([write(path, *args, **kwargs)]).places
-    return place
+def position_of(path, *args, **kwargs):
+    (position,) = loom.sfm.read_picture_places([write(path, *args, **kwargs)]).places
+    return position
 
 
-def test_exif_tells_the_place_and_how_sure_it_is(tmp_path):
-    place = place_of(tmp_path / "a.jpg", GOOD)
-    assert (place.latitude, place.longitude, place.altitude) == (47.51, 8.25, 430.5)
-    assert (place.horizontal_sigma, place.vertical_sigma, place.attitude) == (2.5, None, None)
+def test_position_and_accuracy_are_read_from_exif(tmp_path):
+    position = position_of(tmp_path / "a.jpg", GOOD)
+    assert (position.latitude, position.longitude, position.altitude) == (47.51, 8.25, 430.5)
+    assert (position.horizontal_sigma, position.vertical_sigma, position.attitude) == (2.5, None, None)
 
 
 def test_the_other_hemispheres_and_below_the_sea(tmp_path):
-    place = place_of(tmp_path / "a.jpg", GOOD | {1: "S", 3: "W", 5: b"\1"})
-    assert (place.latitude, place.longitude, place.altitude) == (-47.51, -8.25, -430.5)
+    position = position_of(tmp_path / "a.jpg", GOOD | {1: "S", 3: "W", 5: b"\1"})
+    assert (position.latitude, position.longitude, position.altitude) == (-47.51, -8.25, -430.5)
 
 
-def test_xmp_of_a_drone_tells_heights_rtk_and_how_the_camera_hung(tmp_path):
-    place = place_of(tmp_path / "a.jpg", {k: v for k, v in GOOD.items() if k != 6}, DJI)
-    assert (place.altitude, place.relative_altitude, place.rtk, place.heading) == (431.2, 50.1, "fixed", 14.0)
-    assert (place.horizontal_sigma, place.vertical_sigma) == (0.015, 0.03)
-    assert place.attitude == (12.3, -89.9, 0.5)
+def test_heights_rtk_and_attitude_are_read_from_drone_xmp(tmp_path):
+    position = position_of(tmp_path / "a.jpg", {k: v for k, v in GOOD.items() if k != 6}, DJI)
+    assert (position.altitude, position.relative_altitude, position.rtk, position.heading) == (
+        431.2,
+        50.1,
+        "fixed",
+        14.0,
+    )
+    assert (position.horizontal_sigma, position.vertical_sigma) == (0.015, 0.03)
+    assert position.attitude == (12.3, -89.9, 0.5)
 
 
 def test_pitch_zero_of_pix4d_looks_down(tmp_path):
-    assert place_of(tmp_path / "a.jpg", GOOD, PIX4D).attitude == (10.0, -84.5, -1.0)
+    assert position_of(tmp_path / "a.jpg", GOOD, PIX4D).attitude == (10.0, -84.5, -1.0)
 
 
-def test_attitudes_of_pictures_that_lie_on_their_side_are_left_out(tmp_path):
-    places = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", GOOD, DJI, orientation=6)])
-    assert (places.places[0].attitude, places.attitudes) == (None, {})
+def test_attitudes_of_rotated_pictures_are_excluded(tmp_path):
+    positions = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", GOOD, DJI, orientation=6)])
+    assert (positions.places[0].attitude, positions.attitudes) == (None, {})
 
 
 @pytest.mark.parametrize(
@@ -77,41 +82,41 @@ def test_attitudes_of_pictures_that_lie_on_their_side_are_left_out(tmp_path):
         ({2: (47.0,) * 5}, "its latitude is not a number"),
     ],
 )
-def test_what_makes_no_sense_is_refused_with_the_reason(tmp_path, changed, reason):
-    places = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", GOOD | changed)])
-    assert len(places) == 0
-    assert reason in places.refused["a.jpg"]
-    assert places.notes() == [f"GPS of 1 image is rejected: a.jpg ({places.refused['a.jpg']})"]
+def test_invalid_positions_are_rejected_with_a_reason(tmp_path, changed, reason):
+    positions = loom.sfm.read_picture_places([write(tmp_path / "a.jpg", GOOD | changed)])
+    assert len(positions) == 0
+    assert reason in positions.refused["a.jpg"]
+    assert positions.notes() == [f"GPS of 1 image is rejected: a.jpg ({positions.refused['a.jpg']})"]
 
 
-def test_pictures_that_tell_nothing_are_neither_told_nor_refused(tmp_path):
+def test_pictures_without_gps_are_neither_reported_nor_rejected(tmp_path):
     write(tmp_path / "a.png")
     write(tmp_path / "b.jpg", {6: 430.0})
     (tmp_path / "c.jpg").write_bytes(b"no picture")
-    places = loom.sfm.read_picture_places(tmp_path)
-    assert (len(places), places.refused, places.picture_count) == (0, {}, 3)
+    positions = loom.sfm.read_picture_places(tmp_path)
+    assert (len(positions), positions.refused, positions.picture_count) == (0, {}, 3)
     with pytest.raises(ValueError, match=r"^places:"):
-        _ = places.frame
+        _ = positions.frame
 
 
-def test_a_place_on_the_other_side_of_the_earth_is_told(tmp_path):
+def test_a_position_on_the_other_side_of_the_earth_is_reported(tmp_path):
     for k in range(4):
         write(tmp_path / f"{k}.jpg", GOOD | {2: (47.0, 30.0, k * 0.5)})
     write(tmp_path / "wild.jpg", GOOD | {1: "S"})
-    places = loom.sfm.read_picture_places(tmp_path)
-    assert len(places) == 4
-    assert "km from the median of the others" in places.refused["wild.jpg"]
+    positions = loom.sfm.read_picture_places(tmp_path)
+    assert len(positions) == 4
+    assert "km from the median of the others" in positions.refused["wild.jpg"]
 
 
-def test_a_set_over_the_180th_meridian_has_its_middle_there(tmp_path):
+def test_positions_across_the_180th_meridian_are_centered_there(tmp_path):
     for k, (sign, minutes) in enumerate([("E", 59.999), ("E", 59.998), ("W", 59.999), ("W", 59.998)]):
         write(tmp_path / f"{k}.jpg", GOOD | {3: sign, 4: (179.0, minutes, 0.0)})
-    places = loom.sfm.read_picture_places(tmp_path)
-    assert not places.refused
-    assert abs(places.frame.longitude) > 179.99
+    positions = loom.sfm.read_picture_places(tmp_path)
+    assert not positions.refused
+    assert abs(positions.frame.longitude) > 179.99
 
 
-def test_the_place_survives_the_copying_of_pictures(tmp_path):
+def test_copied_pictures_keep_their_position(tmp_path):
     (tmp_path / "in").mkdir()
     for k, orientation in enumerate((1, 6)):
         write(tmp_path / "in" / f"{k}.jpg", GOOD, orientation=orientation)

@@ -1,4 +1,4 @@
-"""Pictures with known poses: what is matched along their lines, and which poses are rejected."""
+"""Pictures with known poses: matching along epipolar lines, and rejection of wrong poses."""
 
 from __future__ import annotations
 
@@ -24,10 +24,10 @@ from pointloom.photogrammetry.sfm.pose_check import check_poses
 from pointloom.photogrammetry.sfm.posed_pictures import with_poses as pictures_with_poses
 
 from .conftest import has_pycolmap, write_pictures
-from .made_features import FOCAL, POINTS, features_of, rays_as, some_looks, walk, with_poses
+from .made_features import FOCAL, POINTS, camera_row, features_of, rays_as, some_looks, with_poses
 from .scene import FOCAL as SCENE_FOCAL
 from .scene import HEIGHT, WIDTH
-from .scene import walk as scene_poses
+from .scene import camera_path as scene_poses
 
 
 def silent(*_step):
@@ -36,7 +36,7 @@ def silent(*_step):
 
 @pytest.fixture(scope="module")
 def model():
-    return walk()
+    return camera_row()
 
 
 @pytest.fixture(scope="module")
@@ -48,7 +48,7 @@ def checked(model, features):
     return check_poses(rays_as(model, features), model, pairs_in_view(model.cameras, model.T_camera_world))
 
 
-def test_a_match_lies_on_both_lines_and_is_the_nearest_by_looks_of_those(model, features, device):
+def test_a_match_is_the_nearest_descriptor_on_both_epipolar_lines(model, features, device):
     pairs = np.array([[0, 1], [1, 0], [2, 5]])
     essential = essential_of(model.T_camera_world, pairs)
     counts = np.diff(features.firsts)[pairs[:, 0]]
@@ -56,7 +56,7 @@ def test_a_match_lies_on_both_lines_and_is_the_nearest_by_looks_of_those(model, 
     limits = np.full((3, 2), (2.0 / FOCAL) ** 2)
     searches = LineSearches(starts, pairs, essential.reshape(-1, 9), limits, device)
     on_device = LineFeatures(features.firsts, features.rays, features.descriptors, device)
-    found = match_along_lines(searches, on_device, int(starts[-1]))
+    nearest = match_along_lines(searches, on_device, int(starts[-1]))
     for k, (a, b) in enumerate(pairs):
         x, y = (np.pad(features.rays[features.of(i)], ((0, 0), (0, 1)), constant_values=1.0) for i in (a, b))
         off = np.abs(x @ essential[k].T @ y.T)
@@ -65,7 +65,7 @@ def test_a_match_lies_on_both_lines_and_is_the_nearest_by_looks_of_those(model, 
         p, q = (features.descriptors[features.of(i)].astype(np.int64) for i in (a, b))
         sqdists = ((p[:, None] - q[None]) ** 2).sum(axis=2)
         sqdists[np.maximum(there, back) > 2.0 / FOCAL] = 0x7FFFFFFF
-        mine = found[starts[k] : starts[k + 1]]
+        mine = nearest[starts[k] : starts[k + 1]]
         np.testing.assert_array_equal(mine[:, 1], sqdists.min(axis=1))
         np.testing.assert_array_equal(mine[:, 2], np.sort(sqdists, axis=1)[:, 1])
         some = mine[:, 0] >= 0
@@ -73,23 +73,23 @@ def test_a_match_lies_on_both_lines_and_is_the_nearest_by_looks_of_those(model, 
         assert (mine[~some, 1] == 0x7FFFFFFF).all()
 
 
-def test_guided_matches_are_the_points_that_both_see(model, features, tmp_path):
+def test_guided_matches_are_points_visible_in_both(model, features, tmp_path):
     pairs = pairs_in_view(model.cameras, model.T_camera_world)
     assert [0, 1] in pairs.tolist()
-    found = match_guided(features, model, pairs, distance=2.0, device="cpu", progress=silent)
-    for k, (a, b) in enumerate(found.pairs):
-        matches = found.of(k)
+    guided = match_guided(features, model, pairs, distance=2.0, device="cpu", progress=silent)
+    for k, (a, b) in enumerate(guided.pairs):
+        matches = guided.of(k)
         p, q = (features.descriptors[features.of(i)][matches[:, s]] for s, i in enumerate((a, b)))
         alike = np.abs(p.astype(int) - q).max(axis=1) <= 12
         assert alike.mean() > 0.95 and len(matches) > 36
-    write_matches(tmp_path / "matches.npz", found)
+    write_matches(tmp_path / "matches.npz", guided)
     again = read_matches(tmp_path / "matches.npz")
-    np.testing.assert_array_equal(again.matches, found.matches)
+    np.testing.assert_array_equal(again.matches, guided.matches)
 
 
-def test_pictures_that_look_apart_or_from_one_place_are_no_pairs(model):
+def test_pictures_without_overlap_or_baseline_are_no_pairs(model):
     poses = np.array([model.T_camera_world[0], model.T_camera_world[1], model.T_camera_world[1]])
-    assert [1, 2] not in pairs_in_view(model.cameras[:3], poses).tolist()  # at one place
+    assert [1, 2] not in pairs_in_view(model.cameras[:3], poses).tolist()  # at one position
     poses[2, :3, :3] = np.diag([-1.0, 1.0, -1.0]) @ poses[2, :3, :3]
     assert pairs_in_view(model.cameras[:3], poses).tolist() == [[0, 1]]  # the last looks the other way
 
@@ -114,14 +114,14 @@ def inverses(T):
 
 
 def of_centers(T):
-    """World-to-camera rotations with the cameras' centers for translations."""
+    """World-to-camera rotations with the camera centers as translations."""
     out = T.copy()
     out[:, :3, 3] = np.linalg.inv(T)[:, :3, 3]
     return out
 
 
 @pytest.mark.parametrize(
-    ("mistake", "said"),
+    ("mistake", "message"),
     [
         (inverses, "each pose is inverted"),
         (lambda T: FLIP @ T, "y up, z back"),
@@ -134,12 +134,12 @@ def of_centers(T):
     ],
     ids=["inverted", "OpenGL", "OpenGL inverted", "centers", "portrait", "reversed", "shifted", "shuffled"],
 )
-def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, said):
+def test_common_mistakes_in_poses_are_identified(model, features, mistake, message):
     wrong = with_poses(model, np.ascontiguousarray(mistake(model.T_camera_world)))
     check = checked(wrong, features)
     assert check.are_wrong
     (reason,) = check.reasons(len(model))
-    assert said in reason
+    assert message in reason
     quality = assess_model(wrong, len(wrong), fix_intrinsic=True, poses=check)
     assert "; ".join(quality.warnings) == reason
     again = ModelQuality.from_json(quality.to_dict())
@@ -147,14 +147,14 @@ def test_poses_with_a_usual_mistake_are_told_with_it(model, features, mistake, s
 
 
 @pytest.mark.parametrize("factor", [0.5, 1.25])
-def test_another_focal_length_is_told(model, features, factor):
+def test_a_wrong_focal_length_is_reported(model, features, factor):
     check = checked(with_poses(model, model.T_camera_world, FOCAL * factor), features)
     assert check.focal == pytest.approx(1 / factor, rel=0.03)
     (reason,) = check.reasons(len(model))
     assert "focal length" in reason
 
 
-def test_pictures_that_show_nothing_of_one_another_are_told(model, features):
+def test_pictures_without_overlap_are_reported(model, features):
     rng = np.random.default_rng(3)
     strange = dataclasses.replace(features, descriptors=some_looks(rng, len(features.descriptors)))
     (reason,) = checked(model, strange).reasons(len(model))
@@ -183,13 +183,13 @@ def cameras_named(*names):
     return loom.SfmModel(names, [camera] * len(names), poses)
 
 
-def test_cameras_find_their_pictures_by_name_with_or_without_the_ending(tmp_path):
+def test_cameras_are_matched_to_pictures_by_name_or_stem(tmp_path):
     paths = blank(tmp_path / "p", ["IMG_1.png", "IMG_2.1.png", "IMG_3.jpg", "other.png"])
-    found = pictures_with_poses(tmp_path / "p", paths, cameras_named("left/IMG_3.jpg", "IMG_1", "IMG_2.1", "IMG_9"))
-    assert found.model.names == ("IMG_1.png", "IMG_2.1.png", "IMG_3.jpg")
-    assert found.model.centers[:, 0].tolist() == [1, 2, 0]  # each with its own pose
-    assert (found.without_pose, found.without_picture) == (("other.png",), ("IMG_9",))
-    assert found.notes == ("1 images have no pose: other.png", "1 poses have no image: IMG_9")
+    posed = pictures_with_poses(tmp_path / "p", paths, cameras_named("left/IMG_3.jpg", "IMG_1", "IMG_2.1", "IMG_9"))
+    assert posed.model.names == ("IMG_1.png", "IMG_2.1.png", "IMG_3.jpg")
+    assert posed.model.centers[:, 0].tolist() == [1, 2, 0]  # each with its own pose
+    assert (posed.without_pose, posed.without_picture) == (("other.png",), ("IMG_9",))
+    assert posed.notes == ("1 images have no pose: other.png", "1 poses have no image: IMG_9")
 
 
 def test_names_that_do_not_fit_or_mean_several_are_refused(tmp_path):
@@ -209,35 +209,35 @@ def test_a_picture_of_another_size_than_its_camera_is_refused(tmp_path):
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_points_stand_where_features_say_and_poses_stay(model, features, tmp_path, monkeypatch):
+def test_points_are_triangulated_with_fixed_poses(model, features, tmp_path, monkeypatch):
     rows = range(4)
     four = loom.SfmModel([model.names[i] for i in rows], model.cameras[:4], model.T_camera_world[:4])
     write_pictures(tmp_path / "p", [np.full((480, 640), 40 * i + 90, np.uint8) for i in rows], four.names)
     monkeypatch.setattr(triangulation, "read_feature_rays", lambda *_: features_of(four))
     matches, check = triangulation.match_posed(tmp_path / "db", four, device="cpu", progress=silent)
-    whole, _ = triangulation.points_of(
+    result, _ = triangulation.points_of(
         tmp_path / "db" / "x", four, matches, check, tmp_path / "p", seed=0, max_seconds=60.0, max_memory=None
     )
-    np.testing.assert_array_equal(whole.T_camera_world, four.T_camera_world)
+    np.testing.assert_array_equal(result.T_camera_world, four.T_camera_world)
     rng = np.random.default_rng(0)
     truth = rng.uniform(-1, 1, (POINTS, 3)) * (1.2, 0.8, 0.8) + (0, 0, 4.0)
-    off = np.linalg.norm(whole.points[:, None] - truth[None], axis=2).min(axis=1)
-    assert len(whole.points) > 80 and np.median(off) < 0.01 and off.max() < 0.1
-    assert np.median(whole.errors) < 0.5 and whole.view_counts.min() >= 3
-    assert (whole.colors == 150).all(axis=1).mean() > 0.5  # the mean of 90, 130, 170 and 210, where all see a point
+    off = np.linalg.norm(result.points[:, None] - truth[None], axis=2).min(axis=1)
+    assert len(result.points) > 80 and np.median(off) < 0.01 and off.max() < 0.1
+    assert np.median(result.errors) < 0.5 and result.view_counts.min() >= 3
+    assert (result.colors == 150).all(axis=1).mean() > 0.5  # the mean of 90, 130, 170 and 210, where all see a point
 
 
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_pictures_with_poses_become_points_on_the_surface(walked, tmp_path):
-    names = [f"view {k}.png" for k in range(len(walked))]
-    folder = write_pictures(tmp_path / "pictures", walked, names)
+def test_pictures_with_poses_become_points_on_the_surface(scene_pictures, tmp_path):
+    names = [f"view {k}.png" for k in range(len(scene_pictures))]
+    folder = write_pictures(tmp_path / "pictures", scene_pictures, names)
     camera = loom.CameraModel("PINHOLE", WIDTH, HEIGHT, [SCENE_FOCAL, SCENE_FOCAL, WIDTH / 2, HEIGHT / 2])
     right = loom.SfmModel([name[:-4] for name in names], [camera] * len(names), np.array(scene_poses(len(names))))
-    found = loom.sfm.triangulate(folder, right, max_features=1200)
-    assert found.reliable and len(found.model.points) > 300
+    result = loom.sfm.triangulate(folder, right, max_features=1200)
+    assert result.reliable and len(result.model.points) > 300
     again = loom.sfm.triangulate(folder, right, max_features=1200)
-    np.testing.assert_array_equal(found.model.points, again.model.points)
+    np.testing.assert_array_equal(result.model.points, again.model.points)
     inverted = loom.SfmModel(right.names, right.cameras, right.T_world_camera)
     wrong = loom.sfm.triangulate(folder, inverted, max_features=1200)
     assert "each pose is inverted" in str(wrong.warnings) and not len(wrong.model.points)

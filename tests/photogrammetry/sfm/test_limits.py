@@ -1,4 +1,4 @@
-"""Programs that are run beside ours: limits, deaths, last words, and nothing left behind."""
+"""Child processes: limits, crashes, last output, and cleanup."""
 
 from __future__ import annotations
 
@@ -24,7 +24,7 @@ from pointloom.photogrammetry.sfm.matches import match
 
 from .conftest import write_pictures
 
-# What a worker does instead of its job, and what is then said.
+# Code of a worker instead of its job, and the expected message.
 FAIL = 'print("{{\\"failed\\": \\"{}\\"}}")'
 DEATHS = {
     "killed": ("os.kill(os.getpid(), signal.SIGKILL)", r"was ended by SIGKILL.*fewer or smaller images"),
@@ -42,7 +42,7 @@ DEATHS = {
 
 @pytest.fixture
 def worker(tmp_path, monkeypatch):
-    """A function that puts other lines in the place of COLMAP's worker."""
+    """A function that replaces COLMAP's worker by other code."""
 
     def replace(lines: str) -> None:
         (tmp_path / "worker.py").write_text(f"import os, signal, subprocess, sys, time\n{lines}\nsys.stdout.flush()\n")
@@ -52,24 +52,24 @@ def worker(tmp_path, monkeypatch):
 
 
 @pytest.mark.parametrize("death", DEATHS)
-def test_a_worker_that_dies_is_an_error_with_its_last_words_and_a_remedy(walked, tmp_path, worker, death):
-    lines, said = DEATHS[death]
+def test_a_crashed_worker_is_an_error_with_its_last_output(scene_pictures, tmp_path, worker, death):
+    lines, message = DEATHS[death]
     worker(lines)
-    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
     limits = {"hung": {"max_seconds": 1}, "greedy": {"max_memory": 200 * 2**20}}.get(death, {})
     began = time.monotonic()
-    with pytest.raises(loom.FileError, match=said):
+    with pytest.raises(loom.FileError, match=message):
         find_features(pictures, tmp_path / "f.db", **limits)
     assert time.monotonic() - began < 30
     assert {path.name for path in tmp_path.iterdir()} == {"pictures", "worker.py"}
 
 
 @pytest.mark.parametrize("package", ["pycolmap", "cv2"])
-def test_a_package_that_is_missing_is_told_with_the_line_that_installs_it(walked, tmp_path, monkeypatch, package):
+def test_a_missing_package_is_an_error(scene_pictures, tmp_path, monkeypatch, package):
     (tmp_path / "gone").mkdir()
     (tmp_path / "gone" / f"{package}.py").write_text("raise ImportError('no such package')")
     monkeypatch.setenv("PYTHONPATH", os.fspath(tmp_path / "gone"))
-    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
     if package == "pycolmap":
         with pytest.raises(loom.FileError, match="/pictures:"):
             find_features(pictures, tmp_path / "f.db")
@@ -85,18 +85,18 @@ def is_alive(pid: int) -> bool:
     return False
 
 
-def test_an_interrupt_kills_the_worker_and_its_children(walked, tmp_path, worker):
-    place, watched = tmp_path / "pids", []
-    os.mkfifo(place)
+def test_an_interrupt_kills_the_worker_and_its_children(scene_pictures, tmp_path, worker):
+    fifo, watched = tmp_path / "pids", []
+    os.mkfifo(fifo)
     worker(
         "child = subprocess.Popen(['sleep', '60'])\n"
-        f"open({os.fspath(place)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
+        f"open({os.fspath(fifo)!r}, 'w').write(f'{{os.getpid()}} {{child.pid}}\\n')\n"
         "signal.signal(signal.SIGINT, signal.SIG_IGN)\ntime.sleep(60)"
     )
-    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
 
     def interrupt() -> None:
-        pids = [int(text) for text in place.read_text().split()]  # once the worker has written them
+        pids = [int(text) for text in fifo.read_text().split()]  # once the worker has written them
         watched.extend(os.pidfd_open(pid) for pid in pids)
         signal.raise_signal(signal.SIGINT)
 
@@ -127,17 +127,17 @@ def test_a_program_that_is_not_there_leaves_nothing_open():
         pass
 
 
-def test_what_a_program_says_last_is_quoted_in_one_line():
+def test_the_last_output_of_a_program_is_quoted_in_one_line():
     with LimitedProcess(["sh", "-c", "seq 1000 >&2; exit 3"]) as process:
         assert process.wait() == 3
         assert process.last_words() == "995 / 996 / 997 / 998 / 999 / 1000"
         assert process.why_ended() == "ended with exit code 3"
 
 
-def test_memory_that_a_program_held_is_known(monkeypatch):
+def test_the_peak_memory_of_a_program_is_recorded(monkeypatch):
     program, seen = "b = b'x' * 10**8\nimport signal; signal.pause()", queue.Queue()
     memory_of = limited_process._memory_of
-    monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(held := memory_of(pid)), held)[1])
+    monkeypatch.setattr(limited_process, "_memory_of", lambda pid: (seen.put(memory := memory_of(pid)), memory)[1])
     with LimitedProcess([colmap_jobs.sys.executable, "-c", program]) as process:
         while seen.get(timeout=60) <= 10**8:
             pass
@@ -152,24 +152,24 @@ def test_threads_that_find_features_fit_into_memory(monkeypatch):
     assert features.threads_for([(320, 240)], 1600, 8 * 2**30) == 64
 
 
-def test_the_largest_model_is_kept_whichever_came_first(tmp_path):
+def test_the_largest_model_is_saved_in_any_order(tmp_path):
     def model(count: int) -> SimpleNamespace:
-        write = lambda place: Path(place).write_text(str(count))  # noqa: E731
+        write = lambda path: Path(path).write_text(str(count))  # noqa: E731
         return SimpleNamespace(num_reg_images=lambda: count, num_points3D=lambda: 0, write=write)
 
     options = SimpleNamespace(mapper=SimpleNamespace(), triangulation=SimpleNamespace())
-    found = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
-    pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: found)
+    models = {0: model(3), 1: model(30), 2: model(30), 3: model(7)}
+    pycolmap = SimpleNamespace(IncrementalPipelineOptions=lambda: options, incremental_mapping=lambda *_, **__: models)
     pycolmap.Database = SimpleNamespace(open=lambda _: contextlib.nullcontext(SimpleNamespace(read_all_cameras=list)))
     job = {"threads": 1, "seed": 5, "fixed_camera": True, "database": "", "pictures": "", "scratch": tmp_path}
     job |= {"model": tmp_path / "model", "mapper": "incremental"}
     done = colmap_worker.map_pictures(pycolmap, job, io.StringIO())
-    assert done == {"sizes": [30, 30, 7, 3], "cameras": {}}  # of no points nothing is asked
+    assert done == {"sizes": [30, 30, 7, 3], "cameras": {}}  # models without points are not checked
     assert (tmp_path / "model").read_text() == "30"
     assert (options.num_threads, options.random_seed, options.ba_refine_focal_length) == (1, 5, False)
 
 
-def test_what_is_no_database_is_refused(tmp_path):
+def test_files_that_are_no_databases_are_rejected(tmp_path):
     (tmp_path / "no.db").write_bytes(b"no database" * 100)
     for call in (
         lambda: match(tmp_path / "no.db", tmp_path / "m.db"),
@@ -181,6 +181,6 @@ def test_what_is_no_database_is_refused(tmp_path):
 
 
 @pytest.mark.slow
-def test_a_database_without_matches_says_so(stages, tmp_path):
+def test_a_database_without_matches_is_an_error(stages, tmp_path):
     with pytest.raises(loom.FileError, match=r"contains no matches. sfm.match computes them"):
         map_pictures(stages.pictures, stages.features_db, tmp_path / "sparse")

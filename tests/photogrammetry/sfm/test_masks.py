@@ -1,4 +1,4 @@
-"""Masks of pictures: under COLMAP's names, out of transparency or a function; nothing is found where black."""
+"""Masks of pictures: COLMAP's names, transparency, functions; no features in black pixels."""
 
 from __future__ import annotations
 
@@ -22,16 +22,16 @@ def masks_of(folder: Path) -> dict[str, np.ndarray]:
 
 
 @pytest.mark.parametrize("name", ["a.jpg.png", "a.png", "a.jpg.jpg"])
-def test_a_mask_is_found_under_the_names_that_are_usual(panned, tmp_path, name):
+def test_masks_with_common_names_are_matched(panned, tmp_path, name):
     source = write_pictures(tmp_path / "in", panned[:2], ["a.jpg", "b.jpg"])
     masks = write_pictures(tmp_path / "masks", [left_half(SIZE)], [name])
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=masks)
-    found = masks_of(tmp_path / "out_masks")
-    assert list(found) == ["a.jpg.png"] and np.array_equal(found["a.jpg.png"], left_half(SIZE))
+    written = masks_of(tmp_path / "out_masks")
+    assert list(written) == ["a.jpg.png"] and np.array_equal(written["a.jpg.png"], left_half(SIZE))
     assert choice.notes == ("1 image without a mask, used completely: b.jpg",)
 
 
-def test_masks_turn_and_shrink_with_their_pictures(panned, tmp_path):
+def test_masks_are_rotated_and_scaled_with_their_pictures(panned, tmp_path):
     (tmp_path / "in").mkdir()
     exif = Image.Exif()
     exif[0x0112] = 6
@@ -45,30 +45,30 @@ def test_masks_turn_and_shrink_with_their_pictures(panned, tmp_path):
         assert mask.shape == (80, 60) and mask[:40].min() == 255 and mask[40:].max() == 0
 
 
-def test_what_is_transparent_is_left_out(panned, tmp_path):
+def test_transparent_pixels_are_masked(panned, tmp_path):
     rgba = np.dstack([*[panned[0]] * 3, left_half(SIZE)])
     source = tmp_path / "in"
     source.mkdir()
     Image.fromarray(rgba).save(source / "a.png")
     Image.fromarray(rgba).save(source / "b.webp", lossless=True)
     loom.sfm.choose_frames(source, tmp_path / "out", masks="alpha")
-    found = masks_of(tmp_path / "out_masks")
-    assert len(found) == 2 and all(np.array_equal(mask, left_half(SIZE)) for mask in found.values())
+    written = masks_of(tmp_path / "out_masks")
+    assert len(written) == 2 and all(np.array_equal(mask, left_half(SIZE)) for mask in written.values())
     write_pictures(tmp_path / "plain", panned[:2])
     with pytest.raises(loom.FileError, match="/plain:"):
         loom.sfm.choose_frames(tmp_path / "plain", tmp_path / "new", masks="alpha")
     assert not (tmp_path / "new").exists() and not (tmp_path / "new_masks").exists()
 
 
-def test_a_function_makes_masks_of_pixels_and_hides_whole_pictures(panned, tmp_path):
-    source, asked = write_pictures(tmp_path / "in", panned[:3], ["a.jpg", "b.jpg", "c.jpg"]), []
+def test_a_function_masks_pixels_or_complete_pictures(panned, tmp_path):
+    source, calls = write_pictures(tmp_path / "in", panned[:3], ["a.jpg", "b.jpg", "c.jpg"]), []
 
     def mask_of(pixels, name):
-        asked.append((name, pixels.shape))
+        calls.append((name, pixels.shape))
         return {"a.jpg": left_half(SIZE), "b.jpg": np.zeros(SIZE, bool), "c.jpg": None}[name]
 
     choice = loom.sfm.choose_frames(source, tmp_path / "out", masks=mask_of)
-    assert asked == [(name, (*SIZE, 3)) for name in ("a.jpg", "b.jpg", "c.jpg")]
+    assert calls == [(name, (*SIZE, 3)) for name in ("a.jpg", "b.jpg", "c.jpg")]
     assert choice.names == ("a.jpg", "c.jpg") and choice.left_out == {"b.jpg": "its mask excludes all pixels"}
     assert not (tmp_path / "out" / "b.jpg").exists() and list(masks_of(tmp_path / "out_masks")) == ["a.jpg.png"]
 
@@ -94,17 +94,17 @@ def test_masks_that_do_not_fit_are_named(panned, tmp_path):
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_no_feature_lies_where_masks_are_black(walked, tmp_path):
-    pictures = write_pictures(tmp_path / "in", walked[:2], ["a.png", "b.png"])
-    masks = write_pictures(tmp_path / "masks", [left_half(walked[0].shape)], ["a.png.png"])
-    found = find_features(pictures, tmp_path / "f.db", masks=masks, max_features=500)
+def test_no_feature_is_detected_in_black_mask_pixels(scene_pictures, tmp_path):
+    pictures = write_pictures(tmp_path / "in", scene_pictures[:2], ["a.png", "b.png"])
+    masks = write_pictures(tmp_path / "masks", [left_half(scene_pictures[0].shape)], ["a.png.png"])
+    features = find_features(pictures, tmp_path / "f.db", masks=masks, max_features=500)
     with sqlite3.connect(tmp_path / "f.db") as database:
         rows = dict(database.execute("SELECT image_id, data FROM keypoints"))
     columns = [
         np.frombuffer(rows[k], np.float32).reshape(count, -1)[:, 0]
-        for k, count in zip((1, 2), found.counts, strict=True)
+        for k, count in zip((1, 2), features.counts, strict=True)
     ]
-    middle = walked[0].shape[1] / 2
+    middle = scene_pictures[0].shape[1] / 2
     assert columns[0].max() <= middle + 1 and len(columns[0]) > 30 and columns[1].max() > 1.5 * middle
     (masks / "b.png.png").write_bytes((masks / "a.png.png").read_bytes()[:-9])
     with pytest.raises(loom.FileError, match=r"b\.png\.png"):

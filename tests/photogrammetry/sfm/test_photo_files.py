@@ -1,6 +1,6 @@
-"""Folders of HEIC, TIFF, WebP and DNG: the right pixels, upright, with what EXIF tells of the lens; damage told.
+"""Folders of HEIC, TIFF, WebP and DNG: pixels, orientation, lens from EXIF, and damaged files.
 
-telephone.heic was written by libheif's encoder: 48 x 64 pixels once upright, a white patch to the upper right.
+telephone.heic was written by libheif's encoder: 48 x 64 pixels when upright, a white patch at the upper right.
 """
 
 from __future__ import annotations
@@ -26,7 +26,7 @@ LENS = ("Maker", "Telephone 1", "5.2", "26", "")
 
 
 def scene() -> np.ndarray:
-    """48 x 64 pixels of color that grows to the right and down, with a white patch to the upper left."""
+    """48 x 64 pixels with colors that increase to the right and down, and a white patch at the upper left."""
     y, x = np.mgrid[0:48, 0:64]
     pixels = np.stack([4 * x, 5 * y, np.full_like(x, 40)], axis=2).astype(np.uint8)
     pixels[4:14, 6:26] = 250
@@ -34,11 +34,11 @@ def scene() -> np.ndarray:
 
 
 def exif(orientation: int) -> Image.Exif:
-    told = Image.Exif()
-    told[0x010F], told[0x0110], told[0x0112] = "Maker", "Telephone 1", orientation
-    inner = told.get_ifd(0x8769)
+    tags = Image.Exif()
+    tags[0x010F], tags[0x0110], tags[0x0112] = "Maker", "Telephone 1", orientation
+    inner = tags.get_ifd(0x8769)
     inner[0x920A], inner[0xA405] = IFDRational(26, 5), 26
-    return told
+    return tags
 
 
 def written(folder: Path, name: str) -> np.ndarray:
@@ -48,7 +48,7 @@ def written(folder: Path, name: str) -> np.ndarray:
 
 
 def dng(path: Path, gray: np.ndarray, *, cut: int = 0, orientation: int = 1) -> Path:
-    """A DNG of one 16-bit mosaic, red first, little-endian: the fewest tags that a raw decoder wants."""
+    """A DNG of one 16-bit mosaic, red first, little-endian, with the minimum of tags for a raw decoder."""
     height, width = gray.shape
     data = gray.astype("<u2").tobytes()
     matrix = [(1, 1) if i % 4 == 0 else (0, 1) for i in range(9)]
@@ -65,20 +65,20 @@ def dng(path: Path, gray: np.ndarray, *, cut: int = 0, orientation: int = 1) -> 
     for tag, (kind, values) in tags.items():
         body = b"".join(struct.pack(f"<{forms[kind]}", *(v if isinstance(v, tuple) else (v,))) for v in values)
         if tag == 273:
-            place = len(entries) + 8
+            value_offset = len(entries) + 8
         if len(body) > 4:
             extra += b"\0" * (len(extra) % 2)
             body, extra = struct.pack("<I", behind + len(extra)), extra + body
         entries += struct.pack("<HHI", tag, kind, len(values)) + body.ljust(4, b"\0")
     start = struct.pack("<I", behind + len(extra))
-    entries = entries[:place] + start + entries[place + 4 :]
-    whole = b"II*\0" + struct.pack("<IH", 8, len(tags)) + entries + b"\0" * 4 + extra + data
-    path.write_bytes(whole[: len(whole) - cut])
+    entries = entries[:value_offset] + start + entries[value_offset + 4 :]
+    content = b"II*\0" + struct.pack("<IH", 8, len(tags)) + entries + b"\0" * 4 + extra + data
+    path.write_bytes(content[: len(content) - cut])
     return path
 
 
 def mosaic() -> np.ndarray:
-    """A white square to the upper left on gray, 48 x 64."""
+    """A white square at the upper left on gray, 48 x 64."""
     gray = np.full((48, 64), 6000, np.uint16) + np.arange(64, dtype=np.uint16) * 40
     gray[6:18, 8:24] = 50000
     return gray
@@ -86,7 +86,7 @@ def mosaic() -> np.ndarray:
 
 @pytest.mark.parametrize("orientation", [1, 6])
 @pytest.mark.parametrize("name", ["a.tif", "a.webp"])
-def test_tiff_and_webp_lie_upright_and_keep_their_lens(tmp_path, name, orientation):
+def test_tiff_and_webp_are_upright_and_keep_their_lens(tmp_path, name, orientation):
     (tmp_path / "in").mkdir()
     options = {"lossless": True} if name.endswith("webp") else {}
     Image.fromarray(scene()).save(tmp_path / "in" / name, exif=exif(orientation).tobytes(), **options)
@@ -96,7 +96,7 @@ def test_tiff_and_webp_lie_upright_and_keep_their_lens(tmp_path, name, orientati
     assert read_lens(tmp_path / "in" / name) == LENS == read_lens(tmp_path / "out" / "a.png")
 
 
-def test_a_telephone_s_heic_lies_upright_and_keeps_its_lens(tmp_path):
+def test_heic_of_a_telephone_is_upright_and_keeps_its_lens(tmp_path):
     pytest.importorskip("pi_heif")
     (tmp_path / "in").mkdir()
     shutil.copy(HEIC, tmp_path / "in" / "IMG_0001.HEIC")
@@ -109,7 +109,7 @@ def test_a_telephone_s_heic_lies_upright_and_keeps_its_lens(tmp_path):
 
 
 @pytest.mark.parametrize("orientation", [1, 6])
-def test_a_dng_is_developed_and_turned(tmp_path, orientation):
+def test_a_dng_is_developed_and_rotated(tmp_path, orientation):
     pytest.importorskip("rawpy")
     (tmp_path / "in").mkdir()
     path = dng(tmp_path / "in" / "raw.dng", mosaic(), orientation=orientation)
@@ -123,17 +123,17 @@ def test_a_dng_is_developed_and_turned(tmp_path, orientation):
 
 @pytest.mark.parametrize("share", [0.0, 0.9])
 @pytest.mark.parametrize("kind", ["heic", "tif", "webp", "dng"])
-def test_what_is_cut_off_is_left_out_and_named(tmp_path, kind, share):
+def test_truncated_files_are_excluded_and_named(tmp_path, kind, share):
     pytest.importorskip({"heic": "pi_heif", "dng": "rawpy"}.get(kind, "PIL"))
     source = write_pictures(tmp_path / "in", [scene()], ["good.png"])
-    whole = tmp_path / f"whole.{kind}"
+    complete = tmp_path / f"whole.{kind}"
     if kind == "heic":
-        shutil.copy(HEIC, whole)
+        shutil.copy(HEIC, complete)
     elif kind == "dng":
-        dng(whole, mosaic())
+        dng(complete, mosaic())
     else:
-        Image.fromarray(scene()).save(whole)
-    data = whole.read_bytes()
+        Image.fromarray(scene()).save(complete)
+    data = complete.read_bytes()
     (source / f"bad.{kind}").write_bytes(data[: int(share * len(data))])
     choice = loom.sfm.choose_frames(source, tmp_path / "out")
     assert choice.names == ("good.png",) and list(choice.left_out) == [f"bad.{kind}"]
@@ -152,7 +152,7 @@ def test_a_dng_of_any_tenths_of_its_size_is_a_named_error(tmp_path, tenths):
             read(path)
 
 
-def test_what_a_name_promises_falsely_is_left_out(tmp_path):
+def test_files_with_a_wrong_extension_are_excluded(tmp_path):
     pytest.importorskip("pi_heif"), pytest.importorskip("rawpy")
     source = write_pictures(tmp_path / "in", [scene()], ["good.png"])
     for kind in ("heic", "tif", "webp", "dng"):
@@ -162,7 +162,7 @@ def test_what_a_name_promises_falsely_is_left_out(tmp_path):
 
 
 @pytest.mark.parametrize(("kind", "module"), [("heic", "pi_heif"), ("dng", "rawpy")])
-def test_without_the_extra_the_line_that_installs_it_is_named(tmp_path, monkeypatch, kind, module):
+def test_a_missing_extra_is_reported_with_its_install_command(tmp_path, monkeypatch, kind, module):
     real = importlib.import_module
 
     def missing(name, *rest):

@@ -1,4 +1,4 @@
-"""Structure from motion of a made-up scene, whose cameras are known."""
+"""Structure from motion of a synthetic scene with known cameras."""
 
 from __future__ import annotations
 
@@ -16,7 +16,7 @@ from pointloom.photogrammetry.sfm.mapping import map_pictures
 from pointloom.photogrammetry.sfm.matches import match
 
 from .conftest import COUNT, FEATURES, write_pictures
-from .scene import FOCAL, HEIGHT, WIDTH, picture, walk
+from .scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
 
 
 def fit_similarity(source: np.ndarray, target: np.ndarray) -> tuple[float, np.ndarray, np.ndarray]:
@@ -34,20 +34,20 @@ def content(database) -> list:
 
 
 @pytest.mark.slow
-def test_all_pictures_are_placed_where_they_were_taken(stages):
+def test_all_pictures_have_their_true_pose(stages):
     model = stages.result.model
     assert stages.result.reliable and len(model) == COUNT and stages.result.missing == ()
-    truth = np.linalg.inv(walk(COUNT))
+    truth = np.linalg.inv(camera_path(COUNT))
     scale, R, t = fit_similarity(model.centers, truth[:, :3, 3])
     off = np.linalg.norm(scale * model.centers @ R.T + t - truth[:, :3, 3], axis=1)
     assert off.max() < 0.003 * np.linalg.norm(np.ptp(truth[:, :3, 3], axis=0))
-    turns = np.einsum("nji,jk,nkl->nil", truth[:, :3, :3], R, model.T_world_camera[:, :3, :3])
-    assert np.degrees(np.arccos(np.clip((np.trace(turns, axis1=1, axis2=2) - 1) / 2, -1, 1))).max() < 0.1
+    rotations = np.einsum("nji,jk,nkl->nil", truth[:, :3, :3], R, model.T_world_camera[:, :3, :3])
+    assert np.degrees(np.arccos(np.clip((np.trace(rotations, axis1=1, axis2=2) - 1) / 2, -1, 1))).max() < 0.1
     assert model.cameras[0].params[0] == pytest.approx(FOCAL, rel=0.01)
 
 
 @pytest.mark.slow
-def test_points_lie_where_the_pictures_show_them(stages):
+def test_points_project_onto_their_observations(stages):
     model = stages.result.model
     seen = model.observations
     poses, points = model.T_camera_world[seen[:, 0]], model.points[seen[:, 1]]
@@ -57,7 +57,7 @@ def test_points_lie_where_the_pictures_show_them(stages):
 
 
 @pytest.mark.slow
-def test_each_stage_says_what_it_found(stages):
+def test_each_stage_reports_its_results(stages):
     assert stages.features.names == tuple(f"view {k}.png" for k in range(COUNT))
     assert min(stages.features.counts) > 0.8 * FEATURES and stages.features.poor_names == ()
     assert stages.features.sizes == {(WIDTH, HEIGHT): COUNT}
@@ -66,7 +66,7 @@ def test_each_stage_says_what_it_found(stages):
     assert stages.result.quality.model_sizes == (COUNT,)
     assert all(peak > 2**20 for peak in (stages.features.peak_bytes, stages.matches.peak_bytes))
     for stage, total in (("features", COUNT), ("pairs", 28), ("model", COUNT)):
-        steps = [step for step in stages.said if step[0] == stage]
+        steps = [step for step in stages.steps if step[0] == stage]
         assert {step[2] for step in steps} == {total}
         assert (steps[0][1], steps[-1][1]) == (0, total)
     assert {path.name for path in stages.work.iterdir()} == {"Bilder", "features.db", "matches.db", "sparse"}
@@ -74,7 +74,7 @@ def test_each_stage_says_what_it_found(stages):
 
 @pytest.mark.slow
 def test_mapping_begins_with_the_focal_length_of_a_telephone(stages):
-    """With COLMAP's own, 1.2 of the width, cameras that turn much and move little get one that is too large."""
+    """COLMAP's default, 1.2 of the width, gives rotating cameras a focal length that is too large."""
     with sqlite3.connect(stages.features_db) as connection:
         ((params,),) = connection.execute("SELECT params FROM cameras").fetchall()
     assert np.frombuffer(params, np.float64).tolist() == [pytest.approx(0.85 * WIDTH), WIDTH / 2, HEIGHT / 2, 0]
@@ -98,16 +98,16 @@ def test_features_and_matches_are_the_same_on_any_number_of_cores(stages, tmp_pa
 
 
 @pytest.mark.slow
-def test_pairs_of_a_sequence_are_those_that_are_tried(stages, tmp_path):
+def test_sequential_pairs_are_matched(stages, tmp_path):
     report = match(stages.features_db, tmp_path / "m.db", pairs="sequential", overlap=3)
     with sqlite3.connect(tmp_path / "m.db") as connection:
         assert connection.execute("SELECT count(*) FROM matches").fetchone() == (report.pair_count,)
-    assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 4  # 1, 2 and 4 further on
+    assert report.pairs == "sequential" and report.pair_count == 7 + 6 + 4  # offsets 1, 2 and 4
 
 
 @pytest.mark.slow
-def test_a_camera_that_is_known_is_kept_and_scaled_to_the_pictures(walked, tmp_path):
-    pictures = write_pictures(tmp_path / "pictures", walked)
+def test_a_known_camera_is_fixed_and_scaled_to_the_pictures(scene_pictures, tmp_path):
+    pictures = write_pictures(tmp_path / "pictures", scene_pictures)
     twice = loom.PinholeCameraIntrinsic(2 * WIDTH, 2 * HEIGHT, 2 * FOCAL, 2 * FOCAL, WIDTH - 0.5, HEIGHT - 0.5)
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", intrinsic=twice, max_features=500)
     assert len(result.model) == COUNT and result.reliable
@@ -118,65 +118,65 @@ def test_a_camera_that_is_known_is_kept_and_scaled_to_the_pictures(walked, tmp_p
         loom.sfm.reconstruct(pictures, tmp_path / "work")
 
 
-def test_a_camera_of_other_pictures_is_refused(walked, tmp_path):
+def test_a_camera_of_other_pictures_is_refused(scene_pictures, tmp_path):
     other = loom.PinholeCameraIntrinsic(640, 640, 500, 500, 320, 320)
-    pictures = write_pictures(tmp_path / "in", walked[:2])
+    pictures = write_pictures(tmp_path / "in", scene_pictures[:2])
     with pytest.raises(ValueError, match="intrinsic:"):
         find_features(pictures, tmp_path / "f.db", intrinsic=other)
 
 
 @pytest.mark.slow
-def test_a_camera_that_only_turns_is_found_out(tmp_path):
-    """COLMAP places all of them, with a focal length that makes up motion."""
-    pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in walk(6, turn_only=True)])
+def test_a_camera_that_only_rotates_is_reported(tmp_path):
+    """COLMAP registers all pictures, with a focal length that imitates motion."""
+    pictures = write_pictures(tmp_path / "pictures", [picture(T) for T in camera_path(6, rotate_only=True)])
     result = loom.sfm.reconstruct(pictures, tmp_path / "work", max_features=500)
     assert "move instead of only rotating" in str(result.warnings)
 
 
 def test_blank_images_give_no_model_but_a_warning(tmp_path):
     pictures = write_pictures(tmp_path / "pictures", [np.full((64, 96), 40 * k, np.uint8) for k in range(3)])
-    found = find_features(pictures, tmp_path / "f.db")
-    assert found.counts == (0, 0, 0) and len(found.poor_names) == 3
+    features = find_features(pictures, tmp_path / "f.db")
+    assert features.counts == (0, 0, 0) and len(features.poor_names) == 3
     matched = match(tmp_path / "f.db", tmp_path / "m.db")
     assert matched.verified_count == 0 and len(matched.isolated) == 3
     result = map_pictures(pictures, tmp_path / "m.db", tmp_path / "sparse")
     assert result.model is None and len(result.missing) == 3
     assert "none of the 3 images could be registered" in str(result.warnings)
-    for report in (found, matched, result):
+    for report in (features, matched, result):
         assert json.loads(json.dumps(report.to_dict(), allow_nan=False))
 
 
 @pytest.mark.parametrize(
     ("name", "remedy"), [("empty.png", "empty"), ("gray.png", "16-bit gray"), ("side.jpg", "is not upright")]
 )
-def test_pictures_that_colmap_would_take_for_others_are_refused(walked, tmp_path, name, remedy):
-    pictures = write_pictures(tmp_path / "pictures", walked[:2])
+def test_pictures_misread_by_colmap_are_rejected(scene_pictures, tmp_path, name, remedy):
+    pictures = write_pictures(tmp_path / "pictures", scene_pictures[:2])
     exif = Image.Exif()
     exif[0x0112] = 6
     if name == "empty.png":
         (pictures / name).touch()
     else:
-        pixels = walked[0].astype(np.uint16) * 256 if name == "gray.png" else walked[0]
+        pixels = scene_pictures[0].astype(np.uint16) * 256 if name == "gray.png" else scene_pictures[0]
         Image.fromarray(pixels).save(pictures / name, **({} if name == "gray.png" else {"exif": exif}))
     with pytest.raises(loom.FileError, match=rf"{name}.*{remedy}"):
         find_features(pictures, tmp_path / "f.db")
 
 
-def test_a_picture_alone_is_refused(walked, tmp_path):
+def test_a_picture_alone_is_refused(scene_pictures, tmp_path):
     with pytest.raises(loom.FileError, match="/one:"):
-        find_features(write_pictures(tmp_path / "one", walked[:1]), tmp_path / "f.db")
+        find_features(write_pictures(tmp_path / "one", scene_pictures[:1]), tmp_path / "f.db")
 
 
 @pytest.mark.slow
-def test_all_at_once_and_one_by_one_come_to_the_same_cameras(stages, tmp_path):
-    found = map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
+def test_global_and_incremental_mapping_agree(stages, tmp_path):
+    result = map_pictures(stages.pictures, stages.matches_db, tmp_path / "g", mapper="global")
     map_pictures(stages.pictures, stages.matches_db, tmp_path / "h", mapper="global")
-    assert found.model is not None and found.model.names == stages.result.model.names
+    assert result.model is not None and result.model.names == stages.result.model.names
     for name in ("cameras.bin", "images.bin", "points3D.bin"):
         assert (tmp_path / "g" / name).read_bytes() == (tmp_path / "h" / name).read_bytes()
     apart = [
         np.linalg.norm(model.centers[:, None] - model.centers[None], axis=2)
-        for model in (found.model, stages.result.model)
+        for model in (result.model, stages.result.model)
     ]
     scale = (apart[0] * apart[1]).sum() / (apart[0] ** 2).sum()
     assert np.abs(scale * apart[0] - apart[1]).max() < 0.01 * apart[1].max()

@@ -1,4 +1,4 @@
-"""Every argument of every public call of structure from motion refuses what makes no sense, and its error names it."""
+"""Every public call of structure from motion rejects invalid arguments by name."""
 
 from __future__ import annotations
 
@@ -18,13 +18,13 @@ from .conftest import write_pictures
 
 LIMITS = "seed=0, max_seconds=60.0, max_memory=2**32, progress=None"
 KINDS = "masks=None, kind='sift', use_gpu=None"
-FOUND = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {LIMITS}"
+FEATURE_OPTIONS = f"camera_model='PINHOLE', intrinsic=None, max_size=640, max_features=500, {KINDS}, {LIMITS}"
 CALLS = f"""
 loom.sfm.choose_frames(source=pictures, folder=new(), max_frames=5, max_size=64, min_movement=0.04, max_gap=30, kind="png", reader="auto", masks=None, max_seconds=60.0, max_memory=2**32, progress=None)
-loom.sfm.find_features(pictures=pictures, database=new(), {FOUND})
+loom.sfm.find_features(pictures=pictures, database=new(), {FEATURE_OPTIONS})
 loom.sfm.match(database=database, matches=new(), pairs="auto", overlap=10, neighbors=5, use_gpu=None, {LIMITS})
 loom.sfm.map_pictures(pictures=pictures, matches=database, folder=new(), mapper="auto", {LIMITS})
-loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FOUND})
+loom.sfm.reconstruct(pictures=pictures, work=new(), pairs="auto", overlap=10, mapper="auto", {FEATURE_OPTIONS})
 loom.sfm.assess_model(model=model, picture_count=3, model_sizes=[2, 1], focal=None, poses=None)
 loom.sfm.read_picture_places(source=pictures)
 loom.sfm.write_training_folder(folder=new(), model=model, pictures=[gray, gray], masks=[None, seen], max_size=64, shift=True, device="cpu", overwrite=True, progress=None)
@@ -46,9 +46,9 @@ RESULTS = {
 
 @pytest.fixture(autouse=True)
 def no_colmap(monkeypatch):
-    """Arguments are checked before COLMAP is asked; what is left here is what our side does."""
+    """Replace COLMAP's jobs; arguments are checked before them."""
 
-    def run_job(job: dict[str, Any], place: Path, **limits: Any) -> tuple[dict[str, Any], int]:
+    def run_job(job: dict[str, Any], path: Path, **limits: Any) -> tuple[dict[str, Any], int]:
         assert limits["max_seconds"] > 0
         if job["stage"] == "features":
             Path(job["database"]).write_bytes(things()["database"].read_bytes())
@@ -107,13 +107,13 @@ def test_the_table_names_every_argument_of_every_public_call():
 
 
 def call_of(name: str) -> tuple[Any, dict[str, Any]]:
-    """The call with new folders for each, and its good arguments."""
+    """The call with new folders, and its valid arguments."""
     function, expressions = TABLE[name]
 
     def call(**given: Any) -> Any:
         outputs = {key: eval(value, dict(things())) for key, value in expressions.items() if value == "new()"}
-        kept = {key: value for key, value in outputs.items() if given[key] is good[key]}
-        return eval(function, dict(things()))(**(given | kept))
+        selected = {key: value for key, value in outputs.items() if given[key] is good[key]}
+        return eval(function, dict(things()))(**(given | selected))
 
     good = {key: eval(value, dict(things())) for key, value in expressions.items()}
     return call, good

@@ -1,4 +1,4 @@
-"""Folders to train splats from: straight pictures, COLMAP's files and transforms.json say the same as the model."""
+"""Training folders for splats: undistorted pictures, COLMAP's files and transforms.json agree with the model."""
 
 from __future__ import annotations
 
@@ -44,46 +44,46 @@ def photographs(folder: Path, model: loom.SfmModel) -> Path:
 
 
 def source_of(model: loom.SfmModel, name: str) -> int:
-    """Which of the model's pictures became one of the folder: sorted without folders they may stand otherwise."""
+    """Index of the model's picture for a picture of the folder, whose order may differ."""
     return [Path(each).stem for each in model.names].index(Path(name).stem)
 
 
 def written(tmp_path, model, **options):
     pictures = photographs(tmp_path / "photos", model)
-    told = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures, **options)
-    return told, tmp_path / "scene"
+    report = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures, **options)
+    return report, tmp_path / "scene"
 
 
 @pytest.mark.parametrize(("kind", "max_size"), [*zip(LENSES, (50, None, 50, None), strict=True)])
-def test_points_lie_in_the_straight_pictures_where_the_lens_saw_them(tmp_path, kind, max_size):
+def test_points_project_to_undistorted_observations(tmp_path, kind, max_size):
     model = model_of(kind)
-    told, scene = written(tmp_path, model, max_size=max_size)
-    found = loom.read_colmap_model(scene / "sparse" / "0")
-    assert {camera.model for camera in found.cameras} == {"PINHOLE"}
-    np.testing.assert_array_equal(found.colors, model.colors)
-    assert len(found.observations) > 0.8 * len(model.observations)
-    sizes = np.array([(camera.width, camera.height) for camera in found.cameras])[found.observations[:, 0]]
-    assert ((found.pixels >= -0.5) & (found.pixels <= sizes - 0.5)).all()
+    report, scene = written(tmp_path, model, max_size=max_size)
+    result = loom.read_colmap_model(scene / "sparse" / "0")
+    assert {camera.model for camera in result.cameras} == {"PINHOLE"}
+    np.testing.assert_array_equal(result.colors, model.colors)
+    assert len(result.observations) > 0.8 * len(model.observations)
+    sizes = np.array([(camera.width, camera.height) for camera in result.cameras])[result.observations[:, 0]]
+    assert ((result.pixels >= -0.5) & (result.pixels <= sizes - 0.5)).all()
     straight = Undistortion(model.cameras[0], max_size=max_size).intrinsic
-    for k, camera in enumerate(found.cameras):
-        with Image.open(scene / "images" / found.names[k]) as picture:
+    for k, camera in enumerate(result.cameras):
+        with Image.open(scene / "images" / result.names[k]) as picture:
             assert picture.size == (camera.width, camera.height) == (straight.width, straight.height)
         assert (camera.intrinsic.cx, camera.intrinsic.cy) == pytest.approx((straight.cx, straight.cy), abs=1e-9)
-        mine = found.observations[found.observations[:, 0] == k, 1]
-        T, own = found.T_camera_world[k], source_of(model, found.names[k])
-        at = camera.project(found.points[mine] @ T[:3, :3].T + T[:3, 3])
+        mine = result.observations[result.observations[:, 0] == k, 1]
+        T, own = result.T_camera_world[k], source_of(model, result.names[k])
+        at = camera.project(result.points[mine] @ T[:3, :3].T + T[:3, 3])
         # where the picture that the lens took has this very point, as the pinhole draws its ray
         before = model.pixels[(model.observations[:, 0] == own) & np.isin(model.observations[:, 1], mine)]
         rays = model.cameras[own].unproject(before)
         expected = rays[:, :2] * (straight.fx, straight.fy) + (straight.cx, straight.cy)
         assert np.abs(at - expected).max() < 0.05
-    assert found.errors[found.view_counts > 0].max() < 1e-3
-    assert told.straightened_count == (1 if kind != "PINHOLE" or max_size else 0) * 3
-    assert max(max(size) for size in told.sizes) <= (max_size or 200)
+    assert result.errors[result.view_counts > 0].max() < 1e-3
+    assert report.straightened_count == (1 if kind != "PINHOLE" or max_size else 0) * 3
+    assert max(max(size) for size in report.sizes) <= (max_size or 200)
 
 
 @pytest.mark.parametrize("kind", ["PINHOLE", "OPENCV"])
-def test_transforms_and_colmap_s_files_say_the_same(tmp_path, kind):
+def test_transforms_match_the_colmap_files(tmp_path, kind):
     _, scene = written(tmp_path, model_of(kind))
     sparse, nerf = loom.read_colmap_model(scene / "sparse" / "0"), loom.read_cameras(scene / "transforms.json")
     assert nerf.names == tuple(f"images/{name}" for name in sparse.names)
@@ -93,27 +93,27 @@ def test_transforms_and_colmap_s_files_say_the_same(tmp_path, kind):
     np.testing.assert_allclose(cloud.points, sparse.points, atol=1e-6)
 
 
-def test_straightened_pixels_are_where_the_model_says(tmp_path):
-    """Pictures whose brightness is the column, and the row, show the points where the lens saw them."""
+def test_undistorted_pixels_match_the_camera_model(tmp_path):
+    """Pictures whose brightness is the column or the row show the points at their original pixels."""
     model = model_of("OPENCV")
     v, u = np.mgrid[: SIZE[1], : SIZE[0]]
     for axis, ramp in enumerate((u, v)):
         pictures = [np.rint(ramp * 2.5).astype(np.uint8)] * 3
         loom.sfm.write_training_folder(tmp_path / f"{axis}", model, pictures)
-        found, off = loom.read_colmap_model(tmp_path / f"{axis}" / "sparse" / "0"), []
-        for k, name in enumerate(found.names):
+        result, off = loom.read_colmap_model(tmp_path / f"{axis}" / "sparse" / "0"), []
+        for k, name in enumerate(result.names):
             shown = loom.read_color(tmp_path / f"{axis}" / "images" / name)[..., 0] / 2.5
-            mine, first = (m.observations[:, 0] == n for m, n in ((found, k), (model, source_of(model, name))))
-            x, y = found.pixels[mine].T
+            mine, first = (m.observations[:, 0] == n for m, n in ((result, k), (model, source_of(model, name))))
+            x, y = result.pixels[mine].T
             i, j = np.floor(x).astype(int).clip(0, len(shown[0]) - 2), np.floor(y).astype(int).clip(0, len(shown) - 2)
             read = (shown[j, i] * (1 - x + i) + shown[j, i + 1] * (x - i)) * (1 - y + j)
             read += (shown[j + 1, i] * (1 - x + i) + shown[j + 1, i + 1] * (x - i)) * (y - j)
-            places = dict(zip(model.observations[first, 1].tolist(), model.pixels[first, axis].tolist(), strict=True))
-            off += (read - [places[point] for point in found.observations[mine, 1].tolist()]).tolist()
+            expected = dict(zip(model.observations[first, 1].tolist(), model.pixels[first, axis].tolist(), strict=True))
+            off += (read - [expected[point] for point in result.observations[mine, 1].tolist()]).tolist()
         assert abs(np.mean(off)) < 0.05 and np.abs(off).max() < 0.4  # a step of gray is 0.4 px
 
 
-def test_straight_pictures_are_copied_and_turned_or_other_ones_are_not(tmp_path):
+def test_only_undistorted_upright_pictures_are_copied(tmp_path):
     model = model_of("PINHOLE")
     pictures = photographs(tmp_path / "photos", model)
     exif = Image.Exif()
@@ -122,16 +122,16 @@ def test_straight_pictures_are_copied_and_turned_or_other_ones_are_not(tmp_path)
         picture.save(pictures / "day 2" / "b.jpg", exif=exif)
     with Image.open(pictures / "day 2" / "b.jpg") as picture:
         pixels = np.array(picture)
-    told = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures)
+    report = loom.sfm.write_training_folder(tmp_path / "scene", model, pictures)
     images = tmp_path / "scene" / "images"
     assert sorted(path.name for path in images.iterdir()) == ["a.jpg", "b.png", "c.png"]
     assert (images / "a.jpg").read_bytes() == (pictures / "day 1" / "a.jpg").read_bytes()
     with Image.open(images / "b.png") as picture:
         assert picture.getexif().get(0x0112, 1) == 1 and np.array_equal(np.array(picture), pixels)
-    assert told.straightened_count == 1
+    assert report.straightened_count == 1
 
 
-def test_what_lies_outside_of_the_straight_pictures_is_seen_by_none(tmp_path):
+def test_points_outside_the_undistorted_pictures_have_no_observation(tmp_path):
     camera = loom.CameraModel("OPENCV_FISHEYE", *SIZE, LENSES["OPENCV_FISHEYE"])
     corner, middle = camera.unproject([[0.0, 0.0], [48.0, 32.0]]) * 2
     seen = {"observations": [[0, 0], [0, 1]], "pixels": [[0.0, 0.0], [48.0, 32.0]]}
@@ -140,7 +140,7 @@ def test_what_lies_outside_of_the_straight_pictures_is_seen_by_none(tmp_path):
     assert loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0").observations.tolist() == [[0, 1]]
 
 
-def test_names_that_differ_by_folder_or_case_alone_stay_apart(tmp_path):
+def test_names_differing_by_folder_or_case_stay_distinct(tmp_path):
     _, scene = written(tmp_path, model_of(names=("day 1/a.jpg", "day 2/a.jpg", "day 2/A.png")))
     names = sorted(path.name for path in (scene / "images").iterdir())
     assert names == ["day 1_a.jpg.png", "day 2_A.png.png", "day 2_a.jpg.png"]
@@ -149,38 +149,41 @@ def test_names_that_differ_by_folder_or_case_alone_stay_apart(tmp_path):
 
 
 @pytest.mark.parametrize("shift", [True, False])
-def test_utm_comes_near_zero_and_is_told_or_stays_exact(tmp_path, shift):
+def test_utm_coordinates_are_shifted_and_reported_or_stay_exact(tmp_path, shift):
     model = model_of("OPENCV", origin=UTM)
-    told, scene = written(tmp_path, model, shift=shift)
-    found, content = loom.read_colmap_model(scene / "sparse" / "0"), json.loads((scene / "transforms.json").read_text())
-    np.testing.assert_allclose(found.points + told.origin, model.points, atol=2e-9, rtol=0)
-    centers = model.centers[[source_of(model, name) for name in found.names]]
-    np.testing.assert_allclose(found.centers + told.origin, centers, atol=5e-9, rtol=0)
+    report, scene = written(tmp_path, model, shift=shift)
+    result, content = (
+        loom.read_colmap_model(scene / "sparse" / "0"),
+        json.loads((scene / "transforms.json").read_text()),
+    )
+    np.testing.assert_allclose(result.points + report.origin, model.points, atol=2e-9, rtol=0)
+    centers = model.centers[[source_of(model, name) for name in result.names]]
+    np.testing.assert_allclose(result.centers + report.origin, centers, atol=5e-9, rtol=0)
     frames = np.array([frame["transform_matrix"] for frame in content["frames"]])
-    np.testing.assert_allclose(frames[:, :3, 3] + told.origin, centers, atol=5e-9, rtol=0)
+    np.testing.assert_allclose(frames[:, :3, 3] + report.origin, centers, atol=5e-9, rtol=0)
     if shift:
-        assert np.abs(found.centers).max() < 10 and "subtracted from all coordinates" in str(told)
+        assert np.abs(result.centers).max() < 10 and "subtracted from all coordinates" in str(report)
         applied = np.array(content["applied_transform"])
-        np.testing.assert_array_equal(applied, np.column_stack([np.eye(3), -np.array(told.origin)]))
+        np.testing.assert_array_equal(applied, np.column_stack([np.eye(3), -np.array(report.origin)]))
         assert content["applied_scale"] == 1
     else:
-        assert told.origin == (0, 0, 0) and "applied_transform" not in content
+        assert report.origin == (0, 0, 0) and "applied_transform" not in content
     assert loom.sfm.write_training_folder(tmp_path / "near", model_of(), tmp_path / "photos").origin == (0, 0, 0)
 
 
-def test_masks_go_along_straightened_and_every_picture_has_one(tmp_path):
+def test_masks_are_undistorted_and_complete(tmp_path):
     model = model_of("OPENCV")
     mask = np.zeros(SIZE[::-1], np.uint8)
     mask[:, :47] = 255
     (tmp_path / "masks" / "day 1").mkdir(parents=True)
     Image.fromarray(mask).save(tmp_path / "masks" / "day 1" / "a.jpg.png")
-    told, scene = written(tmp_path, model, masks=tmp_path / "masks")
+    report, scene = written(tmp_path, model, masks=tmp_path / "masks")
     frames = json.loads((scene / "transforms.json").read_text())["frames"]
     assert [frame["mask_path"] for frame in frames] == [f"masks/{name}.png" for name in ("a.png", "b.png", "c.png")]
     first, second = (np.array(Image.open(scene / frame["mask_path"])) for frame in frames[:2])
     lens = loom.read_colmap_model(scene / "sparse" / "0").cameras[0].intrinsic
     middle = round(lens.cx)
-    assert first.shape == (lens.height, lens.width) and told.mask_count == 3
+    assert first.shape == (lens.height, lens.width) and report.mask_count == 3
     assert first[3:-3, 2 : middle - 1].min() == 255 and first[:, middle + 2 :].max() == 0 and second.min() == 255
     given = loom.sfm.write_training_folder(tmp_path / "again", model, tmp_path / "photos", masks=[None, mask > 0, mask])
     again = np.array(Image.open(tmp_path / "again" / "masks" / "a.png.png"))
@@ -191,12 +194,12 @@ def test_pictures_may_be_arrays_and_models_without_points(tmp_path):
     model = model_of("OPENCV")
     bare = loom.SfmModel(model.names, model.cameras, model.T_camera_world)
     pictures = [np.full((SIZE[1], SIZE[0]), 90, np.uint8)] * 3
-    told = loom.sfm.write_training_folder(tmp_path / "scene", bare, pictures)
-    assert told.point_count == 0 and not (tmp_path / "scene" / "sparse_pc.ply").exists()
+    report = loom.sfm.write_training_folder(tmp_path / "scene", bare, pictures)
+    assert report.point_count == 0 and not (tmp_path / "scene" / "sparse_pc.ply").exists()
     assert len(loom.read_colmap_model(tmp_path / "scene" / "sparse" / "0")) == 3
 
 
-def test_what_does_not_fit_is_named_and_nothing_is_written(tmp_path):
+def test_invalid_inputs_are_named_and_nothing_is_written(tmp_path):
     model = model_of("PINHOLE")
     pictures = photographs(tmp_path / "photos", model)
     write = loom.sfm.write_training_folder

@@ -1,4 +1,4 @@
-"""The job with stages that take no time: each leaves small files of the kinds that the true ones leave."""
+"""A job with fast stages that write small files of the real kinds."""
 
 import json
 from functools import wraps
@@ -21,7 +21,7 @@ def write_json(path, **content):
 
 @pytest.fixture
 def film(tmp_path):
-    """What stands for a video."""
+    """A placeholder for a video."""
     path = tmp_path / "walk.mp4"
     path.write_bytes(b"a film")
     return path
@@ -29,45 +29,45 @@ def film(tmp_path):
 
 @pytest.fixture
 def quick(monkeypatch):
-    """Quick stages; `ran` tells which ran, and the other attributes what they find."""
-    state = SimpleNamespace(ran=[], registered=COUNT, reasons=[], turned=False, share=0.6, triangles=2, fail=None)
+    """Fast stages; `ran` lists the stages that ran, and the other attributes set their results."""
+    state = SimpleNamespace(ran=[], registered=COUNT, reasons=[], only_rotated=False, share=0.6, triangles=2, fail=None)
 
     def stage(name):
         def wrapped(make):
-            def run(folder, say, **given):
+            def run(folder, report, **given):
                 state.ran.append(name)
                 if state.fail == name:
                     (folder / "half").write_text("half")
                     raise KeyboardInterrupt
-                say("step", 1, 1)
-                return make(folder, say, **given)
+                report("step", 1, 1)
+                return make(folder, report, **given)
 
-            wraps(make)(run)  # a stage asks by its signature for what it reads
+            wraps(make)(run)  # the signature of a stage declares its inputs
             monkeypatch.setitem(chain.STAGES, name, run)
 
         return wrapped
 
     @stage("frames")
-    def take_frames(folder, say, *, source, max_frames):
+    def take_frames(folder, report, *, source, max_frames):
         (folder / motion.PICTURES).mkdir()
-        kept = min(COUNT, max_frames)
-        for number in range(0, 10 * kept, 10):
+        count = min(COUNT, max_frames)
+        for number in range(0, 10 * count, 10):
             (folder / motion.PICTURES / f"frame_{number:06d}.png").write_bytes(source.read_bytes() + b"%d" % number)
-        return {"kept": kept, "frames": 80, "notes": ["the video is damaged: 80 of 90 frames were decoded"]}
+        return {"kept": count, "frames": 80, "notes": ["the video is damaged: 80 of 90 frames were decoded"]}
 
     @stage("features")
-    def find_features(folder, say, *, frames, intrinsic, seed):
+    def find_features(folder, report, *, frames, intrinsic, seed):
         of = motion.picture_names(frames)
         write_json(folder / "features.json", camera=str(intrinsic), seed=seed, of=of)
         return {}
 
     @stage("matches")
-    def match(folder, say, *, frames, features, seed):
+    def match(folder, report, *, frames, features, seed):
         (folder / "matches.json").write_bytes((features.folder / "features.json").read_bytes())
         return {}
 
     @stage("model")
-    def map_pictures(folder, say, *, frames, matches, fixed_camera, seed):
+    def map_pictures(folder, report, *, frames, matches, fixed_camera, seed):
         names = motion.picture_names(frames)[: state.registered]
         quality = ModelQuality(COUNT, len(names), (len(names),), 100, 50.0, 8.0, 30.0, 0.4, tuple(state.reasons))
         if names:
@@ -75,29 +75,29 @@ def quick(monkeypatch):
             poses[:, 0, 3], poses[::2, 1, 3] = -0.5 * np.arange(len(names)), 1.0  # half a unit apart, in a zigzag
             camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
             loom.write_colmap_model(folder / motion.MODEL, loom.SfmModel(names, [camera] * len(names), poses))
-        told = {"missing": [], "cameras": ["PINHOLE 64 x 48: 50 50 32 24"], "turned": state.turned}
-        return quality.to_dict() | told
+        contents = {"missing": [], "cameras": ["PINHOLE 64 x 48: 50 50 32 24"], "turned": state.only_rotated}
+        return quality.to_dict() | contents
 
     @stage("undistorted")
-    def straighten(folder, say, *, frames, model, max_size, device):
+    def straighten(folder, report, *, frames, model, max_size, device):
         loom.write_colmap_model(folder / surface.SPARSE, motion.read_model(model))
         (folder / surface.IMAGES).mkdir()
         (folder / surface.IMAGES / "all").write_text(str(min(max_size, 64)))
         return {"pictures": state.registered, "sizes": [[min(max_size, 64), 48]]}
 
     @stage("depth")
-    def estimate(folder, say, *, undistorted, seed, device):
+    def estimate(folder, report, *, undistorted, seed, device):
         write_json(folder / "depth.json", seed=seed, size=(undistorted.folder / surface.IMAGES / "all").read_text())
         return {"pictures": state.registered, "share": 1.0}
 
     @stage("fused")
-    def fuse_points(folder, say, *, undistorted, depth, device):
+    def fuse_points(folder, report, *, undistorted, depth, device):
         loom.write_point_cloud(folder / surface.CLOUD, loom.PointCloud([[0, 0, 1], [0, 1, 1], [1, 0, 1.0]]))
         (folder / "of").write_bytes((depth.folder / "depth.json").read_bytes())
         return {"share": state.share, "points": 3}
 
     @stage("mesh")
-    def make_mesh(folder, say, *, undistorted, fused, units, device):
+    def make_mesh(folder, report, *, undistorted, fused, units, device):
         model, _, _ = surface.open_straightened(undistorted)
         fit = fit_units(units, model)
         square = [[0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]]

@@ -1,4 +1,4 @@
-"""Ground control of the made flights: points on the ground, and where a lens with distortion shows them."""
+"""Ground control of the synthetic flights: points on the ground and their marks by a distorted lens."""
 
 from __future__ import annotations
 
@@ -24,30 +24,30 @@ def model_of(poses):
     return loom.SfmModel(model.names, [LENS] * len(model), model.T_camera_world)
 
 
-def marks_of(poses, points=GROUND, names=NAMES, noise=0.0, most=8, seed=0):
-    """Where pictures show points, in the order of the pictures."""
+def marks_of(poses, points=GROUND, names=NAMES, noise=0.0, max_count=8, seed=0):
+    """Marks of the points in the pictures, in the order of the pictures."""
     rng = np.random.default_rng(seed)
-    found = []
+    marks = []
     for name, point in zip(names, points, strict=True):
         seen = 0
         for k, T in enumerate(np.linalg.inv(poses)):
             pixel = LENS.project((T[:3, :3] @ point + T[:3, 3])[None])[0]
-            if np.isfinite(pixel).all() and (pixel > 0).all() and (pixel < (639, 479)).all() and seen < most:
+            if np.isfinite(pixel).all() and (pixel > 0).all() and (pixel < (639, 479)).all() and seen < max_count:
                 pixel = pixel + rng.normal(size=2) * noise
-                found.append(ControlMark(name, f"IMG_{k:04d}.JPG", pixel))
+                marks.append(ControlMark(name, f"IMG_{k:04d}.JPG", pixel))
                 seen += 1
-    return found
+    return marks
 
 
 def control_of(
     poses, points=GROUND, names=NAMES, *, marks=None, noise=0.0, crs="EPSG:32632", wrong=(), checks=(), bars=(), seed=0
 ):
-    """Ground control in UTM, or in east, north and up of its own; `wrong` are (name, meters [3])."""
+    """Ground control in UTM, or in local east, north and up; `wrong` are (name, meters [3])."""
     rng = np.random.default_rng(seed + 100)
     known = FRAME.to_utm(points, int(crs[5:])) if crs else points.copy()
     known = known + rng.normal(size=known.shape) * (SIGMA if noise else 0.0)
     for name, off in wrong:
         known[names.index(name)] += off
     marks = marks_of(poses, points, names, noise, seed=seed) if marks is None else marks
-    rows = [loom.registration.ControlPoint(name, place, SIGMA) for name, place in zip(names, known, strict=True)]
+    rows = [loom.registration.ControlPoint(name, position, SIGMA) for name, position in zip(names, known, strict=True)]
     return GroundControl(rows, marks, bars, crs, checks)

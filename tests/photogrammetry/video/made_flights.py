@@ -1,4 +1,4 @@
-"""Made flights: cameras whose place on the Earth is known, the model that pictures would give, and what they tell."""
+"""Synthetic flights: georeferenced cameras, the model of the pictures, and their GPS."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def look(eye, way, up=(0.0, 0.0, 1.0)):
 
 
 def nadir(rows=4, columns=6, seed=0):
-    """Rows to and fro at 50 m, looking straight down but for a tremble."""
+    """Rows to and fro at 50 m, looking almost straight down."""
     rng = np.random.default_rng(seed)
     return np.array([
         look((9 * i + rng.normal(0, 0.3), 16 * j, 50 + rng.normal(0, 0.5)), (*rng.normal(0, 0.03, 2), -1.0),
@@ -31,7 +31,7 @@ def nadir(rows=4, columns=6, seed=0):
 
 
 def oblique(count=24, seed=0):
-    """A round about something, looking down at it."""
+    """A circle around an object, looking down at it."""
     rng = np.random.default_rng(seed)
     return np.array([
         look((30 * np.cos(a), 30 * np.sin(a), 12 + rng.normal(0, 0.5)), (-np.cos(a), -np.sin(a), -0.4))
@@ -39,15 +39,15 @@ def oblique(count=24, seed=0):
     ])  # fmt: skip
 
 
-def walk(count=20, seed=0):
-    """Straight along a street at breast height, looking at the houses on both sides."""
+def street(count=20, seed=0):
+    """Straight along a street at chest height, looking at the houses on both sides."""
     rng = np.random.default_rng(seed)
     ways = [(rng.normal(0, 0.4), 1.0 if k % 3 else -1.0, rng.normal(0, 0.1)) for k in range(count)]
     return np.array([look((3.0 * k, 0.0, 1.5), way) for k, way in enumerate(ways)])
 
 
 def hidden(poses, seed=0):
-    """The model of the poses in an arbitrary frame and unit, and T_world_model that undoes it."""
+    """The model of the poses in an arbitrary frame and unit, and T_world_model that restores them."""
     rng = np.random.default_rng(seed)
     q = np.linalg.qr(rng.normal(size=(3, 3)))[0]
     T = make_pose(0.137 * q * np.sign(np.linalg.det(q)), np.array([3.0, -2.0, 7.0]))
@@ -56,37 +56,37 @@ def hidden(poses, seed=0):
     return model.transform(T), np.linalg.inv(T)
 
 
-def told(poses, noise=0.0, wild=(), altitudes=True, attitudes=None, sigma=None, seed=0):
-    """What pictures at these poses tell, with noise [m] in plan and twice as much in height; some are wild."""
+def gps_of(poses, noise=0.0, wild=(), altitudes=True, attitudes=None, sigma=None, seed=0):
+    """GPS of pictures at these poses, with noise [m] in plan and twice as much in height; some are outliers."""
     rng = np.random.default_rng(seed)
     enu = poses[:, :3, 3] + rng.normal(size=(len(poses), 3)) * np.array([1, 1, 2]) * noise
     for k in wild:
         enu[k] += (40.0, -30.0, 5.0)
     rows = FRAME.to_geodetic(enu).tolist()
-    places = [
+    positions = [
         PicturePlace(f"IMG_{k:04d}.JPG", lat, lon, height if altitudes else None, horizontal_sigma=sigma)
         for k, (lat, lon, height) in enumerate(rows)
     ]
-    return PicturePlaces(tuple(places), attitudes or {}, {}, len(poses))
+    return PicturePlaces(tuple(positions), attitudes or {}, {}, len(poses))
 
 
 def attitudes_of(poses):
     """Yaw, pitch and roll [degrees] of cameras in a world whose z is up, by name."""
-    found = {}
+    attitudes = {}
     for k, R in enumerate(poses[:, :3, :3]):
         pitch = np.degrees(np.arcsin(R[2, 2]))
         roll = np.degrees(np.arctan2(-R[2, 0], -R[2, 1]))
-        found[f"IMG_{k:04d}.JPG"] = (0.0, float(pitch), float(roll))
-    return found
+        attitudes[f"IMG_{k:04d}.JPG"] = (0.0, float(pitch), float(roll))
+    return attitudes
 
 
 def errors(fit, model, poses):
-    """Scale error as a share, tilt of up [degrees], and the largest distance of a camera from the truth [m]."""
+    """Relative scale error, tilt of up [degrees], and the largest position error of a camera [m]."""
     _, true = hidden(poses)
     scales = [float(np.cbrt(np.linalg.det(T[:3, :3]))) for T in (fit.T_world_model, true)]
     R = fit.T_world_model[:3, :3] @ true[:3, :3].T / scales[0] / scales[1]
-    found = model.transform(fit.T_world_model).centers
+    centers = model.transform(fit.T_world_model).centers
     if fit.frame is not None:
-        found = FRAME.to_enu(fit.frame.to_geodetic(found))
-    gaps = np.linalg.norm(found - poses[:, :3, 3], axis=1)
+        centers = FRAME.to_enu(fit.frame.to_geodetic(centers))
+    gaps = np.linalg.norm(centers - poses[:, :3, 3], axis=1)
     return scales[0] / scales[1] - 1, float(np.degrees(np.arccos(min(1.0, R[2, 2])))), float(gaps.max())

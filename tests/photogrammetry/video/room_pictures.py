@@ -1,4 +1,4 @@
-"""Pictures of the demo's room by a lens that bends rays, and in all directions."""
+"""Pictures of the demo's room by a distorted lens, and spherical pictures."""
 
 from __future__ import annotations
 
@@ -23,13 +23,13 @@ def as_picture(light, noise_seed, shape) -> np.ndarray:
 
 
 def fisheye_pictures(poses, camera, *, finer=1.5) -> list[np.ndarray]:
-    """Pictures by a CameraModel that unprojects all its pixels, read from a pinhole's, `finer` times as dense."""
+    """Pictures by a CameraModel that unprojects all its pixels, sampled from a pinhole's, `finer` times as dense."""
     v, u = np.mgrid[: camera.height, : camera.width].reshape(2, -1)
     rays = np.asarray(camera.unproject(np.column_stack([u, v]).astype(np.float64)))
     assert np.isfinite(rays).all(), "the lens does not unproject all its pixels"
     slopes = rays[:, :2] / rays[:, 2:]
     focal = finer * float(camera.params[0])
-    width, height = (int(2 * np.ceil(1.02 * reach * focal)) for reach in np.abs(slopes).max(axis=0))
+    width, height = (int(2 * np.ceil(1.02 * extent * focal)) for extent in np.abs(slopes).max(axis=0))
     wide = loom.PinholeCameraIntrinsic(width, height, focal, focal, (width - 1) / 2, (height - 1) / 2)
     x, y = (slopes * focal + (wide.cx, wide.cy)).T
     frames = room_views(poses, wide, color_noise=0)
@@ -38,22 +38,22 @@ def fisheye_pictures(poses, camera, *, finer=1.5) -> list[np.ndarray]:
 
 
 def spheres_from(poses, height=256, *, finer=2) -> list[np.ndarray]:
-    """Equirectangular pictures, uint8 [height, 2 height, 3], read from six pinholes, `finer` times as dense."""
+    """Equirectangular pictures, uint8 [height, 2 height, 3], sampled from six pinholes, `finer` times as dense."""
     faces = Panorama(2 * height, height, side=finer * height // 2)
     lens = faces.intrinsic
     v, u = np.mgrid[:height, : 2 * height].reshape(2, -1)
     longitude, latitude = (u + 0.5) / height * np.pi - np.pi, np.pi / 2 - (v + 0.5) / height * np.pi
     across = np.cos(latitude)
     rays = np.column_stack([across * np.sin(longitude), -np.sin(latitude), across * np.cos(longitude)])
-    nearest = np.stack([rays @ turn[:, 2] for turn in faces.turns]).argmax(axis=0)
+    nearest = np.stack([rays @ rotation[:, 2] for rotation in faces.turns]).argmax(axis=0)
     made = []
     for k, pose in enumerate(np.asarray(poses)):
         light = np.zeros((len(u), 3))
-        for n, turn in enumerate(faces.turns):
+        for n, rotation in enumerate(faces.turns):
             T = np.array(pose, np.float64)
-            T[:3, :3] = pose[:3, :3] @ turn
+            T[:3, :3] = pose[:3, :3] @ rotation
             face = next(iter(room_views([T], lens, color_noise=0))).color.astype(np.float64)
-            x, y, z = (rays[nearest == n] @ turn).T
+            x, y, z = (rays[nearest == n] @ rotation).T
             light[nearest == n] = sampled(face, x / z * lens.fx + lens.cx, y / z * lens.fy + lens.cy)
         made.append(as_picture(light, k, (height, 2 * height)))
     return made

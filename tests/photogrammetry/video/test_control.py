@@ -1,4 +1,4 @@
-"""Ground control and scale bars bring a model to its place, tell their residuals, and name what is wrong with them."""
+"""Ground control and scale bars georeference a model, with residuals and named errors."""
 
 import json
 from dataclasses import replace
@@ -12,15 +12,15 @@ from pointloom.photogrammetry.video.job import check_marks
 from pointloom.photogrammetry.video.units import Units, fit_units
 
 from .made_control import GROUND, NAMES, SIGMA, control_of, marks_of, model_of
-from .made_flights import FRAME, errors, nadir, oblique, told
+from .made_flights import FRAME, errors, gps_of, nadir, oblique
 
 POSES = oblique()
 POINTS = GROUND - (22, 24, 0)  # about the middle of the round
 MODEL = model_of(POSES)
 
 
-def settle(places=None, bars=(), align=None, **made):
-    return fit_units(Units(control=control_of(POSES, POINTS, bars=bars, **made), places=places, align=align), MODEL)
+def fit_control(gps=None, bars=(), align=None, **made):
+    return fit_units(Units(control=control_of(POSES, POINTS, bars=bars, **made), places=gps, align=align), MODEL)
 
 
 def row(fit, name):
@@ -35,22 +35,22 @@ def test_exact_marks_through_a_lens_with_distortion_give_utm_coordinates_exactly
     fit = fit_units(Units(control=control), model)
     assert (fit.units, fit.by, fit.reliable, fit.notes, fit.is_upright) == ("meters", "control", True, (), True)
     scale, tilt, off = errors(fit, model, poses)
-    assert abs(scale) < 1e-9 and off < 1e-6 and tilt < 1e-3  # up, some 33 m away, is turned by 0.0003 degrees
-    found = fit.frame.to_utm(model.transform(fit.T_world_model).centers, 32632)
-    np.testing.assert_allclose(found, FRAME.to_utm(poses[:, :3, 3]), atol=1e-6)
+    assert abs(scale) < 1e-9 and off < 1e-6 and tilt < 1e-3  # up, some 33 m away, is rotated by 0.0003 degrees
+    centers = fit.frame.to_utm(model.transform(fit.T_world_model).centers, 32632)
+    np.testing.assert_allclose(centers, FRAME.to_utm(poses[:, :3, 3]), atol=1e-6)
     assert fit.control.rms("control") < 1e-6 and fit.control.rms("check") < 1e-6
 
 
-def test_maps_may_be_asked_for_where_control_has_a_system():
+def test_maps_require_control_with_a_coordinate_system():
     control = control_of(POSES, POINTS)
     assert Units(control=control).may_place
     assert not Units(control=replace(control, crs="")).may_place
 
 
-def test_noise_leaves_what_the_fit_says():
+def test_errors_of_noisy_marks_agree_with_the_reported_accuracy():
     off, expected = [], []
     for seed in range(2):
-        fit = settle(noise=0.5, checks=("E", "G"), seed=seed)
+        fit = fit_control(noise=0.5, checks=("E", "G"), seed=seed)
         assert fit.reliable and not [p for p in fit.control.points if p.use == "unused"]
         scale, tilt, far = errors(fit, MODEL, POSES)
         assert abs(scale) < 3.5 * fit.control.scale_sigma < 0.01
@@ -58,13 +58,13 @@ def test_noise_leaves_what_the_fit_says():
         assert 0.2 < fit.control.residual_ratio < 2
         off += [row(fit, name).residual / row(fit, name).sigma for name in ("E", "G")]
         expected += [row(fit, name).residual for name in "ABCDF"]
-    assert 0.3 < np.std(off) < 1.5  # check points are as far off as they are told to be
+    assert 0.3 < np.std(off) < 1.5  # errors of check points agree with their sigma
     assert 0.005 < np.std(expected) < 0.1
 
 
 def test_a_check_point_does_not_move_the_model():
-    before = settle(checks=("E",))
-    after = settle(checks=("E",), wrong=[("E", (0.0, 0.0, 5.0))])
+    before = fit_control(checks=("E",))
+    after = fit_control(checks=("E",), wrong=[("E", (0.0, 0.0, 5.0))])
     np.testing.assert_array_equal(before.T_world_model, after.T_world_model)
     assert after.reliable
     np.testing.assert_allclose(row(after, "E").residual, (0, 0, -5), atol=1e-3)
@@ -72,8 +72,8 @@ def test_a_check_point_does_not_move_the_model():
 
 
 @pytest.mark.parametrize(("wrong", "meters"), [("A", (1.0, 0.0, 0.0)), ("F", (0.0, 0.0, 1.0))])
-def test_a_gross_blunder_is_left_out_and_named_and_moves_nothing(wrong, meters):
-    fit = settle(noise=0.3, wrong=[(wrong, meters)], seed=2)
+def test_a_blunder_is_excluded_and_named(wrong, meters):
+    fit = fit_control(noise=0.3, wrong=[(wrong, meters)], seed=2)
     assert [point.name for point in fit.control.points if point.use == "unused"] == [wrong]
     assert f"excluded, {wrong} by " in str(fit.warnings) and "check their coordinates and marks" in str(fit.warnings)
     np.testing.assert_allclose(row(fit, wrong).residual, -np.array(meters), atol=0.15)
@@ -81,12 +81,12 @@ def test_a_gross_blunder_is_left_out_and_named_and_moves_nothing(wrong, meters):
 
 
 def test_two_blunders_among_seven_points_do_not_hide_each_other():
-    fit = settle(noise=0.3, wrong=[("A", (2.0, 0, 0)), ("B", (0.0, 2.5, 0))])
+    fit = fit_control(noise=0.3, wrong=[("A", (2.0, 0, 0)), ("B", (0.0, 2.5, 0))])
     assert [point.name for point in fit.control.points if point.use == "unused"] == ["A", "B"]
     assert errors(fit, MODEL, POSES)[2] < 0.3
 
 
-def test_four_points_that_contradict_each_other_are_told_and_none_is_blamed():
+def test_contradictions_of_four_points_are_reported_without_excluding_one():
     control = control_of(POSES, POINTS[:4], NAMES[:4], wrong=[("B", (3.0, 0, 0))])
     fit = fit_units(Units(control=control), MODEL)
     assert {point.use for point in fit.control.points} == {"control"}
@@ -95,25 +95,25 @@ def test_four_points_that_contradict_each_other_are_told_and_none_is_blamed():
     )
 
 
-def test_points_that_are_somewhat_worse_than_told_are_said_to_be():
-    fit = settle(noise=0.1, wrong=[(n, 0.12 * np.sin(k + np.arange(3))) for k, n in enumerate(NAMES)])
+def test_points_less_accurate_than_stated_are_reported():
+    fit = fit_control(noise=0.1, wrong=[(n, 0.12 * np.sin(k + np.arange(3))) for k, n in enumerate(NAMES)])
     assert fit.reliable and 2 < fit.control.residual_ratio < 5
     assert "times the stated accuracy" in str(fit)
 
 
-def test_a_mark_of_something_else_is_left_out_and_named():
+def test_a_wrong_mark_is_excluded_and_named():
     marks = marks_of(POSES, POINTS, noise=0.2)
     k = next(k for k, mark in enumerate(marks) if mark.point == "B")
     marks[k] = ControlMark("B", marks[k].picture, np.add(marks[k].pixel, (60, -40)))
-    fit = settle(marks=marks)
+    fit = fit_control(marks=marks)
     assert marks[k].picture.lower() in row(fit, "B").warnings[0].lower() and row(fit, "B").use == "control"
     assert fit.reliable and np.linalg.norm(row(fit, "B").residual) < 0.1
 
 
-def test_a_point_in_one_picture_alone_is_unused_and_says_why():
+def test_a_point_in_one_picture_is_unused_with_a_reason():
     marks = [m for m in marks_of(POSES, POINTS) if m.point != "D" or m.picture == "IMG_0003.JPG"]
-    marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), most=1)
-    fit = settle(marks=marks)
+    marks += [] if any(m.point == "D" for m in marks) else marks_of(POSES, POINTS[3:4], ("D",), max_count=1)
+    fit = fit_control(marks=marks)
     assert (
         row(fit, "D").use == "unused"
         and "1 image of the model has a mark of it; mark it in two" in row(fit, "D").warnings[0]
@@ -128,24 +128,24 @@ def test_a_point_in_one_picture_alone_is_unused_and_says_why():
         (np.outer(np.arange(1, 5), (4.0, 3.0, 0.0)), NAMES[:4], "A, B, C, D are collinear"),
     ],
 )
-def test_points_that_settle_nothing_are_refused_before_the_work(points, names, reason):
+def test_insufficient_points_are_rejected_early(points, names, reason):
     with pytest.raises(ValueError, match=reason):
         Units(control=control_of(POSES, points, names))
 
 
-def test_points_that_are_lost_leave_gps_and_say_so():
+def test_gps_is_used_with_a_warning_if_control_points_are_unusable():
     marks = [m for m in marks_of(POSES, POINTS) if m.point in "AB"]
-    fit = settle(told(POSES), marks=marks)
+    fit = fit_control(gps_of(POSES), marks=marks)
     assert (fit.by, fit.control) == ("exif", None)
     assert "2 of 7 control points can be used (C: no image has a mark of it; mark it in two or more; D:" in str(
         fit.warnings
     )
-    assert settle(marks=marks).units == "arbitrary"
+    assert fit_control(marks=marks).units == "arbitrary"
 
 
-def test_control_wins_over_gps_whose_gaps_are_told():
-    places = told(POSES, 0.5)
-    fit = settle(places)
+def test_control_is_preferred_to_gps_and_its_deviations_are_reported():
+    gps = gps_of(POSES, 0.5)
+    fit = fit_control(gps)
     assert (fit.by, fit.reliable, fit.gps) == ("control", True, None)
     assert errors(fit, MODEL, POSES)[2] < 1e-6
     assert len(fit.control.gps.names) == len(POSES)
@@ -154,15 +154,15 @@ def test_control_wins_over_gps_whose_gaps_are_told():
 
 
 def test_another_zone_than_that_of_gps_is_reported():
-    places = FRAME.to_utm(POINTS, 32632)
-    rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, places, strict=True)]
+    positions = FRAME.to_utm(POINTS, 32632)
+    rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, positions, strict=True)]
     control = GroundControl(rows, marks_of(POSES, POINTS), crs="EPSG:32633")
-    fit = fit_units(Units(control=control, places=told(POSES)), MODEL)
+    fit = fit_units(Units(control=control, places=gps_of(POSES)), MODEL)
     assert "km from the GPS positions" in str(fit.warnings) and "EPSG:32633" in str(fit.warnings)
 
 
 @pytest.mark.parametrize(
-    ("crs", "place", "reason"),
+    ("crs", "position", "reason"),
     [
         ("EPSG:32632", (8.25, 47.5, 400.0), "x is 8.25, and EPSG:32632 has 100000"),
         ("EPSG:32632", (5260000.0, 443500.0, 400.0), "x is the easting"),
@@ -172,21 +172,21 @@ def test_another_zone_than_that_of_gps_is_reported():
         ("EPSG:2263", (9.8e5, 2e5, 40.0), "US survey foot"),
     ],
 )
-def test_coordinates_that_cannot_be_in_their_system_are_refused(crs, place, reason):
+def test_coordinates_outside_their_system_are_rejected(crs, position, reason):
     if crs not in ("EPSG:32632", "EPSG:4326"):
         pytest.importorskip("pyproj")
     with pytest.raises(ValueError, match=reason):
-        GroundControl([loom.registration.ControlPoint("A", place)], [], crs=crs)
+        GroundControl([loom.registration.ControlPoint("A", position)], [], crs=crs)
 
 
-def test_large_coordinates_without_a_system_lose_an_origin_that_is_told():
+def test_a_reported_origin_is_subtracted_from_large_local_coordinates():
     far = np.add(POINTS, (612000.0, 204000.0, 430.0))
     control = control_of(POSES, POINTS, crs="")
     rows = [loom.registration.ControlPoint(n, p, SIGMA) for n, p in zip(NAMES, far, strict=True)]
     fit = fit_units(Units(control=GroundControl(rows, control.marks)), MODEL)
     assert fit.frame is None and fit.control.origin.tolist() == [612000.0, 204000.0, 400.0]
-    found = MODEL.transform(fit.T_world_model).centers + fit.control.origin
-    np.testing.assert_allclose(found, POSES[:, :3, 3] + (612000, 204000, 430), atol=1e-6)
+    centers = MODEL.transform(fit.T_world_model).centers + fit.control.origin
+    np.testing.assert_allclose(centers, POSES[:, :3, 3] + (612000, 204000, 430), atol=1e-6)
     assert "origin 612000 204000 400" in fit.comments
 
 
@@ -208,7 +208,7 @@ def test_scale_bars_alone_set_the_scale_and_nothing_else():
     assert bars_alone(bar("A", "B"), align=None).up.direction is not None  # cameras still make it upright
 
 
-def test_a_wrong_bar_among_three_is_left_out_and_two_that_disagree_are_told():
+def test_one_wrong_bar_of_three_is_excluded_and_two_contradicting_ones_are_reported():
     fit = bars_alone(bar("A", "B"), bar("C", "E", 3.0), bar("D", "F"), noise=0.2)
     assert [each.use for each in fit.control.bars] == ["control", "unused", "control"]
     assert "contradict the others and were excluded, C to E is" in str(fit.warnings)
@@ -220,31 +220,34 @@ def test_a_wrong_bar_among_three_is_left_out_and_two_that_disagree_are_told():
 
 
 def test_bars_beside_points_sharpen_the_scale_and_a_wrong_one_is_named():
-    plain, sharp = settle(noise=0.5), settle(noise=0.5, bars=[bar("A", "C", sigma=1e-4), bar("B", "D", sigma=1e-4)])
+    plain, sharp = (
+        fit_control(noise=0.5),
+        fit_control(noise=0.5, bars=[bar("A", "C", sigma=1e-4), bar("B", "D", sigma=1e-4)]),
+    )
     assert sharp.control.scale_sigma < plain.control.scale_sigma
-    wrong = settle(noise=0.3, bars=[bar("A", "C", 2.0)])
+    wrong = fit_control(noise=0.3, bars=[bar("A", "C", 2.0)])
     assert wrong.control.bars[0].use == "unused" and "A to C is" in str(wrong.warnings)
     assert errors(wrong, MODEL, POSES)[2] < 0.3
-    check = settle(bars=[bar("A", "E")], checks=("E",))
+    check = fit_control(bars=[bar("A", "E")], checks=("E",))
     assert check.control.bars[0].use == "check" and abs(check.control.bars[0].error) < 1e-6
 
 
-def test_few_points_beside_bars_are_not_used_and_that_is_said():
+def test_too_few_points_beside_bars_are_ignored_with_a_note():
     control = control_of(POSES, POINTS[:2], NAMES[:2], bars=[bar("A", "B")])
     fit = fit_units(Units(control=control), MODEL)
     assert fit.by == "scale_bars" and fit.reliable and "the points are not used: 2 control points" in str(fit)
 
 
 def test_the_report_has_residual_sigma_and_use_of_each_point_and_bar():
-    fit = settle(told(POSES, altitudes=False), [bar("A", "B")], noise=0.3, checks=("E",))
-    found = json.loads(json.dumps(fit.to_dict(), allow_nan=False))["control"]
-    assert (found["epsg"], found["crs"], len(found["points"]), len(found["bars"])) == (32632, "EPSG:32632", 7, 1)
-    assert {point["name"]: point["use"] for point in found["points"]}["E"] == "check"
-    assert all(len(point["residual_m"]) == 3 and min(point["sigma_m"]) >= 0 for point in found["points"])
-    assert found["bars"][0]["sigma_m"] > 0.002 and abs(found["bars"][0]["error_m"]) < 0.1
-    assert found["gps"]["shift_m"][2] is None
+    fit = fit_control(gps_of(POSES, altitudes=False), [bar("A", "B")], noise=0.3, checks=("E",))
+    report = json.loads(json.dumps(fit.to_dict(), allow_nan=False))["control"]
+    assert (report["epsg"], report["crs"], len(report["points"]), len(report["bars"])) == (32632, "EPSG:32632", 7, 1)
+    assert {point["name"]: point["use"] for point in report["points"]}["E"] == "check"
+    assert all(len(point["residual_m"]) == 3 and min(point["sigma_m"]) >= 0 for point in report["points"])
+    assert report["bars"][0]["sigma_m"] > 0.002 and abs(report["bars"][0]["error_m"]) < 0.1
+    assert report["gps"]["shift_m"][2] is None
 
 
-def test_marks_of_pictures_that_were_not_taken_are_passed_over():
+def test_marks_of_unused_pictures_are_ignored():
     mark = ControlMark("A", "IMG_0009.jpg", (3, 4))
     check_marks(GroundControl([], [mark]), ["IMG_0001.jpg"], {}, ["IMG_0001.jpg", "IMG_0009.jpg"])

@@ -1,4 +1,4 @@
-"""`pointloom video --control`: refused before the long work where it cannot be, told where it is, and resumed."""
+"""`pointloom video --control`: early rejection, report, and resumed runs."""
 
 import numpy as np
 import pytest
@@ -11,39 +11,41 @@ from .test_video_command import output
 
 __all__ = ["output"]
 
-PLACES = np.array([[0.5, 0.2, 4.0], [1.5, -1.1, 5.0], [2.5, 0.2, 4.5], [3.0, -0.8, 6.0], [1.0, -0.5, 3.5], [2, 0, 3]])
+POSITIONS = np.array(
+    [[0.5, 0.2, 4.0], [1.5, -1.1, 5.0], [2.5, 0.2, 4.5], [3.0, -0.8, 6.0], [1.0, -0.5, 3.5], [2, 0, 3]]
+)
 
 
 @pytest.fixture
 def pictured(quick, film, tmp_path, monkeypatch):
-    """The quick stages with true pictures of the size of the lens, and control in a frame twice as large."""
+    """The fast stages with pictures of the size of the lens, and control in a frame twice as large."""
     from PIL import Image
 
     from pointloom.photogrammetry.video import chain
 
     make = chain.STAGES["frames"]
 
-    def take_frames(folder, say, *, source, max_frames):
-        told = make(folder, say, source=source, max_frames=max_frames)
+    def take_frames(folder, report, *, source, max_frames):
+        contents = make(folder, report, source=source, max_frames=max_frames)
         for path in (folder / motion.PICTURES).iterdir():
             Image.new("RGB", (64, 48)).save(path)
-        return told
+        return contents
 
     monkeypatch.setitem(chain.STAGES, "frames", take_frames)
     camera = loom.CameraModel("PINHOLE", 64, 48, [50, 50, 32, 24])
     lines = ["local"]
-    for name, place in zip("ABCDEF", PLACES, strict=True):
+    for name, position in zip("ABCDEF", POSITIONS, strict=True):
         for k in range(8):
-            center = np.array([0.5 * k, -(1.0 - k % 2), 0.0])  # of the poses that the quick stage `model` finds
-            pixel = camera.project((place - center)[None])[0] + 0.5
+            center = np.array([0.5 * k, -(1.0 - k % 2), 0.0])  # of the poses of the fast stage `model`
+            pixel = camera.project((position - center)[None])[0] + 0.5
             if (pixel > 0).all() and (pixel < (64, 48)).all():
-                lines.append(" ".join(f"{value:.6f}" for value in (*(2 * place), *pixel)) + f" {10 * k} {name}")
+                lines.append(" ".join(f"{value:.6f}" for value in (*(2 * position), *pixel)) + f" {10 * k} {name}")
     path = tmp_path / "gcp.txt"
     path.write_text("\n".join(lines))
     return path
 
 
-def test_control_is_told_in_report_and_summary_and_makes_the_mesh_alone_again(pictured, quick, film, output, tmp_path):
+def test_control_is_reported_and_remakes_only_the_mesh(pictured, quick, film, output, tmp_path):
     args = ("video", film, "-o", output, "--work", tmp_path / "work", "--force")
     answer(*args)
     quick.ran.clear()
@@ -65,7 +67,7 @@ def test_control_is_told_in_report_and_summary_and_makes_the_mesh_alone_again(pi
         (lambda text: text + "\n1 2 9 70 20 30 G", "outside of 30 of 64 x 48"),
     ],
 )
-def test_marks_that_cannot_be_are_refused_before_the_long_work(pictured, quick, film, output, change, reason):
+def test_impossible_marks_are_rejected_early(pictured, quick, film, output, change, reason):
     pictured.write_text(change(pictured.read_text()))
     message = refusal("video", film, "-o", output, "--control", pictured)
     assert reason in message and "gcp.txt (line " in message
@@ -75,15 +77,15 @@ def test_marks_that_cannot_be_are_refused_before_the_long_work(pictured, quick, 
 def test_a_blunder_has_exit_code_3_and_its_name(pictured, film, output):
     text = pictured.read_text()
     first = next(line for line in text.splitlines() if line.endswith(" C"))
-    place = " ".join(first.split()[:3])
-    pictured.write_text(text.replace(place, f"{float(first.split()[0]) + 40} {' '.join(first.split()[1:3])}"))
+    coordinates = " ".join(first.split()[:3])
+    pictured.write_text(text.replace(coordinates, f"{float(first.split()[0]) + 40} {' '.join(first.split()[1:3])}"))
     assert "C by 40" in str(unreliable("video", film, "-o", output, "--control", pictured)["warnings"])
 
 
 def test_scale_bars_alone_set_the_size(pictured, film, output, tmp_path):
     bars = tmp_path / "bars.txt"
     marks = [line.split() for line in pictured.read_text().splitlines()[1:]]
-    length = 2 * np.linalg.norm(PLACES[0] - PLACES[3])
+    length = 2 * np.linalg.norm(POSITIONS[0] - POSITIONS[3])
     bars.write_text("\n".join([*(f"mark {w[6]} {w[5]} {w[3]} {w[4]}" for w in marks), f"bar A D {length}"]))
     report = answer("video", film, "-o", output, "--scale-bars", bars)
     assert report["fit"]["by"] == "scale_bars" and abs(report["fit"]["scale"] - 2) < 1e-3

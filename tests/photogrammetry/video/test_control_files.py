@@ -1,4 +1,4 @@
-"""Files of ground control: ODM's list, a CSV, scale bars; what they may not hold is refused with its line."""
+"""Files of ground control: ODM's list, CSV, scale bars; invalid contents are rejected with their line."""
 
 import numpy as np
 import pytest
@@ -37,35 +37,35 @@ def written(tmp_path):
 
 
 def test_the_list_of_odm_is_read(written):
-    found = read_ground_control(written(ODM))
-    assert repr(found) == "GroundControl(2 points, 4 marks, 1 scale bar, WGS84 UTM 32N)"
-    assert (found.checks, [point.name for point in found.fitted]) == (("CHK-1",), ["A"])
-    assert found.marks[1].pixel.tolist() == [
+    control = read_ground_control(written(ODM))
+    assert repr(control) == "GroundControl(2 points, 4 marks, 1 scale bar, WGS84 UTM 32N)"
+    assert (control.checks, [point.name for point in control.fitted]) == (("CHK-1",), ["A"])
+    assert control.marks[1].pixel.tolist() == [
         99.5,
         240.0,
-    ]  # files count from the corner, we from the first pixel's middle
-    assert found.marks[1].where.endswith("gcp.txt (line 3)")
-    assert found.positions.tolist() == [[447000.0, 5260000.0, 410.0], [447040.0, 5260010.0, 411.5]]
-    assert (found.bars[0].meters, found.bars[0].sigma) == (41.2, 0.01)
+    ]  # files count from the corner, pointloom from the center of the first pixel
+    assert control.marks[1].where.endswith("gcp.txt (line 3)")
+    assert control.positions.tolist() == [[447000.0, 5260000.0, 410.0], [447040.0, 5260010.0, 411.5]]
+    assert (control.bars[0].meters, control.bars[0].sigma) == (41.2, 0.01)
 
 
 def test_a_csv_is_read_with_sigma_and_use(written):
-    found = read_ground_control(written("\ufeff" + CSV, "gcp.csv"))
-    assert (found.crs, found.checks, found.marks[2].picture) == ("EPSG:25832", ("Mill 2",), "a, b.jpg")
-    assert np.asarray(found.points[0].sigma).tolist() == [0.01, 0.01, 0.03]
-    assert found.bars == (ScaleBar("A", "Mill 2", 41.2),)
+    control = read_ground_control(written("\ufeff" + CSV, "gcp.csv"))
+    assert (control.crs, control.checks, control.marks[2].picture) == ("EPSG:25832", ("Mill 2",), "a, b.jpg")
+    assert np.asarray(control.points[0].sigma).tolist() == [0.01, 0.01, 0.03]
+    assert control.bars == (ScaleBar("A", "Mill 2", 41.2),)
 
 
-def test_points_without_names_are_one_by_their_place(written):
+def test_points_without_names_are_merged_by_position(written):
     lines = "local\n1 2 3 4 5 a.jpg\n1 2 3 6 7 b.jpg\n1 2 4 6 7 b.jpg\n"
-    found = read_ground_control(written(lines))
-    assert ([p.name for p in found.points], len(found.marks), found.crs) == (["point 1", "point 2"], 3, "")
+    control = read_ground_control(written(lines))
+    assert ([p.name for p in control.points], len(control.marks), control.crs) == (["point 1", "point 2"], 3, "")
 
 
-def test_scale_bars_lie_in_a_file_of_their_own_with_marks_that_the_other_lacks(written):
+def test_scale_bars_are_read_from_a_separate_file_with_additional_marks(written):
     bars = written("mark P a.jpg 5 6\nmark P b.jpg 7 8\nbar P A 1.5\n", "bars.txt")
-    found = read_ground_control(written(ODM), scale_bars=bars)
-    assert (len(found.bars), len(found.marks), found.crs) == (2, 6, "WGS84 UTM 32N")
+    control = read_ground_control(written(ODM), scale_bars=bars)
+    assert (len(control.bars), len(control.marks), control.crs) == (2, 6, "WGS84 UTM 32N")
     alone = "name,picture,column,row\nP,a.jpg,5,6\nP,b.jpg,6,7\nQ,a.jpg,5,6\nQ,b.jpg,7,7\nbar,P,Q,1.5\n"
     assert Units(scale_bars=written(alone, "bars.csv")).ground.bars[0].meters == 1.5
     with pytest.raises(FileError, match=r"gcp2\.txt"):
@@ -100,7 +100,7 @@ def test_scale_bars_lie_in_a_file_of_their_own_with_marks_that_the_other_lacks(w
         (CSV.replace("\nA,", "\n,"), r"line 4\): expected 10 fields and a name"),
     ],
 )
-def test_files_that_make_no_sense_are_refused_with_their_line(written, text, reason):
+def test_invalid_files_are_rejected_with_their_line(written, text, reason):
     with pytest.raises(FileError, match=reason):
         read_ground_control(written(text))
 
@@ -135,7 +135,7 @@ def test_zones_of_utm_need_no_pyproj(crs, code):
     assert utm_code(crs) == code
 
 
-def test_another_grid_goes_by_pyproj_to_the_same_place():
+def test_other_grids_are_converted_by_pyproj():
     pyproj = pytest.importorskip("pyproj")
     x, y = pyproj.Transformer.from_crs("EPSG:4326", "EPSG:2056", always_xy=True).transform(8.25, 47.5)
     np.testing.assert_allclose(to_geodetic(np.array([[x, y, 430.0]]), "EPSG:2056", "f"), [[47.5, 8.25, 430]], atol=1e-7)

@@ -1,4 +1,4 @@
-"""GPS of pictures brings a model to meters with z up, or says why not; without it the cameras tell what is up."""
+"""GPS of pictures gives a model in meters with z up, or a reason; without GPS, cameras determine up."""
 
 import numpy as np
 import pytest
@@ -6,66 +6,66 @@ import pytest
 from pointloom.photogrammetry.sfm.image_positions import PicturePlaces
 from pointloom.photogrammetry.video.units import Units, fit_units
 
-from .made_flights import FRAME, attitudes_of, errors, hidden, nadir, oblique, told, walk
+from .made_flights import FRAME, attitudes_of, errors, gps_of, hidden, nadir, oblique, street
 
 
-def settle(poses, places, align=None, **known):
+def fit_gps(poses, gps, align=None, **known):
     model, _ = hidden(poses)
-    return fit_units(Units(align=align, places=places, **known), model), model
+    return fit_units(Units(align=align, places=gps, **known), model), model
 
 
 @pytest.mark.parametrize(("flight", "wild"), [(nadir, ()), (oblique, (3,))])
-def test_exact_gps_gives_the_true_place_by_itself(flight, wild):
+def test_exact_gps_gives_the_true_position(flight, wild):
     poses = flight()
-    fit, model = settle(poses, told(poses, wild=wild))
+    fit, model = fit_gps(poses, gps_of(poses, wild=wild))
     assert (fit.units, fit.by, fit.reliable, fit.notes) == ("meters", "exif", True, ())
     assert fit.gps.left_out == tuple(f"IMG_{k:04d}.jpg" for k in wild)
     scale, tilt, off = errors(fit, model, poses)
     assert abs(scale) < 1e-8 and off < 1e-5
-    assert tilt < 1e-3  # up at the median place, 50 m away, is turned by 0.0005 degrees
+    assert tilt < 1e-3  # up at the median position, 50 m away, is rotated by 0.0005 degrees
 
 
 @pytest.mark.parametrize(
     ("flight", "noise", "wild"), [(nadir, 0.5, ()), (nadir, 2.0, (3, 11)), (oblique, 0.5, (3, 11)), (oblique, 2.0, ())]
 )
-def test_noise_of_gps_moves_the_model_no_more_than_the_fit_says(flight, noise, wild):
+def test_errors_of_noisy_gps_agree_with_the_reported_accuracy(flight, noise, wild):
     poses = flight()
     for seed in range(3):
-        fit, model = settle(poses, told(poses, noise, wild, seed=seed))
+        fit, model = fit_gps(poses, gps_of(poses, noise, wild, seed=seed))
         assert set(fit.gps.left_out) >= {f"IMG_{k:04d}.jpg" for k in wild} and len(fit.gps.left_out) <= len(wild) + 1
         scale, tilt, off = errors(fit, model, poses)
         assert abs(scale) < 3.5 * fit.gps.scale_sigma < 0.18
         assert tilt < 3.5 * fit.gps.tilt_sigma
         assert off < 3.5 * noise
-        assert 0.7 * noise < fit.gps.horizontal_rms < 2.1 * noise  # 1.41 is expected, less what the fit takes up
+        assert 0.7 * noise < fit.gps.horizontal_rms < 2.1 * noise  # 1.41 is expected, less the part absorbed by the fit
         assert 0.8 * noise < fit.gps.vertical_rms < 3.2 * noise  # twice that is expected
 
 
-def test_the_gimbal_makes_up_of_a_nadir_flight_ten_times_better_than_its_heights():
+def test_the_gimbal_gives_up_of_a_nadir_flight_ten_times_better_than_heights():
     poses = nadir()
     tilts = []
     for attitudes in (None, attitudes_of(poses)):
-        fit, model = settle(poses, told(poses, 2.0, attitudes=attitudes, seed=1))
+        fit, model = fit_gps(poses, gps_of(poses, 2.0, attitudes=attitudes, seed=1))
         tilts.append(errors(fit, model, poses)[1])
     assert fit.up.by == "attitudes"
     assert tilts[1] < 0.1 * tilts[0] and tilts[1] < 0.3
 
 
-def test_a_straight_walk_is_settled_by_level_cameras_and_not_without_them():
-    poses = walk()
-    fit, model = settle(poses, told(poses, 0.2, sigma=0.2))
+def test_a_straight_path_requires_level_cameras():
+    poses = street()
+    fit, model = fit_gps(poses, gps_of(poses, 0.2, sigma=0.2))
     scale, tilt, off = errors(fit, model, poses)
     assert fit.by == "exif" and abs(scale) < 0.02 and tilt < 0.5 and off < 1.0
     alike = np.array([poses[0]] * len(poses))
     alike[:, :3, 3] = poses[:, :3, 3]
-    fit, _ = settle(alike, told(poses, 0.2, sigma=0.2))
+    fit, _ = fit_gps(alike, gps_of(poses, 0.2, sigma=0.2))
     assert (fit.units, fit.by, fit.reliable) == ("arbitrary", None, True)
     assert "GPS of the images is not used" in fit.notes[0] and "on a line" in fit.notes[0]
 
 
-def test_pictures_without_altitudes_are_settled_in_plan():
+def test_gps_without_altitudes_is_fitted_horizontally():
     poses = oblique()
-    fit, model = settle(poses, told(poses, 0.5, altitudes=False))
+    fit, model = fit_gps(poses, gps_of(poses, 0.5, altitudes=False))
     assert fit.by == "exif" and np.isnan(fit.gps.vertical_rms)
     scale, tilt, _ = errors(fit, model, poses)
     assert abs(scale) < 0.02 and tilt < 0.5
@@ -75,34 +75,34 @@ def test_pictures_without_altitudes_are_settled_in_plan():
 @pytest.mark.parametrize(
     ("change", "reason"),
     [
-        (lambda p: told(p * 0 + p[:1], 0.5), "cover"),  # one place
-        (lambda p: told(p, sigma=50.0), "the GPS positions cover only 8"),  # no farther apart than they are sure
-        (lambda p: told(p[np.random.default_rng(0).permutation(len(p))], 0.5), "determine|differ|agree"),
+        (lambda p: gps_of(p * 0 + p[:1], 0.5), "cover"),  # one position
+        (lambda p: gps_of(p, sigma=50.0), "the GPS positions cover only 8"),  # not farther apart than their accuracy
+        (lambda p: gps_of(p[np.random.default_rng(0).permutation(len(p))], 0.5), "determine|differ|agree"),
     ],
 )
-def test_places_that_settle_nothing_are_told_and_unreliable_where_they_were_asked_for(change, reason):
+def test_insufficient_gps_is_reported_and_unreliable_if_requested(change, reason):
     poses = oblique()
-    places = change(poses)
-    fit, _ = settle(poses, places)
+    gps = change(poses)
+    fit, _ = fit_gps(poses, gps)
     assert (fit.units, fit.reliable) == ("arbitrary", True)
     assert fit.is_upright
     assert reason.split("|")[0] in fit.notes[-1] or any(each in fit.notes[-1] for each in reason.split("|"))
-    asked, _ = settle(poses, places, "exif")
-    assert not asked.reliable
+    requested, _ = fit_gps(poses, gps, "exif")
+    assert not requested.reliable
 
 
-def test_other_units_and_none_leave_gps_aside():
+def test_gps_is_ignored_with_other_units_or_none():
     poses = oblique()
-    places = told(poses)
-    fit, _ = settle(poses, places, scale=2.0)
+    gps = gps_of(poses)
+    fit, _ = fit_gps(poses, gps, scale=2.0)
     assert (fit.by, fit.scale, fit.gps, fit.is_upright) == ("scale", 2.0, None, True)
-    fit, _ = settle(poses, places, "none")
+    fit, _ = fit_gps(poses, gps, "none")
     np.testing.assert_array_equal(fit.T_world_model, np.eye(4))
     assert (fit.units, fit.up) == ("arbitrary", None)
 
 
-def test_too_few_places_are_refused_before_the_work_where_they_were_asked_for():
-    few = PicturePlaces(told(oblique()).places[:2], {}, {"c.jpg": "its latitude is 97 degrees"}, 3)
+def test_requested_gps_with_too_few_positions_is_rejected_early():
+    few = PicturePlaces(gps_of(oblique()).places[:2], {}, {"c.jpg": "its latitude is 97 degrees"}, 3)
     with pytest.raises(ValueError, match=r"^align:.*2.*3.*c\.jpg.*97"):
         Units(align="exif", places=few).check_names(["IMG_0000.jpg", "IMG_0001.jpg", "c.jpg"])
     with pytest.raises(ValueError, match=r"^align:"):
@@ -111,32 +111,32 @@ def test_too_few_places_are_refused_before_the_work_where_they_were_asked_for():
 
 def test_the_report_has_origin_zone_and_the_residual_of_each_picture():
     poses = nadir()
-    fit, _ = settle(poses, told(poses, 0.5, (3,)))
-    told_of = fit.to_dict()["gps"]
-    assert told_of["epsg"] == 32632 and len(told_of["residuals_m"]) == 24
-    assert abs(told_of["origin"]["latitude"] - FRAME.latitude) < 1e-3
-    assert np.hypot(*told_of["residuals_m"]["IMG_0003.jpg"][:2]) > 45
+    fit, _ = fit_gps(poses, gps_of(poses, 0.5, (3,)))
+    report = fit.to_dict()["gps"]
+    assert report["epsg"] == 32632 and len(report["residuals_m"]) == 24
+    assert abs(report["origin"]["latitude"] - FRAME.latitude) < 1e-3
+    assert np.hypot(*report["residuals_m"]["IMG_0003.jpg"][:2]) > 45
     assert "EPSG:32632" in str(fit) and "without IMG_0003.jpg" in str(fit)
 
 
-@pytest.mark.parametrize("poses", [oblique(), walk()])
+@pytest.mark.parametrize("poses", [oblique(), street()])
 def test_without_gps_level_cameras_make_the_model_upright(poses):
-    fit, model = settle(poses, None)
+    fit, model = fit_gps(poses, None)
     assert (fit.units, fit.up.by) == ("arbitrary", "cameras")
     assert errors(fit, model, poses)[1] < 0.5
     assert "upright" in str(fit)
 
 
-def test_one_camera_in_ten_that_is_held_on_its_side_changes_nothing():
+def test_a_few_cameras_on_their_side_do_not_change_up():
     poses = oblique(30)
     poses[::10, :3, :3] = poses[::10, :3, :3] @ np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
-    fit, model = settle(poses, None)
+    fit, model = fit_gps(poses, None)
     assert errors(fit, model, poses)[1] < 0.1
 
 
-def test_up_is_not_told_where_cameras_do_not_tell_it():
+def test_up_is_undetermined_without_level_cameras():
     flight = nadir()
-    fit, _ = settle(flight, None)
+    fit, _ = fit_gps(flight, None)
     assert fit.up.direction is None and "have one orientation" in fit.up.warnings[0]
     np.testing.assert_array_equal(fit.T_world_model, np.eye(4))
     rng = np.random.default_rng(0)
@@ -144,7 +144,7 @@ def test_up_is_not_told_where_cameras_do_not_tell_it():
     for T in tumbling:
         q = np.linalg.qr(rng.normal(size=(3, 3)))[0]
         T[:3, :3] = q * np.sign(np.linalg.det(q))
-    fit, _ = settle(tumbling, None)
+    fit, _ = fit_gps(tumbling, None)
     assert fit.up.direction is None and "not held level" in fit.up.warnings[0]
 
 
@@ -152,13 +152,13 @@ def test_attitudes_that_contradict_the_model_are_rejected():
     poses = oblique()
     rng = np.random.default_rng(0)
     wrong = {name: (0.0, *rng.uniform(-90, 90, 2)) for name in attitudes_of(poses)}
-    fit, model = settle(poses, PicturePlaces((), wrong, {}, len(poses)))
+    fit, model = fit_gps(poses, PicturePlaces((), wrong, {}, len(poses)))
     assert fit.up.by == "cameras"
     assert errors(fit, model, poses)[1] < 0.5
 
 
 def test_attitudes_make_a_nadir_flight_upright_without_gps():
     poses = nadir()
-    fit, model = settle(poses, PicturePlaces((), attitudes_of(poses), {}, len(poses)))
+    fit, model = fit_gps(poses, PicturePlaces((), attitudes_of(poses), {}, len(poses)))
     assert fit.up.by == "attitudes"
     assert errors(fit, model, poses)[1] < 0.01

@@ -1,4 +1,4 @@
-"""Masks with known poses: they follow their pictures as those are stored, and nothing that they hide is matched."""
+"""Masks with known poses: they match the stored pictures, and hidden pixels are not matched."""
 
 from __future__ import annotations
 
@@ -13,14 +13,14 @@ import pointloom as loom
 from pointloom.photogrammetry.video import known_motion, motion
 
 from ..sfm.conftest import has_pycolmap, left_half, write_pictures
-from ..sfm.scene import picture, walk
+from ..sfm.scene import camera_path, picture
 from .test_known_motion import noise, silent, steps, write_metashape
 
 SIZE = (48, 64)
 
 
 def take(tmp_path, masks, *, names=("a.png", "b.png"), orientation=None, more=""):
-    """What the stage `frames` tells, and the folder of its files."""
+    """The report of the stage `frames`, and the folder of its files."""
     source, folder = tmp_path / "in", tmp_path / "frames"
     source.mkdir()
     folder.mkdir()
@@ -41,26 +41,30 @@ def mask_in(folder, name) -> np.ndarray:
 
 
 @pytest.mark.parametrize("orientation", [1, 6, 8, 3])
-def test_masks_stay_as_their_pictures_are_stored(tmp_path, orientation):
-    turned = {1: 0, 6: 3, 8: 1, 3: 0}[orientation]  # of half a turn nobody knows: it counts as drawn on what is stored
-    upright = np.ascontiguousarray(np.rot90(left_half(SIZE), turned))
+def test_masks_keep_the_stored_orientation_of_their_pictures(tmp_path, orientation):
+    rotation_count = {1: 0, 6: 3, 8: 1, 3: 0}[
+        orientation
+    ]  # a rotation by 180 degrees is ambiguous: the mask is assumed to match the stored picture
+    upright = np.ascontiguousarray(np.rot90(left_half(SIZE), rotation_count))
     masks = write_pictures(tmp_path / "masks", [left_half(SIZE), upright], ["a.jpg.png", "b.png"])
-    told, folder = take(tmp_path, masks, names=("a.jpg", "b.jpg", "c.jpg"), orientation=orientation)
+    report, folder = take(tmp_path, masks, names=("a.jpg", "b.jpg", "c.jpg"), orientation=orientation)
     ending = "jpg" if orientation == 1 else "png"
     for name in ("a", "b"):
         np.testing.assert_array_equal(mask_in(folder, f"{name}.{ending}"), left_half(SIZE))
-    assert told["notes"] == ["1 image without a mask, used completely: c.jpg"]
+    assert report["notes"] == ["1 image without a mask, used completely: c.jpg"]
 
 
-def test_a_function_sees_pictures_as_they_are_stored_and_may_hide_them(tmp_path):
+def test_a_mask_function_gets_stored_pictures_and_may_exclude_them(tmp_path):
     def mask_of(pixels, name):
         assert pixels.shape == (*SIZE, 3)
         return None if name == "a.jpg" else left_half(SIZE) if name == "b.jpg" else np.zeros(SIZE, bool)
 
-    told, folder = take(tmp_path, mask_of, names=("a.jpg", "b.jpg", "c.jpg"), orientation=6)
+    report, folder = take(tmp_path, mask_of, names=("a.jpg", "b.jpg", "c.jpg"), orientation=6)
     assert sorted(path.name for path in (folder / "pictures").iterdir()) == ["a.png", "b.png"]
     assert loom.read_colmap_model(folder / "cameras").names == ("a.png", "b.png")
-    assert told["kept"] == 2 and any("since the mask excludes all pixels: c.jpg" in remark for remark in told["notes"])
+    assert report["kept"] == 2 and any(
+        "since the mask excludes all pixels: c.jpg" in remark for remark in report["notes"]
+    )
 
 
 def test_masks_are_straightened_with_pictures_whose_lens_colmap_does_not_have(tmp_path):
@@ -74,12 +78,12 @@ def test_masks_are_straightened_with_pictures_whose_lens_colmap_does_not_have(tm
 
 
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
-def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path):
-    walked = [picture(T) for T in walk(2)]
-    write_pictures(tmp_path / "frames" / motion.PICTURES, walked, ["a.png", "b.png"])
+def test_posed_pictures_have_no_feature_in_black_mask_pixels(tmp_path):
+    pictures = [picture(T) for T in camera_path(2)]
+    write_pictures(tmp_path / "frames" / motion.PICTURES, pictures, ["a.png", "b.png"])
     (tmp_path / "frames" / motion.MASKS).mkdir()
     for name in ("a.png.png", "b.png.png"):
-        Image.fromarray(left_half(walked[0].shape)).save(tmp_path / "frames" / motion.MASKS / name)
+        Image.fromarray(left_half(pictures[0].shape)).save(tmp_path / "frames" / motion.MASKS / name)
     frames = SimpleNamespace(folder=tmp_path / "frames")
     (tmp_path / "out").mkdir()
     known_motion.find_features(tmp_path / "out", silent, frames=frames, max_features=300, seed=0)
@@ -87,4 +91,4 @@ def test_no_feature_of_a_posed_picture_lies_where_its_mask_is_black(tmp_path):
         rows = database.execute("SELECT data, rows, cols FROM keypoints").fetchall()
     for data, count, width in rows:
         columns = np.frombuffer(data, np.float32).reshape(count, width)[:, 0]
-        assert 30 < len(columns) <= 700 and columns.max() <= walked[0].shape[1] / 2 + 1
+        assert 30 < len(columns) <= 700 and columns.max() <= pictures[0].shape[1] / 2 + 1

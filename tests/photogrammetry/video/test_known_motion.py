@@ -1,4 +1,4 @@
-"""`pointloom video --cameras`: pictures are taken with the cameras of their names, and wrong poses make no cloud."""
+"""`pointloom video --cameras`: pictures are matched to cameras by name, and wrong poses give no cloud."""
 
 from __future__ import annotations
 
@@ -17,7 +17,7 @@ from pointloom.photogrammetry.video.units import OF_POSES, fit_as_given, fit_uni
 
 from ...cli.commands import answer, refusal, unreliable
 from ..sfm.conftest import has_pycolmap, write_pictures
-from ..sfm.scene import FOCAL, HEIGHT, WIDTH, picture, walk
+from ..sfm.scene import FOCAL, HEIGHT, WIDTH, camera_path, picture
 
 COUNT = 6
 METASHAPE = (
@@ -49,8 +49,8 @@ def take(tmp_path, source, cameras, **options):
     folder = tmp_path / "frames"
     folder.mkdir()
     settings = loom.video.Settings(cameras=cameras, **options)
-    told = known_motion.take_pictures(folder, silent, source=source, max_frames=150, posed=settings)
-    return told, read_colmap_model(folder / "cameras"), folder / "pictures"
+    report = known_motion.take_pictures(folder, silent, source=source, max_frames=150, posed=settings)
+    return report, read_colmap_model(folder / "cameras"), folder / "pictures"
 
 
 def steps(count):
@@ -59,17 +59,17 @@ def steps(count):
     return poses
 
 
-def test_pictures_are_taken_with_the_cameras_of_their_names_and_the_rest_is_told(tmp_path):
+def test_pictures_are_matched_to_cameras_by_name_and_the_rest_is_reported(tmp_path):
     source = write_pictures(tmp_path / "in", noise(4), ["b.png", "a.png", "c.png", "extra.png"])
     xml = write_metashape(tmp_path / "c.xml", ["c", "a", "b", "gone"], steps(4), size=(64, 48), focal=60)
-    told, model, pictures = take(tmp_path, source, xml)
+    report, model, pictures = take(tmp_path, source, xml)
     assert dict(zip(model.names, model.centers[:, 0], strict=True)) == {"a.png": 1.0, "b.png": 2.0, "c.png": 0.0}
-    assert (told["kept"], told["missing"]) == (3, 1)
-    assert told["notes"] == ["1 images have no pose: extra.png", "1 poses have no image: gone"]
+    assert (report["kept"], report["missing"]) == (3, 1)
+    assert report["notes"] == ["1 images have no pose: extra.png", "1 poses have no image: gone"]
     assert (pictures / "a.png").read_bytes() == (source / "a.png").read_bytes()
 
 
-def test_a_picture_that_exif_would_turn_stays_as_it_is_stored(tmp_path):
+def test_pictures_keep_their_stored_orientation(tmp_path):
     source = tmp_path / "in"
     source.mkdir()
     exif = Image.Exif()
@@ -80,9 +80,9 @@ def test_a_picture_that_exif_would_turn_stays_as_it_is_stored(tmp_path):
     _, model, pictures = take(tmp_path, source, xml)
     assert model.names == ("a.png", "b.png")
     stored = np.asarray(Image.open(source / "a.jpg").convert("RGB"))
-    with Image.open(pictures / "a.png") as kept:
-        assert kept.getexif().get(0x0112, 1) == 1
-        np.testing.assert_array_equal(np.asarray(kept.convert("RGB")), stored)
+    with Image.open(pictures / "a.png") as written:
+        assert written.getexif().get(0x0112, 1) == 1
+        np.testing.assert_array_equal(np.asarray(written.convert("RGB")), stored)
 
 
 def test_a_lens_that_colmap_does_not_have_is_straightened_first(tmp_path):
@@ -102,7 +102,7 @@ def test_a_trajectory_takes_the_lens_that_is_given(tmp_path):
     assert model.centers[:, 0].tolist() == [0, 1, 2] and model.cameras[0].intrinsic == lens
 
 
-def test_cameras_that_do_not_go_with_the_source_are_refused(tmp_path):
+def test_cameras_that_do_not_match_the_source_are_rejected(tmp_path):
     (tmp_path / "walk.mp4").write_bytes(b"a film")
     xml = write_metashape(tmp_path / "c.xml", ["a", "b"], steps(2), size=(64, 48))
     with pytest.raises(DatasetError, match=r"/walk\.mp4:"):
@@ -127,7 +127,7 @@ def test_poses_that_do_not_fit_end_with_exit_code_3_and_no_file(tmp_path, monkey
     check = PoseCheck(500, 0.03, 1.0, "each pose is inverted", 0.9)
     nothing = SimpleNamespace(pairs=np.zeros((0, 2), int), firsts=np.zeros(1, int), matches=np.zeros((0, 2), int))
     monkeypatch.setattr(known_motion, "match_posed", lambda *_, **__: (nothing, check))
-    monkeypatch.setitem(chain.KNOWN_STAGES, "features", lambda folder, say, *, frames, seed: {})
+    monkeypatch.setitem(chain.KNOWN_STAGES, "features", lambda folder, report_progress, *, frames, seed: {})
     report = unreliable("video", source, "-o", tmp_path / "mesh.ply", "--cloud", tmp_path / "c.ply", "--cameras", xml)
     assert "only 3% of the matches" in str(report["warnings"]) and "each pose is inverted" in str(report["warnings"])
     assert "move instead of only rotating" not in str(report["warnings"])
@@ -143,7 +143,7 @@ def test_a_trajectory_without_a_lens_is_refused(tmp_path):
 @pytest.mark.slow
 @pytest.mark.skipif(not has_pycolmap(), reason="pycolmap is not installed")
 def test_pictures_and_metashapes_cameras_become_points_on_the_true_surface(tmp_path):
-    poses = walk(COUNT)
+    poses = camera_path(COUNT)
     names = [f"view {k}" for k in range(COUNT)]
     source = write_pictures(tmp_path / "in", [picture(T) for T in poses], [f"{name}.png" for name in names])
     xml = write_metashape(tmp_path / "c.xml", names, np.linalg.inv(np.array(poses)))
@@ -152,6 +152,6 @@ def test_pictures_and_metashapes_cameras_become_points_on_the_true_surface(tmp_p
     assert report["units"] == OF_POSES and report["files"] == [str(cloud)]
     points = loom.read_point_cloud(cloud).points
     assert len(points) > 3000
-    normal = np.cross((3, 0, 0.8), (0, 2.2, 0.3))  # of the wall, most of what is seen
+    normal = np.cross((3, 0, 0.8), (0, 2.2, 0.3))  # of the wall, which fills most of the pictures
     off = np.abs((points - (0, 0, 4)) @ normal) / np.linalg.norm(normal)
     assert np.median(off) < 0.01 and 2.0 < points[:, 2].min() < points[:, 2].max() < 5.5

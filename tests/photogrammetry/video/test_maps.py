@@ -1,4 +1,4 @@
-"""`pointloom video --ortho --dem`: maps of models whose place is known, and why there are none of others."""
+"""`pointloom video --ortho --dem`: maps of georeferenced models, and rejection of others."""
 
 from __future__ import annotations
 
@@ -16,36 +16,36 @@ from .made_flights import FRAME
 STAGES = ["frames", "features", "matches", "model", "undistorted", "depth", "fused", "mesh"]
 
 
-def places_of(count=COUNT, size=20.0, level=True):
-    """What the quick stages' pictures tell where a unit is `size` meters, x is east and y north, as in their poses."""
+def gps_positions(count=COUNT, size=20.0, level=True):
+    """GPS of the fast stages' pictures for a unit of `size` meters, with x east and y north as in their poses."""
     k = np.arange(count)
     enu = size * np.column_stack([0.5 * k, np.where(k % 2 == 0, -1.0, 0.0), np.zeros(count)])
     enu[:, 1] *= level
     rows = FRAME.to_geodetic(enu).tolist()
-    places = [
+    positions = [
         PicturePlace(f"frame_{10 * k:06d}.png", *row, horizontal_sigma=0.02, vertical_sigma=0.02)
         for k, row in enumerate(rows)
     ]
-    return PicturePlaces(tuple(places), {}, {}, COUNT)
+    return PicturePlaces(tuple(positions), {}, {}, COUNT)
 
 
-def told(places, **units):
-    return loom.video.Settings(units=loom.video.Units(places=places, **units))
+def settings_with(positions, **units):
+    return loom.video.Settings(units=loom.video.Units(places=positions, **units))
 
 
 def outputs(folder, cell=0.5):
     return loom.video.Outputs(folder / "m.ply", ortho=folder / "ortho.tif", dem=folder / "dem.tif", cell=cell)
 
 
-def test_maps_lie_where_the_pictures_say(quick, film, tmp_path):
+def test_maps_are_georeferenced_by_gps(quick, film, tmp_path):
     rasterio = pytest.importorskip("rasterio")
-    result = loom.video.reconstruct(film, told(places_of()), outputs=outputs(tmp_path), device="cpu")
+    result = loom.video.reconstruct(film, settings_with(gps_positions()), outputs=outputs(tmp_path), device="cpu")
     assert result.fit is not None and result.fit.by == "exif" and result.mesh is not None
     assert [name.rsplit("/", 1)[1] for name in result.files] == ["m.ply", "ortho.tif", "dem.tif"]
-    places = result.fit.frame.to_utm(result.mesh.vertices)
-    low, high = places.min(axis=0), places.max(axis=0)
-    told_first = FRAME.to_utm([[0.0, 0, 0]])[0]
-    assert np.abs(told_first[:2] - low[:2]).max() < 1 and np.abs(high[:2] - low[:2] - 20).max() < 1
+    vertices = result.fit.frame.to_utm(result.mesh.vertices)
+    low, high = vertices.min(axis=0), vertices.max(axis=0)
+    first_camera = FRAME.to_utm([[0.0, 0, 0]])[0]
+    assert np.abs(first_camera[:2] - low[:2]).max() < 1 and np.abs(high[:2] - low[:2] - 20).max() < 1
     with rasterio.open(tmp_path / "ortho.tif") as ortho, rasterio.open(tmp_path / "dem.tif") as dem:
         assert ortho.crs.to_epsg() == dem.crs.to_epsg() == result.fit.frame.epsg == 32632
         assert (ortho.bounds, ortho.res) == (dem.bounds, (0.5, 0.5))
@@ -63,25 +63,25 @@ def test_maps_lie_where_the_pictures_say(quick, film, tmp_path):
     [
         loom.video.Settings(),  # a film
         loom.video.Settings(units=loom.video.Units(scale=2.0)),
-        told(places_of(2)),
-        told(places_of(), align="none"),
+        settings_with(gps_positions(2)),
+        settings_with(gps_positions(), align="none"),
     ],
 )
-def test_maps_that_cannot_be_placed_are_refused_before_any_work(quick, film, tmp_path, settings):
+def test_maps_without_georeference_are_rejected_early(quick, film, tmp_path, settings):
     pytest.importorskip("rasterio")
     with pytest.raises(loom.FileError, match=r"ortho\.tif"):
         loom.video.reconstruct(film, settings, outputs=outputs(tmp_path))
     assert (quick.ran, names_in(tmp_path)) == ([], ["walk.mp4"])
 
 
-def test_places_that_settle_nothing_are_refused_before_the_long_work(quick, film, tmp_path):
+def test_maps_with_collinear_gps_are_rejected_before_depth(quick, film, tmp_path):
     pytest.importorskip("rasterio")
     with pytest.raises(loom.FileError, match=r"ortho\.tif"):
-        loom.video.reconstruct(film, told(places_of(level=False)), outputs=outputs(tmp_path))  # on a line
+        loom.video.reconstruct(film, settings_with(gps_positions(level=False)), outputs=outputs(tmp_path))  # on a line
     assert (quick.ran, names_in(tmp_path)) == (STAGES[:4], ["walk.mp4"])
 
 
-def test_cells_that_are_too_many_are_refused_before_the_long_work(quick, film, tmp_path, monkeypatch):
+def test_too_many_cells_are_rejected_early(quick, film, tmp_path, monkeypatch):
     pytest.importorskip("rasterio")
     read = motion.read_model
 
@@ -92,7 +92,7 @@ def test_cells_that_are_too_many_are_refused_before_the_long_work(quick, film, t
 
     monkeypatch.setattr(motion, "read_model", with_points)
     with pytest.raises(ValueError, match="cell:"):
-        loom.video.reconstruct(film, told(places_of()), outputs=outputs(tmp_path, 1e-5))
+        loom.video.reconstruct(film, settings_with(gps_positions()), outputs=outputs(tmp_path, 1e-5))
     assert quick.ran == STAGES[:4]
 
 
@@ -105,7 +105,7 @@ def test_cells_that_are_too_many_are_refused_before_the_long_work(quick, film, t
         (("--ortho", "o.tif", "--dem", "o.tif", "--cell", "1"), "o.tif"),
     ],
 )
-def test_the_command_refuses_maps_that_make_no_sense(quick, film, tmp_path, monkeypatch, words, message):
+def test_the_command_rejects_invalid_maps(quick, film, tmp_path, monkeypatch, words, message):
     pytest.importorskip("rasterio")
     monkeypatch.chdir(tmp_path)
     result = run("video", film, "-o", "m.ply", *words)

@@ -1,4 +1,4 @@
-"""The whole chain on nine small pictures of the room's bookcase, held against the truth."""
+"""The full chain on nine small pictures of the room's bookcase, compared with the truth."""
 
 import importlib.util
 
@@ -13,13 +13,13 @@ from pointloom.datasets.scenes.room import look_along, room_views, surface_error
 from ...cli.commands import answer
 
 COUNT, WIDTH, HEIGHT, FOCAL = 9, 320, 240, 262.5
-SIZE = 240  # of the pictures that depth is found in: a pixel is 1 cm at 2 m
+SIZE = 240  # of the pictures for depth: a pixel is 1 cm at 2 m
 EYE, RIGHT, TARGET = np.array([2.5, 2.05, 1.6]), np.array([-0.907, 0.422, 0.0]), np.array([1.6, 0.1, 1.0])
 
 
 @pytest.fixture(scope="module")
 def views():
-    """A metre from left to right, up and down by turns, looking at the bookcase's middle."""
+    """A meter from left to right, alternating up and down, looking at the middle of the bookcase."""
     camera = PinholeCameraIntrinsic(WIDTH, HEIGHT, FOCAL, FOCAL, (WIDTH - 1) / 2, (HEIGHT - 1) / 2)
     poses = []
     for k, side in enumerate(np.linspace(-1, 1, COUNT)):
@@ -51,7 +51,7 @@ def run_in(folder, photos, *words):
 
 
 def true_points(views):
-    """Every 4th pixel of every picture, in the room [m]."""
+    """Points of every 4th pixel of every picture, in the room [m]."""
     v, u = (each.reshape(-1) for each in np.mgrid[0:HEIGHT:4, 0:WIDTH:4])
     rays = np.stack([(u - (WIDTH - 1) / 2) / FOCAL, (v - (HEIGHT - 1) / 2) / FOCAL, np.ones(len(u))], axis=1)
     points = []
@@ -63,7 +63,7 @@ def true_points(views):
 
 
 def errors_of_cameras(folder, views):
-    """Errors of the cameras after the similarity that fits them best to the true ones."""
+    """Errors of the cameras after the best similarity transform to the true ones."""
     path = loom.read_trajectory(folder / "poses.log")
     assert path.ids[:, 0].tolist() == list(range(COUNT))  # the numbers in the photos' names
     truth = loom.Trajectory(views.poses)
@@ -71,7 +71,7 @@ def errors_of_cameras(folder, views):
 
 
 @pytest.mark.slow
-def test_photos_alone_show_where_they_were_taken_and_what_they_show(made, views):
+def test_photos_alone_give_accurate_poses_and_surface(made, views):
     report, folder = made
     assert (report["model"]["registered_count"], report["units"], report["reliable"]) == (COUNT, "arbitrary", True)
     assert report["fused"]["share"] > 0.6
@@ -86,7 +86,7 @@ def test_photos_alone_show_where_they_were_taken_and_what_they_show(made, views)
 
 
 @pytest.mark.slow
-def test_a_known_distance_gives_metres_and_makes_the_mesh_alone_again(made, photos, views):
+def test_a_known_distance_gives_meters_and_remakes_only_the_mesh(made, photos, views):
     _, folder = made
     eyes = [views.read(k).T_world_camera[:3, 3] for k in (0, COUNT - 1)]
     known = f"photo_0,photo_{COUNT - 1}.png,{np.linalg.norm(eyes[0] - eyes[1])}"

@@ -1,4 +1,4 @@
-"""The stages from a model on: straightened pictures with their sparse points, and what comes of no depth at all."""
+"""The stages after the model: undistorted pictures with sparse points, and results without any depth."""
 
 from pathlib import Path
 
@@ -18,7 +18,7 @@ WIDTH, HEIGHT = 96, 64
 NAMES = ("frame_000003.jpg", "frame_000010.jpg", "frame_000020.jpg")
 
 
-def say_nothing(step, done, total):
+def ignore_progress(step, done, total):
     pass
 
 
@@ -35,7 +35,7 @@ def before(tmp_path, rng):
         pixels = rng.integers(0, 256, (HEIGHT, WIDTH, 3), np.uint8)
         Image.fromarray(pixels).save(frames / motion.PICTURES / name)
     camera = loom.CameraModel("SIMPLE_RADIAL", WIDTH, HEIGHT, [80.0, 47.0, 33.0, -0.12])
-    loom.write_colmap_model(model / motion.MODEL, seen_model(camera, NAMES, turn=0))
+    loom.write_colmap_model(model / motion.MODEL, seen_model(camera, NAMES, angle=0))
     return made(frames), made(model)
 
 
@@ -47,12 +47,14 @@ def straight(before, tmp_path):
 def straighten(before, tmp_path, max_size):
     folder = tmp_path / "undistorted"
     folder.mkdir()
-    told = surface.straighten(folder, say_nothing, frames=before[0], model=before[1], max_size=max_size, device="cpu")
-    return StageResult("undistorted", folder, "", told, {}, False)
+    report = surface.straighten(
+        folder, ignore_progress, frames=before[0], model=before[1], max_size=max_size, device="cpu"
+    )
+    return StageResult("undistorted", folder, "", report, {}, False)
 
 
 @pytest.mark.parametrize("max_size", [1000, 64, 40])
-def test_straightened_pictures_show_the_sparse_points_where_a_pinhole_does(before, tmp_path, max_size):
+def test_undistorted_pictures_show_sparse_points_as_a_pinhole(before, tmp_path, max_size):
     result = straighten(before, tmp_path, max_size)
     model, paths, cameras = surface.open_straightened(result)
     assert model.names == tuple(f"{Path(name).stem}.png" for name in NAMES)
@@ -78,14 +80,14 @@ def depth_without_any(straight, tmp_path):
 
 
 def empty_mesh(straight, tmp_path, units):
-    """What the last two stages say where there is no depth."""
+    """Reports of the last two stages without depth."""
     depth = depth_without_any(straight, tmp_path)
     (tmp_path / "fused").mkdir()
     (tmp_path / "mesh").mkdir()
     where = {"undistorted": straight, "device": "cpu"}
-    fused = surface.fuse_points(tmp_path / "fused", say_nothing, depth=depth, **where)
+    fused = surface.fuse_points(tmp_path / "fused", ignore_progress, depth=depth, **where)
     return fused, surface.make_mesh(
-        tmp_path / "mesh", say_nothing, model=straight, fused=made(tmp_path / "fused"), units=units, **where
+        tmp_path / "mesh", ignore_progress, model=straight, fused=made(tmp_path / "fused"), units=units, **where
     )
 
 
@@ -106,7 +108,7 @@ def test_poses_beside_the_mesh_carry_the_numbers_of_their_pictures_and_its_unit(
     np.testing.assert_allclose(model.centers[:, 0], expected, atol=1e-9)
 
 
-def test_of_a_masked_picture_the_share_counts_what_the_mask_leaves(tmp_path):
+def test_the_share_of_a_masked_picture_counts_unmasked_pixels(tmp_path):
     Image.fromarray(np.repeat(np.array([[255, 0, 0, 0]], np.uint8), 3, axis=0)).save(tmp_path / "small.png")
     Image.fromarray(np.zeros((3, 4), np.uint8)).save(tmp_path / "hidden.png")
     depth = np.zeros((3, 4))
@@ -116,7 +118,7 @@ def test_of_a_masked_picture_the_share_counts_what_the_mask_leaves(tmp_path):
     assert surface.mean_share([one, none], [None, tmp_path / "hidden.png"]) == pytest.approx(1 / 12)
 
 
-def test_small_parts_in_the_air_go():
+def test_small_floating_parts_are_removed():
     corners = np.array([[0, 0, 0], [1, 0, 0], [0, 1, 0]], float)
     mesh = loom.TriangleMesh(
         np.concatenate([corners, 0.5 * corners + 3, 0.05 * corners + 9]), np.arange(9).reshape(3, 3)

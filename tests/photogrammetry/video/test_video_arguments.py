@@ -1,4 +1,4 @@
-"""The call behind `pointloom video` refuses arguments that make no sense before it does anything."""
+"""The function behind `pointloom video` rejects invalid arguments before any work."""
 
 from __future__ import annotations
 
@@ -74,7 +74,7 @@ def test_a_hostile_value_is_refused_by_name(name, argument, things):
     assert not faults, "\n".join(faults)
 
 
-def test_fewer_frames_and_smaller_sizes_than_the_least_are_refused():
+def test_frame_counts_and_sizes_below_the_minimum_are_rejected():
     for given in ({"max_frames": 1}, {"max_size": 63}):
         with pytest.raises(ValueError, match=next(iter(given))):
             Settings(**given)
@@ -89,7 +89,7 @@ def test_fewer_frames_and_smaller_sizes_than_the_least_are_refused():
         ({"resume": True}, ValueError),
     ],
 )
-def test_calls_that_make_no_sense_do_nothing(quick, film, tmp_path, given, error):
+def test_invalid_calls_do_nothing(quick, film, tmp_path, given, error):
     call = {"source": film, "outputs": Outputs(mesh=tmp_path / "room.ply")} | given
     with pytest.raises(error):
         reconstruct(call.pop("source"), **call)

@@ -1,4 +1,4 @@
-"""`pointloom video`: what runs again when what changes, what is refused, and what is told of a poor result."""
+"""`pointloom video`: stages that run again, rejected calls, and messages of poor results."""
 
 import json
 
@@ -22,7 +22,7 @@ def output(tmp_path):
 
 
 def files_of(folder):
-    """Its files but the records and the report, which hold times."""
+    """All files but the records and the report, which contain times."""
     paths = (p for p in folder.rglob("*") if p.is_file() and p.parent.name != "records" and p.name != "report.json")
     return {path.relative_to(folder).as_posix(): path.read_bytes() for path in paths}
 
@@ -49,8 +49,8 @@ def test_without_a_work_folder_nothing_is_left_but_the_outputs(quick, film, outp
     assert len(loom.read_point_cloud(cloud)) == 3
 
 
-def test_a_folder_to_train_from_is_written_beside_the_mesh_and_in_its_unit(quick, film, output, tmp_path, monkeypatch):
-    def take_frames(folder, say, *, source, max_frames):
+def test_a_training_folder_is_written_in_the_unit_of_the_mesh(quick, film, output, tmp_path, monkeypatch):
+    def take_frames(folder, report_progress, *, source, max_frames):
         (folder / motion.PICTURES).mkdir()
         for number in range(0, 10 * COUNT, 10):
             write_png(folder / motion.PICTURES / f"frame_{number:06d}.png", np.full((48, 64, 3), number, np.uint8))
@@ -73,7 +73,7 @@ def test_a_folder_to_train_from_is_written_beside_the_mesh_and_in_its_unit(quick
     )
 
 
-def test_the_summary_says_what_became_of_the_pictures(quick, film, output):
+def test_the_summary_reports_the_use_of_the_pictures(quick, film, output):
     result = run("video", film, "-o", output)
     assert result.exit_code == 0, result.stderr
     for text in (
@@ -92,7 +92,7 @@ def test_the_summary_says_what_became_of_the_pictures(quick, film, output):
         ([], []),
         (["--scale", "2"], ["mesh"]),
         (["--known", "0,10,3"], ["mesh"]),
-        (["--max-size", "64"], ["undistorted"]),  # the pictures are no larger: what follows is kept
+        (["--max-size", "64"], ["undistorted"]),  # the pictures are no larger: later stages are reused
         (["--max-frames", "4"], STAGES),
         (["--seed", "1"], ["features", "matches", "model", "depth", "fused", "mesh"]),
         (["--picture", "room.png"], []),
@@ -118,9 +118,9 @@ def test_another_film_is_another_run(quick, film, output, tmp_path):
 
 
 @pytest.mark.parametrize("stage", STAGES[::3] + STAGES[-1:])
-def test_an_interrupted_run_goes_on_to_the_same_bytes(quick, film, output, tmp_path, stage):
+def test_an_interrupted_run_resumes_to_bitwise_identical_files(quick, film, output, tmp_path, stage):
     answer("video", film, "-o", output, "--work", tmp_path / "whole")
-    whole, mesh = files_of(tmp_path / "whole"), output.read_bytes()
+    complete, mesh = files_of(tmp_path / "whole"), output.read_bytes()
     output.unlink()
     quick.ran.clear()
     quick.fail = stage
@@ -132,7 +132,7 @@ def test_an_interrupted_run_goes_on_to_the_same_bytes(quick, film, output, tmp_p
     quick.fail = None
     answer("video", film, "-o", output, "--work", tmp_path / "work", "--resume")
     assert quick.ran == STAGES[STAGES.index(stage) :]
-    assert (files_of(tmp_path / "work"), output.read_bytes()) == (whole, mesh)
+    assert (files_of(tmp_path / "work"), output.read_bytes()) == (complete, mesh)
 
 
 def test_an_interrupted_run_without_a_work_folder_leaves_nothing(quick, film, output, tmp_path):
@@ -141,7 +141,7 @@ def test_an_interrupted_run_without_a_work_folder_leaves_nothing(quick, film, ou
     assert names_in(tmp_path) == ["walk.mp4"]
 
 
-def test_an_unknown_unit_stands_in_the_file_and_a_known_one_too(quick, film, output, tmp_path):
+def test_the_unit_is_written_to_the_file(quick, film, output, tmp_path):
     assert answer("video", film, "-o", output)["units"] == "arbitrary"
     assert b"\ncomment units arbitrary\n" in output.read_bytes()
     report = answer("video", film, "-o", output, "--scale", 3, "--force", "--trajectory", tmp_path / "poses.log")
@@ -152,7 +152,7 @@ def test_an_unknown_unit_stands_in_the_file_and_a_known_one_too(quick, film, out
     np.testing.assert_allclose(steps, 3.0)  # two steps of half a unit
 
 
-def test_known_places_move_the_mesh_and_the_poses(quick, film, output, tmp_path):
+def test_known_positions_transform_the_mesh_and_the_poses(quick, film, output, tmp_path):
     (tmp_path / "places.txt").write_text("0 100 0 0\n10 101 2 0\n20 102 0 0\n30 103 2 0\n")
     report = answer("video", film, "-o", output, "--align", tmp_path / "places.txt")
     assert report["fit"]["places"] == 4
@@ -160,8 +160,8 @@ def test_known_places_move_the_mesh_and_the_poses(quick, film, output, tmp_path)
     assert report["mesh"]["bounds"]["min"][0] == pytest.approx(100.0)
 
 
-def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
-    quick.turned, quick.reasons = True, ["the camera hardly moved: move instead of only rotating"]
+def test_a_camera_that_only_rotated_gives_no_mesh(quick, film, output, tmp_path):
+    quick.only_rotated, quick.reasons = True, ["the camera hardly moved: move instead of only rotating"]
     report = unreliable("video", film, "-o", output, "--work", tmp_path / "work")
     assert (
         "; ".join(report["warnings"]) == "the camera hardly moved: move instead of only rotating; nothing was written"
@@ -171,7 +171,7 @@ def test_a_camera_that_only_turned_makes_no_mesh(quick, film, output, tmp_path):
     assert json.loads((tmp_path / "work" / "report.json").read_text())["warnings"] == report["warnings"]
 
 
-def test_an_unreliable_mesh_is_written_and_the_remedy_told(quick, film, output):
+def test_an_unreliable_mesh_is_written_with_advice(quick, film, output):
     quick.reasons, quick.share = ["only 4 of 8 pictures could be placed: film more slowly"], 0.15
     first, second = unreliable("video", film, "-o", output)["warnings"]
     assert first == "only 4 of 8 pictures could be placed: film more slowly"
@@ -186,7 +186,7 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (["--scale", "2", "--known", "0,10,1"], "--scale and --known both define the unit"),
         (["--scale", "0"], "expected a number above 0"),
@@ -198,16 +198,16 @@ def test_an_empty_mesh_is_not_written(quick, film, output):
         (["--cloud", "room.ply"], "--cloud is the same file as --output"),
     ],
 )
-def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, said):
+def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, message):
     monkeypatch.chdir(tmp_path)
     result = run("video", film, "-o", "room.ply", *words)
     assert result.exit_code == 2
-    assert said in result.stderr
+    assert message in result.stderr
     assert quick.ran == []
 
 
 @pytest.mark.parametrize(
-    ("words", "said"),
+    ("words", "message"),
     [
         (["-o", "room.txt"], "meshes are not written to .txt"),
         (["-o", "there/room.ply"], "the folder there does not exist"),
@@ -221,12 +221,12 @@ def test_wrong_calls_are_refused(quick, film, tmp_path, monkeypatch, words, said
         (["-o", "room.ply", "--work", "photos"], "contains files that do not belong to a run"),
     ],
 )
-def test_what_cannot_be_written_is_said_before_the_work(quick, film, tmp_path, monkeypatch, words, said):
+def test_unwritable_outputs_are_rejected_early(quick, film, tmp_path, monkeypatch, words, message):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "old.ply").write_text("old")
     (tmp_path / "photos").mkdir()
     (tmp_path / "photos" / "a.jpg").write_text("a")
-    assert said in refusal("video", film, *words)
+    assert message in refusal("video", film, *words)
     assert quick.ran == []
     assert names_in(tmp_path) == ["old.ply", "photos", "walk.mp4"]
 
@@ -249,11 +249,11 @@ def test_two_runs_do_not_share_a_folder(quick, film, output, tmp_path):
     answer("video", film, "-o", output, "--work", tmp_path / "work")
 
 
-def test_a_source_that_is_not_there_is_said(quick, output, tmp_path):
+def test_a_missing_source_is_an_error(quick, output, tmp_path):
     assert "walk.mp4: does not exist. Give a video" in refusal("video", tmp_path / "walk.mp4", "-o", output)
 
 
-def test_a_known_picture_that_is_not_there_is_said_after_the_frames(quick, film, output):
+def test_a_missing_known_picture_is_an_error_after_the_frames(quick, film, output):
     assert "'7' matches no image" in refusal("video", film, "-o", output, "--known", "7,10,1")
     assert quick.ran == ["frames"]
     quick.registered = 3

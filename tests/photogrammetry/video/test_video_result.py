@@ -1,4 +1,4 @@
-"""`loom.video.reconstruct`: what the command does as one call, and what it gives back."""
+"""`loom.video.reconstruct`: the command as one call, and its result."""
 
 import json
 
@@ -13,7 +13,7 @@ from .conftest import COUNT
 
 
 def in_json(result):
-    """The report but for what the work costs."""
+    """The report without costs."""
     report = json.loads(json.dumps(result.to_dict()))
     return {name: value for name, value in report.items() if name not in ("stages", "peak_bytes")}
 
@@ -24,12 +24,12 @@ def test_a_film_becomes_objects_and_no_files(quick, film, tmp_path, monkeypatch)
     assert names_in(tmp_path) == ["walk.mp4"]
     assert (len(result.mesh), len(result.cloud), len(result.model)) == (2, 3, COUNT)
     assert (result.files, result.work, result.reliable, result.units) == ((), None, True, "arbitrary")
-    found = result.figures
-    assert (found.frame_count, found.picture_count, found.quality.registered_count) == (80, COUNT, COUNT)
-    assert (found.picture_size, found.confirmed_share, found.triangle_count) == ((64, 48), 0.6, 2)
+    figures = result.figures
+    assert (figures.frame_count, figures.picture_count, figures.quality.registered_count) == (80, COUNT, COUNT)
+    assert (figures.picture_size, figures.confirmed_share, figures.triangle_count) == ((64, 48), 0.6, 2)
 
 
-def test_mesh_cloud_and_model_lie_in_one_frame_and_unit(quick, film, tmp_path, monkeypatch):
+def test_mesh_cloud_and_model_share_one_frame_and_unit(quick, film, tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
     arbitrary = loom.video.reconstruct(film)
     meters = loom.video.reconstruct(film, loom.video.Settings(units=loom.video.Units(scale=3.0)))
@@ -84,7 +84,7 @@ def test_a_camera_is_taken_as_a_file_or_as_itself(quick, film, tmp_path):
         ("mesh", ["model", "undistorted", "fused"], {"units"}),
     ],
 )
-def test_a_stage_is_made_from_what_its_signature_asks_for(tmp_path, name, after, recorded):
+def test_a_stage_receives_the_inputs_of_its_signature(tmp_path, name, after, recorded):
     given = chain.settings_of_stages("walk.mp4", "digest", loom.video.Settings(), "cpu")
     names = list(chain.STAGES)
     made = {each: chain.StageResult(each, tmp_path / each, each, {}, {}, False) for each in names[: names.index(name)]}
